@@ -112,7 +112,7 @@ impl fmt::Display for Rgba {
     }
 }
 
-/// How faces are coloured (`[style] shading`).
+/// Shading of faces (`[style] shading`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Shading {
     /// Edges only, no faces.
@@ -126,7 +126,7 @@ pub enum Shading {
     Phong,
 }
 
-/// How hidden surfaces are removed (`[style] visibility`).
+/// Removal of hidden surfaces (`[style] visibility`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Visibility {
     /// A depth per pixel; the nearest wins.
@@ -138,7 +138,7 @@ pub enum Visibility {
     Bsp,
 }
 
-/// What is done with the part of a line that lies behind a face (`[style] hidden_lines`).
+/// Drawing of the part of a line that lies behind a face (`[style] hidden_lines`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum HiddenLines {
     /// Drawn with dashes, thinner.
@@ -146,7 +146,7 @@ pub enum HiddenLines {
     Dashed,
     /// Not drawn.
     Hidden,
-    /// Drawn as if nothing stood before it.
+    /// Drawn as if nothing were in front of it.
     Shown,
 }
 
@@ -165,11 +165,11 @@ pub enum Theme {
 /// The `[style]` section of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Style {
-    /// How faces are coloured.
+    /// Shading of faces.
     pub shading: Shading,
-    /// How hidden surfaces are removed.
+    /// Removal of hidden surfaces.
     pub visibility: Visibility,
-    /// What is done with hidden parts of lines.
+    /// Drawing of hidden parts of lines.
     pub hidden_lines: HiddenLines,
     /// Samples per pixel: 1, 4 or 16.
     pub antialias: u8,
@@ -216,7 +216,7 @@ impl Dash {
     }
 }
 
-/// How one stroke looks.
+/// The look of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineStyle {
     /// Colour of the stroke.
@@ -225,7 +225,7 @@ pub struct LineStyle {
     pub width: f32,
     /// Pattern of the part that can be seen.
     pub dash: Dash,
-    /// What is done with the part that lies behind a face.
+    /// Drawing of the part that lies behind a face.
     pub hidden: HiddenLines,
     /// An arrow head at the last point.
     pub arrow: bool,

@@ -1,32 +1,32 @@
-//! A chart as data: what is drawn as SVG, PDF or pixels, and what the window shows. Both axes are logarithmic.
+//! A chart as data: for SVG, PDF or pixels, and for the window. Both axes are logarithmic.
 
 /// Curves over a pair of logarithmic axes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
-    /// What it shows.
+    /// Its title.
     pub title: String,
-    /// What goes to the right, with its unit.
+    /// The quantity to the right, with its unit.
     pub x_label: String,
-    /// What goes up, with its unit.
+    /// The quantity upwards, with its unit.
     pub y_label: String,
     /// In the order of the legend.
     pub series: Vec<Series>,
 }
 
-/// One curve, or points that stand alone.
+/// One curve, or points without a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
     /// Its name in the legend.
     pub name: String,
-    /// Which colour of the palette; `None`: grey.
+    /// Index of the colour in the palette; `None`: grey.
     pub color: Option<usize>,
     /// All greater than 0.
     pub points: Vec<[f64; 2]>,
-    /// How the points are drawn.
+    /// Drawing of the points.
     pub look: Look,
 }
 
-/// How the points of a series are drawn.
+/// Drawing of the points of a series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Look {
     /// Dots joined by lines.

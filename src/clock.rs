@@ -22,7 +22,7 @@ pub fn now() -> Duration {
 /// coarse, up to a millisecond (W3C, *High Resolution Time*, "Clock resolution").
 #[must_use]
 pub fn resolution() -> Duration {
-    /// A clock that stands still for so many looks has no better one.
+    /// Looks after which a clock that has not moved has no better resolution.
     const LOOKS: u32 = 10_000_000;
     const COARSEST: Duration = Duration::from_millis(1);
     static RESOLUTION: OnceLock<Duration> = OnceLock::new();

@@ -20,7 +20,7 @@ use crate::geometry::Angle;
 use crate::limits::MAX_EXPRESSION;
 use crate::sanitize;
 
-/// What the number measures.
+/// The quantity that the number measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
     /// A length, a factor, a ratio, a count.
@@ -33,13 +33,13 @@ pub enum Dimension {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{problem}")]
 pub struct ExpressionError {
-    /// What is wrong.
+    /// The problem.
     pub problem: ExpressionProblem,
     /// The bytes of the text that are at fault; empty, at its end, where something is missing.
     pub span: Range<usize>,
 }
 
-/// What is wrong with an expression.
+/// A problem in an expression.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ExpressionProblem {
     /// Nothing was typed.
@@ -81,7 +81,7 @@ const MAX_DEPTH: u32 = MAX_EXPRESSION.1;
 /// ```
 ///
 /// # Errors
-/// [`ExpressionError`] says what is wrong, and where. The value is never infinite, never NaN.
+/// [`ExpressionError`] names the problem and its place. The value is never infinite, never NaN.
 pub fn evaluate(text: &str, dimension: Dimension) -> Result<f64, ExpressionError> {
     evaluate_with(text, dimension, &[])
 }
@@ -214,12 +214,12 @@ struct Parser<'a> {
 }
 
 impl<'a> Parser<'a> {
-    /// How many bytes have been read.
+    /// Number of bytes read so far.
     fn at(&self) -> usize {
         self.text.len() - self.rest.len()
     }
 
-    /// A fault in what was read from `start` on.
+    /// A fault in the text read from `start` on.
     fn error(&self, start: usize, problem: ExpressionProblem) -> ExpressionError {
         let read = &self.text[start..self.at()];
         let start = start + (read.len() - read.trim_start().len());
@@ -241,7 +241,7 @@ impl<'a> Parser<'a> {
         self.error(0, ExpressionProblem::TooLong)
     }
 
-    /// The value, or the fault that what was read from `start` on mixes angles and numbers.
+    /// The value, or the fault that the text read from `start` on mixes angles and numbers.
     fn unmixed<T>(&self, start: usize, value: Option<T>) -> Result<T, ExpressionError> {
         value.ok_or_else(|| self.error(start, ExpressionProblem::MixedUnits))
     }

@@ -1,7 +1,7 @@
-//! Mathematics between dollar signs in texts from outside: what may stand there.
+//! Mathematics between dollar signs in texts from outside: the allowed commands.
 //!
-//! LaTeX, which sets it on a sheet, is a language in which a text can read files and run programs. So only what is
-//! listed here is let through: whatever else there is, and whatever comes later, is not.
+//! LaTeX, which sets it on a sheet, is a language in which a text can read files and run programs. So only the commands
+//! listed here are allowed: no others, and none that come later.
 
 use std::fmt::Write as _;
 
@@ -12,19 +12,19 @@ use crate::sanitize::escaped;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the formula ${}$ has {problem}", escaped(formula))]
 pub struct FormulaError {
-    /// What stands between the dollar signs.
+    /// The text between the dollar signs.
     pub formula: String,
-    /// What is wrong with it.
+    /// The problem.
     pub problem: FormulaProblem,
 }
 
-/// What is wrong with a formula.
+/// A problem in a formula.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FormulaProblem {
     /// No dollar sign ends it.
     #[error("no closing dollar sign")]
     Open,
-    /// Nothing stands in it.
+    /// No content.
     #[error("no content")]
     Empty,
     /// A control word that is not one of mathematics.
@@ -33,7 +33,7 @@ pub enum FormulaProblem {
     /// An environment that is not one of mathematics.
     #[error("the environment {}", escaped(.0))]
     Environment(String),
-    /// A character that stands for no mathematics.
+    /// A character that is not mathematical.
     #[error("{:?}, which is not a mathematical symbol", .0)]
     Character(char),
     /// A brace, a `\left` or a `\begin` without its other half.
@@ -66,7 +66,7 @@ const WORDS: &[&str] = &[
     // Signs.
     "forall", "exists", "emptyset", "varnothing", "angle", "triangle", "top", "bot", "ldots", "cdots", "vdots", "ddots", "dots", "colon",
     "square", "backslash",
-    // Fractions, roots, what stands above and below.
+    // Fractions, roots, accents above and below.
     "frac", "dfrac", "tfrac", "cfrac", "sqrt", "binom", "dbinom", "tbinom", "overline", "underline", "overrightarrow", "overleftarrow",
     "overbrace", "underbrace", "hat", "widehat", "bar", "vec", "dot", "ddot", "tilde", "widetilde", "acute", "grave", "check", "breve",
     "overset", "underset", "stackrel", "substack", "boxed",
@@ -142,13 +142,13 @@ pub fn sign(c: char) -> Option<&'static str> {
     })
 }
 
-/// Holds that what stands between the dollar signs of a text is mathematics.
+/// Checks that the text between the dollar signs of a text is mathematics.
 ///
 /// # Errors
 /// [`FormulaError`] for the first formula that is not.
 pub fn check(text: &str) -> Result<(), FormulaError> {
     let mut parts = text.split('$');
-    // What stands before the first dollar sign.
+    // The text before the first dollar sign.
     parts.next();
     while let Some(formula) = parts.next() {
         let error = |problem| FormulaError { formula: formula.to_owned(), problem };
@@ -158,13 +158,13 @@ pub fn check(text: &str) -> Result<(), FormulaError> {
     Ok(())
 }
 
-/// Holds that a formula is mathematics; `latex` stands between the dollar signs.
+/// Checks that a formula is mathematics; `latex` is the text between the dollar signs.
 ///
 /// *Guarantees*: LaTeX that sets it between dollar signs with amsmath and amssymb reads no file, runs no program,
 /// defines nothing, and is in words again at its end.
 ///
 /// # Errors
-/// What is wrong with it.
+/// The problem.
 pub fn check_one(latex: &str) -> Result<(), FormulaProblem> {
     if latex.trim().is_empty() {
         return Err(FormulaProblem::Empty);
@@ -201,7 +201,7 @@ pub fn is_word(word: &str) -> bool {
     WORDS.contains(&word) || TEXTS.contains(&word)
 }
 
-/// What was begun and has not come to its end.
+/// An open group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Open<'a> {
     Brace { is_text: bool },
@@ -258,7 +258,7 @@ impl<'a> Reader<'a> {
         matches!(self.open.last(), Some(Open::Brace { is_text: true }))
     }
 
-    /// What follows a backslash.
+    /// The command after a backslash.
     fn control(&mut self) -> Result<(), FormulaProblem> {
         let end = self.rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(self.rest.len());
         let (word, rest) = self.rest.split_at(end);

@@ -10,7 +10,7 @@ use crate::camera::{
 };
 use crate::figure::Figure;
 
-/// What `camera-lab inspect` prints; the order of the fields is the order of the keys.
+/// The output of `camera-lab inspect`; the order of the fields is the order of the keys.
 ///
 /// *Guarantees*: every number is finite, and zero has no sign. Written as JSON, a number reads back as the same `f64`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -40,11 +40,11 @@ pub struct Report {
     pub inverse_projection_matrix: [[f64; 4]; 4],
     /// Near (l,b) (r,b) (r,t) (l,t), then far in the same order.
     pub volume_corners: [[f64; 3]; 8],
-    /// The points that were asked for.
+    /// The requested points.
     pub points: Vec<PointReport>,
-    /// The rays through the pixels that were asked for.
+    /// The rays through the requested pixels.
     pub rays: Vec<RayReport>,
-    /// What is possible, but probably not what was meant.
+    /// Warnings about a camera that is possible, but probably not meant.
     pub warnings: Vec<WarningReport>,
 }
 
@@ -117,7 +117,7 @@ pub struct WindowReport {
     pub aspect: f64,
 }
 
-/// One point in every space; what follows the division is `null` where W = 0.
+/// One point in every space; the values after the division are `null` where W = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PointReport {
     /// World.
@@ -134,7 +134,8 @@ pub struct PointReport {
     pub pixel: Option<[Whole; 2]>,
     /// (X, Y, Z).
     pub viewport: Option<(Whole, Whole, f64)>,
-    /// |X|, |Y|, |Z| ≤ W (or what the convention has for Z) and W > 0; `None` where W = 0 (such a point is not inside).
+    /// |X|, |Y|, |Z| ≤ W (or the bounds of the convention for Z) and W > 0; `None` where W = 0 (such a point is not
+    /// inside).
     pub inside: Option<bool>,
 }
 
@@ -143,7 +144,7 @@ pub struct PointReport {
 pub struct RayReport {
     /// (i, j).
     pub pixel: [i64; 2],
-    /// Where it starts, world.
+    /// Its origin, world.
     pub origin: [f64; 3],
     /// Unit vector, world.
     pub direction: [f64; 3],
@@ -185,7 +186,7 @@ pub enum InspectError {
     /// An operation has no result.
     #[error("operation {operation}: {error}")]
     Operation {
-        /// Which.
+        /// The operation.
         operation: Operation,
         /// Why.
         error: CameraError,

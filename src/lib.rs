@@ -12,7 +12,7 @@
 //! | window | scene units | on the plane z_c = −F, x right, y up |
 //! | image | pixels | (0, 0) is the top-left corner, y down |
 //!
-//! Where to start reading: [`camera`] for the model of the notes, [`pipeline`] for the way from a scene to a picture.
+//! Start reading at [`camera`] for the model of the notes, and at [`pipeline`] for the way from a scene to a picture.
 
 pub mod appearance;
 pub mod camera;

@@ -108,7 +108,7 @@ fn unit<S: Simd>(simd: S, v: Eight<S>) -> Eight<S> {
     [v[0] * inverse, v[1] * inverse, v[2] * inverse]
 }
 
-/// 0 also for what is not a number.
+/// Clamps negative values to 0, and NaN too.
 #[inline(always)]
 fn at_least_zero<S: Simd>(simd: S, value: f32x8<S>) -> f32x8<S> {
     let zero = f32x8::splat(simd, 0.0);
@@ -131,7 +131,7 @@ fn power<S: Simd>(simd: S, mut base: f32x8<S>, exponent: f32) -> f32x8<S> {
     result
 }
 
-/// The low bytes of `colors` under light, rounded to the nearest of 0 … 255; 0 for what is not a number.
+/// The low bytes of `colors` under light, rounded to the nearest of 0 … 255; 0 for NaN.
 #[inline(always)]
 fn channel<S: Simd>(simd: S, colors: u32x8<S>, share: f32x8<S>, white: f32x8<S>) -> u32x8<S> {
     let most = f32x8::splat(simd, 255.0);

@@ -1,4 +1,4 @@
-//! How much of everything there may be: each limit once, with its reason.
+//! Limits: each one once, with its reason.
 
 use std::ops::RangeInclusive;
 
@@ -18,24 +18,24 @@ pub const PAPER_CM: RangeInclusive<f64> = 0.1..=1000.0;
 /// Pixels per inch of paper: from the wall of a lecture hall to the films that printers expose, with a little room.
 pub const PAPER_DPI: RangeInclusive<f64> = 1.0..=10_000.0;
 
-/// The height of letters on paper, in points: what is smaller is not ink any more, what is larger (35 cm) is no name in
-/// a picture.
+/// The height of letters on paper, in points: smaller ones are no ink any more, larger ones (35 cm) no names in a
+/// picture.
 pub const PAPER_LETTERS: RangeInclusive<f64> = 0.5..=1000.0;
 
-/// The width of lines on paper, in points: from what no printer can do to what covers a picture.
+/// The width of lines on paper, in points: beyond the finest line of printers, and up to one that covers a picture.
 pub const PAPER_LINES: RangeInclusive<f64> = 0.01..=100.0;
 
-/// What pictures, strokes and letters are multiplied by: from a stamp to sixteen screens.
+/// The factor of pictures, strokes and letters: from a stamp to sixteen screens.
 pub const SCALE: RangeInclusive<f64> = 0.1..=16.0;
 
-/// How long a step of an animation takes, in seconds: shorter ones cannot be followed, longer ones take more pictures
+/// The duration of a step of an animation, in seconds: shorter ones cannot be followed, longer ones take more pictures
 /// than a file has use for.
 pub const STEP_SECONDS: RangeInclusive<f64> = 0.1..=60.0;
 
-/// How long `accuracy` measures times, in seconds: an hour; 0 leaves them out.
+/// The time that `accuracy` spends on measuring, in seconds: an hour; 0 leaves the times out.
 pub const MEASURED_SECONDS: RangeInclusive<f64> = 0.0..=3600.0;
 
-/// How far the corner of a viewport may lie outside the image, in pixels: twice the longest side.
+/// The greatest distance of the corner of a viewport outside the image, in pixels: twice the longest side.
 pub const MAX_OFFSET: i64 = 2 * MAX_SIDE as i64;
 
 /// The fewest segments of a curved shape: a triangle.
@@ -44,7 +44,7 @@ pub const MIN_SEGMENTS: u32 = 3;
 /// The most segments of a curved shape: half a million triangles for a sphere.
 pub const MAX_SEGMENTS: u32 = 512;
 
-/// Segments of a curved shape where nothing is said: at usual sizes it looks round.
+/// Default segments of a curved shape: at usual sizes it looks round.
 pub const DEFAULT_SEGMENTS: u32 = 32;
 
 /// The most meridians that a curved shape names as edges: with more, the wireframe of a sphere is no longer legible.
@@ -53,21 +53,21 @@ pub const MAX_MERIDIANS: u32 = 16;
 /// No mesh has more vertices than this: they are counted with 32 bits, with room for those that cutting makes.
 pub const MAX_VERTICES: usize = 1 << 31;
 
-/// The most objects of a scene, the parts of its meshes among them: so many take about a gigabyte and some seconds to
-/// be drawn, and a mesh file can begin one with each face.
+/// The most objects of a scene, the parts of its meshes included: they take about a gigabyte and some seconds to be
+/// drawn, and a mesh file can begin one with each face.
 pub const MAX_OBJECTS: usize = 1 << 17;
 
-/// The most lights of a scene: each is computed at each pixel, and more than a few can hardly be told apart.
+/// The most lights of a scene: each is computed at each pixel, and more than a few can hardly be distinguished.
 pub const MAX_LIGHTS: usize = 1024;
 
-/// The most named points of a figure: more names and rays can hardly be told apart in a picture.
+/// The most named points of a figure: more names and rays can hardly be distinguished in a picture.
 pub const MAX_NAMED_POINTS: usize = 32;
 
-/// The most objects whose place by a list of transforms a figure shows (`[[show.moved]]`): more axes can hardly be told
-/// apart.
+/// The most objects whose place by a list of transforms a figure shows (`[[show.moved]]`): more axes can hardly be
+/// distinguished.
 pub const MAX_SHOWN_OBJECTS: usize = 32;
 
-/// The most steps that a way to the canonical volume can be asked for; no way has more than eight.
+/// The most steps of a way to the canonical volume that can be requested; no way has more than eight.
 pub const MAX_STEPS: f64 = 100.0;
 
 /// The longest figure file in bytes: a hundred times the largest that people write.
@@ -76,33 +76,32 @@ pub const MAX_FIGURE_BYTES: usize = 8 << 20;
 /// The longest file of preferences or of progress with exercises in bytes: both take some kilobytes.
 pub const MAX_KEPT_BYTES: u64 = 8 << 20;
 
-/// The longest file of what a window showed in bytes: the text of a figure twice, with signs that JSON writes longer.
+/// The longest session file in bytes: the text of a figure twice, with characters that JSON writes longer.
 pub const MAX_SESSION_BYTES: u64 = 8 * MAX_FIGURE_BYTES as u64;
 
-/// The longest link to a figure: browsers take more, but mail, chat and learning platforms cut what is longer.
+/// The longest link to a figure: browsers take more, but mail, chat and learning platforms cut longer ones.
 pub const MAX_LINK_CHARACTERS: usize = 8000;
 
 /// The longest file of any kind in bytes: more than any picture or mesh that can be shown.
 pub const MAX_FILE_BYTES: u64 = 1 << 30;
 
-/// The most bytes that a figure makes the program read, meshes and what they name together: some five million triangles
-/// as text. What a mesh becomes in memory is several times as much.
+/// The most bytes that a figure makes the program read, meshes and the files they name together: some five million
+/// triangles as text. In memory a mesh is several times as large.
 pub const MAX_SCENE_BYTES: usize = 512 << 20;
 
-/// The most items of sparse accessors that are 0 because no bytes stand behind them: a line of JSON can ask for
-/// billions.
+/// The most items of sparse accessors that are 0 because no bytes are behind them: a line of JSON can ask for billions.
 pub const MAX_ZEROS: usize = 1 << 20;
 
-/// The most pieces into which faces are split to be put in order: what crosses one another makes pieces by the cube. So
-/// many take more than a second and 260 MiB; 400 plates that all cross would take eight million, half a minute and 5
-/// GiB.
+/// The most pieces into which faces are split to be sorted: crossing faces make pieces by the cube of their number.
+/// This number takes more than a second and 260 MiB; 400 plates that all cross would take eight million, half a minute
+/// and 5 GiB.
 pub const MAX_PIECES: usize = 1 << 19;
 
 /// The most bytes that the corners of these pieces take: there is no bound to how many corners a piece can have.
 pub const MAX_PIECE_BYTES: usize = 256 << 20;
 
-/// The most steps in which strokes are held against faces and one another, for outputs without a depth buffer: so many
-/// take some seconds. What is kept counts as several steps, so that it takes some hundred MiB at most.
+/// The most steps in which strokes are compared with faces and one another, for outputs without a depth buffer: they
+/// take some seconds. A stored result counts as several steps, so that memory stays below some hundred MiB.
 pub const MAX_STROKE_STEPS: usize = 1 << 28;
 
 /// The longest expression in characters, and how deep its parentheses may be nested: more than anybody types; deeper
@@ -116,8 +115,8 @@ pub const MAX_TYPED_NAME: usize = 200;
 /// The most characters of a path or an address that are typed: Windows' longest path, four times the longest link.
 pub const MAX_TYPED: usize = 1 << 15;
 
-/// The longest formula of a text in characters, and how deep its pairs may be nested: more than a line has, and less
-/// than the stack of what sets it.
+/// The longest formula of a text in characters, and the greatest depth of its pairs: more than fits on a line, and less
+/// than the stack of the typesetter.
 pub const MAX_FORMULA: (usize, usize) = (1000, 30);
 
 /// The longest answer to an exercise in bytes: a matrix of roots takes a few hundred.
@@ -132,14 +131,14 @@ pub const MAX_OWN_EXERCISES: usize = 256;
 /// The most that one exercise asks: they are lettered from a to z.
 pub const MAX_ASKS: usize = 26;
 
-/// The longest identifier of an exercise or of what it asks, in characters: it stands in a command line.
+/// The longest identifier of an exercise or of a question, in characters: it is part of a command line.
 pub const MAX_EXERCISE_NAME: usize = 64;
 
-/// The most undo steps that are kept: more than anybody goes back.
+/// The most undo steps: more than anybody goes back.
 pub const MAX_UNDO_STEPS: usize = 500;
 
-/// The most bytes of scenes that undo keeps besides the one that is shown: several steps of the largest figures, all
-/// steps of usual ones. One step is kept however large it is.
+/// The most bytes of scenes that undo stores besides the one that is shown: several steps of the largest figures, all
+/// steps of usual ones. One step is stored however large it is.
 pub const MAX_UNDO_BYTES: usize = 64 << 20;
 
 /// The longest list of points that the panel shows as fields; longer ones are edited in the file.
@@ -148,7 +147,7 @@ pub const MAX_POINTS_IN_PANEL: usize = 48;
 /// The most lines that are shown where two texts are compared: more than anybody reads.
 pub const MAX_COMPARED_LINES: usize = 2000;
 
-/// The most windows that are written down, those that did not close included: more than anybody opens at once.
+/// The most stored sessions of windows, those that did not close included: more than anybody opens at once.
 pub const MAX_SESSIONS: usize = 16;
 
 /// Of larger images the pixels of a single triangle are not looked at: that is done while the window waits.

@@ -1,7 +1,7 @@
 //! Hands the arguments to the command line, and opens the window when there is no subcommand. In a browser there is the
 //! window alone.
 
-// A double click opens no console; what is printed goes through `camera-lab.com` (dist/windows/console).
+// A double click opens no console; printed text goes through `camera-lab.com` (dist/windows/console).
 #![cfg_attr(all(windows, feature = "gui"), windows_subsystem = "windows")]
 
 #[cfg(target_arch = "wasm32")]

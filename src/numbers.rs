@@ -11,7 +11,7 @@ pub use exact::{ExactForm, exact_form};
 /// More digits than these are exact: the shortest text that reads back as the same `f64`.
 pub const EXACT_DIGITS: usize = 17;
 
-/// `value` with so many significant digits; from [`EXACT_DIGITS`] on, the shortest text that reads back as the same
+/// `value` with this many significant digits; from [`EXACT_DIGITS`] on, the shortest text that reads back as the same
 /// `f64`.
 #[must_use]
 pub fn significant(value: f64, digits: usize) -> String {
@@ -37,7 +37,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     trim(&format!("{rounded:.decimals$}")).to_owned()
 }
 
-/// How a language writes numbers: its decimal mark, with what follows from it.
+/// The way in which a language writes numbers: its decimal mark, and the list separator that follows from it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum DecimalMark {
     /// `0.5`
@@ -69,15 +69,15 @@ impl DecimalMark {
         }
     }
 
-    /// Numbers one after the other; what is zero but for the rounding of its neighbours is 0, unless all digits are
-    /// wanted.
+    /// Numbers one after the other; a number that is zero but for the rounding of its neighbours is 0, unless all
+    /// digits are requested.
     #[must_use]
     pub fn list(self, values: &[f64], digits: usize) -> String {
         let numbers = without_rests(values, digits).into_iter().map(|v| self.number(v, digits));
         numbers.collect::<Vec<_>>().join(self.separator())
     }
 
-    /// What stands between the numbers of a list.
+    /// The separator between the numbers of a list.
     #[must_use]
     pub const fn separator(self) -> &'static str {
         match self {
@@ -111,21 +111,21 @@ impl DecimalMark {
     }
 }
 
-/// The values, with 0 for what can be a rest of rounding beside the greatest of them. With [`EXACT_DIGITS`] as they
-/// are.
+/// The values, with 0 for those that can be a rounding error next to the greatest of them. Unchanged with
+/// [`EXACT_DIGITS`].
 #[must_use]
 pub fn without_rests(values: &[f64], digits: usize) -> Vec<f64> {
     let greatest = values.iter().fold(0.0_f64, |greatest, v| greatest.max(v.abs()));
     values.iter().map(|v| if digits < EXACT_DIGITS && is_rest(*v, greatest) { 0.0 } else { *v }).collect()
 }
 
-/// True for what a few roundings of numbers as large as `greatest` can leave of zero.
+/// Whether a value can be zero but for a few roundings of numbers as large as `greatest`.
 #[must_use]
 pub fn is_rest(value: f64, greatest: f64) -> bool {
     value.abs() <= 4.0 * f64::EPSILON * greatest
 }
 
-/// `p/q` for what is that to the last digit, with small p and q; `None` for whole numbers too.
+/// `p/q` for a value that equals it to the last digit, with small p and q; `None` for whole numbers too.
 #[must_use]
 pub fn fraction(value: f64) -> Option<String> {
     (2..=32).find_map(|q| {
@@ -246,7 +246,7 @@ pub fn natural_order(a: &str, b: &str) -> Ordering {
     rest_a.len().cmp(&rest_b.len()).then_with(|| a.cmp(b))
 }
 
-/// What a text begins with: digits, or what comes before the next ones.
+/// The first piece of a text: digits, or the characters before the next ones.
 fn piece(text: &str) -> &str {
     let digits = text.starts_with(|c: char| c.is_ascii_digit());
     &text[..text.find(|c: char| c.is_ascii_digit() != digits).unwrap_or(text.len())]

@@ -1,8 +1,8 @@
-//! How far long work has come, and whether it is still wanted: shared by whoever does it and whoever waits for it.
+//! Progress and cancellation of long work: shared by whoever does it and whoever waits for it.
 //!
-//! Where there are no threads, long work is done in slices, something else between two of them: it is written as a
-//! future, which pauses where a step is done. Nothing wakes it: whoever does it [polls](Future::poll) it when there is
-//! time, or does it [all at once](at_once).
+//! Without threads, long work is done in slices, with other work between them: it is written as a future, which pauses
+//! after each step. Nothing wakes it: whoever does it [polls](Future::poll) it when there is time, or does it [all at
+//! once](at_once).
 
 use std::future::poll_fn;
 use std::pin::pin;
@@ -10,7 +10,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU8, AtomicUsize, Ordering};
 use std::task::{Context, Poll, Waker};
 
-/// What takes long.
+/// A kind of long work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Activity {
     /// A mesh file is read.
@@ -30,8 +30,7 @@ impl Activity {
     pub const ALL: [Self; 5] = [Self::Reading, Self::Ordering, Self::Painting, Self::Encoding, Self::Measuring];
 }
 
-/// How far one piece of work has come. A clone is of the same work. What is done never depends on it, but for being
-/// given up.
+/// The progress of one piece of work. A clone is of the same work. Results never depend on it, but for cancellation.
 #[derive(Clone, Debug, Default)]
 pub struct Progress {
     cancelled: Arc<AtomicBool>,
@@ -59,7 +58,7 @@ impl Progress {
         Self { cancelled: Arc::clone(&self.cancelled), steps: Arc::default() }
     }
 
-    /// True where the work is to end soon; what comes of it is thrown away.
+    /// Whether the work is to end soon; its result is discarded.
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
@@ -71,7 +70,7 @@ impl Progress {
         self.cancelled.store(false, Ordering::Relaxed);
     }
 
-    /// Says what is done from now on, and how many steps that takes; 0: nobody knows.
+    /// Starts an activity of this number of steps; 0: unknown.
     pub fn begin(&self, doing: Activity, steps: usize) {
         self.steps.of.store(0, Ordering::Relaxed);
         self.steps.done.store(0, Ordering::Relaxed);
@@ -85,13 +84,13 @@ impl Progress {
         self.steps.done.fetch_add(steps, Ordering::Relaxed);
     }
 
-    /// More steps are done, and what is done in slices pauses here.
+    /// Records more steps done, and pauses work that is done in slices.
     pub async fn advance_and_pause(&self, steps: usize) {
         self.advance(steps);
         pause().await;
     }
 
-    /// What is being done, and which share of it has been, where that is known.
+    /// The present activity, and its share done, where it is known.
     #[must_use]
     pub fn now(&self) -> Option<(Activity, Option<f32>)> {
         let doing = *Activity::ALL.get(usize::from(self.steps.doing.load(Ordering::Relaxed)).checked_sub(1)?)?;

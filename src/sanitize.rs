@@ -1,5 +1,5 @@
-//! How text is shown that came from outside: paths, names, words of files. What a terminal would obey, and what turns
-//! the order of writing round, is written as an escape; and nobody gets to read five megabytes.
+//! Display of text from outside: paths, names, words of files. Characters that a terminal would obey, and those that
+//! reverse the writing direction, are written as escapes; and nobody has to read five megabytes.
 
 use std::path::Path;
 
@@ -53,7 +53,7 @@ pub fn path_text(path: &str) -> String {
     if start == 0 { end } else { format!("…{end}") }
 }
 
-/// The whole text, with escapes for what a terminal would obey.
+/// The whole text, with escapes for characters that a terminal would obey.
 #[must_use]
 pub fn printable(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
@@ -61,7 +61,7 @@ pub fn printable(text: &str) -> String {
     shown
 }
 
-/// A character, or the escape that stands for it.
+/// A character, or its escape.
 enum Piece {
     Itself(char),
     Escape(std::char::EscapeDefault),
@@ -87,7 +87,7 @@ impl Piece {
     }
 }
 
-/// Control characters, ends of lines, what turns the order of writing round, and what nobody sees.
+/// Whether a character is a control character, a line end, invisible, or reverses the writing direction.
 fn is_obeyed(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200b}' | '\u{200e}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}')

@@ -1,6 +1,6 @@
-//! A figure in a link: its text, packed, in what stands after the `#` of an address.
+//! A figure in a link: its text, packed, after the `#` of an address.
 //!
-//! A browser keeps that part for itself: it is not sent to the machine that the page comes from.
+//! A browser does not send that part to the server of the page.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_zlib_with_limit};
 
 use crate::limits::{MAX_FIGURE_BYTES, MAX_LINK_CHARACTERS};
 
-/// What stands in an address before the figure.
+/// The text between the address and the figure.
 const KEY: &str = "#figure=";
 
 /// As small as it gets: a figure is packed in a moment.
@@ -33,8 +33,8 @@ pub enum ShareError {
     TooLarge,
 }
 
-/// The link to the figure with this text. `address` is that of the page which opens it; empty: what stands after the
-/// address alone.
+/// The link to the figure with this text. `address` is that of the page which opens it; empty: only the part after the
+/// address.
 ///
 /// # Errors
 /// [`ShareError::TooLong`].
@@ -48,14 +48,14 @@ pub fn link(address: &str, text: &str) -> Result<String, ShareError> {
 #[must_use]
 pub fn text_in(link: &str) -> Option<Result<Vec<u8>, ShareError>> {
     let (_, packed) = link.split_once(KEY)?;
-    // What a mail program or a person has added at the end.
+    // Characters added at the end by a mail program or a person.
     let is_added = |c: char| c.is_whitespace() || matches!(c, '=' | '.' | ',' | ')' | '>' | '"' | '\'');
     let packed = packed.trim_end_matches(is_added).trim_start();
     Some(unpacked(packed))
 }
 
 fn unpacked(packed: &str) -> Result<Vec<u8>, ShareError> {
-    // Nothing that long packs a figure that may be read; base64 takes four characters for three bytes.
+    // A longer one cannot be a readable figure; base64 takes four characters for three bytes.
     if packed.len() / 4 > MAX_FIGURE_BYTES / 3 {
         return Err(ShareError::TooLarge);
     }
@@ -66,7 +66,7 @@ fn unpacked(packed: &str) -> Result<Vec<u8>, ShareError> {
     })
 }
 
-/// The link that stands where a path is expected; `None` for paths.
+/// The link in the place of a path; `None` for paths.
 #[must_use]
 pub fn link_of(path: &Path) -> Option<&str> {
     path.to_str().filter(|text| text.contains(KEY))
@@ -117,7 +117,7 @@ mod tests {
 
     #[test]
     fn what_is_too_long_is_said_and_a_small_link_cannot_hold_a_huge_text() {
-        // What does not pack: the digits of a simple generator.
+        // Incompressible data: the digits of a simple generator.
         let mut state = 1_u32;
         let digits: String = (0..20_000)
             .map(|_| {

@@ -57,7 +57,7 @@ pub(crate) const ROUND_F32: f32 = 1.5 * 8_388_608.0;
 /// For numbers of −2⁵¹ … 2⁵¹.
 pub(crate) const ROUND_F64: f64 = 1.5 * 4_503_599_627_370_496.0;
 
-/// The nearest whole numbers, in the low bits. `zero`: what is added, such as [`ROUND_F32`].
+/// The nearest whole numbers, in the low bits. `zero`: the number added, such as [`ROUND_F32`].
 #[inline(always)]
 pub(crate) fn round_bits<K: Simd>(v: f32x8<K>, zero: f32) -> u32x8<K> {
     (v + zero).bitcast()
@@ -76,7 +76,7 @@ pub(crate) fn round_bits_f64<K: Simd>(v: f64x4<K>) -> [i32; 4] {
     [bits[0], bits[2], bits[4], bits[6]]
 }
 
-/// The nearest multiple of 1/`steps`, a power of two: what is added is taken away again.
+/// The nearest multiple of 1/`steps`, a power of two: a number is added and subtracted again.
 #[inline(always)]
 pub(crate) fn round_to_steps(v: f64, steps: f64) -> f64 {
     let zero = ROUND_F64 / steps;

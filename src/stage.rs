@@ -1,4 +1,4 @@
-//! The stages of the pipeline by name: what plans, files and windows call them.
+//! The stages of the pipeline by name, for plans, files and windows.
 
 /// A stage of the pipeline, in the order of `[3]` §1.1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -15,7 +15,7 @@ pub enum Stage {
     Transform,
     /// Drop faces that turn their back.
     CullFaces,
-    /// Cut what crosses a plane of the volume, before the divide.
+    /// Cut faces that cross a plane of the volume, before the divide.
     Clip,
     /// The terms of an oblique window.
     Oblique,
@@ -31,7 +31,7 @@ pub enum Stage {
     HiddenSurfaces,
     /// Pictures on surfaces.
     Texture,
-    /// Mix translucent colours with what is behind.
+    /// Blend translucent colours with those behind them.
     Blend,
     /// Several samples for a pixel.
     Antialias,
@@ -100,8 +100,8 @@ impl Stage {
         self.row().1
     }
 
-    /// The stage in whose loop this one runs, so that it has no time of its own: what is done to a number while it is
-    /// at hand costs less than a walk over all numbers for each stage.
+    /// The stage in whose loop this one runs, so that it has no time of its own: working on a number while it is at
+    /// hand costs less than a pass over all numbers for each stage.
     #[must_use]
     pub const fn timed_with(self) -> Option<Self> {
         self.row().2

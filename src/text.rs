@@ -31,10 +31,10 @@ pub(crate) static MONOSPACED_FONT_BYTES: &[u8] = font!("DejaVuSansMono.ttf");
 
 /// Size of a subscript, as a share of the text's.
 const SUBSCRIPT_SIZE: f32 = 0.7;
-/// How far the baseline of a subscript lies below the text's, in ems of the text.
+/// Distance of the baseline of a subscript below the text's, in ems of the text.
 const SUBSCRIPT_DROP: f32 = 0.2;
 
-/// What the font knows, read once.
+/// The properties of the font, read once.
 struct Font {
     charmap: skrifa::charmap::Charmap<'static>,
     metrics: GlyphMetrics<'static>,
@@ -68,13 +68,13 @@ static FONT: LazyLock<Option<Font>> = LazyLock::new(|| {
 pub struct Extent {
     /// From the origin to where the next letter would begin.
     pub width: f32,
-    /// How far its letters reach above the baseline.
+    /// Height of its letters above the baseline.
     pub above: f32,
-    /// How far its letters reach below the baseline; 0 where they stand on it.
+    /// Depth of its letters below the baseline; 0 where they stand on it.
     pub below: f32,
 }
 
-/// A piece of a text whose characters all stand on the line, or are all lowered.
+/// A piece of a text whose characters are all on the line, or all lowered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Run<'a> {
     /// The characters.
@@ -264,7 +264,7 @@ mod tests {
             }
         }
         let read = |name: &str| std::fs::read(root.join("assets/fonts").join(name)).unwrap();
-        // Code and columns of numbers are written with few signs; what is missing there is looked for in the other
+        // Code and columns of numbers are written with few characters; those missing there are taken from the other
         // font.
         for (name, least) in [("DejaVuSans.ttf", 1200), ("DejaVuSansMono.ttf", 400)] {
             let (whole, page) = (read(name), read(&format!("page/{name}")));
@@ -314,7 +314,7 @@ mod tests {
         assert!((x_height(20.0) - 20.0 * 1120.0 / 2048.0).abs() < 1e-3);
     }
 
-    /// Least and greatest x and y of what an outline goes through.
+    /// Least and greatest x and y of the points of an outline.
     fn bounds(elements: &[Element]) -> [f32; 4] {
         let points = elements.iter().filter_map(|element| match *element {
             Element::Move(p) | Element::Line(p) | Element::Quad(_, p) | Element::Cubic(_, _, p) => Some(p),

@@ -19,7 +19,8 @@ pub struct Basis {
     pub n: DVec3,
 }
 
-/// Where a camera stands. Kept in double-double, so that a chain of operations rounds once, at its end.
+/// The pose of a camera: position and axes. Stored in double-double, so that a chain of operations rounds once, at its
+/// end.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Pose {
     pub(super) position: Dd3,
@@ -42,7 +43,7 @@ impl Pose {
         self.up.scaled(self.up_exponent).value()
     }
 
-    /// What rounding leaves of C: C = `position.value()` + this.
+    /// The rest of C after rounding: C = `position.value()` + this.
     pub(super) fn position_rest(&self) -> DVec3 {
         DVec3::from_array(self.position.to_array().map(|x| x.parts()[1]))
     }
@@ -105,7 +106,7 @@ impl CameraFrame {
     }
 }
 
-/// VUP × (C − PF); `None` when the two are collinear: exactly, or so nearly that what is left of the product could come
+/// VUP × (C − PF); `None` when the two are collinear: exactly, or so nearly that the rest of the product could come
 /// from rounding the components of both, as with VUP = 3 (PF − C), rounded.
 fn sideways(up: Dd3, to_viewer: Dd3) -> Option<Dd3> {
     let (up, w) = (up.to_array(), to_viewer.to_array());

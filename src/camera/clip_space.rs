@@ -6,7 +6,7 @@ use super::projection::{Lens, from_rows, lens, rounded};
 use super::{Camera, InfiniteParallel, Ndc, Projection};
 use crate::geometry::double_double::Dd;
 
-/// What of a camera depends on the convention of NDC. Made by [`Camera::clip_space`].
+/// The part of a camera that depends on the convention of NDC. Made by [`Camera::clip_space`].
 ///
 /// Each matrix is computed from the parameters in double-double and rounded once: none is another one that was changed
 /// after it had been rounded.
@@ -124,8 +124,8 @@ impl<'a> ClipSpace<'a> {
         })
     }
 
-    /// What Z and W are multiplied by for the fourth row of the inverse in perspective, and Z and 1 for its third in
-    /// parallel projection.
+    /// Factors of Z and W for the fourth row of the inverse in perspective, and of Z and 1 for its third in parallel
+    /// projection.
     fn depth_row_inverted(&self) -> [Dd; 2] {
         let (near, far) = (Dd::new(self.camera.near()), Dd::new(self.camera.far()));
         let half = |x: Dd| x.scaled(-1);
@@ -179,7 +179,7 @@ impl<'a> ClipSpace<'a> {
         ])
     }
 
-    /// z_n of what has this distance from the plane of the eye, −z_c, which is not 0 in perspective.
+    /// z_n at this distance from the plane of the eye, −z_c, which is not 0 in perspective.
     #[must_use]
     pub fn ndc_depth(&self, distance: f64) -> f64 {
         let distance = Dd::new(distance);
@@ -190,7 +190,7 @@ impl<'a> ClipSpace<'a> {
         }
     }
 
-    /// Is what has these clip coordinates in the volume: |X|, |Y| ≤ W, Z / W between the depths of F and B, and W > 0?
+    /// Whether these clip coordinates are in the volume: |X|, |Y| ≤ W, Z / W between the depths of F and B, and W > 0.
     pub(super) fn is_inside(&self, clip: DVec4) -> bool {
         let [at_near, at_far] = self.ndc.depths();
         let (least, most) = (at_near.min(at_far) * clip.w, at_near.max(at_far) * clip.w);

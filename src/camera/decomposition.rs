@@ -1,4 +1,4 @@
-//! M_p M_v as a product of steps, as each of the notes takes them: what turns the view volume into the canonical one,
+//! M_p M_v as a product of steps, in the decomposition of each of the notes: the view volume becomes the canonical one,
 //! one step at a time.
 //!
 //! | steps | perspective | parallel |
@@ -29,7 +29,7 @@ pub enum Decomposition {
 /// A step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factor {
-    /// Which.
+    /// The step.
     pub step: Step,
     /// Its matrix.
     pub matrix: DMat4,
@@ -37,7 +37,7 @@ pub struct Factor {
     pub left_handed: bool,
 }
 
-/// What a step is, in the words of its source.
+/// A step, in the words of its source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Step {
     /// T(−C): the eye moves to the origin.
@@ -48,9 +48,9 @@ pub enum Step {
     TurnLeftHanded,
     /// The first three rows of M_p: clip coordinates, before anything is divided.
     ClipRows,
-    /// ÷ w_r, as a matrix of what the clip rows have made.
+    /// ÷ w_r, as a matrix applied to the result of the clip rows.
     Divide,
-    /// `[2]` P (over F): what lies at depth d becomes d/F times smaller; the frustum becomes a box.
+    /// `[2]` P (over F): things at depth d become d/F times smaller; the frustum becomes a box.
     Box,
     /// The middle of the box moves to the origin.
     Centre,

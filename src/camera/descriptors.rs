@@ -1,4 +1,4 @@
-//! What there is to know of each operation without a camera: its word, what it is given, and how it is written as text.
+//! All facts about an operation that need no camera: its word, its amount, and how it is written as text.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,7 +9,7 @@ use crate::geometry::Angle;
 use crate::numbers::{EXACT_DIGITS, significant};
 use crate::sanitize::escaped;
 
-/// A degree of freedom of the operations: what one number moves.
+/// A degree of freedom of the operations: the thing that one number moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Freedom {
     /// C about **u** through PF.
@@ -32,7 +32,7 @@ pub enum Freedom {
     PanV,
 }
 
-/// What the number of a degree of freedom is.
+/// The meaning of the number of a degree of freedom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Amount {
     /// Degrees; 0 changes nothing.
@@ -46,12 +46,12 @@ pub enum Amount {
 /// A degree of freedom with its word and its step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Descriptor {
-    /// Which one.
+    /// The degree of freedom.
     pub freedom: Freedom,
     /// The operation, as it is written on the command line; where two have the same word, their numbers follow it in
     /// order.
     pub word: &'static str,
-    /// What its number is.
+    /// The meaning of its number.
     pub amount: Amount,
     /// A step that is neither small nor large.
     pub step: f64,
@@ -76,7 +76,7 @@ pub const OPERATIONS: [Descriptor; 9] = {
 };
 
 impl Freedom {
-    /// Its word, what its number is, and its step.
+    /// Its word, the meaning of its number, and its step.
     #[must_use]
     pub const fn descriptor(self) -> &'static Descriptor {
         &OPERATIONS[self as usize]
@@ -101,7 +101,7 @@ impl Freedom {
 }
 
 impl Amount {
-    /// What is undone by it: the opposite angle or length, the inverse factor.
+    /// The amount that undoes this one: the opposite angle or length, the inverse factor.
     #[must_use]
     pub fn inverse(self, amount: f64) -> f64 {
         match self {
@@ -147,45 +147,45 @@ pub enum OperationError {
     /// No `=`.
     #[error("\"{}\" is not an operation; allowed: NAME=VALUE, where NAME is one of {}", escaped(text), Operation::names().join(", "))]
     NoValue {
-        /// What was found.
+        /// The text found.
         text: String,
     },
     /// A name that is none of [`Operation::names`].
     #[error("there is no operation \"{}\"; allowed: {}", escaped(name), Operation::names().join(", "))]
     UnknownName {
-        /// What was found.
+        /// The name found.
         name: String,
     },
     /// A number that cannot be read.
     #[error("{word} is \"{}\": {error} in {marked}; allowed: {allowed}", escaped(value), word = descriptor.word,
         marked = expression::marked(value, &error.span), allowed = allowed(descriptor))]
     NotANumber {
-        /// What was to be moved.
+        /// The operation.
         descriptor: Descriptor,
-        /// What was found.
+        /// The value found.
         value: String,
-        /// What is wrong with it.
+        /// The fault in the value.
         error: ExpressionError,
     },
     /// A factor that is not greater than 0.
     #[error("{word} is \"{}\"; allowed: {allowed}", escaped(value), word = descriptor.word, allowed = allowed(descriptor))]
     NotAFactor {
-        /// What was to be moved.
+        /// The operation.
         descriptor: Descriptor,
-        /// What was found.
+        /// The value found.
         value: String,
     },
     /// Too few numbers, or too many.
     #[error("{word} is \"{}\"; allowed: {allowed}", escaped(value), word = descriptor.word, allowed = allowed(descriptor))]
     WrongCount {
-        /// What was to be moved.
+        /// The operation.
         descriptor: Descriptor,
-        /// What was found.
+        /// The value found.
         value: String,
     },
 }
 
-/// What a value may be.
+/// The allowed values of an operation, in words.
 fn allowed(descriptor: &Descriptor) -> String {
     let word = descriptor.word;
     match descriptor.amount {

@@ -139,7 +139,7 @@ mod tests {
         assert_eq!(pixel(0.3 - 5e-10, 0.4 + 5e-10), [30.0, 30.0], "within the noise: on the border");
         assert_eq!(pixel(0.3 - 2e-9, 0.4 + 2e-9), [29.0, 29.0], "beyond it: the pixel before");
         assert_eq!(pixel(0.3 + 2e-9, 0.4 - 2e-9), [30.0, 30.0]);
-        // What is said of one direction does not hold for the other.
+        // A bound of one direction does not hold for the other.
         let across = camera.pixel_of_window(image, [0.3 - 5e-10, 0.4 + 5e-10].map(Dd::new), [1e-9, 0.0]);
         assert_eq!(across, [30.0, 29.0]);
     }

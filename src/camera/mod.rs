@@ -161,7 +161,7 @@ impl Camera {
         Ok(())
     }
 
-    /// What the camera was made from. (After an operation: the `f64`s nearest to its result.)
+    /// The parameters of the camera. (After an operation: the `f64`s nearest to its result.)
     #[must_use]
     pub fn parameters(&self) -> &Parameters {
         &self.parameters

@@ -20,7 +20,7 @@ pub struct Ndc {
     pub api: Api,
     /// z_n is 1 at F and 0 at B.
     pub reversed: bool,
-    /// There is no far plane (in perspective; see [`InfiniteParallel`]).
+    /// No back plane (in perspective; see [`InfiniteParallel`]).
     pub infinite: bool,
 }
 

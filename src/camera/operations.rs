@@ -112,8 +112,8 @@ impl Operation {
 
     /// The camera after the operation.
     ///
-    /// *Guarantees*: the result keeps what does not fit the `f64`s of its parameters, so a chain of operations rounds
-    /// once, at its end: twelve steps of 30° lead back to the same parameters, bit for bit.
+    /// *Guarantees*: the result retains the rest that does not fit the `f64`s of its parameters, so a chain of
+    /// operations rounds once, at its end: twelve steps of 30° lead back to the same parameters, bit for bit.
     ///
     /// ```
     /// # use camera_lab::camera::{Camera, Convention, Operation, Parameters};

@@ -1,4 +1,4 @@
-//! What a figure file or a slider holds, and why it may not be a camera.
+//! The camera parameters of a figure file or a slider, and the reasons why they may not be a camera.
 
 use std::fmt;
 
@@ -53,7 +53,8 @@ impl ViewWindow {
     }
 }
 
-/// What a figure file or a slider holds; may be nonsense until [`Camera::new`](super::Camera::new) has seen it.
+/// The camera parameters of a figure file or a slider; may be nonsense until [`Camera::new`](super::Camera::new) has
+/// checked them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
     /// C, world.
@@ -134,7 +135,7 @@ pub(super) fn check_range(key: &'static str, value: f64, allowed: Range) -> Resu
     if allowed.contains(value) { Ok(()) } else { Err(CameraError::OutOfRange { key, value, allowed }) }
 }
 
-/// Which numbers a value may take.
+/// The numbers that a value may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Range {
     /// Every finite number.
@@ -215,9 +216,9 @@ pub enum CameraError {
     OutOfRange {
         /// The figure file's key, or the operation's name.
         key: &'static str,
-        /// What was found.
+        /// The value found.
         value: f64,
-        /// What is allowed.
+        /// The allowed range.
         allowed: Range,
     },
     /// F ≥ B.
@@ -244,10 +245,10 @@ pub enum CameraError {
         /// t.
         top: f64,
     },
-    /// The parameters are possible one by one, but what follows from them is not a finite `f64`.
+    /// The parameters are possible one by one, but a quantity derived from them is not a finite `f64`.
     #[error("{quantity} would exceed the range of numbers (about 1e-308 to 1e308); it follows from {}", keys.join(", "))]
     Overflow {
-        /// What cannot be computed.
+        /// The quantity.
         quantity: Derived,
         /// The figure file's keys that it follows from.
         keys: &'static [&'static str],

@@ -26,9 +26,9 @@ impl ClipSpace<'_> {
     /// # Errors
     /// [`NotProjectable`]: no point has these coordinates.
     ///
-    /// In perspective NDC tell the sides of the eye apart: behind it, and only there, `z_n` is beyond what it tends to
-    /// at infinity. So the NDC that the division makes of a point behind the eye lead back to it; only those of its
-    /// plane, and of infinity, have no point.
+    /// In perspective, NDC distinguish the sides of the eye: behind it, and only there, `z_n` is beyond its limit at
+    /// infinity. So the NDC that the division gives to a point behind the eye lead back to it; only those of its plane,
+    /// and of infinity, have no point.
     pub fn world_of(&self, image: ImageSize, viewport: &Viewport, place: Place) -> Result<DVec3, NotProjectable> {
         let camera = self.camera();
         let (world, depth) = match place {

@@ -27,8 +27,8 @@ pub(super) struct Lens {
 impl Camera {
     /// M_v, `[0]` Eq. (5.7).
     ///
-    /// *Guarantees*: −**u** · **c** and its neighbours are rounded once, from unrounded **u**, **v**, **n**: what
-    /// cancels costs no digits, and a zero is a zero.
+    /// *Guarantees*: −**u** · **c** and its neighbours are rounded once, from unrounded **u**, **v**, **n**:
+    /// cancellation costs no digits, and a zero is a zero.
     ///
     /// ```
     /// # use camera_lab::camera::{Camera, Parameters};

@@ -1,14 +1,14 @@
 //! A matrix → its camera: (5.7) and (5.13) to (5.16) read backwards, in any convention of NDC.
 //!
-//! What a matrix does not hold is taken from the camera that is there, and said ([`Unknown`]): D (a direction has no
-//! length), VUP (only **v** is known), and in parallel projection C along **n** (moving the eye along its line of sight
-//! changes nothing).
+//! Quantities that a matrix does not hold are taken from the present camera, and reported ([`Unknown`]): D (a direction
+//! has no length), VUP (only **v** is known), and in parallel projection C along **n** (moving the eye along its line
+//! of sight changes nothing).
 
 use glam::{DMat4, DVec3, DVec4};
 
 use super::{Api, Camera, CameraError, Ndc, Parameters, Projection, ViewWindow};
 
-/// What a matrix is said to be.
+/// The kind of a pasted matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MatrixKind {
     /// M_v
@@ -19,7 +19,7 @@ pub enum MatrixKind {
     ViewProjection,
 }
 
-/// What the matrix does not say.
+/// A quantity that the matrix leaves open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Unknown {
     /// PF lies anywhere along DOP: D is the one that was there.
@@ -48,9 +48,9 @@ pub enum Unknown {
 /// A camera's parameters from a matrix.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recovered {
-    /// What a camera is made of.
+    /// The parameters of the camera.
     pub parameters: Parameters,
-    /// What the matrix left open, or what is otherwise there.
+    /// Quantities that the matrix left open, and other notices.
     pub unknown: Vec<Unknown>,
 }
 
@@ -98,7 +98,7 @@ pub enum RecoveryError {
         row: usize,
         /// From 1.
         column: usize,
-        /// What stands there.
+        /// The value of the entry.
         value: f64,
     },
     /// The image is mirrored.
@@ -117,7 +117,7 @@ pub enum RecoveryError {
         /// A convention in which it would be a camera.
         fits: Option<Ndc>,
     },
-    /// What comes out is not a camera.
+    /// The result is not a camera.
     #[error(transparent)]
     Camera(#[from] CameraError),
 }
@@ -128,7 +128,7 @@ fn row(v: DVec4) -> String {
 
 /// Beside 1: a matrix that was copied with three digits still passes.
 const SLACK: f64 = 2e-3;
-/// Below it nothing is said: the digits of an `f64` are all there.
+/// Errors below this are not reported: all digits of an `f64` are there.
 const EXACT: f64 = 1e-9;
 
 /// The camera of a matrix that acts on column vectors, in a convention of NDC. What the matrix does not hold comes from
@@ -292,7 +292,7 @@ impl Recovery {
         if (deep - n * z).length() > SLACK * deep.length().max(EXACT) && deep.length() > EXACT {
             return Err(RecoveryError::Shear { a: 3, b: 4, cosine: (deep - n * z).length() / deep.length() });
         }
-        // n·c, then what is left of the constants of the first two rows.
+        // n·c, then the rest of the constants of the first two rows.
         let along = last.w;
         let down = if self.ndc.y_points_down() { -1.0 } else { 1.0 };
         let [x_c, y_c] = [(-rows[0].w - skew[0] * along) / scale[0], (-rows[1].w - skew[1] * along) / scale[1] * down];
@@ -328,7 +328,7 @@ impl Recovery {
         self.parallel([scale[0], down * scale[1]], [0.0, 0.0], z, near)
     }
 
-    /// Window, F and B from what stands in (5.13).
+    /// Window, F and B from the entries of (5.13).
     fn perspective(
         &mut self,
         [x, y]: [f64; 2],

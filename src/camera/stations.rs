@@ -15,20 +15,21 @@ pub struct Stations {
     pub view: DVec3,
     /// Clip coordinates (X, Y, Z, W).
     pub clip: DVec4,
-    /// What follows the division by W; `None` where W = 0.
+    /// The coordinates after the division by W; `None` where W = 0.
     pub projected: Option<Projected>,
-    /// |X|, |Y|, |Z| ≤ W and W > 0, for `clip` as it stands here. (In other conventions Z lies between the depths of F and B, times W.)
+    /// |X|, |Y|, |Z| ≤ W and W > 0, for `clip` in this convention. (In other conventions Z lies between the depths of F
+    /// and B, times W.)
     pub inside: bool,
 }
 
 /// A point after the division.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projected {
-    /// NDC, `[0]` Eq. (5.6); in the convention of the [`ClipSpace`] that was asked.
+    /// NDC, `[0]` Eq. (5.6); in the convention of the [`ClipSpace`].
     pub ndc: DVec3,
     /// (x_p, y_p) on the plane of the view window, `[0]` Eqs. (5.9) and (5.10).
     pub window: DVec2,
-    /// (i, j), whole numbers, `[0]` Eq. (5.22); outside the image for what is outside the window.
+    /// (i, j), whole numbers, `[0]` Eq. (5.22); outside the image for points outside the window.
     pub pixel: DVec2,
     /// (X, Y, Z), `[0]` Eqs. (5.24) and (5.25); X and Y are whole numbers.
     pub viewport: DVec3,
@@ -55,10 +56,10 @@ impl Camera {
     /// ```
     ///
     /// *Guarantees*: computed in double-double and rounded at the end. W = 0 is recognised: (p − C) · **n** is an exact
-    /// sum of products, of which what lies below 2⁻⁹⁶ of the summands counts as zero; and so does, beside what p and C
-    /// are apart, what rounding their coordinates to `f64`s can have made of a point in the plane of the eye. z_c keeps
-    /// its digits. Floors are those of the exact numbers: what differs from a whole number by no more than the noise of
-    /// 106 bits is that number.
+    /// sum of products, in which anything below 2⁻⁹⁶ of the summands counts as zero; relative to the distance of p and
+    /// C, so does the error that rounding their coordinates to `f64`s can cause for a point in the plane of the eye.
+    /// z_c keeps its digits. Floors are those of the exact numbers: a number that differs from a whole number by no
+    /// more than the noise of 106 bits is that number.
     #[must_use]
     pub fn stations(&self, p_world: DVec3, image: ImageSize, viewport: &Viewport) -> Stations {
         self.notes_clip_space().stations(p_world, image, viewport)
@@ -75,7 +76,7 @@ impl Camera {
         (w.value() > 0.0).then(|| DVec2::new((x / w).value(), (y / w).value()))
     }
 
-    /// What rounding leaves of C: where C is the result of operations, it is [`position`](Self::position) and this.
+    /// The rest of C after rounding: where C is the result of operations, it is [`position`](Self::position) and this.
     pub(crate) fn position_rest(&self) -> DVec3 {
         self.pose.position_rest()
     }
@@ -104,8 +105,8 @@ impl Camera {
         if far(position) > MUCH_FARTHER * far(focal_point) { focal_point } else { position }
     }
 
-    /// A world point in the VRC, and how much of it may be noise, sideways and along **n**: of the differences what
-    /// rounding C (or PF) has left, and of the products.
+    /// A world point in the VRC, and its possible noise, sideways and along **n**: from the differences after rounding
+    /// C (or PF), and from the products.
     fn exact_view_point(&self, p_world: DVec3) -> (Dd3, [f64; 2]) {
         let CameraFrame { u, v, n, .. } = &self.frame;
         let [(aside, made_of_aside), (ahead, made_of_ahead)] =
@@ -121,8 +122,8 @@ impl Camera {
     }
 }
 
-/// p − `origin`, and the size of what it is made of in each coordinate in which `origin` is the result of operations,
-/// and not exact.
+/// p − `origin`, and the size of its terms in each coordinate in which `origin` is the result of operations, and not
+/// exact.
 fn difference(p_world: DVec3, origin: Dd3) -> (Dd3, DVec3) {
     let is_rounded = origin.to_array().map(|x| x.parts()[1] != 0.0);
     let sizes = (p_world.abs() + origin.value().abs()).to_array();

@@ -46,7 +46,7 @@ pub enum NotProjectable {
         /// Z at infinity
         infinity: f64,
     },
-    /// In perspective every line of sight goes through C: what lies in its plane has no place on the window.
+    /// In perspective every line of sight goes through C: points in its plane have no place on the window.
     #[error("distance 0: in the plane of the eye no point has an image; allowed: any other distance, such as F")]
     InPlaneOfEye,
     /// A coordinate exceeds the range of `f64`.

@@ -1,4 +1,4 @@
-//! What is possible, but probably not what was meant.
+//! Warnings: a camera that is possible, but probably not meant.
 
 use super::{Camera, ImageSize, Projection};
 
@@ -20,7 +20,7 @@ pub enum Warning {
     DepthPrecision {
         /// B / F.
         ratio: f64,
-        /// The smallest difference of depth at B that is kept, in scene units.
+        /// The smallest difference of depth at B that is resolved, in scene units.
         step: f64,
     },
     /// PF is not between the clipping planes.
@@ -76,7 +76,8 @@ impl Warning {
     }
 }
 
-/// Where a number of a camera begins to be trouble: what warnings and [`health`](crate::numerics::health) judge by.
+/// The thresholds at which a number of a camera becomes trouble, used by warnings and by
+/// [`health`](crate::numerics::health).
 pub mod thresholds {
     /// Below this angle between VUP and DOP, an error in the sixth digit of VUP shows.
     pub const NEARLY_COLLINEAR_DEGREES: f64 = 0.01;
@@ -94,7 +95,7 @@ use thresholds::{COARSE_DEPTH, FAR_AWAY, NEARLY_COLLINEAR_DEGREES, WIDE_DEGREES}
 const STEPS: f64 = 16_777_216.0;
 
 impl Camera {
-    /// What is possible, but probably not what was meant; empty when there is nothing to say.
+    /// Warnings about a camera that is possible, but probably not meant; empty when there are none.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
@@ -153,8 +154,8 @@ impl Camera {
         }
     }
 
-    /// The greatest coordinate of C or PF over D: how many times farther from the origin a camera is than from what it
-    /// looks at.
+    /// The greatest coordinate of C or PF over D: how many times farther from the origin a camera is than from its
+    /// focal point.
     #[must_use]
     pub fn origin_ratio(&self) -> f64 {
         self.position().abs().max(self.focal_point().abs()).max_element() / self.distance()

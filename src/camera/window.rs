@@ -1,5 +1,5 @@
 //! The view window on the plane z_c = −F: from angle, height and aspect, or given as l, r, b, t; and the change of the
-//! projection, which keeps what is seen at the focal point as large as it is.
+//! projection, which keeps the size of things at the focal point.
 
 use super::{Camera, CameraError, Parameters, Projection, ViewWindow};
 use crate::geometry::double_double::{Dd, atan_degrees, tan_half_degrees};
@@ -84,11 +84,11 @@ impl WideWindow {
 }
 
 impl Camera {
-    /// The same camera with the other kind of projection; what is seen at the focal point keeps its size: the window
-    /// is as high in parallel projection as the frustum is at distance D.
+    /// The same camera with the other kind of projection; things at the focal point keep their size: the window is as
+    /// high in parallel projection as the frustum is at distance D.
     ///
     /// *Guarantees*: without drift. There and back again gives the same parameters: the angle (or the height) that the
-    /// parameters still hold is taken where it says the same, and a given window returns within one rounding, and from
+    /// parameters still hold is used where it is equivalent, and a given window returns within one rounding, and from
     /// then on exactly.
     ///
     /// # Errors

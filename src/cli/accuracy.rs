@@ -13,12 +13,12 @@ use crate::numerics::{self, Effort, Findings, Row, Study};
 use crate::progress::at_once;
 use crate::sanitize;
 
-/// What programs read.
+/// The JSON output.
 #[derive(Serialize)]
 struct Accuracy<'a> {
     seed: u64,
     studies: &'a [Findings],
-    /// Where all studies are run.
+    /// With all studies only.
     #[serde(skip_serializing_if = "Option::is_none")]
     price: Option<Price>,
 }
@@ -50,7 +50,7 @@ pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
         let price = (studies.len() == Study::ALL.len()).then(|| overhead::measure(&effort, progress));
         (findings, price.flatten())
     });
-    // What goes to standard output and into files does not depend on the system.
+    // Output and files do not depend on the system's language.
     let written = args.lang.map_or(Lang::En, LangArg::lang);
     if let Some((path, format)) = plot {
         let name = sanitize::path(path);

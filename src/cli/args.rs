@@ -157,7 +157,7 @@ pub(super) struct RenderArgs {
     /// Run every stage of the pipeline, needed or not; the picture is the same
     #[arg(long)]
     pub(super) force_all_stages: bool,
-    // The endings stand in `PictureFormat`.
+    // The extensions are in `PictureFormat`.
     #[arg(short, long, value_name = "OUT", help = output_help())]
     pub(super) output: PathBuf,
 }
@@ -219,7 +219,7 @@ pub(super) struct AccuracyArgs {
     /// A table to read, JSON or CSV for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: DataFormat,
-    // The endings stand in `PlotFormat`.
+    // The extensions are in `PlotFormat`.
     #[arg(long, value_name = "OUT", help = plot_help())]
     pub(super) plot: Option<PathBuf>,
     /// Language of the table, the plot and messages
@@ -245,7 +245,7 @@ pub(super) struct DiagnoseArgs {
     pub(super) output: Option<PathBuf>,
 }
 
-/// What every command that takes a figure understands.
+/// The arguments of `animate`.
 #[derive(Debug, Args)]
 pub(super) struct AnimateArgs {
     /// Figure file, or a PNG that camera-lab wrote
@@ -280,19 +280,19 @@ pub(super) struct CodeArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct FigureArgs {
-    // The words stand in `OPERATIONS`.
+    // The words are in `OPERATIONS`.
     #[arg(long = "op", value_name = "NAME=VALUE", allow_hyphen_values = true, help = operations_help())]
     operations: Vec<String>,
-    /// What the pictures explain, as a key of `[show]` of a figure file with a TOML value: `stage="clip"`,
-    /// `step={way="notes",at=2.5}`, `measure=["F","theta"]`; without a value, nothing
+    /// Explanation to show in the pictures, as a key of `[show]` of a figure file with a TOML value: `stage="clip"`,
+    /// `step={way="notes",at=2.5}`, `measure=["F","theta"]`; an empty value removes it
     #[arg(long = "show", value_name = "KEY=VALUE", allow_hyphen_values = true)]
     show: Vec<String>,
     /// Signs of the rotations: right-hand rule, or as in VTK (elevation and roll the other way)
     #[arg(long, value_enum, default_value_t)]
     convention: ConventionArg,
-    /// Let the figure name any file of this machine. Without it, what a mesh names (materials, buffers) must lie in the
-    /// mesh's folder or below, and what a figure inside a picture names in the picture's. Nothing comes from another
-    /// machine
+    /// Let the figure name any file of this machine. Without it, files named by a mesh (materials, buffers) must lie in
+    /// the mesh's folder or below, and those named by a figure inside a picture in the picture's. Nothing comes from
+    /// another machine
     #[arg(long)]
     pub(super) allow_files: bool,
     /// Language of the window, of messages, and of words in pictures
@@ -337,7 +337,7 @@ impl FigureArgs {
         self.operations.iter().map(read).collect()
     }
 
-    /// What is shown, with the keys that the arguments set.
+    /// The `[show]` section, with the keys that the arguments set.
     pub(super) fn shown(&self, show: Show, lang: Lang) -> Result<Show, Failure> {
         self.show.iter().try_fold(show, |show, text| {
             let refused = |why: &str| Failure::BadInput(format!("--show {}: {why}", escaped(text)));
@@ -406,7 +406,7 @@ impl RenderArgs {
         size(self.size.as_deref(), lang)
     }
 
-    /// What width, height, strokes and letters are multiplied by, if it is given.
+    /// The factor of width, height, strokes and letters, if it is given.
     pub(super) fn scale(&self, lang: Lang) -> Result<Option<f32>, Failure> {
         #[expect(clippy::cast_possible_truncation, reason = "0.1 to 16")]
         let narrow = |scale: f64| scale as f32;
@@ -414,7 +414,7 @@ impl RenderArgs {
     }
 }
 
-/// Pixels per inch where nothing is said: what offices print with.
+/// Default of pixels per inch: that of office printers.
 const DPI: f64 = 300.0;
 
 impl RenderArgs {
@@ -424,7 +424,7 @@ impl RenderArgs {
         Ok([side("--width-cm", &self.width_cm)?, side("--height-cm", &self.height_cm)?])
     }
 
-    /// What is asked in units of paper; `None` where nothing is.
+    /// The arguments in units of paper; `None` where there are none.
     pub(super) fn paper(&self, lang: Lang) -> Result<Option<OnPaper>, Failure> {
         let letters = option("--letters", &self.letters, (&PAPER_LETTERS, 9.0), lang)?;
         let lines = option("--lines", &self.lines, (&PAPER_LINES, 0.6), lang)?;
@@ -492,7 +492,7 @@ impl AnimateArgs {
 }
 
 impl AccuracyArgs {
-    /// The studies that are asked for, in their order, each once.
+    /// The requested studies, in their order, each once.
     pub(super) fn studies(&self) -> Vec<Study> {
         let wanted = |study: &Study| self.studies.is_empty() || self.studies.contains(study);
         Study::ALL.into_iter().filter(wanted).collect()

@@ -17,7 +17,7 @@ use crate::views::{Request, Shot, View};
 /// Pictures that are drawn before the clock starts, so that buffers have their size.
 const WARM_UP: usize = 3;
 
-/// What programs read.
+/// The JSON output.
 #[derive(Serialize)]
 struct Measurement<'a> {
     view: &'a str,

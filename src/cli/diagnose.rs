@@ -15,7 +15,7 @@ use crate::numerics::diagnosis::{Diagnosis, Repair, Value, diagnose};
 use crate::numerics::health::{Health, health};
 use crate::sanitize;
 
-/// What programs read.
+/// The JSON output.
 #[derive(Serialize)]
 struct Answer<'a> {
     visible: u64,
@@ -100,7 +100,7 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
     print(text.as_bytes(), lang)
 }
 
-/// The figure with the repair of the first finding, or what is to be said instead.
+/// The figure with the repair of the first finding, or the message in its place.
 fn repaired(figure: &Figure, diagnosis: &Diagnosis, lang: Lang) -> (Figure, Option<&'static str>) {
     let t = coach::texts(lang);
     match diagnosis.findings.first().map(|finding| finding.repair) {
@@ -110,7 +110,7 @@ fn repaired(figure: &Figure, diagnosis: &Diagnosis, lang: Lang) -> (Figure, Opti
     }
 }
 
-/// The same to read.
+/// The output as text.
 fn sentences(answer: &Answer<'_>, health: &[Health], lang: Lang) -> String {
     let t = coach::texts(lang);
     let mut text = String::new();

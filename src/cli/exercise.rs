@@ -37,7 +37,7 @@ pub(super) fn run(args: &ExerciseArgs, lang: Lang) -> Result<(), Failure> {
     }
 }
 
-/// What goes to standard output does not depend on the system.
+/// The output does not depend on the system's language.
 fn written(lang: Option<LangArg>) -> Lang {
     lang.map_or(Lang::En, LangArg::lang)
 }
@@ -134,7 +134,7 @@ fn show(args: &ShowArgs, lang: Lang) -> Result<(), Failure> {
     print(text.as_bytes(), lang)
 }
 
-/// What programs read of an exercise.
+/// The JSON output for an exercise.
 fn described(lang: Lang, exercise: &Exercise, with_solution: bool) -> Value {
     let subject = &exercise.subject;
     let mut object = json!({
@@ -197,7 +197,7 @@ fn answer_value(lang: Lang, ask: &Ask) -> Value {
     }
 }
 
-/// The same to read.
+/// The output as text.
 fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
     let t = said::texts(lang);
     let mut text = format!("{}  ({})\n", texts::exercise_title(lang, exercise), exercise.id);
@@ -229,7 +229,7 @@ fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
     text
 }
 
-/// What writes the picture that is to be matched: a figure would give the answer away.
+/// The command that writes the picture to match: a figure would give the answer away.
 fn picture_command(exercise: &Exercise) -> String {
     format!("camera-lab exercise show {} --seed {} --picture OUT.png", exercise.id, exercise.seed)
 }
@@ -312,7 +312,7 @@ fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -
     })
 }
 
-/// The same to read.
+/// The output as text.
 fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswered: &[&str], hints: usize) -> String {
     let t = said::texts(lang);
     let mut text = String::new();

@@ -41,7 +41,7 @@ pub(super) struct ListArgs {
     pub(super) lang: Option<LangArg>,
 }
 
-/// Where the numbers of an exercise come from.
+/// The source of the numbers of an exercise.
 #[derive(Debug, Args)]
 pub(super) struct NumbersArgs {
     /// A whole number from 0; the same seed gives the same numbers

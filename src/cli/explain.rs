@@ -16,7 +16,7 @@ use crate::sanitize::escaped;
 use crate::scene::{Object, Scene};
 use crate::views::{Request, Size, View};
 
-/// What programs read.
+/// The JSON output.
 #[derive(Serialize)]
 struct Explanation<'a> {
     view: &'a str,
@@ -78,7 +78,7 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
     print(text.as_bytes(), lang)
 }
 
-/// What becomes of each object of the scene.
+/// The report of each object of the scene.
 fn objects<'a>(scene: &'a Scene, account: &RenderReport, lang: Lang) -> Vec<ObjectLine<'a>> {
     let line = |(object, report): (&'a Object, &ObjectReport)| {
         let (place, planes) = match report.containment {
@@ -94,7 +94,7 @@ fn objects<'a>(scene: &'a Scene, account: &RenderReport, lang: Lang) -> Vec<Obje
     scene.objects.iter().zip(&account.objects).map(line).collect()
 }
 
-/// The picture is drawn twice: the first time, memory that is new to the process would be most of what is measured.
+/// Draws the picture twice: the first time, memory new to the process would dominate the measurement.
 fn account(request: &Request) -> Option<RenderReport> {
     let (mut renderer, mut picture) = (Renderer::default(), Pixels::default());
     renderer.measure(Some(clock::now));
@@ -121,7 +121,7 @@ fn micros(time: std::time::Duration) -> f64 {
     (time.as_secs_f64() * 1e9).round() / 1e3
 }
 
-/// A table: stage, in → out and of what, microseconds, reason.
+/// A table: stage, counts in → out with their unit, microseconds, reason.
 fn table(account: &RenderReport, view: &str, size: Size, lang: Lang) -> String {
     let words = texts::explain(lang);
     let mut text = format!("{view}, {} × {}\n\n", size.width, size.height);

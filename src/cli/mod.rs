@@ -1,8 +1,7 @@
-//! The command line: one file per subcommand, and what they share.
+//! The command line: one file per subcommand, and their shared parts.
 //!
 //! Exit status: 0 done; 1 the work could not be completed; 2 bad input. Errors go to standard error, one paragraph, in
-//! the language of `--lang` or of the system; what is written to standard output or into a picture never depends on the
-//! system.
+//! the language of `--lang` or of the system; standard output and pictures never depend on the system.
 
 mod accuracy;
 mod animate;
@@ -47,21 +46,21 @@ enum Failure {
     BadInput(String),
     /// The work could not be completed: status 1.
     Failed(String),
-    /// An answer is not right, as has been said: status 1.
+    /// An answer is not right, as already reported: status 1.
     NotRight,
-    /// Nobody reads what is written: the end, quietly.
+    /// The reader of the output is gone: a quiet end.
     ClosedPipe,
 }
 
-/// What the arguments ask for.
+/// The task of the arguments.
 #[derive(Debug)]
 pub enum Asked {
     /// Something that has been done, or could not be.
     Done(ExitCode),
     /// The window.
     Window(Box<Opening>),
-    /// The window, with what cannot be opened: its exit status, and what is to be said. Where a program has no console,
-    /// a line on standard error is not seen.
+    /// The window, with a figure that cannot be opened: the exit status and the message. Without a console, a line on
+    /// standard error is not seen.
     NoWindow {
         /// The exit status.
         status: u8,
@@ -70,7 +69,7 @@ pub enum Asked {
     },
 }
 
-/// What the window is to open with.
+/// The initial state of the window.
 #[derive(Debug)]
 pub struct Opening {
     /// The figure; its camera is possible.
@@ -155,7 +154,7 @@ fn print(bytes: &[u8], lang: Lang) -> Result<(), Failure> {
 /// given back; the camera knows more digits of them.
 fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), Failure> {
     let name = messages::opened(lang, path);
-    // What is wrong with the arguments is said first: it does not depend on the file.
+    // Faults of the arguments are reported first: they do not depend on the file.
     let operations = args.operations(lang)?;
     let mut opened =
         files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
@@ -198,13 +197,13 @@ fn missing_triangle(figure: &Figure, scene: &Scene, lang: Lang) -> Option<String
     (triangle.index as usize >= count).then(|| texts::no_such_triangle(lang, &triangle.object, triangle.index, count))
 }
 
-/// What `explain`, `bench` and `diagnose` look at.
+/// The input of `explain`, `bench` and `diagnose`.
 struct OpenFigure {
     opened: Opened,
     camera: Camera,
     scene: SharedScene,
     size: Size,
-    /// What goes to standard output does not depend on the system.
+    /// The output does not depend on the system's language.
     lang: Lang,
 }
 

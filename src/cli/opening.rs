@@ -1,4 +1,4 @@
-//! No subcommand: what the window opens with.
+//! No subcommand: the initial state of the window.
 
 use super::args::WindowArgs;
 use super::words::LangArg;

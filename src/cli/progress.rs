@@ -1,4 +1,4 @@
-//! What is said while a command takes long.
+//! Progress messages of long commands.
 
 use std::io::{self, IsTerminal as _, Write};
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -8,13 +8,12 @@ use std::time::Duration;
 use crate::i18n::{Lang, progress as words};
 use crate::progress::Progress;
 
-/// Nothing is said before.
+/// Delay before the first message.
 const PATIENCE: Duration = Duration::from_millis(500);
-/// How often it is said anew.
+/// Interval between messages.
 const STEP: Duration = Duration::from_millis(100);
 
-/// Does `work`. Where standard error is a terminal, a line there says what is being done, from half a second on until
-/// it is done.
+/// Does `work`. On a terminal, a line of standard error shows its progress, from half a second on until it is done.
 pub(super) fn watched<T>(lang: Lang, work: impl FnOnce(&Progress) -> T) -> T {
     if io::stderr().is_terminal() { told(lang, &mut io::stderr(), PATIENCE, work) } else { work(&Progress::default()) }
 }
@@ -29,7 +28,7 @@ fn told<T>(lang: Lang, out: &mut (impl Write + Send), patience: Duration, work: 
             while waits.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
                 wait = STEP;
                 if let Some((doing, share)) = seen.now() {
-                    // Nothing depends on it, and nowhere is left to say that it failed.
+                    // Nothing depends on it, and a failure cannot be reported anywhere.
                     let _ = write!(out, "\r\x1b[K{}", words::progress(lang, doing, share)).and_then(|()| out.flush());
                 }
             }

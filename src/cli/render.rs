@@ -56,7 +56,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }
 
-/// Why there is no picture file of so many pixels.
+/// The reason why there is no picture file of this size.
 pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, height]: [u64; 2]) -> Failure {
     let encoder = |format, why: &str| Failure::Failed(format!("{name}: {}", messages::encoder(lang, format, why)));
     match error {
@@ -86,8 +86,8 @@ fn sized(width: u32, height: u32, scale: Option<f32>, paper: Option<&OnPaper>) -
     }
 }
 
-/// Width and height in pixels of a picture so many centimetres wide; where nothing is said, as high as the figure's
-/// image, or as three of them side by side.
+/// Width and height in pixels of a picture `width` centimetres wide; by default, as high as the figure's image, or as
+/// three of them side by side.
 fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, all: bool) -> [u64; 2] {
     let pixels = |centimetres| paper.pixels_across(centimetres);
     let width = pixels(width);

@@ -1,23 +1,23 @@
-//! The display list: what a picture consists of, in pixels with depth. The only thing that outputs know.
+//! The display list: the contents of a picture, in pixels with depth. All that outputs know.
 //!
 //! Pixels: (0, 0) is the top-left corner of the top-left pixel, x to the right, y down; the centre of pixel (i, j) is
-//! (i + ½, j + ½). Depth: **1 at the near plane, 0 at the far plane** (reversed, so that `f32` keeps its resolution
+//! (i + ½, j + ½). Depth: **1 at the front plane, 0 at the back plane** (reversed, so that `f32` keeps its resolution
 //! where perspective crowds the depths), affine in the picture's plane; the greater depth is nearer. Where the volume
-//! is much deeper than what is in view of it, the depths are those of what is in view, and may be greater than 1; the
-//! frame says what they mean.
+//! is much deeper than the part of it in view, the depths are those of the part in view, and may be greater than 1; the
+//! frame defines their meaning.
 //!
 //! Order, the same for every output, unless [`Drawing::painted_in_order`]: opaque surfaces (the nearest wins; of equal
 //! depths the first drawn stays), then translucent surfaces from back to front (hidden by what is opaque and nearer),
 //! then strokes, then areas in the order of the list (over all strokes, whatever their depths), then marks, then
 //! labels.
 //!
-//! Strokes: what a face hides of them is drawn as [`HiddenLines`](crate::appearance::HiddenLines) says; a stroke on a
+//! Strokes: their parts behind faces are drawn as [`HiddenLines`](crate::appearance::HiddenLines) says; a stroke on a
 //! face counts as visible. Strokes hide strokes as faces hide faces: where two cross, the nearer one is painted over
-//! the other, whatever their order in the list. Where they touch, so that neither is nearer by more than what their own
-//! width spans, a visible part goes over a hidden one, then the wider stroke over the finer one (an edge over a grid
-//! line that runs up to it), then the later one over the earlier. Strokes whose hidden parts are
+//! the other, whatever their order in the list. Where they touch, so that neither is nearer by more than the span of
+//! their own width, a visible part goes over a hidden one, then the wider stroke over the finer one (an edge over a
+//! grid line that runs up to it), then the later one over the earlier. Strokes whose hidden parts are
 //! [`Shown`](crate::appearance::HiddenLines::Shown) take no part in this: they are painted over all others, one over
-//! the other. [`order`] has these rules for numbers.
+//! the other. [`order`] implements these rules for numbers.
 
 pub mod order;
 
@@ -33,18 +33,18 @@ pub struct Drawing {
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
-    /// What is under everything.
+    /// The colour under everything.
     pub background: Rgba,
     /// Samples per pixel for surfaces: 1, 4 or 16. Strokes and labels are always smooth.
     pub antialias: u8,
     /// The surfaces are listed from back to front: each triangle, opaque or translucent, is painted over those before
-    /// it, whatever their depths. The last opaque one painted still leaves its depth, for what strokes and labels ask.
+    /// it, whatever their depths. The last opaque one painted still leaves its depth, for strokes and labels.
     pub painted_in_order: bool,
     /// Faces.
     pub surfaces: Vec<Surface>,
     /// Lines.
     pub strokes: Vec<StrokeSet>,
-    /// Filled areas that stand before the picture: the plate of a legend, samples of colours.
+    /// Filled areas in front of the picture: the plate of a legend, samples of colours.
     pub areas: Vec<Area>,
     /// Point marks.
     pub marks: Vec<Mark>,
@@ -92,7 +92,7 @@ pub enum Paint {
     },
 }
 
-/// What is needed to light a pixel.
+/// The inputs for lighting a pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Phong {
     /// Unit normals in view space, one per vertex.
@@ -150,7 +150,7 @@ pub struct StrokeSet {
     pub points: Vec<[f32; 3]>,
     /// Each polyline: a range of `points`. The arrow head, where the style has one, is at the last point of each.
     pub polylines: Vec<Range<u32>>,
-    /// How they look; the width is in pixels of this drawing (already scaled).
+    /// Their look; the width is in pixels of this drawing (already scaled).
     pub style: LineStyle,
 }
 
@@ -180,11 +180,11 @@ pub struct Mark {
     pub color: Rgba,
     /// Colour of a thin outline, so that it shows on any ground.
     pub outline: Rgba,
-    /// Drawn faintly (true) or fully (false) where a face stands before it.
+    /// Drawn faintly (true) or fully (false) behind a face.
     pub fade_if_hidden: bool,
 }
 
-/// Where a text lies relative to its point.
+/// The position of a text relative to its point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Anchor {
     /// The point is at the left end of the text.
@@ -213,6 +213,6 @@ pub struct Label {
     pub halo: Rgba,
     /// Horizontal place; vertically the middle of the x-height is at the point.
     pub anchor: Anchor,
-    /// Drawn faintly (true) or fully (false) where a face stands before its point.
+    /// Drawn faintly (true) or fully (false) where a face hides its point.
     pub fade_if_hidden: bool,
 }

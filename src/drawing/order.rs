@@ -1,5 +1,5 @@
-//! The rules by which depths are compared, the same for every output: what is in front, and what is as near as makes no
-//! difference.
+//! The rules by which depths are compared, the same for every output: the order in depth, and the tolerance within
+//! which depths count as equal.
 
 /// By how much two depths may differ, and still be the same: depths have some 16 bits where perspective crowds them.
 #[inline]
@@ -8,11 +8,10 @@ pub fn same_depth(depth: f32) -> f32 {
     1e-4 * depth.abs() + 1e-6
 }
 
-/// By how much a point may lie behind a face, and still be on it. `slope`: the change of the face's depth per pixel to
-/// the right and down.
+/// The distance by which a point may lie behind a face and still be on it. `slope`: the change of the face's depth per
+/// pixel to the right and down.
 ///
-/// Corners of faces lie on a grid of the pixel, ends of strokes do not; and slopes that are kept for each pixel are
-/// rounded.
+/// Corners of faces lie on a grid of the pixel, ends of strokes do not; and slopes stored for each pixel are rounded.
 #[inline]
 #[must_use]
 pub fn on_a_face(depth: f32, slope: [f32; 2]) -> f32 {
@@ -35,15 +34,15 @@ pub struct StrokePoint {
     pub depth: f32,
     /// By how much its depth may differ around there.
     pub reach: f32,
-    /// No face stands before it.
+    /// No face hides it.
     pub visible: bool,
     /// Its width in pixels.
     pub width: f32,
 }
 
-/// Which of two strokes is over the other where they touch: the nearer one; where neither is nearer by more than what
-/// they reach, one that is visible over one behind a face, then the wider over the finer one, then the later in the
-/// list.
+/// Whether the later of two strokes is over the earlier one where they touch: the nearer one is; where neither is
+/// nearer by more than their reach, one that is visible over one behind a face, then the wider over the finer one, then
+/// the later in the list.
 #[inline]
 #[must_use]
 pub fn later_is_over(later: StrokePoint, earlier: StrokePoint) -> bool {

@@ -6,19 +6,19 @@ use crate::expression::{self, Dimension, ExpressionError, ExpressionProblem};
 use crate::figure::{FigureError, read};
 use crate::limits::MAX_ANSWER;
 
-/// What was understood of an answer.
+/// An answer as it was understood.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
     /// Numbers; `None` where nothing was typed, or `?`.
     Numbers {
-        /// How many rows.
+        /// Number of rows.
         rows: usize,
-        /// How many columns.
+        /// Number of columns.
         columns: usize,
         /// Row by row.
         entries: Vec<Option<f64>>,
     },
-    /// Which of the choices.
+    /// Index of the choice.
     Choice(usize),
     /// A camera.
     Camera(Box<Parameters>),
@@ -27,7 +27,7 @@ pub enum Answer {
 /// Why an answer cannot be read. It is not judged then.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AnswerError {
-    /// Nothing was typed.
+    /// No answer.
     #[error("an answer is missing")]
     Empty,
     /// More than anybody types.
@@ -40,9 +40,9 @@ pub enum AnswerError {
         row: usize,
         /// From 0.
         column: usize,
-        /// What was typed there.
+        /// The text of the entry.
         text: String,
-        /// What is wrong with it.
+        /// The fault in it.
         error: ExpressionError,
     },
     /// A bracket without its other half.
@@ -53,17 +53,17 @@ pub enum AnswerError {
     Ragged {
         /// From 0.
         row: usize,
-        /// How many it has.
+        /// Its number of entries.
         found: usize,
-        /// How many the first has.
+        /// The number of entries of the first row.
         first: usize,
     },
     /// Not one of the choices.
     #[error("{given:?} is none of {}", choices.join(", "))]
     Choice {
-        /// What was typed.
+        /// The text of the answer.
         given: String,
-        /// What can be chosen.
+        /// The choices.
         choices: Vec<String>,
     },
     /// Not `key=value`.
@@ -77,7 +77,7 @@ pub enum AnswerError {
 /// Reads an answer; `names` are numbers that it may use by their names, such as F.
 ///
 /// # Errors
-/// [`AnswerError`] says what cannot be read, and where.
+/// [`AnswerError`] names the unreadable part and its place.
 pub fn read_answer(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answer, AnswerError> {
     if text.trim().is_empty() {
         return Err(AnswerError::Empty);

@@ -1,4 +1,4 @@
-//! An exercise: what is given, what is asked, and what is right.
+//! An exercise: the facts of its statement, its questions, and the right answers.
 
 use std::fmt;
 use std::sync::Arc;
@@ -19,24 +19,24 @@ use crate::numbers::{DecimalMark, EXACT_DIGITS};
 pub struct Exercise {
     /// Its identifier: `0-5.1`, `view-matrix`.
     pub id: String,
-    /// What its numbers come from.
+    /// The source of its numbers.
     pub seed: u64,
-    /// What it is about.
+    /// Its subject.
     pub subject: Subject,
     /// Numbers that the notes leave open and an answer may choose, with those that are chosen here.
     pub free: Vec<(&'static str, f64)>,
-    /// What the statement tells, by the names that stand in its text.
+    /// The facts of the statement, by their names in its text.
     pub facts: Vec<(&'static str, Fact)>,
-    /// What is settled where the source leaves it open: the names of its texts.
+    /// Assumptions where the source leaves a question open: the names of their texts.
     pub assumptions: Vec<&'static str>,
-    /// What is asked.
+    /// Its questions.
     pub asks: Vec<Ask>,
-    /// What it says, where it is a lecturer's own.
+    /// Its texts, in a lecturer's own exercise.
     pub texts: Option<Arc<OwnTexts>>,
 }
 
 impl Exercise {
-    /// The figure by the camera that is to be found, where its picture is what is given.
+    /// The figure with the right camera, where its picture is part of the statement.
     #[must_use]
     pub fn figure_to_match(&self) -> Option<Figure> {
         let shows = self.id == "match-picture";
@@ -47,7 +47,7 @@ impl Exercise {
         wanted.map(|camera| Figure { camera, ..self.subject.figure.clone() })
     }
 
-    /// For each ask the steps of its way that did not stand in the way to an ask before it.
+    /// The steps of each ask that did not occur in an ask before it.
     #[must_use]
     pub fn new_steps(&self) -> Vec<Vec<Worked>> {
         // Steps of different cameras may well say the same.
@@ -84,35 +84,35 @@ pub enum Fact {
     Text(&'static str),
 }
 
-/// What is asked.
+/// A question of an exercise.
 #[derive(Clone, Debug)]
 pub struct Ask {
     /// Its name, without spaces.
     pub name: String,
-    /// What an answer is.
+    /// The kind of answer.
     pub kind: Kind,
-    /// What its numbers measure.
+    /// The quantity that its numbers measure.
     pub unit: Unit,
-    /// How far each number may be from the right one. A number that is the right one rounded to three or more
-    /// significant digits is right too, except where whole numbers are asked for.
+    /// Greatest distance of each number from the right one. A number that is the right one rounded to three or more
+    /// significant digits is right too, except where whole numbers are required.
     pub tolerance: f64,
-    /// Whole numbers are asked for.
+    /// Whole numbers are required.
     pub whole: bool,
-    /// The path in the report of the exercise's subject where the right answer stands, if it does.
+    /// The path to the right answer in the report of the exercise's subject, where it has one.
     pub quantity: Option<String>,
-    /// The readings of what is asked: an answer that is right in one of them is right. The first is the one that the
-    /// statement settles; the others have the name of their text.
+    /// The readings of the question: an answer that is right in one of them is right. The first is the one that the
+    /// assumptions settle; the others have the name of their text.
     pub readings: Vec<Reading>,
     /// Wrong answers that a lecturer expects.
     pub own_mistakes: Vec<Arc<OwnMistake>>,
 }
 
-/// What an answer is.
+/// A kind of answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// One number.
     Number,
-    /// So many numbers.
+    /// A vector with this number of entries.
     Vector(usize),
     /// Rows and columns.
     Matrix(usize, usize),
@@ -122,7 +122,7 @@ pub enum Kind {
     Camera,
 }
 
-/// What a number measures.
+/// The quantity that a number measures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unit {
     /// A ratio, an entry of a matrix, a direction.
@@ -149,27 +149,27 @@ impl Unit {
     }
 }
 
-/// One way to understand what is asked.
+/// One way to understand a question.
 #[derive(Clone, Debug)]
 pub struct Reading {
     /// The name of its text; empty for the one that the statement settles.
     pub name: &'static str,
-    /// What is right in it.
+    /// The right answer in it.
     pub expected: Expected,
 }
 
 /// Computes a table; with slips, as it comes out when they are made. `None`: nothing comes out, or the slip can't be
 /// made there.
 pub type Compute = Arc<dyn Fn(Slips) -> Option<Table> + Send + Sync>;
-/// What a camera must fulfil: the names of conditions, and whether it does.
+/// The conditions on a camera: their names, and whether it meets them.
 pub type Conditions = Arc<dyn Fn(&Camera) -> Vec<(&'static str, bool)> + Send + Sync>;
 
-/// What is right.
+/// A right answer.
 #[derive(Clone)]
 pub enum Expected {
-    /// What `inspect` says at a path of a subject.
+    /// The value of `inspect` at a path of a subject.
     Quantity(Box<Subject>, String),
-    /// What a family computes.
+    /// A value computed by a family.
     Computed(Compute, Vec<Worked>),
     /// One of the choices; others that are known mistakes.
     Choice(usize, Vec<(usize, Mistake)>, Vec<Worked>),
@@ -229,7 +229,7 @@ impl Ask {
         }
     }
 
-    /// What `inspect` says at a path of the exercise's own subject.
+    /// An ask for the value of `inspect` at a path of the exercise's own subject.
     ///
     /// # Panics
     /// Never: a path without numbers gives a number that no answer equals.
@@ -239,7 +239,7 @@ impl Ask {
         Self { quantity: Some(path.to_owned()), ..ask }
     }
 
-    /// What `inspect` says at a path of another subject: the same camera after an operation of its own.
+    /// An ask for the value of `inspect` at a path of another subject: the same camera after an operation of its own.
     #[must_use]
     pub fn of_subject(name: &str, subject: &Subject, path: &str) -> Self {
         let [rows, columns] = subject.value(path).map_or([1, 1], |table| table.shape());
@@ -262,7 +262,7 @@ impl Ask {
         }
     }
 
-    /// What a family computes, with its worked steps.
+    /// An ask for a value that a family computes, with its worked steps.
     #[must_use]
     pub fn computed(
         name: &str,
@@ -298,7 +298,7 @@ impl Ask {
         Self::new(name, Kind::Camera, expected)
     }
 
-    /// With what its numbers measure.
+    /// The same ask with the quantity that its numbers measure.
     #[must_use]
     pub fn in_unit(self, unit: Unit) -> Self {
         Self { unit, ..self }
@@ -333,7 +333,7 @@ impl Ask {
         }
     }
 
-    /// What is right where the statement is read as it settles.
+    /// The right answer in the first reading.
     ///
     /// # Panics
     /// Never: every ask has a first reading.
@@ -342,7 +342,7 @@ impl Ask {
         &self.readings[0].expected
     }
 
-    /// The way to what is right; empty for a camera.
+    /// The steps to the right answer; empty for a camera.
     #[must_use]
     pub fn steps(&self) -> Vec<Worked> {
         match self.expected() {

@@ -1,4 +1,4 @@
-//! Judging an answer: what is right of it, and which known mistake explains what is not.
+//! Judging an answer: its right entries, and the known mistake that explains the wrong ones.
 
 use std::sync::Arc;
 
@@ -9,25 +9,25 @@ use super::own_texts::{ExpectedAnswer, OwnMistake};
 use super::value::Table;
 use crate::camera::Camera;
 
-/// What is said of an answer.
+/// The verdict on an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     /// The ask that it answers.
     pub name: String,
-    /// It is right in one of the readings.
+    /// Right in one of the readings.
     pub right: bool,
-    /// From 0 to 1: the share of what was asked that is right.
+    /// From 0 to 1: the share of the question that is answered rightly.
     pub score: f64,
-    /// Which entries are right, row by row; one for a choice; one for each condition of a camera.
+    /// Right entries, row by row; one for a choice; one for each condition of a camera.
     pub entries: Vec<Vec<bool>>,
     /// The name of the reading in which it is right, or as right as can be; empty for the one that the statement
     /// settles.
     pub reading: &'static str,
     /// The conditions that a camera has to fulfil, in the order of `entries`.
     pub conditions: Vec<&'static str>,
-    /// What explains a wrong answer; `None` for a right one, and where no known mistake does.
+    /// The explanation of a wrong answer; `None` for a right one, and where no known mistake explains it.
     pub diagnosis: Option<Diagnosis>,
-    /// What was understood.
+    /// The answer as understood.
     pub understood: Answer,
 }
 
@@ -37,9 +37,9 @@ pub struct Diagnosis {
     /// One, or two that were made together; the first is the one that comes first on the way. None where `own` is not
     /// among the known ones.
     pub mistakes: Vec<Mistake>,
-    /// Where a single number is at fault: its row and column, from 0.
+    /// The row and column of a single faulty number, from 0.
     pub entry: Option<[usize; 2]>,
-    /// The wrong answer that a lecturer expected, and what is said of it.
+    /// The wrong answer that a lecturer expected, with its message.
     pub own: Option<Arc<OwnMistake>>,
 }
 
@@ -62,7 +62,7 @@ pub fn judge(exercise: &Exercise, ask: &Ask, text: &str) -> Result<Judged, Answe
 #[must_use]
 pub fn judge_answer(ask: &Ask, answer: Answer) -> Judged {
     let judged = judge_readings(ask, answer);
-    // What its author says of an answer goes before what is known in general.
+    // The message of its author comes before general knowledge.
     match ask.own_mistake(&judged.understood).filter(|_| !judged.right) {
         Some(own) => {
             let mistakes = own.mistake.into_iter().collect();
@@ -82,7 +82,7 @@ fn judge_readings(ask: &Ask, answer: Answer) -> Judged {
         if judged.right {
             return judged;
         }
-        // What is explained tells more than what is half right by chance.
+        // An explanation is worth more than entries that are right by chance.
         let rank = |judged: &Judged| (judged.diagnosis.is_some(), judged.score);
         if best.as_ref().is_none_or(|best| rank(&judged) > rank(best)) {
             best = Some(judged);
@@ -139,7 +139,7 @@ fn judge_in(ask: &Ask, expected: &Expected, answer: &Answer) -> Judged {
             let diagnosis = if is_right.iter().all(|is| *is) {
                 None
             } else {
-                // A table with gaps is judged by what is there, but not explained.
+                // A table with gaps is judged by its entries, but not explained.
                 let given: Option<Vec<f64>> = entries.iter().copied().collect();
                 given.and_then(|given| diagnose(ask, expected, &right, &given))
             };
@@ -164,7 +164,7 @@ impl Ask {
         if self.whole {
             return (given - right).abs() <= 1e-9 * right.abs().max(1.0);
         }
-        // What a decimal number in f64 can be off beside the number that is meant.
+        // The error of a decimal number in f64 relative to the intended one.
         let rest = 1e-12 * right.abs();
         (given - right).abs() <= self.tolerance + rest || is_rounded(given, right, rest)
     }
@@ -193,14 +193,14 @@ fn is_rounded(given: f64, right: f64, rest: f64) -> bool {
     (3..=16).any(|digits| (given - rounded(right, digits)).abs() <= rest)
 }
 
-/// A number in so many significant digits.
+/// A number rounded to this many significant digits.
 fn rounded(value: f64, digits: usize) -> f64 {
     format!("{:.*e}", digits.saturating_sub(1), value).parse().unwrap_or(value)
 }
 
-/// Which known mistakes give `given` where `right` is right: one of the slips; a slip of the pen; two together.
+/// The known mistakes that give `given` where `right` is right: one of the slips; a slip of the pen; two together.
 fn diagnose(ask: &Ask, expected: &Expected, right: &Table, given: &[f64]) -> Option<Diagnosis> {
-    // A slip that can't be told from the right way is not a mistake here.
+    // A slip that gives the right result is not a mistake here.
     let differs = |table: &Table| table.shape() == right.shape() && !ask.accepts_all(&table.entries, right);
     let explains = |table: &Table| differs(table) && ask.accepts_all(given, table);
     let slipped: Vec<(Slip, Table)> = in_order_of_telling(expected)
@@ -240,8 +240,8 @@ fn diagnose(ask: &Ask, expected: &Expected, right: &Table, given: &[f64]) -> Opt
     two_together(ask, expected, given, &slipped, explains, as_mistake)
 }
 
-/// The slips, those first that are told where two explain the same numbers: of a point and after an operation what
-/// is done last, of all else the axes.
+/// The slips, in the order of preference where two explain the same numbers: of a point and after an operation the last
+/// step first, of all else the axes.
 fn in_order_of_telling(expected: &Expected) -> Vec<Slip> {
     let last_first = matches!(expected, Expected::Quantity(subject, path)
         if path.starts_with("points") || !subject.operations.is_empty());
@@ -302,8 +302,8 @@ fn has_signs_of(ask: &Ask, given: &[f64], right: &Table) -> bool {
     given.iter().zip(&right.entries).all(|(given, right)| ask.accepts(Some(given.abs()), right.abs()))
 }
 
-/// What is wrong is near: rounded to fewer than three digits or decimals, or all of it within a hundredth. Nobody
-/// rounds 0.23 to 0: whole numbers below 1 are a guess.
+/// Whether a wrong answer is close: rounded to fewer than three digits or decimals, or all of it within a hundredth.
+/// Nobody rounds 0.23 to 0: whole numbers below 1 are a guess.
 fn is_rounded_too_early(ask: &Ask, given: &[f64], right: &Table) -> bool {
     if ask.whole {
         return false;

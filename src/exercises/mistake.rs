@@ -1,6 +1,6 @@
-//! The known mistakes: what students do instead of what the notes say.
+//! The known mistakes: deviations of students from the notes.
 
-/// A mistake with a name of its own, under which it is told.
+/// A mistake with a name of its own, under which it is reported.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Mistake {
     /// One number is wrong, and nothing known explains it.
@@ -17,7 +17,7 @@ pub enum Mistake {
     NotNormalised,
     /// Rows and columns of a matrix are exchanged.
     Transposed,
-    /// The inverse, or the reciprocal, of what was asked.
+    /// The inverse, or the reciprocal, of the answer.
     Inverse,
     /// −C in the last column of M_v, and not −R C.
     TranslationNotRotated,
@@ -47,13 +47,13 @@ pub enum Mistake {
     PixelCorner,
     /// Factors or operations in the opposite order.
     OrderReversed,
-    /// Another operation than the one that was asked.
+    /// Another operation than the requested one.
     OtherOperation,
     /// The rotation turns the other way.
     OppositeAngle,
     /// Too few digits, or rounded on the way.
     RoundedTooEarly,
-    /// Not as many numbers as were asked.
+    /// Not as many numbers as required.
     WrongShape,
 }
 
@@ -110,7 +110,7 @@ macro_rules! slips {
         }
 
         impl Slip {
-            /// All; where two explain the same numbers, the first is told.
+            /// All; where two explain the same numbers, the first is reported.
             pub const ALL: &'static [Self] = &[$(Self::$name,)*];
 
             /// The mistake that it is.
@@ -181,7 +181,7 @@ slips! {
     DepthRange = ZRange;
     /// Z = z_n.
     DepthNotMapped = ZRange;
-    /// −F and −B where F and B stand, in the row of z.
+    /// −F and −B in place of F and B, in the row of z.
     NearFarAsCoordinates = NearFarAsCoordinates;
     /// −F and −B everywhere.
     NearFarAsCoordinatesEverywhere = NearFarAsCoordinates;
@@ -209,13 +209,13 @@ slips! {
     Zoomed = OtherOperation;
     /// Factors or operations in the opposite order.
     OrderReversed = OrderReversed;
-    /// Not divided by the length that it should be divided by, in what a family asks.
+    /// A missing division by the length, in a question of a family.
     LengthForgotten = NotNormalised;
-    /// The opposite sign of a term, in what a family asks.
+    /// The opposite sign of a term, in a question of a family.
     TermSign = Sign;
-    /// Rows for columns, in what a family asks.
+    /// Rows for columns, in a question of a family.
     Transposed = Transposed;
-    /// The inverse, in what a family asks.
+    /// The inverse, in a question of a family.
     Inverted = Inverse;
     /// The axes are the columns of M_v, beside −R C.
     AxesAsColumnsAlone = Transposed;

@@ -1,9 +1,9 @@
 //! Exercises: those of the notes, families with numbers from a seed, and a lecturer's own; answers are judged, and
 //! wrong ones explained.
 //!
-//! What is right is what [`Subject::value`] (the numbers of `inspect`) or a family computes; what a known [`Mistake`]
-//! gives comes from the same place with a [`Slip`] built in. An answer that is neither right nor explained is told
-//! which of its numbers are wrong.
+//! The right answer is the value of [`Subject::value`] (the numbers of `inspect`) or of a family; the result of a known
+//! [`Mistake`] comes from the same place with a [`Slip`] built in. For an answer that is neither right nor explained,
+//! the wrong numbers are reported.
 
 mod answer;
 mod exercise;
@@ -39,19 +39,19 @@ pub use worked::Worked;
 pub struct Entry {
     /// Its identifier.
     pub id: Cow<'static, str>,
-    /// Where the notes have it, or what it practises: `[0] 5.1`; empty for a lecturer's own.
+    /// Its place in the notes, or the topic it practises: `[0] 5.1`; empty for a lecturer's own.
     pub source: &'static str,
     /// Its numbers come from a seed.
     pub is_family: bool,
     make: Make,
 }
 
-/// How the exercise of an entry comes about.
+/// The way to make the exercise of an entry.
 #[derive(Clone, Debug)]
 enum Make {
     /// From a seed, with numbers that the notes leave open.
     Shipped(fn(u64, &Free) -> Exercise),
-    /// As it stands in a file.
+    /// Read from a file.
     Own(Arc<Exercise>),
 }
 
@@ -67,7 +67,7 @@ impl Entry {
         Self { id: Cow::Borrowed(id), source, is_family: true, make: Make::Shipped(make) }
     }
 
-    /// What it says, where it is a lecturer's own.
+    /// Its texts, in a lecturer's own exercise.
     #[must_use]
     pub fn texts(&self) -> Option<&OwnTexts> {
         match &self.make {

@@ -39,10 +39,10 @@ const CODES: Words<Mistake> = {
 /// Reads the bytes of a file that holds an exercise.
 ///
 /// # Guarantees
-/// What it asks has right answers, and the mistakes that it names are wrong.
+/// Its questions have right answers, and the mistakes that it names are wrong.
 ///
 /// # Errors
-/// [`FigureError`] names the first line that is at fault: the line, the key, what was found and what is allowed.
+/// [`FigureError`] names the first faulty line: the line, the key, the value found and the values allowed.
 pub fn parse_bytes(bytes: &[u8]) -> Result<Entry, FigureError> {
     parse(read::text_of(bytes, MAX_EXERCISE_BYTES)?)
 }
@@ -76,7 +76,7 @@ pub fn id_in(bytes: &[u8]) -> Option<String> {
 pub fn taken(text: &str, id: &str) -> FigureError {
     let refuse = |mut section: Section<'_>, faults: &mut Vec<Fault>| {
         section.refuse("id", Allowed::FreeName);
-        // Of the others nothing is said: they were good.
+        // The others were good.
         faults.append(&mut section.faults);
     };
     let otherwise = || {
@@ -99,7 +99,7 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
     let points = if root.is_present("points") { root.points("points", Allowed::Points) } else { None };
     let pixels = root.pairs("pixels");
     let subject = Subject { figure, operations, points: points.unwrap_or_default(), pixels };
-    // A camera that is not one has been told already.
+    // An impossible camera has been reported already.
     if faults.is_empty() && root.faults.is_empty() && subject.camera().is_err() {
         root.refuse("ops", Allowed::Operations);
     }
@@ -112,7 +112,7 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
         root.missing("ask", Allowed::Sections);
     }
     faults.extend(root.finish());
-    // What is asked of a figure that is at fault is not judged.
+    // The questions about a faulty figure are not checked.
     let is_good = faults.iter().all(Fault::is_unknown_key);
     let (mut asks, mut texts): (Vec<Ask>, BTreeMap<String, Bilingual>) = (Vec::new(), BTreeMap::new());
     for section in sections.into_iter().filter(|_| is_good) {
@@ -126,7 +126,7 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
     Exercise { id, facts: Vec::new(), asks, texts: Some(Arc::new(texts)), ..about(subject) }
 }
 
-/// A name that can stand in a command line and in a file.
+/// A name that is valid in a command line and in a file.
 fn name(section: &mut Section<'_>, key: &'static str) -> String {
     let allowed = || Allowed::Name { limit: MAX_EXERCISE_NAME };
     let Some(text) = section.text(key) else {
@@ -175,7 +175,7 @@ fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2]) -> Option<
     Some(texts.into())
 }
 
-/// What is asked, and its text; `None`, and a fault, where it cannot be asked.
+/// A question, and its text; `None`, and a fault, where it is impossible.
 fn ask(
     mut section: Section<'_>,
     subject: &Subject,
@@ -217,7 +217,7 @@ fn asked(
     match (section.is_present("quantity"), section.is_present("answer")) {
         (true, true) => {
             section.refuse("answer", Allowed::Either("quantity", "answer"));
-            // It is known all the same.
+            // The key is known all the same.
             section.skip("answer");
             None
         }
@@ -247,7 +247,7 @@ fn asked(
                     [rows, columns] => Kind::Matrix(rows, columns),
                 };
                 Some(Ask::computed(name, kind, Vec::new(), move |slips| {
-                    // What is known of mistakes needs a figure; only what is done to any table is known here.
+                    // Most known mistakes need a figure; only those that apply to any table are known here.
                     (slips == super::Slips::NONE).then(|| table.clone())
                 }))
             }

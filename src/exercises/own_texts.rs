@@ -1,4 +1,4 @@
-//! What a lecturer's own exercises say.
+//! The texts of a lecturer's own exercises.
 
 use std::collections::BTreeMap;
 
@@ -27,9 +27,9 @@ pub struct OwnTexts {
     pub title: Bilingual,
     /// Its statement in Markdown.
     pub statement: Bilingual,
-    /// How it is read.
+    /// The assumptions.
     pub assumptions: Vec<Bilingual>,
-    /// What is asked, by the names of the asks.
+    /// The questions, by the names of the asks.
     pub asks: BTreeMap<String, Bilingual>,
 }
 
@@ -38,9 +38,9 @@ pub struct OwnTexts {
 pub struct OwnMistake {
     /// The answer.
     pub answer: ExpectedAnswer,
-    /// Which of the known mistakes it is, if it is one.
+    /// The known mistake that it is, if any.
     pub mistake: Option<Mistake>,
-    /// What is said of it.
+    /// The message.
     pub message: Bilingual,
     /// Hints, weaker ones first.
     pub hints: Vec<Bilingual>,

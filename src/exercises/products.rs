@@ -18,7 +18,7 @@ pub(super) const ENTRIES: [[(&str, &str); 4]; 4] = [
     names!("m", "31" "32" "33" "34"),
     names!("m", "41" "42" "43" "44"),
 ];
-/// Points, and what they become.
+/// Points before and after a transform.
 const BEFORE: [[(&str, &str); 5]; 4] = [
     names!("x", "1" "2" "3" "4" "5"),
     names!("y", "1" "2" "3" "4" "5"),

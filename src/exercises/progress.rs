@@ -1,6 +1,7 @@
-//! What a student has done: per exercise and per known mistake, kept as a TOML text, and what to practise next.
+//! A student's progress: per exercise and per known mistake, stored as a TOML text, and the choice of the next
+//! exercise.
 //!
-//! There is no clock here: times are handed in, as seconds since the beginning of 1970 (UTC).
+//! There is no clock here: times are arguments, in seconds since the beginning of 1970 (UTC).
 
 mod text;
 
@@ -13,40 +14,40 @@ use super::judge::Judged;
 use super::mistake::{Mistake, Slip, Slips};
 use super::{Entry, Free};
 
-/// What is kept of all exercises. It has a text, which is a file the student can read and delete.
+/// The progress in all exercises. It has a text form, which is a file that the student can read and delete.
 #[derive(Clone, Debug, Default)]
 pub struct Progress {
     exercises: BTreeMap<String, Tried>,
     mistakes: BTreeMap<Mistake, Made>,
-    /// The file as it was read: what is not known here stays in it.
+    /// The file as it was read: unknown keys stay in it.
     rest: DocumentMut,
 }
 
-/// What is kept of an exercise.
+/// The progress in an exercise.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tried {
-    /// How many answers have been judged, with whatever numbers.
+    /// Number of answers judged, with whatever numbers.
     pub tries: u32,
-    /// How many times all that is asked was answered rightly: once for each seed, at most.
+    /// Number of complete right solutions: at most one for each seed.
     pub solved: u32,
     /// When an answer was judged last.
     pub last: Option<u64>,
-    /// What its numbers come from now; what follows is about these.
+    /// The present source of its numbers, which the following fields are about.
     pub seed: u64,
-    /// How many hints and worked steps were opened, by the names of the asks.
+    /// Number of hints and worked steps opened, by the names of the asks.
     pub hints: BTreeMap<String, u32>,
     /// The asks that have been answered rightly.
     pub right: BTreeSet<String>,
     /// The mistakes that were made.
     pub mistakes: BTreeSet<Mistake>,
-    /// All that is asked has been answered rightly.
+    /// All questions have been answered rightly.
     pub is_solved: bool,
 }
 
-/// What is kept of a known mistake.
+/// The record of a known mistake.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Made {
-    /// How often.
+    /// Number of times.
     pub times: u32,
     /// When it was made last.
     pub last: u64,
@@ -56,18 +57,18 @@ pub struct Made {
     pub is_open: bool,
 }
 
-/// How far a student is with an exercise.
+/// The stage of an exercise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// Nothing has been judged.
+    /// No answer has been judged.
     Untouched,
     /// Something has been judged.
     Begun,
-    /// It has been solved, with these numbers or others.
+    /// Solved, with these numbers or others.
     Solved,
 }
 
-/// What to practise next.
+/// The next exercise to practise.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Next {
     /// The exercise.
@@ -81,33 +82,33 @@ pub struct Next {
 /// Why an exercise is the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Why {
-    /// It shows this mistake, which was made so often, and more often than other open ones.
+    /// It practises this mistake, which was made this many times, and more often than other open ones.
     Mistake(Mistake, u32),
-    /// It is the first that has not been solved.
+    /// The first unsolved one.
     NotSolved,
     /// All are solved; this one was tried least recently.
     LongestAgo,
 }
 
-/// A text that is not what is kept of exercises.
+/// An error of a text that is not a progress file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ProgressError {
     /// Not TOML.
     #[error("{0}")]
     Toml(String),
-    /// A key whose value is not what it should be.
+    /// A key with an impossible value.
     #[error("{0} cannot be read")]
     Value(String),
 }
 
 impl Progress {
-    /// What is kept of an exercise, if anything is.
+    /// The progress in an exercise, if any.
     #[must_use]
     pub fn tried(&self, id: &str) -> Option<&Tried> {
         self.exercises.get(id)
     }
 
-    /// How far the student is with it.
+    /// The stage of an exercise.
     #[must_use]
     pub fn stage(&self, id: &str) -> Stage {
         match self.tried(id) {
@@ -122,13 +123,14 @@ impl Progress {
         self.mistakes.iter().map(|(mistake, made)| (*mistake, made))
     }
 
-    /// Nothing is kept.
+    /// Whether there is no progress at all.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.exercises.is_empty() && self.mistakes.is_empty()
     }
 
-    /// How many hints and worked steps of an ask are open, with the numbers of a seed; as many as ever were count.
+    /// Records the number of open hints and worked steps of an ask, with the numbers of a seed; the greatest number
+    /// ever counts.
     pub fn opened(&mut self, id: &str, seed: u64, ask: &str, hints: u32) {
         if self.of(id).seed != seed {
             self.begin(id, seed);
@@ -144,7 +146,7 @@ impl Progress {
         }
     }
 
-    /// It was solved before anything else was kept of it.
+    /// Records that an exercise was solved before any other record of it.
     pub fn was_solved(&mut self, id: &str) {
         let kept = self.of(id);
         kept.solved = kept.solved.max(1);
@@ -191,10 +193,9 @@ impl Progress {
         }
     }
 
-    /// What to practise next of these: a family that shows the open mistake that was made most often; else the first
-    /// that is not solved; else the one that was tried least recently before `now`. What was tried later than that was
-    /// so by a clock that ran ahead: nobody knows when, so it comes before those that are known. `None` where there are
-    /// none.
+    /// The next of these to practise: a family that shows the open mistake that was made most often; else the first
+    /// unsolved one; else the one that was tried least recently before `now`. A later time comes from a clock that ran
+    /// ahead: its true time is unknown, so it comes before the known ones. `None` where there are none.
     #[must_use]
     pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
         let entries: Vec<&Entry> = entries.into_iter().collect();
@@ -203,7 +204,7 @@ impl Progress {
         open.sort_by_key(|(mistake, made)| (std::cmp::Reverse((made.times, made.last)), *mistake));
         for (mistake, made) in open {
             let families = || entries.iter().filter(|entry| entry.is_family);
-            // Where it was made it can be made again; else the first that shows it.
+            // The mistake can be made again in the same exercise; else the first one that shows it.
             let found = families().find(|entry| entry.id == made.exercise).or_else(|| {
                 families().find(|entry| entry.exercise(self.next_seed(entry), &Free::new()).shows(mistake))
             });

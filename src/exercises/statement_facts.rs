@@ -1,4 +1,4 @@
-//! What a statement tells of a subject.
+//! The facts of a statement about a subject.
 
 use glam::DVec3;
 
@@ -15,13 +15,13 @@ pub(super) fn with_point(mut subject: Subject, point: DVec3) -> Subject {
     subject
 }
 
-/// What every statement about a camera tells of it.
+/// The facts of every statement about a camera.
 fn placement(parameters: &Parameters) -> Vec<(&'static str, Fact)> {
     let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
     vec![("C", tuple(parameters.position)), ("PF", tuple(parameters.focal_point)), ("VUP", tuple(parameters.view_up))]
 }
 
-/// The kind of projection with what it is given by.
+/// The kind of projection with its parameters.
 fn lens(parameters: &Parameters) -> Vec<(&'static str, Fact)> {
     let projection = match (parameters.projection, parameters.window) {
         (Projection::Perspective, None) => "lens-perspective",
@@ -44,7 +44,7 @@ fn lens(parameters: &Parameters) -> Vec<(&'static str, Fact)> {
     facts
 }
 
-/// An exercise about a subject, with what its camera is.
+/// An exercise about a subject, with the facts of its camera.
 pub(super) fn about(subject: Subject) -> Exercise {
     let mut facts = placement(&subject.figure.camera);
     facts.extend(lens(&subject.figure.camera));
@@ -60,7 +60,7 @@ pub(super) fn about(subject: Subject) -> Exercise {
     }
 }
 
-/// What an image tells: m × n.
+/// The fact of an image: m × n.
 pub(super) fn image(size: ImageSize) -> Vec<(&'static str, Fact)> {
     vec![("m", Fact::Number(f64::from(size.width))), ("n", Fact::Number(f64::from(size.height)))]
 }

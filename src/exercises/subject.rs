@@ -1,4 +1,4 @@
-//! What an exercise is about, and the numbers that `inspect` gives of it.
+//! The subject of an exercise, and its numbers from `inspect`.
 
 use glam::DVec3;
 use serde_json::Value;
@@ -8,12 +8,12 @@ use crate::camera::{Camera, Convention, Operation};
 use crate::figure::Figure;
 use crate::inspect::{InspectError, Report, camera_after};
 
-/// A figure with what is done to its camera, and the points and pixels that are looked at.
+/// A figure with operations on its camera, and the points and pixels of interest.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Subject {
     /// The figure before the operations.
     pub figure: Figure,
-    /// What is done to the camera, in this order.
+    /// Operations on the camera, in this order.
     pub operations: Vec<Operation>,
     /// Points of the world.
     pub points: Vec<DVec3>,
@@ -25,7 +25,7 @@ impl Subject {
     /// The camera after the operations.
     ///
     /// # Errors
-    /// [`InspectError`] names what is impossible.
+    /// [`InspectError`] names the impossible quantity.
     pub fn camera(&self) -> Result<Camera, InspectError> {
         camera_after(&self.figure.camera, &self.operations, Convention::RightHand)
     }
@@ -33,7 +33,7 @@ impl Subject {
     /// Every number of it, as `camera-lab inspect` prints them.
     ///
     /// # Errors
-    /// [`InspectError`] names what is impossible.
+    /// [`InspectError`] names the impossible quantity.
     pub fn report(&self) -> Result<Report, InspectError> {
         Report::new(&self.figure, &self.operations, Convention::RightHand, &self.points, &self.pixels)
     }

@@ -1,8 +1,6 @@
-//! The notes' equations as they are written down by hand, with the known mistakes built in: what a wrong answer is held
-//! against.
+//! The notes' equations as they are written by hand, with the known mistakes built in: the reference for wrong answers.
 //!
-//! What is right comes from the camera itself ([`Subject::value`]); this chain is only asked for what comes out when
-//! something is done wrong.
+//! Right answers come from the camera itself ([`Subject::value`]); this chain only computes the results of mistakes.
 
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
@@ -14,8 +12,7 @@ use crate::camera::{
 };
 use crate::geometry::Angle;
 
-/// What comes out at a path of the report when `slips` are made; `None` where that is not a number, or the path is not
-/// known.
+/// The value at a path of the report when `slips` are made; `None` where it is not a number, or the path is not known.
 #[must_use]
 pub(super) fn value(subject: &Subject, path: &str, slips: Slips) -> Option<Table> {
     let camera = operated(subject, slips).ok()?;
@@ -79,7 +76,7 @@ fn slipped(operation: Operation, slips: Slips) -> Operation {
     }
 }
 
-/// What follows of a camera when slips are made.
+/// The quantities derived from a camera when slips are made.
 struct Textbook<'a> {
     camera: &'a Camera,
     subject: &'a Subject,

@@ -1,13 +1,13 @@
-//! What an answer is made of.
+//! The values of answers.
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 /// Numbers in rows and columns, row by row: a number is 1 × 1, a vector is a column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    /// How many rows.
+    /// Number of rows.
     pub rows: usize,
-    /// How many columns.
+    /// Number of columns.
     pub columns: usize,
     /// `rows` × `columns` numbers.
     pub entries: Vec<f64>,

@@ -19,11 +19,11 @@ pub struct Worked {
     pub heading: &'static str,
     /// The equations that it uses.
     pub equation: String,
-    /// What gives the symbols their numbers: a figure without operations.
+    /// The numbers of the symbols: a figure without operations.
     subject: Arc<Subject>,
-    /// The point whose coordinates stand in it.
+    /// The point whose coordinates it uses.
     point: Option<DVec3>,
-    /// What is computed.
+    /// The rows to compute.
     rows: Vec<FormulaRow>,
 }
 
@@ -55,7 +55,7 @@ impl Worked {
         Self { heading, equation: equation.to_owned(), subject, point: None, rows: Vec::new() }
     }
 
-    /// With a row: what `symbol` names is `formula`.
+    /// The same step with a row: the number of `symbol` is `formula`.
     #[must_use]
     pub fn row(mut self, symbol: Named, formula: Formula) -> Self {
         self.rows.push(FormulaRow { symbol: symbol.into(), formula, value: symbol.value });
@@ -98,7 +98,7 @@ fn setting<'a>(camera: &'a Camera, subject: &Subject) -> Setting<'a> {
     Setting::new(camera.notes_clip_space(), subject.figure.image, subject.figure.viewport)
 }
 
-/// The way to what `inspect` says at a path.
+/// The steps to the value of `inspect` at a path.
 #[must_use]
 pub(super) fn worked(subject: &Subject, path: &str) -> Vec<Worked> {
     let parts: Vec<&str> = path.split('.').collect();
@@ -169,7 +169,7 @@ pub(super) fn inside(subject: &Subject, k: usize) -> Vec<Worked> {
     steps
 }
 
-/// Whether an operation changes what stands at a path.
+/// Whether an operation changes the value at a path.
 fn matters(path: &[&str], operation: Operation) -> bool {
     let changes = operation.changes();
     let (pose, window) = (changes.position || changes.focal_point || changes.view_up, changes.window);
@@ -212,7 +212,7 @@ const NEW_U: [(&str, &str); 3] = [("u'_x", "u'_x"), ("u'_y", "u'_y"), ("u'_z", "
 const NEW_V: [(&str, &str); 3] = [("v'_x", "v'_x"), ("v'_y", "v'_y"), ("v'_z", "v'_z")];
 const NEW_N: [(&str, &str); 3] = [("n'_x", "n'_x"), ("n'_y", "n'_y"), ("n'_z", "n'_z")];
 
-/// What an operation does: the VRC turns about one of its axes, and C or PF with it.
+/// The effect of an operation: the VRC turns about one of its axes, and C or PF with it.
 fn operation(subject: &Arc<Subject>, setting: &Setting<'_>, operation: Operation) -> Worked {
     let (heading, turn) = match operation {
         Operation::Elevation(by) => ("elevation", Some((Axis::U, by))),
@@ -308,7 +308,7 @@ fn turned(step: &mut Worked, setting: &Setting<'_>, operation: Operation, about:
     }
 }
 
-/// D and **n**, then **u**, then **v**, up to the axis that is asked for.
+/// D and **n**, then **u**, then **v**, up to the requested axis.
 fn basis(subject: &Arc<Subject>, setting: &Setting<'_>, up_to: &str) -> Vec<Worked> {
     let mut steps = Vec::new();
     for (axis, heading, letter) in [(Axis::N, "n", "n"), (Axis::U, "u", "u"), (Axis::V, "v", "v")] {
@@ -354,7 +354,7 @@ fn length_of(text: &'static str, latex: &'static str, parts: &[Named], setting: 
     (length, norm)
 }
 
-/// What the window is made of.
+/// The steps to the window.
 fn window(subject: &Arc<Subject>, setting: &Setting<'_>) -> Vec<Worked> {
     let symbols = [Symbol::Height, Symbol::Width, Symbol::Left, Symbol::Right, Symbol::Bottom, Symbol::Top];
     let step = defined(subject, setting, "window", symbols);

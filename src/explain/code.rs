@@ -1,4 +1,4 @@
-//! The camera as code for libraries: what is copied gives the matrices that the program shows.
+//! The camera as code for libraries: the copied code gives the matrices that the program shows.
 
 use std::fmt::Write as _;
 
@@ -26,12 +26,12 @@ pub enum CodeTarget {
     Latex,
 }
 
-/// What has to be known about a library to use its camera.
+/// A fact about a library that is needed to use its camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CodeConvention {
     /// Column vectors, right-handed view space, z_n in −1 … 1.
     OfTheNotes,
-    /// Matrices are kept by columns.
+    /// Matrices are stored by columns.
     ColumnMajor,
     /// Angles are in radians.
     Radians,
@@ -48,7 +48,7 @@ impl CodeTarget {
     pub const ALL: [Self; 7] =
         [Self::OpenGl, Self::Glm, Self::Glam, Self::ThreeJs, Self::Vtk, Self::NumPy, Self::Latex];
 
-    /// What people call it.
+    /// Its common name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -76,7 +76,7 @@ impl CodeTarget {
         }
     }
 
-    /// What a line of comment begins with.
+    /// The beginning of a comment line.
     #[must_use]
     pub const fn comment(self) -> &'static str {
         match self {
@@ -86,7 +86,7 @@ impl CodeTarget {
         }
     }
 
-    /// What its code states about itself.
+    /// The conventions stated in its code.
     #[must_use]
     pub fn conventions(self, camera: &Camera) -> Vec<CodeConvention> {
         let mut said = vec![CodeConvention::OfTheNotes];

@@ -1,10 +1,10 @@
-//! What the notes say each symbol is made of, down to the parameters.
+//! Definitions of each symbol in the notes, down to the parameters.
 
 use super::formula::{components, cross, minus, over, times};
 use super::{Axis, Formula, Function, Setting, Symbol, Vector};
 use crate::camera::Projection;
 
-/// What a symbol is, and where the notes say so.
+/// The definition of a symbol, with its place in the notes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definition {
     /// The formula.
@@ -13,8 +13,8 @@ pub struct Definition {
     pub equation: &'static str,
 }
 
-/// What a symbol of the camera is made of; `None` for a parameter, which is what somebody chose, and for what a point
-/// brings along.
+/// The definition of a symbol of the camera; `None` for a parameter, which is chosen, and for the coordinates of a
+/// point.
 #[must_use]
 pub fn definition(symbol: Symbol, setting: &Setting<'_>) -> Option<Definition> {
     let camera = setting.space().camera();

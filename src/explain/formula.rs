@@ -3,7 +3,7 @@
 use super::{Axis, Component, Setting, Symbol, Vector};
 use crate::geometry::Angle;
 
-/// What is taken of one number.
+/// A function of one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Function {
     /// Of an angle in degrees.
@@ -29,14 +29,14 @@ pub struct Named {
     pub latex: &'static str,
     /// Its number.
     pub value: f64,
-    /// It is an angle in degrees, and is written with their sign.
+    /// An angle in degrees, written with their sign.
     pub is_angle: bool,
 }
 
 /// A formula in the notes' symbols.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Formula {
-    /// A number that stands in the notes: 0, 1, 2.
+    /// A number in the notes: 0, 1, 2.
     Number(f64),
     /// A symbol.
     Symbol(Symbol),
@@ -122,7 +122,7 @@ pub fn times(factors: impl IntoIterator<Item = Formula>) -> Formula {
     if negative { -product } else { product }
 }
 
-/// A sum; what is 0 is left out.
+/// A sum; zeros are left out.
 #[must_use]
 pub fn sum(terms: impl IntoIterator<Item = Formula>) -> Formula {
     let mut kept: Vec<Formula> = Vec::new();
@@ -219,8 +219,8 @@ impl Formula {
         }
     }
 
-    /// The greatest number that is added or subtracted on the way to its value: what a rounding of the value is
-    /// measured by.
+    /// The greatest number that is added or subtracted in computing its value: the scale for rounding errors of the
+    /// value.
     #[must_use]
     pub fn magnitude(&self, setting: &Setting<'_>) -> f64 {
         match self {
@@ -240,7 +240,7 @@ impl Formula {
         }
     }
 
-    /// What is added: the terms of a sum or of a dot product, else the formula itself.
+    /// The summands: the terms of a sum or of a dot product, else the formula itself.
     #[must_use]
     pub fn terms(&self) -> Vec<Self> {
         match self {
@@ -254,8 +254,7 @@ impl Formula {
         }
     }
 
-    /// The symbols that stand in it, each once, in the order in which they are read; those of vectors as their
-    /// components.
+    /// Its symbols, each once, in reading order; those of vectors as their components.
     #[must_use]
     pub fn symbols(&self) -> Vec<Symbol> {
         let mut found = Vec::new();

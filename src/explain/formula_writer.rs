@@ -4,7 +4,7 @@ use super::formula::components;
 use super::{Formula, Function, Named, Setting, Symbol};
 use crate::numbers::{DecimalMark, exact_form};
 
-/// How mathematics is written down.
+/// A notation for mathematics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Notation {
     /// One line of Unicode: `2F/(r − l)`.
@@ -16,7 +16,7 @@ pub enum Notation {
 /// The numbers that take the place of symbols, and how they are written.
 #[derive(Clone, Copy, Debug)]
 pub struct Numbers<'a> {
-    /// What gives them.
+    /// The numbers of the symbols.
     pub setting: &'a Setting<'a>,
     /// Significant digits.
     pub digits: usize,
@@ -29,13 +29,13 @@ pub struct Numbers<'a> {
 pub struct Writer<'a> {
     /// As text or LaTeX.
     pub notation: Notation,
-    /// The decimal mark, also of the numbers that stand among symbols: the 0.5 of i + 0.5.
+    /// The decimal mark, also of numbers among symbols: the 0.5 of i + 0.5.
     pub mark: DecimalMark,
     /// Numbers instead of symbols.
     pub numbers: Option<Numbers<'a>>,
 }
 
-/// How tightly a formula holds together; what holds less tightly than its place asks for gets parentheses.
+/// Binding strength of a formula; one that binds less tightly than its place requires gets parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Strength {
     Sum,
@@ -180,7 +180,7 @@ impl Writer<'_> {
         text
     }
 
-    /// Numbers are kept apart by a dot, and so is what stands before one; symbols of one letter stand side by side.
+    /// Numbers are separated by a dot, and so is anything before one; symbols of one letter stand side by side.
     fn product(&self, factors: &[Formula]) -> String {
         let single = |formula: &Formula| match formula {
             Formula::Number(_) => true,

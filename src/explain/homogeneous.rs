@@ -1,5 +1,5 @@
-//! What w does: points beside one another in (x_r, w_r), where the middle of a segment goes, and a chequered floor that
-//! is interpolated with and without it.
+//! The effects of w: points side by side in (x_r, w_r), the image of the middle of a segment, and a chequered floor
+//! that is interpolated with and without it.
 //!
 //! `[2]` and `[4]`; J. F. Blinn, *Hyperbolic interpolation*, IEEE CG&A 12(4), 1992.
 
@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::Camera;
 
-/// Where along the image of a segment the point lies that lies at `share` along the segment itself:
+/// The position, along the image of a segment, of the point at `share` along the segment itself:
 /// `t w_B / ((1 − t) w_A + t w_B)`.
 ///
 /// ```
@@ -55,7 +55,7 @@ impl Floor {
         Self { corners, window, w: clip.map(|c| c.w) }
     }
 
-    /// What is seen at a window point: the colour of a square, or `None` beside the floor. `with_w`: interpolated as
+    /// The floor at a window point: the colour of a square, or `None` beside the floor. `with_w`: interpolated as
     /// rasterizers do, u/w, v/w and 1/w; else u and v alone, which is wrong where w differs.
     #[must_use]
     pub fn is_dark(&self, point: DVec2, with_w: bool) -> Option<bool> {

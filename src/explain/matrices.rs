@@ -1,5 +1,5 @@
-//! Each entry of each matrix as a formula: `[0]` §5.3 and §5.5, and what follows from them for inverses, products and
-//! other conventions.
+//! Each entry of each matrix as a formula: `[0]` §5.3 and §5.5, and the derived ones for inverses, products and other
+//! conventions.
 
 use super::formula::{minus, over, plus, sum, times};
 use super::{Axis, Component, Formula, Function, Matrix, Setting, Symbol, Vector};
@@ -11,7 +11,7 @@ pub type EntryFormula = [[Formula; 4]; 4];
 /// A matrix with its formulas, and where the notes have it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MatrixFormula {
-    /// Which.
+    /// The matrix.
     pub matrix: Matrix,
     /// The equation in force; empty where the notes have none for it.
     pub equation: &'static str,
@@ -119,7 +119,7 @@ fn inverse_view() -> EntryFormula {
     [x, y, z, last_row()]
 }
 
-/// What of the window stands in M_p: 2/W or 2/(r − l) times what is given, and (r + l)/(r − l), for x and for y.
+/// The parts of M_p that come from the window: 2/W or 2/(r − l) times a factor, and (r + l)/(r − l), for x and for y.
 struct WindowParts {
     size: [Formula; 2],
     sum: [Formula; 2],
@@ -140,7 +140,7 @@ fn up(setting: &Setting<'_>, formula: Formula) -> Formula {
     if setting.space().ndc().y_points_down() { -formula } else { formula }
 }
 
-/// (5.13) to (5.16), and what takes the place of their third row in other conventions.
+/// (5.13) to (5.16), and the substitutes of their third row in other conventions.
 fn projection(setting: &Setting<'_>) -> EntryFormula {
     let WindowParts { size: [width, height], sum: [sum_x, sum_y], difference: [across, upwards] } =
         window_parts(setting);

@@ -1,9 +1,9 @@
-//! Every number explained: the formulas of the matrices, and a point followed from space to space with its whole
+//! Every number explained: the formulas of the matrices, and a point followed from space to space with all its
 //! arithmetic, as data that the window, the command line and exported texts share.
 //!
 //! A [`Formula`] is written in the notes' [`Symbol`]s; a [`Setting`] (a camera in a convention of NDC, with image,
-//! viewport and what is followed) gives each of them its number. What is shown of a formula, with its symbols or with
-//! its numbers, comes from the same tree that is evaluated, so that the two cannot disagree.
+//! viewport and followed point) gives each of them its number. A formula with its symbols and one with its numbers come
+//! from the same tree that is evaluated, so that they cannot disagree.
 
 pub mod code;
 mod definitions;

@@ -1,8 +1,8 @@
-//! Lists of transforms, as a program gives them to a stack of matrices `[4]`: each call multiplies the current matrix
-//! from the right, push keeps it, pop brings the one back that was kept last.
+//! Lists of transforms, as a program passes them to a stack of matrices `[4]`: each call multiplies the current matrix
+//! from the right, push saves it, pop restores the one saved last.
 //!
-//! A list has two readings with one result: from left to right each call moves the *frame*, along and about the axes
-//! that it has by then; from right to left each moves the *object*, along and about axes that stay `[3]`.
+//! A list has two readings with one result: from left to right each call moves the *frame*, along and about its current
+//! axes; from right to left each moves the *object*, along and about fixed axes `[3]`.
 
 use glam::{DMat4, DVec3};
 
@@ -24,7 +24,7 @@ pub enum Call {
     Scale(DVec3),
     /// Keeps the current matrix.
     Push,
-    /// Brings back the matrix that was kept last.
+    /// Restores the matrix saved last.
     Pop,
 }
 
@@ -36,7 +36,7 @@ pub struct Unbalanced {
     pub call: usize,
 }
 
-/// How a list is read.
+/// A reading of a list.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Reading {
     /// From left to right: each call moves the frame, about its own axes.
@@ -46,19 +46,19 @@ pub enum Reading {
     Object,
 }
 
-/// What there is after a part of the list.
+/// The state after a part of the list.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
     /// The last call of the part; `None` before the first one.
     pub call: Option<usize>,
     /// Parent ← object, by the calls of the part alone.
     pub matrix: DMat4,
-    /// About what the last call turns (in the parent's space).
+    /// The axis of the last call (in the parent's space).
     pub axis: Option<Ray>,
 }
 
 impl Call {
-    /// What it multiplies the current matrix by; `None`: it is about the stack.
+    /// The matrix that the call multiplies with; `None`: it acts on the stack.
     #[must_use]
     pub fn matrix(self) -> Option<DMat4> {
         let turned = |axis: usize, degrees: f64| {
@@ -89,7 +89,7 @@ impl Call {
         }
     }
 
-    /// Its symbol, with an underscore before what is lowered.
+    /// Its symbol, with an underscore before a subscript.
     #[must_use]
     pub const fn symbol(self) -> &'static str {
         match self {
@@ -140,9 +140,9 @@ pub fn in_force(calls: &[Call]) -> Result<Vec<usize>, Unbalanced> {
     Ok(current)
 }
 
-/// What there is after each part of a list. From left to right a part is its first calls, and the stack is as it is
-/// then; from right to left it is the last ones of those that are in force. Both begin with no call and end with the
-/// same matrix.
+/// The states after each part of a list. From left to right a part is its first calls, with the stack at that point;
+/// from right to left it is the last ones of those that are in force. Both begin with no call and end with the same
+/// matrix.
 ///
 /// # Errors
 /// [`Unbalanced`]
@@ -215,7 +215,7 @@ pub fn same(a: &DMat4, b: &DMat4) -> bool {
 pub struct Link {
     /// Its first call; `None`: it has none.
     pub first: Option<usize>,
-    /// What it amounts to.
+    /// Its translation, rotation and scale.
     pub trs: Trs,
 }
 
@@ -308,7 +308,7 @@ mod tests {
         assert!((moved.origin - T).length() < 1e-12);
         assert!((moved.direction - turn(DVec3::Z, 10.0).transform_vector3(DVec3::X)).length() < 1e-12);
         assert_eq!(object[3].axis, Some(Ray { origin: DVec3::ZERO, direction: DVec3::X }));
-        // To turn about that axis is what the call does to the frame before it.
+        // A turn about that axis is the effect of the call on the frame before it.
         let (before, after) = (frame[2].matrix, frame[3].matrix);
         let about = DMat4::from_translation(moved.origin)
             * turn(moved.direction, -70.0)
@@ -334,7 +334,7 @@ mod tests {
         assert_eq!(in_force(&calls).unwrap(), [0, 7]);
         let object = read(&calls, Reading::Object).unwrap();
         assert!(object.len() == 3 && near(&object[2].matrix, &stages[8].matrix));
-        // What was never popped is in force.
+        // A push without a pop is in force.
         assert_eq!(in_force(&calls[..5]).unwrap(), [0, 2, 4]);
     }
 
@@ -377,7 +377,7 @@ mod tests {
         let matrix = |link: &Link| product(&calls_of(&link.trs)).unwrap();
         let of_links = links.iter().fold(DMat4::IDENTITY, |m, link| m * matrix(link));
         assert!(near(&of_links, &product(&list()).unwrap()));
-        // What a pop has taken back is not in it.
+        // Calls undone by a pop are not in it.
         let popped = [Call::Scale(S), Call::Push, Call::Translate(T), Call::Pop, Call::Push];
         assert_eq!(chain(&popped).unwrap(), [Link { first: Some(0), trs: Trs { scale: S, ..Trs::default() } }]);
     }

@@ -1,5 +1,4 @@
-//! What `camera-lab inspect` prints of points that are followed: their traces, and pixels with a depth on their way
-//! back.
+//! The output of `camera-lab inspect` for followed points: their traces, and pixels with a depth on their way back.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! What gives the symbols their numbers.
+//! The numbers of the symbols.
 
 use glam::{DMat4, DVec2, DVec3};
 
@@ -6,7 +6,7 @@ use super::{Axis, Component, Matrix, Symbol};
 use crate::camera::{ClipSpace, ImageSize, Ndc, Projected, Stations, Viewport, WayBack};
 use crate::geometry::Angle;
 
-/// How an object stands in the world.
+/// The placement of an object in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// t
@@ -15,7 +15,7 @@ pub struct Placement {
     pub rotate: DVec3,
     /// s
     pub scale: DVec3,
-    /// What its parent does to it.
+    /// The transform of its parent.
     pub parent: Option<DMat4>,
     /// M_m, as the scene is built with it.
     pub world_from_object: DMat4,
@@ -40,7 +40,7 @@ impl<'a> Setting<'a> {
         Self { space, image, viewport, placement: None, point: None, local: None }
     }
 
-    /// With an object, whose M_m is asked for.
+    /// The same setting with an object, for its M_m.
     #[must_use]
     pub fn with_placement(self, placement: Placement) -> Self {
         Self { placement: Some(placement), ..self }
@@ -69,7 +69,7 @@ impl<'a> Setting<'a> {
         Self { point, ..setting }
     }
 
-    /// The same with a far plane, where the convention has none.
+    /// The same with a back plane, where the convention has none.
     #[must_use]
     pub fn with_far_plane(&self) -> Self {
         let ndc = Ndc { infinite: false, ..self.space.ndc() };
@@ -128,7 +128,7 @@ impl<'a> Setting<'a> {
         self.local
     }
 
-    /// A matrix with the program's own numbers; what no object has is the unit matrix.
+    /// A matrix with the program's own numbers; the unit matrix where it needs an object and there is none.
     #[must_use]
     pub fn matrix(&self, matrix: Matrix) -> DMat4 {
         let camera = self.space.camera();

@@ -1,9 +1,9 @@
-//! The steps of a point's way as they are written down: each row with its symbols, with its numbers, and its value.
+//! The steps of a point's way in writing: each row with its symbols, with its numbers, and its value.
 
 use super::{Formula, Notation, Numbers, Setting, Step, Writer};
 use crate::numbers::DecimalMark;
 
-/// How a way is written.
+/// The style in which a way is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Style {
     /// As text or LaTeX.
@@ -17,13 +17,13 @@ pub struct Style {
 /// A row of a step: `symbol` = `formula` = `numbers` = `value`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
-    /// What is computed.
+    /// The symbol that is computed.
     pub symbol: String,
-    /// How, in symbols.
+    /// The formula in symbols.
     pub formula: String,
-    /// The same with numbers put in.
+    /// The formula with numbers.
     pub numbers: String,
-    /// What comes out.
+    /// The result.
     pub value: String,
 }
 

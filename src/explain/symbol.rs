@@ -180,7 +180,7 @@ impl Matrix {
     }
 }
 
-/// What stands for a number in a formula.
+/// A symbol for a number in a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Symbol {
     /// `u_x` … `n_z`
@@ -258,7 +258,7 @@ pub enum Symbol {
 }
 
 impl Symbol {
-    /// The letters, and what stands below them.
+    /// The letters, and their subscript.
     const fn parts(self) -> (&'static str, &'static str) {
         const fn below(component: Component) -> &'static str {
             match component {

@@ -19,36 +19,35 @@ pub struct Step {
     /// The matrix, where the step is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub matrix: Option<[[f64; 4]; 4]>,
-    /// What is multiplied, divided or mapped.
+    /// The numbers that are multiplied, divided or mapped.
     pub input: Vec<f64>,
-    /// What is added up, a row for each number of `output`. In a row that is floored the last but what does not belong
-    /// under the floor is what the floor takes away.
+    /// The summands, a row for each number of `output`. In a row with a floor the last one that belongs under the floor
+    /// is the fraction that it removes.
     pub terms: Vec<Vec<f64>>,
-    /// What comes out: the numbers of `camera-lab inspect`.
+    /// The result: the numbers of `camera-lab inspect`.
     pub output: Vec<f64>,
     /// The symbols of the output.
     #[serde(skip)]
     pub symbols: Vec<Symbol>,
-    /// How each number of the output is computed.
+    /// The formula of each number of the output.
     #[serde(skip)]
     pub formulas: Vec<Formula>,
-    /// Which matrix it is.
+    /// The matrix.
     #[serde(skip)]
     pub by: Option<Matrix>,
-    /// It is done with a far plane although the convention has none.
+    /// Computed with a back plane although the convention has none.
     #[serde(skip)]
     pub with_far_plane: bool,
 }
 
 impl Step {
-    /// How far the terms of each row, added as they stand, are from the output: what rounding the factors to `f64`
-    /// costs.
+    /// The difference of the sum of the terms of each row from the output: the cost of rounding the factors to `f64`.
     #[must_use]
     pub fn rests(&self) -> Vec<f64> {
         self.terms.iter().zip(&self.output).map(|(terms, out)| terms.iter().sum::<f64>() - out).collect()
     }
 
-    /// What gives its formulas their numbers, of the setting that was followed.
+    /// The setting of its formulas, derived from the setting of the trace.
     #[must_use]
     pub fn setting<'a>(&self, setting: &Setting<'a>) -> Setting<'a> {
         if self.with_far_plane { setting.with_far_plane() } else { setting.clone() }
@@ -62,9 +61,9 @@ impl Step {
 /// A row of a step before it is evaluated.
 struct UnevaluatedRow {
     symbol: Symbol,
-    /// What is added.
+    /// The summands.
     terms: Vec<Formula>,
-    /// What is added after the floor, where there is one.
+    /// The summand after the floor, where there is one.
     after_floor: Option<Option<Formula>>,
 }
 
@@ -134,7 +133,7 @@ fn matrix_step(
     const INDICES: [u8; 4] = [0, 1, 2, 3];
     let factor = |column: u8| input.get(usize::from(column)).map_or(Formula::Number(1.0), |s| Formula::Symbol(*s));
     let rows = output.iter().zip(INDICES).map(|(symbol, row)| {
-        // Products with 1 stand there too: students write them.
+        // Products with 1 are included: students write them.
         let product = |column| Formula::Product(vec![Symbol::Entry(matrix, row, column).into(), factor(column)]);
         UnevaluatedRow::sum(*symbol, INDICES.map(product))
     });

@@ -1,4 +1,5 @@
-//! The camera in the words of other sources and libraries, and back: each number that can be set sets the camera.
+//! The camera in the vocabularies of other sources and libraries, and back: each number that can be set sets the
+//! camera.
 //!
 //! | words | what |
 //! | --- | --- |
@@ -41,11 +42,11 @@ pub struct Argument {
     pub name: &'static str,
     /// Its number.
     pub value: f64,
-    /// What is set by it; [`Quantity::Fixed`]: nothing.
+    /// The quantity that it sets; [`Quantity::Fixed`]: nothing.
     pub quantity: Quantity,
 }
 
-/// What of a camera a number is.
+/// The quantity of a camera that a number stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
     /// C
@@ -88,16 +89,16 @@ pub enum Quantity {
     Translation(Component),
     /// An axis: it cannot be set one number at a time.
     Axis(Axis, Component),
-    /// It is what it is there, and cannot be set.
+    /// Follows from the others, and cannot be set.
     Fixed,
 }
 
-/// What a vocabulary cannot say of a camera, or what it says otherwise.
+/// A limitation of a vocabulary, or a difference to the notes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Limitation {
     /// The window is symmetric there.
     SymmetricOnly,
-    /// It knows perspective only.
+    /// It can express perspective only.
     PerspectiveOnly,
     /// Clipping planes are not part of it: F and B stay.
     NoClippingPlanes,
@@ -118,10 +119,10 @@ impl Vocabulary {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::OpenGl, Self::Vrc, Self::ReferencePoint, Self::Pinhole];
 
-    /// What it cannot say of this camera.
+    /// Checks whether it can express this camera.
     ///
     /// # Errors
-    /// [`Limitation::SymmetricOnly`] or [`Limitation::PerspectiveOnly`] where it has no words for it at all.
+    /// [`Limitation::SymmetricOnly`] or [`Limitation::PerspectiveOnly`] where it cannot express it at all.
     fn check(self, camera: &Camera) -> Result<(), Limitation> {
         let symmetric = camera.has_symmetric_window();
         match self {
@@ -134,7 +135,7 @@ impl Vocabulary {
         }
     }
 
-    /// What is otherwise than in `[0]`, or not there at all.
+    /// Its differences to `[0]`, and its gaps.
     #[must_use]
     pub fn limitations(self) -> &'static [Limitation] {
         match self {

@@ -17,7 +17,7 @@ impl AnimationFormat {
     /// All of them.
     pub const ALL: [Self; 2] = [Self::Gif, Self::Apng];
 
-    /// What people call it.
+    /// Its common name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -26,7 +26,7 @@ impl AnimationFormat {
         }
     }
 
-    /// What the names of its files end in.
+    /// The extension of its files.
     #[must_use]
     pub const fn ending(self) -> &'static str {
         match self {
@@ -53,12 +53,11 @@ pub enum AnimationError {
     Encode(String),
 }
 
-/// One unit of a picture's time is so many seconds.
+/// One unit of a picture's time, in seconds.
 pub const TICK: f64 = 0.01;
 
-/// The file of so many pictures, which begins again at its end. `next` gives each of them, of one size and without
-/// transparency, with the ticks of [`TICK`] for which it is shown; of the pictures only one is in memory. It pauses
-/// where `next` does.
+/// Encodes pictures as a file that loops. `next` returns each of them, of one size and without transparency, with its
+/// duration in ticks of [`TICK`]; only one of the pictures is in memory. Pauses where `next` does.
 ///
 /// # Errors
 /// [`AnimationError`].

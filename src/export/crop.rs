@@ -1,4 +1,4 @@
-//! A picture without the empty ground around what it shows.
+//! A picture without the empty background around its content.
 
 use tiny_skia::{IntRect, Pixmap};
 

@@ -17,7 +17,7 @@ impl PictureFormat {
     /// All of them; the first is that of a file whose name says none.
     pub const ALL: [Self; 3] = [Self::Png, Self::WebP, Self::Jpeg];
 
-    /// What people call it.
+    /// Its common name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -27,7 +27,7 @@ impl PictureFormat {
         }
     }
 
-    /// What the names of its files end in, after the dot; the first is the usual one.
+    /// The extensions of its files, after the dot; the first is the usual one.
     #[must_use]
     pub const fn endings(self) -> &'static [&'static str] {
         match self {

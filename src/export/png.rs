@@ -11,13 +11,13 @@ use crate::progress::{Activity, Progress};
 /// The keyword of the iTXt chunk that holds the figure file.
 pub const KEYWORD: &str = "camera-lab-figure";
 
-/// The keyword that the format has for what is said of a picture.
+/// The keyword of the format for the description of a picture.
 const DESCRIPTION: &str = "Description";
 
 /// The first bytes of every PNG.
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
-/// How many bytes of packed pixels stand together.
+/// Bytes of packed pixels in a chunk.
 const CHUNK: usize = 1 << 20;
 
 /// Why a picture cannot be written or read.
@@ -40,10 +40,10 @@ pub enum PngError {
     NoFigure,
 }
 
-/// What is wrong with a PNG.
+/// A damage of a PNG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Damage {
-    /// It ends early.
+    /// The file ends early.
     #[error("it ends early")]
     Truncated,
     /// A checksum does not fit: bytes have changed on the way.
@@ -68,9 +68,9 @@ impl From<DecodingError> for PngError {
     }
 }
 
-/// The PNG of `pixmap`, with `figure` (the text of a figure file) and what else is `said` of the picture in iTXt
-/// chunks, and, for paper, `dpi` (pixels per inch) in a pHYs chunk, as pixels per metre; what is too fine or too coarse
-/// for that chunk is left out. Opaque pictures have no alpha channel. It pauses after each row.
+/// The PNG of `pixmap`, with `figure` (the text of a figure file) and the description `said` in iTXt chunks, and, for
+/// paper, `dpi` (pixels per inch) in a pHYs chunk, as pixels per metre; a resolution too fine or too coarse for that
+/// chunk is left out. Opaque pictures have no alpha channel. Pauses after each row.
 ///
 /// *Guarantees*: the same picture and text give the same bytes.
 ///
@@ -159,7 +159,7 @@ fn text_with(options: DecodeOptions, bytes: &[u8], limit: usize) -> Result<Optio
 fn find(info: &png::Info<'_>, limit: usize) -> Result<Option<String>, PngError> {
     let Some(chunk) = info.utf8_text.iter().find(|chunk| chunk.keyword == KEYWORD) else { return Ok(None) };
     let mut chunk = chunk.clone();
-    // A few packed megabytes can hold gigabytes: what is longer than the limit is never unpacked.
+    // A few packed megabytes can hold gigabytes: a text longer than the limit is never unpacked.
     chunk.decompress_text_with_limit(limit).map_err(|error| match error.to_string() {
         text if text.contains("decompression space") => PngError::TooLong { limit },
         _ => PngError::Damaged(Damage::Text),
@@ -168,7 +168,7 @@ fn find(info: &png::Info<'_>, limit: usize) -> Result<Option<String>, PngError> 
     if text.len() > limit { Err(PngError::TooLong { limit }) } else { Ok(Some(text)) }
 }
 
-/// True for what begins as every PNG does.
+/// Whether the bytes begin as every PNG does.
 #[must_use]
 pub fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(SIGNATURE)

@@ -21,12 +21,12 @@ pub fn webp(pixmap: Pixmap) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-/// A picture as JPEG, for paper with its pixels per inch; what is transparent becomes white.
+/// A picture as JPEG, for paper with its pixels per inch; transparent pixels become white.
 ///
 /// # Errors
-/// Why the encoder gave up.
+/// The reason why the encoder gave up.
 pub fn jpeg(pixmap: &Pixmap, dpi: Option<f64>) -> Result<Vec<u8>, String> {
-    // Premultiplied: white shows through by what alpha lacks.
+    // Premultiplied: white shows through by the complement of alpha.
     let on_white = |p: &tiny_skia::PremultipliedColorU8| [p.red(), p.green(), p.blue()].map(|c| c + (255 - p.alpha()));
     let rgb: Vec<u8> = pixmap.pixels().iter().flat_map(on_white).collect();
     let mut bytes = Vec::new();

@@ -14,11 +14,11 @@ pub struct FigureError {
     pub line: usize,
     /// The section and key as they are written, `[camera] near`; empty where none is concerned.
     pub key: String,
-    /// What is wrong.
+    /// The problem.
     pub problem: Problem,
 }
 
-/// What is wrong with a line of a figure file.
+/// A problem in a line of a figure file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Problem {
     /// The bytes are not UTF-8.
@@ -47,9 +47,9 @@ pub enum Problem {
     /// More of them than there may be.
     #[error("are {count}; allowed: at most {limit}")]
     TooMany {
-        /// How many there are.
+        /// The number found.
         count: usize,
-        /// How many there may be.
+        /// The greatest number allowed.
         limit: usize,
     },
     /// A key that no section of this name has.
@@ -65,7 +65,7 @@ pub enum Problem {
     Value {
         /// The value as it is written, shortened.
         found: String,
-        /// What would do.
+        /// The allowed values.
         allowed: Allowed,
     },
     /// A number that is written as a text, which cannot be read.
@@ -73,15 +73,15 @@ pub enum Problem {
     Expression {
         /// The text.
         text: String,
-        /// What is wrong with it.
+        /// The fault in the expression.
         error: Box<ExpressionError>,
-        /// What would do.
+        /// The allowed values.
         allowed: Allowed,
     },
     /// A key without which the section says nothing.
     #[error("missing")]
     Missing {
-        /// What would do.
+        /// The allowed values.
         allowed: Allowed,
     },
     /// A text with a formula that is not only mathematics.
@@ -100,7 +100,7 @@ pub enum Problem {
     Camera(#[from] CameraError),
 }
 
-/// What a value may be.
+/// The allowed values of a key.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Allowed {
     /// A finite number.
@@ -167,11 +167,11 @@ pub enum Allowed {
     Pixels,
     /// A number, `[a, b, …]` or `[[…], …]`.
     Numbers,
-    /// A path in the output of `inspect` where numbers stand.
+    /// A path to numbers in the output of `inspect`.
     Quantity,
     /// Either of two keys.
     Either(&'static str, &'static str),
-    /// One of what stands in another key.
+    /// One of the values of another key.
     Choice(Vec<String>),
     /// An answer that is wrong.
     WrongAnswer,

@@ -1,5 +1,5 @@
-//! A figure: camera parameters, image, viewport, scene, points, style, what is revealed of the pipeline, observers, and
-//! what is explained in the pictures. One figure file is one `Figure`.
+//! A figure: camera parameters, image, viewport, scene, points, style, the `[reveal]` of the pipeline, observers, and
+//! the explanations in the pictures. One figure file is one `Figure`.
 
 mod edit;
 pub mod error;
@@ -56,7 +56,7 @@ pub struct Figure {
     /// `[observers]`: from where the world and the canonical volume are seen; `None`: from where everything can be
     /// seen.
     pub observers: Observers,
-    /// `[show]`: what is explained in the pictures.
+    /// `[show]`: explanations in the pictures.
     pub show: Show,
 }
 

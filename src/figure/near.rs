@@ -1,6 +1,6 @@
 //! The key that was probably meant.
 
-/// What other programs, the notes and hasty hands call the keys.
+/// Names of the keys in other programs, in the notes and in hasty typing.
 const SYNONYMS: &[(&str, &str)] = &[
     ("fov", "view_angle"),
     ("fovy", "view_angle"),
@@ -76,7 +76,7 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("donut", "torus"),
 ];
 
-/// Where a key is at home, for keys that stand in the wrong section.
+/// The section of a key, for keys in the wrong section.
 const HOMES: &[(&str, &str)] = &[
     ("position", "camera"),
     ("focal_point", "camera"),
@@ -108,7 +108,7 @@ const HOMES: &[(&str, &str)] = &[
     ("vanishing", "reveal"),
 ];
 
-/// The one of `known` that `word` probably stands for, or where the key is at home.
+/// The one of `known` that `word` probably means, or the section where the key belongs.
 pub(super) fn key(word: &str, known: &[&str]) -> Option<String> {
     known
         .iter()
@@ -120,7 +120,7 @@ pub(super) fn key(word: &str, known: &[&str]) -> Option<String> {
         .or_else(|| SYNONYMS.iter().find(|(other, _)| *other == word.to_lowercase()).and_then(|(_, key)| home(key)))
 }
 
-/// The one of `known` that `word` probably stands for.
+/// The one of `known` that `word` probably means.
 pub(super) fn word(word: &str, known: &[&str]) -> Option<String> {
     synonym(word, known).or_else(|| by_letters(word, known.iter().copied()))
 }

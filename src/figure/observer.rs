@@ -1,4 +1,4 @@
-//! Who looks at a three-dimensional picture, and the camera that this amounts to.
+//! The observer of a three-dimensional picture, and the camera equivalent to it.
 
 use glam::DVec3;
 
@@ -11,11 +11,11 @@ pub const VIEW_ANGLE: Angle = Angle::from_degrees(28.0);
 /// Half of [`VIEW_ANGLE`].
 pub const HALF_VIEW_ANGLE: Angle = Angle::from_degrees(VIEW_ANGLE.degrees() / 2.0);
 
-/// How many times the observer's distance a depth range may be in parallel projection, where depth is linear and kept
-/// in `f32`: beyond it, faces that touch would flicker.
+/// Greatest depth range over the observer's distance in parallel projection, where depth is linear and stored in `f32`:
+/// beyond it, faces that touch would flicker.
 const PARALLEL_DEPTH: f64 = 100.0;
 
-/// Who looks at a three-dimensional picture: an orbit about a target.
+/// The observer of a three-dimensional picture: an orbit about a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer {
     /// The point in the middle of the picture, in the space of the picture.
@@ -34,8 +34,8 @@ pub struct Observer {
 }
 
 impl Observer {
-    /// Turns about the target. The scene follows the pointer: `dx_deg` > 0 turns what is in front to the right,
-    /// `dy_deg` > 0 turns it down, so that the eye rises.
+    /// Turns about the target. The scene follows the pointer: `dx_deg` > 0 turns its front to the right, `dy_deg` > 0
+    /// turns it down, so that the eye rises.
     #[must_use]
     pub fn orbit(self, dx_deg: f64, dy_deg: f64) -> Self {
         // Across and along the ground, which lies aslant for a rolled eye.
@@ -48,7 +48,7 @@ impl Observer {
         }
     }
 
-    /// Moves the target so that what lies at its depth follows the pointer by (`dx_px`, `dy_px`), y down, in a picture
+    /// Moves the target so that points at its depth follow the pointer by (`dx_px`, `dy_px`), y down, in a picture
     /// `height_px` high.
     #[must_use]
     pub fn pan(self, dx_px: f64, dy_px: f64, height_px: f64) -> Self {
@@ -57,8 +57,8 @@ impl Observer {
         Self { target: self.target - right * (dx_px * unit) + up * (dy_px * unit), ..self }
     }
 
-    /// Goes nearer (`factor` > 1) or away: what is at the target is shown `factor` times as large. A factor that is not
-    /// positive and finite changes nothing.
+    /// Moves nearer (`factor` > 1) or away: things at the target are shown `factor` times as large. A factor that is
+    /// not positive and finite changes nothing.
     #[must_use]
     pub fn zoom(self, factor: f64) -> Self {
         let distance = self.distance / factor;
@@ -79,7 +79,7 @@ impl Observer {
         [right * cr + up * sr, up * cr - right * sr, back]
     }
 
-    /// This observer, looking so that two unit vectors at right angles point to the right and towards the eye.
+    /// This observer, turned so that two unit vectors at right angles point to the right and towards the eye.
     #[must_use]
     pub fn looking(self, right: DVec3, back: DVec3) -> Self {
         let elevation = back.y.clamp(-1.0, 1.0).asin().to_degrees();
@@ -91,7 +91,7 @@ impl Observer {
         Self { roll: if roll.abs() < 1e-9 { 0.0 } else { roll }, ..upright }
     }
 
-    /// What the picture's height spans at the target.
+    /// The height of the picture in scene units at the target.
     fn height_at_target(&self) -> f64 {
         2.0 * self.distance * HALF_VIEW_ANGLE.tan()
     }

@@ -1,4 +1,4 @@
-//! From where each preset is worth seeing.
+//! The viewpoint from which each preset is worth seeing.
 
 use glam::DVec3;
 
@@ -34,7 +34,7 @@ pub fn recommended_camera(preset: Preset) -> Parameters {
             ..perspective([0.0, 0.0, 2.0], origin, 45.0, 1.0, 3.0)
         },
         Preset::Exercise51 => perspective([3.0, 4.0, 0.0], origin, 45.0, 1.5, 9.0),
-        // The text gives a view angle of 90° for a parallel projection: H is what it spans at the distance D = √38.
+        // The text gives a view angle of 90° for a parallel projection: H is its span at the distance D = √38.
         Preset::Exercise52 => Parameters {
             view_up: DVec3::X,
             projection: Projection::Parallel,

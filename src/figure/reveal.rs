@@ -1,15 +1,15 @@
-//! What pictures show of the pipeline's inner work: the `[reveal]` section of a figure.
+//! The inner work of the pipeline that pictures show: the `[reveal]` section of a figure.
 
 /// The `[reveal]` section: stages of the pipeline made visible in the pictures. The default shows nothing of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Reveal {
     /// The image shows depths instead of colours.
     pub depth: Depth,
-    /// What is done with the parts of the scene that lie outside the view volume.
+    /// Drawing of the parts of the scene outside the view volume.
     pub outside: Outside,
     /// The vertices that clipping makes are marked in all three pictures.
     pub clipping: bool,
-    /// The canonical volume and the image show what comes of dividing by w before clipping `[2]`.
+    /// The canonical volume and the image show the result of dividing by w before clipping `[2]`.
     pub divide_first: bool,
     /// The world shows the objects and faces that culling drops for the camera.
     pub culled: bool,
@@ -29,7 +29,7 @@ pub enum Depth {
     Linear,
 }
 
-/// What is done with what lies outside the view volume (`[reveal] outside`), in the world and in the canonical volume.
+/// Drawing of the parts outside the view volume (`[reveal] outside`), in the world and in the canonical volume.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Outside {
     /// Shown in the world, cut in the canonical volume (no key).

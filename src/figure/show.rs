@@ -1,4 +1,4 @@
-//! What pictures show of an explanation: the `[show]` section of a figure.
+//! The explanations that pictures show: the `[show]` section of a figure.
 
 use std::collections::BTreeSet;
 
@@ -9,13 +9,13 @@ use crate::camera::{Decomposition, Parameters};
 use crate::geometry::Ray;
 use crate::stage::Stage;
 
-/// The `[show]` section: what was chosen or pinned to be explained in the pictures. The default shows nothing of it.
+/// The `[show]` section: explanations chosen or pinned in the pictures. The default shows none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Show {
-    /// A stage: what goes in and what comes out.
+    /// A stage: its input and its output.
     pub stage: Option<Stage>,
-    /// The picture in which the stage is shown, and whose pipeline it is a stage of; the others show what belongs to
-    /// it.
+    /// The picture in which the stage is shown, and whose pipeline it is a stage of; the others show the parts that
+    /// belong to it.
     pub stage_of: StagePicture,
     /// The first share (0 … 1) of the image's triangles alone is painted, in the order of painting; `None`: all, with
     /// everything else.
@@ -36,7 +36,7 @@ pub struct Show {
     pub answer: Option<Parameters>,
 }
 
-/// The picture of a stage: the image unless something else is said.
+/// The picture of a stage: the image by default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct StagePicture(pub View);
 
@@ -46,12 +46,12 @@ impl Default for StagePicture {
     }
 }
 
-/// How far the canonical picture has come on the way of a decomposition.
+/// The progress of the canonical picture through the steps of a decomposition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShownStep {
     /// Whose steps.
     pub way: Decomposition,
-    /// How many steps are done, whole or between: 0 is the world; `None`, or more than there are: all.
+    /// Number of steps applied, whole or between: 0 is the world; `None`, or more than there are: all.
     pub at: Option<f64>,
 }
 
@@ -96,7 +96,7 @@ impl TriangleStep {
         [Self::View, Self::Facing, Self::Outcodes, Self::Cuts, Self::Divide, Self::Viewport, Self::Pixels, Self::Depth];
 }
 
-/// What is probed.
+/// The target of the probe.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ShownProbe {
     /// A point of the world.
@@ -129,7 +129,7 @@ impl Measure {
     pub const ALL: [Self; 6] = [Self::Near, Self::Far, Self::Distance, Self::Width, Self::Height, Self::HalfAngle];
 }
 
-/// What a parameter, or the entry of a matrix, measures in the world. Axes are 0 … 2: of the camera **u**, **v**,
+/// The measure of a parameter, or of the entry of a matrix, in the world. Axes are 0 … 2: of the camera **u**, **v**,
 /// **n**.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Measured {
@@ -156,7 +156,7 @@ pub enum Measured {
 }
 
 impl Measured {
-    /// True for what is measured of an object, and not of the camera.
+    /// Whether an object is measured, and not the camera.
     #[must_use]
     pub const fn is_of_object(self) -> bool {
         matches!(self, Self::Translate(_) | Self::Rotate(_) | Self::Scale(_))
@@ -181,11 +181,11 @@ pub enum WindowSide {
 pub struct TransformPreview {
     /// The names of the objects; without any, a cube is shown.
     pub objects: BTreeSet<String>,
-    /// What takes them there from where they are in the world.
+    /// The map from their place in the world to the shown one.
     pub change: DMat4,
     /// The matrix that the list leads to, in the world: its columns are the axes.
     pub world_from_frame: DMat4,
-    /// About what they have turned last.
+    /// The axis of their last turn.
     pub axis: Option<Ray>,
     /// By another list, on purpose.
     pub wrong: bool,

@@ -36,7 +36,7 @@ impl View {
     }
 }
 
-/// What is drawn at once: one picture, or all three side by side.
+/// The pictures drawn at once: one, or all three side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Views {
     /// One of the three.

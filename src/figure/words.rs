@@ -44,7 +44,7 @@ pub const OUTSIDES: Words<Outside> = &[("cut", Outside::Cut), ("tinted", Outside
 /// `[[scene.objects]] shape`; those that have data are empty here.
 pub const SHAPES: Words<Shape> = Shape::NAMED;
 
-/// `[[scene.lights]] kind`; the vectors are what a light has that gives none.
+/// `[[scene.lights]] kind`; the vectors are the defaults of a light.
 pub const LIGHTS: Words<LightSpec> = LightSpec::NAMED;
 
 /// `[show] stage`
@@ -138,7 +138,7 @@ pub fn value<T: Clone>(words: Words<T>, name: &str) -> Option<T> {
     words.iter().find(|(word, _)| *word == name).map(|(_, value)| value.clone())
 }
 
-/// What `value` is called; empty where the list lacks it, which a test excludes.
+/// The word for `value`; empty where the list lacks it, which a test excludes.
 #[must_use]
 pub fn name<T: Copy + PartialEq>(words: Words<T>, value: T) -> &'static str {
     words.iter().find(|(_, v)| *v == value).map_or("", |(word, _)| word)

@@ -1,4 +1,4 @@
-//! What the world picture shows besides scene and camera: the `[world]` section of a figure.
+//! The content of the world picture besides scene and camera: the `[world]` section of a figure.
 
 /// The `[world]` section.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -7,7 +7,6 @@ pub struct WorldLook {
     pub section: bool,
     /// F, B, D, W, H and θ/2 as dimension lines.
     pub dimensions: bool,
-    /// How opaque the image on the view window is, 0 … 1; `None`: opaque, but faint where it would hide much of the
-    /// scene.
+    /// Opacity of the image on the view window, 0 … 1; `None`: opaque, but faint where it would hide much of the scene.
     pub window_opacity: Option<f64>,
 }

@@ -21,7 +21,7 @@ pub fn to_toml(figure: &Figure) -> String {
     document(figure).to_string()
 }
 
-/// The same as a document.
+/// The figure file as a document.
 pub(super) fn document(figure: &Figure) -> DocumentMut {
     let mut document = DocumentMut::new();
     let mut put = |key: &str, section: Table| document.insert(key, Item::Table(section));
@@ -214,7 +214,7 @@ fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {
 }
 
 /// A text in double quotes on one line, where the library would take several lines for one with a line end: those
-/// change with the line ends of the file. (What JSON escapes is what TOML does, but for the DEL character.)
+/// change with the line ends of the file. (JSON escapes the same characters as TOML, but for DEL.)
 fn quoted(text: &str) -> Value {
     let quoted = serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007F");
     let mut value = quoted.parse().unwrap_or_else(|_| Value::from(text));

@@ -1,4 +1,4 @@
-//! What a figure may make the program read: which files, and how much of them.
+//! The files that a figure may make the program read, and their total size.
 
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
@@ -10,17 +10,17 @@ use crate::sanitize;
 use crate::scene::{NamedBy, ReadError, ReadProblem, Wanted};
 use crate::share;
 
-/// Which files a figure may name.
+/// The files that a figure may name.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FileAccess {
     /// Of a figure that came without a folder, as in a link: it has the meshes of the program.
     Link,
-    /// Of a figure that came in a picture: its meshes, and what they name, lie in the picture's folder and below.
+    /// A figure from a picture: its meshes, and the files they name, are in the picture's folder or below.
     Picture,
-    /// Of a figure file: its meshes may lie anywhere on this machine; what they name lies in their folder and below.
+    /// A figure file: its meshes may be anywhere on this machine; the files they name are in their folder or below.
     #[default]
     Figure,
-    /// The user has said that it may name any file of this machine.
+    /// Any file of this machine, as allowed by the user.
     Anywhere,
 }
 
@@ -39,10 +39,11 @@ impl FileAccess {
     }
 }
 
-/// Reads what one figure names.
+/// Reads the files that one figure names.
 ///
-/// *Guarantees*: nothing but regular files of this machine, within the reach, and never more than [`MAX_SCENE_BYTES`]
-/// of them in all. What lies outside is not even looked at: whether it exists cannot be told from the message.
+/// *Guarantees*: only regular files of this machine, within the allowed folders, and never more than
+/// [`MAX_SCENE_BYTES`] of them in all. Files outside are not even looked at: the message does not reveal whether they
+/// exist.
 #[derive(Clone, Debug)]
 pub struct FigureFiles {
     folder: PathBuf,
@@ -58,13 +59,13 @@ impl FigureFiles {
         Self { folder: folder.to_owned(), reach, left: MAX_SCENE_BYTES, unread: Vec::new() }
     }
 
-    /// As if so many bytes had been read already.
+    /// The same with this number of bytes already read.
     #[must_use]
     pub fn after(self, spent: usize) -> Self {
         Self { left: self.left.saturating_sub(spent), ..self }
     }
 
-    /// How many bytes have been read.
+    /// Number of bytes read.
     #[must_use]
     pub fn spent(&self) -> usize {
         MAX_SCENE_BYTES - self.left
@@ -77,10 +78,10 @@ impl FigureFiles {
         &self.unread
     }
 
-    /// The bytes of a file, or of what is part of the program (`camera-lab:teapot.obj`).
+    /// The bytes of a file, or of a built-in one (`camera-lab:teapot.obj`).
     ///
     /// # Errors
-    /// What the system refuses, what is not a regular file, what lies outside of the reach, and what is too much.
+    /// A refusal of the system, a file that is not regular, one outside the allowed folders, and too many bytes.
     pub fn read(&mut self, wanted: Wanted<'_>) -> Result<Vec<u8>, ReadError> {
         if let Some(bytes) = shipped_file(wanted.path, wanted.named_by) {
             return Ok(bytes.to_vec());
@@ -150,7 +151,7 @@ enum Elsewhere {
 
 /// The path without links and `..`, where it lies in `folder` or below.
 fn inside(folder: &Path, path: &Path) -> Result<PathBuf, Elsewhere> {
-    // By its words first: of what lies outside, not even the existence is looked for.
+    // By its path first: of files outside, not even the existence is checked.
     if !lexically_inside(folder, path) {
         return Err(Elsewhere::Outside);
     }

@@ -1,4 +1,4 @@
-//! Whether a file still holds what was read from it or saved in it.
+//! Detection of changes of a file since it was read or saved.
 
 use std::fs;
 use std::path::Path;
@@ -14,14 +14,14 @@ pub struct Stamp {
     size: u64,
 }
 
-/// What there is where `known` was read or saved.
+/// The state of a file compared with the `known` one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FileChange {
     /// The same bytes.
     Same(Stamp),
     /// These bytes; `None` where they cannot be read, or are more than any figure file has.
     Other(Option<Vec<u8>>),
-    /// Nothing.
+    /// The file is gone.
     Gone,
 }
 
@@ -29,7 +29,7 @@ pub enum FileChange {
 #[must_use]
 pub fn look(path: &Path, known: &[u8], stamp: Option<Stamp>) -> FileChange {
     let Ok(meta) = fs::metadata(path) else { return FileChange::Gone };
-    // Taken before the bytes are read: what is written after that has another one.
+    // Taken before the bytes are read: a later write has another one.
     let now = Stamp { modified: meta.modified().ok(), size: meta.len() };
     if stamp == Some(now) && now.modified.is_some() {
         return FileChange::Same(now);

@@ -1,4 +1,4 @@
-//! How figures name the files of their meshes.
+//! Names of mesh files in figures.
 
 use std::path::{Path, PathBuf};
 
@@ -6,7 +6,7 @@ use super::{is_network, whole};
 use crate::figure::Figure;
 use crate::scene::Shape;
 
-/// How a figure in this folder names a file: relative to the folder where the file lies in it, with slashes; else by
+/// The name of a file in a figure of this folder: relative to the folder where the file is in it, with slashes; else
 /// its whole path.
 #[must_use]
 pub fn named_in_figure(folder: Option<&Path>, path: &Path) -> String {

@@ -32,7 +32,7 @@ pub use own_exercises::{BadExercise, OwnExercises, read_exercises};
 pub use save::{is_read_only, remove_left_over, save};
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure};
 
-/// Why a file cannot be used. Displayed, it stands after the name of the file.
+/// A reason why a file cannot be used. Displayed, it follows the name of the file.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// The system does not let it be read.
@@ -41,10 +41,10 @@ pub enum FileError {
     /// The system does not let it be written.
     #[error("cannot be written: {}", system_words(.0.kind(), .0.raw_os_error()))]
     Write(io::Error),
-    /// It is a directory.
+    /// A directory.
     #[error("{}", ReadProblem::Directory)]
     Directory,
-    /// It is a device, a pipe or a socket, which may have no end.
+    /// A device, a pipe or a socket, which may have no end.
     #[error("{}", ReadProblem::NotRegular)]
     NotRegular,
     /// Its path leads to another machine: opening it could send the user's name and password there.
@@ -55,10 +55,10 @@ pub enum FileError {
         "has a name that Windows reserves; allowed: names without \":\" other than CON, PRN, AUX, NUL, COM0 to COM9 and LPT0 to LPT9, whatever the extension"
     )]
     ReservedName,
-    /// It is there and may not be written.
+    /// An existing file that may not be written.
     #[error("is read-only and was left as it is; allowed: another name, or a file that may be written")]
     ReadOnly,
-    /// It is larger than any file that is meant for this program.
+    /// A file larger than any that is meant for this program.
     #[error("is larger than any figure or picture; allowed: at most {} GiB", MAX_FILE_BYTES >> 30)]
     TooLarge,
     /// A folder with more exercises than a lecture has.
@@ -75,12 +75,12 @@ pub enum FileError {
     Link(#[from] ShareError),
 }
 
-/// What may be replaced.
+/// Permission to replace files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overwrite {
     /// A file that may be written; another one is [`FileError::ReadOnly`].
     Writable,
-    /// Also a read-only file: the user was asked. It stays read-only.
+    /// Also a read-only file: the user has agreed. It stays read-only.
     ReadOnlyToo,
 }
 
@@ -98,7 +98,7 @@ pub struct Opened {
 /// The file that a figure came from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SourceFile {
-    /// Where it is, by its [`whole`] path.
+    /// Its [`whole`] path.
     pub path: PathBuf,
     /// The text of the figure file, so that saving keeps the comments.
     pub text: String,
@@ -110,7 +110,7 @@ impl Opened {
     /// The figure, and the file with this path that it came from.
     #[must_use]
     pub fn at(self, path: &Path) -> (Figure, SourceFile) {
-        // A link has no folder: what a figure in it names lies nowhere.
+        // A link has no folder: relative names in its figure lead nowhere.
         let path = if share::link_of(path).is_some() { PathBuf::new() } else { whole(path) };
         (self.figure, SourceFile { path, text: self.text, is_picture: self.from_picture })
     }
@@ -141,12 +141,12 @@ pub fn figure_from(bytes: &[u8]) -> Result<Opened, FileError> {
 /// The bytes of a regular file of this machine.
 ///
 /// # Errors
-/// [`FileError`] where the system refuses, for what is not a regular file or too large, and for network paths.
+/// [`FileError`] for a refusal of the system, a file that is not regular or too large, and network paths.
 pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
     read_at_most(path, MAX_FILE_BYTES)
 }
 
-/// As [`read_file`], of at most so many bytes.
+/// As [`read_file`], of at most `most` bytes.
 ///
 /// # Errors
 /// As for [`read_file`].
@@ -162,12 +162,12 @@ pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
         return Err(FileError::NotRegular);
     }
     let file = File::open(path).map_err(FileError::Read)?;
-    // Asked again of what is open: another file may have taken its place.
+    // Checked again on the open file: another one may have taken its place.
     let now = file.metadata().map_err(FileError::Read)?;
     if !now.is_file() {
         return Err(FileError::NotRegular);
     }
-    // Nothing is read of what says that it is too large; a file that grows meanwhile is not trusted either.
+    // Nothing is read of a file that reports too large a size; one that grows meanwhile is not trusted either.
     if now.len() > most {
         return Err(FileError::TooLarge);
     }
@@ -176,7 +176,7 @@ pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     if bytes.len() as u64 > most { Err(FileError::TooLarge) } else { Ok(bytes) }
 }
 
-/// Refuses what no file of this machine can be.
+/// Refuses a path that no file of this machine can have.
 fn check_path(path: &Path) -> Result<(), FileError> {
     if is_network(path) {
         return Err(FileError::Network);

@@ -8,7 +8,7 @@ use crate::exercises::{self, Entry, own};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OWN_EXERCISES};
 use crate::numbers::natural_order;
 
-/// What a folder of exercises holds.
+/// The exercises of a folder.
 #[derive(Debug, Default)]
 pub struct OwnExercises {
     /// The exercises, in the order of the names of their files.
@@ -20,7 +20,7 @@ pub struct OwnExercises {
 /// A file in a folder of exercises that holds none that can be used.
 #[derive(Debug)]
 pub struct BadExercise {
-    /// Where it is.
+    /// The path of the folder.
     pub path: PathBuf,
     /// Why not.
     pub error: FileError,
@@ -38,7 +38,7 @@ pub fn read_exercises(folder: &Path) -> Result<OwnExercises, FileError> {
         return Err(FileError::Network);
     }
     let mut files = Vec::new();
-    // What the system cannot tell of a folder's entry has no name that could be said.
+    // An entry that the system cannot describe has no name to report.
     for path in fs::read_dir(folder).map_err(FileError::Read)?.flatten().map(|entry| entry.path()) {
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
             files.push(path);

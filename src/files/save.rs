@@ -53,7 +53,7 @@ pub fn is_read_only(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|meta| meta.is_file() && may_not_be_written(&meta, &open_to_write(path)))
 }
 
-/// To root every file is writable: what its owner has set counts.
+/// To root every file is writable: the owner's setting counts.
 fn may_not_be_written(meta: &Metadata, opened: &io::Result<File>) -> bool {
     meta.permissions().readonly() || opened.as_ref().is_err_and(|error| error.kind() == io::ErrorKind::PermissionDenied)
 }
@@ -62,9 +62,9 @@ fn open_to_write(path: &Path) -> io::Result<File> {
     OpenOptions::new().write(true).open(path)
 }
 
-/// Where a chain of links ends, whether a file is there or not.
+/// The end of a chain of links, whether a file is there or not.
 fn end_of_links(path: &Path) -> io::Result<PathBuf> {
-    // As many as Linux follows.
+    // The limit of Linux.
     const MOST: usize = 40;
     let mut end = path.to_owned();
     for _ in 0..MOST {
@@ -83,7 +83,7 @@ fn replace(target: &Path, bytes: &[u8], before: &Metadata, writable: io::Result<
     };
     let same_owner = temporary.take_owner(before);
     match writable {
-        // The copy beside it holds the new bytes until they are all there.
+        // The copy beside it holds the new bytes until they are all written.
         Ok(file) if has_other_names(before) || !same_owner => write_in_place(file, target, bytes),
         writable => {
             temporary.file.set_permissions(before.permissions())?;
@@ -106,7 +106,7 @@ fn take_the_place(temporary: &mut Temporary, target: &Path, before: &Metadata) -
         writable.set_readonly(false);
         fs::set_permissions(target, writable)?;
         return temporary.rename(target).inspect_err(|_| {
-            // The error that is told is the first one.
+            // The first error is the one reported.
             let _ = fs::set_permissions(target, before.permissions());
         });
     }
@@ -115,8 +115,8 @@ fn take_the_place(temporary: &mut Temporary, target: &Path, before: &Metadata) -
     temporary.rename(target)
 }
 
-/// Writes over the old bytes, and puts them back where the new ones find no room; what cannot be read is not written
-/// over.
+/// Writes over the old bytes, and restores them where the new ones do not fit; a file that cannot be read is not
+/// overwritten.
 fn write_in_place(mut file: File, path: &Path, bytes: &[u8]) -> io::Result<()> {
     let old = fs::read(path)?;
     let mut put = |bytes: &[u8]| {
@@ -126,7 +126,7 @@ fn write_in_place(mut file: File, path: &Path, bytes: &[u8]) -> io::Result<()> {
         file.sync_all()
     };
     put(bytes).inspect_err(|_| {
-        // The error that is told is the first one.
+        // The first error is the one reported.
         let _ = put(&old);
     })
 }
@@ -165,7 +165,7 @@ impl Temporary {
             let path = target.with_file_name(format!("{PREFIX}{}-{attempt}{ENDING}", std::process::id()));
             match OpenOptions::new().write(true).create_new(true).open(&path) {
                 Ok(file) => {
-                    // Where there are no locks, what is left over is told by its age alone.
+                    // Without locks, a left-over file is recognised by its age alone.
                     let _ = file.try_lock();
                     return Ok(Self { path, file, renamed: false });
                 }
@@ -205,7 +205,7 @@ impl Temporary {
 impl Drop for Temporary {
     fn drop(&mut self) {
         if !self.renamed {
-            // Nothing more can be done for a temporary file that cannot be removed.
+            // A temporary file that cannot be removed is left.
             let _ = fs::remove_file(&self.path);
         }
     }
@@ -227,12 +227,12 @@ fn sync_folder_of(target: &Path) {
     }
 }
 
-/// Removes temporary files that nobody is writing any more: what killed programs have left.
+/// Removes temporary files that nobody is writing any more, left by killed programs.
 pub fn remove_left_over(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten() {
         let Some(process) = process_of(&entry.file_name()) else { continue };
-        // Of a link this is the link itself; what is not a file of the disk could keep whoever opens it waiting.
+        // Of a link this is the link itself; anything but a file of the disk could block whoever opens it.
         let Some(meta) = entry.metadata().ok().filter(Metadata::is_file) else { continue };
         let path = entry.path();
         if is_older(&meta, settled_after(process)) && open_to_write(&path).is_ok_and(|file| file.try_lock().is_ok()) {

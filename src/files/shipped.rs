@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::path::Path;
 
-/// How a figure names a mesh that is part of the program: `camera-lab:teapot.obj`.
+/// The prefix of a built-in mesh in a figure: `camera-lab:teapot.obj`.
 pub const SHIPPED: &str = "camera-lab:";
 
 /// A figure that is part of the program.
@@ -73,7 +73,7 @@ impl ShippedFigure {
     }
 }
 
-/// The bytes of what a scene names as part of the program, or what such a mesh names; `None` for files.
+/// The bytes of a built-in file named by a scene, or by a built-in mesh; `None` for files.
 pub(super) fn shipped_file(path: &str, named_by: Option<&str>) -> Option<&'static [u8]> {
     let by_mesh = named_by.is_some_and(|mesh| mesh.starts_with(SHIPPED));
     let name =

@@ -46,7 +46,7 @@ pub(crate) fn scale(x: f64, k: i32) -> f64 {
     x * 2f64.powi(k)
 }
 
-/// The k with 2^k ≤ |x| < 2^(k+1); 0 for zero and for what is not finite.
+/// The k with 2^k ≤ |x| < 2^(k+1); 0 for zero and non-finite numbers.
 pub(crate) fn exponent(x: f64) -> i32 {
     const BIAS: i32 = 1023;
     if x == 0.0 || !x.is_finite() {
@@ -57,7 +57,7 @@ pub(crate) fn exponent(x: f64) -> i32 {
     bits - BIAS - shift
 }
 
-/// 2⁻⁹⁶: what is smaller than this part of its summands is the noise of a computation with 106 bits.
+/// 2⁻⁹⁶: anything smaller than this part of its summands is the noise of a computation with 106 bits.
 pub(crate) const NOISE: f64 = 1.262_177_448_353_619e-29;
 
 /// A number `hi + lo`.
@@ -106,7 +106,7 @@ impl Dd {
         Self { hi: scale(self.hi, k), lo: scale(self.lo, k) }
     }
 
-    /// The square root of what is not negative.
+    /// The square root of a number that is not negative.
     pub(crate) fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
             return Self::ZERO;
@@ -462,7 +462,7 @@ mod tests {
     #[test]
     fn half_tangents_and_their_angles_agree() {
         assert_eq!(tan_half_degrees(90.0), Dd::ONE);
-        // tan(89.99995°) = 1145915.5902…: the complement keeps what 180 − θ has.
+        // tan(89.99995°) = 1145915.5902…: the complement retains the digits of 180 − θ.
         let wide = tan_half_degrees(179.9999).value();
         assert!((wide - 1_145_915.590_3).abs() < 0.01, "{wide}");
         for degrees in [1e-300, 1e-6, 0.5, 45.0, 60.0, 89.0, 90.0, 91.0, 120.0, 179.9999, 179.999_999_999] {

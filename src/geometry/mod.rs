@@ -64,7 +64,7 @@ impl std::ops::Neg for Angle {
 /// A half-line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Where it starts.
+    /// Its origin.
     pub origin: DVec3,
     /// Unit vector.
     pub direction: DVec3,

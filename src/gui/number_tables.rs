@@ -58,7 +58,7 @@ impl Table {
         Self { symbol, name: name.to_owned(), rows, erratum, rests: false, follows_ndc: false, of, transposed: false }
     }
 
-    /// A matrix. `left_handed` says what another sign of z_c does to it.
+    /// A matrix. `left_handed`: the effect of the other sign of z_c.
     fn matrix(matrix: Matrix, name: &str, mut rows: [[f64; 4]; 4], left_handed: Mirrored, shown: Conventions) -> Self {
         if shown.left_handed {
             match left_handed {
@@ -105,14 +105,14 @@ impl Table {
     }
 }
 
-/// What of a matrix has the other sign where z_c grows along DOP.
+/// The part of a matrix that changes sign where z_c grows along DOP.
 #[derive(Clone, Copy)]
 enum Mirrored {
     /// Its third row: it leads to view space.
     Row,
     /// Its third column: it comes from view space.
     Column,
-    /// It does neither.
+    /// No part.
     Nothing,
 }
 

@@ -1,4 +1,4 @@
-//! What is wrong with a camera, an operation or a question about it, or may not have been meant, in both languages.
+//! Faults and warnings of a camera, an operation or a query about it, in both languages.
 //!
 //! Keys, words of the figure file, and numbers are the same in every language. Each function is one exhaustive `match`:
 //! an error without a text does not compile.
@@ -13,7 +13,7 @@ use crate::camera::{
 use crate::inspect::InspectError;
 use crate::sanitize::escaped;
 
-/// Why parameters are not a camera, with the keys concerned and what is allowed.
+/// The reason why parameters are not a camera, with the keys concerned and the values allowed.
 #[must_use]
 pub fn camera(lang: Lang, error: &CameraError) -> String {
     camera_wording(lang, error).full
@@ -229,13 +229,13 @@ pub fn inspect(lang: Lang, error: &InspectError) -> String {
     }
 }
 
-/// What is possible, but probably not what was meant.
+/// A warning about a camera that is possible, but probably not meant.
 #[must_use]
 pub fn warning(lang: Lang, warning: &Warning) -> String {
     warning_wording(lang, warning).full
 }
 
-/// What is possible, but probably not what was meant. The full form in English is the warning's own.
+/// A warning about a camera that is possible, but probably not meant. The full form in English is the warning's own.
 pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
     let english = |in_symbols: String| Wording::new(warning.to_string(), in_symbols);
     let printed = |number: String| lang.mark().printed(&number);

@@ -144,7 +144,7 @@ texts! {
 }
 
 impl CanvasTexts {
-    /// What an arrangement is called; `None`: as suits the room.
+    /// The name of an arrangement; `None`: the automatic one.
     #[must_use]
     pub fn arrangement(&self, arrangement: Option<Arrangement>) -> &'static str {
         match arrangement {

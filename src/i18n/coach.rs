@@ -1,4 +1,4 @@
-//! What the coach says: how near a camera is to trouble, and why a picture is empty.
+//! The words of the coach: the health of a camera, and the reasons why a picture is empty.
 
 use super::cameras::warning_wording;
 use super::scenes::preset_object;
@@ -63,13 +63,13 @@ pub const fn level(lang: Lang, level: Level) -> &'static str {
     }
 }
 
-/// How good the camera is, in two words.
+/// The level of the camera, in two words.
 #[must_use]
 pub fn camera_is(lang: Lang, level: Level) -> String {
     format!("{} {}", texts(lang).camera_is, self::level(lang, level))
 }
 
-/// What is judged, in a few words.
+/// The judged quantity, in a few words.
 #[must_use]
 pub const fn quantity(lang: Lang, quantity: Quantity) -> &'static str {
     match (lang, quantity) {
@@ -230,7 +230,8 @@ pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
     }
 }
 
-/// Whether a depth buffer tells two planes apart; `share`: of what both cover, that in which the farther is seen.
+/// The verdict of a depth buffer on two planes; `share`: the part of their common area in which the farther one is
+/// seen.
 #[must_use]
 pub fn two_planes(lang: Lang, share: f64) -> String {
     let percent = lang.mark().number(100.0 * share, 2);
@@ -264,7 +265,7 @@ pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &Sce
         name => preset_object(lang, name),
     };
     let [lost, cut] = [&finding.whole, &finding.partly].map(|names| names.iter().map(called).collect::<Vec<_>>());
-    // What is true of what is seen in part too is said once.
+    // A sentence that holds for objects seen in part too is written once.
     let groups =
         if whole == in_part { vec![([lost, cut].concat(), whole)] } else { vec![(lost, whole), (cut, in_part)] };
     let sentences = groups.into_iter().filter(|(names, _)| !names.is_empty());
@@ -328,7 +329,7 @@ fn percent(lang: Lang, diagnosis: &Diagnosis) -> String {
     format!("{} %", lang.mark().number(100.0 * diagnosis.covered, 2))
 }
 
-/// What a repair changes: keys of the figure file with the values that they get.
+/// The changes of a repair: keys of the figure file with their new values.
 #[must_use]
 pub fn changes(changes: &[(&'static str, Value)]) -> String {
     let n = |x: f64| significant(x, 6);
@@ -343,7 +344,7 @@ pub fn changes(changes: &[(&'static str, Value)]) -> String {
     changes.iter().map(of).collect::<Vec<_>>().join(", ")
 }
 
-/// How much of the image the scene covers.
+/// The share of the image that the scene covers.
 #[must_use]
 pub fn seen(lang: Lang, visible: u64, covered: f64) -> String {
     let share = lang.mark().number(100.0 * covered, 3);

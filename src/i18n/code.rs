@@ -1,9 +1,9 @@
-//! What is said in and about code that sets up a camera.
+//! Texts in and about code that sets up a camera.
 
 use super::Lang;
 use crate::explain::code::{CodeConvention, CodeTarget};
 
-/// What the code states about itself.
+/// A convention that the code states about itself.
 #[must_use]
 pub fn convention(lang: Lang, target: CodeTarget, convention: CodeConvention) -> String {
     let name = target.name();

@@ -1,4 +1,4 @@
-//! What the command line says, in both languages.
+//! The words of the command line, in both languages.
 
 use std::ops::RangeInclusive;
 
@@ -27,7 +27,7 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
         Lang::En => english(error),
         Lang::PtBr => portuguese(error),
     };
-    // What was typed may stand in it, however long.
+    // It may contain typed text of any length.
     let what = sanitize::within(&what, 600);
     format!(
         "{what}{}",
@@ -109,7 +109,7 @@ fn portuguese(error: &clap::Error) -> String {
     text
 }
 
-/// What is wrong with a file, with the line where that is known.
+/// A fault in a file, with the line where it is known.
 #[must_use]
 pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> String {
     match line {
@@ -312,7 +312,7 @@ pub struct ExplainTexts {
     pub columns: [&'static str; 6],
     /// The time of all.
     pub total: &'static str,
-    /// What the mark for "timed with another stage" means.
+    /// The meaning of the mark for "timed with another stage".
     pub together: &'static str,
 }
 
@@ -335,7 +335,7 @@ pub const fn explain(lang: Lang) -> &'static ExplainTexts {
     }
 }
 
-/// A measurement: what was drawn, how many triangles and frames, and median, least and 95 % of the times in ms.
+/// A measurement: the picture, the number of triangles and frames, and median, least and 95 % of the times in ms.
 #[must_use]
 pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, min, p95]: [f64; 3]) -> String {
     let times = |p95_name: &str, least: &str, middle: &str| {

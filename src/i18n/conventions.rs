@@ -44,7 +44,7 @@ pub fn finite_instead(lang: Lang, error: InfiniteParallel) -> String {
     }
 }
 
-/// In what a convention differs from the one that is worked in, and so why entries do.
+/// The differences of a convention from the one in use, as the reasons for different entries.
 #[must_use]
 pub fn differences(lang: Lang, ndc: Ndc, compared: Ndc) -> String {
     let (mine, other) = (name(lang, ndc), name(lang, compared));

@@ -35,7 +35,7 @@ pub fn title(lang: Lang, vocabulary: Vocabulary) -> (&'static str, &'static str)
     }
 }
 
-/// What a vocabulary cannot say, or says otherwise.
+/// A limitation of a vocabulary, or a difference to the notes.
 #[must_use]
 pub fn limitation(lang: Lang, limitation: Limitation) -> &'static str {
     match (lang, limitation) {
@@ -70,7 +70,7 @@ pub fn limitation(lang: Lang, limitation: Limitation) -> &'static str {
     }
 }
 
-/// What a matrix is.
+/// The kind of a matrix.
 #[must_use]
 pub fn kind(lang: Lang, kind: MatrixKind) -> &'static str {
     match (lang, kind) {
@@ -83,7 +83,7 @@ pub fn kind(lang: Lang, kind: MatrixKind) -> &'static str {
     }
 }
 
-/// What a matrix leaves open.
+/// A quantity that a matrix leaves open.
 #[must_use]
 pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
     match (lang, unknown) {
@@ -131,7 +131,7 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
 /// Why a text is not a matrix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unreadable {
-    /// It has another count of numbers.
+    /// Another count of numbers.
     Count(usize),
     /// A part of it is not a number.
     Part(String),

@@ -1,4 +1,4 @@
-//! What the command line says about exercises, besides the exercises themselves.
+//! The words of the command line about exercises, besides the exercises themselves.
 
 use super::{Lang, exercises, exercises::mistake};
 use crate::exercises::{Ask, Exercise, Judged, Why};
@@ -39,7 +39,7 @@ pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
     }
 }
 
-/// An answer to something that is not asked.
+/// An answer to an unknown question.
 #[must_use]
 pub fn unknown_ask(lang: Lang, id: &str, name: &str, asks: &[&str]) -> String {
     let (name, asks) = (escaped(name), asks.join(", "));
@@ -49,7 +49,7 @@ pub fn unknown_ask(lang: Lang, id: &str, name: &str, asks: &[&str]) -> String {
     }
 }
 
-/// The same ask answered twice.
+/// The same question answered twice.
 #[must_use]
 pub fn answered_twice(lang: Lang, name: &str) -> String {
     match lang {
@@ -123,7 +123,7 @@ pub fn hints_range(lang: Lang, text: &str) -> String {
     }
 }
 
-/// What is expected.
+/// The expected form.
 #[must_use]
 pub const fn name_and_value(lang: Lang) -> &'static str {
     match lang {
@@ -132,7 +132,7 @@ pub const fn name_and_value(lang: Lang) -> &'static str {
     }
 }
 
-/// What is expected.
+/// The expected range.
 #[must_use]
 pub const fn greater_than_zero(lang: Lang) -> &'static str {
     match lang {
@@ -157,7 +157,7 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
     }
 }
 
-/// How much of an answer is right.
+/// The number of right entries.
 #[must_use]
 pub fn score(lang: Lang, right: usize, all: usize) -> String {
     match lang {
@@ -212,7 +212,7 @@ pub fn why(lang: Lang, why: Why) -> String {
     }
 }
 
-/// What was kept of exercises is forgotten, and is in the file at `path` still.
+/// The progress is deleted, and still in the file at `path`.
 #[must_use]
 pub fn progress_deleted(lang: Lang, path: &str) -> String {
     match lang {

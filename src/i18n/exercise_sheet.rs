@@ -103,7 +103,7 @@ pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pictur
     text
 }
 
-/// What is right, as it would be typed.
+/// The right answer, as it would be typed.
 #[must_use]
 pub fn answer(lang: Lang, ask: &Ask) -> String {
     let mark = lang.mark();
@@ -140,7 +140,7 @@ fn latex_answer(lang: Lang, exercise: &Exercise, ask: &Ask, steps: &[Worked]) ->
     text
 }
 
-/// Rows in LaTeX, their first signs of equality below one another; what is short stays in one line.
+/// Rows in LaTeX, aligned at their first equals signs; short ones stay on one line.
 fn rows(lines: &[Line]) -> String {
     let row = |Line { symbol, formula, numbers, value }: &Line| {
         let mut parts = vec![formula];
@@ -169,10 +169,10 @@ fn rows(lines: &[Line]) -> String {
     lines.iter().map(row).collect::<Vec<_>>().join(" \\\\\n")
 }
 
-/// So many letters of a formula fit into a line.
+/// Letters of a formula that fit on a line.
 const ONE_LINE: usize = 64;
 
-/// How many letters a formula has, roughly: a fraction is as wide as both its halves.
+/// Approximate number of letters of a formula: a fraction is as wide as both its halves.
 fn width(latex: &str) -> usize {
     let (mut width, mut in_command) = (0, false);
     for c in latex.chars() {
@@ -224,7 +224,7 @@ fn of_markdown(text: &str) -> String {
     let mut latex = String::new();
     for (k, part) in text.split('$').enumerate() {
         if k % 2 == 1 {
-            // What LaTeX must not be told is told the reader: nothing but mathematics leaves the words.
+            // Forbidden LaTeX is shown to the reader as words: only mathematics leaves them.
             let is_mathematics = formula::check_one(part).is_ok();
             latex.push_str(&if is_mathematics { format!("${}$", formula::latex(part)) } else { escaped(part) });
             continue;

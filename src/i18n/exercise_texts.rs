@@ -1,7 +1,7 @@
 //! The texts of exercises, written in `assets/exercises`.
 //!
 //! A file is read line by line. `# id: title` begins an exercise: its other lines are paragraphs of the statement in
-//! Markdown, and `? name: text` what is asked. `# name` begins a list of `- name: text`.
+//! Markdown, and `? name: text` its questions. `# name` begins a list of `- name: text`.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -15,7 +15,7 @@ pub(super) struct Texts {
     pub(super) lists: BTreeMap<&'static str, BTreeMap<&'static str, &'static str>>,
 }
 
-/// What an exercise says.
+/// The texts of an exercise.
 #[derive(Debug, Default)]
 pub(super) struct Statement {
     pub(super) title: &'static str,

@@ -1,4 +1,4 @@
-//! What the window says about exercises, besides the exercises themselves.
+//! The words of the window about exercises, besides the exercises themselves.
 
 use super::Lang;
 
@@ -75,7 +75,7 @@ texts! {
     all_right: "Everything is right.", "Tudo está certo.";
 }
 
-/// What a button does, for what is asked: screen readers hear which one of several it is.
+/// The action of a button with its question: screen readers hear which one of several it is.
 #[must_use]
 pub fn of_ask(what: &str, ask: &str) -> String {
     format!("{what}: {ask}")

@@ -1,4 +1,4 @@
-//! What exercises say, in both languages. In the texts `{name}` stands for a fact of the exercise.
+//! The texts of exercises, in both languages. In the texts `{name}` stands for a fact of the exercise.
 
 use super::exercise_texts::texts;
 use super::{Lang, figure_files, messages};
@@ -59,7 +59,7 @@ pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
     paragraphs.iter().map(|paragraph| filled(lang, exercise, paragraph)).collect()
 }
 
-/// What is settled where the source leaves it open.
+/// The assumptions where the source leaves a question open.
 #[must_use]
 pub fn assumptions(lang: Lang, exercise: &Exercise) -> Vec<String> {
     let text = |name: &&str| filled(lang, exercise, listed(lang, "assumptions", name));
@@ -67,7 +67,7 @@ pub fn assumptions(lang: Lang, exercise: &Exercise) -> Vec<String> {
     exercise.assumptions.iter().map(text).chain(own).collect()
 }
 
-/// What is asked.
+/// The text of a question.
 #[must_use]
 pub fn ask(lang: Lang, exercise: &Exercise, ask: &Ask) -> String {
     if let Some(own) = exercise.texts.as_ref().and_then(|own| own.asks.get(&ask.name)) {
@@ -77,14 +77,14 @@ pub fn ask(lang: Lang, exercise: &Exercise, ask: &Ask) -> String {
     found.map_or_else(|| ask.name.clone(), |text| filled(lang, exercise, text))
 }
 
-/// How an ask is read.
+/// The reading of a question.
 #[must_use]
 pub fn reading(lang: Lang, name: &'static str) -> &'static str {
     listed(lang, "readings", name)
 }
 
-/// The name of a choice that was typed by its name or by its word in either language, yes and no also as `inspect`
-/// writes them, true and false; what was typed, where it is neither.
+/// The name of a choice typed by its name or by its word in either language, yes and no also in the form of `inspect`,
+/// true and false; the typed text where it is none of them.
 #[must_use]
 pub fn typed_choice<'a>(ask: &'a Ask, typed: &'a str) -> &'a str {
     let Kind::Choice(choices) = &ask.kind else { return typed };
@@ -105,27 +105,27 @@ pub fn choice(lang: Lang, name: &str) -> &str {
     listed(lang, "choices", name)
 }
 
-/// What a camera has to fulfil.
+/// A condition on a camera.
 #[must_use]
 pub fn condition(lang: Lang, name: &'static str) -> &'static str {
     listed(lang, "conditions", name)
 }
 
-/// What stands above a worked step.
+/// The heading of a worked step.
 #[must_use]
 pub fn heading(lang: Lang, name: &'static str) -> &'static str {
     listed(lang, "headings", name)
 }
 
-/// What a mistake is, a hint, and a stronger one.
+/// The text of a mistake, a hint, and a stronger one.
 #[must_use]
 pub fn mistake(lang: Lang, mistake: Mistake) -> [&'static str; 3] {
     let mut parts = listed(lang, "mistakes", mistake.code()).split(" | ");
     std::array::from_fn(|_| parts.next().unwrap_or_default())
 }
 
-/// What the diagnosis of a wrong answer says: the mistakes, one after the other, and where a single number is at fault.
-/// `None`: nothing explains the answer.
+/// The diagnosis of a wrong answer: the mistakes, one after the other, and the place of a single faulty number. `None`:
+/// nothing explains the answer.
 #[must_use]
 pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     let diagnosis = judged.diagnosis.as_ref()?;
@@ -157,7 +157,7 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     Some(said.join(" "))
 }
 
-/// How many numbers: a vector's, or a matrix' by rows and columns.
+/// The count of numbers: a vector's, or a matrix' by rows and columns.
 fn shape([rows, columns]: [usize; 2]) -> String {
     if columns == 1 { rows.to_string() } else { format!("{rows} × {columns}") }
 }
@@ -172,7 +172,8 @@ pub fn hints(lang: Lang, diagnosis: &Diagnosis) -> Vec<&str> {
     of(1).chain(of(2)).collect()
 }
 
-/// The hints for a wrong answer that no known mistake explains: where it is wrong, and what the way there begins with.
+/// The hints for a wrong answer that no known mistake explains: the number of right entries, and the first step of the
+/// solution.
 #[must_use]
 pub fn hints_without_diagnosis(lang: Lang, judged: &Judged, first_step: Option<&str>) -> Vec<String> {
     let all: usize = judged.entries.iter().map(Vec::len).sum();
@@ -198,7 +199,7 @@ pub fn hints_without_diagnosis(lang: Lang, judged: &Judged, first_step: Option<&
     hints
 }
 
-/// What an answer must be.
+/// The required form of an answer.
 #[must_use]
 pub fn kind(lang: Lang, ask: &Ask) -> String {
     let kind = match (lang, &ask.kind) {
@@ -225,7 +226,7 @@ fn list_of_choices(lang: Lang, choices: &[String]) -> String {
     choices.iter().map(choice).collect::<Vec<_>>().join(", ")
 }
 
-/// How exact an answer must be; empty for choices and cameras.
+/// The tolerance of an answer; empty for choices and cameras.
 #[must_use]
 pub fn tolerance(lang: Lang, ask: &Ask) -> String {
     let numbers = matches!(ask.kind, Kind::Number | Kind::Vector(_) | Kind::Matrix(..));
@@ -273,7 +274,7 @@ pub fn step(lang: Lang, exercise: &Exercise, step: &Worked, digits: usize) -> St
     text
 }
 
-/// What stands above a worked step: what it does, and by which equation.
+/// The heading of a worked step: its action, and its equation.
 #[must_use]
 pub fn step_heading(lang: Lang, exercise: &Exercise, step: &Worked) -> String {
     let heading = filled(lang, exercise, heading(lang, step.heading));
@@ -362,7 +363,7 @@ fn filled(lang: Lang, exercise: &Exercise, text: &str) -> String {
     filled
 }
 
-/// A fact as it stands in a sentence.
+/// A fact as part of a sentence.
 fn written(lang: Lang, fact: &Fact) -> String {
     let mark = lang.mark();
     match fact {
@@ -398,7 +399,7 @@ pub fn matrix(mark: DecimalMark, table: &Table) -> String {
     format!("[{}]", table.rows().map(row).collect::<Vec<_>>().join(mark.separator()))
 }
 
-/// A number, or a matrix, in LaTeX; a vector is a column. `None` is what is missing.
+/// A number, or a matrix, in LaTeX; a vector is a column. `None` is a missing entry.
 #[must_use]
 pub fn table_latex(mark: DecimalMark, unit: Unit, columns: usize, entries: &[Option<f64>]) -> String {
     let unit = if unit == Unit::Degrees { r"^\circ" } else { "" };

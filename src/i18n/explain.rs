@@ -69,7 +69,7 @@ texts! {
     as_in_the_notes: "Here as in [0]: points are columns, and view space is right-handed.", "Aqui como em [0]: pontos são colunas, e o espaço de vista é de mão direita.";
 }
 
-/// Where an entry stands; rows and columns from 0.
+/// The place of an entry; rows and columns from 0.
 #[must_use]
 pub fn entry(lang: Lang, matrix: &str, row: usize, column: usize) -> String {
     let (row, column) = (row + 1, column + 1);
@@ -79,7 +79,7 @@ pub fn entry(lang: Lang, matrix: &str, row: usize, column: usize) -> String {
     }
 }
 
-/// On the way of a point an entry stands in a sum.
+/// The sum in which an entry occurs, for a point.
 #[must_use]
 pub fn used_in(lang: Lang, point: &str, symbol: &str) -> String {
     match lang {
@@ -88,7 +88,7 @@ pub fn used_in(lang: Lang, point: &str, symbol: &str) -> String {
     }
 }
 
-/// What a matrix does.
+/// The effect of a matrix.
 #[must_use]
 pub const fn matrix(lang: Lang, matrix: Matrix) -> &'static str {
     match (lang, matrix) {
@@ -141,7 +141,7 @@ pub fn in_force(lang: Lang, formulas: &MatrixFormula) -> String {
     }
 }
 
-/// What a symbol is, in a few words.
+/// A symbol, in a few words.
 #[must_use]
 pub fn symbol(lang: Lang, symbol: Symbol) -> String {
     let of = |component: Component, en: &str, pt: &str| match lang {
@@ -197,7 +197,7 @@ pub fn symbol(lang: Lang, symbol: Symbol) -> String {
     }
 }
 
-/// What is particular of a way to the canonical volume.
+/// The matrices of a way to the canonical volume.
 #[must_use]
 pub const fn decomposition(lang: Lang, decomposition: Decomposition) -> &'static str {
     match (lang, decomposition) {
@@ -229,7 +229,7 @@ pub fn product(lang: Lang, steps: usize) -> String {
     }
 }
 
-/// Which hand the axes follow from here on.
+/// The handedness of the axes from here on.
 #[must_use]
 pub fn handedness(lang: Lang, hand: &str) -> String {
     match lang {
@@ -238,8 +238,8 @@ pub fn handedness(lang: Lang, hand: &str) -> String {
     }
 }
 
-/// What the product of all steps is beside M_p M_v in the convention in which they end: `ratio` times it, but for
-/// `rest`, which is measured by the greatest entry.
+/// The product of all steps compared with M_p M_v in the convention in which they end: `ratio` times it, but for
+/// `rest`, relative to the greatest entry.
 #[must_use]
 pub fn comparison(lang: Lang, decomposition: Decomposition, ratio: f64, rest: f64) -> String {
     const ROUNDING: f64 = 1e-9;

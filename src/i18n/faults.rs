@@ -13,7 +13,7 @@ pub fn camera_error(lang: Lang, error: &CameraError) -> String {
     camera_wording(lang, error).in_symbols
 }
 
-/// What is possible, but probably not what was meant.
+/// A warning about a camera that is possible, but probably not meant.
 #[must_use]
 pub fn warning(lang: Lang, warning: &Warning) -> String {
     warning_wording(lang, warning).in_symbols

@@ -11,7 +11,7 @@ use crate::formula::{FormulaError, FormulaProblem};
 use crate::limits::MAX_FORMULA;
 use crate::sanitize::escaped;
 
-/// Why a text is not a figure: line, key, what was found, what is allowed.
+/// The reason why a text is not a figure: line, key, the value found, the values allowed.
 #[must_use]
 pub fn figure(lang: Lang, error: &FigureError) -> String {
     let line = match lang {
@@ -21,7 +21,7 @@ pub fn figure(lang: Lang, error: &FigureError) -> String {
     format!("{line}: {}", without_line(lang, error))
 }
 
-/// The same of a text that stands in no file.
+/// The same for a text that is in no file.
 pub fn without_line(lang: Lang, error: &FigureError) -> String {
     let FigureError { key, problem, .. } = error;
     let what = self::problem(lang, problem);
@@ -48,7 +48,7 @@ pub fn without_line(lang: Lang, error: &FigureError) -> String {
     }
 }
 
-/// What comes after line and key.
+/// The text after line and key.
 pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
     match problem {
         Problem::NotUtf8 { byte } => match lang {
@@ -152,7 +152,7 @@ fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> Stri
     }
 }
 
-/// A character with its number, so that one that looks like another is told apart.
+/// A character with its number, so that look-alikes can be distinguished.
 fn named(c: char) -> String {
     format!("{} (U+{:04X})", escaped(&c.to_string()), u32::from(c))
 }
@@ -304,7 +304,7 @@ fn quoted(words: &[&str]) -> String {
     words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ")
 }
 
-/// What may stand where texts are asked for.
+/// The allowed forms of a text.
 fn allowed_text(lang: Lang, allowed: &Allowed) -> String {
     match (lang, allowed) {
         (Lang::En, Allowed::ToldList) => {

@@ -12,7 +12,7 @@ use crate::sanitize;
 use crate::scene::ReadProblem;
 use crate::share::{self, ShareError};
 
-/// How a figure is called that is opened: by its path, or as that of a link, which is long and says nothing to people.
+/// The name of an opened figure: its path, or a phrase for a link, which is long and meaningless to people.
 #[must_use]
 pub fn opened(lang: Lang, path: &Path) -> String {
     match lang {

@@ -29,7 +29,7 @@ texts! {
     more: "more files:", "outros arquivos:";
 }
 
-/// The name of a figure of the program, and what it shows in one sentence.
+/// The name of a built-in figure, and its content in one sentence.
 #[must_use]
 pub fn shipped(lang: Lang, name: &str) -> (&'static str, &'static str) {
     let (en, pt) = match name {
@@ -92,7 +92,7 @@ pub fn shipped(lang: Lang, name: &str) -> (&'static str, &'static str) {
     }
 }
 
-/// The same, of cameras at the limits of numbers.
+/// The same for cameras at the limits of numbers.
 fn extreme_figure(lang: Lang, name: &str) -> (&'static str, &'static str) {
     let (en, pt) = match name {
         "far-plane" => (

@@ -1,4 +1,4 @@
-//! What is wrong with a mesh file, in both languages.
+//! Faults of a mesh file, in both languages.
 
 use super::Lang;
 use super::unreadable::unreadable;
@@ -28,7 +28,7 @@ pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
     }
 }
 
-/// What of a mesh file was left out. In English it is the notice's own words.
+/// A part of a mesh file that was left out. In English, the notice's own words.
 pub fn notice(lang: Lang, notice: &MeshNotice) -> String {
     match (lang, notice) {
         (Lang::En, notice) => notice.to_string(),

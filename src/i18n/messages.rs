@@ -1,4 +1,4 @@
-//! What went wrong, or may not have been meant, in both languages: what the shells say of errors and warnings.
+//! Errors and warnings, in both languages, for both shells.
 
 pub use super::cameras::{camera, inspect, no_way_back, operation, warning};
 pub use super::expressions::{at_most_characters, expression, not_whole, outside};

@@ -87,7 +87,7 @@ pub enum Lang {
 }
 
 impl Lang {
-    /// How it writes numbers.
+    /// Its decimal mark.
     #[must_use]
     pub const fn mark(self) -> DecimalMark {
         match self {

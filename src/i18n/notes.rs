@@ -2,8 +2,8 @@
 //! `assets/notes`.
 //!
 //! A file is read line by line: `# ` begins a group, `## id: title` a note, `$$…$$` is an equation set apart, `≠ `
-//! begins what the lecture notes print differently, `[` the place in them, `→ ` the identifiers of other notes; every
-//! other line is a paragraph, with mathematics between `$`.
+//! begins an erratum of the lecture notes, `[` the place in them, `→ ` the identifiers of other notes; every other line
+//! is a paragraph, with mathematics between `$`.
 
 use std::sync::LazyLock;
 
@@ -24,19 +24,19 @@ pub enum Piece {
 /// A note in one language.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Note {
-    /// The same in both languages: `F`, `5.13`, `stage-clip`.
+    /// The identifier, the same in both languages: `F`, `5.13`, `stage-clip`.
     pub id: &'static str,
     /// Its heading, with the symbol.
     pub title: &'static str,
-    /// What it is among.
+    /// Its group.
     pub group: &'static str,
     /// Equations, in LaTeX.
     pub equations: Vec<&'static str>,
-    /// What it says.
+    /// Its text.
     pub paragraphs: Vec<Vec<Piece>>,
-    /// What the lecture notes print differently.
+    /// Errata of the lecture notes.
     pub errata: Vec<Vec<Piece>>,
-    /// Where the lecture notes have it; empty where they do not.
+    /// Its place in the lecture notes; empty where it has none.
     pub source: &'static str,
     /// The identifiers of other notes.
     pub links: Vec<&'static str>,
@@ -51,7 +51,7 @@ impl Note {
         folded(wanted).split_whitespace().all(|word| self.searched.contains(word))
     }
 
-    /// Whether all words of `wanted` stand in its heading.
+    /// Whether all words of `wanted` are in its heading.
     #[must_use]
     pub fn is_headed(&self, wanted: &str) -> bool {
         let title = folded(self.title);
@@ -160,7 +160,7 @@ pub fn plain(latex: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Writes what stands behind a backslash; gives what follows it.
+/// Writes the command after a backslash; returns the text after it.
 fn command<'a>(text: &mut String, rest: &'a str) -> &'a str {
     let letters = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
     // A sign is a command by itself.
@@ -193,7 +193,7 @@ fn command<'a>(text: &mut String, rest: &'a str) -> &'a str {
     rest
 }
 
-/// What stands in braces, and what follows them.
+/// The text in braces, and the text after them.
 fn argument(rest: &str) -> (&str, &str) {
     let mut depth = 0;
     for (at, c) in rest.char_indices() {

@@ -34,7 +34,7 @@ texts! {
     time: "time of one item / ns", "tempo por item / ns";
 }
 
-/// What a study asks.
+/// The question of a study.
 #[must_use]
 pub const fn title(lang: Lang, study: Study) -> &'static str {
     match (lang, study) {
@@ -79,7 +79,7 @@ pub const fn short_title(lang: Lang, study: Study) -> &'static str {
     }
 }
 
-/// What stands at a point of a chart.
+/// The values at a point of a chart.
 #[must_use]
 pub fn readout(lang: Lang, study: Study, row: &Row, number: impl Fn(f64) -> String) -> String {
     let (method, at, error) = (name(lang, row.method), number(row.parameter), lang.mark().printed(&short(row.error)));
@@ -91,7 +91,7 @@ pub fn readout(lang: Lang, study: Study, row: &Row, number: impl Fn(f64) -> Stri
     }
 }
 
-/// What the parameter of a study is.
+/// The parameter of a study.
 #[must_use]
 pub const fn parameter(lang: Lang, study: Study) -> &'static str {
     match (lang, study) {
@@ -111,7 +111,7 @@ pub const fn parameter(lang: Lang, study: Study) -> &'static str {
     }
 }
 
-/// What an error is, with its unit.
+/// The meaning of an error, with its unit.
 #[must_use]
 pub const fn unit(lang: Lang, unit: Unit) -> &'static str {
     match (lang, unit) {
@@ -215,7 +215,7 @@ pub fn with_words<T>(lang: Lang, study: Study, with: impl FnOnce(&Words) -> T) -
     })
 }
 
-/// What a study's errors are measured against, in Portuguese; in English the study says it itself.
+/// The reference of a study's errors, in Portuguese; in English the study names it itself.
 fn reference(study: Study) -> &'static str {
     match study {
         Study::VertexTransform | Study::Basis | Study::RepeatedOperations | Study::Clipping => "512 bits",
@@ -264,7 +264,7 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
     table
 }
 
-/// What the camera model in double-double costs.
+/// The cost of the camera model in double-double.
 #[must_use]
 pub fn price(lang: Lang, price: &Price) -> String {
     let micros = |nanos: f64| lang.mark().printed(&significant(nanos / 1e3, 3));

@@ -83,7 +83,7 @@ pub fn step(lang: Lang, place: usize, call: Call) -> String {
     }
 }
 
-/// What a call does; `number` writes a number.
+/// The effect of a call; `number` writes a number.
 #[must_use]
 pub fn sentence(lang: Lang, reading: Reading, call: Call, number: impl Fn(f64) -> String) -> String {
     let vector = |v: glam::DVec3| {
@@ -151,8 +151,8 @@ pub fn unbalanced(lang: Lang, Unbalanced { call }: Unbalanced) -> String {
     }
 }
 
-/// Why an object alone cannot hold a list, and what holds it: the call at `place`, from 0, comes too late for T Rz Ry
-/// Rx S, and so many groups are made.
+/// The reason why an object alone cannot hold a list, and the remedy: the call at `place`, from 0, comes too late for T
+/// Rz Ry Rx S, and `groups` groups are made.
 #[must_use]
 pub fn needs_groups(lang: Lang, (place, call): (usize, Call), groups: usize) -> String {
     let (number, symbol) = (place + 1, call.symbol().replace('_', ""));

@@ -48,7 +48,7 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
     }
 }
 
-/// What a stage did: what went in and came out, how long it took, and why; or why it was left out.
+/// The report of a stage: counts in and out, time, and reason; or the reason why it was left out.
 #[must_use]
 pub fn line(lang: Lang, report: &StageReport) -> String {
     let (name, reason) = (stage(lang, report.stage), reason(lang, report.reason));
@@ -67,7 +67,7 @@ pub fn line(lang: Lang, report: &StageReport) -> String {
     format!("{name}: {}", parts.join(" · "))
 }
 
-/// What a stage does, in a sentence, with the place in the notes.
+/// The action of a stage, in a sentence, with the place in the notes.
 #[must_use]
 pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
     match (lang, stage) {
@@ -142,7 +142,7 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
     }
 }
 
-/// What the counts of a stage are of. A sample is a pixel, where there is one for each.
+/// The unit of a stage's counts. A sample is a pixel, where there is one for each.
 #[must_use]
 pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
     let (en, pt_br) = match (report.stage, report.reason) {
@@ -167,7 +167,7 @@ pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
     }
 }
 
-/// "left out": what is said of a stage that does not run.
+/// "left out": the mark of a stage that does not run.
 #[must_use]
 pub const fn left_out(lang: Lang) -> &'static str {
     match lang {
@@ -176,7 +176,7 @@ pub const fn left_out(lang: Lang) -> &'static str {
     }
 }
 
-/// What becomes of an object, and why.
+/// The treatment of an object, and the reason.
 #[must_use]
 pub fn object(lang: Lang, report: &ObjectReport) -> String {
     let mut text = match report.containment {

@@ -1,4 +1,4 @@
-//! What takes long, and that it was too much.
+//! Long work, and work over budget.
 
 use super::Lang;
 use crate::limits::{MAX_PIECES, MAX_STROKE_STEPS};
@@ -16,7 +16,7 @@ texts! {
     cancel: "Esc cancels", "Esc cancela";
 }
 
-/// What is being done, and which share of it has been, where that is known.
+/// The present activity, and its share done, where it is known.
 #[must_use]
 pub fn progress(lang: Lang, doing: Activity, share: Option<f32>) -> String {
     let t = texts(lang);
@@ -33,7 +33,7 @@ pub fn progress(lang: Lang, doing: Activity, share: Option<f32>) -> String {
     }
 }
 
-/// What there is too much of. In English it is the error's own words.
+/// The exceeded budget. In English, the error's own words.
 #[must_use]
 pub fn too_much(lang: Lang, too_much: &OverBudget) -> String {
     match (lang, too_much) {
@@ -52,7 +52,7 @@ pub fn too_much(lang: Lang, too_much: &OverBudget) -> String {
     }
 }
 
-/// Which vertices are drawn beside their places, in Portuguese.
+/// The misplaced vertices, in Portuguese.
 fn beside(vertices: &[MisplacedVertex]) -> String {
     let one = |MisplacedVertex { object, vertex, off }: &MisplacedVertex| {
         let off = Lang::PtBr.mark().printed(&format!("{off:.1}"));

@@ -24,8 +24,8 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
     }
 }
 
-/// Why an object or a light cannot be so: in full as it stands after the key, else as it stands beside the field. The
-/// full form in English is the error's own.
+/// The reason why an object or a light is impossible: in full as after the key, else as beside the field. The full form
+/// in English is the error's own.
 pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
     let english = |beside_field: &str| Wording::new(error.to_string(), beside_field);
     match (lang, error) {
@@ -89,7 +89,7 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
     }
 }
 
-/// Why a mesh file cannot be used, after its name, which is not said twice.
+/// The reason why a mesh file cannot be used, after its name, which is not repeated.
 fn after_path(lang: Lang, path: &str, error: &MeshError) -> String {
     match error {
         MeshError::Unreadable(error) if error.file == path => format!(" {}", read_problem(lang, &error.problem)),
@@ -97,7 +97,7 @@ fn after_path(lang: Lang, path: &str, error: &MeshError) -> String {
     }
 }
 
-/// How many segments there may be, beside the field.
+/// The allowed numbers of segments, beside the field.
 #[must_use]
 pub fn segments_allowed(lang: Lang) -> String {
     match lang {

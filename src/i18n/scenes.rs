@@ -124,7 +124,7 @@ texts! {
 }
 
 impl Texts {
-    /// What a shape is called; a group has none.
+    /// The name of a shape; a group has none.
     #[must_use]
     pub fn shape(&self, shape: Option<&Shape>) -> &'static str {
         match shape {
@@ -144,7 +144,7 @@ impl Texts {
         }
     }
 
-    /// What a kind of light is called.
+    /// The name of a kind of light.
     #[must_use]
     pub fn light(&self, light: LightSpec) -> &'static str {
         match light {
@@ -154,7 +154,7 @@ impl Texts {
     }
 }
 
-/// What an object of a named scene is called where it is shown; figure files have the name itself.
+/// The displayed name of an object of a named scene; figure files have the name itself.
 #[must_use]
 pub fn preset_object(lang: Lang, name: &str) -> String {
     match lang {
@@ -199,14 +199,14 @@ fn in_portuguese(word: &str) -> &str {
     }
 }
 
-/// What the list of a named scene's objects cannot say, as a sentence; empty where it says everything.
+/// The features that the list of a named scene's objects cannot express, as a sentence; empty where it expresses all.
 #[must_use]
 pub fn lost(lang: Lang, preset: Preset) -> String {
     let lost = beyond(lang, preset.beyond_objects());
     if lost.is_empty() { lost } else { format!("{} {lost}.", texts(lang).lost) }
 }
 
-/// What a list of objects cannot say, as a list.
+/// The features that a list of objects cannot express, as a list.
 #[must_use]
 pub fn beyond(lang: Lang, lost: &[Beyond]) -> String {
     let word = |what: &Beyond| match (lang, what) {

@@ -1,10 +1,10 @@
-//! What is said about windows that did not close, in both languages.
+//! Messages about windows that did not close, in both languages.
 
 use std::time::Duration;
 
 use super::Lang;
 
-/// What was left is in the file at `path`, and cannot be understood.
+/// The rest of a session is in the file at `path`, and cannot be read.
 #[must_use]
 pub fn damaged(lang: Lang, path: &str) -> String {
     match lang {
@@ -30,8 +30,8 @@ pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
     }
 }
 
-/// What cannot be kept: what this window shows, preferences, progress with exercises; `why` is a sentence with the name
-/// of the file.
+/// Things that cannot be stored: the session of this window, preferences, progress in exercises; `why` is a sentence
+/// with the name of the file.
 #[must_use]
 pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &str) -> String {
     let not_remembered = match (lang, preferences, progress) {
@@ -58,7 +58,7 @@ pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &s
     }
 }
 
-/// Nothing can be kept, because the system names no folder for it.
+/// Nothing can be stored, because the system names no folder for it.
 #[must_use]
 pub const fn no_home(lang: Lang) -> &'static str {
     match lang {
@@ -71,7 +71,7 @@ pub const fn no_home(lang: Lang) -> &'static str {
     }
 }
 
-/// All slots hold what other windows have left.
+/// All slots hold sessions of other windows.
 #[must_use]
 pub fn no_slot(lang: Lang, slots: usize) -> String {
     match lang {
@@ -95,7 +95,7 @@ pub fn preferences_set_aside(lang: Lang, path: &str) -> String {
     }
 }
 
-/// What is kept of exercises cannot be understood; it is in the file at `path` now.
+/// The progress in exercises cannot be read; it is in the file at `path` now.
 #[must_use]
 pub fn progress_set_aside(lang: Lang, path: &str) -> String {
     match lang {
@@ -117,7 +117,7 @@ pub fn first_of_dropped(lang: Lang, path: &str, count: usize) -> String {
     }
 }
 
-/// How long ago something was.
+/// The age of something.
 #[must_use]
 pub fn ago(lang: Lang, age: Duration) -> String {
     let minutes = age.as_secs() / 60;

@@ -1,4 +1,4 @@
-//! Links to figures, and what is otherwise in a page of a browser, in both languages.
+//! Links to figures, and the differences in a page of a browser, in both languages.
 
 texts! {
     copy_link: "Copy a link…", "Copiar um link…";

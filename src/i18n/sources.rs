@@ -1,6 +1,6 @@
 //! The notes that texts cite as `[0]` … `[4]`. Their titles are Portuguese in both languages.
 
-/// How the notes are cited, and what they are.
+/// The citations of the notes, and their titles.
 const SOURCES: [(&str, &str); 5] = [
     ("[0]", "P. Pagliosa, Câmera virtual"),
     ("[1]", "USP, Espaços de coordenadas"),

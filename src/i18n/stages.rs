@@ -37,7 +37,7 @@ texts! {
     order: "All stages, in their order", "Todas as etapas, na ordem";
 }
 
-/// How a stage shows in a picture.
+/// The display of a stage in a picture.
 #[must_use]
 pub const fn in_and_out(t: &Texts, stage: Stage) -> &'static str {
     match stage.works_on() {

@@ -1,4 +1,4 @@
-//! What the TOML parser complains about. In English these are the beginnings of its own words.
+//! Complaints of the TOML parser. In English these are the beginnings of its own words.
 
 texts! {
     string_values_must_be_quoted: "string values must be quoted", "textos precisam de aspas";

@@ -1,4 +1,4 @@
-//! What keeps a file from being read, in both languages. In English it is the error's own words.
+//! Reasons why a file cannot be read, in both languages. In English, the error's own words.
 
 use std::borrow::Cow;
 use std::io;
@@ -12,7 +12,7 @@ pub(super) fn unreadable(lang: Lang, error: &ReadError) -> String {
     format!("{} {}", error.file, read_problem(lang, &error.problem))
 }
 
-/// What keeps a file from being read, after its name.
+/// The reason why a file cannot be read, after its name.
 pub(super) fn read_problem(lang: Lang, problem: &ReadProblem) -> String {
     match (lang, problem) {
         (Lang::En, problem) => problem.to_string(),
@@ -55,7 +55,7 @@ pub fn without_colors(lang: Lang, error: &ReadError) -> String {
     }
 }
 
-/// What the system said, in our words; where it is not usual, by its number.
+/// The error of the system, in our words; an unusual one by its number.
 pub(super) fn system_in_portuguese(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str> {
     let words = match system_kind(kind, code) {
         io::ErrorKind::NotFound => "o arquivo ou diretório não existe",

@@ -1,10 +1,10 @@
-//! What is said of one error or warning in one language.
+//! The wording of one error or warning in one language.
 
-/// What is said of an error or a warning. Both forms are made in one place, so that they say the same.
+/// The wording of an error or a warning. Both forms are made in one place, so that they agree.
 pub(super) struct Wording {
-    /// Where files and options are written: with the keys, what was found, and what is allowed.
+    /// For files and options: with the keys, the value found, and the values allowed.
     pub(super) full: String,
-    /// In the notes' symbols, which the window's fields have: what was found stands in the field.
+    /// In the notes' symbols, as in the window's fields; the value found is in the field.
     pub(super) in_symbols: String,
 }
 

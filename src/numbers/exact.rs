@@ -9,7 +9,7 @@ pub struct ExactForm {
     pub root: i64,
     /// q
     pub denominator: i64,
-    /// The root stands below: p / √b, with q = 1.
+    /// The root is in the denominator: p / √b, with q = 1.
     pub root_below: bool,
 }
 

@@ -1,7 +1,7 @@
-//! The textbook chain, once, for every kind of number: **u** **v** **n**, M_v, the window, M_p as the notes `[0]` print
-//! them.
+//! The textbook chain, once, for every kind of number: **u** **v** **n**, M_v, the window, M_p as printed in the notes
+//! `[0]`.
 //!
-//! Nothing here is careful: no scaling, no compensation. What care is worth is what the studies measure.
+//! Nothing here is careful: no scaling, no compensation. The studies measure the value of care.
 
 use glam::DVec3;
 
@@ -71,7 +71,7 @@ pub fn basis<R: Real>(position: DVec3, focal_point: DVec3, view_up: DVec3) -> [V
     [u, v, n]
 }
 
-/// The numbers of [`basis`] with more care where they are found: unit vectors of what is scaled first.
+/// The numbers of [`basis`], computed with more care: vectors are scaled before they are normalised.
 pub fn scaled_basis<R: Real>(position: DVec3, focal_point: DVec3, view_up: DVec3) -> [Vector<R>; 3] {
     let scaled = |v: Vector<R>| {
         let greatest = v.to_f64().abs().max_element();
@@ -183,7 +183,7 @@ mod tests {
         m.transpose().to_cols_array_2d()
     }
 
-    /// The entries, rounded; what is left of an exact zero after 512 bits is zero.
+    /// The entries, rounded; the rest of an exact zero after 512 bits is zero.
     fn rounded(matrix: &Matrix<Reference>) -> [[f64; 4]; 4] {
         matrix.rounded::<f64>().0.map(|row| row.map(|x| if x.abs() < 1e-140 { 0.0 } else { x }))
     }

@@ -6,9 +6,9 @@ use crate::chart::{Chart, Look, Series};
 
 /// The words of the charts, in some language.
 pub struct Words<'a> {
-    /// What the parameter is.
+    /// The meaning of the parameter.
     pub parameter: &'a str,
-    /// What the error is, with its unit.
+    /// The meaning of the error, with its unit.
     pub error: &'a dyn Fn(&Row) -> String,
     /// The time of one item.
     pub time: &'a str,

@@ -1,5 +1,5 @@
-//! The formats of depth buffers: what each keeps of a depth in a convention of NDC, and so which surfaces it tells
-//! apart.
+//! The formats of depth buffers: the value that each stores for a depth in a convention of NDC, and so the surfaces
+//! that it distinguishes.
 
 use crate::camera::{Api, ClipSpace, Ndc, Projection};
 use crate::numerics::OWN;
@@ -18,15 +18,15 @@ impl Range {
         Self { projection, far, ndc: Ndc { api: Api::Direct3d, ..Ndc::default() } }
     }
 
-    /// That of a clip space, with F for a unit.
+    /// The range of a clip space, with F for a unit.
     fn of(space: &ClipSpace<'_>) -> Self {
         let camera = space.camera();
         Self { projection: camera.projection(), far: camera.far() / camera.near(), ndc: space.ndc() }
     }
 
-    /// What is stored for a depth, 0 … 1, before it is put into a format; `reversed`: 1 at F, 0 at B. The
-    /// transformation is done in single precision, as graphics cards do: z_n = (z_c entries of M_p) / w, and (z_n +
-    /// 1)/2 where z_n goes from −1 to 1.
+    /// The value of a depth, 0 … 1, before it is put into a format; `reversed`: 1 at F, 0 at B. The transformation is
+    /// done in single precision, as graphics cards do: z_n = (z_c entries of M_p) / w, and (z_n + 1)/2 where z_n goes
+    /// from −1 to 1.
     fn stored(&self, z: f64, reversed: bool) -> f32 {
         #[expect(clippy::cast_possible_truncation, reason = "single precision is what is studied")]
         let (depth, far) = (z as f32, if self.ndc.infinite { f32::INFINITY } else { self.far as f32 });
@@ -44,7 +44,7 @@ impl Range {
         }
     }
 
-    /// How fast depth grows with what is stored, and what is stored at a depth, 1 at F and 0 at B.
+    /// The growth of depth with the stored value, and the stored value at a depth, 1 at F and 0 at B.
     fn slope_and_reversed(&self, z: f64) -> (f64, f64) {
         let (far, span) = (self.far, self.far - 1.0);
         match self.projection {
@@ -106,8 +106,8 @@ impl Format {
         }
     }
 
-    /// The length of one step at depth `z`, for the program's own with its scale: a unit of what is stored over its
-    /// derivative.
+    /// The length of one step at depth `z`, for the program's own format with its scale: a unit of the stored value
+    /// over its derivative.
     pub(in crate::numerics) fn step(self, range: &Range, own: &DepthScale, z: f64) -> f64 {
         if self != Self::Own {
             return self.step_in_range(range, z);
@@ -122,14 +122,14 @@ impl Format {
         slope * ulp(depth) / depth
     }
 
-    /// The same of a format whose range is F … B.
+    /// The same for a format whose range is F … B.
     fn step_in_range(self, range: &Range, z: f64) -> f64 {
         let (slope, reversed) = range.slope_and_reversed(z);
         let step = match self {
             Self::Fixed16 => slope * 2f64.powi(-16),
             Self::Fixed24 => slope * 2f64.powi(-24),
             Self::Float if range.ndc.reversed => slope * ulp(reversed),
-            // Of z_n in −1 … 1 no more is kept than its own last place, half of which counts.
+            // Of z_n in −1 … 1 only its own last place is resolved, half of which counts.
             Self::Float if range.ndc.depths()[0] < 0.0 => {
                 slope * ulp(1.0 - reversed).max(0.5 * ulp((1.0 - 2.0 * reversed).abs()))
             }
@@ -137,7 +137,7 @@ impl Format {
             Self::FloatReversed | Self::Own => slope * ulp(reversed),
             Self::Logarithmic => z * range.far.ln() * 2f64.powi(-24),
         };
-        // Of a depth in single precision no more can be told than its own last place.
+        // Of a depth in single precision only its own last place is resolved.
         step.max(ulp(z)).min(2.0 * range.far)
     }
 }
@@ -149,7 +149,7 @@ fn ulp(x: f64) -> f64 {
     2f64.powi(exponent.max(-126) - 23)
 }
 
-/// What is seen at a place of a picture of two planes.
+/// The visible plane at a place of a picture of two planes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seen {
     /// Neither.
@@ -175,7 +175,7 @@ impl TwoPlanes {
     pub const WIDTH: u32 = 150;
     /// Pixels down.
     pub const HEIGHT: u32 = 24;
-    /// So many gaps deep is what is in the picture: where a step is longer than the gap, there are stripes.
+    /// Depth of the picture in gaps: where a step is longer than the gap, there are stripes.
     const GAPS: f64 = 10.0;
 
     /// `depth` is that of the nearest corner, in units of F, F … B. Planes that would reach beyond B begin nearer to
@@ -201,7 +201,7 @@ impl TwoPlanes {
         Self { seen: seen.collect() }
     }
 
-    /// The share of what both planes cover in which the farther one is seen.
+    /// The share, of the area that both planes cover, in which the farther one is seen.
     #[must_use]
     pub fn share_through(&self) -> f64 {
         let (mut both, mut through) = (0_u32, 0_u32);
@@ -215,19 +215,19 @@ impl TwoPlanes {
     }
 }
 
-/// How a format of depth buffers keeps the depths of a camera.
+/// The resolution of a format of depth buffers for the depths of a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resolution {
     /// The format.
     pub format: &'static str,
     /// The length of one step at a depth, in scene units.
     pub step: f64,
-    /// What it makes of two planes.
+    /// The picture of two planes in this format.
     pub planes: TwoPlanes,
 }
 
-/// Each format of graphics cards in a convention, at a depth from the eye, F … B, and what it makes of two planes that
-/// are `gap` away from each other there. What is reversed is among them also where the convention is not.
+/// Each format of graphics cards in a convention, at a depth from the eye, F … B, and its picture of two planes that
+/// are `gap` apart there. The reversed ones are included even where the convention is not reversed.
 #[must_use]
 pub fn resolutions(space: &ClipSpace<'_>, depth: f64, gap: f64) -> Vec<Resolution> {
     let near = space.camera().near();

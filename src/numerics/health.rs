@@ -1,5 +1,5 @@
-//! How near a camera is to trouble with numbers: six quantities, each judged by thresholds that stand here with their
-//! reasons. Where a [`Warning`] says something, the line that it belongs to is not good.
+//! The health of a camera: six quantities, each judged by thresholds that are given here with their reasons. A quantity
+//! with a [`Warning`] is not good.
 
 use glam::DVec3;
 
@@ -8,14 +8,14 @@ use crate::camera::{Camera, ImageSize, Parameters, Projection, Warning};
 use crate::geometry::Aabb;
 use crate::numbers::{nice_above, nice_below};
 
-/// How good something is.
+/// A level of health.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Level {
-    /// Nothing to say.
+    /// No trouble.
     Good,
-    /// It is time to look at it.
+    /// Worth a look.
     Fair,
-    /// It shows, or will.
+    /// The trouble shows, or will.
     Poor,
 }
 
@@ -31,7 +31,7 @@ impl Level {
     }
 }
 
-/// What is judged.
+/// A quantity that is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
     /// The angle between VUP and the line of DOP in degrees, 0 … 90.
@@ -40,7 +40,7 @@ pub enum Quantity {
     FarNearRatio,
     /// The smallest difference of depth that 24 bits keep at B, in scene units.
     DepthResolution,
-    /// Decimal digits that are left for what the camera sees, of the 16 that an `f64` has.
+    /// Decimal digits left for the view of the camera, of the 16 that an `f64` has.
     PositionDigits,
     /// The longest side of the view volume over its shortest, at half its depth.
     VolumeShape,
@@ -49,7 +49,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// All, in the order in which they are told.
+    /// All, in the order of reporting.
     pub const ALL: [Self; 6] = [
         Self::VupAngle,
         Self::FarNearRatio,
@@ -89,8 +89,8 @@ const SMALL_VUP_DEGREES: f64 = 1.0;
 /// From here on, less than one step in ten thousand is left for the back half of the volume: with 16 bits, less than
 /// seven.
 const LARGE_RATIO: f64 = 1e4;
-/// A step of the depth buffer that is this part of what it is compared with (B in perspective, H in parallel
-/// projection) may be seen where surfaces nearly touch; [`COARSE_DEPTH`] of it is seen everywhere.
+/// A step of the depth buffer of this share of its scale (B in perspective, H in parallel projection) may be seen where
+/// surfaces nearly touch; [`COARSE_DEPTH`] of it is seen everywhere.
 const VISIBLE_STEP: f64 = 6e-4;
 /// From here on, single precision (7 digits), in which graphics cards compute, has three digits left: one pixel in a
 /// thousand.
@@ -99,19 +99,19 @@ const RATHER_FAR: f64 = 1e4;
 const SLENDER: f64 = 100.0;
 /// And here as a line or as nothing.
 const DEGENERATE: f64 = 1e4;
-/// From here on, what is at the border is drawn 33 times as large as in the middle.
+/// From here on, things at the border are drawn 33 times as large as in the middle.
 const EXTREME_DEGREES: f64 = 160.0;
-/// Below this a perspective is hardly told from a parallel projection.
+/// Below this a perspective can hardly be distinguished from a parallel projection.
 const NARROW_DEGREES: f64 = 1.0;
-/// Below this the window is a ten-thousandth of the distance: a hair's turn of the camera loses what it looks at.
+/// Below this the window is a ten-thousandth of the distance: a hair's turn of the camera loses its target.
 const NEEDLE_DEGREES: f64 = 0.01;
 
 /// One quantity of a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Health {
-    /// Which.
+    /// The quantity.
     pub quantity: Quantity,
-    /// How good it is.
+    /// Its level.
     pub level: Level,
     /// In the unit that [`Quantity`] says.
     pub value: f64,
@@ -121,7 +121,7 @@ pub struct Health {
     pub repair: Option<Parameters>,
 }
 
-/// Judges a camera; `bounds`: the box around what it looks at.
+/// Judges a camera; `bounds`: the box around the scene it looks at.
 #[must_use]
 pub fn health(camera: &Camera, image: ImageSize, bounds: Option<Aabb>) -> Vec<Health> {
     let warnings: Vec<Warning> = camera.warnings().into_iter().chain(camera.aspect_warning(image)).collect();
@@ -192,7 +192,7 @@ fn below(value: f64, fair: f64, poor: f64) -> Level {
     above(-value, -fair, -poor)
 }
 
-/// Of log₁₀ 2⁵³ decimal digits, those that are left of a difference of numbers that are so many times as large.
+/// The digits left, of log₁₀ 2⁵³ decimal ones, in a difference of numbers that are `ratio` times as large.
 fn digits_left(ratio: f64) -> f64 {
     (53.0 * 2f64.log10() - ratio.max(1.0).log10()).max(0.0)
 }
@@ -205,7 +205,7 @@ pub fn volume_sides(camera: &Camera) -> [f64; 3] {
         Projection::Perspective => f64::midpoint(1.0, far / near),
         Projection::Parallel => 1.0,
     };
-    // What an `f64` has no number for is as large as it can say.
+    // A size beyond the range of `f64` counts as the greatest `f64`.
     let scale = scale.min(f64::MAX);
     [camera.window_width() * scale, camera.window_height() * scale, far - near].map(|side: f64| side.min(f64::MAX))
 }
@@ -242,7 +242,7 @@ fn repaired(
         is_better.then_some(mended)
     };
     match quantity {
-        // What is seen stays as it is.
+        // The picture stays as it is.
         Quantity::VupAngle => Some(Parameters { view_up: camera.basis().v, ..p }),
         Quantity::FarNearRatio | Quantity::DepthResolution => planes(),
         Quantity::PositionDigits => None,
@@ -266,7 +266,7 @@ fn ordinary_angle(camera: &Camera) -> Parameters {
     let half = |degrees: f64| (0.5 * degrees).to_radians().tan();
     let distance = camera.distance() * half(p.view_angle) / half(DEGREES);
     let position: DVec3 = p.focal_point + camera.basis().n * distance;
-    // What was before and behind PF stays there.
+    // Points in front of and behind PF stay there.
     let moved = distance - camera.distance();
     let near = p.near + moved;
     let near = if near > 0.0 { near } else { p.near.min(1e-3 * distance) };

@@ -1,4 +1,4 @@
-//! How far off a method is, and how long it takes.
+//! The error of a method, and its run time.
 
 use std::future::poll_fn;
 use std::hint::black_box;
@@ -8,10 +8,10 @@ use std::time::Duration;
 use crate::clock;
 use crate::progress::Progress;
 
-/// How far one result is from the truth.
+/// The distance of one result from the truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Off {
-    /// In the unit of the study; what is not a number is made the worst that the study knows by the caller.
+    /// In the unit of the study; the caller turns NaN into the worst error that the study knows.
     pub(super) error: f64,
     /// [`bits_off`], averaged over the components.
     pub(super) bits: f64,
@@ -43,7 +43,7 @@ pub(super) fn mean_bits(pairs: impl IntoIterator<Item = (f64, f64)>) -> f64 {
 /// The clock of a study, and whether it is still wanted.
 #[derive(Clone, Debug)]
 pub(super) struct Watch {
-    /// How long one method is repeated on the inputs of one case.
+    /// Time for repeating one method on the inputs of one case.
     pub(super) slice: Duration,
     /// The shortest time that the clock tells apart.
     pub(super) tick: Duration,
@@ -52,13 +52,13 @@ pub(super) struct Watch {
 
 /// Passes over the inputs that are timed at least, where time is taken at all, after one that warms up.
 const LEAST_PASSES: usize = 3;
-/// What is shorter than so many ticks of the clock is not timed by itself, but as often as it takes: a tenth is off at
+/// A run shorter than this number of ticks of the clock is repeated until it is long enough: the error is a tenth at
 /// most.
 const TICKS: u32 = 10;
 /// More passes tell nothing new.
 const MOST_PASSES: usize = 2000;
 
-/// What one method made of the inputs of one case.
+/// The results of one method on the inputs of one case.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Trial {
     squares: f64,
@@ -71,7 +71,7 @@ pub(super) struct Trial {
 }
 
 impl Trial {
-    /// Takes down one result; `input` names what it was computed from.
+    /// Records one result; `input` names its input.
     pub(super) fn note(&mut self, input: usize, off: Off) {
         self.squares += off.error * off.error;
         self.bits += off.bits;
@@ -104,7 +104,7 @@ impl Trial {
         #[expect(clippy::cast_precision_loss, reason = "a number of items, for a mean")]
         let count = items as f64;
         let warm_up = timed(1);
-        // What takes longer than its slice is timed once.
+        // A run longer than its slice is timed once.
         if warm_up >= watch.slice.max(shortest) {
             return self.took(warm_up, count);
         }
@@ -125,7 +125,7 @@ impl Trial {
         }
     }
 
-    /// Times `work`, which does `items` things and is so long that it pauses: once, without what is done in the pauses.
+    /// Times `work`, which processes `items` items and is so long that it pauses: once, without the time of the pauses.
     pub(super) async fn time_slices<T>(&mut self, items: usize, work: impl Future<Output = T>) -> T {
         let (mut work, mut time) = (pin!(work), Duration::ZERO);
         let outcome = poll_fn(|context| {
@@ -140,12 +140,12 @@ impl Trial {
         outcome
     }
 
-    /// Takes down the time of so many items.
+    /// Records the time of this number of items.
     fn took(&mut self, time: Duration, items: f64) {
         self.nanos.push(time.as_secs_f64() * 1e9 / items.max(1.0));
     }
 
-    /// What was noted here was made in the same passes as what was noted there.
+    /// Takes over the times of `other`, whose results were computed in the same passes.
     pub(super) fn takes_time_of(&mut self, other: &Self) {
         self.nanos.clone_from(&other.nanos);
     }
@@ -160,7 +160,7 @@ impl Trial {
         self.worst
     }
 
-    /// What the greatest error came from.
+    /// The input of the greatest error.
     pub(super) const fn worst_input(&self) -> usize {
         self.worst_input
     }
@@ -234,7 +234,7 @@ mod tests {
 
     #[test]
     fn what_a_coarse_clock_cannot_tell_is_timed_in_batches() {
-        // Nothing is so short that ten milliseconds of it have no time.
+        // Ten milliseconds of anything have a time.
         let watch = Watch { slice: Duration::ZERO, tick: Duration::from_millis(1), progress: Progress::default() };
         let (mut trial, mut passes) = (Trial::default(), 0_u32);
         let start = clock::now();

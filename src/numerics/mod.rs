@@ -39,7 +39,7 @@ pub enum Study {
     RepeatedOperations,
     /// The formats of depth buffers.
     DepthBuffer,
-    /// Which surface is seen.
+    /// Visible surfaces.
     Visibility,
     /// Light on curved surfaces made of flat faces.
     Shading,
@@ -50,7 +50,7 @@ pub enum Study {
 }
 
 impl Study {
-    /// All, in the order in which they are told.
+    /// All, in the order of reporting.
     pub const ALL: [Self; 8] = [
         Self::VertexTransform,
         Self::Basis,
@@ -84,7 +84,7 @@ impl Serialize for Study {
     }
 }
 
-/// What an error is measured in.
+/// The unit of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unit {
     /// Scene units.
@@ -122,20 +122,20 @@ impl Serialize for Unit {
     }
 }
 
-/// What one method made of the inputs of one case.
+/// The results of one method on the inputs of one case.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Row {
-    /// Which series of inputs.
+    /// The series of inputs.
     pub case: String,
-    /// How stiff the inputs are.
+    /// The stiffness of the inputs.
     pub parameter: f64,
-    /// Which way of computing.
+    /// The way of computing.
     pub method: &'static str,
     /// Root mean square of the errors.
     pub error: f64,
     /// The greatest error.
     pub error_max: f64,
-    /// What the errors are measured in.
+    /// The unit of the errors.
     pub unit: Unit,
     /// Median time of one item, in nanoseconds.
     pub nanos: f64,
@@ -144,7 +144,7 @@ pub struct Row {
     /// No other method of the same case and parameter is at least as fast and at least as right, and better in one of
     /// the two.
     pub pareto: bool,
-    /// What the theory predicts for `error`, where it does.
+    /// The theoretical prediction of `error`, where there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub predicted: Option<f64>,
     /// The figure file of the worst input, where the input is a camera.
@@ -154,28 +154,29 @@ pub struct Row {
 /// The result of a study.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Findings {
-    /// Which study.
+    /// The study.
     pub study: Study,
-    /// What the errors are measured against.
+    /// The reference of the errors.
     pub reference: &'static str,
-    /// Bytes of the inputs of one pass: what has to stay in a cache for the times to be those of the arithmetic.
+    /// Bytes of the inputs of one pass: they must stay in a cache for the times to be those of the arithmetic.
     pub working_set: usize,
     /// Each (case, parameter) with all methods.
     pub rows: Vec<Row>,
 }
 
-/// How much is tried, and how long.
+/// The effort of a run: inputs and time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// The same seed gives the same inputs, and so the same errors.
+    /// The seed: the same one gives the same inputs, and so the same errors.
     pub seed: u64,
-    /// How long the methods of one study are timed, about.
+    /// Approximate time for measuring the methods of one study.
     pub seconds: f64,
     /// The inputs that a user gets, or a few of them, for tests.
     pub thorough: bool,
 }
 
-/// Runs one study. Cancelled, it ends early, with what it has. It pauses after each method of each series of inputs.
+/// Runs one study. Cancelled, it ends early, with the results so far. It pauses after each method of each series of
+/// inputs.
 pub async fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings {
     let lab = Lab { effort: *effort, progress: progress.clone() };
     match study {
@@ -190,7 +191,7 @@ pub async fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings
     }
 }
 
-/// What a study works with.
+/// The working state of a study.
 struct Lab {
     effort: Effort,
     progress: Progress,
@@ -219,7 +220,7 @@ struct Group {
     methods: Vec<Method>,
 }
 
-/// What one method of a group did.
+/// The results of one method of a group.
 struct Method {
     name: &'static str,
     trial: Trial,

@@ -1,5 +1,5 @@
-//! What the promise costs: the camera model in double-double against the textbook chain in plain `f64`, for the numbers
-//! of a figure and for a frame of the scene that the program begins with.
+//! The overhead of precision: the camera model in double-double against the textbook chain in plain `f64`, for the
+//! numbers of a figure and for a frame of the default scene.
 
 use std::cell::RefCell;
 use std::hint::black_box;
@@ -27,7 +27,7 @@ pub struct Cost {
     pub f64: f64,
 }
 
-/// What is paid for digits.
+/// The overhead of precision.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Price {
     /// Basis, window, matrices, their inverses, and the corners of the volume, from the parameters of a figure.
@@ -37,7 +37,7 @@ pub struct Price {
     pub frame: Cost,
 }
 
-/// Measures for about so many seconds as the effort says. `None` where it was cancelled, or no such scene could be
+/// Measures for about the number of seconds of the effort. `None` where it was cancelled, or no such scene could be
 /// built.
 #[must_use]
 pub fn measure(effort: &Effort, progress: &Progress) -> Option<Price> {
@@ -77,7 +77,7 @@ pub fn measure(effort: &Effort, progress: &Progress) -> Option<Price> {
     (!progress.is_cancelled()).then_some(Price { numbers, frame })
 }
 
-/// The median times of two ways, taken in turns, so that what else the machine does falls on both.
+/// The median times of two ways, taken in turns, so that other load of the machine affects both.
 fn in_turns(watch: &Watch, camera_lab: &mut dyn FnMut(), f64: &mut dyn FnMut()) -> Cost {
     let once = Watch { slice: Duration::ZERO, ..watch.clone() };
     let (mut own, mut plain) = (Trial::default(), Trial::default());
@@ -109,7 +109,7 @@ fn own_numbers(p: &Parameters) -> Option<Numbers> {
     Some((matrices, camera.volume_corners()))
 }
 
-/// The same by the formulas as they are printed, with the inverses that a library gives.
+/// The same by the formulas as printed, with the inverses of a library.
 fn textbook_numbers(p: &Parameters) -> Numbers {
     let axes = basis::<f64>(p.position, p.focal_point, p.view_up);
     let (view, projection) = (view_matrix(&axes, p.position), projection_matrix::<f64>(p));
@@ -129,7 +129,7 @@ fn textbook_numbers(p: &Parameters) -> Numbers {
 mod tests {
     use super::*;
 
-    /// Both compute the same things: what is compared is their price.
+    /// Both compute the same things, so that their times can be compared.
     #[test]
     fn both_ways_give_the_same_numbers_to_f64s_own_digits() {
         let p = Figure::of_preset(Preset::Primitives).camera;

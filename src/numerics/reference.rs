@@ -29,7 +29,7 @@ impl Reference {
 }
 
 impl Real for Reference {
-    /// Exactly `x`; what is not finite is 0 here: a reference has no such numbers.
+    /// Exactly `x`; 0 for non-finite numbers, which a reference does not have.
     fn of(x: f64) -> Self {
         Self::wide(Number::try_from(x).unwrap_or(Number::ZERO))
     }
@@ -73,7 +73,7 @@ impl Mul for Reference {
     }
 }
 
-/// Division by zero gives 0: a reference is never asked for it.
+/// Division by zero gives 0: a reference never needs it.
 impl Div for Reference {
     type Output = Self;
 

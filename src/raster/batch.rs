@@ -1,6 +1,6 @@
-//! Eight triangles at a time: their boxes, and what makes them ready to be filled.
+//! Eight triangles at a time: their boxes, and their setup for filling.
 //!
-//! Fine meshes are made of small triangles, for which most of the work is to set them up: that is done for eight at
+//! Fine meshes are made of small triangles, for which most of the work is to set them up: this is done for eight at
 //! once, in 32 bits. The others go alone, through [`Triangle`](super::setup::Triangle). A triangle is treated by its
 //! box, the pixels whose samples it may own:
 //!
@@ -12,8 +12,8 @@
 //! | wide | any | between its borders in 64 bits, row by row |
 //!
 //! Tiny and small ones must also have an area, and be simple to colour
-//! ([`Colors::simple`](super::shade::Colors::simple)): no sliver, and not bent by perspective. What is coloured pixel
-//! by pixel (`per_pixel`) is always filled as wide.
+//! ([`Colors::simple`](super::shade::Colors::simple)): no sliver, and not bent by perspective. Triangles coloured pixel
+//! by pixel (`per_pixel`) are always filled as wide.
 
 use std::ops::Range;
 
@@ -52,7 +52,7 @@ pub(super) struct Batch<K: Simd> {
 /// The indices of the vertices of up to eight triangles; [`NOWHERE`] for those that are not there.
 pub(super) type Corners = [[u32; BATCH]; 3];
 
-/// No surface has so many vertices.
+/// An index beyond the vertices of any surface.
 const NOWHERE: u32 = u32::MAX;
 
 #[inline(always)]
@@ -68,7 +68,7 @@ pub(super) fn corners(surface: &Surface, triangles: &[u32]) -> Corners {
     corners
 }
 
-/// The same of eight triangles that follow one another.
+/// The corners of eight triangles that follow one another.
 #[inline(always)]
 pub(super) fn corners_of(triangles: &[[u32; 3]]) -> Corners {
     let mut corners = [[NOWHERE; BATCH]; 3];
@@ -269,8 +269,8 @@ impl<K: Simd> SetUp<K> {
         ]
     }
 
-    /// Times the greatest difference of values at the vertices, what the terms of their gradient can be: a sliver has
-    /// large ones that nearly cancel, and then most of the gradient is rounding.
+    /// Factor of the greatest difference of values at the vertices that bounds the terms of their gradient: a sliver
+    /// has large ones that nearly cancel, and then most of the gradient is rounding.
     #[inline(always)]
     pub(super) fn steepness(&self) -> f32x8<K> {
         let m = self.m.map(|m| m.abs());

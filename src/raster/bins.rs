@@ -1,4 +1,4 @@
-//! Which triangles touch which band of rows, in the order in which they are to be drawn.
+//! The triangles that touch each band of rows, in the order of drawing.
 
 use std::ops::Range;
 
@@ -33,7 +33,7 @@ struct Chunk {
     end: u32,
     /// For each band the numbers of the triangles that touch it.
     bands: Vec<Vec<u32>>,
-    /// How many of them touch any.
+    /// Number of triangles that touch any.
     kept: usize,
 }
 
@@ -76,7 +76,7 @@ impl Bins {
         self.kept = kept + self.translucent.len();
     }
 
-    /// How many triangles may own a sample of the picture.
+    /// Number of triangles that may own a sample of the picture.
     pub(super) fn kept(&self) -> usize {
         self.kept
     }

@@ -1,10 +1,10 @@
-//! How much of each pixel strokes cover, and which of them is in front.
+//! Coverage of pixels by strokes, and the order of strokes in depth.
 //!
 //! All pieces of a layer (the visible or the hidden parts of a set of strokes) meet in one mask, each pixel keeping the
 //! greatest share: pieces may overlap (joints, crossings, arrow heads) without a translucent colour growing darker
-//! there. Each pixel remembers what layers cover it, how much and how near, as in an A-buffer (Carpenter 1984); only
-//! when all are known are they laid on the picture, from back to front. So strokes stay as smooth where one passes
-//! before another as anywhere else.
+//! there. Each pixel stores the layers that cover it, with share and depth, as in an A-buffer (Carpenter 1984); only
+//! when all are known are they painted, from back to front. So strokes are as smooth where one passes in front of
+//! another as anywhere else.
 
 use std::ops::Range;
 
@@ -34,28 +34,28 @@ pub(super) struct Coverage {
     order: Vec<Fragment>,
 }
 
-/// What is painted in one way.
+/// A set of pieces painted in one way.
 #[derive(Clone, Copy, Debug)]
 struct Layer {
     color: Pixel,
     depth: LayerDepth,
 }
 
-/// What decides whether a layer is in front of another.
+/// The order of a layer relative to others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum LayerDepth {
-    /// Nothing hides it but what comes later.
+    /// Hidden only by later layers.
     OnTop,
-    /// Its depth, and what [`later_is_over`] asks besides.
+    /// Compared by its depth, and by the other criteria of [`later_is_over`].
     Tested {
-        /// No face stands before it.
+        /// No face hides it.
         visible: bool,
         /// Of the stroke, in pixels.
         width: f32,
     },
 }
 
-/// What a layer covers of a pixel.
+/// The share of a pixel that a layer covers.
 #[derive(Clone, Copy, Debug)]
 struct Fragment {
     layer: u32,
@@ -85,12 +85,12 @@ impl Coverage {
         (self.width, self.first, self.end) = (width, rows.start, rows.end);
     }
 
-    /// Begins a layer: what is covered from now on is painted in this colour.
+    /// Begins a layer: the following pieces are painted in this colour.
     pub(super) fn begin(&mut self, color: Rgba, depth: LayerDepth) {
         self.layers.push(Layer { color: premultiply(color), depth });
     }
 
-    /// Covers what lies within `radius` of the segment a–b: a stroke with round ends. A stroke thinner than a pixel
+    /// Covers the points within `radius` of the segment a–b: a stroke with round ends. A stroke thinner than a pixel
     /// covers it in part.
     pub(super) fn capsule(&mut self, a: Point, b: Point, radius: f32) {
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
@@ -147,7 +147,7 @@ impl Coverage {
         }
     }
 
-    /// Raises the shares of a row between two abscissae to what `share` says for each pixel centre, with the depth
+    /// Raises the shares of a row between two abscissae to the value of `share` for each pixel centre, with the depth
     /// there.
     fn row(&mut self, j: usize, from: f32, to: f32, reach: f32, share: impl Fn(f32) -> (f32, f32)) {
         let columns = pixels(from, to, 0..self.width);
@@ -294,7 +294,7 @@ mod tests {
             self.capsule([a[0], a[1], 0.5], [b[0], b[1], 0.5], radius);
         }
 
-        /// How much of each pixel is covered by what came last.
+        /// Coverage of each pixel by the last layer.
         fn shares(&self) -> Vec<u8> {
             let share = |last: &u32| self.fragments.get((*last as usize).wrapping_sub(1)).map_or(0, |f| f.share);
             self.last.iter().map(share).collect()
@@ -437,7 +437,7 @@ mod tests {
         assert_eq!(pixels[MIDDLE], [0, 0, 255, 255]);
         // Beside its middle line the near stroke covers half a pixel; the rest is the far one's.
         assert_eq!(pixels[MIDDLE + 1], [127, 0, 128, 255]);
-        // Where they do not meet, each is as it would be alone.
+        // Where they do not meet, each is the same as alone.
         assert_eq!(pixels[5 * 20 + 10], painted(&[near])[5 * 20 + 10]);
         assert_eq!(pixels[10 * 20 + 5], painted(&[far])[10 * 20 + 5]);
     }

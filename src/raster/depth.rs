@@ -1,4 +1,4 @@
-//! The depth of what is seen at each pixel.
+//! The depth of the visible surface at each pixel.
 
 use super::setup::STEPS;
 use crate::drawing::order::on_a_face;
@@ -21,11 +21,11 @@ pub struct DepthBuffer {
 /// The part of a depth buffer that belongs to one band of rows.
 #[derive(Clone, Debug, Default)]
 pub(super) struct BandDepth {
-    /// Whether anything was drawn; if not, what the arrays hold is of an older picture.
+    /// Whether anything was drawn; if not, the arrays hold an older picture.
     pub(super) used: bool,
     /// −∞ where there is no surface.
     pub(super) values: Vec<f32>,
-    /// Change of the depth per pixel to the right and down on the face that is seen, packed; empty where nobody asked.
+    /// Change of the depth per pixel to the right and down on the visible face, packed; empty unless requested.
     pub(super) slopes: Vec<u32>,
 }
 
@@ -61,7 +61,8 @@ impl DepthBuffer {
         !self.bands.iter().any(|band| band.used)
     }
 
-    /// Where in its pixel a depth was taken, relative to the pixel's centre, in pixels: (0, 0) without antialiasing.
+    /// The point of its pixel at which a depth was taken, relative to the pixel's centre, in pixels: (0, 0) without
+    /// antialiasing.
     #[must_use]
     pub fn offset(&self) -> [f32; 2] {
         self.offset
@@ -74,12 +75,12 @@ impl DepthBuffer {
         (y < self.height).then(|| self.value(x, y))?.map(|(depth, _)| depth)
     }
 
-    /// True where a point (pixels and depth) can be seen: no face stands before it. A point **on** a face can be seen.
+    /// Whether a point (pixels and depth) can be seen: no face hides it. A point **on** a face can be seen.
     ///
-    /// The four pixels around the point are asked, and one that has nothing before the point is enough: an edge belongs
-    /// to the faces on both of its sides, and nobody knows where between two pixels a face ends. So what is hidden by
-    /// less than two pixels is seen. Faces' planes are followed from where their depths were taken to the point, so
-    /// that a steep face does not hide the lines on it, in the corner of a room as little as on an edge.
+    /// The four pixels around the point are tested, and one that has nothing in front of the point is enough: an edge
+    /// belongs to the faces on both of its sides, and the border of a face between two pixels is not known. So anything
+    /// hidden by less than two pixels is seen. Faces' planes are followed from the points where their depths were
+    /// taken, so that a steep face does not hide the lines on it, in the corner of a room as little as on an edge.
     pub(super) fn shows(&self, p: [f32; 3]) -> bool {
         let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
         let (i, j) = (floor(x), floor(y));

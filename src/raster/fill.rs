@@ -24,7 +24,7 @@ use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader};
 pub(super) struct Band<'a> {
     pub(super) size: Size,
     pub(super) rows: Range<i32>,
-    /// Places of the samples relative to the centre, in steps: as many as `fill` is told.
+    /// Offsets of the samples from the centre, in steps: as many as `fill` expects.
     pub(super) samples: &'a [[i32; 2]],
     /// Values from one row to the next; beyond `width` there is room for eight more.
     pub(super) pitch: u32,
@@ -41,14 +41,14 @@ pub(super) struct Band<'a> {
     pub(super) counts: Option<&'a mut Counts>,
 }
 
-/// What was done to samples.
+/// Counts of processed samples.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Counts {
     /// Those inside of triangles.
     pub(super) covered: u64,
     /// Those of them that nothing nearer has hidden.
     pub(super) written: u64,
-    /// The same, by pixel of a tile; since the last [`sum`](Self::sum).
+    /// The same counts, by pixel of a tile; since the last [`sum`](Self::sum).
     lanes: [[i32; LANES]; 2],
 }
 
@@ -119,8 +119,8 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
     let small = batch.small & set_up.has_area & colors.simple();
     let tiny = if S == 1 { batch.few & small } else { mask32x8::splat(simd, 0) };
     let mut few = Few { owned: [0; BATCH], depths: [[0.0; BATCH]; MOST], colors: [[0; BATCH]; MOST] };
-    // First what the tiny ones own, for all eight at once; it is written below, one triangle after the other, because
-    // of two that own the same pixel the first one in the list must come first.
+    // First the coverage of the tiny ones, for all eight at once; it is written below, one triangle after the other,
+    // because of two that own the same pixel the first one in the list must come first.
     if tiny.any_true() {
         few.find(tiny, batch, &set_up, band.rows.end, &depths, &colors);
     }
@@ -166,12 +166,12 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
     }
 }
 
-/// Triangles of at most so many columns and rows are not filled one by one.
+/// Largest number of columns and rows of triangles that are filled together.
 const FEW: u32 = 4;
 /// The pixels of their boxes.
 const MOST: usize = 16;
 
-/// What the pixels of tiny triangles get, in rows of [`FEW`] from the first of the box on.
+/// The pixels of tiny triangles, in rows of [`FEW`] from the first of the box on.
 struct Few {
     /// A bit for each pixel that the triangle owns.
     owned: [u32; BATCH],
@@ -232,7 +232,7 @@ impl Few {
 }
 
 impl Band<'_> {
-    /// Where a pixel's values are.
+    /// The position of a pixel's values.
     #[inline(always)]
     fn place(&self, row: i32, column: i32) -> TileStart {
         TileStart { start: (row - self.rows.start) as u32 * self.pitch + column as u32, pitch: self.pitch }
@@ -304,21 +304,21 @@ impl<K: Simd, const SQUARE: bool> Tile<K, SQUARE> {
         Self { columns: i32x8::from_slice(simd, &columns), rows: i32x8::from_slice(simd, &rows) }
     }
 
-    /// How far the centres are right of the origin, when the tile begins at column `i`. Exact: multiples of 1/256 below
-    /// 2¹⁵.
+    /// Distance of the centres to the right of the origin, when the tile begins at column `i`. Exact: multiples of
+    /// 1/256 below 2¹⁵.
     #[inline(always)]
     fn x(&self, i: i32, origin: [f32; 2]) -> f32x8<K> {
         self.columns.to_float::<f32x8<K>>() + ((i as f32 + 0.5) - origin[0])
     }
 
-    /// How far they are below it, when the tile begins at row `j`.
+    /// Distance of the centres below the origin, when the tile begins at row `j`.
     #[inline(always)]
     fn y(&self, j: i32, origin: [f32; 2]) -> f32x8<K> {
         self.rows.to_float::<f32x8<K>>() + ((j as f32 + 0.5) - origin[1])
     }
 }
 
-/// Where a tile begins in the arrays of a band, and how far it is from there to the next row.
+/// The start of a tile in the arrays of a band, and the distance from there to the next row.
 #[derive(Clone, Copy)]
 struct TileStart {
     // 32 bits: then the compiler knows that a sum in 64 does not overflow.
@@ -373,7 +373,7 @@ impl TileStart {
     }
 }
 
-/// What is the same for all pixels of a triangle.
+/// State shared by all pixels of a triangle.
 struct Painter<K: Simd, const S: usize, P> {
     simd: K,
     origin: [f32; 2],
@@ -448,7 +448,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
                     self.shader.rows(y);
                     let center = across + (y * self.z.dy + self.z.value);
                     if band.counts.is_some() {
-                        // What lies beyond belongs to the next band, or to nobody.
+                        // Pixels beyond belong to the next band, or to none.
                         own = tile.rows.simd_lt(rows.end - j) & tile.columns.simd_lt(band.size.width - i);
                     }
                     self.paint::<SQUARE>(place, band, center, &mut covered, own);
@@ -472,7 +472,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
     fn wide(mut self, band: &mut Band, rows: Range<i32>, vertices: &[[i32; 2]; 3]) {
         // Of a large triangle most tiles of the box would be empty: its borders say where each row begins and ends.
         let borders = Borders::new(self.simd, vertices, band.samples, band.size.width);
-        // Where a pixel has one sample four rows are bounded together.
+        // With one sample per pixel, four rows are bounded together.
         let together = ROWS / S;
         let lanes = if S == 1 { [0.0, 1.0, 2.0, 3.0] } else { [0.0; ROWS] };
         let lanes = f64x4::from_slice(self.simd, &lanes);
@@ -538,7 +538,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
                 Counts::add(self.simd, &mut counts.lanes[0], *covered & own);
             }
         }
-        // Depth comes before colour, sample by sample: what fails is no longer covered.
+        // Depth comes before colour, sample by sample: a sample that fails is no longer covered.
         if self.depth_test {
             for (s, (covered, &step)) in (0..).zip(covered.iter_mut().zip(&self.depth_steps)) {
                 let z = if S == 1 { center } else { center + step };

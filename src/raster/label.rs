@@ -8,7 +8,7 @@ use crate::text::{self, Element};
 
 use super::depth::DepthBuffer;
 
-/// What is left of the opacity where a face stands before a label or a mark.
+/// Opacity of a label or a mark behind a face, relative to its own.
 const FADED: f32 = 0.45;
 /// Width of the halo's stroke, as a share of the type size; half of it is outside the letter.
 const HALO: f32 = 0.28;
@@ -76,8 +76,8 @@ pub(super) fn area(pixmap: &mut Pixmap, area: &Area) {
 /// A rectangle (left, top, right, bottom) with round corners; `None` where it is empty or one of the numbers is not
 /// finite.
 fn rounded([left, top, right, bottom]: [f32; 4], radius: f32) -> Option<Path> {
-    /// How far the handles of a cubic curve lie from its ends, in radii, so that it is a quarter of a circle (within
-    /// 0.03 %).
+    /// Distance of the handles of a cubic curve from its ends, in radii, to make it a quarter of a circle (within 0.03
+    /// %).
     const HANDLE: f32 = 0.552_284_8;
     let rect = tiny_skia::Rect::from_ltrb(left, top, right, bottom)?;
     let mut b = PathBuilder::new();
@@ -188,7 +188,7 @@ mod tests {
         ]
     }
 
-    /// What is drawn of a name, a mark and an area.
+    /// Paints a name, a mark and an area.
     fn painted([x, y, size]: [f32; 3], shape: MarkShape) -> Pixmap {
         let (color, position) = (Rgba::rgb(20, 30, 200), [x, y, 0.5]);
         let mut pixmap = Pixmap::new(64, 48).unwrap();

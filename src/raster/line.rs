@@ -1,4 +1,4 @@
-//! Strokes: what of a polyline can be seen, its dashes, its arrow head.
+//! Strokes: the visible parts of a polyline, its dashes, its arrow head.
 //!
 //! Everything along a polyline is measured by arc length in pixels from its first point, so that dashes do not start
 //! anew where it bends or goes behind a face.
@@ -53,7 +53,7 @@ struct ArcRun {
     visible: bool,
 }
 
-/// What draws some rows of the picture.
+/// The painter of some rows of the picture.
 #[derive(Clone, Debug, Default)]
 struct Strip {
     coverage: Coverage,
@@ -211,7 +211,7 @@ impl Polyline {
             while step <= steps {
                 let now = depth.shows(point(step / steps));
                 if now != before {
-                    // Where between the two points: to 1/16 of a step.
+                    // The position between the two points, to 1/16 of a step.
                     let (mut low, mut high) = ((step - 1.0) / steps, step / steps);
                     for _ in 0..4 {
                         let middle = 0.5 * (low + high);
@@ -265,7 +265,7 @@ fn smooth(runs: &mut Vec<ArcRun>, first: usize) {
     let last = all.len() - 1;
     for (k, run) in all.iter().enumerate() {
         let length = run.range.end - run.range.start;
-        // At the ends of a line there is but one neighbour to believe: less is asked for.
+        // At the ends of a line there is only one neighbour to rely on: a shorter run is enough.
         let shortest = if k == 0 || k == last { 0.5 * SHORTEST } else { SHORTEST };
         let before = runs[first..].last().map_or(all[1].visible, |p| p.visible);
         let visible = if length < shortest { before } else { run.visible };

@@ -39,7 +39,7 @@ pub struct Rasterizer {
     progress: Progress,
 }
 
-/// What was done for a picture.
+/// Statistics of drawing a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Triangles that came in.
@@ -52,9 +52,9 @@ pub struct Work {
     pub covered: u64,
     /// Those of them that were drawn, as nothing nearer had been drawn before. Zero without a clock.
     pub written: u64,
-    /// How long the surfaces took; zero without a clock.
+    /// Time of the surfaces; zero without a clock.
     pub surfaces: Duration,
-    /// How long strokes, marks and texts took; zero without a clock.
+    /// Time of strokes, marks and texts; zero without a clock.
     pub strokes: Duration,
 }
 
@@ -90,7 +90,7 @@ impl Rasterizer {
         self.progress = progress.clone();
     }
 
-    /// What was done for the last picture: the counts do not depend on the number of threads.
+    /// Statistics of the last picture: the counts do not depend on the number of threads.
     #[must_use]
     pub fn work(&self) -> Work {
         self.work

@@ -1,4 +1,4 @@
-//! Light, pictures and translucent colours between vertices: what is worked out at each pixel, eight at a time.
+//! Light, textures and translucent colours between vertices: computed at each pixel, eight at a time.
 //!
 //! Attributes are interpolated with regard to perspective: a / w and 1 / w are affine on the picture, so the share of
 //! each vertex in a pixel is found first, and every attribute is the sum of the three values with these shares.
@@ -16,7 +16,7 @@ use super::shade::{LANES, Shader, inverse_w};
 /// Premultiplied colours as floating-point channels.
 type Channels = [f32; 4];
 
-/// What colours a triangle pixel by pixel.
+/// The shader of a triangle that is coloured pixel by pixel.
 pub(super) struct PerPixel<'a, K: Simd> {
     weights: Weights,
     x: f32x8<K>,
@@ -25,7 +25,7 @@ pub(super) struct PerPixel<'a, K: Simd> {
     translucent: bool,
 }
 
-/// What is interpolated between the vertices, in the order of the corners.
+/// The attributes interpolated between the vertices, in the order of the corners.
 enum Attributes<'a> {
     /// Premultiplied colours.
     Colors([Channels; 3]),
@@ -149,7 +149,7 @@ fn bytes<K: Simd>(channels: [f32x8<K>; 4]) -> u32x8<K> {
     (byte(r) | (byte(g) << 8)) | ((byte(b) << 16) | (byte(a) << 24))
 }
 
-/// The same for one channel; 0 for what is not a number.
+/// The same for one channel; 0 for NaN.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates: 0 … 255, NaN is 0")]
 fn byte(channel: f32) -> u8 {
     (channel + 0.5) as u8

@@ -1,4 +1,4 @@
-//! What a triangle covers, and values that are affine over it.
+//! Coverage of a triangle, and values that are affine over it.
 //!
 //! Positions are snapped to 1/256 pixel and everything about coverage is exact from there on, so that two triangles
 //! with a common edge never both own a pixel of it and never both leave it. With p a sample point and a → b an edge,
@@ -53,7 +53,7 @@ const fn lattice<const N: usize>(side: i32) -> [[i32; 2]; N] {
     result
 }
 
-/// How far samples may lie from the centre, in steps: where there is one of them, and where there are more.
+/// Greatest distance of samples from the centre, in steps: with one sample, and with several.
 pub(super) const REACH: [i32; 2] = [0, HALF - STEPS / 32];
 
 /// A position on the grid; one that is out of reach becomes some other.
@@ -69,8 +69,8 @@ pub(super) struct Triangle {
     pub(super) v: [[i32; 2]; 3],
     /// Vertex 0 in pixels: where the planes are anchored. Exact.
     pub(super) origin: [f32; 2],
-    /// What makes a gradient of the differences to vertex 0, per pixel: ∂q/∂x = d1·m[0] − d2·m[1], ∂q/∂y = d2·m[2] −
-    /// d1·m[3].
+    /// Coefficients of a gradient from the differences to vertex 0, per pixel: ∂q/∂x = d1·m[0] − d2·m[1], ∂q/∂y =
+    /// d2·m[2] − d1·m[3].
     m: [f64; 4],
     /// Vertices 1 and 2 changed places.
     turned: bool,
@@ -114,8 +114,8 @@ impl Triangle {
     }
 }
 
-/// Where the rows of a triangle begin and end: two lines at the left, two at the right. Four at a time: the rows of the
-/// four samples of a pixel, or where a pixel has one sample, four rows that follow one another.
+/// The starts and ends of the rows of a triangle: two lines at the left, two at the right. Four at a time: the rows of
+/// the four samples of a pixel, or with one sample per pixel, four rows that follow one another.
 ///
 /// The edge function of a → b at a sample of pixel (i, j), divided by [`STEPS`] and rounded down, is not negative
 /// inside. It is a·i + b·j + c in whole numbers. Row j of that edge begins after x = −(b·j + c + ½)/a where a > 0, and

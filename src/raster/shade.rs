@@ -12,7 +12,7 @@ use super::setup::{AffineValue, Triangle, greater, pick};
 /// Pixels that are worked on together.
 pub(super) const LANES: usize = 8;
 
-/// What colours one triangle.
+/// A shader of one triangle.
 pub(super) trait Shader<K: Simd> {
     /// Goes to a tile's columns: its pixels' centres are `x` to the right of the triangle's origin.
     fn columns(&mut self, x: f32x8<K>);
@@ -22,14 +22,14 @@ pub(super) trait Shader<K: Simd> {
     fn colors(&self, wanted: mask32x8<K>) -> u32x8<K>;
 }
 
-/// What colours a batch of triangles.
+/// The shaders of a batch of triangles.
 pub(super) trait Colors<'a, K: Simd>: Sized {
-    /// What colours one of the batch.
+    /// The shader of one of the batch.
     type Simple: Shader<K>;
-    /// What colours a triangle on its own.
+    /// The shader of a triangle on its own.
     type Shader: Shader<K>;
 
-    /// `outside`: the colours of centres that lie outside of their triangle will be asked for.
+    /// `outside`: whether colours are needed at centres that lie outside their triangle.
     fn new(
         simd: K,
         surface: &'a Surface,
@@ -43,7 +43,7 @@ pub(super) trait Colors<'a, K: Simd>: Sized {
     /// The colour of each at a point relative to its origin.
     fn at(&self, x: f32x8<K>, y: f32x8<K>) -> u32x8<K>;
     fn of(&self, lane: usize) -> Self::Simple;
-    /// What colours a triangle of any kind; `None` where the surface has no colours for it.
+    /// The shader of a triangle of any kind; `None` where the surface has no colours for it.
     fn alone(
         simd: K,
         surface: &'a Surface,
@@ -231,7 +231,7 @@ fn pack<K: Simd>(r: u32x8<K>, g: u32x8<K>, b: u32x8<K>) -> u32x8<K> {
     (r | (g << 8)) | ((b << 16) | 0xff00_0000)
 }
 
-/// Where the terms of a gradient (steps of 255 per pixel) can be above this, the triangle is a sliver, and the gradient
+/// Threshold for the terms of a gradient (steps of 255 per pixel): above it the triangle is a sliver, and the gradient
 /// mostly rounding. Below it, and less than a hundred pixels away, the error of a channel is far below half a step.
 const STEEPEST: f32 = 4096.0;
 

@@ -32,7 +32,7 @@ pub(super) struct Surfaces {
 #[derive(Clone, Debug, Default)]
 struct Scratch {
     colors: Vec<Pixel>,
-    /// Where there is more than one sample in a pixel; else they go straight to the depth buffer.
+    /// Depths of the samples, with more than one sample in a pixel; else they go straight to the depth buffer.
     depths: Vec<f32>,
     counts: Counts,
 }
@@ -44,7 +44,7 @@ struct BandJob<'a> {
     depth: &'a mut BandDepth,
 }
 
-/// What is the same for all bands.
+/// State shared by all bands.
 struct SharedByBands<'a> {
     drawing: &'a Drawing,
     bins: &'a Bins,
@@ -59,8 +59,8 @@ struct SharedByBands<'a> {
 }
 
 impl Surfaces {
-    /// Paints background and surfaces over all of `pixmap`, and remembers their depth; and counts what is done if that
-    /// is wanted. On one thread it pauses after each band.
+    /// Paints background and surfaces over all of `pixmap`, and stores their depth; counts the work if requested. On
+    /// one thread it pauses after each band.
     pub(super) async fn paint(
         &mut self,
         drawing: &Drawing,
@@ -136,8 +136,8 @@ impl Surfaces {
 }
 
 impl Surfaces {
-    /// What was done for the last picture: triangles that may own a sample, and, if that was wanted, samples inside of
-    /// triangles and samples written.
+    /// Statistics of the last picture: triangles that may own a sample, and, if requested, samples inside triangles and
+    /// samples written.
     pub(super) fn work(&self) -> (usize, u64, u64) {
         let sum = |count: fn(&Counts) -> u64| self.scratch.iter().map(|scratch| count(&scratch.counts)).sum();
         (self.bins.kept(), sum(|counts| counts.covered), sum(|counts| counts.written))

@@ -1,4 +1,4 @@
-//! Which faces of a mesh meet at which edges: what a silhouette is found from.
+//! Adjacency of the faces of a mesh along their edges, from which silhouettes are found.
 
 use glam::{DVec3, DVec4};
 

@@ -1,4 +1,4 @@
-//! Builds a scene from what a figure says of it: objects with their meshes, lines, marks, texts and lights.
+//! Builds a scene from its specification in a figure: objects with their meshes, lines, marks, texts and lights.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -16,8 +16,8 @@ use crate::appearance::{LineStyle, MarkShape, Rgba, Style};
 use crate::limits::MAX_OBJECTS;
 use crate::sanitize::escaped;
 
-/// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme, with
-/// hidden edges as it wants them.
+/// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours and with the hidden edges
+/// of the style.
 ///
 /// Each object's model matrix is its ancestors' times T · R · S, with R = Rz · Ry · Rx, `[3]`; an object without a
 /// colour has its nearest ancestor's, else the next one of [`PALETTE`]. A single point carries its object's name as a
@@ -26,15 +26,15 @@ use crate::sanitize::escaped;
 /// *Guarantees*: all matrices are finite and, up to rounding, invertible.
 ///
 /// # Errors
-/// [`SceneError`] names the object and what is wrong with it.
+/// [`SceneError`] names the object and its fault.
 pub fn build(spec: &SceneSpec, style: &Style, read_file: &mut ReadFile<'_>) -> Result<Scene, SceneError> {
     build_with(spec, style, read_file, &mut MeshFiles::default())
 }
 
-/// As [`build`], for scenes that are built again and again: `files` keeps the mesh files that `spec` uses.
+/// As [`build`], for scenes that are built again and again: `files` caches the mesh files that `spec` uses.
 ///
 /// # Errors
-/// [`SceneError`] names the object and what is wrong with it.
+/// [`SceneError`] names the object and its fault.
 pub fn build_with(
     spec: &SceneSpec,
     style: &Style,

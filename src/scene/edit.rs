@@ -1,5 +1,4 @@
-//! Changes of what a figure says of its scene: objects hung elsewhere, renamed and removed, a preset written out as a
-//! list.
+//! Edits of the scene of a figure: objects moved to another parent, renamed and removed, a preset expanded into a list.
 //!
 //! An object is known by its name. Parents are looked for among a figure's own objects, then among those of its preset;
 //! a change here never leaves an object whose parent does not exist.
@@ -14,10 +13,10 @@ use super::resolve::{by_name, parent_from_object, place};
 use super::{ObjectSpec, Preset, SceneSpec, presets};
 use crate::appearance::Theme;
 
-/// What becomes of the children of an object that is removed.
+/// The fate of the children of an object that is removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Children {
-    /// They go with it, and theirs with them.
+    /// They are removed with it, and theirs with them.
     Removed,
     /// Its parent is theirs then. In the world they stay where they are, where translation, rotation and scale can say
     /// that.
@@ -100,11 +99,11 @@ pub fn descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
     found
 }
 
-/// Gives a figure's object another name; its children follow.
+/// Renames an object of a figure; its children follow.
 ///
 /// # Errors
-/// [`SceneError::DuplicateName`] where another object is called so already, also one of the preset: what hangs on that
-/// would hang on this. Nothing has changed then.
+/// [`SceneError::DuplicateName`] where another object already has this name, also one of the preset: its children would
+/// become children of this one. Nothing has changed then.
 pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneError> {
     if from == to {
         return Ok(());
@@ -126,11 +125,11 @@ pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneErr
     Ok(())
 }
 
-/// Hangs a figure's object on another one, or on none. With `stay` it gets the numbers with which it stays where it is
-/// in the world; otherwise its numbers stay and it moves with its new parent.
+/// Gives a figure's object another parent, or none. With `stay` it gets the numbers that keep it in place in the world;
+/// otherwise it keeps its numbers and moves with its new parent.
 ///
-/// True where it did what `stay` asks for: a scale along axes that the new parent has turned is a shear, which
-/// translation, rotation and scale cannot say. The numbers stay then.
+/// Returns true if `stay` could be satisfied: a scale along axes that the new parent has turned is a shear, which
+/// translation, rotation and scale cannot express. The numbers stay then.
 ///
 /// # Errors
 /// [`SceneError`] where the parent does not exist or is below the object; nothing has changed then.
@@ -212,7 +211,7 @@ pub fn write_out_preset(
         object.name = renamed(&object.name);
         object.parent = object.parent.as_deref().map(renamed);
     }
-    // What hangs on an object of the preset goes on hanging on it.
+    // Children of an object of the preset remain its children.
     for object in &mut spec.objects {
         object.parent =
             object.parent.take().map(|parent| if own.contains(&parent) { parent } else { renamed(&parent) });
@@ -259,8 +258,8 @@ pub(super) fn tidy(v: DVec3) -> DVec3 {
     if rounded.is_finite() && (rounded - v).abs().max_element() <= 1e-11 * v.abs().max_element() { rounded } else { v }
 }
 
-/// Of the angles (degrees about x, y, z) that say the same rotation as these, those nearest to the ones before: what
-/// was turned about one axis alone stays so, and nothing jumps by whole turns.
+/// Of the angles (degrees about x, y, z) that express the same rotation as these, those nearest to the ones before: a
+/// rotation about one axis alone stays so, and nothing jumps by whole turns.
 fn nearest_angles(angles: DVec3, before: DVec3) -> DVec3 {
     let other = DVec3::new(angles.x + 180.0, 180.0 - angles.y, angles.z + 180.0);
     let near = |a: DVec3| a - 360.0 * ((a - before) / 360.0).round();

@@ -1,10 +1,10 @@
-//! What can be wrong with a scene.
+//! Faults of a scene.
 
 use super::MeshError;
 use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::sanitize::escaped;
 
-/// Why a specification is not a scene. Displayed, it says what is wrong with [`key`](Self::key) of
+/// A reason why a specification is not a scene. Displayed, it is the fault of [`key`](Self::key) of
 /// [`object`](Self::object), which come before it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
@@ -48,7 +48,7 @@ pub enum SceneError {
     Segments {
         /// The object.
         name: String,
-        /// What was found.
+        /// The number found.
         found: u32,
     },
     /// A mesh file cannot be used.
@@ -69,13 +69,13 @@ pub enum SceneError {
         /// `direction` or `position`.
         key: &'static str,
     },
-    /// There are more objects than there may be, those of meshes among them.
+    /// Too many objects, those of meshes included.
     #[error("are too many, with those of its meshes; allowed: at most {MAX_OBJECTS}")]
     TooManyObjects,
-    /// There are more lights than there may be.
+    /// Too many lights.
     #[error("are {found}; allowed: at most {MAX_LIGHTS}")]
     TooManyLights {
-        /// How many there are.
+        /// The number found.
         found: usize,
     },
 }

@@ -128,7 +128,8 @@ fn parse(bytes: &[u8]) -> Result<Gltf, MeshError> {
     })
 }
 
-/// What the parser of JSON says, without its words: they repeat the place, and what the file holds, at any length.
+/// The fault found by the JSON parser, without its words: they repeat the place, and the contents of the file, at any
+/// length.
 fn json_fault(error: &serde_json::Error) -> JsonFault {
     match error.classify() {
         Category::Eof => JsonFault::End,
@@ -191,7 +192,7 @@ fn buffers(
 }
 
 /// The nodes of the scene (the default one, else the first, else every node), with their matrices multiplied out. Nodes
-/// that are scaled to nothing are hidden, and so is what is below them.
+/// scaled to nothing are hidden, together with their descendants.
 fn nodes(document: &Document) -> Result<Vec<(::gltf::Node<'_>, DMat4)>, MeshError> {
     let roots: Vec<_> = match document.default_scene().or_else(|| document.scenes().next()) {
         Some(scene) => scene.nodes().collect(),
@@ -257,9 +258,9 @@ fn color(material: &::gltf::Material<'_>) -> Rgba {
 
 struct Reader {
     buffers: Vec<Rc<Vec<u8>>>,
-    /// How many more bytes accessors may hold, all together: many can name the same bytes.
+    /// Bytes that accessors may still hold in all: many can name the same bytes.
     left: Cell<usize>,
-    /// How many more items may be 0 because no bytes stand behind them.
+    /// Items that may still be 0 because no bytes are behind them.
     zeros_left: Cell<usize>,
 }
 

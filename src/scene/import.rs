@@ -7,9 +7,9 @@ pub use super::part::{Imported, Part};
 use super::{Mesh, MeshError, ReadFile, Wanted, gltf, obj};
 use crate::progress::{Progress, at_once};
 
-/// What is in the mesh file with this path and these bytes. `read_file` gives the files beside it (MTL, BIN); a
-/// material library that cannot be read is left out, its materials have no colour then. It pauses after each stretch of
-/// the file.
+/// Imports the mesh file with this path and these bytes. `read_file` returns the files beside it (MTL, BIN); a material
+/// library that cannot be read is left out, and its materials have no colour then. Pauses after each stretch of the
+/// file.
 ///
 /// # Errors
 /// [`MeshError`].
@@ -52,7 +52,7 @@ pub struct MeshFiles {
 }
 
 impl MeshFiles {
-    /// What is in a file. What could not be read is tried anew each time.
+    /// The contents of a file. A file that could not be read is tried again each time.
     ///
     /// # Errors
     /// [`MeshError`].

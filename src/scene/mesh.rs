@@ -23,7 +23,7 @@ pub struct Mesh {
     /// edge once (also where vertices are doubled). Curved shapes name only some of their sides: see
     /// [`primitives`](super::primitives).
     pub edges: Vec<[u32; 2]>,
-    /// Where faces meet, of curved solids: what their outline is found from. Empty for other meshes.
+    /// Adjacency of the faces of curved solids, from which their outline is found. Empty for other meshes.
     pub adjacency: Adjacency,
     /// The surface has no border: from outside no back face can be seen.
     pub closed: bool,

@@ -1,4 +1,4 @@
-//! What can be wrong with a mesh file.
+//! Faults of a mesh file.
 
 use super::ReadError;
 use super::soup::TooLarge;
@@ -7,22 +7,22 @@ use crate::limits::MAX_OBJECTS;
 /// Why a mesh file cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MeshError {
-    /// It could not be read.
+    /// The file could not be read.
     #[error(transparent)]
     Unreadable(Box<ReadError>),
     /// The ending of its name says nothing.
     #[error("the format is not known; allowed: a name that ends in .obj, .gltf or .glb")]
     Format,
-    /// It is not wanted any more.
+    /// Reading was cancelled.
     #[error("reading was cancelled")]
     Cancelled,
-    /// It has no faces.
+    /// The file has no faces.
     #[error("it has no faces")]
     Empty,
-    /// It has more than 2³¹ corners.
+    /// The mesh has more than 2³¹ corners.
     #[error("it has too many vertices")]
     TooLarge,
-    /// It has more objects than a scene may.
+    /// The mesh has more objects than a scene may.
     #[error("it has too many objects; allowed: at most {MAX_OBJECTS}")]
     TooManyObjects,
     /// A line of an OBJ file.
@@ -30,7 +30,7 @@ pub enum MeshError {
     Obj {
         /// From 1.
         line: usize,
-        /// What is wrong there.
+        /// The fault.
         fault: ObjFault,
     },
     /// The JSON of a glTF file does not parse.
@@ -40,7 +40,7 @@ pub enum MeshError {
         line: usize,
         /// From 1.
         column: usize,
-        /// What is wrong there.
+        /// The fault.
         fault: JsonFault,
     },
     /// A glTF file is not as it should be.
@@ -48,13 +48,13 @@ pub enum MeshError {
     Gltf {
         /// Such as `accessors[3]`; empty when it is the file as a whole.
         place: String,
-        /// What is wrong there.
+        /// The fault.
         fault: GltfFault,
     },
 }
 
 impl MeshError {
-    /// As it stands after the path of the mesh as it is shown, which is not said twice.
+    /// The text that follows the path of the mesh as it is shown, which is not repeated.
     pub(super) fn after(&self, path: &str) -> String {
         match self {
             Self::Unreadable(error) if error.file == path => format!(" {}", error.problem),
@@ -62,7 +62,7 @@ impl MeshError {
         }
     }
 
-    /// True where a file lies outside of what the figure may name: the user can let it.
+    /// Whether a file lies outside the folder that the figure may read from: the user can allow it.
     #[must_use]
     pub fn is_outside(&self) -> bool {
         match self {
@@ -85,25 +85,25 @@ impl From<TooLarge> for MeshError {
     }
 }
 
-/// What is wrong with a line of an OBJ file.
+/// A fault in a line of an OBJ file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ObjFault {
     /// Not a finite number.
     #[error("\"{found}\" is not a finite number")]
     Number {
-        /// What was found.
+        /// The text found.
         found: String,
     },
     /// A point or normal has fewer than three coordinates.
     #[error("there are {found} coordinates; 3 are needed")]
     Coordinates {
-        /// How many were found.
+        /// The number found.
         found: usize,
     },
     /// A corner is not written as `v`, `v/vt`, `v//vn` or `v/vt/vn`.
     #[error("\"{found}\" is not a corner of a face; it is written v, v/vt, v//vn or v/vt/vn with whole numbers")]
     Corner {
-        /// What was found.
+        /// The text found.
         found: String,
     },
     /// A corner names a point that is not there.
@@ -116,11 +116,11 @@ pub enum ObjFault {
     },
 }
 
-/// What a mesh file has that was left out, or taken otherwise than it stands, because other programs write it so; the
+/// A part of a mesh file that was left out, or read otherwise than written, because other programs write it so; the
 /// surface is the same.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MeshNotice {
-    /// Corners of faces name normals or texture coordinates that are not there; told of one of them.
+    /// Corners of faces name normals or texture coordinates that do not exist; one of them is reported.
     #[error(
         "line {line}: \"{found}\" names a normal or texture coordinate that does not exist; such indices are ignored"
     )]
@@ -135,9 +135,9 @@ pub enum MeshNotice {
     FacesSkipped {
         /// The first one's, from 1.
         line: usize,
-        /// How many corners the first one has.
+        /// Number of corners of the first one.
         found: usize,
-        /// How many such faces there are.
+        /// Number of such faces.
         count: usize,
     },
     /// A material would make all that has it wholly invisible.
@@ -148,13 +148,13 @@ pub enum MeshNotice {
     },
 }
 
-/// What is wrong with the JSON of a glTF file.
+/// A fault in the JSON of a glTF file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum JsonFault {
-    /// It is not JSON from here on.
+    /// No JSON from here on.
     #[error("this is not JSON")]
     Syntax,
-    /// It ends before it is complete.
+    /// The text ends before it is complete.
     #[error("the JSON ends early")]
     End,
     /// A key that must be there is not.
@@ -168,7 +168,7 @@ pub enum JsonFault {
     Value,
 }
 
-/// What is wrong with the frame of a GLB file.
+/// A fault in the frame of a GLB file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum GlbFault {
     /// The twelve bytes at its start.
@@ -185,13 +185,13 @@ pub enum GlbFault {
     Parts,
 }
 
-/// What is wrong with a glTF file.
+/// A fault in a glTF file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum GltfFault {
     /// The frame of a GLB file is broken.
     #[error("not a valid GLB file: {fault}")]
     Container {
-        /// What is wrong with it.
+        /// The fault.
         fault: GlbFault,
     },
     /// Another version of glTF.
@@ -206,13 +206,13 @@ pub enum GltfFault {
     /// A value that must be there is not.
     #[error("it is missing")]
     Missing,
-    /// A reference names what does not exist.
+    /// A reference to something that does not exist.
     #[error("it names something that does not exist")]
     Reference,
     /// Something that this program does not read.
     #[error("{what} cannot be read by this program")]
     Unsupported {
-        /// What it is, in the words of glTF.
+        /// The feature, in the words of glTF.
         what: String,
     },
     /// A buffer's bytes are not there.
@@ -248,7 +248,7 @@ pub enum GltfFault {
         /// The number of items.
         count: usize,
     },
-    /// It makes far more of its bytes than there are.
+    /// Accessors that make far more of the bytes than there are.
     #[error("its accessors hold more than any mesh")]
     OverBudget,
     /// A coordinate or matrix is infinite or not a number.

@@ -1,4 +1,4 @@
-//! What is drawn: meshes in world space, lights, and the lines, marks and texts that stand in the world.
+//! The scene: meshes in world space, lights, and the lines, marks and texts placed in the world.
 
 mod adjacency;
 mod build;
@@ -55,7 +55,7 @@ pub struct Scene {
     pub marks: Vec<PointMark>,
     /// Texts in the world.
     pub texts: Vec<Text>,
-    /// What of mesh files was left out, by the name of the object; nothing of it is drawn.
+    /// Parts of mesh files that were left out, by the name of the object; none of them is drawn.
     pub notices: Vec<(String, MeshNotice)>,
 }
 
@@ -69,8 +69,7 @@ impl Scene {
         objects.chain(lines).chain(marks).reduce(Aabb::union)
     }
 
-    /// All vertices of all objects, in the world: what a probe can catch. Where a crease doubles a vertex it comes as
-    /// often.
+    /// All vertices of all objects, in the world, for a probe to catch. A vertex that a crease doubles comes as often.
     pub fn vertices(&self) -> impl Iterator<Item = SceneVertex<'_>> {
         self.objects.iter().flat_map(|object| {
             object.mesh.positions.iter().enumerate().map(|(index, &p)| SceneVertex {
@@ -109,7 +108,7 @@ pub struct Object {
     /// Model matrix; finite, affine. It may mirror (determinant < 0): the mesh stays as it is, counter-clockwise seen
     /// from outside in its own space, and the pipeline turns the triangles round.
     pub world_from_object: DMat4,
-    /// How its faces are coloured.
+    /// Colours of its faces.
     pub paint: ObjectPaint,
     /// False: faces show their colour as it is, whatever the lights.
     pub lit: bool,
@@ -117,10 +116,10 @@ pub struct Object {
     pub two_sided: bool,
     /// False: the mesh has no faces in this picture (edges only).
     pub faces: bool,
-    /// How its edges are drawn; `None`: not at all (except in wireframe, which draws them in the object's colour).
+    /// Style of its edges; `None`: not drawn (except in wireframe, which draws them in the object's colour).
     pub edges: Option<LineStyle>,
-    /// How the silhouette and the creases of a curved solid are drawn, by the [`adjacency`](Mesh::adjacency) of its
-    /// mesh; `None`, and in wireframe: not at all.
+    /// Style of the silhouette and the creases of a curved solid, found by the [`adjacency`](Mesh::adjacency) of its
+    /// mesh; `None`, and in wireframe: not drawn.
     pub outline: Option<LineStyle>,
 }
 
@@ -176,12 +175,12 @@ impl ObjectPaint {
 pub enum Light {
     /// Parallel light that travels along `direction` (world, any length but 0).
     Directional {
-        /// Where the light goes.
+        /// The direction in which light travels.
         direction: DVec3,
     },
     /// Light from a point (world).
     Point {
-        /// Where the lamp is.
+        /// The position of the lamp.
         position: DVec3,
     },
 }
@@ -191,7 +190,7 @@ pub enum Light {
 pub struct Line {
     /// World points.
     pub points: Vec<DVec3>,
-    /// How it looks.
+    /// Its look.
     pub style: LineStyle,
 }
 
@@ -206,7 +205,7 @@ pub struct PointMark {
     pub radius: f32,
     /// Its colour.
     pub color: Rgba,
-    /// Faint where a face stands before it; else always fully drawn.
+    /// Faint behind a face; else always fully drawn.
     pub fade_if_hidden: bool,
 }
 
@@ -223,6 +222,6 @@ pub struct Text {
     pub size: f32,
     /// Colour of the letters.
     pub color: Rgba,
-    /// Faint where a face stands before its point; else always fully drawn.
+    /// Faint where a face hides its point; else always fully drawn.
     pub fade_if_hidden: bool,
 }

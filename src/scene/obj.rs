@@ -18,7 +18,7 @@ use crate::limits::MAX_OBJECTS;
 use crate::progress::{Activity, Progress, pause};
 use crate::sanitize::escaped;
 
-/// So many bytes are read before the work is asked whether it is still wanted.
+/// Bytes read between two checks whether the work was cancelled.
 const STRETCH: usize = 1 << 16;
 
 /// The objects of an OBJ file; one that has several materials comes in several parts, one for each, however often the
@@ -105,16 +105,16 @@ impl Lines<'_> {
     }
 }
 
-/// What has been read of a file.
+/// The part of a file read so far.
 #[derive(Default)]
 struct ObjFile {
     points: Vec<DVec3>,
     normals: Vec<DVec3>,
-    /// How many texture coordinates there are.
+    /// Number of texture coordinates.
     texture_coordinates: usize,
     /// A corner came without a normal.
     normals_lack: bool,
-    /// The corners that name what is not there yet.
+    /// Corners that name points not yet read.
     points_ahead: Ahead,
     normals_ahead: Ahead,
     texture_coordinates_ahead: Ahead,
@@ -125,7 +125,7 @@ struct ObjFile {
     skipped_count: usize,
     materials: Vec<Material>,
     material_of: HashMap<String, usize>,
-    /// The material libraries that have been asked for.
+    /// The material libraries requested.
     libraries: HashSet<String>,
     parts: Vec<Faces>,
     /// Their places, by name and material.
@@ -134,7 +134,7 @@ struct ObjFile {
     open: Faces,
 }
 
-/// Of the corners that name what comes later in the file: the one that looks farthest ahead.
+/// Of the corners that name something later in the file, the one that looks farthest ahead.
 #[derive(Default)]
 struct Ahead(Option<(usize, usize, String)>);
 
@@ -173,7 +173,7 @@ struct Material {
 }
 
 impl Material {
-    /// Nothing of its objects would be seen. Several programs write `Tr 1` for what is opaque.
+    /// Whether nothing of its objects would be seen. Several programs write `Tr 1` for opaque materials.
     fn is_invisible(&self) -> bool {
         byte(self.opacity.unwrap_or(1.0)) == 0
     }
@@ -220,8 +220,7 @@ impl ObjFile {
         Ok(())
     }
 
-    /// What comes next belongs to another part, perhaps to one that has been there before, of the same name and
-    /// material unless they change.
+    /// Ends a part: the following faces belong to another one, perhaps to an earlier one of the same name and material.
     fn end_part(&mut self) {
         if self.open.arities.is_empty() {
             return;
@@ -303,7 +302,7 @@ impl ObjFile {
         ObjFault::Index { found: escaped(corner), points: self.points.len() }
     }
 
-    /// What of the file was left out. Said at its end: a face may come before what it names.
+    /// The parts of the file that were left out. Collected at its end: a face may come before the points it names.
     fn notices(&mut self) -> Vec<MeshNotice> {
         let no_normal = self.normals_ahead.beyond(self.normals.len());
         self.normals_lack |= no_normal.is_some();
@@ -335,8 +334,8 @@ impl ObjFile {
     }
 }
 
-/// An index as it stands in the file, counted from 1: they begin with 1, and negative ones count back from the last one
-/// so far. `None` for what can never be there.
+/// An index of the file, counted from 1: indices begin with 1, and negative ones count back from the last one so far.
+/// `None` for indices that can never exist.
 fn from_one(index: i64, so_far: usize) -> Option<usize> {
     let index = if index < 0 {
         usize::try_from(index.unsigned_abs()).ok().and_then(|back| (so_far + 1).checked_sub(back))
@@ -346,7 +345,7 @@ fn from_one(index: i64, so_far: usize) -> Option<usize> {
     index.filter(|&i| i > 0)
 }
 
-/// The indices of a corner as they are written: `v`, `v/vt`, `v//vn` or `v/vt/vn`; what follows a `/` may be left out.
+/// The indices of a corner as written: `v`, `v/vt`, `v//vn` or `v/vt/vn`; the number after a `/` may be missing.
 struct ObjCorner {
     point: i64,
     texture_coordinate: Option<i64>,

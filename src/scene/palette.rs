@@ -43,22 +43,22 @@ pub const YELLOW: Rgba = PALETTE[6];
 /// Dark blue of [`PALETTE`].
 pub const NAVY: Rgba = PALETTE[7];
 
-/// What a style decides about a scene: the colours of its theme, and what is done with hidden edges.
+/// The scene's share of a style: the colours of its theme, and the drawing of hidden edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SceneColors {
-    /// Letters, marks and lines that stand free.
+    /// Letters, marks and free lines.
     pub ink: Rgba,
     /// Edges on faces.
     pub edge: Rgba,
     /// Lines of a grid.
     pub grid: Rgba,
-    /// The ground that objects stand on.
+    /// The ground under objects.
     pub ground: Rgba,
     /// The other tiles of a tiled ground.
     pub ground_other: Rgba,
-    /// Walls, columns: what is there but not meant.
+    /// Walls, columns: background, not the subject.
     pub stone: Rgba,
-    /// What is done with the hidden parts of edges.
+    /// Drawing of the hidden parts of edges.
     pub hidden: HiddenLines,
 }
 
@@ -97,19 +97,19 @@ impl SceneColors {
         }
     }
 
-    /// How the edges of a faceted object look.
+    /// Style of the edges of a faceted object.
     #[must_use]
     pub const fn edge_style(&self) -> LineStyle {
         LineStyle { color: self.edge, width: 1.0, dash: Dash::Solid, hidden: self.hidden, arrow: false }
     }
 
-    /// How free segments look.
+    /// Style of free segments.
     #[must_use]
     pub const fn segment_style(&self, color: Rgba) -> LineStyle {
         LineStyle { color, width: 1.75, dash: Dash::Solid, hidden: self.hidden, arrow: false }
     }
 
-    /// How a grid looks.
+    /// Style of a grid.
     #[must_use]
     pub const fn grid_style(&self, color: Rgba) -> LineStyle {
         LineStyle { color, width: 0.75, dash: Dash::Solid, hidden: HiddenLines::Hidden, arrow: false }

@@ -1,4 +1,4 @@
-//! What a mesh file gives.
+//! The result of importing a mesh file.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::appearance::Rgba;
 pub struct Imported {
     /// Its objects.
     pub parts: Vec<Part>,
-    /// What of it was left out, or taken otherwise than it stands.
+    /// Parts that were left out, or read otherwise than written.
     pub notices: Vec<MeshNotice>,
 }
 
@@ -23,7 +23,7 @@ pub struct Part {
     pub name: String,
     /// Its surface.
     pub mesh: Arc<Mesh>,
-    /// Where the file puts it.
+    /// The placement of the part in the file.
     pub file_from_part: DMat4,
     /// The base colour of its material.
     pub color: Option<Rgba>,

@@ -1,5 +1,5 @@
-//! The named scenes. Each is a list of objects like those of a figure file, and what such a list cannot say: colours of
-//! single faces, marks, labels.
+//! The named scenes. Each is a list of objects like those of a figure file, with additions that such a list cannot
+//! express: colours of single faces, marks, labels.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use super::palette::{BLUE, NAVY, ORANGE, PURPLE, SKY, SceneColors, TEAL, VERMILI
 use super::{Line, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, Shape, Text, primitives};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
 
-/// What a preset shows and a list of objects cannot say.
+/// A feature of a preset that a list of objects cannot express.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beyond {
     /// A colour for each face, and a number on it.
@@ -30,7 +30,7 @@ pub enum Beyond {
 }
 
 impl Preset {
-    /// What is lost where the objects of this preset are written out as a list.
+    /// The features lost when the objects of this preset are expanded into a list.
     #[must_use]
     pub const fn beyond_objects(self) -> &'static [Beyond] {
         match self {
@@ -62,7 +62,8 @@ pub fn objects(preset: Preset, colors: &SceneColors) -> Vec<ObjectSpec> {
     }
 }
 
-/// Adds what objects alone cannot say. `scene` holds what came of [`objects`], in their order, and nothing else.
+/// Adds the features that objects alone cannot express. `scene` holds the results of [`objects`], in their order, and
+/// nothing else.
 pub(super) fn finish(preset: Preset, colors: &SceneColors, scene: &mut Scene) {
     match preset {
         Preset::Cube => number_the_faces(scene, colors),
@@ -111,7 +112,7 @@ fn one_of_each(colors: &SceneColors) -> Vec<ObjectSpec> {
             .colored(colors.ink),
         ObjectSpec::new("points", Shape::Points(corners.to_vec())).under("segments").colored(VERMILION),
     ];
-    // What stands on the table moves with it, and a figure can put more on it.
+    // Objects on the table move with it, and a figure can add more.
     let on_table = things.into_iter().map(|o| if o.parent.is_none() { o.under("table") } else { o });
     std::iter::once(ObjectSpec::group("table")).chain(on_table).collect()
 }
@@ -148,7 +149,7 @@ fn house(colors: &SceneColors) -> Vec<ObjectSpec> {
 
 /// Half the width of the corridor's floor.
 const HALF_WIDTH: f64 = 1.75;
-/// Where the corridor begins and ends, on z.
+/// The ends of the corridor, on z.
 const CORRIDOR: [f64; 2] = [1.75, -12.25];
 
 /// Two rows of columns under beams; equal balls, as a measure of how distance shrinks.

@@ -21,7 +21,7 @@ pub const TORUS_RADIUS: f64 = 0.7;
 /// Radius of the torus' tube.
 pub const TORUS_TUBE: f64 = 0.3;
 
-/// The number of segments that is used when `segments` are asked for.
+/// The number of segments used for a requested number of `segments`.
 fn allowed(segments: u32) -> u32 {
     segments.clamp(MIN_SEGMENTS, MAX_SEGMENTS)
 }

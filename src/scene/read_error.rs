@@ -1,4 +1,4 @@
-//! How the files are read that a scene names, and what keeps them from being read.
+//! Reading of the files that a scene names, and its failures.
 
 use std::borrow::Cow;
 use std::io;
@@ -31,7 +31,7 @@ pub struct ReadError {
     pub problem: ReadProblem,
 }
 
-/// What keeps a file from being read. Displayed, it stands after the name of the file.
+/// A reason why a file cannot be read. Displayed, it follows the name of the file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ReadProblem {
     /// The system refuses.
@@ -42,20 +42,20 @@ pub enum ReadProblem {
         /// The system's number for it, where it has one.
         code: Option<i32>,
     },
-    /// It is a directory.
+    /// A directory.
     #[error("is a directory; allowed: a file")]
     Directory,
-    /// It is a device, a pipe or a socket, which may have no end.
+    /// A device, a pipe or a socket, which may have no end.
     #[error("is a device, a pipe or a socket; allowed: a regular file")]
     NotRegular,
-    /// It lies outside of the only folder that may be read.
+    /// The file lies outside the only folder that may be read.
     #[error(
         "was not read, because {named_by} names it and it lies elsewhere; allowed: files in {folder} and below, or any with --allow-files (in the window: the button beside the path)"
     )]
     Outside {
         /// The folder, as it is shown.
         folder: String,
-        /// Who names the file.
+        /// The kind of file that names it.
         named_by: NamedBy,
     },
     /// With it, the figure would make the program read more than any figure needs.
@@ -72,7 +72,7 @@ pub enum ReadProblem {
 }
 
 impl ReadError {
-    /// True where the file lies outside of what the figure may name: the user can let it.
+    /// Whether the file lies outside the folder that the figure may read from: the user can allow it.
     #[must_use]
     pub const fn is_outside(&self) -> bool {
         matches!(self.problem, ReadProblem::Outside { .. } | ReadProblem::NoFolder)
@@ -80,14 +80,14 @@ impl ReadError {
 }
 
 impl ReadProblem {
-    /// What the system said.
+    /// The error of the system.
     #[must_use]
     pub fn system(error: &io::Error) -> Self {
         Self::System { kind: error.kind(), code: error.raw_os_error() }
     }
 }
 
-/// Who names a file that is not read, because it lies elsewhere.
+/// The kind of file that names another one, which is not read because it lies elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NamedBy {
     /// A mesh.
@@ -98,7 +98,7 @@ pub enum NamedBy {
     Picture,
 }
 
-/// What a system says, in plain English; where it is not usual, by its number: its own sentence may be in any language.
+/// An error of the system in plain English; an unusual one by its number: its own sentence may be in any language.
 #[must_use]
 pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str> {
     let words = match system_kind(kind, code) {
@@ -119,7 +119,7 @@ pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str>
         io::ErrorKind::TimedOut => "it took too long",
         io::ErrorKind::UnexpectedEof | io::ErrorKind::WriteZero => "it ended early",
         io::ErrorKind::InvalidData => "it holds what it must not",
-        // Nothing else but a page of a browser has no files at all.
+        // Only a page of a browser has no files at all.
         io::ErrorKind::Unsupported => {
             "a page in a browser can't look into folders; choose the file there, or drop it on the page"
         }

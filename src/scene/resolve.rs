@@ -11,14 +11,14 @@ use crate::appearance::{Rgba, Theme};
 use crate::geometry::{Angle, try_unit};
 use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MIN_SEGMENTS};
 
-/// Where the default light goes: it comes from above, behind the usual viewer at (3, 4, 5) and a little to his left, so
-/// that the three sides that he sees of a box differ and none is black.
+/// Direction of the default light: from above, behind the usual viewer at (3, 4, 5) and a little to his left, so that
+/// the three visible sides of a box differ and none is black.
 pub const DEFAULT_LIGHT: DVec3 = DVec3::new(-0.33, -0.755, -0.6);
 
-/// Whether a scene can be built of this, but for its mesh files.
+/// Checks whether a scene can be built from this, apart from its mesh files.
 ///
 /// # Errors
-/// [`SceneError`] names the object and what is wrong with it.
+/// [`SceneError`] names the object and its fault.
 pub fn check(spec: &SceneSpec) -> Result<(), SceneError> {
     let preset = presets::objects(spec.preset, &SceneColors::of(Theme::Light));
     let placed_preset = place(&preset, &[])?;

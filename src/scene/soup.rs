@@ -7,10 +7,11 @@ use super::polygon;
 use crate::geometry::try_unit;
 use crate::limits::MAX_VERTICES;
 
-/// Where normals are missing, faces that meet at less than this angle are smoothed into one another: cos 45°.
+/// The threshold for missing normals: faces that meet at less than this angle are smoothed together: cos 45°.
 const CREASE: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// How many vertices at one place are compared before a new one is made; more come only of meshes made to annoy.
+/// Number of vertices at one place that are compared before a new one is made; more come only from meshes made to
+/// annoy.
 const MOST_COMPARED: u32 = 64;
 
 /// No index.

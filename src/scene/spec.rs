@@ -1,4 +1,4 @@
-//! What the `[scene]` section of a figure says, before meshes are made: a preset, a tree of objects, lights.
+//! The `[scene]` section of a figure, before meshes are made: a preset, a tree of objects, lights.
 
 use std::fmt;
 use std::str::FromStr;
@@ -136,7 +136,7 @@ named! { Shape {
     "mesh": Self::Mesh { .. }, Self::Mesh { path: String::new() };
 } }
 
-/// What a figure says of a shape besides its name.
+/// The data of a shape in a figure besides its name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ShapeData<'a> {
     /// Nothing.
@@ -148,14 +148,13 @@ pub enum ShapeData<'a> {
 }
 
 impl Shape {
-    /// What `segments` means where a figure does not say it, for a shape or for a group.
+    /// The default of `segments`, for a shape or for a group.
     #[must_use]
     pub fn usual_segments(shape: Option<&Self>) -> u32 {
         shape.map_or(DEFAULT_SEGMENTS, Self::default_segments)
     }
 
-    /// What `segments` means where a figure does not say it: 6 sides of a prism, 10 cells of a grid, 32 segments of
-    /// what is curved.
+    /// The default of `segments`: 6 sides of a prism, 10 cells of a grid, 32 segments of curved shapes.
     #[must_use]
     pub const fn default_segments(&self) -> u32 {
         match self {
@@ -174,7 +173,7 @@ impl Shape {
         }
     }
 
-    /// What a figure says of it besides its name.
+    /// The data of the shape in a figure besides its name.
     #[must_use]
     pub fn data(&self) -> ShapeData<'_> {
         match self {

@@ -1,5 +1,5 @@
-//! Objects that are moved, turned, scaled and copied together: what is done to them in the world is written down as the
-//! translation, rotation and scale of each.
+//! Objects that are moved, turned, scaled and copied together: a transform in the world is stored as the translation,
+//! rotation and scale of each.
 
 use std::collections::BTreeSet;
 
@@ -9,7 +9,7 @@ use super::edit::{descendants, free_name, placements, put, tidy};
 use super::{LightSpec, ObjectSpec, SceneError, SceneSpec};
 use crate::geometry::{Angle, try_unit};
 
-/// How many objects hang on these, at any depth, without being one of them.
+/// Number of descendants of these objects that are not among them.
 #[must_use]
 pub fn below(spec: &SceneSpec, names: &BTreeSet<String>) -> usize {
     names
@@ -20,18 +20,18 @@ pub fn below(spec: &SceneSpec, names: &BTreeSet<String>) -> usize {
         .len()
 }
 
-/// What is done to objects in the world.
+/// A transform of objects in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Transform {
-    /// They go so far (scene units).
+    /// A translation by this vector (scene units).
     Move(DVec3),
-    /// They turn counter-clockwise about an axis (unit vector) through a point.
+    /// A counter-clockwise rotation about an axis (unit vector) through a point.
     Turn {
         /// On the axis.
         pivot: DVec3,
         /// Towards whoever sees the turn as counter-clockwise.
         axis: DVec3,
-        /// How far.
+        /// The angle.
         angle: Angle,
     },
     /// Each is scaled along its own axes, from its own place; no factor is 0.
@@ -82,7 +82,7 @@ pub fn put_on_chain(spec: &mut SceneSpec, name: &str, chain: &[Trs], group: &str
     Ok(())
 }
 
-/// Those of `names` that do not hang on others of them: what is done to these is done to all.
+/// Those of `names` without an ancestor among them: a transform of these transforms all.
 #[must_use]
 pub fn topmost(spec: &SceneSpec, names: &BTreeSet<String>) -> Vec<String> {
     let below: BTreeSet<String> = names.iter().flat_map(|name| descendants(spec, name)).collect();
@@ -90,10 +90,10 @@ pub fn topmost(spec: &SceneSpec, names: &BTreeSet<String>) -> Vec<String> {
     own.filter(|name| names.contains(*name) && !below.contains(*name)).cloned().collect()
 }
 
-/// Moves, turns or scales a figure's objects; what hangs on them goes along.
+/// Moves, turns or scales a figure's objects; their descendants go along.
 ///
-/// True where each could: turned below a parent with unequal scales an object would be sheared, which translation,
-/// rotation and scale cannot say. Such an object stays as it was.
+/// Returns true if each could be transformed: turned below a parent with unequal scales an object would be sheared,
+/// which translation, rotation and scale cannot express. Such an object stays as it was.
 ///
 /// # Errors
 /// [`SceneError`] where the scene cannot be built, before or afterwards; nothing has changed then.
@@ -130,8 +130,8 @@ pub fn turned(direction: DVec3, axis: DVec3, angle: Angle) -> LightSpec {
     LightSpec::Directional(tidy(DQuat::from_axis_angle(axis, angle.radians()) * direction))
 }
 
-/// Copies a figure's objects with all that hangs on them, each group after the object that it is a copy of; copies of
-/// what was hung on a copied object hang on its copy. Gives the names of the copies of the [`topmost`].
+/// Copies a figure's objects with all their descendants, each group after its original; children of a copied object
+/// become children of its copy. Returns the names of the copies of the [`topmost`].
 pub fn duplicate(spec: &mut SceneSpec, names: &BTreeSet<String>) -> BTreeSet<String> {
     let mut copies = BTreeSet::new();
     for top in topmost(spec, names) {
@@ -230,7 +230,7 @@ mod tests {
         assert_near(&places(&after, DVec3::ONE), &wanted);
         assert_eq!(after.objects[0].rotate, DVec3::new(0.0, 180.0, 0.0), "without digits that rounding makes");
 
-        // A shear is not written down.
+        // A shear cannot be stored.
         let mut flat = before.clone();
         flat.objects[0].scale = DVec3::new(3.0, 1.0, 1.0);
         let untouched = flat.clone();

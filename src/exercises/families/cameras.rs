@@ -42,8 +42,8 @@ const TO_VIEWER: [[f64; 3]; 16] = [
     [-3.0, 4.0, 12.0],
 ];
 
-/// None of them has length 1 and is perpendicular to what is looked along by chance: that would hide what may be
-/// forgotten.
+/// View-up vectors that neither have length 1 nor are perpendicular to the line of sight by chance: that would hide a
+/// forgotten step.
 const UPS: [[f64; 3]; 5] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 2.0, 0.0], [0.0, 2.0, 1.0], [1.0, 2.0, 0.0]];
 
 /// Heights to widths.
@@ -95,7 +95,7 @@ pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters 
     }
 }
 
-/// With what it looks at, at a distance, in its volume.
+/// A camera with PF at a distance, inside its volume.
 fn seeing(parameters: Parameters, distance: f64) -> Parameters {
     let near = if parameters.near < 0.7 * distance { parameters.near } else { 0.5 };
     let far = if parameters.far > 1.3 * distance { parameters.far } else { 40.0 * near };
@@ -107,7 +107,7 @@ pub(super) fn any_projection(random: &mut Random) -> Projection {
     random.one_of(&[Projection::Perspective, Projection::Parallel])
 }
 
-/// A camera before small things about PF: it never stands among them.
+/// A camera in front of small things about PF: it is never among them.
 pub(super) fn subject(camera: Parameters) -> Subject {
     let mut figure = Figure::of_preset(Preset::Empty);
     let (at, unit) = (camera.focal_point, (camera.position - camera.focal_point).length() / 16.0);

@@ -11,7 +11,7 @@ use crate::numbers::random::Random;
 pub(super) const OUTCODES: Entry = Entry::family("outcodes", "[2]", |seed, _| outcodes(seed));
 pub(super) const CLIP_SEGMENT: Entry = Entry::family("clip-segment", "[2]", |seed, _| clip_segment(seed));
 
-/// How far inside of each plane a point is: left, right, bottom, top, near, far; negative outside.
+/// Distances of a point inside each plane: left, right, bottom, top, near, far; negative outside.
 fn distances(p: DVec4, slips: Slips) -> [f64; 6] {
     let w = if slips.has(Slip::NoDivide) { 1.0 } else { p.w };
     let z = if slips.has(Slip::DepthRowSign) { -p.z } else { p.z };
@@ -61,7 +61,7 @@ fn outcodes(seed: u64) -> Exercise {
     Exercise { asks, facts: vec![("A", tuple(a)), ("B", tuple(b))], ..plain() }
 }
 
-/// From where to where the segment from `a` to `b` is inside: Liang and Barsky in homogeneous coordinates.
+/// The interval of the segment from `a` to `b` inside the volume: Liang and Barsky in homogeneous coordinates.
 fn inside(a: DVec4, b: DVec4, slips: Slips) -> Option<[f64; 2]> {
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     for (at_a, at_b) in distances(a, slips).into_iter().zip(distances(b, slips)) {
@@ -83,7 +83,7 @@ fn clip_segment(seed: u64) -> Exercise {
     let (a, b) = loop {
         let (a, b) = (clip_point(&mut random), clip_point(&mut random));
         let found = inside(a, b, Slips::NONE);
-        // Both ends are cut off, and what is left is long enough to be seen.
+        // Both ends are cut off, and the rest is long enough to be seen.
         if found.is_some_and(|[from, to]| from > 0.05 && to < 0.95 && to - from > 0.1 && (from + to - 1.0).abs() > 0.01)
         {
             break (a, b);
@@ -125,7 +125,7 @@ fn point_at(a: DVec4, b: DVec4, t: f64) -> Worked {
     })
 }
 
-/// Where each plane that separates the ends cuts.
+/// The cuts of the planes that separate the ends.
 fn steps(a: DVec4, b: DVec4) -> Worked {
     let names = ["t_left", "t_right", "t_bottom", "t_top", "t_near", "t_far"];
     let latex = [

@@ -1,4 +1,4 @@
-//! Depth: what a depth buffer can tell apart, the painter's order, and what a zoom does and a dolly does not.
+//! Depth: the resolution of a depth buffer, the painter's order, and the difference between a zoom and a dolly.
 
 use glam::DVec3;
 
@@ -29,7 +29,7 @@ fn resolution(seed: u64) -> Exercise {
         let steps = bits.exp2() - 1.0;
         let slope = far * near / ((far - near) * distance * distance);
         let slope = if slips.has(Slip::DepthNotMapped) { 2.0 * slope } else { slope };
-        // How much of the buffer a unit of length takes, and not how much length a step takes.
+        // The length of the buffer for a unit of depth, and not the depth of a step.
         let found = 1.0 / (slope * steps);
         if slips.has(Slip::Inverted) { 1.0 / found } else { found }
     };
@@ -74,7 +74,7 @@ fn painter(seed: u64) -> Exercise {
         if depths.windows(2).all(|pair| pair[1] - pair[0] > 0.05) {
             break points;
         }
-        // A volume in which no four small points are apart: others beside it will do.
+        // A volume in which no four small points are apart: points beside it will do.
         if depths.windows(2).all(|pair| pair[1] - pair[0] <= 0.05) {
             let along = (parameters.focal_point - parameters.position).normalize();
             break (0..4).map(|k| parameters.focal_point + along * f64::from((k * 3) % 4)).collect();

@@ -1,4 +1,4 @@
-//! Exercises done with the hands: a camera that has to be set, and what it sees before it is shown.
+//! Exercises done by hand: a camera to set, and the answer before it is shown.
 
 use glam::DVec3;
 
@@ -72,7 +72,7 @@ const REFERENCE: [DVec3; 6] = [
     DVec3::new(0.5, 0.5, 0.0),
 ];
 
-/// How far points may be from their places, in NDC.
+/// Tolerance for the positions of points, in NDC.
 const NEAR_ENOUGH: f64 = 0.05;
 
 fn match_picture(seed: u64) -> Exercise {

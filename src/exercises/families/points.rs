@@ -67,8 +67,8 @@ fn opposite(plane: usize, _projection: Projection) -> Vec<(usize, Mistake)> {
     }
 }
 
-/// A point of small numbers outside by exactly one plane (0: inside), and by which; what was wanted, where there is
-/// such a point.
+/// A point of small numbers outside exactly one plane (0: inside), and the plane; the wanted one, where there is such a
+/// point.
 fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wanted: usize) -> (DVec3, usize) {
     let Some(camera) = camera else { return (around, 0) };
     let mut spare = (around, 0);

@@ -24,7 +24,7 @@ fn pyramid(seed: u64) -> Exercise {
     notes::pyramid_of(&birth.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
 }
 
-/// **n** into the scene, **v** from VUV' without what is along **n**, **u** = **n** × **v**.
+/// **n** into the scene, **v** from VUV' without its part along **n**, **u** = **n** × **v**.
 fn left_handed_basis(normal: DVec3, up: DVec3, slips: Slips) -> [DVec3; 3] {
     let into = if slips.has(Slip::NReversed) { -normal } else { normal };
     let keeps = slips.any(&[Slip::NothingNormalised, Slip::NNotNormalised]);
@@ -79,7 +79,7 @@ fn left_handed(seed: u64) -> Exercise {
     Exercise { asks: vec![ask("n", 2), ask("v", 1), ask("u", 0)], facts, assumptions: vec!["unit-vpn"], ..plain() }
 }
 
-/// l, r, b, t of glFrustum, and K, from what gluPerspective is given.
+/// l, r, b, t of glFrustum, and K, from the arguments of gluPerspective.
 fn frustum(parameters: &Parameters, slips: Slips) -> [f64; 4] {
     let top = parameters.near * half_tangent(parameters.view_angle, slips);
     let aspect = if slips.has(Slip::AspectInverted) { 1.0 / parameters.aspect } else { parameters.aspect };

@@ -13,7 +13,7 @@ fn answer(progress: &mut Progress, id: &str, seed: u64, ask: &str, text: &str, n
     judged.right
 }
 
-/// Solves an exercise with what its own solution says.
+/// Solves an exercise with its own solution.
 fn solve(progress: &mut Progress, entry: &Entry, seed: u64, now: u64) {
     let exercise = entry.exercise(seed, &Free::new());
     for ask in &exercise.asks {
@@ -154,7 +154,7 @@ fn the_next_exercise_is_chosen_for_a_reason() {
     answer(&mut slip, "0-5.1", 0, "parallel_direction", "[-3/5, -4/5, 7]", 1);
     assert_eq!(slip.mistakes().next().unwrap().0, Mistake::ArithmeticSlip);
     assert_eq!(next(&slip), ("0-5.1".to_owned(), 0, Why::NotSolved));
-    // Solved without it: on with what is not solved.
+    // Solved without it: on to the next unsolved one.
     solve(&mut progress, entry("basis").unwrap(), 0, 2);
     assert_eq!(next(&progress), ("0-5.1".to_owned(), 0, Why::NotSolved));
     // All solved: the one that was tried least recently, a family with new numbers.

@@ -1,4 +1,4 @@
-//! What is kept of exercises as the text of a file.
+//! Progress as the text of a file.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,10 +8,10 @@ use super::{Made, Progress, ProgressError, Tried};
 use crate::exercises::Mistake;
 
 impl Progress {
-    /// What a text keeps. Keys that are not known stay in [`to_toml`](Self::to_toml).
+    /// Reads a text. Unknown keys stay in [`to_toml`](Self::to_toml).
     ///
     /// # Errors
-    /// [`ProgressError`]: it is not TOML, or a known key has a value that it can't have.
+    /// [`ProgressError`]: not TOML, or a known key has an impossible value.
     pub fn read(text: &str) -> Result<Self, ProgressError> {
         let rest: DocumentMut =
             text.parse().map_err(|error: TomlError| ProgressError::Toml(error.message().to_owned()))?;
@@ -58,8 +58,8 @@ fn table<'a>(document: &'a DocumentMut, key: &str) -> Result<Vec<(&'a str, &'a d
     tables.iter().map(table).collect()
 }
 
-/// The table of an entry, made where there is none. `None`: something else stands there, which [`table`] would not have
-/// read.
+/// The table of an entry, made where there is none. `None`: the key has another kind of value, which [`table`] would
+/// not have read.
 fn entered<'a>(document: &'a mut DocumentMut, key: &str, name: &str) -> Option<&'a mut dyn TableLike> {
     let outer = document.entry(key).or_insert_with(|| {
         let mut table = Table::new();

@@ -26,8 +26,8 @@ fn every_way_leads_to_the_answer() {
                     assert_eq!(right.entries, signs, "{context}");
                     continue;
                 }
-                // What is 0 or 1 for every camera has no row; the painter's order is that of the rows, and no row
-                // itself.
+                // Entries that are 0 or 1 for every camera have no row; the painter's order is that of the rows, and no
+                // row itself.
                 let is_given = |value: f64| value == 0.0 || value.abs() == 1.0;
                 let is_read_off = entry.id == "painter";
                 for value in right.entries.iter().filter(|value| !is_given(**value) && !is_read_off) {

@@ -42,7 +42,7 @@ pub enum PlotError {
 /// A title over rows of charts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Block {
-    /// What its charts are about.
+    /// The title of its charts.
     pub title: String,
     /// Two side by side.
     pub rows: Vec<[Chart; 2]>,

@@ -208,7 +208,7 @@ impl DrawingBackend for PdfBackend<'_> {
             HPos::Center => -width / 2.0,
             HPos::Right => -width,
         };
-        // Where the baseline lies, as the other back ends have it: capitals are about 0.73 em high.
+        // Position of the baseline as in the other back ends: capitals are about 0.73 em high.
         let down = match style.anchor().v_pos {
             VPos::Top => 0.86 * size,
             VPos::Center => 0.36 * size,

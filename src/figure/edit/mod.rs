@@ -12,8 +12,8 @@ use super::write::{document, to_toml};
 
 pub use show::show_with;
 
-/// The figure file of `figure`, made from an earlier text by changing only what differs: comments, order and the way in
-/// which numbers are written stay. A text that is not a figure file is replaced.
+/// The figure file of `figure`, made from an earlier text by changing only the parts that differ: comments, order and
+/// the notation of numbers stay. A text that is not a figure file is replaced.
 ///
 /// # Guarantees
 /// Reading the text gives `figure` back, as with [`to_toml`].
@@ -48,7 +48,7 @@ fn edit(text: &str, figure: &Figure) -> Option<String> {
     same_table(reached.as_table(), new.as_table()).then(|| format!("{bom}{edited}"))
 }
 
-/// Takes to `mine` what has changed from `old` to `new`.
+/// Applies to `mine` the changes from `old` to `new`.
 fn merge(mine: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) {
     for (key, _) in old.iter().filter(|(key, _)| !new.contains_key(key)) {
         mine.remove(key);
@@ -139,12 +139,11 @@ fn merge_list(mine: &mut ArrayOfTables, old: Option<&ArrayOfTables>, new: &Array
     }
 }
 
-/// Which of the old tables each new one comes from: the one of the same name; of the others one that is equal, at the
-/// same place where there are several; after those, the pair with the most equal keys first. An object that was renamed
-/// is found again although another was deleted or added.
+/// The old table that each new one comes from: the one of the same name; of the others one that is equal, at the same
+/// place where there are several; after those, the pair with the most equal keys first. An object that was renamed is
+/// found again although another was deleted or added.
 ///
-/// Where very many are left, they are taken in their order: comparing all with all would take longer than anybody
-/// waits.
+/// Where very many remain, they are paired in their order: comparing all with all would take longer than anybody waits.
 fn sources(old: &[&Table], new: &ArrayOfTables) -> Vec<Option<usize>> {
     const MOST_PAIRS: usize = 1 << 16;
     let new: Vec<&Table> = new.iter().collect();
@@ -186,7 +185,7 @@ impl Sources {
         }
     }
 
-    /// Pairs what has the same key, at the same place first, then in order.
+    /// Pairs tables with the same key, at the same place first, then in order.
     fn take_equal(&mut self, old: &[&Table], new: &[&Table], key: impl Fn(&Table) -> Option<String>) {
         let (rest_of_new, rest_of_old) = self.rest();
         let mut places: HashMap<String, VecDeque<usize>> = HashMap::new();

@@ -6,11 +6,11 @@ use crate::figure::error::{Allowed, Problem};
 use crate::figure::write::document;
 use crate::figure::{Figure, FigureError, Show, read};
 
-/// What is shown, with one key set to a TOML value: `stage`, `"clip"`, or a part of one, `step.at`, `2.5`. A value that
-/// is a plain word may lack its quotes; an empty one takes the key away.
+/// The `[show]` section with one key set to a TOML value: `stage`, `"clip"`, or a part of one, `step.at`, `2.5`. A
+/// value that is a plain word may lack its quotes; an empty one removes the key.
 ///
 /// # Errors
-/// [`FigureError`]: the key is not known, or the value is not among what is allowed; its line says nothing.
+/// [`FigureError`]: the key is not known, or the value is not among the allowed ones; its line is meaningless.
 pub fn show_with(show: &Show, key: &str, value: &str) -> Result<Show, FigureError> {
     let mut document = document(&Figure { show: show.clone(), ..Figure::default() });
     let path: Vec<&str> = key.split('.').map(str::trim).collect();

@@ -148,7 +148,7 @@ fn figure() -> impl Strategy<Value = Figure> {
     )
 }
 
-/// Anything that pictures can be asked to explain.
+/// Any combination of explanations in the pictures.
 fn show() -> impl Strategy<Value = Show> {
     let stage = (proptest::option::of(select(&Stage::ALL)), select(&View::ALL));
     let step = (select(&Decomposition::ALL), proptest::option::of(0.0..9.0_f64));

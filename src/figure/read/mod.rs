@@ -24,7 +24,7 @@ pub(crate) use section::{Fault, Section};
 /// Reads the bytes of a figure file, whatever they are.
 ///
 /// # Errors
-/// [`FigureError`] names the first line that is at fault.
+/// [`FigureError`] names the first faulty line.
 pub fn parse_bytes(bytes: &[u8]) -> Result<Figure, FigureError> {
     parse(text_of(bytes, MAX_FIGURE_BYTES)?)
 }
@@ -45,10 +45,10 @@ pub fn text_of(bytes: &[u8], limit: usize) -> Result<&str, FigureError> {
     })
 }
 
-/// Reads a file of another kind, with sections of its own, in which a figure may stand.
+/// Reads a file of another kind, with sections of its own, which may contain a figure.
 ///
 /// # Errors
-/// [`FigureError`] names the first line that is at fault.
+/// [`FigureError`] names the first faulty line.
 pub(crate) fn parse_with<T>(
     text: &str,
     read: impl FnOnce(Section<'_>, &mut Vec<Fault>) -> T,
@@ -60,13 +60,13 @@ pub(crate) fn parse_with<T>(
     first_of(text, faults).map_or(Ok(found), Err)
 }
 
-/// Reads a figure file. A key that is missing has its default; the empty text is the default figure.
+/// Reads a figure file. A missing key has its default; the empty text is the default figure.
 ///
 /// # Guarantees
 /// The camera of the figure is one that [`Camera::new`] accepts.
 ///
 /// # Errors
-/// [`FigureError`] names the first line that is at fault: the line, the key, what was found and what is allowed.
+/// [`FigureError`] names the first faulty line: the line, the key, the value found and the values allowed.
 pub fn parse(text: &str) -> Result<Figure, FigureError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let (figure, faults) = figure_and_faults(text)?;
@@ -104,7 +104,7 @@ fn figure_and_faults(text: &str) -> Result<(Figure, Vec<Fault>), FigureError> {
     Ok((figure, faults))
 }
 
-/// The figure whose sections stand in a section: a file, or a part of one.
+/// The figure whose sections are in a section: a file, or a part of one.
 pub(crate) fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
     let inside = |root: &Section<'_>, key: &str| match root.name_of("") {
         label if label.is_empty() => format!("[{key}]"),

@@ -33,7 +33,7 @@ pub(super) fn scene(mut section: Section<'_>, faults: &mut Vec<Fault>) -> SceneS
     spec
 }
 
-/// Where objects and lights stand in the text.
+/// The positions of objects and lights in the text.
 #[derive(Default)]
 struct Places {
     /// Of each object: its start, and where its keys are.
@@ -42,7 +42,7 @@ struct Places {
 }
 
 impl Places {
-    /// What the rules of scenes say, at its place in the text.
+    /// The violation of a rule of scenes, at its place in the text.
     fn fault(&self, spec: &SceneSpec, error: SceneError) -> Fault {
         let key = error.key();
         let named = |name: &str| {
@@ -105,7 +105,7 @@ fn read_object(index: usize, mut section: Section<'_>, places: &mut Places, faul
     object
 }
 
-/// What an object without a name is called.
+/// The name of an object without one.
 fn default_name(index: usize) -> String {
     format!("object {}", index + 1)
 }
@@ -156,7 +156,7 @@ fn read_light(mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fa
         };
         places.lights.push(section.place(key).unwrap_or(section.start()));
     } else {
-        // Which keys belong here is not known; the kind is the fault to report.
+        // The keys of this kind are not known; the kind is the fault to report.
         section.vector("direction", DVec3::ZERO);
         section.vector("position", DVec3::ZERO);
     }

@@ -1,4 +1,4 @@
-//! One section of a figure file, whose keys are asked for one by one; what nobody asked for is unknown.
+//! One section of a figure file, whose keys are read one by one; the keys left over are unknown.
 
 use glam::{DMat4, DVec2, DVec3};
 use toml_edit::{Item, TableLike, Value};
@@ -10,7 +10,7 @@ use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
 use crate::figure::words::{self, Words};
 
-/// A fault, and where it stands in the text.
+/// A fault, and its place in the text.
 #[derive(Debug)]
 pub(crate) struct Fault {
     pub(crate) at: usize,
@@ -40,13 +40,13 @@ impl<'a> Section<'a> {
         Self { text, table, label: label.to_owned(), at, asked: Vec::new(), faults: Vec::new() }
     }
 
-    /// Where `key` stands; `None` where it is not there.
+    /// The place of `key`; `None` where it is missing.
     pub(crate) fn place(&self, key: &str) -> Option<usize> {
         let (key, item) = self.table?.get_key_value(key)?;
         Some(key.span().or_else(|| item.span()).map_or(self.at, |span| span.start))
     }
 
-    /// Where the section starts.
+    /// The start of the section.
     pub(crate) fn start(&self) -> usize {
         self.at
     }
@@ -55,7 +55,7 @@ impl<'a> Section<'a> {
         self.table.is_some_and(|table| table.contains_key(key))
     }
 
-    /// The key is known, and nothing more is said of it.
+    /// Marks a key as known without reading it.
     pub(crate) fn skip(&mut self, key: &'static str) {
         self.ask(key);
     }
@@ -88,7 +88,7 @@ impl<'a> Section<'a> {
         self.faults.push(Fault { at, key: self.name_of(key), problem });
     }
 
-    /// Says that the value of `key` is not among what is allowed.
+    /// Reports that the value of `key` is not allowed.
     pub(crate) fn refuse(&mut self, key: &str, allowed: Allowed) {
         let found = self.item(key).and_then(Item::span).map_or_else(String::new, |span| snippet(self.text, span));
         self.fault(key, Problem::Value { found, allowed });
@@ -312,7 +312,7 @@ impl<'a> Section<'a> {
         })
     }
 
-    /// Numbers in rows: a number is one row of one, a list is a row for each, a list of lists is as it stands.
+    /// Numbers in rows: a number is one row of one, a list is a row for each, a list of lists is itself.
     pub(crate) fn rows(&mut self, key: &'static str, is_angle: bool) -> Option<Vec<Vec<f64>>> {
         let dimension = if is_angle { Dimension::Angle } else { Dimension::Number };
         self.read_numbers(key, None, Allowed::Numbers, |value| {
@@ -380,7 +380,7 @@ impl<'a> Section<'a> {
         tables.into_iter().map(|(t, at)| Self::new(self.text, Some(t), label, at.unwrap_or(here))).collect()
     }
 
-    /// The faults of the section, those of keys that nobody asked for included.
+    /// The faults of the section, those of unknown keys included.
     pub(crate) fn finish(mut self) -> Vec<Fault> {
         let unknown: Vec<String> = self
             .table
@@ -401,7 +401,7 @@ impl<'a> Section<'a> {
 
 /// Why a value with numbers in it is refused.
 enum Refused {
-    /// It is not among what is allowed.
+    /// The value is not allowed.
     Value,
     /// A text in it cannot be read as a number.
     Expression { text: String, error: ExpressionError },

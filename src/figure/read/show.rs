@@ -10,7 +10,7 @@ use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, Tr
 use crate::geometry::Ray;
 use crate::limits::{MAX_SHOWN_OBJECTS, MAX_STEPS};
 
-/// Reads the section; what is at fault shows nothing.
+/// Reads the section; a faulty key shows nothing.
 pub(super) fn show(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Show {
     let painted = section.is_present("painted").then(|| section.number_in("painted", 0.0, 1.0, 1.0));
     let [step_section, triangle_section, probe_section] =
@@ -35,7 +35,7 @@ pub(super) fn show(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Show {
     }
 }
 
-/// What a section says, where nothing of it is at fault.
+/// The result of a section without faults.
 fn good<T>(section: Section<'_>, found: Option<T>, faults: &mut Vec<Fault>) -> Option<T> {
     let of_section = section.finish();
     let is_good = of_section.iter().all(Fault::is_unknown_key);

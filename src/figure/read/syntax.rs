@@ -13,7 +13,7 @@ pub(super) fn explain(text: &str, error: &TomlError) -> FigureError {
         Some(span) => (span.start.min(text.len()), span.end.min(text.len())),
         None => (0, 0),
     };
-    // What is missing is reported where the next thing stands; it is missed at the end of the line before.
+    // A missing token is reported at the next one; it is missing at the end of the line before.
     let at = if start == end { text[..floor(text, start)].trim_end().len() } else { start };
     if duplicate {
         let header = line_at(text, at).trim_start().starts_with('[');

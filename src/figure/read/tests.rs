@@ -454,7 +454,7 @@ fn a_bad_expression_is_named_with_its_place() {
         let message = error.to_string();
         assert!(message.contains(problem) && message.contains(at), "{message}");
     }
-    // What is read is held against the limits as any number is.
+    // Values read are checked against the limits as any number is.
     let (_, key, problem) = error("[observers.world]\nelevation = \"100°\"");
     assert_eq!(key, "[observers.world] elevation");
     assert_eq!(problem, Problem::Value { found: "\"100°\"".to_owned(), allowed: Allowed::NumberIn(-90.0, 90.0) });

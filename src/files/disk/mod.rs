@@ -1,5 +1,5 @@
-//! The one door to what a window keeps and what people choose: the file system of the machine, or, in a page of a
-//! browser, what the page has been given and keeps.
+//! The one door to stored and chosen files: the file system of the machine, or, in a page of a browser, the files given
+//! to the page and those it stores.
 
 #[cfg(any(test, target_arch = "wasm32"))]
 pub mod page;

@@ -1,8 +1,8 @@
-//! Where there is no file system: in a page of a browser.
+//! The substitute for a file system in a page of a browser.
 //!
-//! What lies in [`KEPT`] is kept by the page from one visit to the next, as text. Any other file that is written is
-//! handed to the user, who puts it where the browser puts downloads; it cannot be read again. What can be read are the
-//! files that the user has given to the page, until the page is left.
+//! Files in [`KEPT`] are stored by the page from one visit to the next, as text. Any other file that is written is
+//! handed to the user, as a download; it cannot be read again. Readable are the files that the user has given to the
+//! page, until the page is left.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
@@ -12,13 +12,13 @@ use std::time::{Duration, SystemTime};
 
 use crate::files::{FileError, Overwrite};
 
-/// The folder of what is kept.
+/// The folder of stored files.
 pub const KEPT: &str = "/camera-lab";
 
-/// What the page can do. Each name is the path in [`KEPT`].
+/// The functions of the page. Each name is the path in [`KEPT`].
 #[derive(Clone, Copy, Debug)]
 pub struct Page {
-    /// What is kept under a name.
+    /// Reads the text stored under a name.
     pub kept: fn(&str) -> Option<String>,
     /// Keeps a text under a name, or, with `None`, forgets it.
     pub keep: fn(&str, Option<&str>) -> io::Result<()>,
@@ -35,7 +35,7 @@ pub struct Page {
 #[derive(Debug)]
 struct Files {
     page: Option<Page>,
-    /// What the user has given to the page.
+    /// The files that the user has given to the page.
     given: BTreeMap<PathBuf, Vec<u8>>,
     /// The locks of this page.
     held: BTreeSet<String>,
@@ -44,7 +44,7 @@ struct Files {
 static FILES: Mutex<Files> = Mutex::new(Files { page: None, given: BTreeMap::new(), held: BTreeSet::new() });
 
 fn files() -> MutexGuard<'static, Files> {
-    // What a panic could leave half done is one entry of a map.
+    // A panic could leave at most one entry of a map half done.
     FILES.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -52,7 +52,7 @@ fn page() -> io::Result<Page> {
     files().page.ok_or_else(|| io::ErrorKind::Unsupported.into())
 }
 
-/// Says what the page can do; before, nothing can be kept.
+/// Sets the functions of the page; before, nothing can be stored.
 pub fn begin(page: Page) {
     files().page = Some(page);
 }
@@ -62,17 +62,17 @@ pub fn give(path: PathBuf, bytes: Vec<u8>) {
     files().given.insert(path, bytes);
 }
 
-/// The name under which a path is kept.
+/// The name under which a path is stored.
 fn name(path: &Path) -> Option<&str> {
     path.strip_prefix(KEPT).ok()?.to_str()
 }
 
-/// The key that says when a text was kept.
+/// The key of the time at which a text was stored.
 fn time_of(name: &str) -> String {
     format!("{name}.time")
 }
 
-/// The bytes of a file that is kept or was given, where they are not more than `most`.
+/// The bytes of a stored or given file, if they are not more than `most`.
 ///
 /// # Errors
 /// [`FileError`] where there is no such file, or it is larger.
@@ -82,7 +82,7 @@ pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
             let kept = page().ok().and_then(|page| (page.kept)(name));
             kept.ok_or_else(|| FileError::Read(io::ErrorKind::NotFound.into()))?.into_bytes()
         }
-        // Folders of the user are not seen: of what is named in one, the name of the file counts.
+        // Folders of the user are not visible: for a file named in one, only the name counts.
         None => {
             crate::files::check_path(path)?;
             let files = files();
@@ -104,7 +104,7 @@ pub fn save(path: &Path, bytes: &[u8], _: Overwrite) -> Result<(), FileError> {
 /// As [`save`].
 ///
 /// # Errors
-/// Where the page refuses; what is kept has to be text.
+/// The refusal of the page; stored files have to be text.
 pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let page = page()?;
     let Some(name) = name(path) else {
@@ -118,23 +118,23 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// True where something is kept under this path. What is handed to the user replaces nothing.
+/// Whether something is stored under this path. A download replaces nothing.
 #[must_use]
 pub fn exists(path: &Path) -> bool {
     name(path).zip(page().ok()).is_some_and(|(name, page)| (page.kept)(name).is_some())
 }
 
-/// When what is kept under this path was written.
+/// The time at which the file under this path was stored.
 #[must_use]
 pub fn written(path: &Path) -> Option<SystemTime> {
     let seconds = (page().ok()?.kept)(&time_of(name(path)?))?.parse().ok()?;
     SystemTime::UNIX_EPOCH.checked_add(Duration::from_secs(seconds))
 }
 
-/// Forgets what is kept under this path.
+/// Deletes the file stored under this path.
 ///
 /// # Errors
-/// Where the page refuses.
+/// The refusal of the page.
 pub fn remove(path: &Path) -> io::Result<()> {
     let Some(name) = name(path) else { return Ok(()) };
     let page = page()?;
@@ -142,10 +142,10 @@ pub fn remove(path: &Path) -> io::Result<()> {
     (page.keep)(&time_of(name), None)
 }
 
-/// Keeps under another path what is kept under this one.
+/// Moves the file stored under this path to another one.
 ///
 /// # Errors
-/// Where the page refuses, and where nothing is kept.
+/// The refusal of the page, or a path under which nothing is stored.
 pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
     let kept = name(from).zip(page().ok()).and_then(|(name, page)| (page.kept)(name));
     write(to, kept.ok_or(io::ErrorKind::NotFound)?.as_bytes())?;
@@ -168,7 +168,7 @@ pub fn canonical(path: &Path) -> io::Result<PathBuf> {
     Ok(path.to_owned())
 }
 
-/// What has a name means the same from everywhere: there is one folder.
+/// A name means the same from everywhere: there is one folder.
 #[must_use]
 pub fn is_whole(path: &Path) -> bool {
     path.file_name().is_some()
@@ -177,14 +177,13 @@ pub fn is_whole(path: &Path) -> bool {
 /// In a page nothing is half written.
 pub const fn remove_left_over(_: &Path) {}
 
-/// Nothing that is handed to the user can be read-only.
+/// A download is never read-only.
 #[must_use]
 pub const fn is_read_only(_: &Path) -> bool {
     false
 }
 
-/// What keeps other pages of this origin from what it was taken for, as long as it lives; the browser takes it away
-/// with the page.
+/// A lock against other pages of this origin, as long as it lives; the browser releases it with the page.
 #[derive(Debug)]
 pub struct Lock(String);
 
@@ -203,7 +202,7 @@ pub fn try_lock(path: &Path) -> io::Result<Option<Lock>> {
     Ok(Some(Lock(name.to_owned())))
 }
 
-/// Nothing waits in a page: what is done under this lock is done in one go.
+/// Nothing waits in a page: work under this lock is done in one go.
 ///
 /// # Errors
 /// None.
@@ -246,7 +245,7 @@ mod tests {
         Ok(())
     }
 
-    // One test: what a page has been given is there for the whole program.
+    // One test: files given to a page are there for the whole program.
     #[test]
     fn what_is_kept_comes_back_and_what_is_saved_is_handed_to_the_user() {
         let kept = Path::new("/camera-lab/session-0.json");
@@ -264,7 +263,7 @@ mod tests {
         save(kept, "θ = 3".as_bytes(), Overwrite::Writable).unwrap();
         assert_eq!(read(kept).unwrap(), "θ = 3".as_bytes());
         assert_eq!(written(kept), SystemTime::UNIX_EPOCH.checked_add(Duration::from_secs(1000)));
-        // What finds no room leaves what was there.
+        // A file that does not fit leaves the old one.
         assert_eq!(write(kept, &[b'a'; 21]).unwrap_err().kind(), io::ErrorKind::StorageFull);
         assert!(matches!(save(kept, &[0xff], Overwrite::Writable), Err(FileError::Write(_))));
         assert!(matches!(read_at_most(kept, 3), Err(FileError::TooLarge)));

@@ -5,8 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// What keeps other windows from what it was taken for, as long as it lives; the system takes it away when the program
-/// ends, however it ends.
+/// A lock against other windows, as long as it lives; the system releases it when the program ends, however it ends.
 #[derive(Debug)]
 pub struct Lock(#[expect(dead_code, reason = "it is what it keeps open")] File);
 
@@ -81,7 +80,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// # Errors
 /// Where the system refuses.
 pub fn create_folder(path: &Path) -> io::Result<()> {
-    // A file in the place of the last folder is what a file in the place of another one is.
+    // A file in the place of the last folder is reported like one in the place of another.
     fs::create_dir_all(path).map_err(|error| match error.kind() {
         io::ErrorKind::AlreadyExists => io::ErrorKind::NotADirectory.into(),
         _ => error,

@@ -1,4 +1,4 @@
-//! Fields for answers, and what was understood of them before they are judged.
+//! Fields for answers, and their interpretation before they are judged.
 
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::text_edit::TextEditState;
@@ -16,16 +16,16 @@ use crate::gui::tooltip::Explained;
 use crate::i18n::{Lang, exercise_window as words, exercises as said, messages};
 use crate::limits::MAX_ANSWER;
 
-/// The type size of what was understood, in points.
+/// The type size of the interpretation, in points.
 const SIZE: f32 = 13.0;
 
-/// Why an answer cannot be read: the field, where it is one, and what is wrong.
+/// An unreadable answer: the field, where it is one, and the fault.
 pub(super) struct Unreadable {
     field: Option<usize>,
     why: String,
 }
 
-/// What was understood; `None` where nothing was typed.
+/// The interpretation of an answer; `None` where nothing was typed.
 pub(super) fn understood(sheet: Sheet<'_>, ask: &Ask, fields: &[String]) -> Result<Option<Answer>, Unreadable> {
     let text = joined(ask, fields);
     if text.is_empty() {
@@ -48,7 +48,7 @@ pub(super) fn understood(sheet: Sheet<'_>, ask: &Ask, fields: &[String]) -> Resu
     read_answer(&text, ask, names).map(Some).map_err(unreadable)
 }
 
-/// Shows what is asked, its fields and what was understood; true where one of the fields has the keyboard.
+/// Shows the question, its fields and the interpretation; returns whether one of the fields has the focus.
 pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) -> bool {
     let Sheet { t, exercise, .. } = sheet;
     prose::show(ui, &format!("**{}**", said::ask(t.lang, exercise, ask).replace("**", "")));
@@ -87,7 +87,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
     typing.in_focus
 }
 
-/// What is done in the fields of an answer.
+/// The interaction with the fields of an answer.
 #[derive(Default)]
 struct Typing {
     /// The first of them.
@@ -98,8 +98,8 @@ struct Typing {
     is_done: bool,
 }
 
-/// What is said of an answer while it is typed, in room for all that was said of it before: what is below does not jump
-/// with every key.
+/// Shows feedback on an answer while it is typed, in the greatest space that earlier feedback needed: the content below
+/// does not jump with every key.
 fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     let id = ui.scope_id().with("room for what is said");
     let line = ui.text_style_height(&TextStyle::Body);
@@ -113,7 +113,7 @@ fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     }
 }
 
-/// Which fields are right, where they are as they were when they were judged.
+/// Right and wrong fields, where they are unchanged since they were judged.
 fn marks(state: &State, ask: &Ask, fields: &[String]) -> Vec<Option<bool>> {
     let [rows, columns] = ask.shape();
     let none = vec![None; rows * columns];
@@ -132,7 +132,7 @@ fn marks(state: &State, ask: &Ask, fields: &[String]) -> Vec<Option<bool>> {
     entries.iter().flatten().enumerate().map(|(k, right)| Some(*right).filter(|_| is_same(k) && typed(k))).collect()
 }
 
-/// The colour of what is right, or wrong.
+/// The colour of right and wrong answers.
 pub(super) fn color(ui: &Ui, right: bool) -> Color32 {
     match (right, ui.visuals().dark_mode) {
         (false, _) => ui.visuals().error_fg_color,
@@ -207,7 +207,7 @@ fn numbers(
     typing
 }
 
-/// Whoever comes with Tab types over what is there, as in the fields of parameters.
+/// A field reached with Tab is selected, so that typing replaces it, as in the fields of parameters.
 fn select_on_arrival(ui: &Ui, response: &egui::Response, text: &str) {
     let came_by_key =
         response.gained_focus() && !ui.input(|input| input.pointer.any_down() || input.pointer.any_released());
@@ -273,7 +273,7 @@ fn camera(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, text: &mut St
     Typing { in_focus: response.has_focus(), is_done: false, first: Some(response) }
 }
 
-/// What was understood, set as mathematics.
+/// The interpretation, set as mathematics.
 fn show_understood(ui: &mut Ui, lang: Lang, ask: &Ask, answer: &Answer) {
     let Answer::Numbers { columns, entries, .. } = answer else { return };
     let t = words::texts(lang);

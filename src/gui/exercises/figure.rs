@@ -44,7 +44,7 @@ fn name_of(exercise: &Exercise, position: [f64; 3], points: &[NamedPoint]) -> St
     told.map_or_else(|| free_name(points), str::to_owned)
 }
 
-/// Of what an ask is, where it is not of the exercise's own subject.
+/// The subject of an ask, where it is not the exercise's own.
 pub(super) fn subject_of<'a>(exercise: &'a Exercise, ask: &'a Ask) -> &'a Subject {
     match ask.expected() {
         Expected::Quantity(subject, _) => subject,
@@ -52,7 +52,7 @@ pub(super) fn subject_of<'a>(exercise: &'a Exercise, ask: &'a Ask) -> &'a Subjec
     }
 }
 
-/// The small pictures that were drawn last, by what they show.
+/// The thumbnails drawn last, by their content.
 #[derive(Default)]
 struct Drawn(Option<(Figure, Lang, TextureHandle)>);
 
@@ -62,7 +62,7 @@ pub(super) fn target(ui: &Ui, mut figure: Figure, (theme, lang): (Theme, Lang)) 
     let drawn = ui.data_mut(|data| {
         Arc::clone(data.get_temp_mut_or_default::<Arc<Mutex<Drawn>>>(Id::unique("picture to be matched")))
     });
-    // What a panic has left is a picture, or none.
+    // A panic leaves a picture, or none.
     let mut drawn = drawn.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, _, texture)) = drawn.0.as_ref().filter(|(of, in_lang, _)| *of == figure && *in_lang == lang) {
         return Some(texture.clone());

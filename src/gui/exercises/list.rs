@@ -24,7 +24,7 @@ pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
     }
 }
 
-/// How many are solved.
+/// The number of solved ones.
 pub(super) fn count(ui: &mut Ui, state: &Exercises, lang: Lang) {
     let all = state.entries().count();
     let solved = state.entries().filter(|entry| state.stage(&entry.id) == Stage::Solved).count();
@@ -45,7 +45,7 @@ fn open(state: &mut Exercises, entry: &Entry) {
     state.calls_keyboard = true;
 }
 
-/// Shows what is found, by groups.
+/// Shows the exercises found, by groups.
 pub(super) fn ui(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
     let found: Vec<Entry> = found(t.lang, state).cloned().collect();
     let own = state.own.as_ref().map(|own| own.folder.file_name().unwrap_or(own.folder.as_os_str()));

@@ -30,7 +30,7 @@ struct Sheet<'a> {
     exercise: &'a Exercise,
 }
 
-/// What stays in sight above the list, and above an exercise.
+/// The part that stays in sight above the list, and above an exercise.
 pub(super) fn head(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.settings.lang);
     let open = state.exercises.open.clone();
@@ -104,7 +104,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         }
         if all_wanted {
             let wanted = in_focus.map_or_else(|| exercise.asks.iter().collect(), |ask| vec![ask]);
-            // The first is what comes into sight.
+            // The first one is scrolled into sight.
             wanted.into_iter().rev().for_each(|ask| check(state, sheet, ask));
         }
         verdict::all(ui, state, sheet);
@@ -112,7 +112,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     });
 }
 
-/// Judges what was typed, where it can be read.
+/// Judges the typed answer, if it can be read.
 fn check(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
     let fields = state.exercises.fields(ask).to_vec();
     if answers::understood(sheet, ask, &fields).is_err() {

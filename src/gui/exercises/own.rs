@@ -1,4 +1,4 @@
-//! The folder of a lecturer's own exercises: opened, looked into once more, closed, and what is wrong with its files.
+//! The folder of a lecturer's own exercises: open, read again, close, and the faults of its files.
 
 use eframe::egui::{CollapsingHeader, RichText, Ui};
 
@@ -11,7 +11,7 @@ use crate::i18n::exercise_window::Texts;
 use crate::i18n::messages;
 use crate::sanitize;
 
-/// What stands below the list.
+/// The part below the list.
 pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     if state.in_browser {
         return;

@@ -1,5 +1,4 @@
-//! What is kept of exercises: where, which mistakes were made how often, as a table for spreadsheets, and how to be rid
-//! of it.
+//! Progress in exercises: its file, the frequency of mistakes, export as a table for spreadsheets, and deletion.
 
 use eframe::egui::{self, RichText, Ui};
 

@@ -16,7 +16,7 @@ use crate::gui::state::{Described, NotCamera, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::{Lang, dialects, exercise_window as words, exercises as said};
 
-/// The button of the next help. It keeps the keyboard, whatever is said above it: it is known by `id`, and not by its
+/// The button of the next help. It keeps the focus, whatever appears above it: it is identified by `id`, and not by its
 /// place.
 pub(super) fn help_button(ui: &mut Ui, id: Id, (label, hint, name): (&str, &'static str, &str)) -> Response {
     let own = UiBuilder::new().scope_id(id.with("help"));
@@ -41,7 +41,7 @@ pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask:
         opened.steps += 1;
         let way = opened.way.get_or_insert_with(|| ask.steps().into());
         if button.has_focus() && opened.steps >= way.len() {
-            // There is no next one: the keyboard is back at the answer.
+            // There is no next one: the focus returns to the answer.
             state.exercises.wants_focus = Some(ask.name.clone());
         }
         state.exercises.note_opened(exercise, ask);
@@ -78,7 +78,7 @@ pub(super) fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, as
     state.exercises.described = Some(Described { ask: ask.name.clone(), camera });
 }
 
-/// The path of the number that is asked for, where it is one of `inspect`.
+/// The path of the requested number, where it is one of `inspect`.
 fn path(ask: &Ask) -> &str {
     match ask.expected() {
         Expected::Quantity(_, path) => path,
@@ -100,7 +100,7 @@ fn describes_camera(ask: &Ask, judged: &Judged) -> bool {
     }
 }
 
-/// What a matrix does, and whether it is the inverse.
+/// The kind of a matrix, and whether it is the inverse.
 fn matrix_kind(path: &str) -> Option<(MatrixKind, bool)> {
     Some(match path {
         "view_matrix" => (MatrixKind::View, false),
@@ -164,7 +164,7 @@ fn not_camera(lang: Lang, why: &NotCamera) -> String {
     }
 }
 
-/// The steps that are open, set as mathematics, and why there is no camera; where the last of the steps stands.
+/// The open steps, set as mathematics, and the reason why there is no camera; returns the place of the last step.
 pub(super) fn steps(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask) -> Option<Rect> {
     let Sheet { t, exercise, .. } = sheet;
     let described = state.exercises.described.as_ref().filter(|described| described.ask == ask.name);
@@ -180,7 +180,7 @@ pub(super) fn steps(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask) -> 
     last
 }
 
-/// A step: what it is, its equation, and each row: symbol = formula = numbers = value.
+/// A step: its heading, its equation, and each row: symbol = formula = numbers = value.
 fn step(ui: &mut Ui, state: &State, sheet: Sheet<'_>, exercise: &Exercise, step: &Worked) {
     let lang = sheet.t.lang;
     ui.add_space(2.0);

@@ -1,4 +1,4 @@
-//! What is given, how it is read, and the figure.
+//! The statement, its assumptions, and the figure.
 
 use eframe::egui::{self, Align2, CollapsingHeader, Image, RichText, Ui, vec2};
 
@@ -11,7 +11,7 @@ use crate::gui::tooltip::Explained;
 use crate::i18n::{exercise_messages as messages, exercises as said};
 use crate::limits::MAX_EXPRESSION;
 
-/// Shows what is given.
+/// Shows the statement.
 pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
     let Sheet { t, entry, exercise } = sheet;
     ui.add(egui::Label::new(RichText::new(said::title(t.lang, entry)).heading().strong()).wrap());

@@ -1,4 +1,4 @@
-//! What became of an answer: what is right, why it is wrong, and the way there, opened one by one.
+//! The verdict on an answer: its right entries, the diagnosis, and the solution, opened one by one.
 
 use eframe::egui::{self, RichText, Ui};
 
@@ -9,7 +9,7 @@ use crate::gui::prose;
 use crate::gui::state::State;
 use crate::i18n::{exercise_messages as messages, exercises as said};
 
-/// Shows what was said of an answer, and what helps; what was `just_said` is brought into sight.
+/// Shows the verdict on an answer, and the help; a verdict `just_said` is scrolled into sight.
 pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {
     let Sheet { t, exercise, .. } = sheet;
     let top = ui.cursor().top();

@@ -1,4 +1,4 @@
-//! Why an entry is what it is: its formula, its numbers, its value, and what its symbols are made of, down to the
+//! The explanation of an entry: its formula, its numbers, its value, and the definitions of its symbols, down to the
 //! parameters.
 
 use eframe::egui::{self, RichText, Role, Sense, Ui, WidgetInfo, vec2};
@@ -16,7 +16,7 @@ use crate::numbers::exact_form;
 /// The type size of formulas, in points.
 const SIZE: f32 = 14.0;
 
-/// How numbers are written here.
+/// The number format of the explanations.
 #[derive(Clone, Copy)]
 pub(super) struct Writing<'a> {
     pub(super) setting: &'a Setting<'a>,
@@ -72,7 +72,7 @@ impl Writing<'_> {
     }
 }
 
-/// Shows why; gives what is to light up in the world besides what the entry itself measures.
+/// Shows the explanation; returns the measures to light up in the world besides that of the entry itself.
 pub(super) fn show(
     ui: &mut Ui,
     writing: Writing<'_>,
@@ -103,7 +103,7 @@ pub(super) fn term(ui: &mut Ui, writing: Writing<'_>, term: &Formula, value: f64
     chain(ui, &formula, &[numbers, writing.whole_value(value)], Links::Below);
 }
 
-/// A symbol = what it is made of = numbers = value.
+/// A symbol = its definition = numbers = value.
 pub(super) fn of_symbol(ui: &mut Ui, writing: Writing<'_>, symbol: Symbol) {
     let name = Both { latex: symbol.latex(), text: symbol.text() };
     let value = writing.symbol_value(symbol);
@@ -115,7 +115,7 @@ pub(super) fn of_symbol(ui: &mut Ui, writing: Writing<'_>, symbol: Symbol) {
     });
 }
 
-/// What symbols are made of, each opened where it is clicked.
+/// The definitions of symbols, each opened by a click.
 struct Tree<'a> {
     writing: Writing<'a>,
     t: &'static Texts,
@@ -125,7 +125,7 @@ struct Tree<'a> {
 }
 
 impl Tree<'_> {
-    /// The last symbol of a path, and below it what it is made of.
+    /// The last symbol of a path, and its definition below it.
     fn symbol(&mut self, ui: &mut Ui, path: &mut Vec<Symbol>) {
         let Some(&symbol) = path.last() else { return };
         let definition = definition(symbol, self.writing.setting);
@@ -158,7 +158,7 @@ impl Tree<'_> {
         }
     }
 
-    /// A symbol with its value and what it is; true where it was clicked. `open`: whether its definition is, where it
+    /// A symbol with its value and meaning; returns whether it was clicked. `open`: whether its definition is, where it
     /// has one.
     fn row(&mut self, ui: &mut Ui, symbol: Symbol, open: Option<bool>) -> bool {
         let value = self.writing.symbol_value(symbol);
@@ -192,7 +192,7 @@ impl Tree<'_> {
     }
 }
 
-/// What is to light up in the world: what a symbol measures, or an entry.
+/// The measures to light up in the world: that of a symbol, or of an entry.
 pub(super) fn lights(formula: &Formula, pointed: Option<Symbol>) -> Vec<Measured> {
     pointed.map_or_else(|| measures::of_formula(formula), |symbol| measures::of_symbol(symbol).into_iter().collect())
 }

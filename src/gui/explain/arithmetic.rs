@@ -103,7 +103,7 @@ fn step(ui: &mut egui::Ui, step: &Step, setting: &Setting<'_>, key: (&str, &str)
     }
 }
 
-/// A row: the formula, set as mathematics, and below it the same with the numbers and what comes out.
+/// A row: the formula, set as mathematics, and below it the same with the numbers and the result.
 fn line(ui: &mut egui::Ui, (line, latex): (&Line, &Line), key: impl Hash + Debug + Copy) {
     let formula = |line: &Line| format!("{} = {}", line.symbol, line.formula);
     mathematics::show(ui, &formula(latex), &formula(line), SIZE);

@@ -24,7 +24,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     });
     ui.add_space(4.0);
     let font = FontId::monospace(TextStyle::Small.resolve(ui.style()).size);
-    // Read, selected and copied, but not changed: what would change the camera is in the other tabs.
+    // Read, selected and copied, but not edited: the camera is edited in the other tabs.
     let mut shown = text.as_str();
     let field = TextField::fixed_lines(&mut shown);
     let field = field.with(|edit| edit.font(font).desired_width(f32::INFINITY).code_editor());

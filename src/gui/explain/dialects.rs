@@ -31,7 +31,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     help_topic(&title, note_on_matrix(state.explain.pasted.kind));
 }
 
-/// The note on what is particular of a vocabulary.
+/// The note on a vocabulary.
 const fn note_on_vocabulary(vocabulary: Vocabulary) -> &'static str {
     match vocabulary {
         Vocabulary::OpenGl => "M_p",
@@ -49,7 +49,7 @@ const fn note_on_matrix(kind: MatrixKind) -> &'static str {
     }
 }
 
-/// The note on what a number is in the notes' words.
+/// The note on a number in the notes' words.
 const fn note_on(quantity: Quantity, vocabulary: Vocabulary) -> &'static str {
     match quantity {
         Quantity::Position(_) => "C",
@@ -117,7 +117,7 @@ const SYMBOL: f32 = 56.0;
 /// Numbers in a row: those of a vector, or of a row of a matrix.
 const IN_A_ROW: usize = 3;
 
-/// A line with a field for each number; what was set.
+/// A line with a field for each number; returns the one that was set.
 fn numbers(ui: &mut egui::Ui, state: &State, vocabulary: Vocabulary, line: &Line) -> Option<(Quantity, f64)> {
     let mut set = None;
     let is_call = line.name.starts_with("gl");
@@ -161,7 +161,7 @@ fn number(
 ) -> Option<f64> {
     let lang = state.settings.lang;
     let t = dialects::texts(lang);
-    // A name that stands before the line already is not said again.
+    // A name before the line is not repeated.
     let prefix = if line.name == argument.name { "" } else { argument.name };
     let greatest = line.arguments.iter().fold(0.0_f64, |greatest, a| greatest.max(a.value.abs()));
     if matches!(argument.quantity, Quantity::Fixed | Quantity::Axis(..)) {

@@ -5,10 +5,10 @@ use std::hash::Hash;
 
 use eframe::egui::{Color32, FontId, Id, TextFormat, Ui, text::LayoutJob};
 
-/// How long they glow, in seconds.
+/// Duration of the glow, in seconds.
 const SECONDS: f64 = 1.0;
 
-/// How often the glow is painted anew while it fades, in seconds.
+/// Interval between repaints of the fading glow, in seconds.
 const FRAME: f32 = 0.1;
 
 /// A text as it was shown last, and which of its characters have changed when.
@@ -20,7 +20,7 @@ struct Shown {
 }
 
 impl Shown {
-    /// The text now; what differs from the last one begins to glow.
+    /// Sets the present text; differences from the last one begin to glow.
     fn follow(self, text: &str, now: f64) -> Self {
         if self.text == text {
             return self;
@@ -29,9 +29,9 @@ impl Shown {
     }
 }
 
-/// For each character of the new text whether the old one has another one in its place. Numbers are compared digit by
-/// digit, their decimal points one below the other; what stands between them, and texts with another count of numbers,
-/// between what both begin with and what both end with.
+/// For each character of the new text, whether it differs from the old one. Numbers are compared digit by digit,
+/// aligned at their decimal points; the text between them, and texts with another count of numbers, between their
+/// common beginning and their common end.
 fn difference(old: &str, new: &str) -> Vec<bool> {
     let (before, after) = (parts(old), parts(new));
     if before.len() != after.len() {
@@ -41,8 +41,7 @@ fn difference(old: &str, new: &str) -> Vec<bool> {
     pairs.flat_map(|(i, (a, b))| if i % 2 == 0 { between(a, b) } else { digits(a, b) }).collect()
 }
 
-/// What stands before the first number, the first number, what stands before the second one …: numbers at the odd
-/// places.
+/// The text before the first number, the first number, the text before the second one …: numbers at the odd places.
 fn parts(text: &str) -> Vec<Vec<char>> {
     let text: Vec<char> = text.chars().collect();
     let mut parts = vec![Vec::new()];
@@ -77,7 +76,7 @@ fn digits(old: &[char], new: &[char]) -> Vec<bool> {
     new.iter().enumerate().map(|(i, c)| c.is_ascii_digit() && same(i) != Some(c)).collect()
 }
 
-/// What the old text has not, between what both begin with and what both end with.
+/// The part of the new text that the old one lacks, between their common beginning and their common end.
 fn between(old: &[char], new: &[char]) -> Vec<bool> {
     let start = old.iter().zip(new).take_while(|(a, b)| a == b).count();
     let most = old.len().min(new.len()) - start;
@@ -85,7 +84,7 @@ fn between(old: &[char], new: &[char]) -> Vec<bool> {
     (0..new.len()).map(|i| (start..new.len() - end).contains(&i)).collect()
 }
 
-/// How strongly what has changed glows: from 1 to 0.
+/// Strength of the glow: from 1 to 0.
 fn strength(now: f64, since: f64) -> f64 {
     (1.0 - (now - since) / SECONDS).clamp(0.0, 1.0)
 }
@@ -96,7 +95,7 @@ pub(super) fn push(ui: &Ui, job: &mut LayoutJob, key: impl Hash + Debug, text: &
     let id = Id::unique("digits").with(key);
     let now = ui.input(|input| input.time);
     let before = ui.data(|data| data.get_temp::<Shown>(id));
-    // What is seen for the first time has not changed.
+    // A text shown for the first time has not changed.
     let first = || Shown { text: text.to_owned(), changed: Vec::new(), since: f64::NEG_INFINITY };
     let shown = before.map_or_else(first, |shown| shown.follow(text, now));
     let strength = strength(now, shown.since);

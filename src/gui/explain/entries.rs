@@ -12,19 +12,19 @@ use crate::gui::panels::values::brackets;
 /// An entry as it is written.
 #[derive(Clone, Debug)]
 pub(super) struct Cell {
-    /// What is set.
+    /// The formula to set.
     pub(super) latex: String,
-    /// The same in a line.
+    /// The formula on one line.
     pub(super) text: String,
-    /// What screen readers say.
+    /// The name for screen readers.
     pub(super) name: String,
-    /// It depends on the parameter that is pointed at.
+    /// It depends on the parameter under the pointer.
     pub(super) depends: bool,
-    /// It has changed just now: from 1 to 0.
+    /// The glow of a recent change: from 1 to 0.
     pub(super) glow: f32,
 }
 
-/// What is done with the entries.
+/// The interaction with the entries.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Pointed {
     /// The one under the pointer.
@@ -35,7 +35,7 @@ pub(super) struct Pointed {
 
 /// The type size of entries, in points.
 const SIZE: f32 = 13.5;
-/// How small they may become so that all of them fit.
+/// The smallest scale at which all of them have to fit.
 const SMALLEST: f32 = 0.72;
 /// Between columns and between rows, in points.
 const GAP: Vec2 = vec2(12.0, 7.0);
@@ -76,7 +76,7 @@ impl Layout {
         Rect::from_min_size(pos2(x, y), vec2(self.widths[j], self.heights[i])).expand2(GAP * 0.5 - vec2(1.0, 0.5))
     }
 
-    /// Where a formula is painted: in the middle of its column, on the baseline of its row.
+    /// The position of a formula: in the middle of its column, on the baseline of its row.
     fn corner(&self, place: Rect, i: usize, j: usize) -> Pos2 {
         let formula = &self.formulas[4 * i + j];
         let top = place.center().y - self.heights[i] / 2.0 + self.baselines[i] - formula.baseline();
@@ -121,7 +121,7 @@ pub(super) fn show(
                 if response.hovered() {
                     pointed.hovered = Some([i, j]);
                 }
-                // The arrows move the keyboard after the frame: that it has come is not told in any.
+                // Arrow keys move the focus after the frame: no frame reports its arrival.
                 if response.clicked() || (response.has_focus() && !wants_focus) {
                     pointed.chosen = Some([i, j]);
                 }
@@ -156,7 +156,7 @@ fn entry_id(ui: &Ui, i: usize, j: usize) -> Id {
     ui.scope_id().with(egui::IdSalt::new(("entry", i, j)))
 }
 
-/// What lies under an entry: that it is chosen, pointed at, has changed, or depends on a parameter.
+/// The background of an entry: chosen, under the pointer, changed, or dependent on a parameter.
 fn ground(ui: &Ui, place: Rect, cell: &Cell, chosen: bool, response: &Response) {
     let visuals = ui.visuals();
     let painter = ui.painter();

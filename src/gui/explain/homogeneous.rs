@@ -38,7 +38,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     }
 }
 
-/// A section, with the note on what it shows.
+/// A section, with the note on its subject.
 fn part(ui: &mut egui::Ui, title: &str, (id, note): (&str, &'static str), body: impl FnOnce(&mut egui::Ui)) {
     let shown = ui.scope(|ui| section(ui, title, id, true, body));
     help_topic_row(ui, shown.response.rect, note);
@@ -99,7 +99,7 @@ fn plane(ui: &mut egui::Ui, t: &Texts, state: &State) {
     }
     let (rect, painter) = canvas(ui, 230.0, t.plane_title);
     let greatest = points.iter().map(|p| p.clip.x.abs().max(p.clip.w.abs())).fold(1.2, f64::max);
-    // As much above w = 0 as there is need for, and below it what lies behind the eye.
+    // As much above w = 0 as needed, and below it the points behind the eye.
     let lowest = points.iter().map(|p| p.clip.w).fold(-0.25 * greatest, f64::min);
     let highest = points.iter().map(|p| p.clip.w).fold(1.2, f64::max);
     let scale = (f64::from(rect.height()) * 0.88 / (highest - lowest)).min(f64::from(rect.width()) * 0.45 / greatest);

@@ -75,8 +75,7 @@ fn note_on(formulas: &MatrixFormula) -> &'static str {
     notes::of_equation(formulas.equation).unwrap_or(notes::of_matrix(formulas.matrix))
 }
 
-/// The term in which an entry stands on the way of the point that is followed, with its numbers, in the row that it is
-/// part of.
+/// The term with an entry in the trace of the followed point, with its numbers, in its row.
 fn used_in(
     ui: &mut Ui,
     state: &State,
@@ -103,7 +102,7 @@ fn used_in(
     }
 }
 
-/// Which matrix, whether its inverse, how it is read.
+/// The choice of the matrix, of its inverse, and of its notation.
 fn choices(ui: &mut Ui, t: &'static Texts, state: &mut Matrices) {
     ui.horizontal_wrapped(|ui| {
         for matrix in Matrices::CHOICES {
@@ -131,12 +130,12 @@ fn choices(ui: &mut Ui, t: &'static Texts, state: &mut Matrices) {
     });
 }
 
-/// The symbol of a matrix, with what stands below its letters lowered.
+/// The symbol of a matrix, with subscripts lowered.
 fn matrix_symbol(ui: &Ui, matrix: Matrix) -> egui::text::LayoutJob {
     theme::lowered(ui, &matrix.text().replace("_vp", "_{vp}"), &egui::TextStyle::Button, ui.visuals().text_color())
 }
 
-/// What the matrix is, which equation is in force and where it stands, and where the notes print something else.
+/// The matrix, the equation in force and its place, and the errata of the notes.
 fn heading(ui: &mut Ui, state: &State, setting: &Setting<'_>, formulas: &MatrixFormula) {
     let lang = state.settings.lang;
     let (t, ndc) = (window::texts(lang), setting.space().ndc());
@@ -159,7 +158,7 @@ fn heading(ui: &mut Ui, state: &State, setting: &Setting<'_>, formulas: &MatrixF
     }
 }
 
-/// The program's own numbers; of matrices whose rows are of one size, without what rounding has left of zero.
+/// The program's own numbers; of matrices whose rows are of one size, without rounding errors of zero.
 fn values(setting: &Setting<'_>, matrix: Matrix, digits: usize) -> [[f64; 4]; 4] {
     let rows = setting.matrix(matrix).transpose().to_cols_array_2d().map(|row| row.map(|x| x + 0.0));
     let of_axes = matches!(matrix, Matrix::View | Matrix::InverseView | Matrix::Model | Matrix::InverseModel);

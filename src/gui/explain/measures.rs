@@ -1,9 +1,9 @@
-//! What a symbol measures in the world.
+//! The measures of symbols in the world.
 
 use crate::explain::{Axis, Formula, Symbol, Vector};
 use crate::figure::{Measure, Measured, WindowSide};
 
-/// The length, angle or axis that a symbol measures; `None` for what is neither the camera's nor the object's.
+/// The length, angle or axis that a symbol measures; `None` for symbols of neither the camera nor the object.
 pub(super) fn of_symbol(symbol: Symbol) -> Option<Measured> {
     match symbol {
         Symbol::Axis(axis, c) => Some(Measured::Axis(number(axis), c.index())),
@@ -49,7 +49,7 @@ const fn number(axis: Axis) -> usize {
     axis as usize
 }
 
-/// What a formula measures: of **u** · **c** the coordinate along **u**, of all else what its symbols measure.
+/// The measures of a formula: of **u** · **c** the coordinate along **u**, of all else those of its symbols.
 pub(super) fn of_formula(formula: &Formula) -> Vec<Measured> {
     let mut found = Vec::new();
     collect(formula, &mut found);

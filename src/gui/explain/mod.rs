@@ -32,12 +32,12 @@ use super::tooltip::Explained;
 use crate::i18n::explain::{self, Texts};
 pub(super) use triangle::clicked;
 
-/// A tab: its name, what it is for, and what it shows.
+/// A tab: its name, its purpose, and its content.
 struct TabRow {
     tab: ExplainTab,
     name: fn(&Texts) -> &'static str,
     hint: fn(&Texts) -> &'static str,
-    /// What stays in sight above it while it is scrolled.
+    /// The part that stays in sight while the tab is scrolled.
     head: Option<fn(&mut egui::Ui, &mut State)>,
     ui: fn(&mut egui::Ui, &mut State),
 }

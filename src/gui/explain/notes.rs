@@ -18,7 +18,7 @@ use crate::limits::MAX_TYPED_NAME;
 
 /// The type size of equations, in points.
 const SIZE: f32 = 14.0;
-/// How much of the height the list has at most.
+/// Greatest share of the list in the height.
 const LIST: f32 = 0.36;
 
 /// Shows the tab.
@@ -66,14 +66,14 @@ fn search(ui: &mut Ui, t: &Texts, state: &mut Notes) {
     }
 }
 
-/// The notes that say all the words; those in whose heading they stand come first.
+/// The notes that contain all the words; those with the words in the heading come first.
 fn found(t: &Texts, wanted: &str) -> Vec<&'static Note> {
     let mut found: Vec<_> = notes::notes(t.lang).iter().filter(|note| note.says(wanted)).collect();
     found.sort_by_key(|note| !note.is_headed(wanted));
     found
 }
 
-/// The headings of what is found; of all notes, by groups.
+/// The headings of the notes found; of all notes, by groups.
 fn list(ui: &mut Ui, t: &Texts, state: &mut Notes) {
     let found = found(t, &state.wanted);
     if found.is_empty() {
@@ -98,14 +98,14 @@ fn list(ui: &mut Ui, t: &Texts, state: &mut Notes) {
             response.request_focus();
             response.scroll_to_me(Some(egui::Align::Center));
         }
-        // The arrows move the keyboard after the frame: that it has come is not told in any.
+        // Arrow keys move the focus after the frame: no frame reports its arrival.
         if response.clicked() || (follows && response.has_focus()) {
             state.read(note.id);
         }
     }
 }
 
-/// The way back, and what the note is on.
+/// The way back, and the subject of the note.
 fn heading(ui: &mut Ui, t: &Texts, note: &Note, state: &mut Notes) {
     ui.horizontal(|ui| {
         let back = ui.add_enabled(!state.before.is_empty(), Button::new("◀").small());
@@ -136,7 +136,7 @@ fn words_of(ui: &mut Ui, begins: &str, pieces: &[Piece], color: egui::Color32) {
     });
 }
 
-/// What the symbols of a note are in this figure.
+/// The values of a note's symbols in this figure.
 fn numbers(ui: &mut Ui, state: &State, note: &Note) {
     let symbols: Vec<Symbol> = parameters().filter(|symbol| notes::of_symbol(*symbol) == note.id).collect();
     if symbols.is_empty() {

@@ -20,7 +20,7 @@ use crate::i18n::order::{self as words, Texts};
 use crate::scene::edit::descendants;
 use crate::scene::transform::{Trs, put_on_chain};
 
-/// Shows what stays in sight above the list: of which object it is, and the button that gives it the list.
+/// Shows the part that stays in sight above the list: its object, and the button that applies the list.
 pub(super) fn head(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.settings.lang);
     let selected = subject::selected(state);
@@ -82,7 +82,7 @@ fn tab(ui: &mut Ui, state: &mut State, t: &'static Texts, (order, selected): (&m
     add(ui, t, order);
     ui.separator();
     readings(ui, t, &mut order.reading);
-    // What the rows have changed is shown in this frame.
+    // Changes by the rows are shown in this frame.
     let calls = order.calls();
     let stages = match read(&calls, order.reading) {
         Ok(stages) => stages,
@@ -97,12 +97,12 @@ fn tab(ui: &mut Ui, state: &mut State, t: &'static Texts, (order, selected): (&m
     });
 }
 
-/// How many calls are done.
+/// Number of calls applied.
 fn done(order: &Order, stages: &[Stage]) -> usize {
     order.done.map_or(stages.len() - 1, |done| done.min(stages.len() - 1))
 }
 
-/// What can be added, and the way back to the beginning.
+/// The menu of calls to add, and the button to start over.
 fn add(ui: &mut Ui, t: &'static Texts, order: &mut Order) {
     ui.horizontal(|ui| {
         ui.menu_button(format!("+ {}", t.add), |ui| {
@@ -140,7 +140,7 @@ fn readings(ui: &mut Ui, t: &Texts, reading: &mut Reading) {
     });
 }
 
-/// How many calls are done: step by step, or by the slider.
+/// The number of calls applied: step by step, or by the slider.
 fn slider(ui: &mut Ui, t: &Texts, order: &mut Order, stages: &[Stage]) {
     let (all, before) = (stages.len() - 1, done(order, stages));
     let mut k = before;
@@ -161,7 +161,7 @@ fn slider(ui: &mut Ui, t: &Texts, order: &mut Order, stages: &[Stage]) {
     }
 }
 
-/// What the last call of a part does, its matrix, and the matrix of the part.
+/// The effect of the last call of a part, its matrix, and the matrix of the part.
 fn part(ui: &mut Ui, state: &State, t: &'static Texts, (reading, calls): (Reading, &[Call]), stages: &[Stage]) {
     let number = writer(state);
     let Some((stage, last)) = stages.last().and_then(|stage| Some((stage, stage.call?))) else {

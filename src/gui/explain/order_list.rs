@@ -19,10 +19,10 @@ use crate::i18n::window;
 const DOTS: f32 = 14.0;
 const SYMBOL: f32 = 50.0;
 const BUTTON: f32 = 20.0;
-/// What the three buttons take.
+/// Width of the three buttons.
 const BUTTONS: f32 = 3.0 * (BUTTON + 6.0);
 
-/// What is to be done with the list after all rows have been shown.
+/// A change of the list, applied after all rows have been shown.
 enum Change {
     Step(usize, bool),
     Put(usize, usize),
@@ -36,7 +36,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[
         for (arrow, forward) in [(Key::ArrowUp, false), (Key::ArrowDown, true)] {
             if ui.input_mut(|input| input.consume_key(Modifiers::ALT, arrow)) {
                 order.step(key, forward);
-                // An arrow key would also take the keyboard to what is above or below.
+                // An arrow key would also move the focus up or down.
                 ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
             }
         }
@@ -89,7 +89,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[
     ui.ctx().request_repaint();
 }
 
-/// Before which row the pointer would put what it holds; after the last one: their number.
+/// The row before which the pointer would drop the dragged one; their number after the last one.
 fn target(ui: &Ui, rows: &[Rect]) -> usize {
     let Some(pointer) = ui.input(|input| input.pointer.latest_pos()) else { return rows.len() };
     rows.iter().filter(|row| row.center().y < pointer.y).count()
@@ -134,7 +134,7 @@ fn handle(ui: &mut Ui, t: &'static Texts, order: &Order, place: usize, is_done: 
     response.explained(format!("{} ({})", words::kind(t.lang, call), words::function(call)))
 }
 
-/// The note on what a call does; those of the stack are about the matrix of an object.
+/// The note on a call; those of the stack have the note on the matrix of an object.
 const fn note_on(call: Call) -> &'static str {
     match call {
         Call::Translate(_) => "translation",

@@ -42,7 +42,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     arithmetic::ui(ui, &setting, &name, (t, state.settings.digits));
 }
 
-/// The points, one of them chosen; and what adds and deletes them.
+/// The points, one of them chosen; and the buttons that add and delete them.
 fn choose(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     let points = state.document.figure().points.clone();
     let chosen = state.follow.index(&points);
@@ -105,7 +105,7 @@ fn name(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
     state.follow.typing = Some((old, text, left || was_left));
 }
 
-/// The coordinates in one space: what they are called, and the symbols that have them.
+/// The coordinates in one space: their name, and their symbols.
 struct TraceRow {
     space: Space,
     name: &'static str,
@@ -197,7 +197,7 @@ fn places(ui: &mut egui::Ui, state: &mut State, t: &Texts, setting: &Setting<'_>
     moved
 }
 
-/// The coordinates as they stand in the fields: of view coordinates beside the window, the distance.
+/// The coordinates as in the fields: of view coordinates beside the window, the distance.
 fn values(row: &TraceRow, setting: &Setting<'_>) -> [f64; 3] {
     let mut values = row.fields.map(|(_, symbol)| setting.value(symbol));
     if row.space == Space::Window {

@@ -1,4 +1,4 @@
-//! The tab of stages: the image as far as it is painted, triangle by triangle, by each way of hiding what is hidden.
+//! The tab of stages: the image painted so far, triangle by triangle, by each hidden-surface algorithm.
 
 use eframe::egui::{self, RichText, Slider, Ui};
 
@@ -57,7 +57,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     list(ui, t, state);
 }
 
-/// The stage that is shown: its name, what it does, and what it did, or why it was left out.
+/// The stage that is shown: its name, its purpose, and its report, or the reason why it was left out.
 fn shown(ui: &mut Ui, t: &stages::Texts, state: &State) {
     let Some(stage) = state.shown_stage() else {
         ui.label(RichText::new(t.none_shown).weak());
@@ -117,5 +117,5 @@ fn scrubber(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
     }
 }
 
-/// A press of a button: one part in so many of the triangles.
+/// The share of the triangles that a button adds or removes.
 const STEP: f64 = 1.0 / 24.0;

@@ -76,12 +76,12 @@ fn whole(time: f64) -> usize {
     (time + 1e-9).floor() as usize
 }
 
-/// First to last, so that the last one stands to the left.
+/// First to last, so that the last one is at the left.
 fn product(factors: &[Factor]) -> DMat4 {
     factors.iter().fold(DMat4::IDENTITY, |product, factor| factor.matrix * product)
 }
 
-/// The factor by which a matrix is another one, and what is left between the two, measured by the greatest entry.
+/// The factor between two matrices, and their remaining difference, relative to the greatest entry.
 fn compared(product: &DMat4, expected: &DMat4) -> (f64, f64) {
     let (a, b) = (product.to_cols_array(), expected.to_cols_array());
     let greatest = (0..16).max_by(|i, j| b[*i].abs().total_cmp(&b[*j].abs())).unwrap_or(0);
@@ -180,12 +180,12 @@ fn after(time: f64) -> f64 {
     (time + 1e-9).floor() + 1.0
 }
 
-/// So many tenths of a step on; a tenth is a tenth wherever the pointer has left the slider.
+/// Moves on by tenths of a step; a tenth is a tenth wherever the pointer has left the slider.
 fn tenth(time: f64, by: f64) -> f64 {
     (10.0 * time + by).round() / 10.0
 }
 
-/// The steps in their order, each a way to it; where the axes turn around, it is said.
+/// The steps in their order, each clickable; a change of handedness is marked.
 fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], (steps, shown): (&mut Steps, &mut ShownStep)) {
     let labels = pictures::labels(lang);
     let done = whole(time_of(*shown, camera));

@@ -1,4 +1,4 @@
-//! Of what the explanations are: the figure's camera, and the object that is selected.
+//! The subject of the explanations: the figure's camera, and the selected object.
 
 use glam::DMat4;
 
@@ -10,7 +10,7 @@ use crate::scene::edit::placement;
 use crate::scene::transform::Trs;
 use crate::views::ObjectTransform;
 
-/// What the symbols get their numbers from, without the rest of the window.
+/// The numbers of the symbols, without the rest of the window.
 pub(super) struct ExplainedSetting {
     camera: Camera,
     /// The selected object, by its name.
@@ -44,7 +44,7 @@ pub(in crate::gui) fn object_transform(state: &State) -> Option<ObjectTransform>
     Some(ObjectTransform { world_from_parent, trs: Trs { translate, rotate, scale } })
 }
 
-/// How the selected object stands in the world; `None` where none is selected, or the scene is impossible.
+/// The placement of the selected object in the world; `None` where none is selected, or the scene is impossible.
 pub(super) fn selected(state: &State) -> Option<(String, Placement)> {
     let scene = &state.document.figure().scene;
     let (name, spec) = match state.tree.selected(scene)? {

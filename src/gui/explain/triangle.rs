@@ -20,7 +20,7 @@ use crate::pipeline::Stage;
 use crate::pipeline::one_triangle::TriangleSteps;
 use crate::views::{Labels, Request, Size};
 
-/// What a step is written with.
+/// The context in which a step is written.
 struct Page<'a> {
     t: &'a Texts,
     labels: &'a Labels,
@@ -43,7 +43,7 @@ fn whole_number(ui: &mut Ui, lang: Lang, (name, hint): (&str, &str), now: u32, l
     value as u32
 }
 
-/// Shows the chooser, and the steps of what is chosen.
+/// Shows the chooser, and the steps of the chosen triangle.
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.settings.lang);
     ui.label(RichText::new(t.heading).strong());
@@ -262,7 +262,7 @@ impl Page<'_> {
         }
     }
 
-    /// False where nothing is covered, which is said.
+    /// Reports an empty coverage; returns false then.
     fn covers(&self, ui: &mut Ui, pixels: Option<&TrianglePixels>) -> bool {
         match pixels {
             None => ui.label(self.t.too_large),
@@ -314,8 +314,8 @@ impl Page<'_> {
     }
 }
 
-/// What a click in the image does while the tab is shown: at the depth test a pixel of the triangle is chosen, else a
-/// triangle. False where there is neither.
+/// Handles a click in the image while the tab is shown: at the depth test it chooses a pixel of the triangle, else a
+/// triangle. Returns false where there is neither.
 pub(in crate::gui) fn clicked(state: &mut State, request: &Request, pointer: glam::DVec2) -> bool {
     use crate::views::pick::{image_pixel, triangle_in_image};
     let pixel = image_pixel(request, pointer);

@@ -1,5 +1,4 @@
-//! A figure in the gallery: where it comes from, and what is shown of it. It is read and drawn beside the window's
-//! thread.
+//! A figure in the gallery: its source, and its display. It is read and drawn beside the window's thread.
 
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{HashMap, HashSet};
@@ -17,10 +16,10 @@ use crate::picture::{Pixels, Renderer};
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
 
-/// Where a figure comes from.
+/// The source of a figure.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Source {
-    /// It is part of the program.
+    /// Built into the program.
     Shipped(&'static str),
     /// A file.
     File(PathBuf),
@@ -29,29 +28,29 @@ pub enum Source {
 /// The size of a small picture in pixels.
 pub(super) const SIZE: Size = Size { width: 192, height: 144, scale: 1.0 };
 
-/// How many small pictures are kept, by what they show: more than anybody looks at in one folder.
+/// Number of cached thumbnails, by their content: more than anybody looks at in one folder.
 const MOST_KEPT: usize = 400;
 
-/// What is wanted.
+/// A request to the worker.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum CardJob {
     /// The figure files of a folder.
     List(PathBuf),
-    /// Which of these files are there.
+    /// Which of these files exist.
     Sort(Vec<PathBuf>),
-    /// What these figures say of themselves: that is there long before their pictures.
+    /// The sentences of these figures: they are there long before their pictures.
     Read(Vec<Source>, Lang),
     /// A small picture of a figure.
     Draw { source: Source, theme: Theme, lang: Lang },
 }
 
-/// What came of it.
+/// The result of a request.
 pub(super) enum CardOutcome {
     /// The figure files of this folder, in natural order; or why it cannot be read.
     Listed(PathBuf, Result<Vec<PathBuf>, FileError>),
     /// These files, those that are there first, and those that are gone.
     Sorted(Vec<PathBuf>, HashSet<PathBuf>),
-    /// What figures say of themselves; empty where one says nothing or cannot be read.
+    /// The sentences of figures; empty where there is none, or the figure cannot be read.
     Read(Vec<(Source, String)>),
     /// A small picture of a figure, or why there is none.
     Drawn(Source, Drawn),
@@ -107,7 +106,7 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
 }
 
 impl Source {
-    /// What it is called.
+    /// Its title.
     pub(super) fn title(&self, lang: Lang) -> String {
         match self {
             Self::Shipped(name) => gallery::shipped(lang, name).0.to_owned(),
@@ -153,7 +152,7 @@ fn draw(
     renderer.pixels(&request).ok_or_else(|| window::texts(lang).picture_too_large.to_owned())
 }
 
-/// What a figure says of itself, also one that cannot be drawn.
+/// The sentence of a figure, also of one that cannot be drawn.
 fn sentence(source: &Source, lang: Lang) -> String {
     if let Source::Shipped(name) = source {
         return gallery::shipped(lang, name).1.to_owned();

@@ -35,15 +35,15 @@ impl Part {
     pub const ALL: [Self; 3] = [Self::Examples, Self::Recent, Self::Folder];
 }
 
-/// How many files of a folder are shown.
+/// Number of files of a folder that are shown.
 const MOST_FILES: usize = 300;
 
-/// What the gallery shows, and what it has drawn.
+/// The content of the gallery, and its thumbnails.
 #[derive(Debug)]
 pub struct Gallery {
     /// The part that is shown.
     pub part: Part,
-    /// There are no files to be shown, as in a page of a browser.
+    /// There are no files to show, as in a page of a browser.
     pub examples_alone: bool,
     /// The figure that is chosen, by its place in each part.
     chosen: [usize; 3],
@@ -56,17 +56,17 @@ pub struct Gallery {
     folder: Option<PathBuf>,
     files: Result<Vec<PathBuf>, String>,
     cards: BTreeMap<Source, Card>,
-    /// How they are drawn.
+    /// The style of the thumbnails.
     style: (Theme, Lang),
     waiting: Vec<CardJob>,
     worker: Worker<CardJob, CardOutcome>,
 }
 
-/// What is shown of a figure.
+/// The display of a figure.
 #[derive(Default)]
 struct Card {
     texture: Option<TextureHandle>,
-    /// What it says of itself; `None`: nobody has looked yet.
+    /// Its sentence; `None`: not read yet.
     sentence: Option<String>,
     /// Why it cannot be drawn; empty where it can, or has not been tried.
     fault: String,
@@ -100,7 +100,7 @@ impl Default for Gallery {
 }
 
 impl Gallery {
-    /// Looks anew at what there is. `beside`: the folder of the open figure.
+    /// Collects the figures anew. `beside`: the folder of the open figure.
     pub(super) fn begin(&mut self, recent: &[PathBuf], beside: Option<&Path>) {
         self.recent = recent.to_vec();
         self.folder = self.folder.take().or_else(|| beside.map(Path::to_owned));
@@ -131,7 +131,7 @@ impl Gallery {
         self.folder = Some(folder);
     }
 
-    /// Gives up what is being drawn: nobody looks any more.
+    /// Cancels the drawing of thumbnails: the gallery is closed.
     pub(super) fn end(&mut self) {
         self.worker.cancel();
     }
@@ -149,7 +149,7 @@ impl Gallery {
         }
     }
 
-    /// Takes what has been done, and has the next thing done.
+    /// Takes the results, and starts the next request.
     fn go_on(&mut self, ctx: &Context, style: (Theme, Lang), sources: &[Source]) {
         if self.style != style {
             self.style = style;
@@ -172,7 +172,7 @@ impl Gallery {
         let next = if self.waiting.is_empty() { read.or(draw) } else { Some(self.waiting.remove(0)) };
         if let Some(job) = next {
             if let CardJob::Draw { source, .. } = &job {
-                // Also where drawing panics, it is not asked for again.
+                // Also where drawing panics, it is not requested again.
                 self.cards.entry(source.clone()).or_default().fresh = true;
             }
             self.worker.ask(ctx, 0, job);

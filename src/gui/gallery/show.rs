@@ -14,7 +14,7 @@ use crate::i18n::Lang;
 use crate::i18n::gallery::{self as words, Texts};
 use crate::sanitize;
 
-/// What is to be done after a frame.
+/// An action after a frame.
 pub(in crate::gui) enum Chosen {
     /// Go on with this figure.
     Open(Source),
@@ -157,7 +157,7 @@ fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], lang
     open
 }
 
-/// Where the arrow keys lead from a card.
+/// The card that the arrow keys lead to.
 fn moved(ui: &Ui, from: usize, columns: usize, count: usize) -> usize {
     let last = count - 1;
     ui.input(|input| {

@@ -55,7 +55,7 @@ pub(super) fn caption(ui: &mut egui::Ui, symbol: &str, name: &str, hint: &str) {
     });
 }
 
-/// A row: what it is on the left, its controls on the right.
+/// A row: its label on the left, its controls on the right.
 pub(super) fn row<R>(
     ui: &mut egui::Ui,
     symbol: &str,
@@ -76,13 +76,13 @@ pub(super) struct VectorField<'a> {
     pub(super) symbol: &'static str,
     /// Its name.
     pub(super) name: &'static str,
-    /// What is said when the pointer rests on it.
+    /// The tooltip.
     pub(super) hint: &'static str,
-    /// What its fields are called for screen readers, before the axis.
+    /// The name of its fields for screen readers, before the axis.
     pub(super) field: &'static str,
     /// Whose vector it is, where there are several of the same name.
     pub(super) owner: &'a str,
-    /// What an arrow key adds.
+    /// The step of an arrow key.
     pub(super) step: f64,
     /// Degrees.
     pub(super) angles: bool,
@@ -162,13 +162,13 @@ pub(super) fn choice<T: PartialEq + Copy>(
     *value != old
 }
 
-/// A quiet mark where the notes print something else; `text` says what, and what is right.
+/// A quiet mark of an erratum in the notes; `text` is the erratum and its correction.
 pub(in crate::gui) fn erratum(ui: &mut egui::Ui, t: &Texts, text: &str) {
     let mark = RichText::new(t.erratum).small().weak();
     ui.add(egui::Label::new(mark).sense(egui::Sense::hover())).explained(text);
 }
 
-/// A line that says what is wrong, with a sign, so that the colour is not alone.
+/// A line with a fault, with a sign, so that the colour is not alone.
 pub(super) fn complaint(ui: &mut egui::Ui, text: &str) {
     let color = ui.visuals().error_fg_color;
     ui.add(egui::Label::new(RichText::new(format!("⚠ {text}")).color(color)).wrap());

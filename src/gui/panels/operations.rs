@@ -42,7 +42,7 @@ fn name(freedom: Freedom, t: &Texts) -> &'static str {
     }
 }
 
-/// What changes, and how.
+/// The effect of an operation.
 fn effect(freedom: Freedom, t: &Texts) -> &'static str {
     match freedom {
         Freedom::Elevation => t.elevation_effect,
@@ -117,7 +117,7 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
     }
 }
 
-/// How far a slider has been pulled.
+/// The amount of a slider.
 fn describe(freedom: Freedom, amount: f64, mark: DecimalMark) -> String {
     let sign = if amount > 0.0 { "+" } else { "" };
     match freedom.descriptor().amount {
@@ -163,7 +163,7 @@ fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, for
     }
 }
 
-/// What changes, and which way a positive angle turns.
+/// The effect of an operation, and the direction of a positive angle.
 fn explained(freedom: Freedom, t: &Texts, convention: Convention) -> String {
     let effect = effect(freedom, t);
     match (freedom.descriptor().amount, convention) {

@@ -1,4 +1,4 @@
-//! The list of what windows have left that did not close, until the user has decided.
+//! The list of sessions left by windows that did not close, until the user has decided.
 
 use std::time::{Duration, UNIX_EPOCH};
 
@@ -13,12 +13,12 @@ use crate::i18n::sessions::ago;
 use crate::i18n::window;
 use crate::sanitize;
 
-/// What the user has decided about a slot.
+/// The user's decision about a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Decision {
-    /// It is to go on in this window.
+    /// Continue it in this window.
     Restore(usize),
-    /// It is not wanted.
+    /// Delete it.
     Discard(usize),
 }
 
@@ -60,7 +60,7 @@ pub fn list(ui: &mut egui::Ui, lang: Lang, left: &[LeftOver]) -> Option<Decision
     decision
 }
 
-/// Which figure, when, and whether it is dangerous.
+/// The figure, its age, and whether it is dangerous.
 fn described(lang: Lang, left: &LeftOver) -> String {
     let t = window::texts(lang);
     let name = left.path.as_deref().map_or_else(|| t.untitled.to_owned(), sanitize::path);

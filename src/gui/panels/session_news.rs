@@ -1,5 +1,5 @@
-//! What there is to say about windows that did not close and about what is kept of this one: each line stays until the
-//! user has closed it, or until it is no longer so.
+//! Notices about windows that did not close and about the storage of this one: each line stays until the user closes
+//! it, or until it no longer holds.
 
 use eframe::egui::{self, Label, RichText};
 

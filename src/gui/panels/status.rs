@@ -1,4 +1,4 @@
-//! What was said last: news in the bar at the top, errors in full at the bottom until they are closed.
+//! The last message: news in the bar at the top, errors in full at the bottom until they are closed.
 
 use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
 
@@ -26,7 +26,7 @@ pub fn news(ui: &mut egui::Ui, state: &State) {
     });
 }
 
-/// What went wrong, with a button that closes it.
+/// The error, with a button that closes it.
 pub fn error(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.settings.lang);
     let Some(message) = state.message.as_ref().filter(|message| message.is_error()) else { return };

@@ -1,4 +1,4 @@
-//! The numbers: basis, matrices, window, corners. Each one is what `camera-lab inspect` prints for the same figure.
+//! The numbers: basis, matrices, window, corners. Each one is that of `camera-lab inspect` for the same figure.
 
 use std::sync::Arc;
 
@@ -117,7 +117,7 @@ fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&T
                 let value = |table: &Table| table.rows.get(row).and_then(|(_, values)| values.get(column).copied());
                 table.is_matrix() && other.is_some_and(|other| value(other) != value(table))
             };
-            // Few digits are rounded to what fits; whoever wants many scrolls.
+            // Few digits are rounded to fit; whoever wants many scrolls.
             let mut fitting = digits;
             while (3..=MOST_TO_FIT).contains(&fitting) && width(ui, job(ui, &written(fitting), marked)) > room {
                 fitting -= 1;
@@ -180,7 +180,7 @@ fn questions(
     asked
 }
 
-/// Rows of cells as text; what is marked is underlined, on a ground of its own.
+/// Rows of cells as text; marked ones are underlined, on a background of their own.
 fn job(ui: &egui::Ui, rows: &[Vec<String>], marked: impl Fn(usize, usize) -> bool) -> LayoutJob {
     let visuals = ui.visuals();
     let font_id = egui::TextStyle::Monospace.resolve(ui.style());
@@ -211,14 +211,14 @@ fn job(ui: &egui::Ui, rows: &[Vec<String>], marked: impl Fn(usize, usize) -> boo
     job
 }
 
-/// So many digits are rounded further where they do not fit.
+/// The most digits that are rounded further where they do not fit.
 const MOST_TO_FIT: usize = 7;
 
 fn width(ui: &egui::Ui, job: LayoutJob) -> f32 {
     ui.painter().layout_job(job).size().x
 }
 
-/// How far the ends of a bracket reach, in points.
+/// Length of the ends of a bracket, in points.
 const BRACKET: f32 = 4.0;
 
 /// Square brackets at both sides of a place.

@@ -1,19 +1,19 @@
-//! What was typed for exercises, a key for each: `"answers basis 3" = { u = ["1", "0", "0"], "is judged" = ["u"] }`.
+//! Answers typed in exercises, a key for each: `"answers basis 3" = { u = ["1", "0", "0"], "is judged" = ["u"] }`.
 
 use toml_edit::{Array, DocumentMut, InlineTable, Value};
 
 use crate::gui::state::{Chosen, State, Typed};
 
-/// With what the keys begin.
+/// The prefix of the keys.
 const PREFIX: &str = "answers ";
-/// What is chosen for numbers that are left open begins with this; no name of what is asked does.
+/// The prefix of chosen values of open numbers; no ask has such a name.
 const FREE: &str = "free ";
-/// What was judged as it was typed.
+/// The key of answers judged as typed.
 const JUDGED: &str = "is judged";
 /// All was answered rightly once.
 const SOLVED: &str = "is solved";
 
-/// As the file has an exercise for which nothing was typed: it stands for what was taken back.
+/// The value of an exercise without typed answers: it marks those that were taken back.
 pub(super) const NOTHING: &str = "{}";
 
 /// Keys with their values as TOML.
@@ -38,7 +38,7 @@ fn table(typed: &Typed) -> InlineTable {
     table
 }
 
-/// What was typed. What cannot be understood counts as nothing.
+/// The typed answers. Unreadable ones are ignored.
 pub(super) fn read(document: &DocumentMut) -> impl Iterator<Item = (Chosen, &InlineTable)> {
     document.iter().filter_map(|(key, item)| {
         let (id, seed) = key.strip_prefix(PREFIX)?.rsplit_once(' ')?;
@@ -46,12 +46,13 @@ pub(super) fn read(document: &DocumentMut) -> impl Iterator<Item = (Chosen, &Inl
     })
 }
 
-/// True where all was answered rightly once: files of preferences said so before there was one of progress.
+/// Whether all questions were once answered rightly: files of preferences had this key before there was one of
+/// progress.
 pub(super) fn is_solved(table: &InlineTable) -> bool {
     table.get(SOLVED).and_then(Value::as_bool).unwrap_or_default()
 }
 
-/// Takes what was typed out of preferences, where it stood before there was a file of progress.
+/// Removes typed answers from preferences, which had them before there was a file of progress.
 pub(super) fn remove(document: &mut DocumentMut) {
     document.retain(|key, _| !key.starts_with(PREFIX));
 }

@@ -1,4 +1,4 @@
-//! What the window remembers from one time to the next, as a small TOML file in the user's configuration folder.
+//! Preferences of the window, in a small TOML file in the user's configuration folder.
 //!
 //! Each window writes the keys that were changed in it and no others: of two windows that are open at once the last one
 //! wins, key by key, and keys of a later version stay.
@@ -25,7 +25,7 @@ use crate::numbers::EXACT_DIGITS;
 use crate::views::{Arrangement, View, Views};
 pub use store::Preferences;
 
-/// How several pictures share the room.
+/// Layouts of several pictures.
 const LAYOUTS: Words<Option<Arrangement>> = &[
     ("auto", None),
     ("row", Some(Arrangement::Row)),
@@ -54,14 +54,14 @@ const EXPLANATIONS: Words<ExplainTab> = &[
 /// The key of the list of files that were opened or saved last.
 const RECENT: &str = "recent";
 
-/// A key of the file: its value in a window, and what it does to one; a value that it cannot have does nothing.
+/// A key of the file: its value in a window, and its effect on one; an impossible value has none.
 struct Key {
     name: &'static str,
     of: fn(&State) -> Value,
     apply: fn(&mut State, &Value),
 }
 
-/// A key whose value stands at one place of the window: a switch, a word of a list, or a number within bounds.
+/// A key whose value is in one place of the window: a switch, a word of a list, or a number within bounds.
 macro_rules! key {
     ($name:literal, switch, $($place:tt)+) => {
         Key {

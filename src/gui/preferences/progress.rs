@@ -1,7 +1,6 @@
-//! What was done with exercises, and what was typed for them: a file of its own beside the preferences, which can be
-//! read and deleted.
+//! Progress in exercises, and typed answers: a file of its own beside the preferences, which can be read and deleted.
 //!
-//! A window writes what was done in it into what the file holds by then: of two windows nothing is lost.
+//! A window merges its progress into the present content of the file: nothing of two windows is lost.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -16,7 +15,7 @@ use crate::exercises::Progress;
 use crate::gui::session::{Keeping, News};
 use crate::gui::state::{Done, Message, State};
 
-/// What one window has done.
+/// The progress of one window.
 #[derive(Clone, Debug)]
 struct ProgressJob {
     /// What was typed: keys with their values as TOML.
@@ -37,7 +36,7 @@ impl Change for ProgressJob {
         self.changed.is_empty() && self.done.is_empty()
     }
 
-    /// What is done is only ever added.
+    /// Progress only ever grows.
     fn is_same(&self, other: &Self) -> bool {
         self.changed == other.changed && self.done.len() == other.done.len()
     }
@@ -56,7 +55,7 @@ impl Change for ProgressJob {
     }
 }
 
-/// The file of progress, and what of this window is in it.
+/// The file of progress, and the part of this window in it.
 pub(super) struct KeptProgress {
     file: SharedFile<ProgressJob>,
     /// What was typed in this window, as it is in the file.
@@ -64,7 +63,7 @@ pub(super) struct KeptProgress {
 }
 
 impl KeptProgress {
-    /// Takes up what the file in `folder` keeps, and what `preferences` kept before there was one.
+    /// Loads the file in `folder`, and the answers in `preferences` from before there was one.
     pub(super) fn begin(folder: &Path, state: &mut State, preferences: &DocumentMut) -> Self {
         let (file, content) =
             SharedFile::open(folder.join("progress.toml"), "progress", (Keeping::Progress, News::ProgressSetAside));
@@ -84,8 +83,7 @@ impl KeptProgress {
         Self { file, kept }
     }
 
-    /// Writes down what was done, beside the window's thread. What cannot be written is tried again with what is done
-    /// next.
+    /// Saves the progress, beside the window's thread. A failed write is repeated with the next progress.
     pub(super) fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
         self.take(state, Duration::ZERO);
         if std::mem::take(&mut state.exercises.forgets) {
@@ -95,7 +93,7 @@ impl KeptProgress {
         self.file.ask(ctx, self.job(state));
     }
 
-    /// Writes down what has not been yet, before the window closes.
+    /// Saves the rest, before the window closes.
     pub(super) fn finish(&mut self, state: &mut State) {
         self.take(state, PATIENCE);
         let job = self.job(state);
@@ -109,24 +107,24 @@ impl KeptProgress {
         self.job(state).is_empty()
     }
 
-    /// True while it cannot be kept.
+    /// Whether it cannot be saved.
     pub(super) fn is_failing(&self) -> bool {
         self.file.is_failing()
     }
 
-    /// What there is to say about it, each once.
+    /// New messages about it, each once.
     pub(super) fn news(&mut self) -> Vec<News> {
         self.file.news()
     }
 
-    /// What is not in the file yet.
+    /// The part that is not in the file yet.
     fn job(&self, state: &State) -> ProgressJob {
         let mut changed: BTreeMap<String, String> = answers::values(state).collect();
         changed.retain(|key, value| self.kept.get(key).map_or(NOTHING, String::as_str) != value);
         ProgressJob { changed, done: state.exercises.unwritten.clone() }
     }
 
-    /// Takes what came of writing.
+    /// Takes the result of a write.
     pub(super) fn take(&mut self, state: &mut State, patience: Duration) {
         if let Some((job, progress)) = self.file.take(patience) {
             self.took(state, job, progress);

@@ -1,4 +1,4 @@
-//! What is kept of exercises, in its file.
+//! Progress in exercises, in its file.
 
 #![expect(clippy::unwrap_used, reason = "tests")]
 
@@ -60,7 +60,7 @@ fn of_two_windows_nothing_is_lost() {
     assert_eq!((times(&third), third.exercises.stage("window")), (vec![3], Stage::Solved));
     assert_eq!(third.exercises.typed[&basis()], typed("1/sqrt(3)"));
     assert_eq!(third.exercises.typed.len(), 2);
-    // What is taken back goes out of the file.
+    // Answers taken back are removed from the file.
     third.exercises.typed.insert(basis(), Typed::default());
     of_third.finish(&mut third);
     assert!(!file(&folder, "progress.toml").contains("basis 3"));
@@ -80,14 +80,14 @@ fn what_preferences_kept_before_is_read_once() {
     let (mut next, mut preferences) = folder.window();
     assert_eq!(next.exercises.stage("basis"), Stage::Solved);
     assert_eq!(next.exercises.typed[&basis()].answers["u"], ["1", ""]);
-    // Deleted, it does not come back; the file is kept under another name.
+    // Deleted, it does not come back; the file stays under another name.
     let kept = file(&folder, "progress.toml");
     next.exercises.forgets = true;
     preferences.keep(&egui::Context::default(), &mut next);
     assert!(next.exercises.progress.is_empty() && next.exercises.typed.is_empty());
     assert!(matches!(&next.message, Some(message) if !message.is_error()));
     assert_eq!((file(&folder, "progress.toml"), file(&folder, "progress.bak")), (String::new(), kept));
-    // The same answer, typed once more, is written once more.
+    // The same answer, typed again, is written again.
     next.exercises.typed.insert(basis(), typed("1"));
     preferences.finish(&mut next);
     let (last, _) = folder.window();

@@ -15,7 +15,7 @@ use crate::gui::worker::Worker;
 use crate::limits::MAX_KEPT_BYTES;
 use crate::progress::Progress;
 
-/// How long is waited for what is being written before the window closes.
+/// The longest wait for a running write before the window closes.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);
 
 /// What a window has changed, to be merged into what the file holds by then.
@@ -31,7 +31,7 @@ pub(super) trait Change: Clone + Send + 'static {
     /// True where nothing is to be written.
     fn is_empty(&self) -> bool;
 
-    /// True where nothing was added since `other` was asked for.
+    /// Whether nothing was added since `other`.
     fn is_same(&self, other: &Self) -> bool;
 
     /// The text of the file with the change in it.
@@ -88,7 +88,7 @@ pub(super) struct SharedFile<C: Change> {
     worker: Worker<(PathBuf, C), Written<C>>,
     /// What is being written, or could not be.
     asked: Option<C>,
-    /// It has been said that the file cannot be used.
+    /// The failure of the file has been reported.
     told: bool,
     news: Vec<News>,
 }

@@ -1,4 +1,4 @@
-//! Where the preferences are kept, and how they get there.
+//! The storage of the preferences.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -15,14 +15,14 @@ use crate::gui::launch_options::LaunchOptions;
 use crate::gui::session::{Keeping, News};
 use crate::gui::state::{State, merged};
 
-/// What one window has changed.
+/// The changes of one window.
 #[derive(Clone, Debug, PartialEq)]
 struct SettingsJob {
     /// Keys with their values as TOML.
     changed: BTreeMap<String, String>,
     /// The files that were opened in it, the latest first.
     opened: Vec<PathBuf>,
-    /// What was typed for exercises is in a file of its own now.
+    /// The typed answers are in a file of their own now.
     answers_moved: bool,
 }
 
@@ -67,16 +67,15 @@ pub struct Preferences {
     file: SharedFile<SettingsJob>,
     /// The keys of this window as they are in the file, or were when it was read.
     kept: BTreeMap<String, String>,
-    /// The keys that stand in the file.
+    /// The keys in the file.
     remembered: BTreeSet<String>,
     progress: KeptProgress,
-    /// What was typed for exercises stands in the file of preferences still.
+    /// The file of preferences still has typed answers.
     has_answers: bool,
 }
 
 impl Preferences {
-    /// Sets a window up as the file in `folder` says. What was `asked` for is that of this window, and is not
-    /// remembered.
+    /// Sets a window up from the file in `folder`. The options in `asked` are for this window only, and are not saved.
     #[must_use]
     pub fn begin(folder: &Path, state: &mut State, asked: LaunchOptions) -> Self {
         files::remove_left_over(folder);
@@ -110,35 +109,34 @@ impl Preferences {
         }
     }
 
-    /// Writes down what has changed, beside the window's thread. What cannot be written is tried again with the next
-    /// change.
+    /// Saves changes, beside the window's thread. A failed write is repeated with the next change.
     pub fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
         self.progress.keep(ctx, state);
         self.take(state, Duration::ZERO);
         self.file.ask(ctx, self.job(state));
     }
 
-    /// Writes down what has not been yet, before the window closes.
+    /// Saves the rest, before the window closes.
     pub fn finish(&mut self, state: &mut State) {
         self.progress.finish(state);
         self.take(state, PATIENCE);
         self.file.finish(&self.job(state));
     }
 
-    /// What there is to say about them, each once.
+    /// New messages about them, each once.
     pub fn news(&mut self) -> Vec<News> {
         let mut news = self.file.news();
         news.extend(self.progress.news());
         news
     }
 
-    /// Those of them that can be kept, as far as is known.
+    /// The parts that can be saved, as far as is known.
     pub fn kept(&self) -> impl Iterator<Item = Keeping> {
         let kept = [(Keeping::Preferences, self.file.is_failing()), (Keeping::Progress, self.progress.is_failing())];
         kept.into_iter().filter(|(_, fails)| !fails).map(|(what, _)| what)
     }
 
-    /// What is not in the file yet.
+    /// The part that is not in the file yet.
     fn job(&self, state: &State) -> SettingsJob {
         let mut changed = values(state);
         changed.retain(|key, value| self.kept.get(key) != Some(value));
@@ -146,7 +144,7 @@ impl Preferences {
         SettingsJob { changed, opened: state.recent.new.clone(), answers_moved }
     }
 
-    /// Takes what came of writing.
+    /// Takes the result of a write.
     fn take(&mut self, state: &mut State, patience: Duration) {
         if let Some((SettingsJob { changed, opened, answers_moved }, recent)) = self.file.take(patience) {
             self.has_answers &= !answers_moved;
@@ -269,7 +267,7 @@ pub(super) mod tests {
         state.settings.digits = 4;
         preferences.finish(&mut state);
         assert_eq!(folder.text(), "digits = 4\n");
-        // What is large and right is taken.
+        // A large and valid file is read.
         let text = format!("{}digits = 5\n", "# long\n".repeat(100_000));
         fs::write(folder.0.join("preferences.toml"), text).unwrap();
         assert_eq!(folder.window().0.settings.digits, 5);

@@ -1,9 +1,9 @@
-//! What is left of a window that did not close: the figure is written down after every change, and taken up again at
-//! the next start, or offered in a list.
+//! The session of a window that did not close: the figure is saved after every change, and restored at the next start,
+//! or offered in a list.
 //!
-//! Each window has a slot of its own, marked by a lock on a file, which the system takes away when the program ends,
-//! however it ends. What is restored is noted before: what did not survive that is not restored again by itself. What
-//! cannot be understood is put aside, not removed.
+//! Each window has a slot of its own, marked by a lock on a file, which the system releases when the program ends,
+//! however it ends. A restore is recorded before it begins: a session that did not survive it is not restored again by
+//! itself. An unreadable session is set aside, not deleted.
 
 mod news;
 mod session_file;
@@ -27,7 +27,7 @@ use writer::Writer;
 
 /// A figure that the window has shown for so long does not keep the program from starting.
 const SURVIVED: Duration = if cfg!(target_arch = "wasm32") {
-    // A page is often loaded anew, and what ends it comes at once.
+    // A page is often reloaded, and it ends without notice.
     Duration::from_secs(2)
 } else {
     Duration::from_secs(60)
@@ -36,25 +36,25 @@ const SURVIVED: Duration = if cfg!(target_arch = "wasm32") {
 /// After so long writing is tried again.
 const RETRY: Duration = Duration::from_secs(5);
 
-/// What a window left that did not close.
+/// The session of a window that did not close.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LeftOver {
     /// Its slot.
     pub slot: usize,
     /// The file of its figure, if it has one.
     pub path: Option<PathBuf>,
-    /// When it was written down.
+    /// The time of its last write.
     pub written: Option<SystemTime>,
     /// The program ended while, or soon after, it was being restored.
     pub did_not_survive: bool,
 }
 
-/// The sessions of this user: that of this window, and what others have left.
+/// The sessions of this user: that of this window, and those left by others.
 #[derive(Debug)]
 pub struct Sessions {
     folder: PathBuf,
     own: Option<Writer>,
-    /// Those of figures that were left with changes, and are kept in this window.
+    /// Figures left with changes, which this window still stores.
     others: Vec<(Option<Source>, Writer)>,
     left: Vec<LeftOver>,
     news: Vec<News>,
@@ -62,13 +62,12 @@ pub struct Sessions {
     restored_at: Option<Duration>,
     /// When writing failed last.
     failed_at: Option<Duration>,
-    /// It has been said that there is no slot, or that writing fails.
+    /// The lack of a slot, or the failure of writing, has been reported.
     told: bool,
 }
 
 impl Sessions {
-    /// Looks for what is left in `folder`. With `restore`, the latest of what can be restored without asking comes
-    /// back.
+    /// Looks for sessions in `folder`. With `restore`, the latest that can be restored without a question is returned.
     #[must_use]
     pub fn begin(folder: &Path, restore: bool) -> (Self, Option<Document>) {
         let mut sessions = Self {
@@ -92,23 +91,23 @@ impl Sessions {
         (sessions, document)
     }
 
-    /// What other windows have left, and nobody has decided about.
+    /// The sessions of other windows that are still undecided.
     #[must_use]
     pub fn left(&self) -> &[LeftOver] {
         &self.left
     }
 
-    /// What there is to say, once.
+    /// New messages, each once.
     pub fn news(&mut self) -> Vec<News> {
         std::mem::take(&mut self.news)
     }
 
-    /// Goes on with what is left in a slot: the user wants it.
+    /// Restores the session of a slot, at the user's request.
     pub fn restore(&mut self, slot: usize) -> Option<Document> {
         self.take_up(slot, true)
     }
 
-    /// Removes what is left in a slot: the user does not want it.
+    /// Deletes the session of a slot, at the user's request.
     pub fn discard(&mut self, slot: usize) {
         self.left.retain(|left| left.slot != slot);
         if let Ok(Some(_lock)) = self.lock(slot) {
@@ -120,7 +119,7 @@ impl Sessions {
         }
     }
 
-    /// Writes down what has changed; nothing where nothing would be lost. Call it when no pointer or key is held.
+    /// Saves changes; nothing where nothing would be lost. Call it when no pointer or key is held.
     pub fn keep(&mut self, ctx: &egui::Context, document: &Document) {
         let now = clock::now();
         match self.own.as_mut().and_then(Writer::take) {
@@ -142,7 +141,7 @@ impl Sessions {
             self.failed_at = None;
             own.ask(ctx, document, restoring);
         }
-        // Nothing else may call for the frame in which it is time.
+        // Nothing else may request the frame in which it is time.
         for (since, length) in [(self.restored_at, SURVIVED), (self.failed_at, RETRY)] {
             if let Some(since) = since.filter(|_| document.is_changed()) {
                 ctx.request_repaint_after(length.saturating_sub(now.saturating_sub(since)));
@@ -150,7 +149,7 @@ impl Sessions {
         }
     }
 
-    /// Leaves what is written down of a figure as it is, while the window shows another one.
+    /// Leaves the stored session of a figure as it is, while the window shows another one.
     pub fn leave(&mut self, ctx: &egui::Context, source: Option<Source>, document: &Document) {
         self.keep(ctx, document);
         self.others.extend(self.own.take().map(|own| (source, own)));
@@ -166,7 +165,7 @@ impl Sessions {
         }
     }
 
-    /// Removes what was written down of this window: it has been saved, or is not wanted.
+    /// Deletes the stored session of this window: it has been saved, or discarded.
     pub fn forget(&mut self) {
         let others = self.others.drain(..).map(|(_, writer)| writer);
         self.own.take().into_iter().chain(others).for_each(Writer::forget);
@@ -225,7 +224,7 @@ impl Sessions {
                     return;
                 }
                 Ok(None) => {}
-                // That of the others would not be better.
+                // The locks of the others would fail too.
                 Err(error) => return self.fail(FileError::Write(error)),
             }
         }
@@ -242,13 +241,13 @@ impl Sessions {
         }
     }
 
-    /// True while what this window shows cannot be written down.
+    /// Whether the session of this window cannot be stored.
     pub fn is_failing(&self) -> bool {
         self.told
     }
 
-    /// Makes what is left in a slot the session of this window. Without being `asked` for, only where that can be noted
-    /// first.
+    /// Makes the session of a slot that of this window. Unless `asked` for by the user, only where the restore can be
+    /// recorded first.
     fn take_up(&mut self, slot: usize, asked: bool) -> Option<Document> {
         let file = self.file(slot);
         let lock = self.lock(slot).ok().flatten().filter(|_| disk::exists(&file));

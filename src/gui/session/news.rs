@@ -1,5 +1,4 @@
-//! What there is to say about what is kept of windows: each thing once, until the user has closed it or it is no longer
-//! so.
+//! Messages about the storage of windows: each one once, until the user has closed it or it no longer holds.
 
 use std::io::ErrorKind;
 use std::mem::{Discriminant, discriminant};
@@ -8,43 +7,43 @@ use std::path::PathBuf;
 use crate::files::FileError;
 use crate::scene::system_kind;
 
-/// What there is to say about what is kept of windows; each is said once.
+/// A message about the storage of windows; each is shown once.
 #[derive(Debug)]
 pub enum News {
-    /// What was left is back.
+    /// The session was restored.
     Restored,
-    /// It is back without these keys of the figure, which are not known here; the whole is kept in this file.
+    /// The session was restored without these keys of the figure, which are not known here; the whole is in this file.
     RestoredInPart(Vec<String>, PathBuf),
-    /// What was left cannot be understood, and is kept in this file.
+    /// The session cannot be read, and is in this file.
     Damaged(PathBuf),
-    /// This file of what was left cannot be read or written.
+    /// This session file cannot be opened or written.
     Unusable(PathBuf, FileError),
     /// Another window has taken it up, or removed it.
     Taken,
     /// Too many windows have left something: this one has no slot.
     NoSlot,
-    /// The preferences cannot be understood, and are kept in this file.
+    /// The preferences cannot be read, and are in this file.
     PreferencesSetAside(PathBuf),
-    /// What is kept of exercises cannot be understood, and is kept in this file.
+    /// The progress in exercises cannot be read, and is in this file.
     ProgressSetAside(PathBuf),
-    /// Something cannot be kept.
+    /// Something cannot be stored.
     NotKept(NotKept),
-    /// Nothing can be kept: the system names no folder for it.
+    /// Nothing can be stored: the system names no folder for it.
     NoHome,
 }
 
-/// What is kept for the user.
+/// A kind of stored data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keeping {
-    /// What this window shows, against a crash.
+    /// The session of this window, against a crash.
     Session,
     /// The preferences.
     Preferences,
-    /// What was done with exercises.
+    /// The progress in exercises.
     Progress,
 }
 
-/// What cannot be kept, all of it for one cause.
+/// The kinds of data that cannot be stored, all for one cause.
 #[derive(Debug)]
 pub struct NotKept {
     what: Vec<Keeping>,
@@ -54,7 +53,7 @@ pub struct NotKept {
     pub error: FileError,
 }
 
-/// Why something cannot be kept, whether it was read or written.
+/// The cause of a failure, in reading or writing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Cause {
     System(ErrorKind),
@@ -71,7 +70,7 @@ impl NotKept {
         }
     }
 
-    /// True where this is not kept.
+    /// Whether this kind cannot be stored.
     #[must_use]
     pub fn is_about(&self, what: Keeping) -> bool {
         self.what.contains(&what)
@@ -79,23 +78,23 @@ impl NotKept {
 }
 
 impl News {
-    /// This cannot be kept, for this reason.
+    /// A failure of this kind, with its reason.
     #[must_use]
     pub fn not_kept(what: Keeping, path: PathBuf, error: FileError) -> Self {
         Self::NotKept(NotKept { what: vec![what], path, error })
     }
 }
 
-/// What is said now.
+/// The present messages.
 #[derive(Debug, Default)]
 pub struct NewsList {
     shown: Vec<News>,
-    /// Causes that the user has closed, and whether they had been told of the session, whose loss is the gravest.
+    /// Causes that the user has closed, and whether the message named the session, whose loss is the gravest.
     closed: Vec<(Cause, bool)>,
 }
 
 impl NewsList {
-    /// What is said, in the order in which it came.
+    /// The messages, in the order of arrival.
     pub fn iter(&self) -> impl Iterator<Item = &News> {
         self.shown.iter()
     }
@@ -106,8 +105,7 @@ impl NewsList {
         self.shown.is_empty()
     }
 
-    /// Says something. What is not kept for a cause that is said already joins that; what has been closed does not come
-    /// back.
+    /// Adds a message. A failure with a cause already shown joins that message; a closed one does not come back.
     pub fn tell(&mut self, news: News) {
         let News::NotKept(not_kept) = news else { return self.shown.push(news) };
         let cause = not_kept.cause();
@@ -134,7 +132,7 @@ impl NewsList {
         }
     }
 
-    /// This is kept again: what is said of it goes, and what comes later is new.
+    /// This kind is stored again: its messages go, and later ones are new.
     pub fn is_kept(&mut self, what: Keeping) {
         for news in &mut self.shown {
             if let News::NotKept(shown) = news {
@@ -183,7 +181,7 @@ mod tests {
             list.tell(not_kept(what, ErrorKind::PermissionDenied));
         }
         assert_eq!(told(&list), [[Preferences]]);
-        // That work can be lost is said, whatever was closed before.
+        // A possible loss of work is shown, whatever was closed before.
         list.close(0);
         list.tell(not_kept(Session, ErrorKind::StorageFull));
         assert_eq!(told(&list), [[Session]]);

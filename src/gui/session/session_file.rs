@@ -1,4 +1,4 @@
-//! What is written down of a window: its figure with the changes, and the file that it belongs to.
+//! The stored session of a window: its figure with the changes, and its file.
 
 use std::path::{Path, PathBuf};
 
@@ -41,7 +41,7 @@ impl KeptPath {
     }
 }
 
-/// What is written down. Keys that are not known here, from a later version, are passed over.
+/// The stored session. Unknown keys, from a later version, are ignored.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct SessionFile {
     /// The figure's file, if it has one.
@@ -74,12 +74,12 @@ impl SessionFile {
         Self { path: kept(&place.path), folder: kept(&place.folder), source, figure, restoring }
     }
 
-    /// What these bytes say; `None` where they cannot be understood.
+    /// Reads these bytes; `None` where they are unreadable.
     pub(super) fn read(bytes: &[u8]) -> Option<Self> {
         serde_json::from_slice(bytes).ok()
     }
 
-    /// The same bytes, with the note that the figure is being restored. Keys that are not known here stay.
+    /// The same bytes, with the record that the figure is being restored. Unknown keys stay.
     pub(super) fn noted(bytes: &[u8]) -> Option<Vec<u8>> {
         let mut kept: serde_json::Value = serde_json::from_slice(bytes).ok()?;
         kept.as_object_mut()?.insert(RESTORING.to_owned(), true.into());
@@ -119,7 +119,7 @@ impl SessionFile {
     }
 }
 
-/// Where a document belongs.
+/// The source of a document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct SessionPlace {
     pub(super) path: Option<PathBuf>,

@@ -120,7 +120,7 @@ fn what_is_left_stays_until_the_user_has_decided() {
     sessions.write(&changed());
     sessions.discard(1);
     assert_eq!(place.names(), ["session-0.json", "session-2.json", "session-3.json"]);
-    // Another window takes one; this one is told.
+    // Another window takes one; this one is informed.
     let (other, taken) = place.begin(true);
     assert!(taken.is_some());
     assert_eq!(other.left().len(), 1);
@@ -136,7 +136,7 @@ fn what_is_left_stays_until_the_user_has_decided() {
         }
     }
     assert!(sessions.left().is_empty());
-    // What this window had written before was given up with the question for it.
+    // The earlier session of this window was given up with the question for it.
     assert_eq!(place.names(), ["session-0.json", "session-2.json"]);
 }
 
@@ -203,7 +203,7 @@ fn a_figure_that_ends_the_program_is_not_restored_by_itself_again() {
         let (mut sessions, left) = place.begin(restore);
         assert!(left.is_none());
         assert!(sessions.left()[0].did_not_survive);
-        // What this window does has another slot.
+        // The session of this window has another slot.
         sessions.write(&changed());
         assert_eq!(place.names(), ["session-0.json", "session-1.json"]);
         sessions.forget();
@@ -253,7 +253,7 @@ fn what_cannot_be_written_is_said_once_and_tried_again() {
     assert!(matches!(sessions.news()[..], [News::NotKept(_)]));
     fs::remove_file(&place.0).unwrap();
     fs::create_dir_all(&place.0).unwrap();
-    // Nothing has changed since: after some seconds it is tried again.
+    // Nothing has changed since: after some seconds the write is repeated.
     sessions.failed_at = Some(Duration::ZERO);
     sessions.write(&change(changed(), 45.0));
     assert_eq!(place.names(), ["session-0.json"]);

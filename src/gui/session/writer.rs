@@ -16,16 +16,16 @@ use crate::gui::history::Revision;
 use crate::gui::worker::Worker;
 use crate::progress::Progress;
 
-/// How long is waited for what is being written before the window closes.
+/// The longest wait for a running write before the window closes.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// What is to be written down.
+/// The content of a session file.
 #[derive(Debug)]
 struct Note {
     place: SessionPlace,
     source: String,
     figure: Figure,
-    /// Which scene the figure has.
+    /// The revision of the scene.
     revision: Revision,
     restoring: bool,
 }
@@ -46,7 +46,7 @@ impl Note {
     }
 }
 
-/// What the slot is to hold; `None`: nothing.
+/// The new content of the slot; `None`: nothing.
 struct WriteJob {
     file: PathBuf,
     note: Option<Arc<Note>>,
@@ -65,19 +65,19 @@ impl WriteJob {
     }
 }
 
-/// True for what would be lost: changes, and in a browser, which reads no file again by itself, also what was opened.
+/// Whether work would be lost: changes, and in a browser, which reads no file again by itself, also an opened figure.
 fn is_worth_keeping(document: &Document) -> bool {
     document.is_changed()
         || (cfg!(target_arch = "wasm32") && (document.name().is_some() || !document.source().is_empty()))
 }
 
-/// The slot of this window, and what is written there.
+/// The slot of this window, and its content.
 #[derive(Debug)]
 pub(super) struct Writer {
     file: PathBuf,
     lock: Arc<Lock>,
     worker: Worker<WriteJob, Result<(), FileError>>,
-    /// What was asked for last; `None` before anything was.
+    /// The last request; `None` before there was any.
     asked: Option<Option<Arc<Note>>>,
     /// Which document that was.
     version: Option<Revision>,
@@ -109,7 +109,7 @@ impl Writer {
         }
     }
 
-    /// Writes the document down; where nothing would be lost with it, removes what was written down before.
+    /// Saves the document; where nothing would be lost with it, deletes the stored one.
     pub(super) fn ask(&mut self, ctx: &egui::Context, document: &Document, restoring: bool) {
         let note = is_worth_keeping(document).then(|| {
             Arc::new(Note {
@@ -124,7 +124,7 @@ impl Writer {
         self.worker.ask(ctx, 0, WriteJob { file: self.file.clone(), note, _lock: Arc::clone(&self.lock) });
     }
 
-    /// What came of it, once.
+    /// The result, once.
     pub(super) fn take(&mut self) -> Option<Result<(), FileError>> {
         let [done] = self.worker.take(Duration::ZERO);
         Some(done?.outcome.unwrap_or_else(|| Err(FileError::Write(std::io::Error::other("a bug in this program")))))
@@ -138,7 +138,7 @@ impl Writer {
         }
     }
 
-    /// Waits for what is being written, and removes it: it has been saved, or is not wanted.
+    /// Waits for a running write, and deletes the session: it has been saved, or discarded.
     pub(super) fn forget(mut self) {
         self.worker.take(PATIENCE);
         // The window closes, or goes on with another slot: nothing more can be done.

@@ -1,5 +1,5 @@
-//! What other pages may ask of this one, as `window.cameraLab`: a page of lecture notes that shows it in a frame of the
-//! same origin can read the figure, put another one in, get a link, and lay notes over the pictures. `docs/web.md`
+//! The interface for other pages, `window.cameraLab`: a page of lecture notes that shows this one in a frame of the
+//! same origin can read the figure, set another one, get a link, and lay notes over the pictures. `docs/web.md`
 //! describes it.
 
 use std::path::PathBuf;
@@ -47,7 +47,7 @@ pub(super) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> 
     Ok(())
 }
 
-/// Where each picture is that is shown, in the pixels of style sheets.
+/// The place of each visible picture, in the pixels of style sheets.
 fn pictures(page: &Page) -> Result<Object, JsValue> {
     let all = Object::new();
     let zoom = page.app.state.settings.zoom;

@@ -1,4 +1,4 @@
-//! Keys that call a command here, and would do something else in the browser: it is kept from that.
+//! Keys that call a command here, and would do something else in the browser, which is prevented.
 
 use eframe::egui::{Key, Modifiers};
 use wasm_bindgen::JsCast as _;

@@ -1,4 +1,4 @@
-//! The window as a page of a browser: the same program, with the page's own ways to files, to what is kept, and to its
+//! The window as a page of a browser: the same program, with the page's own ways to files, to storage, and to its
 //! address.
 //!
 //! | file | purpose |
@@ -35,7 +35,7 @@ const CANVAS: &str = "camera-lab";
 thread_local! {
     /// Files that have been read, and links that have been followed, since the last frame.
     static ARRIVED: RefCell<Vec<PathBuf>> = const { RefCell::new(Vec::new()) };
-    /// What is woken then.
+    /// The context to wake then.
     static WAKE: RefCell<Option<egui::Context>> = const { RefCell::new(None) };
 }
 
@@ -45,7 +45,7 @@ fn arrive(path: PathBuf) {
     WAKE.with_borrow(|ctx| ctx.iter().for_each(egui::Context::request_repaint));
 }
 
-/// Of files that come together, first what the others are for: a figure, else a mesh.
+/// Sorts files that arrive together by importance: a figure, else a mesh.
 fn figures_first(mut paths: Vec<PathBuf>) -> Vec<PathBuf> {
     paths.sort_by_key(|path| {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
@@ -67,7 +67,7 @@ fn window() -> Option<Window> {
 fn call(name: &str, text: &str) {
     let function = window().and_then(|window| js_sys::Reflect::get(&window, &name.into()).ok());
     if let Some(function) = function.and_then(|function| function.dyn_into::<js_sys::Function>().ok()) {
-        // There is nobody to be told that the page lacks it.
+        // Nobody is left to report that the page lacks it.
         let _ = function.call1(&JsValue::NULL, &text.into());
     }
 }
@@ -94,7 +94,7 @@ async fn start() -> Result<(), JsValue> {
     keys::keep_from_browser(&window)?;
     let runner = eframe::WebRunner::new();
     interface::offer(&window, &runner)?;
-    // The page's own decision: what it does with a fragment that changes while it is shown.
+    // The page's own reaction to a fragment that changes while it is shown.
     let followed = Closure::<dyn FnMut()>::new(|| {
         if let Some(link) = linked() {
             arrive(link);
@@ -109,7 +109,7 @@ async fn start() -> Result<(), JsValue> {
 /// The link that the page was called by, where it holds a figure and this page has not opened it before.
 fn linked() -> Option<PathBuf> {
     let fragment = window()?.location().hash().ok()?;
-    // What is wrong with it is said where it is opened.
+    // Its faults are reported where it is opened.
     let _ = share::text_in(&fragment)?;
     store::is_new_here(&fragment).then(|| PathBuf::from(fragment))
 }
@@ -119,7 +119,7 @@ fn is_framed(window: &Window) -> bool {
     !matches!(window.parent(), Ok(Some(parent)) if parent == *window)
 }
 
-/// What the user wants of every page.
+/// Whether the user has set a media query for every page.
 fn wanted(query: &str) -> bool {
     window().and_then(|window| window.match_media(query).ok().flatten()).is_some_and(|list| list.matches())
 }
@@ -137,7 +137,7 @@ struct Page {
     system: (Theme, bool),
     /// The page fills the screen, as far as this program knows.
     full_screen: bool,
-    /// It has been said that the pictures are there.
+    /// The readiness of the pictures has been reported.
     told: bool,
 }
 
@@ -162,14 +162,14 @@ impl Page {
         state.own_address = own_address(&location);
         let width = window.inner_width().ok().and_then(|width| width.as_f64());
         if !is_framed(&window) && width.is_some_and(|width| width < f64::from(super::menu::PHONE)) {
-            // The pictures need all the room there is, until a panel is asked for.
+            // The pictures need all the space there is, until a panel is requested.
             state.settings.panels_mut().wanted = [false; 3];
         }
         let system = system();
         (state.settings.theme, state.settings.reduce_motion) = system;
         let mut app = App::new(ctx, state);
         if is_framed(&window) {
-            // A figure in somebody's page changes nothing of what this browser keeps.
+            // A figure in somebody's page changes nothing stored in this browser.
             asked.apply(&mut app.state);
         } else {
             app.keep_preferences(ctx, Path::new(KEPT), asked);

@@ -1,5 +1,4 @@
-//! What the page keeps in the browser's storage, what it hands to the user as downloads, and the locks that keep its
-//! tabs apart.
+//! Storage in the browser, downloads, and the locks that keep its tabs apart.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,20 +11,20 @@ use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, Storage, Url};
 use crate::clock;
 use crate::files::disk::page::{self, Page};
 
-/// Before the names of what is kept: other pages of the same address have things of their own.
+/// The prefix of stored names: other pages of the same address have names of their own.
 const PREFIX: &str = "camera-lab/";
 
-/// How long what is downloaded stays in memory: browsers take it after the click, at their own pace.
+/// Time for which a download stays in memory: browsers take it after the click, at their own pace.
 const TAKEN_MS: i32 = 60_000;
 
 thread_local! {
     /// The locks that other tabs held when this page began.
     static ELSEWHERE: RefCell<BTreeSet<String>> = const { RefCell::new(BTreeSet::new()) };
-    /// What gives the locks of this page back.
+    /// Functions that release the locks of this page.
     static OWN: RefCell<BTreeMap<String, js_sys::Function>> = const { RefCell::new(BTreeMap::new()) };
 }
 
-/// Looks which tabs there are, and says what the page can do.
+/// Looks which tabs there are, and sets the functions of the page.
 pub(super) async fn begin() {
     let held = held_locks().await.unwrap_or_default();
     ELSEWHERE.with_borrow_mut(|elsewhere| *elsewhere = held);
@@ -39,7 +38,7 @@ pub(super) async fn begin() {
     });
 }
 
-/// Where nothing may be kept, there is no storage: that is an error where something is to be kept.
+/// Without permission to store, there is no storage: an error where something is to be stored.
 fn storage() -> io::Result<Storage> {
     let storage = super::window().and_then(|window| window.local_storage().ok().flatten());
     storage.ok_or_else(|| io::ErrorKind::PermissionDenied.into())
@@ -65,7 +64,7 @@ pub(super) fn is_new_here(link: &str) -> bool {
     if storage.get_item(KEY).ok().flatten().as_deref() == Some(link) {
         return false;
     }
-    // Where it cannot be noted, the link is opened once more.
+    // Where it cannot be recorded, the link is opened again.
     let _ = storage.set_item(KEY, link);
     true
 }

@@ -15,11 +15,11 @@ pub(super) struct Counter {
     rasterizer: Rasterizer,
 }
 
-/// What was drawn.
+/// The result of drawing a scene.
 pub(super) struct Drawn {
     /// Pixels that anything but a text covers.
     pub(super) pixels: u64,
-    /// What was done with each object of the scene.
+    /// The report of each object of the scene.
     pub(super) objects: Vec<ObjectReport>,
 }
 
@@ -68,7 +68,7 @@ impl Counter {
     ) -> Option<Vec<ObjectReport>> {
         let clear = Rgba::rgba(0, 0, 0, 0);
         let target = Target { width: image.width, height: image.height, scale: 1.0, background: clear };
-        // Which face is in front makes no difference to which pixels are covered.
+        // The order of faces does not change which pixels are covered.
         let style = Style { antialias: 1, visibility: Visibility::DepthBuffer, ..*style };
         let mut frame = self.pipeline.frame(scene, camera, target, &style, Options::default());
         // The name of a thing that is not seen is not the thing.

@@ -29,25 +29,25 @@ const SLIVER: f64 = 0.2;
 /// Why something is not in the picture, or not as it should be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Cause {
-    /// There is nothing to be seen.
+    /// There is nothing to see.
     EmptyScene,
     /// The eye is inside of it.
     CameraInsideObject,
-    /// It lies behind the plane of the eye.
+    /// Behind the plane of the eye.
     BehindCamera,
-    /// It lies between the eye and the near plane.
+    /// Between the eye and the front plane.
     BeforeNear,
-    /// It lies beyond the far plane.
+    /// Beyond the back plane.
     BeyondFar,
-    /// It lies to the left of the window.
+    /// To the left of the window.
     OutsideLeft,
-    /// It lies to the right of the window.
+    /// To the right of the window.
     OutsideRight,
-    /// It lies above the window.
+    /// Above the window.
     OutsideTop,
-    /// It lies below the window.
+    /// Below the window.
     OutsideBottom,
-    /// It is smaller than a pixel, or so thin that it lies between the pixels' centres.
+    /// Smaller than a pixel, or so thin that it lies between the pixels' centres.
     SmallerThanPixel,
     /// Its colour has alpha 0.
     FullyTransparent,
@@ -93,12 +93,12 @@ impl Cause {
 pub struct Finding {
     /// Why.
     pub cause: Cause,
-    /// The names of the objects that are lost whole, in the order of the scene; what has no name has an empty one.
+    /// The names of the objects that are lost whole, in the order of the scene; empty for an object without a name.
     pub whole: Vec<String>,
     /// The names of those of which something is seen all the same.
     pub partly: Vec<String>,
-    /// What shows those for which it is most useful: where there are any, those that this alone keeps out of the
-    /// picture. `None` where no change of the camera does.
+    /// The repair that shows the objects for which it is most useful: where there are any, those that this alone keeps
+    /// out of the picture. `None` where no change of the camera does.
     pub repair: Option<Repair>,
 }
 
@@ -109,7 +109,7 @@ impl Finding {
     }
 }
 
-/// What is seen, and why not more.
+/// The visible share of a scene, and the reasons why it is not more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnosis {
     /// Pixels of the image that the scene covers, without antialiasing.
@@ -141,7 +141,7 @@ pub fn diagnose(scene: &Scene, camera: &Camera, style: &Style, image: ImageSize)
         if subject.is_point() && covered >= FEW {
             continue;
         }
-        // Of what is smaller than a pixel, its strokes are seen, which are never finer than one.
+        // Of something smaller than a pixel, its strokes are seen, which are never finer than one.
         let is_seen = causes.is_empty() || partly || causes[0] == Cause::SmallerThanPixel;
         if is_seen && subject.opacity > 0 && !subject.is_point() {
             seen.push(index);
@@ -180,8 +180,8 @@ struct Member {
 /// Subjects with the same cause.
 struct Group {
     cause: Cause,
-    /// The least of its members. 0: first of all; 1: what is not shown, or wrongly; 2: what comes on top of another
-    /// cause, or is shown in part.
+    /// The least of its members. 0: most important; 1: something is not shown, or wrongly; 2: it comes on top of
+    /// another cause, or is shown in part.
     rank: u8,
     /// In the order of the scene.
     members: Vec<Member>,
@@ -194,7 +194,7 @@ impl Group {
     }
 }
 
-/// What has been found so far, one group for each cause.
+/// The findings so far, one group for each cause.
 #[derive(Default)]
 struct Findings(Vec<Group>);
 
@@ -219,14 +219,14 @@ impl Findings {
         }
     }
 
-    /// The most useful first: what concerns most objects, and is the first to stand in the way.
+    /// The most useful first: those that concern most objects, and are the first obstacle.
     fn sorted(mut self) -> Vec<Group> {
         self.0.sort_by_key(|group| (group.rank, std::cmp::Reverse(group.leading().count()), group.cause));
         self.0
     }
 }
 
-/// What keeps a subject out of the picture.
+/// The causes that keep a subject out of the picture.
 #[derive(Debug, Default)]
 struct Judgement {
     /// Empty where it is in the picture. The first is the one that alone would show it if it were undone, where there
@@ -242,7 +242,7 @@ impl Judgement {
     }
 }
 
-/// What is looked at.
+/// The scene under examination.
 struct Looked<'a> {
     scene: &'a Scene,
     camera: &'a Camera,
@@ -252,7 +252,7 @@ struct Looked<'a> {
 }
 
 impl Looked<'_> {
-    /// The same scene with another camera.
+    /// Judges a subject with another camera.
     fn judge_from(&mut self, camera: &Camera, subject: &NamedThing, report: Option<&ObjectReport>) -> Judgement {
         let counter = std::mem::take(&mut self.counter);
         let mut other = Looked { camera, counter, ..*self };
@@ -261,7 +261,7 @@ impl Looked<'_> {
         judgement
     }
 
-    /// Why a subject is not in the picture; `report`: what the pipeline did with it.
+    /// Finds the reason why a subject is not in the picture; `report`: its treatment by the pipeline.
     fn judge(&mut self, subject: &NamedThing, report: Option<&ObjectReport>) -> Judgement {
         let place = Whereabouts::of(subject, self.camera, self.image);
         let sides = |sides: Vec<Side>| sides.into_iter().map(Cause::outside);
@@ -289,14 +289,14 @@ impl Looked<'_> {
         judgement
     }
 
-    /// True for what is smaller than a pixel, and for a face so thin that no centre of a pixel is on it.
+    /// Whether a subject is smaller than a pixel, or a face so thin that no centre of a pixel is on it.
     fn is_between_pixels(&mut self, subject: &NamedThing, place: &Whereabouts) -> bool {
         place.is_smaller_than_pixel()
             || (place.is_thin() && subject.has_faces(self.style) && self.alone(subject) == Some(0))
     }
 
-    /// What no single plane keeps out of the volume, and is not in it all the same: a floor around an eye that looks
-    /// up, or a surface of which only back faces are turned to the eye.
+    /// Judges a subject that no single plane keeps out of the volume, and that is still not drawn: a floor around an
+    /// eye that looks up, or a surface that shows only back faces to the eye.
     fn not_drawn(
         &mut self,
         subject: &NamedThing,
@@ -320,7 +320,7 @@ impl Looked<'_> {
         Some(Judgement::whole(vec![cause]))
     }
 
-    /// What is cut so that little of it is left.
+    /// Judges a subject of which clipping leaves little.
     fn partly_outside(&self, subject: &NamedThing, place: &Whereabouts) -> Judgement {
         let mut causes = Vec::new();
         if subject.has_faces(self.style) && place.center_depth() > self.camera.far() {
@@ -358,7 +358,7 @@ impl Looked<'_> {
     }
 }
 
-/// So many pixels of a back face are seen only where a solid is open: at a silhouette, rounding makes a few.
+/// More pixels of a back face than this are seen only where a solid is open: at a silhouette, rounding makes a few.
 const MANY_BACK_FACES: u64 = 6;
 
 /// The middle of a ball around points, and its radius.

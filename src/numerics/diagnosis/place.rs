@@ -1,4 +1,4 @@
-//! Where the points of a subject lie: on which side of each plane of the volume, how deep, and on which pixels.
+//! The place of the points of a subject: the side of each plane of the volume, the depth, and the pixels.
 
 use glam::{DVec2, DVec3};
 
@@ -17,7 +17,7 @@ pub(super) enum Side {
 
 const SIDES: [Side; 4] = [Side::Left, Side::Right, Side::Bottom, Side::Top];
 
-/// Where a subject lies.
+/// The place of a subject.
 #[derive(Clone, Debug)]
 pub(super) struct Whereabouts {
     /// Least and greatest distance from the eye along DOP.
@@ -86,7 +86,7 @@ impl Whereabouts {
         sides
     }
 
-    /// How far outside of a side the middle is, in images.
+    /// Distance of its middle outside a side, in images.
     fn excess(&self, side: Side) -> f64 {
         match side {
             Side::Left => -0.5 - self.center.x,
@@ -123,12 +123,12 @@ impl Whereabouts {
         self.size_on_image().is_some_and(|size| size.max_element() < 1.0)
     }
 
-    /// It may lie between the centres of pixels.
+    /// Whether it may lie between the centres of pixels.
     pub(super) fn is_thin(&self) -> bool {
         self.size_on_image().is_some_and(|size| size.min_element() < 2.0)
     }
 
-    /// How much of its box is on the image; `None` where that is not known, or where its middle is.
+    /// The share of its box on the image; `None` where it is not known, or where its middle is.
     pub(super) fn share_inside(&self) -> Option<f64> {
         self.center_outside()?;
         let [least, most] = self.box_on_image?;

@@ -1,5 +1,4 @@
-//! What would show what is not seen: changes of the camera from small to large. The first one is offered whose picture
-//! shows it.
+//! Repairs: changes of the camera from small to large. The first one whose picture shows the lost objects is offered.
 
 use glam::DVec3;
 use serde::ser::SerializeMap as _;
@@ -24,7 +23,7 @@ pub struct Repair {
     pub style: Style,
 }
 
-/// How well a picture has to show what it is repaired for.
+/// The success criterion of a repair.
 #[derive(Clone, Copy, PartialEq)]
 enum Wanted {
     /// All of it in the volume, on more than a few pixels.
@@ -113,7 +112,7 @@ impl Looked<'_> {
         Some(Ball { center, radius: if radius > 0.0 { radius } else { 0.05 * self.camera.distance() } })
     }
 
-    /// The camera looks there from where it stands, or, in parallel projection, moves aside.
+    /// Cameras turned towards the subjects from where they are, or, in parallel projection, moved aside.
     fn turned(&self, members: &[&NamedThing]) -> Vec<Parameters> {
         let (p, Some(ball)) = (*self.camera.parameters(), self.ball(members)) else { return Vec::new() };
         let Ball { center, radius } = ball;
@@ -141,8 +140,8 @@ impl Looked<'_> {
         all.iter().flat_map(|q| [*q, around(q, center, radius)]).collect()
     }
 
-    /// The camera stands so that a ball around the subjects fills the window: in its own direction, or another one;
-    /// with its own lens, or an ordinary one.
+    /// Cameras placed so that a ball around the subjects fills the window: in their own direction, or another one; with
+    /// their own lens, or an ordinary one.
     fn reframed(&self, members: &[&NamedThing]) -> Vec<Parameters> {
         let (p, Some(ball)) = (*self.camera.parameters(), self.ball(members)) else { return Vec::new() };
         let b = self.camera.basis();

@@ -1,4 +1,4 @@
-//! What a scene consists of, by name: objects and grids.
+//! The contents of a scene, by name: objects and grids.
 
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ pub(super) struct NamedThing<'a> {
     what: ThingKind<'a>,
 }
 
-/// What it is made of.
+/// The parts of a named thing.
 #[derive(Clone, Copy)]
 enum ThingKind<'a> {
     Object(&'a Object),
@@ -81,7 +81,7 @@ impl<'a> NamedThing<'a> {
         }
     }
 
-    /// It is drawn as marks, which have their size whatever the camera.
+    /// Whether it is drawn as marks, which have their size whatever the camera.
     pub(super) fn is_point(&self) -> bool {
         match self.what {
             ThingKind::Object(object) => !object.faces && object.mesh.edges.is_empty(),
@@ -142,7 +142,7 @@ impl<'a> NamedThing<'a> {
         }
     }
 
-    /// The same, with both sides of its faces drawn.
+    /// The same thing, with both sides of its faces drawn.
     pub(super) fn both_sides(&self, scene: &Scene) -> Scene {
         let mut alone = self.alone(scene);
         alone.objects.iter_mut().for_each(|object| object.two_sided = true);
@@ -167,7 +167,7 @@ fn opacity(object: &Object) -> u8 {
     }
 }
 
-/// How often a surface winds around a point of the object's space.
+/// Winding number of a surface around a point of the object's space.
 fn winding(object: &Object, p: DVec3) -> f64 {
     let mesh = &object.mesh;
     let angle = |triangle: &[u32; 3]| {

@@ -82,7 +82,8 @@ impl Setup {
             ..Parameters::default()
         };
         let camera = Camera::new(&parameters).ok()?;
-        // A whole number of 256ths of a pixel: the program places vertices there, and that is not what is studied.
+        // A whole number of 256ths of a pixel: the program places vertices there, which is not the subject of the
+        // study.
         let grid = |p: DVec2| (p * 256.0).round() / 256.0;
         let middle = DVec2::splat(side / 2.0) + DVec2::new(random.unit(), random.unit());
         let turn = DVec2::from_angle(random.between(0.0, std::f64::consts::TAU));
@@ -118,7 +119,7 @@ impl Setup {
 }
 
 /// The exact share of pixel (i, j), rows from the top, that a triangle covers: I. Sutherland, G. Hodgman, *Reentrant
-/// polygon clipping* (1974), on the triangle against the pixel, and the area of what is left.
+/// polygon clipping* (1974), on the triangle against the pixel, and the area of the remaining polygon.
 fn covered(triangle: &Triangle, i: u32, j: u32) -> f64 {
     let (left, top) = (f64::from(i), f64::from(SIDE - j));
     let (low, high) = triangle.iter().fold((DVec2::MAX, DVec2::MIN), |(low, high), p| (low.min(*p), high.max(*p)));
@@ -153,11 +154,11 @@ fn covered(triangle: &Triangle, i: u32, j: u32) -> f64 {
 
 #[derive(Clone, Copy)]
 enum Samples {
-    /// As the program draws with so many samples.
+    /// The program's drawing with this number of samples.
     Program(u8),
-    /// As the program draws where nothing else is asked for.
+    /// The program's drawing by default.
     Own,
-    /// So many in a row and column, at even distances.
+    /// A grid with this number of samples in a row and column, at even distances.
     Grid(u32),
 }
 

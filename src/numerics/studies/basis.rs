@@ -20,7 +20,7 @@ use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
 
 /// The angles between VUP and DOP, in radians.
 const ANGLES: [f64; 8] = [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-11, 1e-13, 1e-15];
-/// What the vectors are multiplied by.
+/// Factors of the vectors.
 const SIZES: [(&str, f64); 3] = [("size 1", 1.0), ("size 1e150", 1e150), ("size 1e-150", 1e-150)];
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
@@ -61,7 +61,7 @@ fn input(random: &mut Random, angle: f64, size: f64) -> Parameters {
         let across = towards_viewer.cross(random.direction()).normalize_or(DVec3::X);
         let focal_point = random.direction() * random.between(0.5, 2.0);
         let position = focal_point + towards_viewer * random.between(1.0, 3.0);
-        // From the difference as it came out, so that the angle is what it should be.
+        // From the rounded difference, so that the angle is exact.
         let along = (position - focal_point).normalize();
         let view_up = along * angle.cos() + across * angle.sin();
         let [position, focal_point, view_up] = [position, focal_point, view_up].map(|v| v * size);

@@ -1,8 +1,8 @@
 //! Segments, some through the plane of the eye (w = 0), cut before the division or after it.
 //!
-//! The camera stands in the origin and looks along −z, so that world and view space are the same. The error is the
-//! greatest distance between the ends that a method gives and the true ones, in normalised device coordinates; where
-//! one of the two is empty, the diagonal of the canonical volume.
+//! The camera is at the origin and looks along −z, so that world and view space are the same. The error is the greatest
+//! distance between the ends found by a method and the true ones, in normalised device coordinates; where one of the
+//! two is empty, the diagonal of the canonical volume.
 
 use std::mem::size_of;
 
@@ -19,7 +19,7 @@ use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
 use crate::pipeline::project::clipped_segment_of;
 use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape};
 
-/// How far the second end lies from the plane of the eye: behind it, or, in the harmless case, in front of it.
+/// Distance of the second end from the plane of the eye: behind it, or, in the harmless case, in front of it.
 const BEHIND: [f64; 6] = [1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6];
 /// The diagonal of the canonical volume.
 const WORST: f64 = 3.464_101_615_137_754_6;
@@ -138,7 +138,7 @@ fn after_divide<R: Real>(matrix: &Matrix<R>, ends: &Ends) -> Option<Ends> {
     Some([at(&inside[0]).to_f64(), at(&inside[1]).to_f64()])
 }
 
-/// From where to where along a segment all six distances, given at its ends, are at least 0.
+/// The interval of a segment in which all six distances, given at its ends, are at least 0.
 fn part<R: Real>(distances: impl Fn(usize) -> [R; 2]) -> Option<[R; 2]> {
     let (mut from, mut to) = (R::zero(), R::one());
     for plane in 0..6 {

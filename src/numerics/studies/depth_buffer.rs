@@ -1,10 +1,11 @@
-//! The formats of depth buffers: which distances can be told apart, at which depth, for which far/near.
+//! The formats of depth buffers: the distances that each resolves, by depth and by far/near.
 //!
-//! The program's own pictures spread their depths over what is in view, where F … B would not tell it apart; here the
-//! cubes of the figure are in view, which begin at the depths that are tried.
+//! The program's own pictures spread their depths over the part of the volume in view, where F … B would not resolve
+//! it; here the cubes of the figure are in view, which begin at the depths under test.
 //!
-//! F is 1. The error is the length of the interval of depths that get the same value, in scene units: what lies within
-//! may flicker. Sources: P. Upchurch, M. Desbrun, *Tightening the precision of perspective rendering* (2012); N. Reed,
+//! F is 1. The error is the length of the interval of depths that get the same value, in scene units: surfaces within
+//! it may flicker. Sources: P. Upchurch, M. Desbrun, *Tightening the precision of perspective rendering* (2012); N.
+//! Reed,
 //! *Depth precision visualized* (2015).
 
 use std::mem::size_of;
@@ -25,7 +26,7 @@ const RATIOS: [f64; 7] = [10.0, 100.0, 1e3, 1e4, 1e5, 1e7, 1e9];
 /// Surfaces this share of their depth apart are tried for z-fighting.
 const GAP: f64 = 1e-3;
 
-/// Where in the volume.
+/// The place in the volume.
 #[derive(Clone, Copy)]
 enum DepthCase {
     Near,
@@ -115,7 +116,7 @@ impl DepthCase {
         }
     }
 
-    /// Takes down how far off a format is at `depths`, and gives what the theory predicts for the mean.
+    /// Records the error of a format at `depths`, and returns the theoretical prediction for the mean.
     #[expect(clippy::cast_precision_loss, reason = "a few hundred depths")]
     fn judge(
         self,
@@ -147,7 +148,7 @@ impl DepthCase {
     }
 }
 
-/// How long the interval around `z` is in which every depth has the same value.
+/// Length of the interval around `z` in which every depth has the same value.
 fn interval(range: &Range, z: f64, value: &impl Fn(f64) -> i64) -> f64 {
     let here = value(z);
     let edge = |towards: f64| {

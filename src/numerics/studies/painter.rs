@@ -1,4 +1,4 @@
-//! Pictures as the program makes them, pixel by pixel, for the studies of what is seen.
+//! Pictures of the program, pixel by pixel, for the studies of visibility.
 
 use std::sync::Arc;
 

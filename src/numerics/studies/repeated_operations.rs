@@ -1,4 +1,4 @@
-//! 10, 10³, 10⁶ small azimuths, one after the other: what is left of the basis, of D, and of C.
+//! 10, 10³, 10⁶ small azimuths, one after the other: the errors of the basis, of D, and of C.
 //!
 //! The reference is one rotation by the sum of the angles, which is exact: each angle has few enough digits for it.
 
@@ -21,7 +21,7 @@ use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
 use crate::progress::{Progress, at_once, pause};
 
 const STEPS: [u32; 3] = [10, 1_000, 1_000_000];
-/// So many steps are made without a pause.
+/// Number of steps without a pause.
 const STRETCH: u32 = 4_000;
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
@@ -89,7 +89,7 @@ struct Start {
     exact_position: Vector<Reference>,
 }
 
-/// Where a method ends.
+/// The final camera of a method.
 struct End {
     axes: [DVec3; 3],
     position: DVec3,
@@ -149,8 +149,8 @@ impl Start {
     }
 }
 
-/// Where a method ends after so many steps; it pauses after each [`STRETCH`] of them, and ends there where it is not
-/// wanted any more.
+/// A method: the final camera after a number of steps; it pauses after each [`STRETCH`] of them, and ends there if it
+/// was cancelled.
 type Turned = for<'a> fn(&'a Start, u32, &'a Progress) -> Pin<Box<dyn Future<Output = End> + 'a>>;
 
 const METHODS: [(&str, Turned); 7] = [
@@ -163,7 +163,7 @@ const METHODS: [(&str, Turned); 7] = [
     (OWN, |start, steps, progress| Box::pin(own(start, steps, progress))),
 ];
 
-/// What so many steps make of `state`.
+/// The state after this number of steps.
 async fn repeated<S>(mut state: S, steps: u32, progress: &Progress, step: impl Fn(S) -> S) -> S {
     let mut left = steps;
     while left > STRETCH {
@@ -177,8 +177,8 @@ async fn repeated<S>(mut state: S, steps: u32, progress: &Progress, step: impl F
     stretch(state, left, &step)
 }
 
-/// Steps without a pause. In a function of its own the compiler keeps the state in registers: within what pauses it
-/// went through memory at each step, which took six times as long as the arithmetic of a matrix.
+/// Steps without a pause. In a function of its own the compiler keeps the state in registers: inside a function that
+/// pauses it went through memory at each step, which took six times as long as the arithmetic of a matrix.
 #[inline(never)]
 fn stretch<S>(mut state: S, steps: u32, step: &impl Fn(S) -> S) -> S {
     for _ in 0..steps {

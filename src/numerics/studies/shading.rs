@@ -25,7 +25,7 @@ use crate::scene::{Light, LightSpec, Mesh, ObjectSpec, Preset, Scene, SceneSpec,
 const SEGMENTS: [u32; 7] = [8, 16, 32, 64, 128, 256, 512];
 const SIZE: [u32; 2] = [80, 60];
 const COLOR: Rgba = Rgba::rgb(200, 120, 60);
-/// Where the light goes.
+/// The direction of the light.
 const LIGHT: DVec3 = DVec3::new(-0.5, -1.0, -0.7);
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
@@ -62,7 +62,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     Findings { study: Study::Shading, reference: "ray casting of the true surface in 512 bits", working_set, rows }
 }
 
-/// The shadings; `None`: what a figure has that names none.
+/// The shadings; `None`: the default of a figure.
 const METHODS: [(&str, Option<Shading>); 4] =
     [("flat", Some(Shading::Flat)), ("gouraud", Some(Shading::Gouraud)), ("phong", Some(Shading::Phong)), (OWN, None)];
 
@@ -135,7 +135,7 @@ struct Setup {
 }
 
 impl Setup {
-    /// It pauses after each row of rays.
+    /// Pauses after each row of rays.
     async fn new(solid: Solid) -> Option<Self> {
         let [m, n] = SIZE.map(f64::from);
         let parameters = Parameters {
@@ -267,7 +267,7 @@ fn hit(solid: Solid, eye: &Vector<Reference>, ray: &Vector<Reference>) -> Option
     Some(eye.plus(&ray.times(&t)))
 }
 
-/// Where a function that has one valley between two places is least.
+/// The minimum of a function that has one valley between two places.
 fn least(value: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     for _ in 0..60 {
         let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);

@@ -1,7 +1,7 @@
 //! World points to view space, in worlds 1 … 10¹² from the origin.
 //!
-//! The points lie in a scene of size 1 around PF. The error is that of the view-space position, in scene units; of a
-//! method that has only clip coordinates, the position that they stand for, by the exact inverse of M_p.
+//! The points lie in a scene of size 1 around PF. The error is that of the view-space position, in scene units; for a
+//! method that has only clip coordinates, that of the position they represent, by the exact inverse of M_p.
 
 use std::mem::size_of;
 
@@ -100,7 +100,7 @@ impl Setup {
         }
     }
 
-    /// The view-space position that clip coordinates stand for.
+    /// The view-space position that clip coordinates represent.
     fn view_of_clip(&self, clip: &[f64; 4]) -> Vector<Reference> {
         let [x, y, z, w] = clip.map(Reference::of);
         let m = |i: usize, j: usize| self.exact_projection.0[i][j].clone();
@@ -118,7 +118,7 @@ impl Setup {
     }
 }
 
-/// What a method gives for a point.
+/// The result of a method for a point.
 enum Outcome {
     View(DVec3),
     Clip([f64; 4]),
@@ -149,8 +149,8 @@ fn view_outcomes(results: Vec<DVec3>) -> Vec<Outcome> {
     results.into_iter().map(Outcome::View).collect()
 }
 
-/// One matrix M_p M_v in the precision of `R`, made in `f64` and rounded, for points in the same precision: what a
-/// graphics card is usually given.
+/// One matrix M_p M_v in the precision of `R`, made in `f64` and rounded, for points in the same precision: the usual
+/// input of a graphics card.
 fn one_matrix<R: Real>(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     let matrix = setup.projection.product(&setup.view).rounded::<R>();
     let points: Vec<[R; 4]> = setup.points.iter().map(|&p| column(p)).collect();
@@ -211,13 +211,13 @@ fn compensated(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> 
     }))
 }
 
-/// What the pictures are drawn from.
+/// The positions from which the pictures are drawn.
 fn pictures(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     let view = view_of(&setup.camera);
     view_outcomes(trial.time(watch, &setup.points, |&p| view(p)))
 }
 
-/// What the numbers are printed from: every station of the point, not only its place in view space.
+/// The numbers that are printed: every station of the point, not only its place in view space.
 fn own(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     let image = ImageSize::default();
     let viewport = Viewport::whole(image);

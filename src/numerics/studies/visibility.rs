@@ -1,4 +1,4 @@
-//! Which surface is seen: painter, BSP, depth buffers, against ray casting in high precision.
+//! Visible surfaces: painter, BSP, depth buffers, against ray casting in high precision.
 //!
 //! The error is the share of pixels that show another surface than the ray through their centre meets first. B is 100;
 //! F is B over the parameter.
@@ -101,7 +101,7 @@ fn close(random: &mut Random) -> Vec<Triangle> {
     [of(1.0), of(-1.0)].concat()
 }
 
-/// Surfaces, the camera, and what is truly seen.
+/// Surfaces, the camera, and the truly visible surfaces.
 struct Setup {
     parameters: Parameters,
     camera: Camera,
@@ -113,8 +113,8 @@ struct Setup {
 }
 
 impl Setup {
-    /// The camera stands in the origin and looks along −z: world and view space are the same. It pauses after each row
-    /// of rays.
+    /// The camera is at the origin and looks along −z: world and view space are the same. Pauses after each row of
+    /// rays.
     async fn new(triangles: Vec<Triangle>, ratio: f64) -> Option<Self> {
         let [m, n] = SIZE.map(f64::from);
         let parameters = Parameters {
@@ -198,10 +198,10 @@ impl Solid {
         Self { corners: [a, b, c], sides, normal, sides_f64 }
     }
 
-    /// Where along the ray it is met, as a depth.
+    /// The depth at which the ray meets it.
     fn hit(&self, ray: &Vector<Reference>) -> Option<Reference> {
         let near_ray = ray.to_f64();
-        // What is plainly outside needs no more digits.
+        // A plain miss needs no more digits.
         let products = self.sides_f64.map(|side| side.dot(near_ray) / side.length());
         if products.iter().any(|&x| x > 1e-9) && products.iter().any(|&x| x < -1e-9) {
             return None;

@@ -19,7 +19,7 @@ use crate::i18n::numerics as words;
 use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
 
-/// How often the share of what is done is looked at.
+/// Interval between looks at the progress.
 const GLANCE: Duration = Duration::from_millis(100);
 /// Width of the list of studies, in points.
 const LIST: f32 = 210.0;
@@ -101,7 +101,7 @@ fn studies(ui: &mut Ui, state: &mut State) {
     });
 }
 
-/// What a study asks, before it has been measured.
+/// The question of a study, before it has been measured.
 fn nothing_yet(ui: &mut Ui, state: &State) {
     let lang = state.settings.lang;
     ui.vertical(|ui| {
@@ -192,7 +192,7 @@ fn methods(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
     opened
 }
 
-/// Opens the figure of a row in the three pictures. The one that was open is kept with its changes.
+/// Opens the figure of a row in the three pictures. The open figure is kept with its changes.
 fn open(state: &mut State, text: &str) {
     // The program wrote it, of a camera that it had measured: a test opens every one.
     let Ok(figure) = read::parse(text) else { return };

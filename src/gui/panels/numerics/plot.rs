@@ -12,12 +12,12 @@ use crate::numbers::significant;
 use crate::numerics::charts::Pair;
 use crate::numerics::{Findings, Row};
 
-/// How near to a point the pointer has to be, in points.
+/// Distance within which the pointer catches a point, in points.
 const NEAR: f32 = 14.0;
 /// Room for the line that reads out the point under the pointer.
 const READOUT: f32 = 22.0;
 
-/// Shows a chart and what is under the pointer; gives the row whose point was clicked.
+/// Shows a chart and the values under the pointer; returns the row whose point was clicked.
 pub(super) fn show(
     ui: &mut Ui,
     lang: Lang,

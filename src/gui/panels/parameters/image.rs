@@ -69,7 +69,8 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     section(ui, t.viewport, "viewport", false, |ui| viewport(ui, state, t));
 }
 
-/// The note on a row; while it is under the pointer, or has the keyboard, the explanations mark what depends on it.
+/// The note on a row; while it is under the pointer, or has the focus, the explanations mark the entries that depend on
+/// it.
 fn point_at(ui: &egui::Ui, pointed: &mut Vec<Symbol>, row: egui::Rect, symbols: &[Symbol]) {
     if let Some(symbol) = symbols.first() {
         help_topic_row(ui, row, notes::of_symbol(*symbol));

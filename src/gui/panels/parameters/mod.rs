@@ -91,7 +91,7 @@ fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
     image::ui(ui, state);
 }
 
-/// The camera's parameters while their fields are shown, and what is wrong with them.
+/// The camera's parameters while their fields are shown, and their faults.
 struct ParameterForm {
     t: &'static Texts,
     lang: Lang,
@@ -103,7 +103,7 @@ struct ParameterForm {
     /// A camera that knows more than its parameters.
     replaced: Option<Camera>,
     said: bool,
-    /// What the parameter under the pointer measures.
+    /// The measure of the parameter under the pointer.
     measured: Vec<Measured>,
     /// The parameter under the pointer, or that has the keyboard.
     pointed: Vec<Symbol>,
@@ -129,7 +129,7 @@ impl ParameterForm {
         self.error.as_ref().is_some_and(|error| error.keys().contains(&key))
     }
 
-    /// What is wrong with a value, below its field: the fault of the text that was typed, or of the value.
+    /// Shows the fault of a value below its field: that of the typed text, or of the value.
     fn complain(&mut self, ui: &mut egui::Ui, key: &str, fields: &[FieldOutput]) {
         for error in fields.iter().filter_map(|field| field.error.as_ref()) {
             complaint(ui, &error.text(self.t.lang));
@@ -181,7 +181,7 @@ impl ParameterForm {
     }
 
     /// While the pointer is on the row of a parameter, the world shows its length or angle; then, and while its field
-    /// has the keyboard, the explanations mark what depends on it.
+    /// has the focus, the explanations mark the entries that depend on it.
     fn point_at(&mut self, ui: &egui::Ui, key: &str, row: egui::Rect) {
         let pointed = ui.rect_contains_pointer(row);
         if pointed && !ui.input(|input| input.pointer.any_down()) {

@@ -1,4 +1,4 @@
-//! What the pictures show of the pipeline's inner work.
+//! The section about the inner work of the pipeline.
 
 use eframe::egui;
 

@@ -1,4 +1,4 @@
-//! How the scene is drawn.
+//! The section about the style of the drawing.
 
 use eframe::egui;
 

@@ -1,4 +1,4 @@
-//! What the world picture shows besides scene and camera.
+//! The section about the content of the world picture besides scene and camera.
 
 use eframe::egui;
 

@@ -1,4 +1,4 @@
-//! What can be added to a scene, and where it is put.
+//! Objects and lights to add to a scene, and their placement.
 
 use eframe::egui;
 use glam::DVec3;
@@ -11,7 +11,7 @@ use crate::i18n::scenes::Texts;
 use crate::numbers;
 use crate::scene::{LightSpec, ObjectSpec, Shape};
 
-/// The menu of what can be added.
+/// The menu of objects and lights to add.
 pub(super) fn menu(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     let button = egui::Button::new(format!("+ {}", t.add));
     let response = egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| entries(ui, state, t)).0;
@@ -69,7 +69,7 @@ fn chosen(ui: &mut egui::Ui, name: &str) -> bool {
     clicked
 }
 
-/// Adds an object where the camera looks, in a size that suits what it sees.
+/// Adds an object at PF, in a size that suits the view.
 fn add(state: &mut State, object: ObjectSpec) {
     let camera = state.document.camera();
     let size = if object.shape.is_some() { size_in(camera) } else { 1.0 };
@@ -86,7 +86,7 @@ fn add_light(state: &mut State, light: LightSpec) {
     let camera = state.document.camera();
     let light = match light {
         LightSpec::Directional(_) => light,
-        // Above what is looked at, as a lamp hangs.
+        // Above the focal point, as a lamp hangs.
         LightSpec::Point(_) => {
             let size = size_in(camera);
             LightSpec::Point(rounded(camera.focal_point() + DVec3::new(size, 4.0 * size, size), size / 10.0))
@@ -97,7 +97,7 @@ fn add_light(state: &mut State, light: LightSpec) {
     state.tree.select(Some(Selected::Light(index)));
 }
 
-/// 1, 2 or 5 times a power of ten, about a fifth of what the camera sees at PF from the middle upwards.
+/// 1, 2 or 5 times a power of ten, about a fifth of the visible height at PF above the middle.
 fn size_in(camera: &Camera) -> f64 {
     let half = match camera.projection() {
         Projection::Parallel => camera.window().height() / 2.0,

@@ -13,7 +13,7 @@ enum Kind {
     Point,
 }
 
-/// Kind, direction or place; what the button asks for.
+/// Kind, direction or position; returns the request of the button.
 pub(super) fn ui(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let light = *form.scene.lights.get(index)?;
@@ -33,7 +33,7 @@ pub(super) fn ui(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) -> Optio
     let field = VectorField { symbol: "", name, hint, field: name, owner: &owner, step, angles: false, marked };
     let outputs = field.show(ui, form.window, &mut vector);
     form.complain(ui, None, key, &outputs);
-    // A lamp of the other kind stands, or shines, opposite to where it did.
+    // A lamp of the other kind is, or shines, opposite to the old one.
     form.scene.lights[index] = match (kind, kind == old) {
         (Kind::Directional, true) => LightSpec::Directional(vector),
         (Kind::Point, true) => LightSpec::Point(vector),

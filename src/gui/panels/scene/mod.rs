@@ -1,4 +1,4 @@
-//! The scene: the named scene, the tree of objects, the lights, and below them what is selected.
+//! The scene: the named scene, the tree of objects, the lights, and below them the selection.
 
 mod add;
 mod light;
@@ -36,7 +36,7 @@ enum Edit {
         names: BTreeSet<String>,
         children: Children,
     },
-    /// Asks what becomes of what hangs on them, where something does.
+    /// Asks about the children, where there are any.
     AskRemove(BTreeSet<String>),
     RemoveLight(usize),
 }
@@ -80,7 +80,7 @@ fn named_scene(ui: &mut egui::Ui, state: &mut State) {
     row(ui, "", t.preset, t.preset_hint, |ui| choice(ui, t.preset, t.preset_hint, &mut preset, &presets));
     if preset != old {
         state.document.edit(|figure| edit::choose_preset(&mut figure.scene, preset));
-        // Nothing is of interest in an empty scene: what is there stays as it is seen.
+        // An empty scene has nothing to frame: the viewpoint stays.
         if preset != Preset::Empty {
             show_from_its_best_side(state, preset);
         }
@@ -105,7 +105,8 @@ fn show_from_its_best_side(state: &mut State, preset: Preset) {
     *state.document.observers_mut() = Default::default();
 }
 
-/// The button that writes the named scene out as a list of objects. It says before and after what the list cannot say.
+/// The button that expands the named scene into a list of objects. It tells before and after what the list cannot
+/// express.
 fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     let preset = state.document.figure().scene.preset;
     if preset == Preset::Empty {
@@ -125,7 +126,7 @@ fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     state.say(Message::WrittenOut(preset));
 }
 
-/// What is selected, with its fields; what its buttons ask for.
+/// The selection, with its fields; returns the request of its buttons.
 fn selected(ui: &mut egui::Ui, state: &mut State, t: &Texts) -> Option<Edit> {
     let scene = &state.document.figure().scene;
     let mut form = SceneForm::new(state);
@@ -154,7 +155,7 @@ fn section_of<R>(ui: &mut egui::Ui, title: &str, body: impl FnOnce(&mut egui::Ui
     result
 }
 
-/// The scene while its fields are shown, and what is wrong with it.
+/// The scene while its fields are shown, and its faults.
 struct SceneForm {
     t: &'static Texts,
     window: &'static window::Texts,
@@ -164,7 +165,7 @@ struct SceneForm {
     error: Option<SceneError>,
     /// A unit of length that suits the scene.
     step: f64,
-    /// What the part of the transform measures that is under the pointer.
+    /// The measure of the part of the transform under the pointer.
     measured: Vec<Measured>,
     /// The part of the transform that is under the pointer, or has the keyboard.
     pointed: Vec<Symbol>,
@@ -188,8 +189,8 @@ impl SceneForm {
         }
     }
 
-    /// While the pointer is on a part of the transform, or its field has the keyboard, the world shows what it
-    /// measures, and the explanations mark what depends on it.
+    /// While the pointer is on a part of the transform, or its field has the focus, the world shows its measure, and
+    /// the explanations mark the entries that depend on it.
     fn point_at(&mut self, ui: &egui::Ui, rect: egui::Rect, key: &str) {
         let symbols = symbols_of(key);
         let Some(symbol) = symbols.first() else { return };
@@ -209,7 +210,7 @@ impl SceneForm {
         self.error.as_ref().is_some_and(|error| error.object() == object && error.key() == key)
     }
 
-    /// What is wrong with a value, below its field: the fault of the text that was typed, or of the value.
+    /// Shows the fault of a value below its field: that of the typed text, or of the value.
     fn complain(&self, ui: &mut egui::Ui, object: Option<&str>, key: &str, fields: &[FieldOutput]) {
         for error in fields.iter().filter_map(|field| field.error.as_ref()) {
             super::complaint(ui, &error.text(self.window.lang));
@@ -237,7 +238,7 @@ impl SceneForm {
     }
 }
 
-/// What a coordinate of a part of the transform measures.
+/// The measure of a coordinate of a part of the transform.
 fn measure_of(key: &str, i: usize) -> Option<Measured> {
     match key {
         "translate" => Some(Measured::Translate(i)),

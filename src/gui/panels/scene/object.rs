@@ -1,4 +1,4 @@
-//! The fields of an object: name, kind, parent, transform, colour, segments, and what its shape needs.
+//! The fields of an object: name, kind, parent, transform, colour, segments, and the data of its shape.
 
 use std::collections::BTreeSet;
 
@@ -25,7 +25,7 @@ use crate::scene::transform;
 use crate::scene::{ObjectPaint, ObjectSpec, SceneError, Shape, ShapeData};
 use crate::views::Transforming;
 
-/// The fields of the object at this place of the list; what its buttons ask for.
+/// The fields of the object at this place of the list; returns the request of its buttons.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let name = form.scene.objects[index].name.clone();
@@ -54,7 +54,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, ind
     asked
 }
 
-/// What an object of the named scene is like; it cannot be changed.
+/// The properties of an object of the named scene, which cannot be edited.
 pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut SceneForm, name: &str) {
     let t = scenes::texts(state.settings.lang);
     let preset = preset_objects(state.document.figure().scene.preset);
@@ -135,13 +135,13 @@ fn text_field(
     field.show(ui, lang)
 }
 
-/// What is being typed for an object.
+/// The text being typed for an object.
 fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
     let is_it = |typing: &Typing| typing.owner == owner && typing.key == key;
     if state.tree.typing.as_ref().is_some_and(is_it) { state.tree.typing.take() } else { None }
 }
 
-/// Another shape with the same transform; what needs data of its own does not change into something else.
+/// Another shape with the same transform; a shape with data of its own is not offered.
 fn kind(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
     let t = form.t;
     let object = &mut form.scene.objects[index];
@@ -232,7 +232,7 @@ fn transform_fields(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, trans
     form.complain(ui, Some(&owner), "parent", &[]);
 }
 
-/// What dragging in the world does.
+/// The choice of the gizmo for dragging in the world.
 fn gizmo(ui: &mut egui::Ui, form: &SceneForm, transforming: &mut Transforming) {
     let t = form.t;
     let kinds =
@@ -338,7 +338,7 @@ fn data(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize
             }
         }
         Some(Shape::Mesh { path }) => mesh_file(ui, state, t, &owner, path),
-        // What has nothing of its own to be changed here.
+        // Shapes without data to edit here.
         Some(_) | None => {}
     }
     form.complain(ui, Some(&owner), "points", &[]);
@@ -432,7 +432,7 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     }
 }
 
-/// Copies what is selected; the copies are selected then.
+/// Duplicates the selection; the copies are selected then.
 fn duplicate(state: &mut State, form: &mut SceneForm) {
     let names = state.tree.names(&form.scene);
     let mut copies = transform::duplicate(&mut form.scene, &names);
@@ -440,7 +440,7 @@ fn duplicate(state: &mut State, form: &mut SceneForm) {
     state.tree.select_all(first.map(Selected::Object), copies);
 }
 
-/// The button; a menu where something hangs on what is selected.
+/// The delete button; a menu where the selection has children.
 fn delete(ui: &mut egui::Ui, form: &SceneForm, names: &BTreeSet<String>) -> Option<Edit> {
     let t = form.t;
     let below = transform::below(&form.scene, names);

@@ -25,9 +25,9 @@ const INDENT: f32 = 13.0;
 struct TreeRow {
     /// `None`: the world, on which everything hangs.
     what: Option<Selected>,
-    /// What it is called in the figure.
+    /// Its name in the figure.
     name: String,
-    /// What stands there.
+    /// Its displayed name.
     shown: String,
     kind: &'static str,
     depth: u16,
@@ -37,14 +37,13 @@ struct TreeRow {
     hint: &'static str,
 }
 
-/// Rows that are farther out of sight than so many are not there, for keys and screen readers either: each costs its
-/// time in each frame.
+/// Rows farther out of sight than this are left out, for keys and screen readers too: each costs time in each frame.
 const FAR: f32 = 150.0;
 
 /// An object that is being dragged, by name.
 struct Dragged(String);
 
-/// Shows the tree, up to `height`, and gives what was done with it.
+/// Shows the tree, up to `height`, and returns the edits.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height: f32) -> Vec<Edit> {
     let mut edits = Vec::new();
     let scene = state.document.figure().scene.clone();
@@ -135,7 +134,7 @@ fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &TreeRow, response: &R
     }
 }
 
-/// What becomes of an object that is held over, or dropped on, a row.
+/// The edit by an object that is held over, or dropped on, a row.
 fn dropped(
     ui: &egui::Ui,
     row: &TreeRow,
@@ -161,7 +160,7 @@ fn dropped(
     response.dnd_release_payload::<Dragged>().map(|_| Edit::Hang { name: name.clone(), parent })
 }
 
-/// The name of what is dragged, beside the pointer.
+/// The name of the dragged object, beside the pointer.
 fn follow(ui: &egui::Ui, name: &str) {
     let Some(pointer) = ui.input(|input| input.pointer.latest_pos()) else { return };
     ui.set_cursor_icon(egui::CursorIcon::Grabbing);
