@@ -57,7 +57,7 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
     if camera.projection() == Projection::Parallel {
         return vec![LegendRow::Title(labels.no_vanishing.to_owned(), palette.ink)];
     }
-    let picture = Picture { size: DVec2::new(f64::from(drawing.width), f64::from(drawing.height)), camera };
+    let picture = WindowPicture { size: DVec2::new(f64::from(drawing.width), f64::from(drawing.height)), camera };
     let scale = request.size.scale;
     let mut rows = Vec::new();
     horizon(drawing, &picture, request, palette);
@@ -94,7 +94,7 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
 }
 
 /// The line of all vanishing points of horizontal directions: (x_p **u** + y_p **v** − F **n**) · y = 0.
-fn horizon(drawing: &mut Drawing, picture: &Picture<'_>, request: &Request, palette: Palette) {
+fn horizon(drawing: &mut Drawing, picture: &WindowPicture<'_>, request: &Request, palette: Palette) {
     let basis = request.camera.basis();
     let (a, b, c) = (basis.u.y, basis.v.y, -request.camera.near() * basis.n.y);
     let across = DVec2::new(a, b);
@@ -132,12 +132,12 @@ fn nearest_ends(camera: &Camera, bounds: Aabb, direction: DVec3) -> Vec<DVec2> {
 }
 
 /// A picture of the view window.
-struct Picture<'a> {
+struct WindowPicture<'a> {
     size: DVec2,
     camera: &'a Camera,
 }
 
-impl Picture<'_> {
+impl WindowPicture<'_> {
     /// The place in pixels of a window point; also far outside.
     fn place(&self, point: DVec2) -> DVec2 {
         let w = self.camera.window();

@@ -5,16 +5,18 @@
 use camera_lab::camera::{Camera, Convention, Decomposition, Operation, Parameters};
 use camera_lab::figure::words::MEASURES;
 use camera_lab::figure::{
-    Figure, Measured, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TriangleStep, View, read, show_with,
+    Figure, Measured, Observers, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TriangleStep, View, read, show_with,
     write,
 };
 use camera_lab::geometry::Angle;
 use camera_lab::i18n::{Lang, pictures::labels};
-use camera_lab::picture::{Pixels, Renderer};
+use camera_lab::picture::{Composite, Pixels, Renderer};
+use camera_lab::progress::at_once;
 use camera_lab::scene::{Preset, no_files};
 use camera_lab::share;
 use camera_lab::stage::Stage;
-use camera_lab::views::{Request, SharedScene, Shot, Size, scene_of};
+use camera_lab::views::observer::Viewpoint;
+use camera_lab::views::{Picture, Request, SharedScene, Shot, Size, Views, scene_of};
 use glam::DVec3;
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -232,4 +234,48 @@ fn after_a_hundred_operations_the_file_draws_the_same_pixels() {
         let [one, other] = [&figure, &again].map(|figure| picture(figure, view, &mut Renderer::default()));
         assert!(one == other, "{view:?}");
     }
+}
+
+#[test]
+fn pictures_are_a_list_a_second_observer_and_a_stereo_pair_are_entries_of_it() {
+    let figure = figure(Show::default());
+    let (camera, scene) = (Camera::new(&figure.camera).unwrap(), scene(&figure));
+    let beside = |x: f64| {
+        let aside = camera.basis().u * x;
+        let (position, focal_point) = (figure.camera.position + aside, figure.camera.focal_point + aside);
+        Camera::new(&Parameters { position, focal_point, ..figure.camera }).unwrap()
+    };
+    let request = |kind| {
+        let size = Size { width: 96, height: 72, scale: 1.0 };
+        Request::of(&figure, kind, &camera, &scene, labels(Lang::En), size)
+    };
+    let top = request(View::World).observer_from(Viewpoint::Top);
+    let mut shot = Shot::of(&figure);
+    assert_eq!(shot.pictures.iter().map(|picture| picture.kind).collect::<Vec<_>>(), View::ALL);
+    shot.pictures = vec![
+        Picture::new(View::World, None),
+        Picture::new(View::World, top),
+        Picture { camera: Some(beside(-0.2)), ..Picture::new(View::Image, None) },
+        Picture { camera: Some(beside(0.2)), ..Picture::new(View::Image, None) },
+    ];
+    let sheet = Size { width: 4 * 96 + 3 * 4, height: 72, scale: 1.0 };
+    let sheet = Request { size: sheet, ..request(View::World) };
+    let composite = Composite::of(Views::All, &sheet, &shot, None).unwrap();
+    let alone = [
+        request(View::World),
+        request(View::World).seen_by(top),
+        Request { camera: beside(-0.2), ..request(View::Image) },
+        Request { camera: beside(0.2), ..request(View::Image) },
+    ];
+    let mut renderer = Renderer::default();
+    let whole = at_once(renderer.sheet(&composite, false)).unwrap().0;
+    assert_eq!((whole.width(), whole.height()), (sheet.size.width, 72));
+    for (i, (request, alone)) in composite.requests.iter().zip(&alone).enumerate() {
+        assert_eq!(request, alone);
+        let pixels = renderer.pixels(alone).unwrap();
+        let rows = whole.rgba().chunks_exact(4 * whole.width() as usize).map(|row| &row[4 * 100 * i..][..4 * 96]);
+        assert!(rows.zip(pixels.rgba().chunks_exact(4 * 96)).all(|(ours, own)| ours == own), "picture {i}");
+    }
+    // The file has room for one of each kind.
+    assert_eq!(Picture::observers(&shot.pictures), Observers::default());
 }

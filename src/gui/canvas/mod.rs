@@ -159,8 +159,8 @@ struct Pane {
 impl Canvas {
     /// How often each picture of the shot has been drawn since the window was opened.
     #[must_use]
-    pub fn drawn(&self) -> [u64; MAX_PICTURES] {
-        self.rendering.drawn()
+    pub fn drawn(&self) -> Vec<u64> {
+        self.rendering.drawn()[..self.pictures.len()].to_vec()
     }
 
     /// Where each picture of the shot is on the screen, with its kind; points.
@@ -213,6 +213,7 @@ impl Canvas {
             ..Hover::default()
         };
         self.shot = state.shot(std::mem::take(&mut self.shot.pictures));
+        self.shot.pictures.truncate(MAX_PICTURES);
         self.pictures.resize_with(self.shot.pictures.len(), ScreenPicture::default);
         let mut panes = self.panes(ui, pictures, state, texts);
         self.pictures.iter_mut().for_each(|picture| picture.place = None);
