@@ -216,3 +216,11 @@ pub struct Label {
     /// Drawn faintly (true) or fully (false) where a face hides its point.
     pub fade_if_hidden: bool,
 }
+
+/// To the precision of the display list, behind the viewport, and of light.
+#[expect(clippy::cast_possible_truncation, reason = "single precision is the display list's")]
+#[inline(always)]
+#[must_use]
+pub fn single(v: f64) -> f32 {
+    v as f32
+}

@@ -9,98 +9,54 @@ use crate::i18n::window::Texts;
 use crate::views::{Arrangement, View};
 pub use table::MENUS;
 
-/// Something that can be done.
+/// Something that can be done. Pictures that are arranged by `None` share the room as suits it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[expect(missing_docs, reason = "what each does is said in its row, by its hint")]
 pub enum Command {
-    /// The default figure.
     New,
-    /// Asks for a file and opens it.
     Open,
-    /// Asks which figure to begin with.
     Gallery,
-    /// Asks which of the files that were used last to open.
     Recent,
-    /// Writes the file.
     Save,
-    /// Asks for a file and writes it.
     SaveAs,
-    /// Asks for a picture file and writes it.
     Export,
-    /// The figure as a link to the clipboard.
     CopyLink,
-    /// Closes the window.
     Quit,
-    /// One step back.
     Undo,
-    /// One step forward.
     Redo,
-    /// The camera as it was when the figure was opened.
     Reset,
-    /// The numbers as text to the clipboard.
     CopyNumbers,
-    /// The other language.
     Language,
-    /// Light or dark.
     Theme,
-    /// What would move is at its end at once.
     ReduceMotion,
-    /// Saving keeps what the pictures explain.
     SaveExplained,
-    /// Large type and thick strokes.
     Presentation,
-    /// The next figure of the folder, or of the program.
     NextFigure,
-    /// The figure before.
     PreviousFigure,
-    /// The pointer draws over the pictures.
     Pen,
-    /// A spot shows where the pointer is.
     Spot,
-    /// The pictures stay as they are while one edits.
     Freeze,
-    /// A black screen.
     Blank,
-    /// Takes away what lies over the pictures.
     ClearAnnotations,
-    /// A larger interface.
     ZoomIn,
-    /// A smaller interface.
     ZoomOut,
-    /// The interface at its normal size.
     ZoomReset,
-    /// Shows or hides the panel on the left.
     ParametersPanel,
-    /// Shows or hides the panel on the right.
     NumbersPanel,
-    /// Shows the panel on the left with one of its tabs.
     Tab(Tab),
-    /// Shows or hides a picture.
     Show(View),
-    /// Says how the pictures share the room; `None`: as suits it.
     Arrange(Option<Arrangement>),
-    /// Looks at both 3D pictures from somewhere.
     Observe(ObserverChange),
-    /// The 3D pictures as they were seen before.
     ViewBack,
-    /// The 3D pictures as they were seen before going back.
     ViewForward,
-    /// The world as the section along **u**, or in space.
     Section,
-    /// Shows or hides the dimension lines of the world.
     Dimensions,
-    /// Turning one 3D picture turns the other.
     LinkOrbits,
-    /// Shows or hides the stages of the pipeline.
     Pipeline,
-    /// Shows or hides the studies of error against run time.
     Numerics,
-    /// Shows or hides the explanations of the numbers.
     Explain,
-    /// Shows or hides the exercises.
     Exercises,
-    /// Mouse and keyboard at a glance.
     Help,
-    /// The version, the licence, and those of the libraries.
     About,
 }
 

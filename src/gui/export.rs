@@ -286,55 +286,28 @@ pub(super) struct Task {
 }
 
 /// What is written.
-enum ExportKind {
+#[derive(Clone, Copy)]
+pub(super) enum ExportKind {
     Pictures(Export),
-    /// The way to the canonical volume by these steps.
-    Animation(Decomposition),
+    /// The way to the canonical volume by these steps, in a theme.
+    Animation(Decomposition, Theme),
 }
 
 impl Exporting {
     /// Draws and writes beside the window's thread.
-    pub(super) fn start(
-        ctx: &egui::Context,
-        (document, shown): (&Document, Figure),
-        lang: Lang,
-        export: Export,
-        path: PathBuf,
-        overwrite: Overwrite,
-    ) -> Self {
-        Self::with(ctx, (document, shown), lang, export, (path, overwrite), export_work)
+    pub(super) fn start(ctx: &egui::Context, task: Task) -> Self {
+        Self::with(ctx, task, || async |task: Task, progress: &Progress| task.run(progress).await)
     }
 
     /// As [`start`](Self::start), by other means of drawing and writing.
     pub(super) fn with<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(
         ctx: &egui::Context,
-        (document, shown): (&Document, Figure),
-        lang: Lang,
-        export: Export,
-        (path, overwrite): (PathBuf, Overwrite),
+        task: Task,
         make: impl Fn() -> W + Send + Sync + 'static,
     ) -> Self {
-        let subject = ExportSource::of(document, shown, lang, export.theme);
-        let source = document.source().to_owned();
+        let path = task.path.clone();
         let mut worker = Worker::new("export", clock::now, make);
-        let what = ExportKind::Pictures(export);
-        worker.ask(ctx, 0, Task { subject, source, what, path: path.clone(), overwrite });
-        Self { path, worker }
-    }
-
-    /// Draws the way to the canonical volume and writes it, beside the window's thread.
-    pub(super) fn film(
-        ctx: &egui::Context,
-        (document, shown): (&Document, Figure),
-        (lang, theme): (Lang, Theme),
-        decomposition: Decomposition,
-        (path, overwrite): (PathBuf, Overwrite),
-    ) -> Self {
-        let subject = ExportSource::of(document, shown, lang, theme);
-        let source = document.source().to_owned();
-        let mut worker = Worker::new("export", clock::now, export_work);
-        let what = ExportKind::Animation(decomposition);
-        worker.ask(ctx, 0, Task { subject, source, what, path: path.clone(), overwrite });
+        worker.ask(ctx, 0, task);
         Self { path, worker }
     }
 
@@ -360,11 +333,22 @@ impl Exporting {
     }
 }
 
-fn export_work() -> impl AsyncFnMut(Task, &Progress) -> Exported {
-    async |task: Task, progress: &Progress| task.run(progress).await
-}
-
 impl Task {
+    /// `shown`: see [`ExportSource::of`].
+    pub(super) fn new(
+        (document, shown): (&Document, Figure),
+        lang: Lang,
+        what: ExportKind,
+        (path, overwrite): (PathBuf, Overwrite),
+    ) -> Self {
+        let theme = match what {
+            ExportKind::Pictures(export) => export.theme,
+            ExportKind::Animation(_, theme) => theme,
+        };
+        let subject = ExportSource::of(document, shown, lang, theme);
+        Self { subject, source: document.source().to_owned(), what, path, overwrite }
+    }
+
     async fn run(self, progress: &Progress) -> Exported {
         let PictureFile { bytes, too_much } = self.file(progress).await.map_err(|error| match error {
             _ if progress.is_cancelled() => ExportError::Cancelled,
@@ -379,7 +363,7 @@ impl Task {
         let Self { subject, source, what, path, .. } = self;
         let export = match what {
             ExportKind::Pictures(export) => export,
-            ExportKind::Animation(decomposition) => {
+            ExportKind::Animation(decomposition, _) => {
                 let film = Animation { request: subject.film(progress)?, decomposition: *decomposition };
                 let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));
                 return Ok(film.file(format, STEP_SECONDS, &update(source, &subject.figure), progress).await?);

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, ViewportCommand};
 
 use super::document::Document;
-use super::export::{ExportError, Exporting};
+use super::export::{ExportError, ExportKind, Exporting, Task};
 use super::file_kind::FileKind;
 use super::gallery::Source;
 use super::native::{FileAnswer, OpenFileDialog, Wanted};
@@ -20,7 +20,7 @@ use super::state::{
 };
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, update};
-use crate::files::{self, FileChange, disk};
+use crate::files::{self, FileChange, Overwrite, disk};
 use crate::scene::Shape;
 use crate::share;
 
@@ -131,34 +131,24 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             }
         }
         Purpose::Animation(decomposition) => {
-            let exporting = Exporting::film(
-                ctx,
-                (&state.document, state.figure_as_shown()),
-                (state.settings.lang, state.settings.theme),
-                decomposition,
-                (path.to_owned(), agreed.overwrite()),
-            );
-            state.file_flow.exporting.push(exporting);
-            state.say(Message::Exporting);
+            let what = ExportKind::Animation(decomposition, state.settings.theme);
+            export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
         }
         Purpose::Exercises => state.exercises.look_into(Some(path.to_owned())),
         Purpose::Folder => {
             state.gallery.look_into(path.to_owned());
             state.file_flow.dialog = Some(Dialog::Gallery);
         }
-        Purpose::Export(export) => {
-            let exporting = Exporting::start(
-                ctx,
-                (&state.document, state.figure_as_shown()),
-                state.settings.lang,
-                export,
-                path.to_owned(),
-                agreed.overwrite(),
-            );
-            state.file_flow.exporting.push(exporting);
-            state.say(Message::Exporting);
+        Purpose::Export(options) => {
+            export(ctx, state, ExportKind::Pictures(options), (path.to_owned(), agreed.overwrite()));
         }
     }
+}
+
+fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf, Overwrite)) {
+    let task = Task::new((&state.document, state.figure_as_shown()), state.settings.lang, what, to);
+    state.file_flow.exporting.push(Exporting::start(ctx, task));
+    state.say(Message::Exporting);
 }
 
 /// Puts a mesh file into the scene.
@@ -397,8 +387,7 @@ mod tests {
     use std::sync::Mutex;
 
     use super::*;
-    use crate::files::Overwrite;
-    use crate::gui::export::{Export, Exported, Task};
+    use crate::gui::export::{Export, Exported};
     use crate::i18n::Lang;
     use crate::progress::Progress;
 
@@ -406,14 +395,9 @@ mod tests {
     fn exporting<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(make: fn() -> W) -> (egui::Context, State) {
         let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
         let export = Export::new([[4, 3]; 3], 1.0);
-        let exporting = Exporting::with(
-            &ctx,
-            (&state.document, state.figure_as_shown()),
-            Lang::En,
-            export,
-            (PathBuf::from("a.png"), Overwrite::Writable),
-            make,
-        );
+        let (what, to) = (ExportKind::Pictures(export), (PathBuf::from("a.png"), Overwrite::Writable));
+        let task = Task::new((&state.document, state.figure_as_shown()), Lang::En, what, to);
+        let exporting = Exporting::with(&ctx, task, make);
         state.file_flow.exporting.push(exporting);
         (ctx, state)
     }

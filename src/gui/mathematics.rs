@@ -11,6 +11,7 @@ use eframe::egui::{
 use ratex_layout::{LayoutOptions, layout, to_display_list};
 use ratex_types::display_item::{DisplayItem, DisplayList};
 
+use crate::drawing::single;
 use crate::i18n::notes::plain;
 
 /// The fonts, by the names that `RaTeX` has for them. What would need another one is written as text.
@@ -52,11 +53,6 @@ struct Ink {
     baseline: f32,
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "places in a formula, a few hundred at most")]
-fn short(x: f64) -> f32 {
-    x as f32
-}
-
 impl Ink {
     /// `None` for what is not LaTeX, or needs more than the fonts have.
     fn new(latex: &str) -> Option<Self> {
@@ -68,16 +64,17 @@ impl Ink {
         }
         let list = to_display_list(&layout(&ratex_parser::parse(latex).ok()?, &LayoutOptions::default()));
         let DisplayList { items, width, height, depth } = list;
-        let mut ink = Self { size: [short(width), short(height + depth)], baseline: short(height), ..Self::default() };
+        let mut ink =
+            Self { size: [single(width), single(height + depth)], baseline: single(height), ..Self::default() };
         for item in items {
             match item {
                 DisplayItem::GlyphPath { x, y, scale, font, char_code, .. } => {
                     let (font, _) = FONTS.iter().find(|(name, _)| *name == font)?;
                     let character = char::from_u32(char_code)?;
-                    ink.glyphs.push(Glyph { character, font, place: [short(x), short(y)], scale: short(scale) });
+                    ink.glyphs.push(Glyph { character, font, place: [single(x), single(y)], scale: single(scale) });
                 }
                 DisplayItem::Line { x, y, width, thickness, .. } => {
-                    ink.lines.push([x, y, width, thickness].map(short));
+                    ink.lines.push([x, y, width, thickness].map(single));
                 }
                 DisplayItem::Rect { .. } | DisplayItem::Path { .. } => return None,
             }

@@ -2,6 +2,7 @@
 //! then, the distances in view.
 
 use crate::drawing::order::same_depth;
+use crate::drawing::single;
 
 /// Depths that differ by less than the rules of the display list make of them are the same. Where that is more than
 /// this share of what is in view, the depths are spread over what is in view alone.
@@ -177,13 +178,6 @@ impl Sheet {
         let w = if volume.perspective { nearest } else { 1.0 };
         Some(Self { farthest, slope: Self::THICKNESS * w / depth, behind: behind.clamp(-1.0, 1.0 - Self::THICKNESS) })
     }
-}
-
-/// To the precision of the display list.
-#[expect(clippy::cast_possible_truncation, reason = "single precision is the display list's")]
-#[inline(always)]
-fn single(v: f64) -> f32 {
-    v as f32
 }
 
 #[cfg(test)]

@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use glam::{DMat3, DVec3};
 
 use super::projector::Projector;
-use super::transform::{Vertices, each_chunk, single};
+use super::transform::{Vertices, each_chunk};
 use crate::appearance::{Rgba, Shading};
-use crate::drawing::{Lighting, ViewLight};
+use crate::drawing::{Lighting, ViewLight, single};
 use crate::geometry::try_unit;
 use crate::lighting::{Eight, packed, shade, shade_eight, unpacked};
 use crate::scene::{Light, Mesh};

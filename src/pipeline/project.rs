@@ -11,9 +11,10 @@ use super::lines;
 use super::planes::{NEAR, NOT_A_NUMBER, outcode};
 use super::projector::{ClipPoint, Projector};
 use super::resample::{Remake, VertexOrigin, color_at, face_color, object_paint};
-use super::transform::{Vertices, each_chunk, single};
+use super::transform::{Vertices, each_chunk};
 use crate::appearance::{LineStyle, Rgba, Shading};
 use crate::camera::Camera;
+use crate::drawing::single;
 use crate::scene::{Adjacency, Line, Mesh, Object, ObjectPaint, PointMark, Scene, SharedEdge, Text};
 
 /// All of `scene` that is in the volume of `camera`, clipped and projected to `(x_n, y_n, −z_n)`: NDC are left-handed,

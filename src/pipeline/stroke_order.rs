@@ -15,10 +15,9 @@ use glam::DVec2;
 
 use super::budget::OverBudget;
 use super::stroke_runs::{KEPT, LISTED, Run, SQUARE, Steps, runs_within};
-use super::transform::single;
 use crate::appearance::{HiddenLines, LineStyle};
-use crate::drawing::Drawing;
 use crate::drawing::order::{StrokePoint, later_is_over, stroke_reach};
+use crate::drawing::{Drawing, single};
 
 /// What is painted of the strokes of a drawing, from back to front.
 ///

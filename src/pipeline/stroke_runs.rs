@@ -10,10 +10,9 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::budget::OverBudget;
-use super::transform::single;
 use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::order::on_a_face;
-use crate::drawing::{Drawing, StrokeSet};
+use crate::drawing::{Drawing, StrokeSet, single};
 use crate::limits::MAX_STROKE_STEPS;
 
 /// A part of a polyline that can be seen, or that faces hide, throughout.

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use super::Target;
 use super::planes::{PlaneSet, outcode};
 use super::projector::{BLOCK, ClipPoint, Projector, ViewFromObject};
+use crate::drawing::single;
 use crate::simd::{round_to_steps, with_vectors};
 
 /// The vertices of an object, and the way that they go.
@@ -200,13 +201,6 @@ pub(super) fn on_grid(p: [f64; 3]) -> [f32; 3] {
 #[inline(always)]
 pub(super) fn off_grid(p: [f64; 3]) -> [f32; 3] {
     [single(p[0]), single(p[1]), single(p[2])]
-}
-
-/// To the precision of the display list, behind the viewport, and of light.
-#[expect(clippy::cast_possible_truncation, reason = "single precision is the display list's")]
-#[inline(always)]
-pub(super) fn single(v: f64) -> f32 {
-    v as f32
 }
 
 #[cfg(test)]

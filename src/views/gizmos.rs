@@ -6,6 +6,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style};
+use crate::drawing::single;
 use crate::geometry::Angle;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
 
@@ -95,7 +96,7 @@ impl<'a> GearBuilder<'a> {
         self.gear.texts.push(Text {
             position,
             text: text.to_owned(),
-            offset: [short(d.x), short(d.y)],
+            offset: [single(d.x), single(d.y)],
             size,
             color,
             fade_if_hidden: false,
@@ -122,11 +123,6 @@ impl<'a> GearBuilder<'a> {
             outline: None,
         });
     }
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "a few pixels")]
-fn short(v: f64) -> f32 {
-    v as f32
 }
 
 /// In wireframe, the scene's objects as edges in their own colours, and a style in which the camera's gear keeps its

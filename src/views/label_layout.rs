@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba};
-use crate::drawing::{Anchor, Drawing, Label, StrokeSet};
+use crate::drawing::{Anchor, Drawing, Label, StrokeSet, single};
 use crate::text::{measure, x_height};
 
 use super::coverage_grid::Solids;
@@ -87,7 +87,7 @@ pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
             continue;
         }
         let offset = best.place.center - best.at;
-        label.offset = [pixels(offset.x), pixels(offset.y)];
+        label.offset = [single(offset.x), single(offset.y)];
         label.anchor = Anchor::Center;
         taken.texts.push(best.place);
         if let Some(leader) = best.leader() {
@@ -189,7 +189,7 @@ fn marked(drawing: &Drawing) -> Vec<Box2> {
             let points = s.points.get(range.start as usize..range.end as usize)?;
             let [.., before, tip] = points else { return None };
             let (before, tip) = (point(*before), point(*tip));
-            let radius = 0.5 * f64::from(s.style.head_length(pixels((tip - before).length())));
+            let radius = 0.5 * f64::from(s.style.head_length(single((tip - before).length())));
             Some((tip - (tip - before).normalize_or_zero() * radius, radius))
         })
     });
@@ -205,15 +205,10 @@ fn leading(ends: &[[DVec2; 2]], color: Rgba, width: f32) -> StrokeSet {
     };
     for end in ends {
         let from = u32::try_from(set.points.len()).unwrap_or(u32::MAX);
-        set.points.extend(end.map(|p| [pixels(p.x), pixels(p.y), 1.0]));
+        set.points.extend(end.map(|p| [single(p.x), single(p.y), 1.0]));
         set.polylines.push(from..from.saturating_add(2));
     }
     set
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "a place in pixels; f32 is what drawings hold")]
-fn pixels(v: f64) -> f32 {
-    v as f32
 }
 
 fn point(p: [f32; 3]) -> DVec2 {

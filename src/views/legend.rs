@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::appearance::{MarkShape, Rgba};
-use crate::drawing::{Anchor, Area, Drawing, Label, Mark};
+use crate::drawing::{Anchor, Area, Drawing, Label, Mark, single};
 
 use super::Palette;
 use super::gizmos::SMALL_TYPE;
@@ -113,10 +113,10 @@ impl Legend {
         let em = self.em;
         let mut text = |at: DVec2, text: &str, color: Rgba, anchor: Anchor| {
             drawing.labels.push(Label {
-                position: [short(at.x), short(at.y), 1.0],
+                position: [single(at.x), single(at.y), 1.0],
                 offset: [0.0; 2],
                 text: text.to_owned(),
-                size: short(em),
+                size: single(em),
                 color,
                 halo: self.palette.paper,
                 anchor,
@@ -136,9 +136,9 @@ impl Legend {
                 text(at + DVec2::X * (INDENT * em), meaning, ink, Anchor::Left);
                 let middle = at + DVec2::X * (SWATCH.x / 2.0 * em);
                 drawing.marks.push(Mark {
-                    position: [short(middle.x), short(middle.y), 1.0],
+                    position: [single(middle.x), single(middle.y), 1.0],
                     shape: *shape,
-                    radius: short(0.3 * em),
+                    radius: single(0.3 * em),
                     color: *color,
                     outline: self.palette.paper,
                     fade_if_hidden: false,
@@ -185,16 +185,11 @@ fn sample(corner: DVec2, size: DVec2, border: Rgba, colors: &[Rgba]) -> Vec<Area
 
 fn area(corner: DVec2, size: DVec2, radius: f64, fill: Rgba) -> Area {
     Area {
-        corner: [short(corner.x), short(corner.y)],
-        size: [short(size.x), short(size.y)],
-        radius: short(radius),
+        corner: [single(corner.x), single(corner.y)],
+        size: [single(size.x), single(size.y)],
+        radius: single(radius),
         fill,
     }
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "pixels; f32 is what drawings hold")]
-fn short(v: f64) -> f32 {
-    v as f32
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle};
 use crate::camera::{Camera, Projection};
-use crate::drawing::{Anchor, Drawing, Label, StrokeSet};
+use crate::drawing::{Anchor, Drawing, Label, StrokeSet, single};
 use crate::sanitize;
 
 use super::gizmos::{SMALL_TYPE, stroke};
@@ -53,7 +53,7 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
         let dash = if behind { Dash::Dashed } else { Dash::Solid };
         let style = stroke(look.color, 2.0 * request.size.scale, dash, HiddenLines::Shown);
         drawing.strokes.push(StrokeSet {
-            points: [tail, tip].map(|p| [short(p.x), short(p.y), 1.0]).to_vec(),
+            points: [tail, tip].map(|p| [single(p.x), single(p.y), 1.0]).to_vec(),
             polylines: std::iter::once(0..2).collect(),
             style: LineStyle { arrow: true, ..style },
         });
@@ -69,8 +69,8 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
         let type_size = SMALL_TYPE * request.size.scale;
         let inwards = (tail - tip).normalize_or(DVec2::NEG_Y) * f64::from(0.7 * type_size);
         drawing.labels.push(Label {
-            position: [short(tail.x), short(tail.y), 1.0],
-            offset: [short(inwards.x), short(inwards.y)],
+            position: [single(tail.x), single(tail.y), 1.0],
+            offset: [single(inwards.x), single(inwards.y)],
             text,
             size: type_size,
             color: look.color,
@@ -79,11 +79,6 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
             fade_if_hidden: false,
         });
     }
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "pixels of a picture; drawings hold f32")]
-fn short(x: f64) -> f32 {
-    x as f32
 }
 
 #[cfg(test)]

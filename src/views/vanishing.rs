@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, MarkShape};
 use crate::camera::{Camera, Projection};
-use crate::drawing::{Anchor, Drawing, Label, Mark, StrokeSet};
+use crate::drawing::{Anchor, Drawing, Label, Mark, StrokeSet, single};
 use crate::geometry::Aabb;
 
 use super::gizmos::{GearBuilder, SMALL_TYPE, stroke};
@@ -78,7 +78,7 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
         }
         if picture.holds(vanishing) {
             drawing.marks.push(Mark {
-                position: [short(vanishing.x), short(vanishing.y), 1.0],
+                position: [single(vanishing.x), single(vanishing.y), 1.0],
                 radius: 4.0 * scale,
                 color,
                 outline: palette.paper,
@@ -161,7 +161,7 @@ impl WindowPicture<'_> {
             return None;
         }
         drawing.strokes.push(StrokeSet {
-            points: ends.map(|p| [short(p.x), short(p.y), 1.0]).to_vec(),
+            points: ends.map(|p| [single(p.x), single(p.y), 1.0]).to_vec(),
             polylines: std::iter::once(0..2).collect(),
             style,
         });
@@ -171,7 +171,7 @@ impl WindowPicture<'_> {
 
 fn label(at: DVec2, text: &str, size: f32, color: crate::appearance::Rgba, palette: Palette) -> Label {
     Label {
-        position: [short(at.x), short(at.y), 1.0],
+        position: [single(at.x), single(at.y), 1.0],
         offset: [0.6 * size, -0.6 * size],
         text: text.to_owned(),
         size,
@@ -180,11 +180,6 @@ fn label(at: DVec2, text: &str, size: f32, color: crate::appearance::Rgba, palet
         anchor: Anchor::Left,
         fade_if_hidden: false,
     }
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "pixels of a picture; drawings hold f32")]
-fn short(x: f64) -> f32 {
-    x as f32
 }
 
 #[cfg(test)]

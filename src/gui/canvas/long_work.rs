@@ -77,7 +77,7 @@ mod tests {
     use super::*;
     use crate::files::Overwrite;
     use crate::gui::Start;
-    use crate::gui::export::{Export, ExportError, Exported, Exporting, Task};
+    use crate::gui::export::{Export, ExportError, ExportKind, Exported, Exporting, Task};
     use crate::i18n::Lang;
     use crate::progress::{Activity, Progress};
 
@@ -99,14 +99,9 @@ mod tests {
         let mut canvas = Canvas::default();
         let path = PathBuf::from("a.png");
         let export = Export::new([[4, 3]; 3], 1.0);
-        let exporting = Exporting::with(
-            &ctx,
-            (&state.document, state.figure_as_shown()),
-            Lang::En,
-            export,
-            (path.clone(), Overwrite::Writable),
-            endless,
-        );
+        let (what, to) = (ExportKind::Pictures(export), (path.clone(), Overwrite::Writable));
+        let task = Task::new((&state.document, state.figure_as_shown()), Lang::En, what, to);
+        let exporting = Exporting::with(&ctx, task, endless);
         state.file_flow.exporting.push(exporting);
         let mut press = |state: &mut State| {
             let key = egui::Event::Key {

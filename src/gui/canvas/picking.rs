@@ -190,6 +190,6 @@ mod tests {
         assert!(picker.ask(&ctx, beside).probe.is_some());
         let near = crate::camera::Parameters { near: 2.0, ..*heavy.request.camera.parameters() };
         let other = PickRequest { request: Request { camera: Camera::new(&near).unwrap(), ..heavy.request }, ..heavy };
-        assert!(!other.is_near(&picker.found.newest().unwrap().0));
+        assert!(!other.is_near(picker.found.newest().unwrap().0));
     }
 }

@@ -69,7 +69,7 @@ pub const MENUS: &[Menu] = &[
             ],
             &[
                 row!(Save, ctrl(Key::S), save, save_hint, |s, ctx| file_flow::save(ctx, s, None)),
-                row!(SaveAs, ctrl_shift(Key::S), save_as, save_as_hint, |s, ctx| save_as(s, ctx)),
+                row!(SaveAs, ctrl_shift(Key::S), save_as, save_as_hint, save_as),
                 row!(SaveExplained, alt(Key::Q), save_explained, save_explained_hint, switch settings.saves_explained),
             ],
             &[
@@ -92,7 +92,7 @@ pub const MENUS: &[Menu] = &[
             &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.document.reset())
                 .enabled(|s| s.document.can_reset())
                 .browsers_keys()],
-            &[row!(CopyNumbers, ctrl_shift(Key::C), copy_numbers, copy_numbers_hint, |s, ctx| copy_numbers(s, ctx))],
+            &[row!(CopyNumbers, ctrl_shift(Key::C), copy_numbers, copy_numbers_hint, copy_numbers)],
         ],
     },
     Menu {

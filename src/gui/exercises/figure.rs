@@ -9,6 +9,7 @@ use crate::camera::{Camera, Parameters};
 use crate::exercises::{Ask, Exercise, Expected, Fact, Subject};
 use crate::figure::points::{free_name, may_be_named};
 use crate::figure::{Figure, NamedPoint};
+use crate::gui::memo::Memo;
 use crate::i18n::{Lang, pictures};
 use crate::limits::MAX_NAMED_POINTS;
 use crate::picture::{Pixels, Renderer};
@@ -64,15 +65,13 @@ pub(super) fn target(ui: &Ui, mut figure: Figure, (theme, lang): (Theme, Lang)) 
     });
     // A panic leaves a picture, or none.
     let mut drawn = drawn.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some((_, _, texture)) = drawn.0.as_ref().filter(|(of, in_lang, _)| *of == figure && *in_lang == lang) {
-        return Some(texture.clone());
-    }
-    let picture = draw(&figure, lang)?;
-    let size = [picture.width() as usize, picture.height() as usize];
-    let image = ColorImage::from_rgba_premultiplied(size, picture.rgba());
-    let texture = ui.ctx().load_texture("picture to be matched", image, TextureOptions::LINEAR);
-    drawn.0 = Some((figure, lang, texture.clone()));
-    Some(texture)
+    let make = |(figure, lang): &(Figure, Lang)| {
+        let picture = draw(figure, *lang)?;
+        let size = [picture.width() as usize, picture.height() as usize];
+        let image = ColorImage::from_rgba_premultiplied(size, picture.rgba());
+        Some(ui.ctx().load_texture("picture to be matched", image, TextureOptions::LINEAR))
+    };
+    drawn.of((figure, lang), make).clone()
 }
 
 fn draw(figure: &Figure, lang: Lang) -> Option<Pixels> {
