@@ -196,13 +196,13 @@ impl Command {
         self.words(t).0
     }
 
-    /// What it does.
+    /// Its tooltip.
     #[must_use]
     pub fn hint(self, t: &Texts) -> &'static str {
         self.words(t).1
     }
 
-    /// Why it would do nothing, where that is not plain; else what it does.
+    /// The reason why it is disabled, where that is not plain; else its tooltip.
     #[must_use]
     pub fn hint_disabled(self, t: &Texts) -> &'static str {
         if self == Self::Dimensions { t.dimensions_in_section } else { self.hint(t) }
@@ -482,7 +482,7 @@ impl Command {
         }
     }
 
-    /// On or off, for what is one of both.
+    /// The state of a switch.
     #[must_use]
     pub fn is_on(self, state: &State) -> Option<bool> {
         match self {
@@ -534,7 +534,7 @@ impl Command {
         }
     }
 
-    /// True for what a text field does itself while it has the keyboard.
+    /// Whether a text field handles it itself while it has the focus.
     #[must_use]
     pub fn is_for_text_too(self) -> bool {
         matches!(self, Self::Undo | Self::Redo)

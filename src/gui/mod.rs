@@ -68,7 +68,7 @@ pub use app::App;
 pub use launch_options::LaunchOptions;
 pub use state::State;
 
-/// What the window opens with.
+/// The initial state of the window.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
     /// The figure; its camera must be possible.
@@ -98,12 +98,12 @@ pub fn fresh() -> Figure {
     Figure::of_preset(Preset::default())
 }
 
-/// The window at first, in points: with title bar and task bar it fits a screen of 1280 × 720, so that what is said at
-/// its bottom is seen.
+/// The initial size of the window, in points: with title bar and task bar it fits a screen of 1280 × 720, so that
+/// messages at its bottom are seen.
 pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 
-/// Opens the window and returns when it is closed. Its language is the one that was `asked` for, else the one that is
-/// remembered, else that of `start`.
+/// Opens the window and returns when it is closed. Its language is the one in `asked`, else the stored one, else that
+/// of `start`.
 ///
 /// # Errors
 /// [`GuiError::NoWindow`] where there is no display or no usable OpenGL.

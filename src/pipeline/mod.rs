@@ -2,9 +2,9 @@
 //!
 //! | stage | space, from → to | file |
 //! | --- | --- | --- |
-//! | plan: which of these are needed | – | [`plan`] |
+//! | plan: the stages needed | – | [`plan`] |
 //! | objects outside the volume dropped | object, world | `bounds`, `bounding_tree`, `cull` |
-//! | depths spread over what is in view | view | [`depths`] |
+//! | depths spread over those in view | view | [`depths`] |
 //! | each vertex transformed once | object → world → view → clip → ndc → pixels | `projector`, `transform` |
 //! | back faces dropped | pixels | `faces`, `cull` |
 //! | clipping, before the divide | clip | `faces`, `clip` |
@@ -18,10 +18,10 @@
 //! [`cull_result`], [`one_triangle`] and [`divide_before_clip`] are not on the way to a picture: they show what
 //! clipping and culling do, and what would come of dividing first.
 //!
-//! A drawing for an output without a depth buffer is completed by [`stroke_runs`], which parts of its strokes faces
-//! hide, and [`stroke_order`], which of them is over which.
+//! A drawing for an output without a depth buffer is completed by [`stroke_runs`], the parts of its strokes that faces
+//! hide, and [`stroke_order`], their order in depth.
 //!
-//! Whatever is cut is cut by `cut`, and whatever vertices carry is carried over by `resample`.
+//! All cutting is done by `cut`, and all attributes of vertices are carried over by `resample`.
 
 mod bounding_tree;
 mod bounds;
@@ -105,7 +105,7 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
     Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing
 }
 
-/// Draws pictures one after the other; keeps its buffers, and what it found out about meshes.
+/// Draws pictures one after the other; reuses its buffers, and the bounds of meshes.
 #[derive(Debug)]
 pub struct Pipeline {
     faces: Faces,

@@ -74,7 +74,7 @@ pub use request::{Finish, Normalizing, Request, SharedScene, observer_in};
 pub use shot::{Look, Shot};
 pub use timed_pipeline::TimedPipeline;
 
-/// Draws a picture, and tells what was done. `on_window` is the image that the view window of the world shows:
+/// Draws a picture, and reports. `on_window` is the image that the view window of the world shows:
 /// [`Request::image_on_window`] as pixels; without it the window is plain.
 #[must_use]
 pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
@@ -96,17 +96,17 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
     frame
 }
 
-/// The scene of a figure in the colours of its theme, with hidden edges as its style wants them; `progress` says how
-/// far reading its meshes has come.
+/// The scene of a figure in the colours of its theme, with the hidden edges of its style; `progress` follows the
+/// reading of its meshes.
 ///
 /// # Errors
-/// [`SceneError`] names the object and what is wrong with it.
+/// [`SceneError`] names the object and its fault.
 pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Scene, SceneError> {
     scene::build_with(&figure.scene, &figure.style, read_file, &mut MeshFiles::watched(progress))
 }
 
 impl Request {
-    /// From where the picture is seen; `None` for the image.
+    /// The observer of the picture; `None` for the image.
     #[must_use]
     pub fn seen_from(&self) -> Option<Observer> {
         match self.view {

@@ -1,8 +1,7 @@
-//! The three pictures in the middle of the window: where they lie, who looks at them, and what the pointer does in
-//! them.
+//! The three pictures in the middle of the window: their layout, their observers, and the interaction with them.
 //!
-//! Nothing is stored that can be computed: each frame says anew what each visible picture is made from, and only a
-//! picture for which that has changed is drawn again.
+//! Nothing is stored that can be computed: each frame describes anew the request of each visible picture, and only a
+//! picture whose request has changed is drawn again.
 
 mod arrange;
 mod card;
@@ -65,12 +64,12 @@ use crate::views::{Hover, Look, Palette, Probe, Request, Shot, Size, View, aspec
 
 /// How long a frame waits for its pictures. What takes longer is shown when it is done.
 const PATIENCE: Duration = Duration::from_millis(30);
-/// How often it is told anew how far long work has come.
+/// Interval between reports of long work.
 const TELL: Duration = Duration::from_millis(100);
 
-/// Draws the pictures and keeps what belongs to them from one frame to the next.
+/// Draws the pictures and stores their state from one frame to the next.
 pub struct Canvas {
-    /// How long a frame waits for its pictures; tests have more of it than a hand that drags.
+    /// Time that a frame waits for its pictures; tests have more of it than a hand that drags.
     pub patience: Duration,
     rendering: Rendering,
     textures: [PictureTexture; 3],
@@ -97,7 +96,7 @@ pub struct Canvas {
     drag: Option<Drag>,
     /// What the card speaks of.
     on_card: Option<Probe>,
-    /// For so many frames more the card is put in its place.
+    /// Number of frames until the card has settled in its place.
     card_settles: u8,
     vertex_names: VertexNames,
     /// For a double-click, whose first click was not meant to pin.
@@ -249,7 +248,7 @@ impl Canvas {
         }
     }
 
-    /// In an empty image stands why it is empty.
+    /// Explains an empty image, in it.
     fn say_why_empty(&self, ui: &mut Ui, state: &mut State, panes: &[Pane]) {
         let image = panes.iter().find(|pane| pane.view == View::Image);
         if let Some(pane) = image.filter(|_| self.drag.is_none() && self.missing[View::Image.index()].is_none()) {
@@ -385,7 +384,7 @@ impl Canvas {
         }
     }
 
-    /// What lies over the pictures: borders, the ring of the keyboard's focus, the cross of lines under the pointer.
+    /// Overlays of the pictures: borders, the focus ring, the cross hairs of the pointer.
     fn decorate(&self, ui: &Ui, state: &State, panes: &[Pane], texts: &CanvasTexts) {
         for pane in panes {
             let rect = pane.rect.rect;
@@ -490,7 +489,7 @@ fn copied(cells: &[Cell]) -> String {
     cells.iter().map(|cell| format!("{}\t{}\n", cell.space, cell.value)).collect::<String>().replace('−', "-")
 }
 
-/// Which mesh files are being read, in a sentence; empty where none is.
+/// The mesh files being read, in a sentence; empty where there are none.
 fn loading(state: &State) -> String {
     let files = state.scene_cache.loading();
     if files.is_empty() {
