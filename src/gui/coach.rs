@@ -1,5 +1,9 @@
 //! The coach: in an empty image why it is empty, under the pictures a few words, and in a dialog all there is to say,
 //! with repairs.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `depth` | the depth panel: z_n over the distance from the eye, the resolution of formats of depth buffers |
 
 mod depth;
 

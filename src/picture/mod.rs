@@ -1,5 +1,14 @@
 //! [`Request`](crate::views::Request) → pixels: the only place that makes pictures. The screen, the output of `render`
 //! and the exports of the window are the same, byte for byte.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `animation` | the way from the world to the canonical volume: as a strip of stills, and as an animation |
+//! | `composite` | one picture, or all three on a sheet |
+//! | `file` | pictures as files, in the requested format |
+//! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
+//! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
+//! | `triangle` | one triangle: its pixels, and its depth tests |
 
 mod animation;
 mod composite;

@@ -1,4 +1,27 @@
 //! State shared by the panels and the pictures.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `annotations` | annotations of a lecturer over the pictures |
+//! | `coach` | the coach's findings about the figure |
+//! | `conventions` | the display of matrices, and the convention of NDC |
+//! | `exercises` | the tab of exercises: the choice, typed answers, and verdicts |
+//! | `explain` | the content of the explanations |
+//! | `files` | questions about files, and pending work with them |
+//! | `follow` | the followed point, and the text being typed for it |
+//! | `insert` | objects that are put into the scene |
+//! | `layout` | the layout of the window, and requests to the pictures |
+//! | `matrices` | the tab of matrices: its content, and the effect of the last change |
+//! | `message` | messages at the bottom of the window, as values |
+//! | `notes` | the tab of notes: search text, and the note that is read |
+//! | `numerics` | the studies of error against run time: the one shown, the results, and the thread that measures |
+//! | `operations` | steps, signs and the slider that is held |
+//! | `order` | the tab of order: the list of transforms, and its reading |
+//! | `recent` | the files that were opened or saved last |
+//! | `scene_tree` | the state of the tree: selection, folding, typed texts |
+//! | `shown` | explanations in the pictures: the `[show]` of the figure, its changes by panels |
+//! | `steps` | the tab of steps: the decomposition, and its playback |
+//! | `view_history` | earlier viewpoints of the pictures |
 
 mod annotations;
 mod coach;
