@@ -2,6 +2,24 @@
 //!
 //! Exit status: 0 done; 1 the work could not be completed; 2 bad input. Errors go to standard error, one paragraph, in
 //! the language of `--lang` or of the system; standard output and pictures never depend on the system.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `accuracy` | `accuracy`: error against run time |
+//! | `animate` | `animate`: the way to the canonical volume as a film |
+//! | `args` | the arguments, and how their values are read |
+//! | `bench` | `bench`: how long a picture takes |
+//! | `code` | `code`: the camera as code for a library |
+//! | `diagnose` | `diagnose`: health of a camera, and why a picture is empty |
+//! | `exercise` | `exercise`: exercises, their statements, and answers that are judged |
+//! | `exercise_args` | the arguments of `exercise` |
+//! | `explain` | `explain`: the stages that a picture needs |
+//! | `inspect` | `inspect`: every number of a figure's camera |
+//! | `manual` | `manual`: manual pages and completions |
+//! | `opening` | no subcommand: the initial state of the window |
+//! | `progress` | progress messages of long commands |
+//! | `render` | `render`: a picture of a figure |
+//! | `words` | the words of option values |
 
 mod accuracy;
 mod animate;

@@ -18,6 +18,10 @@
 //! grid line that runs up to it), then the later one over the earlier. Strokes whose hidden parts are
 //! [`Shown`](crate::appearance::HiddenLines::Shown) take no part in this: they are painted over all others, one over
 //! the other. [`order`] implements these rules for numbers.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `order` | the rules by which depths are compared, the same for every output |
 
 pub mod order;
 

@@ -4,6 +4,24 @@
 //! The right answer is the value of [`Subject::value`] (the numbers of `inspect`) or of a family; the result of a known
 //! [`Mistake`] comes from the same place with a [`Slip`] built in. For an answer that is neither right nor explained,
 //! the wrong numbers are reported.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `answer` | answers as they are typed: `1/sqrt(3)`, `[1, 0, 0]`, `[[1 |
+//! | `exercise` | an exercise: the facts of its statement, its questions, and the right answers |
+//! | `families/` | families: exercises whose numbers come from a seed |
+//! | `judge` | judging an answer: its right entries, and the known mistake that explains the wrong ones |
+//! | `mistake` | the known mistakes: deviations of students from the notes |
+//! | `notes/` | the exercises of the notes: `[0]` 5.1 to 5.3, `[1]` I to III |
+//! | `own` | a lecturer's own exercises: one TOML file each, read as figure files are |
+//! | `own_texts` | texts of a lecturer's own exercises |
+//! | `products` | products of matrices as worked steps, row by column |
+//! | `progress` | a student's progress: per exercise and per known mistake, stored as a TOML text |
+//! | `statement_facts` | the facts of a statement about a subject |
+//! | `subject` | the subject of an exercise, and its numbers from `inspect` |
+//! | `textbook` | the notes' equations as they are written by hand, with the known mistakes built in |
+//! | `value` | the values of answers |
+//! | `worked` | worked steps: the formulas of the notes with the numbers of an exercise put in |
 
 mod answer;
 mod exercise;

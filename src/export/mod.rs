@@ -1,4 +1,14 @@
 //! Drawing or report → file formats.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `animation` | animations as GIF and APNG |
+//! | `crop` | a picture without the empty background around its content |
+//! | `format` | the formats of picture files |
+//! | `plot/` | charts as SVG, PDF or PNG, drawn by one plotting library, in the bundled font |
+//! | `png` | PNG with the figure file inside |
+//! | `sheet` | several pictures on one sheet |
+//! | `web` | WebP and JPEG, without the figure |
 
 pub mod animation;
 pub mod crop;

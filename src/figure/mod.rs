@@ -1,5 +1,21 @@
 //! A figure: camera parameters, image, viewport, scene, points, style, the `[reveal]` of the pipeline, observers, and
 //! the explanations in the pictures. One figure file is one `Figure`.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `edit/` | a change of a figure → the change of its text, with comments and order kept |
+//! | `error` | why a text is not a figure |
+//! | `near` | the key that was probably meant |
+//! | `observer` | the observer of a three-dimensional picture, and the camera equivalent to it |
+//! | `points` | `[[points]]`: points of the world that are followed, each with a name |
+//! | `read/` | the text of a figure file → `Figure` |
+//! | `recommended` | the viewpoint from which each preset is worth seeing |
+//! | `reveal` | the inner work of the pipeline that pictures show: the `[reveal]` section of a figure |
+//! | `show` | the explanations that pictures show: the `[show]` section of a figure |
+//! | `view` | the three pictures, by name |
+//! | `words` | the words of a figure file: each name as it is written there, with its value |
+//! | `world_look` | the content of the world picture besides scene and camera: the `[world]` section of a figure |
+//! | `write` | `Figure` → the text of a figure file |
 
 mod edit;
 pub mod error;

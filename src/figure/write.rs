@@ -1,4 +1,8 @@
 //! [`Figure`] → the text of a figure file.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `show` | `Show` → the `[show]` of a figure file |
 
 mod show;
 

@@ -1,4 +1,8 @@
 //! The words that glam lacks: angle, ray, plane, box. No camera words here.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `double_double` | numbers of twice the precision of `f64`, for the few places where one rounding too many would show |
 
 pub(crate) mod double_double;
 

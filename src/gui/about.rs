@@ -1,5 +1,5 @@
-//! What this program is: its version, its licence, and what others have written of what it is made of. Inside, so that
-//! one file that is handed on tells it too.
+//! The program: its version, its licence, and those of its components. Built in, so that a single copied file has it
+//! too.
 
 use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 

@@ -1,4 +1,4 @@
-//! What happens in a frame, in order.
+//! The sequence of a frame.
 
 use std::path::Path;
 use std::time::Duration;
@@ -25,7 +25,7 @@ use crate::sanitize;
 
 /// The window's program.
 pub struct App {
-    /// What the panels and the pictures share.
+    /// State shared by the panels and the pictures.
     pub state: State,
     /// The pictures.
     pub canvas: Canvas,
@@ -37,7 +37,7 @@ pub struct App {
     title: String,
 }
 
-/// What the presentation enlarges everything by.
+/// The enlargement of a presentation.
 const PRESENTATION_ZOOM: f32 = 1.6;
 
 /// Below this width, in points, there is room for one panel beside the pictures.
@@ -63,7 +63,7 @@ impl App {
         app
     }
 
-    /// Remembers preferences in `folder` from now on, and sets the window up as they say, and as it was `asked` for.
+    /// Stores preferences in `folder` from now on, and sets the window up from them and from the options in `asked`.
     pub fn keep_preferences(&mut self, ctx: &egui::Context, folder: &Path, asked: LaunchOptions) {
         self.preferences = Some(Preferences::begin(folder, &mut self.state, asked));
         self.apply_settings(ctx);
@@ -79,13 +79,13 @@ impl App {
         }
     }
 
-    /// What stands in the title of the window.
+    /// The title of the window.
     #[cfg(target_arch = "wasm32")]
     pub(in crate::gui) fn title(&self) -> &str {
         &self.title
     }
 
-    /// Writes the session down in `folder` from now on. With `restore`, takes up what a window left that did not close.
+    /// Stores the session in `folder` from now on. With `restore`, restores that of a window that did not close.
     pub fn keep_session(&mut self, folder: &Path, restore: bool) {
         let (sessions, left) = Sessions::begin(folder, restore);
         self.sessions = Some(sessions);
@@ -93,7 +93,7 @@ impl App {
         self.tell_news();
     }
 
-    /// Goes on with what a window has left.
+    /// Continues with a restored document.
     fn go_on_with(&mut self, left: Option<Document>) {
         if let Some(document) = left {
             self.state.take_over(document);
@@ -102,7 +102,7 @@ impl App {
         }
     }
 
-    /// The list of what windows have left, and what is decided about it.
+    /// The list of left sessions, and the user's decision.
     fn recovery(&mut self, ui: &mut egui::Ui) {
         let Some(sessions) = &mut self.sessions else { return };
         let decision = panels::recovery::list(ui, self.state.settings.lang, sessions.left());
@@ -118,8 +118,8 @@ impl App {
         self.tell_news();
     }
 
-    /// Says what there is to say about sessions and preferences, each until it is closed; that nothing is written, as
-    /// long as that is so.
+    /// Collects notices about sessions and preferences; each stays until dismissed, write failures as long as they
+    /// last.
     fn tell_news(&mut self) {
         let said = &mut self.state.file_flow.news;
         if let Some(preferences) = &mut self.preferences {
@@ -160,7 +160,7 @@ impl App {
             }
         }
         context_help::begin(&ctx);
-        // What is pointed at is said by the panels that are shown in this frame.
+        // The panels of this frame set the hover.
         self.state.hover = PanelHover::default();
         self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
         let sides = *self.state.settings.panels();
@@ -267,7 +267,7 @@ impl App {
                 shortcuts.extend(presentation::ARROWS);
             }
         }
-        // Ctrl+Shift+S is Ctrl+S as well: what needs more keys is asked first.
+        // Ctrl+Shift+S is Ctrl+S as well: shortcuts with more keys are tested first.
         shortcuts.sort_by_key(|(keys, _)| !keys.modifiers.shift);
         let called_by = |event: &egui::Event| match event {
             egui::Event::Key { key, modifiers, pressed: true, .. } => shortcuts
@@ -291,7 +291,7 @@ impl App {
         }
     }
 
-    /// The next figure, or the one before. What was changed in this one is kept, and stays written down.
+    /// Shows the next figure, or the one before. Changes of this one are kept, and stay stored.
     fn step(&mut self, ctx: &egui::Context, forwards: bool) {
         let (left, document) = (sequence::source_of(&self.state.document), self.state.document.clone());
         if !sequence::step(&mut self.state, forwards) {
@@ -340,7 +340,7 @@ fn name_handle(ui: &egui::Ui, panel: &str, name: &str) {
     ui.ctx().accesskit_node_builder(handle, |node| node.set_label(name));
 }
 
-/// Says what happens with a file that is held over the window.
+/// Tells the effect of dropping a file that is held over the window.
 fn drop_hint(ctx: &egui::Context, state: &State) {
     if ctx.input(|input| input.raw.hovered_files.is_empty()) {
         return;

@@ -1,5 +1,9 @@
 //! The coach: in an empty image why it is empty, under the pictures a few words, and in a dialog all there is to say,
 //! with repairs.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `depth` | the depth panel: z_n over the distance from the eye, the resolution of formats of depth buffers |
 
 mod depth;
 
@@ -20,7 +24,7 @@ use crate::numerics::health::Level;
 /// The width of the dialog.
 pub(super) const WIDTH: f32 = 720.0;
 
-/// What the coach has to say, in a few words.
+/// The summary of the coach.
 pub(super) struct Brief {
     text: String,
     level: Level,
@@ -28,7 +32,7 @@ pub(super) struct Brief {
 }
 
 impl Brief {
-    /// What was said last, until more is known. `None` in a presentation, where the room is for the keys.
+    /// The last advice, until there is more. `None` in a presentation, where the space is for the keys.
     pub(super) fn of(state: &State) -> Option<Self> {
         if state.settings.presentation {
             return None;
@@ -54,7 +58,7 @@ impl Brief {
         if level > Level::Good { format!("⚠ {text}") } else { text.to_owned() }
     }
 
-    /// Room for whatever it says, so that nothing beside it moves under the pointer when it says something else.
+    /// Space for any of its texts, so that nothing beside it moves under the pointer.
     fn room(&self, ui: &Ui) -> f32 {
         let t = words::texts(self.lang);
         let levels = [Level::Good, Level::Fair, Level::Poor];
@@ -85,7 +89,7 @@ fn color(ui: &Ui, level: Level) -> Color32 {
     }
 }
 
-/// Says over an empty image why it is empty, with the button that shows what is missing.
+/// Explains an empty image over it, with the button of the repair.
 pub(super) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
     let lang = state.settings.lang;
     let t = words::texts(lang);
@@ -113,13 +117,13 @@ pub(super) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
     }
 }
 
-/// What a repair changes.
+/// The changes of a repair.
 fn change(state: &State, repair: &Repair) -> String {
     let figure = state.document.figure();
     words::changes(&repair.changes(&figure.camera, &figure.style))
 }
 
-/// What is to be done.
+/// An action to take.
 enum Wish {
     Repair(Repair),
     Camera(crate::camera::Parameters),

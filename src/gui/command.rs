@@ -133,13 +133,13 @@ impl Command {
         (self.row().words)(t).0
     }
 
-    /// What it does.
+    /// Its tooltip.
     #[must_use]
     pub fn hint(self, t: &Texts) -> &'static str {
         (self.row().words)(t).1
     }
 
-    /// Why it would do nothing, where that is not plain; else what it does.
+    /// The reason why it is disabled, where that is not plain; else its tooltip.
     #[must_use]
     pub fn hint_disabled(self, t: &Texts) -> &'static str {
         self.row().hint_disabled.map_or_else(|| self.hint(t), |hint| hint(t))
@@ -171,7 +171,7 @@ impl Command {
         (self.row().enabled)(state)
     }
 
-    /// On or off, for what is one of both.
+    /// The state of a switch.
     #[must_use]
     pub fn is_on(self, state: &State) -> Option<bool> {
         self.row().on.map(|on| on(state))
@@ -182,7 +182,7 @@ impl Command {
         self.row().run
     }
 
-    /// True for what a text field does itself while it has the keyboard.
+    /// Whether a text field handles it itself while it has the focus.
     #[must_use]
     pub fn is_for_text_too(self) -> bool {
         matches!(self, Self::Undo | Self::Redo)

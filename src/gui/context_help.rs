@@ -1,8 +1,8 @@
-//! On what there is a note: what is pointed at or has the keyboard says so in each frame, and F1 opens it.
+//! Context help: widgets report the note on them in each frame, and F1 opens it.
 
 use eframe::egui::{self, Id, Rect, Response, Ui};
 
-/// The notes on what is pointed at, and on what has the keyboard.
+/// The notes on the widget under the pointer, and on the focused one.
 #[derive(Clone, Copy, Default)]
 struct Noted {
     pointed: Option<&'static str>,
@@ -13,12 +13,12 @@ fn key() -> Id {
     Id::unique("noted")
 }
 
-/// Forgets what the last frame has said.
+/// Clears the reports of the last frame.
 pub(super) fn begin(ctx: &egui::Context) {
     ctx.data_mut(|data| data.remove::<Noted>(key()));
 }
 
-/// The note on what is pointed at; else on what has the keyboard.
+/// The note on the widget under the pointer; else on the focused one.
 pub(super) fn asked(ctx: &egui::Context) -> Option<&'static str> {
     let noted = ctx.data(|data| data.get_temp::<Noted>(key()))?;
     noted.pointed.or(noted.focused)

@@ -4,7 +4,7 @@ use eframe::egui;
 
 use super::focus::at_right;
 
-/// What was done with the buttons of a question.
+/// The button pressed in a question.
 pub(super) enum Pressed {
     /// The button with this number.
     Action(usize),

@@ -1,4 +1,4 @@
-//! The questions that are asked in the window.
+//! The questions in the window.
 
 use std::collections::BTreeSet;
 use std::mem::{Discriminant, discriminant};
@@ -148,7 +148,7 @@ fn text(ui: &mut egui::Ui, title: &str, text: &str) {
     ui.add_space(10.0);
 }
 
-/// What is to become of what hangs on an object that is deleted.
+/// Asks about the children of objects that are deleted.
 fn ask_delete(
     ui: &mut egui::Ui,
     t: &'static Texts,
@@ -175,7 +175,7 @@ fn ask_delete(
     scene::remove(state, &names, children);
 }
 
-/// What is to become of what another program has written: the choice that loses nothing is the one most wanted.
+/// Asks about a file changed by another program: the choice that loses nothing is the default.
 fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut changed: Changed, first: bool) {
     let name = state.document.path().map(|path| sanitize::path(path)).unwrap_or_default();
     text(ui, t.changed_title, &format!("{name} {}", t.changed_text));
@@ -269,7 +269,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     }
     (state.message, state.file_flow.refused) = (None, None);
     file_flow::chosen(ui.ctx(), state, purpose.clone(), PathBuf::from(path.trim()));
-    // What went wrong is said where it was typed, and there alone.
+    // Errors are shown where the path was typed, and there alone.
     if state.file_flow.dialog.is_none() && state.message.as_ref().is_some_and(|message| message.is_error()) {
         state.file_flow.refused = state.message.take();
         state.file_flow.dialog = Some(Dialog::Path(purpose, path));

@@ -12,7 +12,7 @@ use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
 pub struct Document {
     figure: Figure,
     camera: Camera,
-    /// The camera of the figure's parameters, without what operations know beyond them.
+    /// The camera of the figure's parameters, without the rest that operations retain.
     drawn: Camera,
     draft: Parameters,
     problem: Option<CameraError>,
@@ -23,7 +23,7 @@ pub struct Document {
     reach: FileAccess,
     source: String,
     saved: Figure,
-    /// Which scene the figure has, and whether it is another one than the one that was saved.
+    /// The revision of the scene, and whether it differs from the saved one.
     revision: Revision,
     scene_is_changed: bool,
     /// Which document it is, from wherever it is seen and whatever is explained in it, and which one the last step was
@@ -159,7 +159,7 @@ impl Document {
         self.note_change();
     }
 
-    /// Changes anything but the camera; what `change` does to `figure.camera` is ignored.
+    /// Changes anything but the camera; a change of `figure.camera` is ignored.
     pub fn edit(&mut self, change: impl FnOnce(&mut Figure)) {
         let camera = self.figure.camera;
         change(&mut self.figure);
@@ -193,8 +193,7 @@ impl Document {
         self.revision
     }
 
-    /// The observers: where one looks from is kept in the file, but it is neither a change of the figure nor an undo
-    /// step.
+    /// The observers: stored in the file, but neither a change of the figure nor an undo step.
     pub fn observers_mut(&mut self) -> &mut Observers {
         &mut self.figure.observers
     }
@@ -306,7 +305,7 @@ impl Document {
         self.set_parameters(self.opened);
     }
 
-    /// Takes a camera over, with what it knows beyond the `f64`s of its parameters.
+    /// Sets a camera, with the rest beyond the `f64`s of its parameters.
     pub fn set_camera(&mut self, camera: Camera) {
         self.draft = *camera.parameters();
         self.figure.camera = self.draft;
@@ -315,19 +314,19 @@ impl Document {
         self.note_change();
     }
 
-    /// Does an operation to the camera.
+    /// Applies an operation to the camera.
     ///
-    /// *Guarantees*: the camera keeps what it knows beyond the `f64`s of its parameters, so that errors do not add up:
+    /// *Guarantees*: the camera retains the rest beyond the `f64`s of its parameters, so that errors do not add up:
     /// twelve turns by 30° give it back bit for bit.
     ///
     /// # Errors
-    /// [`CameraError`] where the operation has no result, or where what is being edited is not a camera; nothing has
+    /// [`CameraError`] where the operation has no result, or where the edited parameters are not a camera; nothing has
     /// changed then.
     pub fn operate(&mut self, operation: Operation, convention: Convention) -> Result<(), CameraError> {
         self.operate_from(&self.camera.clone(), operation, convention)
     }
 
-    /// As [`Self::operate`], but what the operation is done to is `start`: the camera before a slider was pulled.
+    /// As [`Self::operate`], but applied to `start`: the camera before a slider was pulled.
     ///
     /// # Errors
     /// As for [`Self::operate`].
@@ -373,13 +372,13 @@ impl Document {
         self.folder.as_deref()
     }
 
-    /// Which files the figure may name.
+    /// The files that the figure may name.
     #[must_use]
     pub fn reach(&self) -> FileAccess {
         self.reach
     }
 
-    /// Lets the figure name any file of this machine: the user has said so.
+    /// Lets the figure name any file of this machine, with the user's permission.
     pub fn allow_files(&mut self) {
         self.reach = FileAccess::Anywhere;
         self.note_change();
@@ -391,7 +390,7 @@ impl Document {
         &self.source
     }
 
-    /// Notes that the figure now stands in a file with this text.
+    /// Records that the figure is now in a file with this text.
     pub fn mark_saved(&mut self, path: PathBuf, source: String) {
         self.aside = None;
         self.folder = path.parent().map(Path::to_owned);
@@ -408,8 +407,7 @@ impl Document {
         self.note_change();
     }
 
-    /// True where closing would lose something. From where the pictures are seen does not count, nor what is explained
-    /// in them.
+    /// Whether closing would lose something. Observers do not count, nor do explanations.
     #[must_use]
     pub fn is_changed(&self) -> bool {
         self.is_changed

@@ -23,7 +23,7 @@ pub(super) fn parts(text: &str, fits: impl Fn(&str) -> bool) -> String {
     }
 }
 
-/// How wide a text is in a line of its own.
+/// Width of a text on one line.
 pub(super) fn width(ui: &Ui, font: &FontId, text: &str) -> f32 {
     ui.painter().layout_no_wrap(text.to_owned(), font.clone(), ui.visuals().text_color()).size().x
 }

@@ -26,7 +26,7 @@ use crate::progress::Progress;
 use crate::scene::SceneError;
 use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
 
-/// Which picture, how large, in which theme.
+/// The export settings: pictures, size, theme.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Export {
     /// One picture, or all three on a sheet.
@@ -35,17 +35,17 @@ pub struct Export {
     pub width: u32,
     /// Pixels.
     pub height: u32,
-    /// How many times as large as on the screen; `None`: the size was typed.
+    /// Multiple of the size on screen; `None`: the size was typed.
     pub times: Option<u32>,
     /// The size is that on paper, below; `times` does not count.
     pub on_paper: bool,
-    /// What is set for paper.
+    /// The settings for paper.
     pub paper: Paper,
     /// The format that is proposed; the name of the file decides.
     pub format: PictureFormat,
     /// Without ground, where the format has transparency.
     pub transparent: bool,
-    /// Each picture without the empty ground around what it shows.
+    /// Crop the empty background around each picture.
     pub crop: bool,
     /// The theme of the picture.
     pub theme: Theme,
@@ -74,7 +74,7 @@ pub struct Paper {
 }
 
 impl Paper {
-    /// What it asks of a picture.
+    /// The request for a picture on paper.
     fn asked(self) -> OnPaper {
         let Self { dpi, letters, lines, .. } = self;
         OnPaper { dpi, letters: Some(letters), lines, arranged: true }
@@ -173,7 +173,7 @@ fn together(sizes: [[u32; 2]; 3]) -> [u32; 2] {
 
 /// Width and height of each picture of a film.
 const FILM: [u32; 2] = [640, 480];
-/// How long a step of it takes.
+/// Duration of a step in it.
 const STEP_SECONDS: f64 = 2.0;
 
 /// Why a picture was not written.
@@ -187,7 +187,7 @@ pub(super) enum ExportError {
     Picture(#[from] PictureError),
     #[error(transparent)]
     File(#[from] FileError),
-    /// It was to be without ground, in a format that has no transparency.
+    /// A picture without background, in a format that has no transparency.
     #[error("{} has no transparency", .0.name())]
     NoTransparency(PictureFormat),
     /// The user does not want it any more.
@@ -198,7 +198,7 @@ pub(super) enum ExportError {
     Panic,
 }
 
-/// What came of it: what could not be done as it was asked for, or why nothing was written.
+/// The result of an export: a shortfall, or the reason why nothing was written.
 pub(super) type Exported = Result<Option<OverBudget>, ExportError>;
 
 impl ExportError {
@@ -230,7 +230,7 @@ pub(super) struct Exporting {
     worker: Worker<Task, Exported>,
 }
 
-/// What pictures are made of.
+/// The source of exported pictures.
 pub(super) struct ExportSource {
     figure: Figure,
     shot: Shot,
@@ -240,7 +240,7 @@ pub(super) struct ExportSource {
 }
 
 impl ExportSource {
-    /// What is on the screen, in a theme. The figure is [`State::figure_as_shown`](super::State::figure_as_shown).
+    /// The present screen, in a theme. The figure is [`State::figure_as_shown`](super::State::figure_as_shown).
     pub(super) fn of(document: &Document, shown: Figure, lang: Lang, theme: Theme) -> Self {
         let mut figure = shown;
         figure.style.theme = theme;
@@ -259,7 +259,7 @@ impl ExportSource {
         Ok(Request::new(shot, View::Canonical, &camera, &scene, pictures::labels(*lang), size))
     }
 
-    /// What is drawn.
+    /// The drawn pictures.
     pub(super) fn sheet(&self, export: &Export, progress: &Progress) -> Result<Composite, ExportError> {
         let Self { figure, shot, folder, reach, lang } = self;
         let camera = Camera::new(&figure.camera)?;
@@ -311,12 +311,12 @@ impl Exporting {
         Self { path, worker }
     }
 
-    /// Where it will be.
+    /// The path of the file.
     pub(super) fn path(&self) -> &Path {
         &self.path
     }
 
-    /// What is being done for it.
+    /// The running work.
     pub(super) fn running(&self) -> Option<Running> {
         self.worker.running()
     }
@@ -326,7 +326,7 @@ impl Exporting {
         self.worker.cancel();
     }
 
-    /// What came of it and where, once it has come to an end.
+    /// The result and its path, once it has ended.
     pub(super) fn take(&mut self) -> Option<(PathBuf, Exported)> {
         let [done] = self.worker.take(Duration::ZERO);
         Some((self.path.clone(), done?.outcome.unwrap_or(Err(ExportError::Panic))))

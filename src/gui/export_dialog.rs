@@ -19,7 +19,7 @@ use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::picture::Crowded;
 use crate::views::{View, Views};
 
-/// The width of the settings, of the picture beside them and of both with what lies between, in points.
+/// The width of the settings, of the preview beside them and of both with the gap, in points.
 const SETTINGS: f32 = 360.0;
 const PICTURE: Vec2 = vec2(360.0, 240.0);
 const BETWEEN: f32 = 20.0;
@@ -88,7 +88,7 @@ fn checkbox(ui: &mut egui::Ui, on: &mut bool, text: impl Into<egui::WidgetText>,
     }
 }
 
-/// What is on the screen, as it is exported.
+/// The present screen, for the export.
 fn subject(state: &State, export: &Export) -> ExportSource {
     ExportSource::of(&state.document, state.figure_as_shown(), state.settings.lang, export.theme)
 }
@@ -107,7 +107,7 @@ fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Exp
     paint(ui, &preview, rect, export.is_without_ground());
     if preview.texture().is_none() {
         let why = preview.fault.as_ref().map_or_else(|| t.export_drawing.to_owned(), |error| error.text(t.lang, ""));
-        // A child of its own: what stands below does not move.
+        // A child of its own: the content below does not move.
         let middle = egui::Layout::centered_and_justified(egui::Direction::TopDown);
         let place = egui::UiBuilder::new().max_rect(rect.shrink(12.0)).layout(middle);
         ui.new_child(place).add(egui::Label::new(RichText::new(why).weak()).wrap());
@@ -174,10 +174,10 @@ fn chequers(painter: &egui::Painter, rect: Rect) {
     }
 }
 
-/// A field, and what is wrong with what was typed there.
+/// A field, and the fault of the typed text.
 type Fault = (&'static str, FieldError);
 
-/// How; what is wrong with what was typed.
+/// The settings; returns the faults of typed texts.
 fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Export) -> Vec<Fault> {
     let what = [
         (Views::All, t.export_all),
@@ -220,7 +220,7 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Ex
     let able = export.format.has_transparency();
     ui.add_enabled_ui(able, |ui| {
         let hint = if able { t.export_transparent_hint } else { t.export_opaque_hint };
-        // A format without transparency shows what it does, and forgets nothing.
+        // A format without transparency shows the effect, and forgets nothing.
         let mut shown = export.is_without_ground();
         checkbox(ui, &mut shown, t.export_transparent, hint);
         if able {
@@ -232,7 +232,7 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Ex
     errors
 }
 
-/// The size on paper; what is wrong with what was typed there.
+/// The size on paper; returns the faults of typed texts.
 fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Option<Crowded>) -> Vec<Fault> {
     let field = |ui: &mut egui::Ui, name: &'static str, range, value: &mut f64| {
         let field = NumberField::new(name, Step::Add(1.0)).within(range).width(64.0);
@@ -257,8 +257,8 @@ fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Opt
     errors
 }
 
-/// The width of lines, which follows the letters as long as it has none of its own; what is wrong with what was typed
-/// there.
+/// The width of lines, which follows the letters as long as it has none of its own; returns the fault of the typed
+/// text.
 fn lines(ui: &mut egui::Ui, t: &'static Texts, lines: &mut Option<f64>, as_letters: f64) -> Option<Fault> {
     let mut fault = None;
     row(ui, "", t.export_lines, t.export_lines_hint, |ui| {
@@ -275,7 +275,7 @@ fn lines(ui: &mut egui::Ui, t: &'static Texts, lines: &mut Option<f64>, as_lette
     fault
 }
 
-/// Width and height; what is wrong with what was typed there.
+/// Width and height; returns the faults of typed texts.
 fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Fault> {
     let [mut width, mut height] = [f64::from(export.width), f64::from(export.height)];
     let sides = 1.0..=f64::from(MAX_SIDE);

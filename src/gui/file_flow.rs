@@ -1,4 +1,4 @@
-//! Opening, saving and closing: what is asked, in which order, and what is done then.
+//! Opening, saving and closing: the questions, their order, and the actions.
 //!
 //! ```text
 //! New, Open, a dropped file, Quit ── unsaved? ── ask ──┐
@@ -24,7 +24,7 @@ use crate::files::{self, FileChange, Overwrite, disk};
 use crate::scene::Shape;
 use crate::share;
 
-/// Does what comes `next`, after asking about changes that would be lost.
+/// Does the `next` action, after asking about changes that would be lost.
 pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     state.document.commit();
     if state.document.is_changed() {
@@ -34,7 +34,7 @@ pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     }
 }
 
-/// Does what comes `next`; what was changed is lost.
+/// Does the `next` action; changes are lost.
 pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     match next {
         AfterSave::New => {
@@ -112,7 +112,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
     }
 }
 
-/// Opens or writes the file, over what the user has `agreed` to.
+/// Opens or writes the file, with the overwrites in `agreed`.
 pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: &Path, agreed: Agreed) {
     match purpose {
         Purpose::Open => open(state, path),
@@ -205,12 +205,12 @@ pub fn reload(state: &mut State) {
     }
 }
 
-/// Goes on with the window's figure although the file holds another one; that is not asked again for the same content.
+/// Continues with the window's figure although the file holds another one; the same content is not asked about again.
 pub fn keep_mine(state: &mut State) {
     state.file_flow.decided = state.file_flow.theirs.take();
 }
 
-/// Asks what is to become of what another program has written into the figure's file.
+/// Asks about the content of another program in the figure's file.
 pub fn ask_about(state: &mut State, theirs: Theirs, then: Option<AfterSave>) {
     state.file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
 }
@@ -220,20 +220,20 @@ fn for_folder(state: &State, path: &Path) -> Figure {
     files::for_folder(&state.figure_to_save(), state.document.folder(), path.parent())
 }
 
-/// What saving would write.
+/// The text that saving would write.
 #[must_use]
 pub fn text_to_save(state: &State) -> String {
     let figure = state.document.path().map_or_else(|| state.figure_to_save(), |path| for_folder(state, path));
     update(state.document.source(), &figure)
 }
 
-/// The text of what is on the screen, as links carry it.
+/// The text of the present screen, as links carry it.
 #[must_use]
 pub fn text_as_shown(state: &State) -> String {
     update(state.document.source(), &state.figure_as_shown())
 }
 
-/// What the figure's own file holds instead of what was read from it or saved in it last.
+/// The present content of the figure's file, where it differs from the one read or saved last.
 fn theirs(document: &Document, path: &Path) -> Option<Theirs> {
     if document.path().is_none_or(|own| own != path) {
         return None;
@@ -294,8 +294,7 @@ fn watch(ctx: &egui::Context, state: &mut State) {
     }
 }
 
-/// What happens by itself in each frame: answers of dialogs and of exports, dropped files, the window's own close
-/// button.
+/// The automatic part of each frame: answers of dialogs and of exports, dropped files, the window's own close button.
 pub fn poll(ctx: &egui::Context, state: &mut State) {
     if let Some((purpose, answer)) = state.file_flow.asking.as_mut().and_then(|(p, a)| Some((p.clone(), a.poll()?))) {
         state.file_flow.asking = None;
@@ -322,7 +321,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
         take_file(ctx, state, path);
     } else if let Some((path, count)) = dropped {
         take_file(ctx, state, path.clone());
-        // What went wrong with it matters more.
+        // An error matters more.
         if count > 1 && !state.message.as_ref().is_some_and(Message::is_error) {
             state.say(Message::FirstOfDropped(path, count));
         }
@@ -338,7 +337,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     }
 }
 
-/// Opens what was dropped: a figure, or a mesh, which comes into the scene.
+/// Opens a dropped file: a figure, or a mesh, which is added to the scene.
 fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     if !MESH_ENDINGS.contains(&ending.as_str()) {
@@ -354,8 +353,8 @@ fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
     state.settings.tab = Tab::Scene;
 }
 
-/// Tells what came of the pictures that were being written. A window that waits for them closes with the last one,
-/// unless one has failed: that would be told to nobody.
+/// Reports finished exports. A window that waits for them closes with the last one, unless one has failed: nobody would
+/// see that.
 fn take_exports(ctx: &egui::Context, state: &mut State) {
     let mut failed = false;
     for (path, result) in state.file_flow.exported() {
@@ -402,7 +401,7 @@ mod tests {
         (ctx, state)
     }
 
-    /// One frame, in which the window's close button is pressed or not; what it asks the system for.
+    /// One frame, in which the window's close button is pressed or not; returns the requests to the system.
     fn frame(ctx: &egui::Context, state: &mut State, close: bool) -> Vec<ViewportCommand> {
         let mut input = egui::RawInput::default();
         if close {

@@ -1,5 +1,5 @@
-//! The keyboard's way through the window: from region to region, what has the focus made visible and brought into
-//! sight, lists that Enter closes.
+//! The keyboard's way through the window: from region to region, the focused widget marked and scrolled into sight,
+//! lists that Enter closes.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -24,17 +24,17 @@ pub(super) enum Region {
     Numbers,
 }
 
-/// The regions of a frame: what takes the focus in each, and where it is.
+/// The regions of a frame: their focusable widgets, with their places.
 #[derive(Clone, Debug, Default)]
 struct Regions(Vec<(Region, Id, Rect)>);
 
-/// What follows the keyboard from frame to frame.
+/// The state of the focus from frame to frame.
 #[derive(Debug, Default)]
 pub(super) struct Focus {
     /// The focus was moved by a key, not by the pointer: only then it is marked.
     by_keyboard: bool,
     last: Option<Id>,
-    /// What had the focus before a list or a menu opened.
+    /// The focused widget before a list or a menu opened.
     before_popup: Option<Id>,
     popup_was_open: bool,
 }
@@ -60,7 +60,7 @@ impl Focus {
             data.insert_temp(moved_id(), moved);
             std::mem::take(data.get_temp_mut_or_default::<Regions>(regions_id()))
         });
-        // With Shift it is Ctrl+Tab as well: what needs more keys is asked first.
+        // With Shift it is Ctrl+Tab as well: shortcuts with more keys are tested first.
         let taken = |modifiers| !dialog && ctx.input_mut(|input| input.consume_key(modifiers, Key::Tab));
         let back = taken(Modifiers::CTRL | Modifiers::SHIFT);
         let forward = !back && taken(Modifiers::CTRL);
@@ -107,7 +107,7 @@ impl Focus {
         }
     }
 
-    /// Ends a frame: closes a list in which something was chosen, and marks what has the focus.
+    /// Ends a frame: closes a list in which something was chosen, and marks the focused widget.
     pub(super) fn end(&mut self, ctx: &Context) {
         if ctx.data(|data| data.get_temp::<bool>(close_id())).unwrap_or(false) {
             ctx.data_mut(|data| data.insert_temp(close_id(), false));
@@ -144,7 +144,7 @@ fn go_on_as_read(ctx: &Context, regions: &Regions, now: Option<Id>) {
     let order = as_read(ctx, regions);
     let place = now.map(|now| order.iter().position(|id| *id == now));
     let next = match place {
-        // What has the focus is not of the window itself.
+        // The focused widget is not in the window itself.
         Some(None) => return,
         None if back => order.last(),
         None => order.first(),
@@ -159,8 +159,8 @@ fn go_on_as_read(ctx: &Context, regions: &Regions, now: Option<Id>) {
     }
 }
 
-/// What takes the focus in the window itself, as it was in the last frame: first all but the panel on the right and the
-/// one of studies, which are laid out before the pictures; then those two.
+/// The focusable widgets of the window itself, as in the last frame: first all but the panel on the right and the one
+/// of studies, which are laid out before the pictures; then those two.
 fn as_read(ctx: &Context, regions: &Regions) -> Vec<Id> {
     /// A panel's frame, and the handle by which it is made wider.
     const MARGIN: f32 = 12.0;
@@ -207,7 +207,7 @@ fn next_region(ctx: &Context, regions: Regions, focused: Option<Id>, back: bool)
     all.get(next).map(|(_, id, _)| *id)
 }
 
-/// A ring around what has the focus: the colours of a control that is on, or pointed at, say nothing about it.
+/// A ring around the focused widget: the colours of a control that is on, or hovered, do not show the focus.
 fn mark(ctx: &Context, response: &Response) {
     let visible = response.interact_rect;
     if !visible.is_positive() {
@@ -245,12 +245,12 @@ pub(super) fn region(ui: &Ui, rect: Rect, region: Region, name: &str) {
     note(ui.ctx(), region, response.id, rect);
 }
 
-/// Makes a widget with what is around it a region that Ctrl+Tab goes to.
+/// Makes a widget with its surroundings a region that Ctrl+Tab goes to.
 pub(super) fn note(ctx: &Context, region: Region, id: Id, rect: Rect) {
     ctx.data_mut(|data| data.get_temp_mut_or_default::<Regions>(regions_id()).0.push((region, id, rect)));
 }
 
-/// Scrolls what a key has given the focus into sight. Call it at the end of what a scroll area holds.
+/// Scrolls a widget that a key has focused into sight. Call it at the end of the content of a scroll area.
 pub(super) fn keep_in_sight(ui: &Ui) {
     if !ui.ctx().data(|data| data.get_temp::<bool>(moved_id())).unwrap_or(false) {
         return;

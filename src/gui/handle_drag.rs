@@ -9,7 +9,7 @@ use crate::numbers::DecimalMark;
 use crate::views::Request;
 use crate::views::{Handle, handles};
 
-/// How near the pointer must come to a handle, in points.
+/// Distance within which the pointer catches a handle, in points.
 pub(super) const REACH: f32 = 10.0;
 
 /// A handle that is held.
@@ -21,7 +21,7 @@ pub(super) struct HandleDrag {
     pressed: Request,
     from: DVec2,
     vertical: bool,
-    /// What Esc brings back.
+    /// The camera that Esc restores.
     before: Camera,
     /// Why the handle does not follow the pointer.
     stopped: Option<CameraError>,
@@ -34,7 +34,7 @@ impl HandleDrag {
         Self { handle, pressed, from, vertical: vertical(modifiers), before, stopped: None }
     }
 
-    /// What is held.
+    /// The dragged handle.
     pub(super) fn handle(&self) -> Handle {
         self.handle
     }
@@ -87,7 +87,7 @@ pub(super) fn readout(handle: Handle, camera: &Camera, digits: usize, texts: &Ca
     }
 }
 
-/// How a handle is dragged.
+/// The hint for dragging a handle.
 pub(super) fn hint(handle: Handle, camera: &Camera, digits: usize, texts: &CanvasTexts) -> String {
     let on_plane =
         |y: f64| format!("{} {} · {}", texts.drag_on_plane, texts.lang.mark().number(y, digits), texts.drag_vertically);

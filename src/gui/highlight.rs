@@ -1,4 +1,4 @@
-//! What is selected in the tree, marked in the pictures.
+//! The selection of the tree, marked in the pictures.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use crate::scene::edit::{descendants, placement};
 use crate::scene::{LightSpec, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
 use crate::views::{Palette, SharedScene};
 
-/// The scene with what is selected marked in it; it is made anew only when one of both has changed.
+/// The scene with the selection marked in it; made anew only when one of both has changed.
 #[derive(Debug, Default)]
 pub(super) struct Highlight {
     marked: Memo<(SharedScene, Selected, BTreeSet<String>, Theme), SharedScene>,
@@ -56,7 +56,7 @@ fn style(color: Rgba, width: f32) -> LineStyle {
     LineStyle { color, width, dash: Dash::Solid, hidden: HiddenLines::Dashed, arrow: false }
 }
 
-/// Marks an object and what hangs on it: by its edges where it has few and shows them, else by the box around it.
+/// Marks an object and its descendants: by its edges where it has few and shows them, else by the box around it.
 fn mark_objects(scene: &mut Scene, spec: &SceneSpec, name: &str, color: Rgba) {
     let names = with_descendants(spec, name);
     let mut boxes = Vec::new();

@@ -37,7 +37,7 @@ struct Snapshot {
     replaces: bool,
 }
 
-/// What is being edited, as undo and redo see it.
+/// The edited state, as seen by undo and redo.
 #[derive(Clone, Debug)]
 pub(super) struct Moment {
     pub(super) figure: Figure,
@@ -113,7 +113,7 @@ impl History {
         Self { now, past: Vec::new(), future: Vec::new() }
     }
 
-    /// Makes a step of what has changed since the last one.
+    /// Makes a step of the changes since the last one.
     pub(super) fn commit(&mut self, of: (&Figure, Revision), camera: &Camera, draft: &Parameters) {
         if self.now.is_of(of, camera, draft) {
             // Another number may have come to the same scene.
@@ -145,7 +145,7 @@ impl History {
         self.past.drain(..self.past.len() - steps);
     }
 
-    /// How many of the last steps are within the bounds; one always is.
+    /// Number of the last steps within the bounds; at least one.
     fn affordable(&self) -> usize {
         let mut newer = &self.now;
         let mut bytes = 0_usize;
@@ -171,7 +171,7 @@ impl History {
         !self.future.is_empty()
     }
 
-    /// One step back; what is there then, seen by these observers.
+    /// Undoes a step; returns the state then, seen by these observers.
     pub(super) fn undo(&mut self, observers: Observers, show: &Show) -> Option<Moment> {
         let earlier = self.past.pop()?;
         self.now.show = show.clone();

@@ -1,4 +1,4 @@
-//! Which key is held: what its repeats do is one step.
+//! The held key: all its repeats are one step.
 //!
 //! egui's own list of keys is no help here. It takes a key out by its logical name, and the same key goes down as `+`
 //! and comes up as `=` where Shift is let go first: `+` would be held until the window loses the focus.
@@ -18,8 +18,8 @@ pub(super) struct HeldKey {
 }
 
 impl HeldKey {
-    /// Follows what happened before this frame. True where another key was pressed than the one that was held: what
-    /// that one has done is a step of its own.
+    /// Follows the events before this frame. Returns whether another key was pressed than the held one, whose effect is
+    /// then a step of its own.
     pub(super) fn follow(&mut self, input: &InputState) -> bool {
         let mut another = false;
         for event in &input.raw.events {

@@ -1,5 +1,5 @@
-//! What is asked of one window, and is not remembered: by the command line, or by the address of a page
-//! (`?view=image&panels=none&lang=pt-BR&theme=dark`), as lecture notes do that show a figure inside of a page.
+//! Launch options of one window, which are not stored: from the command line, or from the address of a page
+//! (`?view=image&panels=none&lang=pt-BR&theme=dark`), as in lecture notes that show a figure inside a page.
 
 use percent_encoding::percent_decode_str;
 
@@ -12,7 +12,7 @@ use crate::views::{View, Views};
 /// The languages, by the names that `--lang` has for them.
 pub(in crate::gui) const LANGUAGES: Words<Lang> = &[("en", Lang::En), ("pt-BR", Lang::PtBr)];
 
-/// What is asked of one window.
+/// Launch options of one window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LaunchOptions {
     /// The language.
@@ -26,7 +26,7 @@ pub struct LaunchOptions {
 }
 
 impl LaunchOptions {
-    /// What stands in an address after the `?`; and what there cannot be understood, word for word.
+    /// The options in an address after the `?`; and its unreadable parts, word for word.
     #[must_use]
     pub fn of_query(query: &str) -> (Self, Vec<String>) {
         let mut asked = Self::default();

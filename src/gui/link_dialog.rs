@@ -1,4 +1,4 @@
-//! The figure as a link: what it is, where it leads, and how long it is.
+//! The figure as a link: its purpose, its address, and its length.
 
 use eframe::egui::{self, RichText};
 
@@ -28,7 +28,7 @@ pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool)
     let link = share::link(&address, &file_flow::text_as_shown(state));
     match &link {
         Ok(link) => {
-            // Where the clipboard is out of reach, it can be taken from here.
+            // Where the clipboard is out of reach, it can be copied from here.
             let mut shown = link.as_str();
             let field = TextField::fixed_line(&mut shown);
             let field = field.with(|edit| edit.desired_width(f32::INFINITY).font(egui::TextStyle::Monospace));

@@ -1,5 +1,5 @@
-//! Formulas set as `KaTeX` sets them: `RaTeX` says where each glyph and each line stands, the window paints them with
-//! the fonts of `KaTeX`.
+//! Formulas set as `KaTeX` sets them: `RaTeX` lays out glyphs and lines, the window paints them with the fonts of
+//! `KaTeX`.
 
 use std::sync::Arc;
 
@@ -43,7 +43,7 @@ struct Glyph {
     scale: f32,
 }
 
-/// What is painted of a formula, in units of the type size.
+/// The painted parts of a formula, in units of the type size.
 #[derive(Debug, Default)]
 struct Ink {
     glyphs: Vec<Glyph>,
@@ -54,7 +54,7 @@ struct Ink {
 }
 
 impl Ink {
-    /// `None` for what is not LaTeX, or needs more than the fonts have.
+    /// `None` for text that is not LaTeX, or needs more than the fonts have.
     fn new(latex: &str) -> Option<Self> {
         // Brackets as high as a matrix are glyphs of no font: they are lines here.
         if let Some((before, rest)) = latex.split_once(r"\begin{bmatrix}") {
@@ -146,7 +146,7 @@ enum Set {
 }
 
 impl Formula {
-    /// Sets a formula; where that fails, `text` stands for it. It is set once, as long as it is shown in every frame.
+    /// Sets a formula; where that fails, `text` replaces it. It is set once, as long as it is shown in every frame.
     pub(super) fn new(ui: &Ui, latex: &str, text: &str, size: f32) -> Self {
         type Cache = FrameCache<Option<Arc<Ink>>, Typesetter>;
         let ink = ui.memory_mut(|memory| memory.caches.cache::<Cache>().get(latex).clone());
@@ -168,7 +168,7 @@ impl Formula {
         }
     }
 
-    /// How far its baseline is below its upper end, in points.
+    /// Distance of its baseline below its upper end, in points.
     pub(super) fn baseline(&self) -> f32 {
         match &self.set {
             Set::Ink(ink) => ink.baseline * self.size,
@@ -227,19 +227,19 @@ pub(super) fn inline(ui: &mut Ui, latex: &str, font: &FontId, color: Color32) {
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
 }
 
-/// The same as LaTeX and as text.
+/// A formula as LaTeX and as text.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Both {
     pub(super) latex: String,
     pub(super) text: String,
 }
 
-/// How the links of a [`chain`] stand.
+/// The layout of the links of a [`chain`].
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Links {
     /// Each below the other, so that formula, numbers and value are found where they always are.
     Below,
-    /// As many in a line as it has room for: many chains stand one after the other.
+    /// As many on a line as fit: many chains follow one another.
     Dense,
 }
 
@@ -289,7 +289,7 @@ mod tests {
             for latex in inline {
                 let ink = Ink::new(latex);
                 assert!(ink.as_ref().is_some_and(|ink| !ink.glyphs.is_empty()), "{}: {latex}", note.id);
-                // Such a formula stands in a line of words.
+                // Such a formula is part of a line of words.
                 assert!(ink.is_some_and(|ink| ink.size[1] < 1.1), "{}: {latex} is too high", note.id);
             }
             for latex in &note.equations {

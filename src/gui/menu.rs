@@ -34,7 +34,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         }
         let mut of_title = None;
         let middle = |ui: &mut egui::Ui| {
-            // What is new has the little room that there is on a telephone.
+            // News get the little space that there is on a telephone.
             if !is_phone {
                 title(ui, t, state, &mut of_title);
             }

@@ -2,13 +2,54 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
-//! | [`app`] | what happens in a frame, in order |
-//! | [`state`] | what the panels and the pictures share |
-//! | [`document`] | the figure that is being edited, its file, undo and redo |
-//! | [`scene_cache`] | the scene that the pictures show |
-//! | [`gallery`] | the figures that one can begin with, with small pictures |
-//! | [`preferences`] | what is remembered from one time to the next |
-//! | [`canvas`] | the three pictures in the middle |
+//! | `about` | the dialog About: version, licence, components |
+//! | `app` | the sequence of a frame |
+//! | `canvas/` | the three pictures in the middle of the window |
+//! | `coach` | the coach: why an image is empty, health of the camera, repairs |
+//! | `command` | the commands: label, tooltip and shortcut of each one |
+//! | `comparison` | the lines in which two texts differ |
+//! | `context_help` | context help: widgets report the note on them, and F1 opens it |
+//! | `dialog_buttons` | the buttons below a question |
+//! | `dialogs` | the questions in the window |
+//! | `document` | the edited figure: the last valid one, the draft, its file, undo and redo |
+//! | `elide` | texts longer than their space, shortened between words |
+//! | `exercises/` | the tab of exercises: list, statement, answers, verdict, solution |
+//! | `explain/` | the explanations: a file for each tab |
+//! | `export` | exports, in the same way as `camera-lab render`, byte for byte |
+//! | `export_dialog` | the export dialog, with a preview |
+//! | `file_flow` | opening, saving and closing: the questions, their order, the actions |
+//! | `focus` | the keyboard's way through the window: regions, focus ring, scrolling |
+//! | `gallery/` | the gallery of figures: built-in, recent, of a folder |
+//! | `handle_drag` | dragging C, PF, VUP and the clipping planes in the world |
+//! | `highlight` | the selection of the tree, marked in the pictures |
+//! | `history` | undo and redo: snapshots of the figure, which share the scenes that have not changed |
+//! | `key_repeat` | the held key: all its repeats are one step |
+//! | `launch_options` | options of one window, from the command line or the address of a page |
+//! | `link_dialog` | the dialog of the figure as a link |
+//! | `mathematics` | formulas, set as `KaTeX` sets them |
+//! | `menu` | the bar at the top: menus, the name of the figure, switches |
+//! | `motion` | the short animation of an operation |
+//! | `native` | file dialogs: those of the system, or of a browser |
+//! | `number_field` | a field for one number: drag it, type an expression, or step it |
+//! | `panels/` | the panels at the sides, and the few shapes that all of them are made of |
+//! | `plotting` | common parts of the plots of the window |
+//! | `preferences/` | preferences of the window, in a small TOML file in the user's configuration folder |
+//! | `presentation` | the presentation: its keys, and the annotations over the pictures |
+//! | `preview` | the picture in the export dialog, and the one it copies |
+//! | `prose` | text in Markdown, with mathematics between dollar signs |
+//! | `repair` | one-click repairs of impossible camera parameters |
+//! | `scene_cache` | the scene of the pictures; mesh files are read beside the window's thread |
+//! | `selection_gizmo` | the effect of the gizmo in the world on the selection |
+//! | `sequence` | the previous and the next figure, of a folder or of the built-in ones |
+//! | `session/` | the session of a window that did not close |
+//! | `state/` | state shared by the panels and the pictures |
+//! | `tab_order` | typed text and Tab in one frame, in their order |
+//! | `text_field` | the text fields of the window, and their limits |
+//! | `theme` | fonts, sizes and colours of the window |
+//! | `tooltip` | tooltips: when, where, and with the titles of the notes that they cite |
+//! | `watch` | changes of the figure's file by another program |
+//! | `web/` | the window as a page of a browser |
+//! | `worker` | work beside the window's thread, or in slices in the frames |
 
 mod about;
 pub mod app;
@@ -71,7 +112,7 @@ pub use app::App;
 pub use launch_options::LaunchOptions;
 pub use state::State;
 
-/// What the window opens with.
+/// The initial state of the window.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
     /// The figure; its camera must be possible.
@@ -101,12 +142,12 @@ pub fn fresh() -> Figure {
     Figure::of_preset(Preset::default())
 }
 
-/// The window at first, in points: with title bar and task bar it fits a screen of 1280 × 720, so that what is said at
-/// its bottom is seen.
+/// The initial size of the window, in points: with title bar and task bar it fits a screen of 1280 × 720, so that
+/// messages at its bottom are seen.
 pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 
-/// Opens the window and returns when it is closed. Its language is the one that was `asked` for, else the one that is
-/// remembered, else that of `start`.
+/// Opens the window and returns when it is closed. Its language is the one in `asked`, else the stored one, else that
+/// of `start`.
 ///
 /// # Errors
 /// [`GuiError::NoWindow`] where there is no display or no usable OpenGL.

@@ -5,7 +5,7 @@ use eframe::egui::{self, Event};
 use super::state::{Motion, State};
 use crate::camera::{Amount, Camera, Convention, Freedom};
 
-/// How long a step takes, in seconds.
+/// Duration of a step, in seconds.
 const DURATION: f64 = 0.2;
 
 /// Begins a step; at once at its end where motion is to be reduced, or where it leads to no camera.
@@ -52,8 +52,7 @@ pub(in crate::gui) fn finish(state: &mut State) {
     state.say_camera_error(done);
 }
 
-/// Where the eye sees the camera go: an arrow for its place, its look or its turn; `None` where it goes nowhere
-/// sideways.
+/// The apparent motion of the camera: an arrow for its place, its look or its turn; `None` without a sideways motion.
 pub(in crate::gui) fn arrow(before: &Camera, freedom: Freedom, forwards: bool, convention: Convention) -> Option<char> {
     let unit = match freedom.descriptor().amount {
         Amount::Angle => 1.0,

@@ -1,4 +1,9 @@
-//! What a dialog for files is asked, and what it answers: that of the system, or that of a browser.
+//! Questions of a file dialog, and their answers: that of the system, or that of a browser.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `page` | the browser's dialog for files, and how files that the user gives to a page are read |
+//! | `system` | the system's file dialogs, on a thread of their own, because they block |
 
 #[cfg(target_arch = "wasm32")]
 mod page;
@@ -12,7 +17,7 @@ pub(super) use page::{OpenFileDialog, read};
 #[cfg(not(target_arch = "wasm32"))]
 pub(super) use system::OpenFileDialog;
 
-/// What is to be chosen.
+/// The kind of file to choose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
     /// A file that is there.
@@ -23,29 +28,29 @@ pub enum Wanted {
     Folder,
 }
 
-/// What to ask for.
+/// A question for a file.
 #[derive(Clone, Debug)]
 pub struct FileQuestion {
-    /// What is to be chosen.
+    /// The kind of file to choose.
     pub wanted: Wanted,
     /// The title of the dialog.
     pub title: &'static str,
-    /// What the files are called, and what their names end in.
+    /// The names of the kinds of files, and their extensions.
     pub filters: Vec<(String, &'static [&'static str])>,
     /// The name that is proposed.
     pub name: String,
-    /// Where the dialog starts.
+    /// The initial folder of the dialog.
     pub folder: Option<PathBuf>,
 }
 
-/// What came back.
+/// The answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FileAnswer {
     /// A path.
     Chosen(PathBuf),
     /// The dialog was closed.
     Cancelled,
-    /// There is no dialog on this system.
+    /// This system has no dialog.
     Unavailable,
 }
 

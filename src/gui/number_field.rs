@@ -1,8 +1,8 @@
 //! A field for one number: drag it, type a number or an expression, or step it with the arrow keys.
 //!
 //! egui's own field drops a text that it cannot read, and rounds the value that it shows before it is edited. This one
-//! keeps a faulty text, with the reason, until it is mended, changes the value only when something else was typed, and
-//! shows it rounded to what fits where there is no room for all of it.
+//! keeps a faulty text, with the reason, until it is corrected, changes the value only when something else was typed,
+//! and shows it rounded to fit where there is no room for all of it.
 
 use std::ops::RangeInclusive;
 
@@ -18,13 +18,12 @@ use crate::i18n::{Lang, messages};
 use crate::limits::MAX_EXPRESSION;
 use crate::numbers::{self, round_to};
 
-/// What dragging and the arrow keys do.
+/// The effect of dragging and of the arrow keys.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
     /// An arrow key adds or takes this; dragging a tenth of it for each point.
     Add(f64),
-    /// An arrow key multiplies or divides by this; dragging by its tenth root for each point. For what is never 0 or
-    /// less.
+    /// An arrow key multiplies or divides by this; dragging by its tenth root for each point. For positive values.
     Multiply(f64),
 }
 
@@ -60,21 +59,21 @@ pub struct NumberField<'a> {
     fractions: bool,
 }
 
-/// What came of a field in this frame.
+/// The result of a field in this frame.
 #[derive(Debug)]
 pub struct FieldOutput {
     /// Why the text in the field cannot be taken over; the value has not changed then.
     pub error: Option<FieldError>,
 }
 
-/// Why what was typed cannot be taken over.
+/// A reason why the typed text cannot be applied.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FieldError {
-    /// It is not a number.
+    /// Not a number.
     Expression(ExpressionProblem),
-    /// It is not a whole number.
+    /// Not a whole number.
     NotWhole,
-    /// It is outside the range.
+    /// Outside the range.
     Outside(RangeInclusive<f64>),
 }
 
@@ -120,7 +119,7 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// The greatest of the numbers that it stands among: what can be a rest of rounding beside that is shown as 0.
+    /// The greatest of its neighbours: a value that can be a rounding error relative to it is shown as 0.
     #[must_use]
     pub fn beside(self, greatest: f64) -> Self {
         Self { beside: greatest, ..self }
@@ -138,7 +137,7 @@ impl<'a> NumberField<'a> {
         Self { fractions: true, ..self }
     }
 
-    /// Whose number it is, where several have one of the same name: what is typed for one never goes to another.
+    /// The owner of the number, where several have one of the same name: text typed for one never goes to another.
     #[must_use]
     pub fn of(self, owner: &'a str) -> Self {
         Self { owner, ..self }
@@ -168,7 +167,7 @@ impl<'a> NumberField<'a> {
         self.within(f64::MIN_POSITIVE..=f64::MAX)
     }
 
-    /// What is said when the pointer rests on it.
+    /// The tooltip.
     #[must_use]
     pub fn hint(self, hint: &'a str) -> Self {
         Self { hint, ..self }
@@ -243,8 +242,7 @@ impl<'a> NumberField<'a> {
         FieldOutput { error }
     }
 
-    /// Arrow keys while it is edited, and what a screen reader asks for; the result is what cannot be taken over of
-    /// that.
+    /// Arrow keys while it is edited, and requests of a screen reader; returns the error of those.
     fn step_by_keys(
         &self,
         ui: &egui::Ui,
@@ -307,7 +305,7 @@ impl<'a> NumberField<'a> {
         self.checked(value.map_err(|error| FieldError::Expression(error.problem))?)
     }
 
-    /// Takes over what was typed when the field has lost the focus; Escape drops it.
+    /// Applies the typed text when the field has lost the focus; Escape drops it.
     fn finish(&self, ui: &egui::Ui, state: Option<Editing>, value: &mut f64) -> Option<Editing> {
         let mut state = state?;
         if ui.input(|input| input.key_pressed(Key::Escape)) || state.text == state.first {
@@ -410,7 +408,7 @@ impl<'a> NumberField<'a> {
         })
     }
 
-    /// The value as it stands in the field: in full or rounded, but never cut.
+    /// The value as displayed in the field: in full or rounded, but never cut.
     fn shown(&self, ui: &egui::Ui, font: &egui::FontId, texts: &Texts, value: f64) -> String {
         let mark = texts.lang.mark();
         let width =
@@ -458,7 +456,7 @@ impl<'a> NumberField<'a> {
     }
 }
 
-/// What is said of a field while it is edited.
+/// Shows a message beside a field while it is edited.
 fn say_beside(response: &egui::Response, text: String) {
     tooltip::beside(response, |ui| drop(ui.label(text)));
 }

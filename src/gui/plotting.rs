@@ -1,5 +1,4 @@
-//! What the plots of the window have in common: they stand still, and their logarithmic axes are marked at powers of
-//! ten.
+//! Common parts of the plots of the window: they do not move, and their logarithmic axes are marked at powers of ten.
 
 use std::ops::RangeInclusive;
 
@@ -7,7 +6,7 @@ use egui_plot::{GridInput, GridMark, Plot};
 
 use crate::chart::power_of_ten;
 
-/// A plot that neither moves nor zooms, and shows no coordinates of its own: what is under the pointer is read out
+/// A plot that neither moves nor zooms, and shows no coordinates of its own: the values under the pointer are shown
 /// beside it.
 pub(super) fn still(plot: Plot<'_>) -> Plot<'_> {
     plot.show_x(false).show_y(false).allow_drag(false).allow_zoom(false).allow_scroll(false).allow_boxed_zoom(false)

@@ -1,4 +1,4 @@
-//! What a presentation needs besides large type: its keys, and what lies over the pictures.
+//! The presentation besides large type: its keys, and the annotations over the pictures.
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ use super::command::Command;
 use super::state::State;
 use crate::i18n::window;
 
-/// How long the keys are shown, in seconds, and how long they take to fade.
+/// Duration of the display of the keys, in seconds, and of its fading.
 const SHOWN: f64 = 8.0;
 const FADES: f64 = 0.7;
 
@@ -35,8 +35,8 @@ pub(super) const ARROWS: [(KeyboardShortcut, Command); 2] = [
     (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowLeft), Command::PreviousFigure),
 ];
 
-/// Esc, where it means nothing else: takes away what lies over the pictures; leaves the presentation where nothing
-/// does. The command that is called.
+/// Handles Esc, where it means nothing else: it clears annotations; without any it leaves the presentation. Returns the
+/// command.
 pub(super) fn escape(ctx: &Context, state: &mut State) -> Option<Command> {
     let shown = state.settings.presentation || state.annotations.any();
     let busy = ctx.text_edit_focused() || ctx.any_popup_open() || state.file_flow.dialog.is_some();
@@ -46,7 +46,7 @@ pub(super) fn escape(ctx: &Context, state: &mut State) -> Option<Command> {
     Some(if state.annotations.any() { Command::ClearAnnotations } else { Command::Presentation })
 }
 
-/// What lies over the pictures, which are in `room`.
+/// The annotations over the pictures, which are in `room`.
 pub(super) fn show(ctx: &Context, state: &mut State, room: Rect) {
     if state.annotations.pen {
         pen(ctx, state, room);

@@ -12,23 +12,23 @@ use crate::limits::MAX_COPIED_PIXELS;
 use crate::picture::{self, Crowded, Pixels};
 use crate::progress::Progress;
 
-/// The small picture is drawn so many times as large as it is shown: thin strokes stay whole.
+/// The preview is drawn at this multiple of its displayed size: thin strokes stay whole.
 const FINENESS: f32 = 2.0;
 
 const SHOWN: usize = 0;
 const COPIED: usize = 1;
 
-/// What is drawn for the export dialog as long as it is open.
+/// The preview of the export dialog as long as it is open.
 pub struct Preview {
     worker: Worker<PreviewJob, Drawn, 2>,
-    /// What was asked for last.
+    /// The last request.
     asked: Option<Export>,
     texture: Option<TextureHandle>,
-    /// What to tell where three pictures have little room on their paper.
+    /// The message where three pictures have little space on their paper.
     pub(super) crowded: Option<Crowded>,
     /// Why there is no picture.
     pub(super) fault: Option<ExportError>,
-    /// What became of the last copy.
+    /// The result of the last copy.
     pub(super) copied: Option<Result<(), ExportError>>,
 }
 
@@ -36,7 +36,7 @@ pub struct Preview {
 struct PreviewJob {
     subject: ExportSource,
     export: Export,
-    /// What it is reduced by; 1: the size of the export.
+    /// The reduction of the preview; 1: the size of the export.
     factor: f32,
 }
 
@@ -63,8 +63,8 @@ fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Drawn {
 }
 
 impl Preview {
-    /// Takes what has been drawn, and has the picture drawn anew where it is to be another one; `room`: width and
-    /// height in pixels of the place for it.
+    /// Takes results, and requests a new preview where the settings have changed; `room`: width and height in pixels of
+    /// its place.
     pub(super) fn follow(
         &mut self,
         ctx: &Context,
@@ -112,7 +112,7 @@ impl Preview {
     }
 }
 
-/// True for what is not too large for the clipboard.
+/// Whether an export is small enough for the clipboard.
 pub(super) fn can_be_copied(export: &Export) -> bool {
     u64::from(export.width) * u64::from(export.height) <= MAX_COPIED_PIXELS
 }
@@ -122,7 +122,7 @@ fn image(picture: &Pixels) -> ColorImage {
     ColorImage::from_rgba_premultiplied(size, picture.rgba())
 }
 
-/// What the export is reduced by so that it has room in so many pixels; 1 where it has.
+/// The reduction of the export that fits into this number of pixels; 1 where it fits.
 fn factor(export: &Export, room: [f32; 2]) -> f32 {
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let [width, height] = [export.width.max(1) as f32, export.height.max(1) as f32];

@@ -8,7 +8,7 @@ use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
 use super::mathematics;
 use crate::i18n::notes::plain;
 
-/// Symbols such as `M_v` as mathematics; what is between dollar signs already stays as it is.
+/// Symbols such as `M_v` as mathematics; text between dollar signs stays as it is.
 fn with_symbols(markdown: &str) -> String {
     let mut set = String::with_capacity(markdown.len() + 16);
     for (k, part) in markdown.split('$').enumerate() {
@@ -61,7 +61,7 @@ pub(super) fn show(ui: &mut Ui, markdown: &str) {
     let cache = ui.data_mut(|data| {
         Arc::clone(data.get_temp_mut_or_default::<Arc<Mutex<CommonMarkCache>>>(Id::unique("markdown")))
     });
-    // What a panic has left of a cache is still a cache.
+    // A cache after a panic is still a cache.
     let mut cache = cache.lock().unwrap_or_else(PoisonError::into_inner);
     let set = |ui: &mut Ui, latex: &str, in_line: bool| {
         let font = TextStyle::Body.resolve(ui.style());

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::camera::{Camera, CameraError, Parameters};
 
-/// What a repair does, in the words of its button.
+/// A repair, in the words of its button.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Repair {
     /// PF goes back to where the camera looked last.

@@ -27,7 +27,7 @@ pub struct SceneCache {
     files: MeshFiles,
     /// Files that could not be read; they are not tried again by themselves.
     broken: BTreeMap<String, MeshError>,
-    /// What the files name and lack, and can be drawn without.
+    /// Files that the mesh files name and lack, and can be drawn without.
     unread: BTreeMap<String, Vec<ReadError>>,
     reader: Reader,
     scene: SharedScene,
@@ -38,7 +38,7 @@ pub struct SceneCache {
 #[derive(Clone, Debug)]
 struct MadeFrom {
     spec: SceneSpec,
-    /// Which scene of the document that is.
+    /// The revision of the document's scene.
     revision: Revision,
     theme: Theme,
     hidden_lines: HiddenLines,
@@ -57,13 +57,13 @@ impl MadeFrom {
     }
 }
 
-/// What came of reading a file.
+/// The result of reading a file.
 #[derive(Debug)]
 struct BuiltScene {
     imported: Result<Arc<Imported>, MeshError>,
-    /// How many were read, in it and in what it names.
+    /// Bytes read, of it and of the files it names.
     bytes: usize,
-    /// What it names and lacks.
+    /// The missing files that it names.
     unread: Vec<ReadError>,
 }
 
@@ -159,7 +159,7 @@ impl SceneCache {
         self.subject
     }
 
-    /// Says that what comes next is another scene, whatever it looks like.
+    /// Announces another scene, whatever it looks like.
     pub fn expect_another(&mut self) {
         self.subject += 1;
     }
@@ -190,7 +190,7 @@ impl SceneCache {
         Some(SceneError::Mesh { name: object.to_owned(), path: path.clone(), error })
     }
 
-    /// What the file of an object names, lacks, and can be drawn without.
+    /// The files that the mesh file of an object names, lacks, and can be drawn without.
     #[must_use]
     pub fn unread_of(&self, object: &str) -> &[ReadError] {
         let spec = self.made_from.as_ref().map(|made| &made.spec);
@@ -213,11 +213,11 @@ impl SceneCache {
     }
 
     /// Makes the scene, in the colours of `theme`, where the figure's has changed, or a mesh file has been read. Meshes
-    /// are looked for beside the figure file. Waits up to `patience` for a file that is being begun; `ctx` is asked for
-    /// a frame when one is read.
+    /// are looked for beside the figure file. Waits up to `patience` for a file that is being begun; requests a frame
+    /// of `ctx` when one is read.
     ///
     /// # Errors
-    /// What cannot be read or built. It is said once, not in each frame.
+    /// A failure to read or build. It is reported once, not in each frame.
     pub fn update(
         &mut self,
         ctx: &egui::Context,
@@ -272,7 +272,7 @@ impl SceneCache {
         said
     }
 
-    /// Takes over what has been read; true where something has. Waits up to `patience` until all is.
+    /// Takes over files read; returns whether there are any. Waits up to `patience` for all.
     fn receive(
         &mut self,
         ctx: &egui::Context,
@@ -321,7 +321,7 @@ impl SceneCache {
         true
     }
 
-    /// Builds the scene; what has no mesh is left out of it.
+    /// Builds the scene; objects without their mesh are left out.
     fn build(&mut self, wanted: MadeFrom) -> Result<(), SceneError> {
         let mut spec = wanted.spec.clone();
         for object in &mut spec.objects {

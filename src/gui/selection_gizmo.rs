@@ -1,4 +1,4 @@
-//! What the gizmo in the world does to what is selected.
+//! The effect of the gizmo in the world on the selection.
 
 use std::collections::BTreeSet;
 
@@ -18,11 +18,11 @@ const SNAP_TURN: f64 = 15.0;
 /// The step of scales while the modifier is held.
 const SNAP_SCALE: f64 = 0.1;
 
-/// What is selected, as far as it can be moved, turned or scaled.
+/// The selection, as far as it can be moved, turned or scaled.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Movable {
     what: MovedThing,
-    /// Where and how it is taken.
+    /// The gizmo's place and orientation.
     pub(super) gizmo: TransformGizmo,
     /// The length in the world of a unit along each of its parent's axes.
     units: [f64; 3],
@@ -42,7 +42,7 @@ enum MovedThing {
 }
 
 impl Movable {
-    /// What is selected, where it can be changed.
+    /// The selection, where it can be changed.
     pub(super) fn selected(state: &State) -> Option<Self> {
         let scene = &state.document.figure().scene;
         match state.tree.selected(scene)? {
@@ -100,7 +100,7 @@ impl Movable {
         !matches!(self.what, MovedThing::Objects(_))
     }
 
-    /// How many objects are taken together.
+    /// Number of objects transformed together.
     pub(super) fn count(&self) -> usize {
         if let MovedThing::Objects(names) = &self.what { names.len() } else { 1 }
     }
@@ -164,7 +164,7 @@ impl Movable {
                 let before = self.scale[axis];
                 let finest = if snap.is_some() { SNAP_SCALE } else { pixel * before.abs() };
                 let wanted = round_to(before * factor, finest);
-                // Nothing is scaled to nothing.
+                // Nothing is scaled to zero.
                 let factor = wanted / before;
                 let factor = Some(factor).filter(|factor| factor.is_finite() && *factor > 0.0)?;
                 Some(Transform::Scale(match part {

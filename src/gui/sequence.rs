@@ -1,15 +1,15 @@
-//! The figures one after the other, as in a lecture: those of the folder of the open one in natural order, or those of
-//! the program; also after a figure whose folder cannot be looked into, as in a page.
+//! A sequence of figures, as in a lecture: those of the folder of the open one in natural order, or the built-in ones;
+//! also after a figure whose folder cannot be read, as in a page.
 //!
-//! Nobody is asked on the way: a figure with changes is kept, and is as it was left when one comes back to it. It is
-//! asked about when the window is closed.
+//! There are no questions on the way: a figure with changes is kept, and is as it was left when one comes back to it.
+//! Closing the window asks about it.
 
 use crate::files::{SHIPPED_FIGURES, open_figure};
 use crate::gui::document::Document;
 use crate::gui::gallery::{Source, figures_in};
 use crate::gui::state::{Message, State};
 
-/// Where a document comes from; `None`: it is a new one.
+/// The source of a document; `None`: a new one.
 pub(super) fn source_of(document: &Document) -> Option<Source> {
     match (document.path(), document.shipped_name()) {
         (Some(path), _) => Some(Source::File(path.clone())),
@@ -17,7 +17,7 @@ pub(super) fn source_of(document: &Document) -> Option<Source> {
     }
 }
 
-/// The places of the sequence that the open figure is in, and its own. A new figure stands before those of the program.
+/// The sequence of the open figure, and its place in it. A new figure comes before the built-in ones.
 fn places(state: &State) -> (Vec<Option<Source>>, usize) {
     let here = source_of(&state.document);
     let of_program = || SHIPPED_FIGURES.iter().map(|figure| Some(Source::Shipped(figure.name))).collect();
@@ -38,7 +38,7 @@ fn places(state: &State) -> (Vec<Option<Source>>, usize) {
     (places, at)
 }
 
-/// Opens what is at a place, as it was left or as it is in its file.
+/// Opens the figure at a place, as it was left or as it is in its file.
 fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Box<Message>> {
     if let Some(kept) = state.take_kept(place) {
         return Ok(kept);
@@ -58,7 +58,7 @@ fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Bo
     }
 }
 
-/// Shows another document. The one that was open is kept with its changes, as on the way to the next figure.
+/// Shows another document. The open one is kept with its changes, as on the way to the next figure.
 pub(super) fn show(state: &mut State, document: Document) {
     state.document.commit();
     let source = source_of(&state.document);
@@ -75,8 +75,8 @@ fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) 
     state.annotations.blank = false;
 }
 
-/// Goes on to the next figure, or back to the one before. What cannot be opened is passed over, and said. True where
-/// the window shows another figure now.
+/// Moves on to the next figure, or back to the one before. Files that cannot be opened are skipped, and reported.
+/// Returns whether the window shows another figure now.
 pub(super) fn step(state: &mut State, forwards: bool) -> bool {
     state.document.commit();
     let (places, at) = places(state);
@@ -103,7 +103,7 @@ pub(super) fn step(state: &mut State, forwards: bool) -> bool {
     false
 }
 
-/// What is said of files that cannot be opened: why the first cannot, and how many more there are.
+/// The message about files that cannot be opened: the reason for the first, and the number of others.
 fn passed_over(faults: Vec<Message>) -> Option<Message> {
     let mut faults = faults.into_iter();
     let first = faults.next()?;

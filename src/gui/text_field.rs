@@ -1,6 +1,6 @@
-//! The fields of the window in which text is typed, and how much of it each takes.
+//! The text fields of the window, and their limits.
 //!
-//! What is pasted may be any file that somebody had on the clipboard: it is cut before it is laid out, and that is said
+//! Pasted text may be any file that somebody had on the clipboard: it is cut before it is laid out, which is reported
 //! beside the field. No other file makes fields of egui's own, which take everything.
 
 use eframe::egui::{Event, Response, TextEdit, Ui};
@@ -9,7 +9,7 @@ use super::tooltip;
 use crate::i18n::{Lang, messages};
 use crate::limits::MAX_TYPED;
 
-/// A field for a text of at most so many characters.
+/// A field for a text with a greatest number of characters.
 pub(super) struct TextField<'t> {
     edit: TextEdit<'t>,
     most: usize,
@@ -43,12 +43,12 @@ impl<'t> TextField<'t> {
         Self { most: self.most.saturating_add(1), says: false, ..self }
     }
 
-    /// How it looks.
+    /// Its look.
     pub(super) fn with(self, look: impl FnOnce(TextEdit<'t>) -> TextEdit<'t>) -> Self {
         Self { edit: look(self.edit), ..self }
     }
 
-    /// Shows the field. While it is full, that is said beside it.
+    /// Shows the field. While it is full, that is shown beside it.
     pub(super) fn show(self, ui: &mut Ui, lang: Lang) -> Response {
         let (output, text) = self.edit.char_limit(self.most).show_returning_text(ui);
         let response = output.response.response;
@@ -59,7 +59,7 @@ impl<'t> TextField<'t> {
     }
 }
 
-/// Cuts what comes from the clipboard to what the largest field takes, and one character more.
+/// Cuts pasted text to the limit of the largest field, and one character more.
 pub(super) fn cut_pasted(events: &mut [Event]) {
     for event in events {
         if let Event::Paste(text) | Event::Text(text) = event

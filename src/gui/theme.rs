@@ -111,7 +111,7 @@ fn sizes(style: &mut Style) {
     style.interaction.tooltip_delay = 0.4;
 }
 
-/// What differs between the themes.
+/// The differences between the themes.
 struct Palette {
     panel: Color32,
     field: Color32,

@@ -1,10 +1,10 @@
-//! What is said when the pointer rests on something: when, where, and with the titles of the notes that it cites.
+//! Tooltips: when, where, and with the titles of the notes that they cite.
 
 use eframe::egui::{self, Id, LayerId, Rect, RectAlign, Response, Tooltip, Ui};
 
 use crate::i18n::sources::with_titles;
 
-/// Where the tooltips of a panel go.
+/// The place of the tooltips of a panel.
 #[derive(Clone, Copy)]
 struct Beside {
     panel: Rect,
@@ -19,14 +19,14 @@ fn key() -> Id {
     Id::unique("tooltips beside the panel")
 }
 
-/// From here on tooltips of what is in this panel stand at its side and cover none of its other fields: `RIGHT_START`
-/// to its right, `LEFT_START` to its left.
+/// From here on tooltips in this panel appear at its side and cover none of its other fields: `RIGHT_START` to its
+/// right, `LEFT_START` to its left.
 pub(super) fn beside_panel(ui: &Ui, align: RectAlign) {
     let beside = Beside { panel: ui.max_rect(), layer: ui.layer_id(), align };
     ui.ctx().data_mut(|data| data.insert_temp(key(), beside));
 }
 
-/// No panel any more: tooltips stand where there is room.
+/// Ends a panel: tooltips appear where there is room.
 pub(super) fn beside_nothing(ctx: &egui::Context) {
     ctx.data_mut(|data| data.remove::<Beside>(key()));
 }
@@ -39,7 +39,7 @@ pub(super) trait Explained {
     /// Says `text` where the control is greyed.
     fn explained_disabled(self, text: impl AsRef<str>) -> Self;
 
-    /// Shows what `content` draws.
+    /// Shows a tooltip with this content.
     fn explained_by(self, content: impl FnOnce(&mut Ui)) -> Self;
 }
 
@@ -62,14 +62,14 @@ impl Explained for Response {
     }
 }
 
-/// Shows what `content` draws beside a control as long as it is called, in its row, so that no other row is covered.
+/// Shows `content` beside a control as long as it is called, in its row, so that no other row is covered.
 pub(super) fn beside(response: &Response, content: impl FnOnce(&mut Ui)) {
     let mut tooltip = Tooltip::always_open(response.ctx.clone(), response.layer_id, response.id, response.rect);
     tooltip.popup = tooltip.popup.align(RectAlign::RIGHT);
     show(response, tooltip, content);
 }
 
-/// What screen readers say of it, and its name where it has none.
+/// Its description for screen readers, and its name where it has none.
 fn describe(response: &Response, text: &str) {
     if !response.ctx.has_accesskit_node(response.id) {
         return;
@@ -98,7 +98,7 @@ fn show(response: &Response, mut tooltip: Tooltip<'_>, content: impl FnOnce(&mut
         tooltip.popup = tooltip.popup.anchor(place).align(beside.align);
     }
     tooltip.show(|ui| {
-        // It has the room of every tooltip: egui's own has that of the one before, and breaks numbers.
+        // It has the width of every tooltip: egui's own has that of the one before, and breaks numbers.
         ui.set_max_width(ui.spacing().tooltip_width);
         content(ui);
     });

@@ -11,18 +11,18 @@ use crate::clock;
 use crate::files::{FileChange, Stamp, look};
 use crate::progress::Progress;
 
-/// What is looked at.
+/// A watched file.
 struct Watched {
     path: PathBuf,
     source: String,
     stamp: Option<Stamp>,
 }
 
-/// Looks at the figure's file whenever it is asked to.
+/// Checks the figure's file when it is requested to.
 #[derive(Debug)]
 pub(in crate::gui) struct Watch {
     worker: Worker<Watched, (PathBuf, String, FileChange)>,
-    /// The file as it was when it last held what the window had read or saved.
+    /// The file when it last held the text that the window had read or saved.
     same: Option<(PathBuf, String, Stamp)>,
 }
 
@@ -48,7 +48,7 @@ impl Watch {
         self.worker.ask(ctx, 0, Watched { path, source, stamp });
     }
 
-    /// What was found, once, where the document is still what it was when one looked.
+    /// The result, once, if the document is still the same as when the file was checked.
     pub(in crate::gui) fn take(&mut self, document: &Document) -> Option<FileChange> {
         let [done] = self.worker.take(Duration::ZERO);
         let (path, source, found) = done?.outcome?;

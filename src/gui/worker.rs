@@ -1,4 +1,9 @@
 //! Work that is done beside the window's thread, or, where there are no threads, in slices in the frames.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `in_frames` | jobs in slices in the frames, where there are no threads |
+//! | `shares` | the next job, by the time that each has had |
 
 mod in_frames;
 mod shares;
@@ -34,8 +39,7 @@ fn one_by_one<Job: 'static, Outcome: 'static>(
     Box::new(move |job, progress| {
         let kept = Rc::clone(&kept);
         Box::pin(async move {
-            // It is there: no job is begun before the one before has come to its end, and after a panic all of it is
-            // made anew.
+            // It is there: no job begins before the last one has ended, and after a panic all of it is made anew.
             let mut work = kept.take()?;
             let outcome = work(job, &progress).await;
             kept.set(Some(work));
@@ -55,9 +59,9 @@ pub(super) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
     clock: fn() -> Duration,
 }
 
-/// Where the work is done.
+/// The place of the work.
 enum Backend<Job, Outcome, const SLOTS: usize> {
-    /// Nothing has been asked for.
+    /// Nothing has been requested.
     Nowhere,
     /// On a thread.
     Thread,
@@ -67,9 +71,9 @@ enum Backend<Job, Outcome, const SLOTS: usize> {
 
 /// A job that has been done.
 pub(super) struct Done<Outcome> {
-    /// What came of it; `None` where the work panicked.
+    /// The result; `None` where the work panicked.
     pub(super) outcome: Option<Outcome>,
-    /// How long it took.
+    /// Its duration.
     pub(super) time: Duration,
 }
 
@@ -77,9 +81,9 @@ pub(super) struct Done<Outcome> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Running {
     pub(super) slot: usize,
-    /// For how long; of what is done in one slice in a frame, how long the last one took.
+    /// Its duration; for work in one slice in a frame, that of the last one.
     pub(super) time: Duration,
-    /// What is being done for it, and which share of that is done, where that is known.
+    /// The activity, and its share done, where it is known.
     pub(super) now: Option<(Activity, Option<f32>)>,
 }
 
@@ -94,7 +98,7 @@ struct Mailbox<Job, Outcome, const SLOTS: usize> {
     wanted: [Option<Job>; SLOTS],
     /// The slot whose job is being done, and since when.
     busy: Option<(usize, Duration)>,
-    /// Slots whose jobs are not wanted any more, but for what comes of that.
+    /// Slots with cancelled jobs, whose results are still taken.
     cancelled: [bool; SLOTS],
     finished: [Option<Done<Outcome>>; SLOTS],
     /// The window waits for `done`, and needs no other call.
@@ -103,7 +107,7 @@ struct Mailbox<Job, Outcome, const SLOTS: usize> {
 }
 
 impl<Job, Outcome, const SLOTS: usize> Shared<Job, Outcome, SLOTS> {
-    /// What a panic could leave half done is replaced as a whole, so a poisoned lock is as good as any.
+    /// A panic could leave only parts that are replaced as a whole, so a poisoned lock is as good as any.
     fn mailbox(&self) -> MutexGuard<'_, Mailbox<Job, Outcome, SLOTS>> {
         self.mailbox.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -118,7 +122,7 @@ impl<Job, Outcome, const SLOTS: usize> Mailbox<Job, Outcome, SLOTS> {
         (0..SLOTS).any(|slot| self.is_pending(slot))
     }
 
-    /// Which slots have a job that has not been begun.
+    /// Slots with a job that has not begun.
     fn waiting(&self) -> [bool; SLOTS] {
         std::array::from_fn(|slot| self.wanted[slot].is_some())
     }
@@ -167,7 +171,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         self
     }
 
-    /// Asks for a job; `ctx` is asked for a frame when it is done.
+    /// Requests a job; requests a frame of `ctx` when it is done.
     pub(super) fn ask(&mut self, ctx: &egui::Context, slot: usize, job: Job) {
         if matches!(self.place, Backend::Nowhere) {
             let (shared, wake, clock) = (Arc::clone(&self.shared), ctx.clone(), self.clock);
@@ -184,12 +188,12 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         drop(mailbox);
         self.shared.wake.notify_one();
         if matches!(self.place, Backend::InFrames(_)) {
-            // It is done in the next frame: nothing else may call for one.
+            // It is done in the next frame: nothing else may request one.
             ctx.request_repaint();
         }
     }
 
-    /// True where the job that was asked for last has not been done.
+    /// Whether the last requested job is not done yet.
     pub(super) fn is_pending(&self, slot: usize) -> bool {
         self.shared.mailbox().is_pending(slot)
     }
@@ -205,7 +209,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         Some(Running { slot, time: (self.clock)().saturating_sub(since), now: self.shared.progress.now() })
     }
 
-    /// Says of all that has been asked for that it is not wanted any more. Each job still comes to its end, but soon.
+    /// Cancels all requested jobs. Each one still ends, but soon.
     pub(super) fn cancel(&self) {
         let mut mailbox = self.shared.mailbox();
         mailbox.cancelled = std::array::from_fn(|slot| mailbox.wanted[slot].is_some());
@@ -214,7 +218,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         }
     }
 
-    /// Takes what has been done. Waits up to `patience` until all is.
+    /// Takes results. Waits up to `patience` for all.
     pub(super) fn take(&mut self, patience: Duration) -> [Option<Done<Outcome>>; SLOTS] {
         let mut mailbox = self.shared.mailbox();
         match &mut self.place {
@@ -278,8 +282,7 @@ fn work<Job, Outcome, const SLOTS: usize>(
         drop(mailbox);
 
         let start = clock();
-        // A panic here is a bug, but not one for which the window should stand still for ever: what it left half done
-        // is made anew.
+        // A panic here is a bug, but not one for which the window should freeze: half-done parts are made anew.
         let outcome = catch_unwind(AssertUnwindSafe(|| at_once(work(job, shared.progress.clone())))).ok().flatten();
         if outcome.is_none() {
             work = make();
@@ -354,7 +357,7 @@ mod tests {
     fn in_the_frames_heavy_jobs_are_told_before_and_others_come_in_between() {
         static NOW: Mutex<Duration> = Mutex::new(Duration::ZERO);
         let ctx = egui::Context::default();
-        // Each job takes as many milliseconds as it is told.
+        // Each job takes as many milliseconds as its number.
         let mut worker: Worker<u64, u64, 3> = Worker::new(
             "waiting",
             || *NOW.lock().unwrap(),
@@ -376,7 +379,7 @@ mod tests {
         assert_eq!(frame(&[]), ([None, None, Some(10)], None));
         // Nobody knows that this one takes long.
         assert_eq!(frame(&[(2, 700)]), ([None, None, Some(700)], None));
-        // Now it is known, and what is light comes before.
+        // Now it is known, and light work comes before.
         assert_eq!(frame(&[(2, 800), (0, 40)]), ([Some(40), None, None], None));
         assert_eq!(frame(&[]), ([None; 3], Some((2, Duration::from_millis(700)))));
         assert_eq!(frame(&[]), ([None, None, Some(800)], None));
@@ -418,7 +421,7 @@ mod tests {
         worker.ask(&ctx, 0, 10);
         assert_eq!(frame(&mut worker), [None; 2]);
         assert_eq!(worker.running(), measured(0.5, 40));
-        // What is asked for meanwhile waits until it is done.
+        // Jobs requested meanwhile wait until it is done.
         worker.ask(&ctx, 1, 20);
         assert_eq!(frame(&mut worker), [None; 2]);
         assert_eq!(worker.running(), measured(1.0, 80));
@@ -427,7 +430,7 @@ mod tests {
         worker.cancel();
         assert_eq!(frame(&mut worker), [None, Some((22, 40))]);
         assert!(!worker.is_pending(1) && worker.running().is_none());
-        // What was given up is wanted when it is asked for anew, and no slice of it took long: nothing has to be told
+        // A cancelled job is done when it is requested anew, and no slice of it took long: nothing has to be announced
         // before.
         worker.ask(&ctx, 1, 30);
         assert_eq!(frame(&mut worker), [None; 2]);

@@ -1,4 +1,47 @@
 //! Every text in both languages, as typed Rust values.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `cameras` | faults and warnings of a camera, an operation or a query about it, in both languages |
+//! | `canvas` | the words around the three pictures: titles, hints, readouts, and descriptions for screen readers |
+//! | `coach` | the words of the coach: the health of a camera, and the reasons why a picture is empty |
+//! | `code` | texts in and about code that sets up a camera |
+//! | `command_line` | the words of the command line, in both languages |
+//! | `conventions` | the words of conventions: whose NDC, rows or columns, left or right hand |
+//! | `dialects` | the words of other vocabularies, and of a pasted matrix |
+//! | `exercise_messages` | the words of the command line about exercises, besides the exercises themselves |
+//! | `exercise_sheet` | a sheet of exercises, as Markdown or LaTeX |
+//! | `exercise_texts` | the texts of exercises, read from `assets/exercises` |
+//! | `exercise_window` | the words of the window about exercises, besides the exercises themselves |
+//! | `exercises` | the texts of exercises, in both languages |
+//! | `explain` | the words of the explanations |
+//! | `explain_point` | the words of the tab that follows a point |
+//! | `expressions` | faults of expressions |
+//! | `faults` | errors and warnings beside the window's fields |
+//! | `figure_files` | faults of figure files, in both languages |
+//! | `files` | faults of files and links |
+//! | `gallery` | the words of the gallery: its parts, and a name and a sentence for each figure of the program |
+//! | `homogeneous` | the words of the tab of w |
+//! | `meshes` | faults of a mesh file, in both languages |
+//! | `messages` | errors and warnings, in both languages, for both shells |
+//! | `notes` | the notes, read from `assets/notes` |
+//! | `numerics` | the words of the studies: titles, parameters, cases, methods, units |
+//! | `order` | the words of the tab of order |
+//! | `pictures` | the words in the three pictures |
+//! | `pipeline` | the stages of the pipeline: names, purposes, reports |
+//! | `progress` | long work, and work over budget |
+//! | `reasons` | the reasons why stages run or are left out |
+//! | `scene_errors` | faults of objects and lights |
+//! | `scenes` | the words of the scene: its tree, its objects and lights |
+//! | `sessions` | messages about windows that did not close, in both languages |
+//! | `sharing` | links to figures, and the differences in a page of a browser, in both languages |
+//! | `sources` | the notes that texts cite as `[0]` … `[4]` |
+//! | `stages` | the words of the tab of stages |
+//! | `toml_complaints` | complaints of the TOML parser |
+//! | `triangle` | the words of one triangle step by step |
+//! | `unreadable` | reasons why a file cannot be read, in both languages |
+//! | `window` | the words of the window |
+//! | `wording` | the wording of one error or warning in one language |
 
 /// A struct of texts, and both languages of it: `name: "English", "Português";`.
 macro_rules! texts {

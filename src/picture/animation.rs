@@ -20,7 +20,7 @@ pub struct Animation {
     pub decomposition: Decomposition,
 }
 
-/// What a film is written as.
+/// The format of a film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FilmFormat {
     /// Pictures one after the other.
@@ -30,7 +30,7 @@ pub enum FilmFormat {
 }
 
 impl FilmFormat {
-    /// What the ending of a file's name asks for.
+    /// The format of a file's extension.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
@@ -40,25 +40,25 @@ impl FilmFormat {
 
 /// Pictures in a second of an animation.
 const PER_SECOND: u32 = 20;
-/// How long a whole step stands still, in seconds.
+/// Duration of the rest after a whole step, in seconds.
 const REST: f64 = 1.2;
 
 impl Animation {
-    /// How many steps it has; 0 where the camera has no such steps.
+    /// Number of steps; 0 where the camera has no such steps.
     #[must_use]
     pub fn steps(&self) -> u32 {
         let factors = self.request.camera.decomposed(self.decomposition).unwrap_or_default();
         u32::try_from(factors.len()).unwrap_or(0)
     }
 
-    /// The picture after so many steps, of which the last may be under way.
+    /// The picture after a number of steps, of which the last may be under way.
     #[must_use]
     pub fn at(&self, time: f64) -> Request {
         let step = ShownStep { way: self.decomposition, at: Some(time) };
         self.request.clone().with_shot(|shot| shot.show.step = Some(step))
     }
 
-    /// The world and what is left after each step, side by side.
+    /// The world and the result of each step, side by side.
     #[must_use]
     pub fn stills(&self) -> Composite {
         let requests = (0..=self.steps()).map(|step| self.at(f64::from(step))).collect();

@@ -7,20 +7,20 @@ use crate::views::{Arrangement, Palette, Picture, Request, Shot, Size, Views, as
 /// Room between two pictures on a sheet, in pixels at scale 1.
 const GAP: f32 = 4.0;
 
-/// The room that a picture wants, width and height, as multiples of the height of its letters: with less, names cover
-/// what they name.
+/// The space that a picture needs, width and height, as multiples of the height of its letters: with less, names cover
+/// their objects.
 const ROOM_IN_LETTERS: [f64; 2] = [16.0, 11.0];
 
 /// The height of the smallest letters that can be read on paper, in points.
 const LEAST_LETTERS: f64 = 6.0;
 
-/// What paper asks of a picture.
+/// The settings for paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnPaper {
     /// Pixels per inch.
     pub dpi: f64,
     /// Height of the letters of names in points; `None`: by the scale of the picture. Where there are three pictures,
-    /// they are smaller as long as they can be read if they would cover what they name: [`Composite::crowded`] tells.
+    /// they are smaller, as long as they can be read, if they would cover their objects: see [`Composite::crowded`].
     pub letters: Option<f64>,
     /// Width of the edges of solids in points, and other strokes in proportion; `None`: in proportion to the letters.
     pub lines: Option<f64>,
@@ -60,7 +60,7 @@ pub struct Crowded {
     pub smallest: [f64; 2],
     /// The height of its letters in points.
     pub letters: f64,
-    /// The height of letters that was asked for, or else of the smallest that can be read, in points.
+    /// The requested height of letters, or else of the smallest that can be read, in points.
     pub wanted: f64,
     /// Width and height in centimetres of a picture with room for those.
     pub room: [f64; 2],
@@ -80,7 +80,7 @@ pub enum NoComposite {
     },
 }
 
-/// Pictures that belong together, and how they stand on their sheet.
+/// Pictures that belong together, and their layout on a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Composite {
     /// What is drawn, in the order of the shot.
@@ -89,9 +89,9 @@ pub struct Composite {
     pub arrangement: Arrangement,
     /// Pixels between two of them.
     pub(super) gap: u32,
-    /// What is between them.
+    /// The background between them.
     pub(super) ground: Rgba,
-    /// What to tell where three pictures have little room on their paper.
+    /// The message where three pictures have little space on their paper.
     pub crowded: Option<Crowded>,
 }
 
@@ -131,7 +131,7 @@ impl Composite {
 }
 
 impl Composite {
-    /// The same sheet, smaller by a factor, with letters and strokes: to be looked at before it is made.
+    /// The same sheet, smaller by a factor, with letters and strokes: a preview.
     #[must_use]
     pub fn reduced(mut self, factor: f32) -> Self {
         #[expect(clippy::cast_precision_loss, reason = "pixels")]
@@ -158,8 +158,8 @@ fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, paper: Opti
     request
 }
 
-/// Gives three pictures the letters that paper asks for, as far as the smallest has room for them; what to tell where
-/// it has little.
+/// Gives three pictures the letters of the paper, as far as they fit into the smallest; returns the message where they
+/// hardly do.
 fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
     let room_of = |size: &Size| {
         let [wide, high] = ROOM_IN_LETTERS;
@@ -321,10 +321,10 @@ mod tests {
         about(crowded.smallest[0], 3.5);
         assert_eq!(crowded.wanted, 9.0);
         about(crowded.room[0], 16.0 * 9.0 / 72.0 * 2.54);
-        // 3 × 2 cm: no smaller than 6 points, unless that is what is wanted.
+        // 3 × 2 cm: no smaller than 6 points, unless requested.
         about(heights([354, 236], PAPER).0, 6.0);
         about(heights([354, 236], OnPaper { letters: Some(4.0), ..PAPER }).0, 4.0);
-        // One picture has what is asked for.
+        // A single picture has the requested letters.
         assert_eq!(sheet(Views::One(View::World), [354, 236], Some(PAPER)).crowded, None);
     }
 

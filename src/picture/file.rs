@@ -19,26 +19,26 @@ pub enum PictureError {
     /// There is no sheet.
     #[error(transparent)]
     Composite(#[from] NoComposite),
-    /// It is not wanted any more.
+    /// Cancelled.
     #[error("cancelled")]
     Cancelled,
-    /// It cannot be written as WebP or JPEG.
+    /// An error of WebP or JPEG.
     #[error("the picture cannot be written as {} ({why})", .format.name())]
     Encode {
         /// The format.
         format: PictureFormat,
-        /// What the encoder says.
+        /// The message of the encoder.
         why: String,
     },
-    /// It cannot be written as an animation.
+    /// An error of an animation.
     #[error("the picture cannot be written as {} ({why})", .format.name())]
     Animate {
         /// The format.
         format: AnimationFormat,
-        /// What the encoder says.
+        /// The message of the encoder.
         why: String,
     },
-    /// It cannot be written as PNG.
+    /// An error of PNG.
     #[error(transparent)]
     Png(#[from] PngError),
 }
@@ -46,25 +46,25 @@ pub enum PictureError {
 /// A picture as a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureFile {
-    /// What is written.
+    /// The bytes of the file.
     pub bytes: Vec<u8>,
-    /// What could not be done as it was asked for.
+    /// A shortfall of the picture.
     pub too_much: Option<OverBudget>,
 }
 
-/// How a picture becomes a file.
+/// Options of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FileOptions {
     /// The format.
     pub format: PictureFormat,
-    /// Each picture without the empty ground around what it shows.
+    /// Crop the empty background around each picture.
     pub crop: bool,
     /// Pixels per inch on paper, which PNG and JPEG can tell to who prints them; `None`: not for paper.
     pub dpi: Option<f64>,
 }
 
-/// What is in such a file: the pictures of `sheet`, and what could not be done as it was asked for; `crop`: each
-/// without the empty ground around what it shows. It pauses after each band of a picture.
+/// The content of such a file: the pictures of `sheet`, and their shortfall; `crop`: each without the empty background
+/// around it. Pauses after each band of a picture.
 ///
 /// # Errors
 /// [`PictureError::TooLarge`] and [`PictureError::Cancelled`].
@@ -110,7 +110,7 @@ pub async fn file(
     Ok(PictureFile { bytes, too_much })
 }
 
-/// In which convention of NDC the canonical volume is, where it is shown in another one than that of the notes.
+/// The convention of NDC of the canonical volume, where it is not that of the notes.
 fn convention(sheet: &Composite) -> Option<String> {
     let request = sheet.requests.iter().find(|request| request.view == View::Canonical)?;
     let ndc = request.camera.possible_clip_space(request.shot.ndc).ndc();

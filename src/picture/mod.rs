@@ -1,5 +1,14 @@
-//! [`Request`](crate::views::Request) → pixels: the only place that makes pictures. What is on the screen, what
-//! `render` writes and what the window exports is the same, byte for byte.
+//! [`Request`](crate::views::Request) → pixels: the only place that makes pictures. The screen, the output of `render`
+//! and the exports of the window are the same, byte for byte.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `animation` | the way from the world to the canonical volume: as a strip of stills, and as an animation |
+//! | `composite` | one picture, or all three on a sheet |
+//! | `file` | pictures as files, in the requested format |
+//! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
+//! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
+//! | `triangle` | one triangle: its pixels, and its depth tests |
 
 mod animation;
 mod composite;
@@ -50,14 +59,14 @@ impl Pixels {
         &self.rgba
     }
 
-    /// Without the empty ground around what it shows, but for a margin in pixels.
+    /// The picture without the empty background around its content, but for a margin in pixels.
     #[must_use]
     pub fn cropped(mut self, margin: u32) -> Self {
         self.take_pixmap().map_or_else(Self::default, |pixmap| cropped(pixmap, margin).into())
     }
 
-    /// The picture as a PNG with a figure file in it, with what else is `said` of it, and with the number of pixels per
-    /// inch of its paper. It pauses after each row.
+    /// The picture as a PNG with a figure file in it, with the description `said`, and with the number of pixels per
+    /// inch of its paper. Pauses after each row.
     ///
     /// *Guarantees*: the same picture and text give the same bytes.
     ///

@@ -1,4 +1,4 @@
-//! How a picture came about: what the pipeline did, and what was done to pixels.
+//! The report of a picture: the work of the pipeline, and the work on pixels.
 
 use std::time::Duration;
 
@@ -6,24 +6,24 @@ use crate::drawing::{Drawing, Paint, Surface};
 use crate::pipeline::{Frame, ObjectReport, OverBudget, Stage, StageReport};
 use crate::raster::Work;
 
-/// How a picture came about; without a clock there is only what could not be done.
+/// The report of a picture; without a clock it has only the shortfall.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RenderReport {
     /// Every stage, in order. Their times add up to the total.
     pub stages: Vec<StageReport>,
-    /// What was done with each object that went through the pipeline: those of the scene first, in its order.
+    /// The report of each object that went through the pipeline: those of the scene first, in its order.
     pub objects: Vec<ObjectReport>,
     /// From the scene to the last pixel.
     pub total: Duration,
-    /// What could not be done as it was asked for; also without a clock.
+    /// The shortfall; also without a clock.
     pub too_much: Option<OverBudget>,
 }
 
 impl RenderReport {
-    /// The report of the pipeline, completed with what was done to pixels; `on_window` is the time that the image on
-    /// the view window took, if it was drawn. What is neither the pipeline's nor the rasterizer's work went into the
-    /// scene that the picture shows: the canonical volume's is clipped and projected, the world's has the camera's gear
-    /// in it. It counts as traversal.
+    /// The report of the pipeline, completed with the work on pixels; `on_window` is the time of the image on the view
+    /// window, if it was drawn. The time of neither the pipeline nor the rasterizer went into the scene of the picture:
+    /// the canonical volume's is clipped and projected, the world's has the camera's gear in it. It counts as
+    /// traversal.
     pub(super) fn of(frame: &Frame, work: Work, on_window: Option<Duration>, total: Duration) -> Self {
         let mut stages = frame.report.clone();
         for report in stages.iter_mut().filter(|report| report.ran) {
@@ -37,7 +37,7 @@ impl RenderReport {
     }
 }
 
-/// Adds what was done to pixels.
+/// Adds the work on pixels.
 fn complete(report: &mut StageReport, drawing: &Drawing, work: Work, on_window: Option<Duration>) {
     let count = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
     let triangles = |which: &dyn Fn(&Surface) -> bool| {

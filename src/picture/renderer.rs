@@ -44,7 +44,7 @@ impl Renderer {
         }
     }
 
-    /// Forgets pictures that were kept: the next one is made from scratch, in the same memory.
+    /// Forgets cached pictures: the next one is made from scratch, in the same memory.
     pub fn forget(&mut self) {
         self.on_window = None;
     }
@@ -82,8 +82,7 @@ impl Renderer {
         Some(account)
     }
 
-    /// Paints what shows a stage: faces over the picture, or the half before it. `None` where there is no memory for
-    /// it.
+    /// Paints the display of a stage: faces over the picture, or the half before it. `None` without enough memory.
     fn show_stage(&mut self, frame: &mut Frame, pixmap: &mut Pixmap) -> Option<()> {
         if !frame.dropped_faces.is_empty() {
             frame.drawing.surfaces.append(&mut frame.dropped_faces);
@@ -114,9 +113,9 @@ impl Renderer {
         Some((picture?, too_much))
     }
 
-    /// The drawing of a picture with its plan and report, for outputs that are not made of pixels: what
-    /// [`pixels`](Self::pixels) paints, or what is asked for by [`Output`](crate::pipeline::Output) in the request.
-    /// `None` where there is no memory for the image on the window.
+    /// The drawing of a picture with its plan and report, for outputs that are not made of pixels: the drawing that
+    /// [`pixels`](Self::pixels) paints, or that of the [`Output`](crate::pipeline::Output) in the request. `None`
+    /// without enough memory for the image on the window.
     pub fn drawing(&mut self, request: &Request) -> Option<Frame> {
         at_once(self.timed_drawing(request)).map(|(frame, _)| frame)
     }
@@ -137,7 +136,7 @@ impl Renderer {
         Some((views::frame(request, on_window.as_ref(), pipeline), time))
     }
 
-    /// The image that the window of the world shows; drawn again only when what it shows has changed.
+    /// The image that the window of the world shows; drawn again only when its content has changed.
     async fn image_on_window(&mut self, request: &Request) -> Option<(Arc<Texture>, Option<Duration>)> {
         let image = request.image_on_window();
         if let Some((made_from, texture)) = &self.on_window

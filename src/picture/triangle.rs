@@ -1,5 +1,5 @@
-//! One triangle on its way: its steps, the pixels that it covers, its depth test at each, and what the pictures show of
-//! it.
+//! One triangle on its way: its steps, the pixels that it covers, its depth test at each, and its display in the
+//! pictures.
 
 use std::sync::Arc;
 
@@ -23,14 +23,14 @@ pub struct TrianglePixels {
     pub rows: Vec<[u32; 3]>,
 }
 
-/// What the depth test says at a pixel.
+/// The result of the depth test at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tested {
     /// Z of the triangle, `[0]` Eq. (5.25).
     pub z: f64,
     /// Z that was there; `None`: nothing.
     pub before: Option<f64>,
-    /// It is nearer, and kept.
+    /// Nearer, and kept.
     pub kept: bool,
 }
 
@@ -51,7 +51,7 @@ impl TrianglePixels {
         let before = rasterizer.depth().clone();
         let mut rows: Vec<[u32; 3]> = Vec::new();
         for y in 0..image.height {
-            // A triangle is convex: what it covers of a row is in one piece.
+            // A triangle is convex: its pixels in a row are in one piece.
             let covered = |x: &u32| alone.at(*x, y).is_some();
             if let Some(first) = (0..image.width).find(covered) {
                 let after = (first..image.width).find(|x| !covered(x)).unwrap_or(image.width);
@@ -67,13 +67,13 @@ impl TrianglePixels {
         self.rows.iter().any(|[row, first, after]| *row == y && (*first..*after).contains(&x))
     }
 
-    /// How many pixels it covers.
+    /// Number of pixels that it covers.
     #[must_use]
     pub fn count(&self) -> usize {
         self.rows.iter().map(|[_, first, after]| (after - first) as usize).sum()
     }
 
-    /// The pixel of which the depth is tested: the one that is `asked` for, else one in the middle.
+    /// The pixel of the depth test: the one in `asked`, else one in the middle.
     #[must_use]
     pub fn tested(&self, asked: Option<[u32; 2]>) -> Option<[u32; 2]> {
         let [y, first, after] = *self.rows.get(self.rows.len() / 2)?;
@@ -89,13 +89,13 @@ impl TrianglePixels {
     }
 }
 
-/// The triangle that was followed last, kept as long as it, its scene and its camera stay the same.
+/// The triangle followed last, cached as long as it, its scene and its camera stay the same.
 #[derive(Clone, Debug, Default)]
 pub struct FollowedTriangle {
     kept: Option<(Key, Kept)>,
 }
 
-/// What the numbers of a triangle depend on.
+/// The inputs of the numbers of a triangle.
 #[derive(Clone, Debug, PartialEq)]
 struct Key {
     camera: Camera,
@@ -108,7 +108,7 @@ struct Key {
 #[derive(Clone, Debug)]
 struct Kept {
     steps: TriangleSteps,
-    /// `None`: nobody has asked yet.
+    /// `None`: not computed yet.
     pixels: Option<Option<Arc<TrianglePixels>>>,
 }
 
@@ -135,7 +135,7 @@ impl FollowedTriangle {
         Some((kept.steps.clone(), kept.pixels.clone().flatten().filter(|_| wants_pixels)))
     }
 
-    /// What the pictures show of it.
+    /// Its display in the pictures.
     pub fn overlay(&mut self, request: &Request) -> Option<Arc<TriangleOverlay>> {
         let (steps, pixels) = self.found(request)?;
         let shown = request.shot.show.triangle.as_ref()?;

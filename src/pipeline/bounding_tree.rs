@@ -1,4 +1,4 @@
-//! A tree of boxes over the scene, so that what is out of sight is dropped by the thousand.
+//! A tree of boxes over the scene, so that objects out of sight are dropped by the thousand.
 
 use std::collections::{BTreeSet, HashMap};
 use std::sync::{Arc, Weak};
@@ -15,11 +15,11 @@ use crate::scene::{Mesh, Object};
 
 /// The scene that was drawn last, and the tree of boxes over its objects.
 ///
-/// A scene that has changed a little keeps its tree; what has changed is then looked at by itself.
+/// A scene that has changed a little keeps its tree; the changed objects are then tested one by one.
 #[derive(Debug, Default)]
 pub(super) struct BoundingTree {
-    /// What is known of meshes, by their address: no other mesh gets it as long as the weak pointer is kept, and a mesh
-    /// does not change as long as it is shared.
+    /// Bounds of meshes, by their address: no other mesh gets it as long as the weak pointer exists, and a mesh does
+    /// not change as long as it is shared.
     meshes: HashMap<usize, (Weak<Mesh>, Option<Bounds>)>,
     objects: Vec<Known>,
     /// Objects in the order of the leaves.
@@ -28,16 +28,16 @@ pub(super) struct BoundingTree {
     nodes: Vec<Node>,
     /// Objects that are not, or no longer, where the tree has them.
     loose: BTreeSet<u32>,
-    /// So many of them cannot be in any tree.
+    /// Number of them that cannot be in any tree.
     without_box: usize,
 }
 
-/// Where the objects of a scene lie.
+/// The places of the objects of a scene.
 #[derive(Debug)]
 pub(super) struct Places {
     /// Of each.
     pub(super) containments: Vec<Containment>,
-    /// How many boxes were held against the volume to find out.
+    /// Number of boxes tested against the volume.
     pub(super) boxes_tested: usize,
     /// Between which distances there may be any of them in the volume.
     pub(super) in_view: InView,
@@ -66,7 +66,7 @@ struct Node {
 
 /// Scenes with fewer objects have no tree.
 const FEW: usize = 16;
-/// So many objects at most share a leaf.
+/// Greatest number of objects in a leaf.
 const LEAF: usize = 4;
 
 impl BoundingTree {

@@ -1,9 +1,9 @@
-//! What is known of a mesh before it is looked at: the box and the ball around it.
+//! Bounds of a mesh, known before it is looked at: the box and the ball around it.
 
 use crate::geometry::Aabb;
 use crate::scene::Mesh;
 
-/// What surrounds a mesh, in its own space.
+/// The bounds of a mesh, in its own space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bounds {
     /// The box around all finite vertices.

@@ -1,10 +1,10 @@
-//! What there can be too much of, so that a drawing is not what was asked for.
+//! Budgets of a drawing, and its shortfall where one is exceeded.
 
 use super::rounding_check::MisplacedVertex;
 use crate::limits::{MAX_PIECES, MAX_STROKE_STEPS};
 use crate::sanitize::escaped;
 
-/// What there is too much of.
+/// An exceeded budget.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OverBudget {
     /// Faces that cross one another make too many pieces: nothing was put in order, and a depth buffer has to decide.
@@ -16,7 +16,7 @@ pub enum OverBudget {
         /// The objects whose faces they are, the one with most of them first.
         objects: Vec<String>,
     },
-    /// Strokes meet too many faces or one another too often: what is seen of them, and in which order, was not found.
+    /// Strokes meet too many faces or one another too often: their visible parts and their order were not found.
     #[error(
         "strokes meet too many faces or one another too often to be drawn without a depth buffer (more than {MAX_STROKE_STEPS} steps); allowed: fewer edges and lines"
     )]
@@ -78,7 +78,7 @@ impl OverBudget {
 /// More objects than these are not named.
 const MOST_NAMES: usize = 3;
 
-/// The names of a few objects, in quotes; `rest` stands for the others.
+/// The names of a few objects, in quotes; `rest` replaces the others.
 #[must_use]
 pub fn names(objects: &[String], rest: &str) -> String {
     let mut named: Vec<String> = objects.iter().take(MOST_NAMES).map(|name| format!("{:?}", escaped(name))).collect();

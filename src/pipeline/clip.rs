@@ -1,6 +1,6 @@
-//! Clipping in homogeneous coordinates, before the divide `[2]`: what lies behind the eye never reaches it.
+//! Clipping in homogeneous coordinates, before the divide `[2]`: points behind the eye never reach it.
 //!
-//! [`distances`] says on which side of a plane a point lies, [`cut`] where an edge crosses it.
+//! [`distances`] tells the side of a plane on which a point lies, [`cut`] the point where an edge crosses it.
 
 use super::cut::{Edge, Origin, cut};
 use super::planes::{NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
@@ -10,7 +10,7 @@ use super::resample::{OWN_WEIGHTS, VertexOrigin};
 /// A corner of a polygon that is being clipped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ClippedCorner {
-    /// Where it is.
+    /// Its position.
     pub(super) point: ClipPoint,
     /// Its share of each corner of the triangle (or of the two ends of the segment) that it came from: every attribute
     /// of the corner is the sum of the triangle's attributes with these weights.
@@ -31,7 +31,7 @@ impl ClippedCorner {
         OWN_WEIGHTS.iter().position(|own| *own == self.weights)
     }
 
-    /// What the corner is made of, if it lies on the triangle with these vertices of a mesh.
+    /// The origin of the corner, if it lies on the triangle with these vertices of a mesh.
     pub(super) fn origin(&self, of: [u32; 3]) -> VertexOrigin {
         VertexOrigin::on(of, self.weights)
     }
@@ -45,12 +45,12 @@ impl ClippedCorner {
         }
     }
 
-    /// Where an edge meets `plane`: what is known of the plane is exact, the rest is the mean.
+    /// The point where an edge meets `plane`: quantities known from the plane are exact, the others are means.
     ///
-    /// A mean is rounded by the greater of the ends, and F may be far below that: then x_c of a corner on the near
+    /// A mean is rounded by the greater of the ends, and F may be far below that: then x_c of a corner on the front
     /// plane is anywhere beside the window there, although both distances from its sides, which are means too, are
-    /// positive. The distances decide, so that neighbours agree and no plane needs to be asked that the ends are inside
-    /// of; and the point is put into what they say.
+    /// positive. The distances decide, so that neighbours agree and planes that both ends are inside of need no test;
+    /// and the point is moved to agree with them.
     fn crossing(polygon: &[Self], edge: &Edge, plane: usize, projector: &Projector) -> Self {
         let (inside, outside) = (&polygon[edge.inside], &polygon[edge.outside]);
         let (a, b) = (inside.point, outside.point);
@@ -96,9 +96,9 @@ impl Clipper {
     /// The part of a triangle inside `planes` (Sutherland and Hodgman, one plane after the other): a convex polygon in
     /// the order of the triangle's corners, or nothing.
     ///
-    /// *Guarantees*: an edge that lies in a plane stays whole; what only touches a plane from outside is dropped;
-    /// planes that the triangle does not cross may be left out of `planes` or put into it without changing a bit of the
-    /// result; a corner on an edge has the same bits for every triangle that has the edge.
+    /// *Guarantees*: an edge that lies in a plane stays whole; a triangle that only touches a plane from outside is
+    /// dropped; planes that the triangle does not cross may be left out of `planes` or put into it without changing a
+    /// bit of the result; a corner on an edge has the same bits for every triangle that has the edge.
     pub(super) fn triangle(
         &mut self,
         projector: &Projector,
@@ -260,7 +260,7 @@ mod tests {
             let eye = eye();
             // Whichever corner comes first, and whichever way each of the two triangles runs.
             let orders = |third: u32| [[0, 1, third], [1, third, 0], [third, 0, 1], [1, 0, third], [0, third, 1], [third, 1, 0]];
-            // What only touches the volume with the side may be dropped.
+            // A triangle that only touches the volume with a side may be dropped.
             let both: Vec<_> = orders(2).into_iter().chain(orders(3)).collect();
             let mut seen = both.into_iter().filter_map(|triangle| on_shared_side(&eye, &points, triangle));
             let first = seen.next();

@@ -1,8 +1,7 @@
-//! The scene in two parts, cut at the planes of the view volume, where it stands: what clipping keeps, what it takes
-//! away, and the vertices that it makes.
+//! The scene in two parts, cut at the planes of the view volume in world space: the parts that clipping keeps and
+//! removes, and the vertices that it makes.
 //!
-//! Pictures are drawn without this; it is there to show what clipping does. The corners and the cuts are those of
-//! `clip`.
+//! Pictures are drawn without this; it shows the effect of clipping. The corners and the cuts are those of `clip`.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -55,9 +54,9 @@ pub fn homogeneous_distances(camera: &Camera, p_world: DVec3, ndc: Ndc) -> [f64;
 /// A scene in two parts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parts {
-    /// What lies in the volume. An object that was cut is open, so both sides of its faces show.
+    /// The parts in the volume. An object that was cut is open, so both sides of its faces show.
     pub inside: Scene,
-    /// What lies outside, without the lights.
+    /// The parts outside, without the lights.
     pub outside: Scene,
     /// The vertices that clipping makes, in the world, each once.
     pub cuts: Vec<DVec3>,
@@ -91,7 +90,7 @@ fn split(polygon: &[ClippedCorner], plane: usize, projector: &Projector) -> [Vec
     let corner = |origin| ClippedCorner::of_part(polygon, origin, plane, projector);
     let distance = |i: usize| polygon[i].distances[plane];
     cut(polygon.len(), distance, |origin| inside.push(corner(origin)), |origin| outside.push(corner(origin)));
-    // What lies in the plane is inside.
+    // A face in the plane is inside.
     let any_outside = outside.iter().any(|corner| corner.distances[plane] < 0.0);
     if inside.len() < least {
         inside.clear();
@@ -118,7 +117,7 @@ fn pieces(projector: &Projector, points: &[ClipPoint]) -> (Vec<ClippedCorner>, V
 struct Splitter {
     projector: Projector,
     parts: Parts,
-    /// The new vertices that have been noted, rounded.
+    /// The new vertices recorded so far, rounded.
     known: HashSet<[i64; 3]>,
 }
 
@@ -202,7 +201,7 @@ impl Splitter {
         }
     }
 
-    /// Notes what is new of a polygon that was cut.
+    /// Records the new vertices of a polygon that was cut.
     fn note(&mut self, polygon: &[(ClippedCorner, DVec3)]) {
         for (_, p) in polygon.iter().filter(|(corner, _)| corner.original().is_none()) {
             if self.is_new(*p) {
@@ -280,7 +279,7 @@ impl Polylines {
     }
 }
 
-/// What is left of an object on one side.
+/// The part of an object on one side.
 struct ObjectPart<'a> {
     object: &'a Object,
     remake: Remake,

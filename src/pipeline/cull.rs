@@ -1,4 +1,4 @@
-//! What need not be drawn: objects outside the volume, and faces that turn their back.
+//! Culling: objects outside the volume, and back faces.
 
 use glam::DVec3;
 
@@ -8,10 +8,10 @@ use super::planes::{ALL_PLANES, PLANES, PlaneSet, distances};
 use super::projector::{Projector, ViewFromObject};
 use crate::geometry::Aabb;
 
-/// Where an object lies, as far as the box and the ball around it tell.
+/// The place of an object, as far as the box and the ball around it tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Containment {
-    /// It has no vertices.
+    /// No vertices.
     Empty,
     /// No point of it is in the volume: all of it is outside each of these planes.
     Outside(PlaneSet),
@@ -19,7 +19,7 @@ pub enum Containment {
     Crosses(PlaneSet),
 }
 
-/// What box and ball tell of an object.
+/// The verdict of box and ball on an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extent {
     pub(super) containment: Containment,
@@ -27,8 +27,9 @@ pub(super) struct Extent {
     pub(super) in_view: InView,
 }
 
-/// Holds the box and the ball around an object against the six planes: what is true of the corners of a box is true of
-/// all of it, because the distances are linear before the divide; of a ball, the middle and the radius tell.
+/// Tests the box and the ball around an object against the six planes: a bound that holds for the corners of a box
+/// holds for all of it, because the distances are linear before the divide; of a ball, the middle and the radius
+/// decide.
 ///
 /// "Inside" leaves a margin for rounding, so that an object that is not clipped would not have been changed by
 /// clipping.
@@ -82,7 +83,7 @@ pub(super) fn outside(projector: &Projector, aabb: &Aabb, magnitude: f64) -> Pla
     })
 }
 
-/// How wrong the distances from the planes may be: of left and right, bottom and top, near and far.
+/// Greatest error of the distances from the planes: of left and right, bottom and top, near and far.
 fn slack(projector: &Projector, margin: f64, reach: f64) -> [f64; 3] {
     let w = if projector.perspective { reach } else { 1.0 };
     [
@@ -104,8 +105,8 @@ pub(super) fn area_on_image(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f64 {
     e1[1] * e2[0] - e1[0] * e2[1]
 }
 
-/// The same sign for a triangle that is still to be clipped: is the eye on the outer side of its plane? Differences are
-/// taken before products, so that thin triangles far away keep their sign.
+/// The same sign for a triangle that is still to be clipped: positive where the eye is on the outer side of its plane.
+/// Differences are taken before products, so that thin triangles far away keep their sign.
 pub(super) fn facing(projector: &Projector, [a, b, c]: [DVec3; 3]) -> f64 {
     let normal = (b - a).cross(c - a);
     if projector.perspective { -normal.dot(a) } else { normal.z }
@@ -253,7 +254,8 @@ mod tests {
     fn the_box_and_the_ball_tell_the_more_of_the_two() {
         let eye = right_angle();
         // The planes x = ±d are d / √2 from the point at depth d in the middle: 2.83 at 4. A box of ±2 around it
-        // crosses all four of them, a ball of 2 none, one of 3 all; and what the box leaves out the ball need not.
+        // crosses all four of them, a ball of 2 none, one of 3 all; and planes missed by the box need not be missed by
+        // the ball.
         let middle = DVec3::new(0.0, 0.0, -4.0);
         let half = DVec3::splat(2.0);
         assert_eq!(of_box(&eye, middle, half, 100.0), Containment::Crosses(0b1111));

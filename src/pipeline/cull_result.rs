@@ -1,4 +1,4 @@
-//! What culling does with an object, to show what is not drawn.
+//! The result of culling an object, for showing the faces that are not drawn.
 
 use glam::DVec3;
 
@@ -9,7 +9,7 @@ use super::projector::Projector;
 use crate::camera::Camera;
 use crate::scene::Object;
 
-/// What culling does with an object for a camera.
+/// The result of culling an object for a camera.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CullResult {
     /// All of it is drawn, or clipped.
@@ -20,7 +20,7 @@ pub enum CullResult {
     BackFaces(Vec<bool>),
 }
 
-/// What culling does with `object` when `camera` draws it.
+/// The result of culling `object` when `camera` draws it.
 #[must_use]
 pub fn cull_result(object: &Object, camera: &Camera) -> CullResult {
     let projector = Projector::new(camera);

@@ -35,11 +35,11 @@ impl Edge {
     }
 }
 
-/// Gives the corners of the part inside a plane, and of the part outside, in the order of the polygon.
+/// Returns the corners of the part inside a plane, and of the part outside, in the order of the polygon.
 ///
-/// `corners`: how many there are, two of a segment; `distance`: of each from the plane, positive inside. A corner in
-/// the plane belongs to both parts, and is its own cut. A part may have too few corners to be anything: what only
-/// touches the plane.
+/// `corners`: their number, two for a segment; `distance`: of each from the plane, positive inside. A corner in the
+/// plane belongs to both parts, and is its own cut. A part that only touches the plane may have too few corners to be
+/// anything.
 #[inline(always)]
 pub(super) fn cut(
     corners: usize,

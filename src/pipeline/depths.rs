@@ -1,5 +1,5 @@
-//! Which distances the depths of a picture tell apart: F … B, or, where what is in view would all get the same depth
-//! then, the distances in view.
+//! The range of distances resolved by the depths of a picture: F … B, or, where everything in view would get the same
+//! depth then, the distances in view.
 
 use crate::drawing::order::same_depth;
 use crate::drawing::single;
@@ -8,12 +8,12 @@ use crate::drawing::single;
 /// this share of what is in view, the depths are spread over what is in view alone.
 const ENOUGH: f64 = 0.01;
 
-/// What is thinner than this share of the numbers from which it is computed is not resolved further: it would be their
-/// rounding.
+/// Relative thickness below which a scene is not resolved further: it would be rounding of the numbers from which it is
+/// computed.
 const THINNEST: f64 = 1e-13;
 
-/// The unit of depth in perspective is no smaller than this share of the farthest distance in view: what is small in
-/// the scale of the depths counts as the same, whatever is nearer.
+/// The unit of depth in perspective is no smaller than this share of the farthest distance in view: small differences
+/// in the scale of the depths count as the same, whatever is nearer.
 const UNIT: f64 = 0.01;
 
 /// Fits in single precision with all that is made of it.
@@ -26,9 +26,9 @@ const GREATEST: f64 = 1e15;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthScale {
     perspective: bool,
-    /// The nearest distance from the plane of the eye that is told apart, in scene units.
+    /// The nearest distance from the plane of the eye that is resolved, in scene units.
     pub near: f64,
-    /// The farthest: what is farther has the depth 0.
+    /// The farthest: points beyond have the depth 0.
     pub far: f64,
     unit: f64,
 }
@@ -45,7 +45,7 @@ pub struct InView {
 }
 
 impl InView {
-    /// Nothing is in view.
+    /// An empty view.
     pub const NOTHING: Self = Self { nearest: f64::INFINITY, farthest: f64::NEG_INFINITY, magnitude: 0.0 };
 
     /// One thing.
@@ -64,7 +64,7 @@ impl InView {
         }
     }
 
-    /// What of it is between F and B.
+    /// The part of it between F and B.
     #[must_use]
     pub fn clipped(self, near: f64, far: f64) -> Self {
         Self { nearest: self.nearest.max(near), farthest: self.farthest.min(far), ..self }
@@ -78,7 +78,7 @@ impl DepthScale {
         Self { perspective, near, far, unit: near }
     }
 
-    /// This scale where it tells apart what is in view, else one that does.
+    /// This scale where it resolves the depths in view, else one that does.
     #[must_use]
     pub fn resolving(self, in_view: InView) -> Self {
         let InView { nearest, farthest, magnitude } = in_view;
@@ -89,7 +89,7 @@ impl DepthScale {
             return self;
         }
         let same = self.same(nearest).max(self.same(farthest));
-        // Of what lies in one plane before the eye nothing hides anything.
+        // Faces in one plane parallel to the view plane do not hide each other.
         if (same <= ENOUGH * depth || depth <= thinnest) && self.far - self.near >= thinnest {
             return self;
         }
@@ -139,7 +139,7 @@ impl DepthScale {
         if self.perspective { self.far / (1.0 + depth * across / self.unit) } else { self.far - depth * across }
     }
 
-    /// The depth in another scale of what has a depth in this one.
+    /// Converts a depth of this scale to another scale.
     #[must_use]
     pub fn in_scale(&self, other: &Self, depth: f64) -> f64 {
         if self == other { depth } else { other.depth(self.distance(depth)) }

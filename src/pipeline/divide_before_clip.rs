@@ -1,8 +1,8 @@
-//! What comes of dividing by w before clipping: the mistake that homogeneous clipping is there to avoid `[2]`.
+//! The result of dividing by w before clipping: the mistake that homogeneous clipping avoids `[2]`.
 //!
-//! Behind the eye w < 0, and the divide turns a point there round the eye to the front, upside down; an edge that
+//! Behind the eye w < 0, and the divide moves a point there through the eye to the front, upside down; an edge that
 //! passes the plane w = 0 leads to the wrong place, although both its ends have coordinates. Clipping comes too late to
-//! mend that.
+//! repair that.
 
 use std::sync::Arc;
 
@@ -21,15 +21,15 @@ const NOWHERE: f64 = 1e100;
 /// A scene, divided before it is clipped.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DividedFirst {
-    /// What the mistake does no harm to, in the world.
+    /// The part of the scene unharmed by the mistake, in the world.
     pub right: Scene,
-    /// What only exists by the mistake, as the canonical volume shows it: (x_n, y_n, −z_n), clipped there. It takes
-    /// no light.
+    /// The part that exists only by the mistake, as the canonical volume shows it: (x_n, y_n, −z_n), clipped there. It
+    /// takes no light.
     pub wrong: Scene,
 }
 
-/// Divides each point of `scene` by its w as it is, and clips what comes of it to the cube of `reach` times the size of
-/// the canonical volume. A point with w = 0 takes what it belongs to with it.
+/// Divides each point of `scene` by its own w, and clips the result to the cube of `reach` times the size of the
+/// canonical volume. A point with w = 0 removes the face or stroke it belongs to.
 #[must_use]
 pub fn divided_first(scene: &Scene, camera: &Camera, reach: f64) -> DividedFirst {
     let divide = Divide { projector: Projector::new(camera), reach };
@@ -92,7 +92,7 @@ impl Divide {
         if rest.len() < polygon.len().min(3) { Vec::new() } else { rest }
     }
 
-    /// What is right of an object, and what is wrong of it.
+    /// The right part of an object, and the wrong part.
     fn object(&self, object: &Object) -> (Object, Option<Object>) {
         let mesh = &object.mesh;
         let view_from_object = self.projector.view_from_object(object.world_from_object);
@@ -145,10 +145,10 @@ impl Divide {
     }
 }
 
-/// What is wrong of an object.
+/// The wrong part of an object.
 struct Wrong {
     remake: Remake,
-    /// Where each new vertex is shown.
+    /// The displayed position of each new vertex.
     positions: Vec<DVec3>,
 }
 

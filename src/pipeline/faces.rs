@@ -21,7 +21,7 @@ struct Crossing {
     planes: PlaneSet,
 }
 
-/// What culling found out about a stretch of [`CHUNK`] triangles.
+/// The result of culling a stretch of [`CHUNK`] triangles.
 #[derive(Debug, Default)]
 struct CulledChunk {
     crossing: Vec<Crossing>,
@@ -30,7 +30,7 @@ struct CulledChunk {
     turned_over: usize,
 }
 
-/// What is left of the triangles of one object; keeps its buffers.
+/// The remaining triangles of one object; reuses its buffers.
 #[derive(Debug, Default)]
 pub(super) struct Faces {
     /// All vertices of the mesh on the image, then the cuts.
@@ -54,7 +54,7 @@ pub(super) struct Faces {
     clipper: Clipper,
 }
 
-/// What is done with the faces of one object.
+/// The work on the faces of one object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FaceTask {
     /// Drop the faces that turn their back.
@@ -73,14 +73,14 @@ impl Faces {
         self.image.outside & NEAR != 0
     }
 
-    /// How many of `count` vertices are in groups of which a triangle that is left has any.
+    /// Number of the `count` vertices that are in groups used by any remaining triangle.
     pub(super) fn used_vertices(&self, count: usize) -> usize {
         let used = self.used.iter().enumerate().filter(|(_, used)| used.load(Ordering::Relaxed));
         used.map(|(group, _)| LANES.min(count - group * LANES)).sum()
     }
 
-    /// What culling did with each triangle: `true` where it is left, `false` where it turned its back; `None` where it
-    /// was outside a plane. Is true after [`cull`](Self::cull).
+    /// The result of culling each triangle: `true` for a remaining one, `false` for a back face; `None` outside a
+    /// plane. Valid after [`cull`](Self::cull).
     pub(super) fn fates(&self, triangles: &[[u32; 3]]) -> Vec<Option<bool>> {
         let crossing: HashSet<u32> =
             self.stretches.iter().flat_map(|stretch| &stretch.crossing).map(|crossing| crossing.source).collect();
@@ -166,8 +166,8 @@ impl Faces {
         }
     }
 
-    /// Cuts the triangles that cross a plane, and adds what is left of each as a fan. With `all_planes`, also against
-    /// the planes that they do not cross.
+    /// Cuts the triangles that cross a plane, and adds the rest of each as a fan. With `all_planes`, also against the
+    /// planes that they do not cross.
     pub(super) fn clip(&mut self, vertices: &Vertices, screen: &Screen, want_source: bool, all_planes: bool) {
         self.cuts.clear();
         for &Crossing { source, triangle, planes } in self.stretches.iter().flat_map(|stretch| &stretch.crossing) {
@@ -203,7 +203,7 @@ impl Faces {
     }
 }
 
-/// What is needed to judge a triangle.
+/// The inputs for judging a triangle.
 struct Culling<'a> {
     image: &'a OnImage,
     vertices: &'a Vertices<'a>,
@@ -296,7 +296,7 @@ impl Culling<'_> {
         }
     }
 
-    /// The same for any triangle: false for one that crosses a plane, which is put aside.
+    /// Judges any triangle: false for one that crosses a plane, which is put aside.
     fn judge(&self, stretch: &mut CulledChunk, source: u32, triangle: [u32; 3]) -> bool {
         let Vertices { projector, view_from_object, .. } = *self.vertices;
         let [a, b, c] = [triangle[0] as usize, triangle[1] as usize, triangle[2] as usize];

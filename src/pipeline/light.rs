@@ -14,13 +14,13 @@ use crate::scene::{Light, Mesh};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, u32x8, with_vectors};
 
-/// What a face shows where no lamp reaches it.
+/// The light of a face that no lamp reaches.
 pub const AMBIENT: f32 = 0.35;
-/// What a lamp adds to a face that it meets squarely.
+/// The light that a lamp adds to a face that it meets squarely.
 pub const DIFFUSE: f32 = 0.65;
 /// The white of a highlight, in the two models that have any: a face of one colour would flash as a whole.
 pub const SPECULAR: f32 = 0.3;
-/// How small a highlight is.
+/// The exponent of a highlight.
 pub const SHININESS: f32 = 24.0;
 
 /// Lights of the scene in view space; lengths in units of B, so that they fit in single precision in worlds of any

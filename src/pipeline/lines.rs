@@ -38,7 +38,7 @@ pub(super) struct Strokes<'a> {
     background: Rgba,
     clipper: Clipper,
     pub(super) sets: Vec<StrokeSet>,
-    /// How many edges, polylines of outlines, lines, marks and texts were to be drawn.
+    /// Number of requested edges, polylines of outlines, lines, marks and texts.
     pub(super) asked: usize,
 }
 
@@ -114,7 +114,7 @@ impl<'a> Strokes<'a> {
         }
     }
 
-    /// How many strokes there are.
+    /// Number of strokes.
     pub(super) fn drawn(&self) -> usize {
         self.sets.iter().map(|set| set.polylines.len()).sum()
     }
@@ -182,8 +182,8 @@ fn push(sets: &mut Vec<StrokeSet>, run: &[[f32; 3]], style: LineStyle) {
     }
 }
 
-/// How the edges of `object` are drawn: as it says, and in wireframe always, in the object's own colour, made legible
-/// where it is too near the ground of the picture.
+/// The style of the edges of `object`: its own, and in wireframe always one in the object's own colour, made legible
+/// where it is too near the background of the picture.
 fn edge_style(object: &Object, wireframe: bool, background: Rgba) -> Option<LineStyle> {
     if !wireframe {
         return object.edges;

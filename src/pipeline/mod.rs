@@ -2,9 +2,9 @@
 //!
 //! | stage | space, from → to | file |
 //! | --- | --- | --- |
-//! | plan: which of these are needed | – | [`plan`] |
+//! | plan: the stages needed | – | [`plan`] |
 //! | objects outside the volume dropped | object, world | `bounds`, `bounding_tree`, `cull` |
-//! | depths spread over what is in view | view | [`depths`] |
+//! | depths spread over those in view | view | [`depths`] |
 //! | each vertex transformed once | object → world → view → clip → ndc → pixels | `projector`, `transform` |
 //! | back faces dropped | pixels | `faces`, `cull` |
 //! | clipping, before the divide | clip | `faces`, `clip` |
@@ -19,10 +19,44 @@
 //! [`cull_result`], [`one_triangle`] and [`divide_before_clip`] are not on the way to a picture: they show what
 //! clipping and culling do, and what would come of dividing first.
 //!
-//! A drawing for an output without a depth buffer is completed by [`stroke_runs`], which parts of its strokes faces
-//! hide, and [`stroke_order`], which of them is over which.
+//! A drawing for an output without a depth buffer is completed by [`stroke_runs`], the parts of its strokes that faces
+//! hide, and [`stroke_order`], their order in depth.
 //!
-//! Whatever is cut is cut by `cut`, and whatever vertices carry is carried over by `resample`.
+//! All cutting is done by `cut`, and all attributes of vertices are carried over by `resample`.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `bounding_tree` | a tree of boxes over the scene, so that objects out of sight are dropped by the thousand |
+//! | `bounds` | bounds of a mesh, known before it is looked at: the box and the ball around it |
+//! | `budget` | budgets of a drawing, and its shortfall where one is exceeded |
+//! | `clip` | clipping in homogeneous coordinates, before the divide `[2]`: points behind the eye never reach it |
+//! | `clip_parts` | the parts of the scene that clipping keeps and removes |
+//! | `cull` | culling: objects outside the volume, and back faces |
+//! | `cull_result` | the result of culling an object, for showing the faces that are not drawn |
+//! | `cut` | the one way in which a polygon, or a segment, is cut by a plane |
+//! | `depths` | the range of distances resolved by the depths of a picture |
+//! | `divide_before_clip` | the result of dividing by w before clipping: the mistake that homogeneous clipping avoids `[2]` |
+//! | `faces` | the faces of one object that are left to draw: projected, culled, clipped |
+//! | `light` | light on faces and vertices, by the one formula of `lighting` |
+//! | `lines` | edges and lines → strokes: clipped, projected, grouped by style |
+//! | `one_triangle` | one triangle step by step, as every triangle goes |
+//! | `outline` | the outline of a curved solid: its silhouette, which depends on the viewpoint, and its creases |
+//! | `plan` | the stages that a picture needs, and the reason why each other one is left out |
+//! | `plan_counts` | counts of planned or finished work, and the reasons that follow from them |
+//! | `planes` | the six planes of the view volume |
+//! | `pool` | reuse of the memory of returned drawings: fresh memory costs more than writing to it |
+//! | `project` | the scene after clipping and projection: the content of the canonical volume |
+//! | `projector` | the camera as the pipeline applies it, point by point: object → world → view → clip, in `f64` |
+//! | `report` | the report of a picture: counts and times, stage by stage |
+//! | `resample` | attributes of the vertices that cutting makes: colours, normals, texture coordinates … |
+//! | `rounding_check` | detection of vertices that rounding misplaces in the picture, by the code that draws them |
+//! | `shade` | surfaces of the drawing from the faces that are left |
+//! | `stage_work` | input and output of a stage, recorded while a picture is made, so that the picture can show them |
+//! | `stages` | reasons of stages, plans and reports of objects |
+//! | `stroke_order` | the order of strokes for outputs that have no depth buffer: later strokes cover earlier ones |
+//! | `stroke_runs` | the visible and the hidden runs of strokes, for outputs that have no depth buffer |
+//! | `transform` | the vertices of an object on the image |
+//! | `visibility` | the order of faces where no depth buffer decides |
 
 mod bounding_tree;
 mod bounds;
@@ -109,7 +143,7 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
     Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing
 }
 
-/// Draws pictures one after the other; keeps its buffers, and what it found out about meshes.
+/// Draws pictures one after the other; reuses its buffers, and the bounds of meshes.
 #[derive(Debug)]
 pub struct Pipeline {
     faces: Faces,

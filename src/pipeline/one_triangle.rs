@@ -1,8 +1,7 @@
-//! One triangle step by step, as every triangle goes: its corners in each space, on which side of each plane they lie,
-//! what each plane cuts, and what is left, on the image.
+//! One triangle step by step, as every triangle goes: its corners in each space, their sides of each plane, the cut of
+//! each plane, and the rest, on the image.
 //!
-//! Pictures are drawn without this; it is there to show what is done. The numbers are those of the functions that do
-//! it.
+//! Pictures are drawn without this; it shows the steps. The numbers are those of the functions that draw.
 
 use glam::{DVec2, DVec3};
 
@@ -28,7 +27,7 @@ pub struct TriangleSteps {
     pub is_outside: bool,
     /// The planes that it crosses, in the order in which they cut.
     pub cuts: Vec<PlaneCut>,
-    /// The corners of what is left, in order; none where nothing is.
+    /// The corners of the rest, in order; none where nothing remains.
     pub left: Vec<CornerLeft>,
 }
 
@@ -52,7 +51,7 @@ pub struct CornerSteps {
     pub outside: [bool; PLANES],
 }
 
-/// What a plane does.
+/// The cut of a plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlaneCut {
     /// Left, right, bottom, top, near, far: 0 … 5.
@@ -78,7 +77,7 @@ pub struct Cut {
     pub t: f64,
 }
 
-/// A corner of what is left.
+/// A corner of the rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CornerLeft {
     /// Its name.

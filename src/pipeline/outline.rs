@@ -1,7 +1,7 @@
-//! The outline of a curved solid: its silhouette, which depends on where it is seen from, and its creases.
+//! The outline of a curved solid: its silhouette, which depends on the viewpoint, and its creases.
 //!
-//! A mesh's edge is on the silhouette where one of its two faces is seen from outside and the other is not. What is
-//! drawn is not the contour of the ideal surface but that of the mesh, which borders what is filled.
+//! A mesh's edge is on the silhouette where one of its two faces is seen from outside and the other is not. The drawn
+//! contour is not that of the ideal surface but that of the mesh, which borders the filled area.
 
 use glam::DVec4;
 
@@ -60,7 +60,7 @@ fn chained(edges: &[[u32; 2]]) -> Vec<Vec<u32>> {
             chains.push(chain);
         }
     };
-    // Those with an end begin there; what is left goes round.
+    // Those with an end begin there; the rest are closed.
     for ends in at.chunk_by(|a, b| a.0 == b.0).filter(|ends| ends.len() % 2 == 1) {
         walk(ends[0].0);
     }

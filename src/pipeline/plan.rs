@@ -1,4 +1,4 @@
-//! Which stages a picture needs, and why each other one is left out.
+//! The stages that a picture needs, and the reason why each other one is left out.
 //!
 //! A [`Plan`] is a pure function of scene, camera and style, made before anything is drawn from bounding boxes and
 //! properties of the meshes alone. It changes no pixel: with [`Options::force_all_stages`] everything runs, and the
@@ -17,37 +17,35 @@ use crate::appearance::{Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint};
 pub use crate::stage::Stage;
 
-/// What a picture needs.
+/// The plan of a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Plan {
     /// One entry for each object of the scene.
     pub objects: Vec<ObjectPlan>,
     /// One entry for each stage, in order.
     pub stages: Vec<StagePlan>,
-    /// What decides which face is seen: the style's choice, or what the output can do, where faces may hide each other
-    /// at all.
+    /// The hidden-surface algorithm: the style's choice, or that of the output, where faces may hide each other at all.
     pub order: Visibility,
     /// The depth of faces is recorded.
     pub depth: bool,
-    /// How many boxes, around objects or many of them, were held against the volume.
+    /// Number of boxes, around objects or groups of them, tested against the volume.
     pub boxes_tested: usize,
 }
 
-/// How a picture is made, other than by what is in it.
+/// Options of a picture, apart from its content.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options {
     /// Run all stages, needed or not. The picture is the same.
     pub force_all_stages: bool,
-    /// What the drawing is for.
+    /// The output of the drawing.
     pub output: Output,
     /// The depths of the drawing are 1 at F and 0 at B, whatever is in view: for a drawing that another one is put
     /// into.
     pub depth_of_volume: bool,
-    /// What goes into this stage and what comes out is noted in [`Frame::work`](super::Frame::work).
+    /// Record the input and output of this stage in [`Frame::work`](super::Frame::work).
     pub shown: Option<Stage>,
-    /// Where this triangle (object, index in its mesh) is in the drawing is said by
-    /// [`Frame::followed`](super::Frame::followed). Not where faces are put in order, or an object becomes several
-    /// surfaces.
+    /// Report the place of this triangle (object, index in its mesh) in the drawing in
+    /// [`Frame::followed`](super::Frame::followed). Not where faces are sorted, or an object becomes several surfaces.
     pub followed: Option<(usize, u32)>,
     /// Gives the time since any moment, for the report; without it nothing is timed.
     pub clock: Option<fn() -> Duration>,
@@ -79,7 +77,7 @@ impl Plan {
         plan
     }
 
-    /// What is said of one stage.
+    /// The plan of one stage.
     #[must_use]
     pub fn stage(&self, stage: Stage) -> StagePlan {
         // `stages` holds all of them in the order of the enumeration.
@@ -125,7 +123,7 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
         Shading::Wireframe if !force => LitAt::Nowhere,
         Shading::Wireframe | Shading::Flat => LitAt::Faces,
         Shading::Gouraud => LitAt::Vertices,
-        // What is lit at the pixels has one colour.
+        // An object lit at the pixels has one colour.
         Shading::Phong if vertex_colors => LitAt::Vertices,
         Shading::Phong => LitAt::Pixels,
     };

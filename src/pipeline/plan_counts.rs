@@ -1,4 +1,4 @@
-//! Counts of what is to be done, or of what was done, and the reasons that follow from them.
+//! Counts of planned or finished work, and the reasons that follow from them.
 
 use super::cull::Containment;
 use super::planes::{NEAR, PlaneSet};
@@ -10,8 +10,8 @@ use crate::appearance::{HiddenLines, Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint};
 use crate::stage::Stage;
 
-/// The counts on which the plan of a frame rests, or, of what was done, its account. Of objects in view only, and of
-/// their faces only where there are any.
+/// The counts for the plan of a frame, or, of finished work, for its report. Of objects in view only, and of their
+/// faces only where there are any.
 pub(super) struct Survey {
     objects: usize,
     outside: usize,
@@ -99,9 +99,8 @@ impl Survey {
         Self { culled: culling.culled, cut_open, ..left }
     }
 
-    /// Of a stage that works on faces, what there is to say once all is done: whether it had anything to do, and why.
-    /// `None` for other stages, and for those that decide on what **may** be seen: of these the plan says what was
-    /// done.
+    /// The final report of a stage that works on faces: whether it had anything to do, and why. `None` for other
+    /// stages, and for those that decide on faces that **may** be seen: their plan is their report.
     pub(super) fn face_stage(&self, planned: &StagePlan, style: &Style) -> Option<(bool, Reason)> {
         let StagePlan { stage, runs, reason } = *planned;
         if !runs || reason == Reason::Forced {
@@ -126,8 +125,8 @@ impl Survey {
         }
     }
 
-    /// What decides which face is seen: the style's choice, or what the output can do; the depth buffer, which needs no
-    /// order, where no face hides another.
+    /// The hidden-surface algorithm: the style's choice, or that of the output; the depth buffer, which needs no order,
+    /// where no face hides another.
     pub(super) fn order(&self, style: &Style, output: Output) -> Visibility {
         match (output, style.visibility) {
             _ if self.no_faces(style).is_some() => Visibility::DepthBuffer,
@@ -171,7 +170,7 @@ impl Survey {
         }
     }
 
-    /// The same, of a stage that works on faces, where there are any.
+    /// The report of a stage that works on faces, where there are any.
     fn with_faces(&self, stage: Stage, style: &Style) -> (bool, Reason) {
         match stage {
             Stage::Normals | Stage::Light => self.light(stage),

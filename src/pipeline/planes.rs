@@ -5,7 +5,7 @@ use super::projector::{ClipPoint, Projector};
 /// The planes of the volume, in the order of the distances: left, right, bottom, top, near, far.
 pub(super) const PLANES: usize = 6;
 
-/// A set of planes: bit `i` stands for plane `i` of left, right, bottom, top, near, far.
+/// A set of planes: bit `i` is plane `i` of left, right, bottom, top, near, far.
 pub type PlaneSet = u8;
 
 /// All six planes.
@@ -14,7 +14,7 @@ pub(super) const ALL_PLANES: PlaneSet = 0b11_1111;
 /// The near plane.
 pub const NEAR: PlaneSet = 1 << 4;
 
-/// The bit of an outcode that stands for "not a number": such a point is drawn nowhere.
+/// The bit of an outcode for "not a number": such a point is drawn nowhere.
 pub(super) const NOT_A_NUMBER: PlaneSet = 0b100_0000;
 
 /// Near and far first: then w is positive for all that follows.

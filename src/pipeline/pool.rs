@@ -1,4 +1,4 @@
-//! Memory of drawings that were given back, for those to come: fresh memory costs more than what is written to it.
+//! Reuse of the memory of returned drawings: fresh memory costs more than writing to it.
 
 use crate::appearance::Rgba;
 use crate::drawing::{Drawing, Paint};
@@ -38,7 +38,7 @@ impl Pool {
         refill(&mut faces.triangles, &mut self.triangles);
     }
 
-    /// An array of colours; what is in it does not matter.
+    /// An array of colours with arbitrary content.
     pub(super) fn colors(&mut self) -> Vec<Rgba> {
         self.colors.pop().unwrap_or_default()
     }

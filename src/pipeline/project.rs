@@ -1,4 +1,4 @@
-//! The scene after clipping and projection: what the canonical volume shows.
+//! The scene after clipping and projection: the content of the canonical volume.
 
 use std::sync::Arc;
 
@@ -18,20 +18,20 @@ use crate::drawing::single;
 use crate::scene::{Adjacency, Line, Mesh, Object, ObjectPaint, PointMark, Scene, SharedEdge, Text};
 
 /// All of `scene` that is in the volume of `camera`, clipped and projected to `(x_n, y_n, −z_n)`: NDC are left-handed,
-/// with z away from the eye, and this is how they are shown in a right-handed space.
+/// with z away from the eye, and this is their display in a right-handed space.
 ///
-/// Colours are baked as they are lit in the world (at the vertices for Gouraud and Phong, on faces otherwise); nothing
-/// is lit any more, so the meshes have no normals. No face is culled: the observer of the result stands elsewhere than
-/// the camera. An object that was cut is open, so both sides of its faces show; one that was not stays closed, and
+/// Colours are baked as they are lit in the world (at the vertices for Gouraud and Phong, on faces otherwise); the
+/// result takes no light, so the meshes have no normals. No face is culled: the observer of the result is elsewhere
+/// than the camera. An object that was cut is open, so both sides of its faces show; an uncut one stays closed, and
 /// convex if it was.
 #[must_use]
 pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
     clipped_by(scene, &Projector::new(camera), shading).0
 }
 
-/// [`clipped_scene`], where all of it together is not thinner along z_n than a picture of the volume can tell: with an
-/// F or a B that is far from what there is to see, NDC make it a sheet, of which nothing is before anything else. It is
-/// shown a pixel or two thick then.
+/// [`clipped_scene`], unless all of it together is thinner along z_n than a picture of the volume can show: with an F
+/// or a B that is far from the scene, NDC make it a sheet, in which nothing is in front of anything else. It is shown a
+/// pixel or two thick then.
 #[must_use]
 pub fn legible_clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
     let mut projector = Projector::new(camera);
@@ -97,8 +97,8 @@ pub fn depth_buffer_of(camera: &Camera, in_view: InView) -> (DepthScale, impl Fn
     (depths, move |distance| single(depths.depth(distance)))
 }
 
-/// What is in the volume of a segment between two world points, as it is shown in the canonical volume:
-/// `(x_n, y_n, −z_n)` of its ends.
+/// The part in the volume of a segment between two world points, as shown in the canonical volume: `(x_n, y_n, −z_n)`
+/// of its ends.
 pub fn clipped_segment_of(camera: &Camera) -> impl Fn([DVec3; 2]) -> Option<[DVec3; 2]> {
     let projector = Projector::new(camera);
     move |ends| {
@@ -167,7 +167,7 @@ struct Projected<'a> {
     vertices: Vertices<'a>,
     outcodes: Vec<u8>,
     remake: Remake,
-    /// Where each new vertex is shown.
+    /// The displayed position of each new vertex.
     positions: Vec<DVec3>,
     in_view: InView,
     cut: bool,
@@ -288,7 +288,7 @@ impl Projected<'_> {
         Some(std::array::from_fn(|k| {
             let (point, cut) = kept[k];
             let own = ends[k];
-            // An edge has no colour: what its new ends are made of does not matter.
+            // An edge has no colour: the origin of its new ends does not matter.
             let between = VertexOrigin::Between { of: [own; 3], weights: [1.0, 0.0, 0.0] };
             self.vertex(point, if cut { between } else { VertexOrigin::Vertex(own) })
         }))

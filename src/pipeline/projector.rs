@@ -33,9 +33,9 @@ pub(super) struct Projector {
     /// `x_clip = scale[0] · x_view − shift[0] · w`, the same for y; the shift is 0 for a symmetric window.
     pub(super) scale: [f64; 2],
     pub(super) shift: [f64; 2],
-    /// What the depths of the display list are: of all that is between F and B, unless a picture has less in view.
+    /// The scale of the depths of the display list: of the range from F to B, unless a picture has less in view.
     pub(super) depths: DepthScale,
-    /// How a scene that is thin in NDC is shown.
+    /// The display of a scene that is thin in NDC.
     pub(super) sheet: Option<Sheet>,
 }
 
@@ -204,8 +204,8 @@ impl ViewFromObject {
         self.linear
     }
 
-    /// The size of the numbers from which the view coordinates of `p` are summed up: what their rounding is measured
-    /// by.
+    /// The size of the numbers from which the view coordinates of `p` are summed up: the scale of their rounding
+    /// errors.
     pub(super) fn magnitude(&self, p: DVec3) -> f64 {
         match self.through_world {
             None => norm(self.linear) * (p - self.eye).length(),
@@ -219,7 +219,7 @@ impl ViewFromObject {
         self.rest
     }
 
-    /// How fast a linear function of view space with this gradient grows in the object's space.
+    /// The slope in the object's space of a linear function of view space with this gradient.
     pub(super) fn slope(&self, gradient: DVec3) -> f64 {
         let linear = match self.through_world {
             None => self.linear,

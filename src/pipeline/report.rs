@@ -1,4 +1,4 @@
-//! What was done for a picture: counts and times, stage by stage.
+//! The report of a picture: counts and times, stage by stage.
 
 use std::time::Duration;
 
@@ -20,29 +20,28 @@ use crate::stage::Stage;
 pub struct Frame {
     /// The picture.
     pub drawing: Drawing,
-    /// What was needed, and why.
+    /// The stages needed, with reasons.
     pub plan: Plan,
-    /// What was done, by stage.
+    /// The report, by stage.
     pub report: Vec<StageReport>,
-    /// What was done, by object of the scene.
+    /// The report, by object of the scene.
     pub objects: Vec<ObjectReport>,
-    /// What could not be done as the plan has it. Where it is the pieces, the drawing is for an output with a depth
-    /// buffer, whatever was asked for; that is said before what rounding does.
+    /// The exceeded budget. Where it is that of pieces, the drawing is for an output with a depth buffer, whatever was
+    /// requested; it is reported in preference to rounding.
     pub too_much: Option<OverBudget>,
-    /// What the depths of the drawing mean.
+    /// The scale of the depths of the drawing.
     pub depths: DepthScale,
-    /// What went into the stage that was to be shown, and what came out; `None` where it did not run.
+    /// Input and output of the stage to show; `None` where it did not run.
     pub work: Option<StageWork>,
-    /// Faces that only show what that stage drops: painted over the drawing, and counted by no stage.
+    /// Faces that only show the drops of that stage: painted over the drawing, and counted by no stage.
     pub dropped_faces: Vec<Surface>,
-    /// The picture as it is before that stage, for its left half; `None` where what comes out is drawn over what goes
-    /// in.
+    /// The picture before that stage, for its left half; `None` where the output is drawn over the input.
     pub before: Option<Drawing>,
-    /// Where the triangle that was followed is in the drawing; `None` where none was, or its object is not drawn.
+    /// The place of the followed triangle in the drawing; `None` where there is none, or its object is not drawn.
     pub followed: Option<FollowedTriangle>,
 }
 
-/// Where a triangle of a mesh is in a drawing.
+/// The place of a triangle of a mesh in a drawing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FollowedTriangle {
     /// The surface.
@@ -52,7 +51,7 @@ pub struct FollowedTriangle {
 }
 
 impl Frame {
-    /// Gives a stage another reason: what the plan cannot know, because the scene was prepared for it.
+    /// Gives a stage another reason: one that the plan cannot know, because the scene was prepared for it.
     pub fn say(&mut self, stage: Stage, reason: Reason) {
         if let Some(report) = self.report.iter_mut().find(|report| report.stage == stage) {
             report.reason = reason;
@@ -63,28 +62,28 @@ impl Frame {
 /// One stage of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StageReport {
-    /// Which one.
+    /// The stage.
     pub stage: Stage,
-    /// It ran.
+    /// Whether it ran.
     pub ran: bool,
     /// Why, or why not.
     pub reason: Reason,
-    /// What went in and what came out. `None` where the pipeline does not know (what happens to pixels).
+    /// Counts in and out. `None` where the pipeline does not know them (work on pixels).
     ///
     /// | stage | in | out |
     /// | --- | --- | --- |
     /// | traverse | objects of the scene | the same |
     /// | cull objects | objects of the scene | those that may be in view |
-    /// | normals | vertices whose normals are taken to view space | the same |
-    /// | light | faces or vertices, whatever is lit before there are pixels | the same |
+    /// | normals | vertices whose normals are transformed to view space | the same |
+    /// | light | faces or vertices, if they are lit before there are pixels | the same |
     /// | transform, oblique window | vertices of objects that may be in view and have faces, ends of edges and points of outlines of the others | the same |
-    /// | cull faces | triangles of these objects | those that do not turn their back |
+    /// | cull faces | triangles of these objects | the front faces |
     /// | clip | these triangles | triangles inside the volume |
     /// | divide, viewport | vertices of these objects, and those that clipping made | the same |
     /// | hidden surfaces, painted in order | triangles | the pieces that they were split into |
     /// | lines | edges, outlines (by polyline), lines, marks and texts | strokes, marks and texts that are in view |
     pub counts: Option<(usize, usize)>,
-    /// How long it took; `None` without a clock, and for stages that run together with another.
+    /// Its time; `None` without a clock, and for stages that run together with another.
     pub time: Option<Duration>,
 }
 
@@ -134,7 +133,7 @@ impl Meter {
         }
     }
 
-    /// Counts what was done for the faces of one object; `done`: what was done about those that turn their back.
+    /// Counts the work on the faces of one object; `done`: the treatment of its back faces.
     pub(super) fn count(&mut self, vertices: &Vertices, faces: &Faces, object: &Object, done: &ObjectReport) {
         let (triangles, lit) = (object.mesh.triangles.len(), done.lit);
         self.vertices += vertices.len();

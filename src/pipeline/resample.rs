@@ -1,7 +1,7 @@
-//! What the vertices that cutting makes carry: colours, normals, texture coordinates …
+//! Attributes of the vertices that cutting makes: colours, normals, texture coordinates …
 //!
-//! Everything that has attributes by vertex or by face, and is made anew after a cut, comes through here. An attribute
-//! that vertices are given one day is one more arm in [`object_paint`], [`paint_of`] or [`append`].
+//! Everything that has attributes by vertex or by face, and is made anew after a cut, comes through here. A new
+//! attribute of vertices is one more arm in [`object_paint`], [`paint_of`] or [`append`].
 
 use std::sync::Arc;
 
@@ -12,12 +12,12 @@ use crate::drawing::{Paint, Phong};
 use crate::geometry::try_unit;
 use crate::scene::{Adjacency, Mesh, Object, ObjectPaint, SharedEdge};
 
-/// What a vertex is made of.
+/// The origin of a new vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum VertexOrigin {
-    /// It is this vertex of the old mesh.
+    /// This vertex of the old mesh.
     Vertex(u32),
-    /// It lies on a triangle: attributes are the sum of those of three vertices, weighted.
+    /// A point on a triangle: attributes are the sum of those of three vertices, weighted.
     Between {
         /// Vertices of the old mesh.
         of: [u32; 3],
@@ -49,7 +49,7 @@ impl VertexOrigin {
     }
 }
 
-/// What a vertex can carry.
+/// An attribute of a vertex.
 pub(super) trait Attribute: Copy {
     /// The weighted sum. The order of the three changes nothing where one weight is 0, so that neighbours that share an
     /// edge agree on it.
@@ -87,7 +87,7 @@ impl Attribute for Rgba {
     }
 }
 
-/// Grey for what has no colour of its own.
+/// The colour at a vertex; grey without a colour.
 pub(super) fn color_at(colors: &[Rgba], index: u32) -> Rgba {
     colors.get(index as usize).copied().unwrap_or(Rgba::rgb(128, 128, 128))
 }
@@ -153,18 +153,18 @@ pub(super) fn normals(old: &Mesh, origins: &[VertexOrigin]) -> Vec<DVec3> {
     origins.iter().map(unit).collect()
 }
 
-/// A mesh that is made of parts of another: each vertex by what it is made of, shared as it was.
+/// A mesh made of parts of another: each vertex with its origin, shared as it was.
 #[derive(Debug)]
 pub(super) struct Remake {
     /// The new index of each vertex of the old mesh that is still used.
     index: Vec<Option<u32>>,
-    /// What each new vertex is made of.
+    /// The origin of each new vertex.
     pub(super) origins: Vec<VertexOrigin>,
     pub(super) triangles: Vec<[u32; 3]>,
     /// The old triangle of each new one.
     pub(super) sources: Vec<u32>,
     pub(super) edges: Vec<[u32; 2]>,
-    /// What is left of the edges of the old mesh's adjacency; the faces are still the old ones.
+    /// The remaining edges of the old mesh's adjacency; the faces are still the old ones.
     pub(super) shared: Vec<SharedEdge>,
 }
 
@@ -227,7 +227,7 @@ pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>, 
     };
     let vertices = 0..u32::try_from(old.positions.len()).unwrap_or(u32::MAX);
     let paint = match &object.paint {
-        // Vertices stay what they are.
+        // Vertices do not change.
         ObjectPaint::Faces(_) => object_paint(&object.paint, vertices.map(VertexOrigin::Vertex), triangles),
         paint => paint.clone(),
     };
@@ -252,8 +252,8 @@ pub(super) fn empty_like(old: &Paint) -> Paint {
     }
 }
 
-/// Adds to `paint` what vertices of these origins have of `old`, and `faces` triangles that are parts of the old
-/// triangle `source`. What `old` lacks is grey, or zero.
+/// Adds to `paint` the attributes in `old` of vertices of these origins, and `faces` triangles that are parts of the
+/// old triangle `source`. Missing attributes are grey, or zero.
 pub(super) fn append(paint: &mut Paint, old: &Paint, origins: &[VertexOrigin], source: u32, faces: usize) {
     fn add<T: Attribute>(values: &mut Vec<T>, origins: &[VertexOrigin], at: impl Fn(u32) -> T) {
         values.extend(origins.iter().map(|origin| origin.of(&at)));

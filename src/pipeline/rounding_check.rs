@@ -1,9 +1,9 @@
-//! Where rounding puts vertices beside their places in the picture, found by the code that draws them.
+//! Detection of vertices that rounding misplaces in the picture, by the code that draws them.
 //!
 //! Up to the viewport the pipeline computes in `f64`, behind it in single precision on a grid of subpixels. That is
 //! enough for nearly all cameras, and [`Misplaced::bound`] proves it for an object without looking at a vertex; it is
-//! not where a picture magnifies more than its coordinates have digits, or where the window stands far aside. There
-//! each vertex is held against its place in double-double.
+//! not where a picture magnifies more than its coordinates have digits, or where the window is far off-axis. There each
+//! vertex is compared with its place in double-double.
 
 use rayon::prelude::*;
 
@@ -14,7 +14,7 @@ use super::transform::{Screen, Vertices, on_grid};
 use crate::camera::Camera;
 use crate::scene::Object;
 
-/// So many pixels a vertex may be beside its place: a quarter cannot be seen.
+/// Tolerance in pixels: a quarter cannot be seen.
 const ALLOWED: f64 = 0.25;
 
 /// The vertex of an object that is drawn farthest beside its place.
@@ -24,7 +24,7 @@ pub struct MisplacedVertex {
     pub object: String,
     /// The index of the vertex in the mesh, from 0.
     pub vertex: usize,
-    /// How far beside its place it is drawn, pixels; more than a quarter.
+    /// Distance between its place and its drawn position, pixels; more than a quarter.
     pub off: f64,
 }
 
@@ -52,7 +52,7 @@ impl<'a> Misplaced<'a> {
         let off = |(i, &p): (usize, &glam::DVec3)| {
             let clip = projector.clip(view_from_object.point(p));
             let summands = view_from_object.magnitude(p) + view_from_object.rest();
-            // What is drawn nowhere has no place to be beside.
+            // A vertex that is not drawn has no place.
             if outcode(projector, clip) != 0 || within(self.bound(projector, summands, clip.w)) {
                 return None;
             }
@@ -69,13 +69,13 @@ impl<'a> Misplaced<'a> {
         }
     }
 
-    /// How far a point may be beside its place, pixels: if it is in the volume, its view coordinates are sums of
+    /// Greatest distance of a point from its place, pixels: if it is in the volume, its view coordinates are sums of
     /// numbers up to `summands`, and its w is at least `w`.
     ///
-    /// A view coordinate has an error e of a few roundings of its summands, and of what rounding left of C. So x_n = (s
-    /// x_c − shift w)/w has (s + 1 + |shift|) e/w, since |x_n| ≤ 1, and some roundings of 1 + |shift|, once more times
-    /// that where the width of the window is a small difference. Half the picture's size makes pixels of it, and single
-    /// precision and the grid come on top.
+    /// A view coordinate has an error e of a few roundings of its summands, and of the rest of C after rounding. So x_n
+    /// = (s x_c − shift w)/w has (s + 1 + |shift|) e/w, since |x_n| ≤ 1, and some roundings of 1 + |shift|, once more
+    /// times that where the width of the window is a small difference. Half the picture's size makes pixels of it, and
+    /// single precision and the grid come on top.
     fn bound(&self, projector: &Projector, summands: f64, w: f64) -> f64 {
         const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
         let w = if projector.perspective { w } else { 1.0 };
@@ -92,7 +92,7 @@ impl<'a> Misplaced<'a> {
     }
 }
 
-/// False for what is not a number.
+/// Whether an offset is within the tolerance; false for NaN.
 fn within(off: f64) -> bool {
     off <= ALLOWED
 }
@@ -117,7 +117,7 @@ mod tests {
         [decades(from, to), decades(from, to), decades(from, to)].prop_map(DVec3::from_array)
     }
 
-    /// A camera anywhere, near to what it looks at or not, with a window of any width, also far aside.
+    /// A camera anywhere, near to its focal point or not, with a window of any width, also far off-axis.
     fn camera() -> impl Strategy<Value = Camera> {
         let window = (decades(-16.0, 2.0), decades(-3.0, 8.0), any::<bool>());
         let ends = (vector(-2.0, 12.0), vector(-4.0, 6.0));

@@ -18,7 +18,7 @@ pub(super) struct Shaded<'a> {
     pub(super) object: &'a Object,
     pub(super) vertices: Vertices<'a>,
     pub(super) lights: &'a Lights,
-    /// Where light is computed.
+    /// The place of the light computation.
     pub(super) lit: LitAt,
     /// Both sides of the faces may be seen, and are lit.
     pub(super) both_sides: bool,
@@ -81,7 +81,7 @@ impl Shaded<'_> {
         }]
     }
 
-    /// The surfaces, with what their order can be found by.
+    /// The surfaces, with the data for sorting them.
     pub(super) fn layers(&self, faces: &mut Faces, pool: &mut Pool, never_hides_itself: bool) -> Vec<Layer> {
         let own = (0..self.vertex_count()).map(|i| self.vertices.view(i));
         let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view(i)));
@@ -116,7 +116,7 @@ impl Shaded<'_> {
         paint_of(object_paint(&self.object.paint, own.chain(faces.cuts.iter().copied()), &faces.source))
     }
 
-    /// Light at each vertex; cuts take the mean of what they lie between.
+    /// Light at each vertex; cuts interpolate between their neighbours.
     fn lit_vertices(
         &self,
         faces: &Faces,

@@ -1,4 +1,4 @@
-//! What goes into a stage and what comes out of it, noted while a picture is made, so that the picture can show it.
+//! Input and output of a stage, recorded while a picture is made, so that the picture can show them.
 
 use glam::DVec3;
 
@@ -17,15 +17,15 @@ use crate::stage::{Stage, WorksOn};
 /// So many sides, vertices and faces are noted; of more, nobody could tell one from another.
 const MOST: usize = 20_000;
 
-/// What went into a stage of a picture and what came out, as far as it lies in the picture. Points are those of the
-/// display list: pixels and depth.
+/// Input and output of a stage of a picture, as far as they lie in the picture. Points are those of the display list:
+/// pixels and depth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StageWork {
-    /// Which stage.
+    /// The stage.
     pub stage: Stage,
-    /// Sides of what went in: of boxes around objects, of triangles.
+    /// Sides of the input: of boxes around objects, of triangles.
     pub before: Vec<[[f32; 3]; 2]>,
-    /// Sides of what came out.
+    /// Sides of the output.
     pub after: Vec<[[f32; 3]; 2]>,
     /// Faces that went in and did not come out, convex.
     pub dropped: Vec<Vec<[f32; 3]>>,
@@ -35,7 +35,7 @@ pub struct StageWork {
     pub vertices: Vec<VertexWork>,
     /// Objects that went in.
     pub objects: Vec<ObjectWork>,
-    /// There was more of it than is noted.
+    /// There was more than is recorded.
     pub more: bool,
 }
 
@@ -61,11 +61,11 @@ pub struct ObjectWork {
     pub name: String,
     /// The middle of its box, where that is in the picture.
     pub middle: Option<[f32; 3]>,
-    /// Where its box lies.
+    /// The place of its box.
     pub containment: Containment,
 }
 
-/// Notes what one stage does.
+/// Records the work of one stage.
 pub(super) struct Notes<'a> {
     projector: &'a Projector,
     screen: &'a Screen,
@@ -92,7 +92,7 @@ impl<'a> Notes<'a> {
         off_grid(self.screen.project(self.projector, p))
     }
 
-    /// What is in the picture of a segment of view space.
+    /// The part of a segment of view space that is in the picture.
     fn side(&mut self, ends: [DVec3; 2]) -> Option<[[f32; 3]; 2]> {
         let ends = ends.map(|p| self.projector.clip(p));
         let [(a, _), (b, _)] = self.clipper.segment(self.projector, ends)?;

@@ -1,14 +1,14 @@
-//! The stages of the pipeline, and what can be said of them: why one runs or is left out, what is planned for an
-//! object, and what was done with it.
+//! The stages of the pipeline, and their reports: the reason why one runs or is left out, the plan for an object, and
+//! its result.
 
 use super::cull::Containment;
 use super::planes::PlaneSet;
 use crate::stage::Stage;
 
-/// What paints a drawing.
+/// The output of a drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Output {
-    /// Pixels, with a depth for each: what decides which face is seen is the style's choice.
+    /// Pixels, with a depth for each: the style chooses the hidden-surface algorithm.
     #[default]
     Pixels,
     /// Shapes that are painted one over the other, without a depth buffer: faces are listed from back to front, split
@@ -27,13 +27,13 @@ pub enum Reason {
     SomethingInView,
     /// Runs: faces are in view.
     FacesInView {
-        /// That have any.
+        /// Those with any.
         objects: usize,
     },
-    /// Runs: everything was asked for, needed or not.
+    /// Runs: all stages were requested, needed or not.
     Forced,
 
-    /// Runs: so many of all objects are outside one plane of the volume, and dropped whole.
+    /// Runs: this number of objects are outside one plane of the volume, and dropped whole.
     Outside {
         /// Dropped.
         outside: usize,
@@ -61,24 +61,24 @@ pub enum Reason {
     FlatShading,
     /// Runs: one colour for each face.
     LitFaces {
-        /// That take light.
+        /// Those that take light.
         objects: usize,
     },
     /// Runs: one colour for each vertex.
     LitVertices {
-        /// That take light.
+        /// Those that take light.
         objects: usize,
     },
     /// Left to the pixels (Phong); here only normals and positions are passed on.
     LitPixels {
-        /// That take light.
+        /// Those that take light.
         objects: usize,
     },
     /// Runs: one colour for each vertex of objects that have colours there; the light of others is left to the pixels.
     LitVerticesAndPixels {
-        /// That take light at their vertices.
+        /// Those lit at their vertices.
         vertices: usize,
-        /// That take light at their pixels.
+        /// Those lit at their pixels.
         pixels: usize,
     },
 
@@ -94,10 +94,10 @@ pub enum Reason {
         /// In view, with faces.
         objects: usize,
     },
-    /// Nothing was dropped: the near plane cuts objects open, so that their inside may be seen; others are two-sided or
-    /// translucent.
+    /// Nothing was dropped: the front plane cuts objects open, so that their inside may be seen; others are two-sided
+    /// or translucent.
     CutOpen {
-        /// That are cut open.
+        /// Those cut open.
         objects: usize,
         /// In view, with faces.
         of: usize,
@@ -110,9 +110,9 @@ pub enum Reason {
         /// In view.
         objects: usize,
     },
-    /// Runs: so many objects may cross so many planes; only they are cut, and only by these.
+    /// Runs: this number of objects may cross these planes; only they are cut, and only by these.
     Crossing {
-        /// That may cross a plane.
+        /// Those that may cross a plane.
         objects: usize,
         /// In view.
         of: usize,
@@ -157,7 +157,7 @@ pub enum Reason {
     NoDepthBuffer,
     /// A depth buffer decides, because splitting would have made more pieces than there may be.
     TooManyPieces {
-        /// That had been made until then.
+        /// Those made until then.
         pieces: usize,
     },
 
@@ -172,7 +172,7 @@ pub enum Reason {
     AllOpaque,
     /// Runs.
     Translucent {
-        /// That something shows through.
+        /// Those that are translucent.
         objects: usize,
     },
     /// Left out: one sample for each pixel.
@@ -190,22 +190,22 @@ pub enum Reason {
 
     /// The picture shows depths instead of colours: no light, no lines, and depths that vary over faces.
     DepthsShown,
-    /// Runs, but too late: the divide by w was asked for before it.
+    /// Runs, but too late: the divide by w was requested before it.
     DividedFirst,
 }
 
-/// What the plan says of one stage.
+/// The plan of one stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StagePlan {
-    /// Which one.
+    /// The stage.
     pub stage: Stage,
-    /// It runs.
+    /// Whether it runs.
     pub runs: bool,
     /// Why, or why not.
     pub reason: Reason,
 }
 
-/// Where light is computed.
+/// The place of the light computation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LitAt {
     /// Nowhere: own colours.
@@ -218,12 +218,12 @@ pub enum LitAt {
     Pixels,
 }
 
-/// What the plan says of one object.
+/// The plan of one object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ObjectPlan {
-    /// Where its bounding box lies.
+    /// The place of its bounding box.
     pub containment: Containment,
-    /// It is worked on at all; where not, nothing more is said.
+    /// Whether it is drawn; else the other fields are meaningless.
     pub drawn: bool,
     /// The planes that its faces are clipped against.
     pub clip_planes: PlaneSet,
@@ -231,29 +231,29 @@ pub struct ObjectPlan {
     pub faces: bool,
     /// Its back faces are dropped, unless the near plane cuts it open.
     pub cull_back: bool,
-    /// Where light is computed.
+    /// The place of the light computation.
     pub lit: LitAt,
     /// Something shows through it.
     pub translucent: bool,
 }
 
-/// What was done with one object.
+/// The report of one object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ObjectReport {
-    /// Where its bounding box lies.
+    /// The place of its bounding box.
     pub containment: Containment,
-    /// What became of its faces.
+    /// The treatment of its faces.
     pub faces: FacesDone,
-    /// Where light was computed.
+    /// The place of the light computation.
     pub lit: LitAt,
     /// Triangles that are in the picture.
     pub triangles: usize,
 }
 
-/// What became of the faces of an object.
+/// The treatment of the faces of an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FacesDone {
-    /// They are not drawn, or it has none.
+    /// Not drawn, or without faces.
     NotDrawn,
     /// Those that turn their back were dropped.
     BackDropped,

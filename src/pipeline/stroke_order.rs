@@ -1,11 +1,12 @@
-//! The order of strokes for outputs that have no depth buffer: what is painted later covers what is painted before.
+//! The order of strokes for outputs that have no depth buffer: later strokes cover earlier ones.
 //!
-//! Where two runs touch on the picture, the rule of [`drawing`](crate::drawing) says which is over the other. The runs
-//! are sorted so that each comes after all that it is over. Where runs lie over one another in a cycle, they are split
-//! between the places where they touch. As in the depth sort of Newell, Newell and Sancha (1972), but with strokes.
+//! Where two runs touch on the picture, the rule of [`drawing`](crate::drawing) decides which is over the other. The
+//! runs are sorted so that each comes after all that it is over. Where runs lie over one another in a cycle, they are
+//! split between the places where they touch. As in the depth sort of Newell, Newell and Sancha (1972), but with
+//! strokes.
 //!
-//! A grid of squares finds what touches: the work grows with the length of all strokes, and with the square of how many
-//! segments share one square of 32 pixels.
+//! A grid of squares finds the contacts: the work grows with the length of all strokes, and with the square of the
+//! number of segments in one square of 32 pixels.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -23,8 +24,8 @@ use crate::drawing::{Drawing, single};
 ///
 /// *Guarantees*: of two runs of different strokes that touch, the one that is over the other where they touch comes
 /// later. Exceptions: three or more that touch at one place and do not agree on an order there, and where a run passes
-/// another twice within the sum of their widths. Of what is split, the parts follow one another along the polyline
-/// without a gap; a part's [`start`](Run::start) lets its dashes go on. Runs that are not painted are left out.
+/// another twice within the sum of their widths. The parts of a split run follow one another along the polyline without
+/// a gap; a part's [`start`](Run::start) lets its dashes go on. Runs that are not painted are left out.
 ///
 /// # Errors
 /// [`OverBudget::Strokes`].
@@ -38,7 +39,7 @@ fn runs_in_order(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Run>, OverB
         .filter_map(|run| run.style(drawing).map(|style| Painted { run, style }));
     let (on_top, mut tested): (Vec<Painted>, Vec<Painted>) =
         painted.partition(|painted| painted.style.hidden == HiddenLines::Shown);
-    // Of what is equal, the hidden runs of a set come before its visible ones.
+    // Of equal ones, the hidden runs of a set come before its visible ones.
     tested.sort_by_key(Painted::layer);
     let contacts = find_contacts(&tested, drawing, steps)?;
     let cycles = in_cycles(tested.len(), &contacts);
@@ -73,9 +74,9 @@ impl Painted {
 struct Contact {
     /// The runs, the earlier one first.
     runs: [usize; 2],
-    /// Where along each of them, in pixels from its first point.
+    /// The place along each of them, in pixels from its first point.
     arcs: [f64; 2],
-    /// How far their middle lines are apart there.
+    /// The distance of their middle lines there.
     gap: f64,
     /// The second one is over the first.
     second_is_over: bool,
@@ -95,7 +96,7 @@ struct Segment {
     layer: (usize, bool),
     from: [f64; 3],
     along: [f64; 3],
-    /// Where it begins along the run.
+    /// Its beginning along the run.
     arc: f64,
     length: f64,
     radius: f64,
@@ -108,7 +109,7 @@ impl Segment {
         std::array::from_fn(|k| self.from[k] + t * self.along[k])
     }
 
-    /// What the rule of the order asks of it, where its middle line has this depth.
+    /// The input to the rule of the order, where its middle line has this depth.
     fn point(&self, depth: f64) -> StrokePoint {
         let reach = stroke_reach(single(self.radius), single(self.along[2]), single(self.length));
         StrokePoint { depth: single(depth), reach, visible: self.layer.1, width: self.width }
@@ -121,8 +122,8 @@ impl Segment {
         if square > 0.0 { (along / square).clamp(0.0, 1.0) } else { 0.0 }
     }
 
-    /// Where on the picture two segments are nearest to each other, as shares of their ways; of parallel ones the
-    /// middle of where they are.
+    /// The places where two segments are nearest to each other on the picture, as shares of their lengths; of parallel
+    /// ones the middle of their common stretch.
     fn nearest(&self, other: &Self) -> [f64; 2] {
         let (d, e) = (self.along, other.along);
         let w = [other.from[0] - self.from[0], other.from[1] - self.from[1]];
@@ -148,8 +149,8 @@ impl Segment {
         sum.map(|sum| sum / count)
     }
 
-    /// Where it touches a segment of a later run, as shares of the ways: at one place, or at two where they go along
-    /// each other and one is over the other on the first part of that, below it on the rest. `None`: nowhere.
+    /// The places where it touches a segment of a later run, as shares of the lengths: one place, or two where they run
+    /// along each other and one is over the other on the first part of that, below it on the rest. `None`: nowhere.
     fn places(&self, later: &Self) -> [Option<[f64; 2]>; 2] {
         let nearest = self.nearest(later);
         let gap = distance(self.at(nearest[0]), later.at(nearest[1]));
@@ -209,7 +210,7 @@ impl Segment {
         later_is_over(later.point(later.at(t)[2]), self.point(self.at(s)[2]))
     }
 
-    /// How it touches a segment of a later run at a place, and where on the picture that is.
+    /// The contact with a segment of a later run at a place, and its position on the picture.
     fn contact(&self, later: &Self, [s, t]: [f64; 2]) -> (Contact, [f64; 2]) {
         let (p, q) = (self.at(s), later.at(t));
         let contact = Contact {
@@ -224,7 +225,7 @@ impl Segment {
     }
 }
 
-/// How far along two strokes with these half widths a place goes where they touch.
+/// Length of a contact along two strokes with these half widths.
 fn extent(radius: f64, other: f64) -> f64 {
     2.0 * (radius + other)
 }
@@ -270,13 +271,13 @@ fn segments(all: &[Painted], drawing: &Drawing) -> Vec<Segment> {
     segments
 }
 
-/// The place of a square among those of the picture; what is beside the picture belongs to those at its border.
+/// The index of a square among those of the picture; places beside the picture belong to those at its border.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates")]
 fn square(v: f64, count: usize) -> usize {
     ((v / SQUARE).max(0.0) as usize).min(count - 1)
 }
 
-/// Where runs of different layers touch, each place once.
+/// The contacts of runs of different layers, each place once.
 fn find_contacts(all: &[Painted], drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Contact>, OverBudget> {
     let segments = segments(all, drawing);
     let count = |side: u32| square(f64::from(side), usize::MAX) + 1;
@@ -318,7 +319,7 @@ fn for_squares(segment: &Segment, columns: usize, rows: usize, mut visit: impl F
     let ([x, y, _], [dx, dy, _]) = (segment.from, segment.along);
     let range = |a: f64, b: f64, count: usize| square(a.min(b) - reach, count)..=square(a.max(b) + reach, count);
     for column in range(x, x + dx, columns) {
-        // The rows that it passes in this column; what is beside the picture is in the columns at its border.
+        // The rows that it passes in this column; parts beside the picture are in the columns at its border.
         let share = |border: f64| if dx == 0.0 { 0.0 } else { (border - x) / dx };
         let left = if column == 0 { x.min(x + dx) } else { column as f64 * SQUARE - reach };
         let right = if column + 1 == columns { x.max(x + dx) } else { (column + 1) as f64 * SQUARE + reach };
@@ -353,7 +354,7 @@ fn one_each(mut found: Vec<Contact>, extent: impl Fn(&Contact) -> f64) -> Vec<Co
     places
 }
 
-/// Who is over each run, and how many it is over.
+/// The runs over each run, and the number of runs that it is over.
 fn neighbours(count: usize, pairs: impl Iterator<Item = [usize; 2]>) -> (Vec<Vec<usize>>, Vec<usize>) {
     let (mut next, mut before) = (vec![Vec::new(); count], vec![0; count]);
     for [from, to] in pairs {
@@ -363,7 +364,7 @@ fn neighbours(count: usize, pairs: impl Iterator<Item = [usize; 2]>) -> (Vec<Vec
     (next, before)
 }
 
-/// Which runs lie over one another in a cycle, or between two cycles.
+/// The runs that lie over one another in a cycle, or between two cycles.
 fn in_cycles(count: usize, contacts: &[Contact]) -> Vec<bool> {
     let mut left = vec![true; count];
     let up = contacts.iter().map(Contact::below_and_over);

@@ -26,14 +26,14 @@ pub struct Run {
     pub points: Vec<[f32; 3]>,
     /// Pixels along the polyline from its first point: dashes go on from one run to the next.
     pub start: f32,
-    /// No face stands before it.
+    /// No face hides it.
     pub visible: bool,
-    /// It ends where the polyline does, and has its arrow head.
+    /// It ends with the polyline, and has its arrow head.
     pub has_end: bool,
 }
 
 impl Run {
-    /// How it is painted; `None`: it is not.
+    /// Its painted style; `None`: not painted.
     #[must_use]
     pub fn style(&self, drawing: &Drawing) -> Option<LineStyle> {
         let style = drawing.strokes.get(self.set)?.style;
@@ -68,7 +68,7 @@ pub(super) fn runs_within(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Ru
     Ok(runs)
 }
 
-/// How many steps may still be done.
+/// Number of steps left.
 pub(super) struct Steps(usize);
 
 impl Default for Steps {
@@ -90,7 +90,7 @@ impl Steps {
     }
 }
 
-/// What is listed in a square counts as so many steps, and a run or a place where two touch as so many.
+/// Steps for an entry of a square, a run, or a contact.
 pub(super) const LISTED: usize = 8;
 pub(super) const KEPT: usize = 64;
 
@@ -201,7 +201,7 @@ struct Faces {
 /// The side of a square in pixels.
 pub(super) const SQUARE: f64 = 32.0;
 
-/// How many squares a side of the picture has, also one for what lies on its border.
+/// Number of squares along a side of the picture, including one for places on its border.
 fn square_count(side: u32) -> usize {
     squares(0.0, f64::from(side), usize::MAX).len()
 }
@@ -210,7 +210,7 @@ impl Faces {
     fn new(drawing: &Drawing, steps: &mut Steps) -> Result<Self, OverBudget> {
         let (columns, rows) = (square_count(drawing.width), square_count(drawing.height));
         let mut all = Self { faces: Vec::new(), columns, rows, squares: vec![Vec::new(); columns * rows] };
-        // What leaves no depth hides nothing, as in a depth buffer.
+        // A surface that leaves no depth hides nothing, as in a depth buffer.
         for surface in drawing.surfaces.iter().filter(|s| s.depth_test && !s.translucent) {
             for triangle in &surface.triangles {
                 let corners = triangle.map(|i| surface.positions.get(i as usize).map(|p| p.map(f64::from)));
@@ -224,7 +224,7 @@ impl Faces {
 
     fn add(&mut self, [a, b, c]: [[f64; 3]; 3], steps: &mut Steps) -> Result<(), OverBudget> {
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        // Also for what is not a number.
+        // Also for NaN.
         if !(area.abs() > 0.0 && area.is_finite()) {
             return Ok(());
         }
@@ -325,14 +325,14 @@ fn squares(from: f64, to: f64, count: usize) -> Range<usize> {
     first.min(count)..end.min(count)
 }
 
-/// How far outside of a face its border reaches, in pixels (negative: outside).
+/// Distance of a face's border outside the face, in pixels (negative: outside).
 const BORDER: f64 = -1e-6;
 
 impl Face {
     /// The part of a segment that lies behind the face; `None` where no part does.
     fn hides(&self, segment: &Segment) -> Option<Range<f64>> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
-        // Where the value at the start and its change along the segment keep a linear function positive.
+        // The part of the segment in which a linear function with this start and change is positive.
         let mut keep = |start: f64, change: f64, least: f64| {
             let zero = -start / change;
             if change > 0.0 {
@@ -419,7 +419,7 @@ mod tests {
 
     #[test]
     fn a_line_through_a_wall_is_hidden_from_where_it_enters() {
-        // Its depth is that of the wall, 0.5, half way; within what counts as the same depth.
+        // Its depth is that of the wall, 0.5, half way; within the tolerance of equal depths.
         let [(_, entry, before), (_, leaving, behind), (_, _, beyond)] =
             found(&[[0.0, 30.0, 0.9], [80.0, 30.0, 0.1]])[..]
         else {
@@ -451,7 +451,7 @@ mod tests {
     #[test]
     fn a_place_is_hidden_behind_a_face_and_behind_the_border_of_two() {
         let drawing = drawing(&[], HiddenLines::Hidden);
-        // Inside a triangle, on the diagonal, on the wall, before it, beside it, outside the picture.
+        // Inside a triangle, on the diagonal, on the wall, in front of it, beside it, outside the picture.
         let places = [
             [50.0, 20.0, 0.2],
             [40.0, 30.0, 0.2],
@@ -481,7 +481,7 @@ mod tests {
         let drawing = drawing(&[[0.0, 30.0, 0.2], [90.0, 30.0, 0.2]], HiddenLines::Hidden);
         let steps = |few| runs_within(&drawing, &mut Steps::few(few)).map(|runs| runs.len());
         assert_eq!(steps(2000), Ok(3));
-        // For the faces alone, and for what the stroke meets.
+        // For the faces alone, and for the contacts of the stroke.
         assert_eq!([steps(100), steps(300)], [Err(OverBudget::Strokes), Err(OverBudget::Strokes)]);
     }
 }

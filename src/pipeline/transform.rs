@@ -67,7 +67,7 @@ impl OnImage {
     pub(super) fn fill(&mut self, vertices: &Vertices, screen: &Screen, crosses: bool, want_inverse_w: bool) {
         let n = vertices.len();
         self.huge = screen.half_width.max(screen.half_height) > 0.5 * 65_536.0;
-        // What is there is overwritten.
+        // The old content is overwritten.
         self.positions.resize(n, [0.0; 3]);
         self.inverse_w.resize(if want_inverse_w { n } else { 0 }, 0.0);
         self.outcodes.resize(if crosses { n } else { 0 }, 0);
@@ -146,8 +146,8 @@ pub(super) struct Screen {
     half_height: f64,
 }
 
-/// Corners of triangles lie on this grid of the pixel, so that what decides about a triangle (its orientation, its
-/// coverage) is exact arithmetic on the very numbers that are drawn.
+/// Corners of triangles lie on this grid of the pixel, so that decisions about a triangle (its orientation, its
+/// coverage) are exact arithmetic on the very numbers that are drawn.
 pub(super) const SUBPIXELS: f64 = 256.0;
 
 impl Screen {
@@ -165,8 +165,8 @@ impl Screen {
         self.half_size() + DVec2::new(ndc.x, -ndc.y) * self.half_size()
     }
 
-    /// How far [`on_grid`] may move a point of this picture, pixels: half a step of the grid in x and in y, and no more
-    /// than that by single precision, as long as that has the steps.
+    /// Greatest distance by which [`on_grid`] moves a point of this picture, pixels: half a step of the grid in x and
+    /// in y, and no more than that by single precision, as long as that has the steps.
     pub(super) fn of_grid(&self) -> f64 {
         let single = 2.0 * self.half_size().max_element() * f64::from(f32::EPSILON);
         2.0 * (0.5 / SUBPIXELS).max(single)

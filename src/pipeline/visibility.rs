@@ -15,7 +15,7 @@ use crate::drawing::{Paint, Surface};
 use crate::limits::MAX_PIECE_BYTES;
 use crate::progress::{Activity, Progress};
 
-/// A surface with what its order is found by.
+/// A surface with the data for sorting it.
 #[derive(Clone, Debug)]
 pub(super) struct Layer {
     /// As it was shaded.
@@ -39,7 +39,7 @@ struct FaceCorner {
 }
 
 impl FaceCorner {
-    /// What it is made of, if these are the vertices of the whole face.
+    /// Its origin, if these are the vertices of the whole face.
     fn origin(&self, of: [u32; 3]) -> VertexOrigin {
         match self.weights.iter().position(|&weight| self.original && weight == 1.0) {
             Some(own) => VertexOrigin::Vertex(of[own]),
@@ -123,17 +123,17 @@ pub(super) fn by_centroid(layers: &[Layer], projector: &Projector, screen: &Scre
     (painter.surfaces, pieces.len())
 }
 
-/// What there is too much of to be put in order by splitting: pieces of the faces of these layers.
+/// An exceeded budget of splitting: pieces of the faces of these layers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct TooManyPieces {
-    /// How many had been made.
+    /// Number of pieces made.
     pub(super) pieces: usize,
-    /// How many were of each layer.
+    /// Number of pieces of each layer.
     pub(super) of_layer: Vec<usize>,
 }
 
-/// In an order that is right for each two faces: a tree of planes of faces; what crosses a plane is split (Fuchs, Kedem
-/// and Naylor 1980).
+/// Sorts in an order that is right for each two faces: a tree of planes of faces; faces that cross a plane are split
+/// (Fuchs, Kedem and Naylor 1980).
 ///
 /// # Errors
 /// [`TooManyPieces`] where there would be more than `max_pieces`, or they would take more than [`MAX_PIECE_BYTES`].
@@ -189,7 +189,7 @@ pub(super) fn by_splitting(
     Ok((painter.surfaces, ordered.len()))
 }
 
-/// How much splitting has made.
+/// The work of splitting so far.
 struct Made {
     of_layer: Vec<usize>,
     pieces: usize,
@@ -205,7 +205,7 @@ impl Made {
         Self { of_layer, pieces, bytes: pieces * bytes(3), max_pieces }
     }
 
-    /// A piece with so many corners has become two, with so many.
+    /// Records that a piece with `whole` corners has become two.
     fn split(&mut self, layer: usize, whole: usize, [front, back]: [usize; 2]) {
         self.of_layer[layer] += 1;
         self.pieces += 1;
@@ -221,7 +221,7 @@ impl Made {
     }
 }
 
-/// What a piece with so many corners takes in memory.
+/// Memory of a piece with this number of corners.
 fn bytes(corners: usize) -> usize {
     size_of::<Piece>() + corners * size_of::<FaceCorner>()
 }
@@ -244,7 +244,7 @@ fn pieces(layers: &[Layer]) -> (Vec<Piece>, Sides) {
     (all, sides)
 }
 
-/// A plane in view space, by which faces are parted. A point of it is kept, and not its distance from the eye, so that
+/// A plane in view space that separates faces. It stores a point of it, and not its distance from the eye, so that
 /// differences are taken before products.
 #[derive(Clone, Copy, Debug)]
 struct SplitPlane {
@@ -277,7 +277,7 @@ impl SplitPlane {
         if projector.perspective { self.normal.dot(self.point) <= 0.0 } else { self.normal.z >= 0.0 }
     }
 
-    /// How many of `set` it splits, and how unevenly it divides the rest.
+    /// Number of `set` that it splits, and the imbalance of the rest.
     fn cost(&self, set: &[Piece], tolerance: f64) -> usize {
         let (mut front, mut back, mut split) = (0_usize, 0_usize, 0_usize);
         for piece in set {

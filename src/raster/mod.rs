@@ -4,6 +4,21 @@
 //! threads as there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and
 //! with their depth, come strokes (`line`), areas, marks and texts (`label`). The bytes do not depend on the number of
 //! threads.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `batch` | eight triangles at a time: their boxes, and their setup for filling |
+//! | `bins` | the triangles that touch each band of rows, in the order of drawing |
+//! | `coverage` | coverage of pixels by strokes, and the order of strokes in depth |
+//! | `depth` | the depth of the visible surface at each pixel |
+//! | `fill` | a band of rows: its triangles → its samples |
+//! | `label` | filled areas, point marks and texts on the picture |
+//! | `line` | strokes: the visible parts of a polyline, its dashes, its arrow head |
+//! | `per_pixel` | light, textures and translucent colours between vertices: computed at each pixel, eight at a time |
+//! | `pixel` | colours as pixels: premultiplied bytes in one `u32`, red lowest |
+//! | `setup` | coverage of a triangle, and values that are affine over it |
+//! | `shade` | the colours of triangles' pixels, eight at a time |
+//! | `surfaces` | all surfaces of a picture: bands of rows, each painted on its own, by as many threads as there are |
 
 mod batch;
 mod bins;

@@ -59,7 +59,7 @@ pub enum ReadProblem {
         named_by: NamedBy,
     },
     /// With it, the figure would make the program read more than any figure needs.
-    #[error("was not read, because with it the files of this figure exceed {} MiB; allowed: less for all of them together", MAX_SCENE_BYTES >> 20)]
+    #[error("was not read, because with it the files of this figure exceed {} MiB; allowed: less than that for all of them together", MAX_SCENE_BYTES >> 20)]
     Budget,
     /// A figure names it that came without a folder.
     #[error(

@@ -1,9 +1,9 @@
-//! How several pictures share a room, on a screen or on a sheet.
+//! Arrangements of several pictures, on a screen or on a sheet.
 
 use super::View;
 use crate::camera::ImageSize;
 
-/// How several pictures share the room.
+/// An arrangement of several pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Arrangement {
     /// Side by side.
@@ -20,7 +20,7 @@ impl Arrangement {
     /// All.
     pub const ALL: [Self; 4] = [Self::Row, Self::Column, Self::Above, Self::Beside];
 
-    /// What the first of three pictures has of the room, where nobody has said otherwise; the two others have the same.
+    /// The default share of the first of three pictures; the two others have the same.
     #[must_use]
     pub const fn share_of_first(self) -> f32 {
         match self {
@@ -30,8 +30,8 @@ impl Arrangement {
         }
     }
 
-    /// The arrangement in which so many pictures use most of a room; where two are about as good, the one that is named
-    /// first. `used`: the area that they use, in any unit.
+    /// The arrangement in which `count` pictures use most of a room; where two are about as good, the first one.
+    /// `used`: the area that they use, in any unit.
     #[must_use]
     pub fn best(count: usize, used: impl Fn(Self) -> f32) -> Self {
         let candidates: &[Self] = if count < 3 { &[Self::Column] } else { &[Self::Above, Self::Beside, Self::Column] };
@@ -40,7 +40,7 @@ impl Arrangement {
     }
 }
 
-/// Width by height of what a picture shows; very long images count as less so, because their room cannot follow them.
+/// Width by height of a picture's content; very long images count as less so, because their place cannot follow them.
 #[must_use]
 pub fn aspect_shown(view: View, image: ImageSize) -> f32 {
     match view {

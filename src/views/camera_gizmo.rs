@@ -24,7 +24,7 @@ impl Gear {
         }
     }
 
-    /// Where VUP's arrow ends.
+    /// The tip of VUP's arrow.
     pub(super) fn view_up_tip(&self, camera: &Camera) -> DVec3 {
         let up = crate::geometry::try_unit(camera.view_up()).unwrap_or(DVec3::Y);
         camera.position() + up * (1.35 * self.axis)

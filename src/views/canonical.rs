@@ -25,9 +25,9 @@ use super::{Labels, Palette, Request, label_layout, probe, triangle_overlay};
 
 /// The canonical volume.
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
-/// How far the axes reach from the middle of the cube.
+/// Length of the axes from the middle of the cube.
 const AXIS: f64 = 1.42;
-/// How much around the cube is in the picture where what lies outside is shown.
+/// Size of the visible space around the cube where the outside is shown.
 const BEYOND: f64 = 1.5;
 const ISO: Direction = Direction { azimuth: 32.0, elevation: 20.0, roll: 0.0, parallel: false };
 

@@ -1,7 +1,7 @@
-//! The canonical volume of a convention of NDC, where the picture shows it.
+//! The canonical volume of a convention of NDC, as placed in the picture.
 //!
-//! Everything stands as the camera sees it, x to the right, up upwards and the near face in front, whatever the
-//! convention: what differs is how deep the box is, where its origin lies, and which way y_n and z_n point.
+//! Everything is placed as the camera sees it, x to the right, up upwards and the front face in front, whatever the
+//! convention: the differences are the depth of the box, its origin, and the directions of y_n and z_n.
 
 use glam::{DMat4, DVec3};
 
@@ -77,7 +77,7 @@ impl CanonicalBox {
         DVec3::new(shown.x, self.up() * shown.y, Self::side(self.ndc) * shown.z)
     }
 
-    /// Where the picture shows what the notes' NDC show at a place.
+    /// The place in the picture of a place in the notes' NDC.
     pub(super) fn place(&self, of_notes: DVec3) -> DVec3 {
         of_notes.with_z(self.scale * of_notes.z + self.offset)
     }
@@ -104,7 +104,7 @@ mod tests {
     use crate::camera::{ImageSize, Parameters, Viewport};
     use crate::pipeline::project::displayed_ndc;
 
-    /// What is shown where, read as NDC, is what the model says of the point.
+    /// The displayed position, read as NDC, is that of the model.
     #[test]
     fn places_in_the_picture_are_the_ndc_of_the_convention() {
         for projection in [Projection::Perspective, Projection::Parallel] {

@@ -1,4 +1,4 @@
-//! What the entries of the matrices measure in the world: components of axes and points, coordinates along an axis,
+//! Measures of the entries of the matrices in the world: components of axes and points, coordinates along an axis,
 //! sides of the window.
 
 use glam::DVec3;
@@ -88,7 +88,7 @@ pub(super) fn lettered(builder: &mut GearBuilder, [from, to]: [DVec3; 2], text: 
     builder.text(middle, text, across, SMALL_TYPE, pen.color);
 }
 
-/// The symbol and the number; `None` for what is drawn elsewhere.
+/// The symbol and the number; `None` for measures drawn elsewhere.
 fn text(request: &Request, measured: Measured) -> Option<String> {
     let (camera, axes) = (&request.camera, axes(request));
     let (window, c) = (camera.window(), camera.position());

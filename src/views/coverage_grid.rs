@@ -1,10 +1,10 @@
-//! Which parts of a picture bodies cover: a text that stands there hides what the picture is about.
+//! The parts of a picture that bodies cover: a text there would hide the subject of the picture.
 
 use glam::DVec2;
 
 use crate::drawing::{Drawing, Paint};
 
-/// How many cells the shorter side of a picture has.
+/// Number of cells along the shorter side of a picture.
 const CELLS: u32 = 90;
 /// The least side of a cell in pixels.
 const LEAST: f64 = 3.0;
@@ -16,12 +16,12 @@ pub(super) struct Solids {
     cell: f64,
     columns: usize,
     rows: usize,
-    /// How many covered cells lie above and to the left of each corner of a cell, by rows.
+    /// Number of covered cells above and to the left of each corner of a cell, by rows.
     sums: Vec<u32>,
 }
 
 impl Solids {
-    /// What the faces of a drawing cover, glass not counted.
+    /// The area covered by the faces of a drawing, glass not counted.
     pub(super) fn of(drawing: &Drawing) -> Self {
         let cell = (f64::from(drawing.width.min(drawing.height)) / f64::from(CELLS)).max(LEAST);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of cells")]
@@ -58,7 +58,7 @@ impl Solids {
     }
 }
 
-/// True for a triangle that hides what is behind it; `first`: the first of its vertices.
+/// Whether a triangle hides anything behind it; `first`: the first of its vertices.
 fn is_opaque(paint: &Paint, triangle: usize, first: u32) -> bool {
     let alpha = match paint {
         Paint::Solid(color) => Some(color.a),

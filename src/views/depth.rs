@@ -1,4 +1,4 @@
-//! The image as depths: what the depth buffer holds, as grey levels and as numbers.
+//! The image as depths: the content of the depth buffer, as grey levels and as numbers.
 
 use glam::DVec2;
 
@@ -17,7 +17,7 @@ use super::{Palette, Request, hits};
 /// The numbers of one pixel of the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthReading {
-    /// Z, what the depth buffer holds, `[0]` Eq. (5.25).
+    /// Z, in the depth buffer, `[0]` Eq. (5.25).
     pub z: f64,
     /// z_n, in the convention of the request.
     pub ndc_z: f64,
@@ -25,7 +25,7 @@ pub struct DepthReading {
     pub distance: f64,
 }
 
-/// What the depth buffer holds where the ray through a point (x_p, y_p) of the view window goes; `None` where no opaque
+/// The content of the depth buffer on the ray through a point (x_p, y_p) of the view window; `None` where no opaque
 /// face is drawn.
 #[must_use]
 pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
@@ -33,7 +33,7 @@ pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
     let ray = camera.ray_through_window(point);
     let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
     let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
-    // What is divided first is not a depth where it is wrong: it is drawn as glass.
+    // Faces divided first have no depth where they are wrong: they are drawn as glass.
     let right = request.shot.look.reveal.divide_first.then(|| divided_first(&request.scene, camera, 1.0).right);
     let hit = hits::first_opaque(right.as_ref().unwrap_or(&request.scene), from, to)?;
     let space = camera.possible_clip_space(request.shot.ndc);
@@ -42,12 +42,12 @@ pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
     Some(DepthReading { z: viewport.z, ndc_z: ndc.z, distance: -stations.view.z })
 }
 
-/// What a triangle finds in the depth buffer: drawings of faces without colours, m × n pixels, one sample each.
+/// The inputs of the depth test of a triangle: drawings of faces without colours, m × n pixels, one sample each.
 #[derive(Clone, Debug)]
 pub struct DepthTest {
     /// The triangle alone.
     pub alone: Drawing,
-    /// What is drawn before it.
+    /// The faces drawn before it.
     pub before: Drawing,
     scale: DepthScale,
     greys: Greys,
@@ -60,7 +60,7 @@ impl DepthTest {
         let plain = request.clone().with_shot(|shot| shot.look.reveal.depth = Depth::Stored);
         let mut scene = Scene::clone(&request.scene);
         only(&mut scene);
-        // As it is stored, not resolved over what is in view.
+        // As it is stored, not resolved over the depths in view.
         let options = Options { followed: Some((object, triangle)), depth_of_volume: true, ..Options::default() };
         let image = request.shot.look.image;
         let target = Target { width: image.width, height: image.height, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
@@ -70,7 +70,7 @@ impl DepthTest {
         let mut drawing = Drawing { strokes: Vec::new(), marks: Vec::new(), labels: Vec::new(), ..frame.drawing };
         drawing.surfaces.iter_mut().for_each(|surface| {
             surface.depth_test = true;
-            // Only their depths are asked for.
+            // Only their depths matter.
             surface.paint = Paint::Solid(Rgba::rgb(0, 0, 0));
         });
         let own = drawing.surfaces.get(followed.surface)?;
@@ -79,7 +79,7 @@ impl DepthTest {
         let alone = Surface { triangles, translucent: false, ..own.clone() };
         let mut before = drawing.clone();
         if is_translucent {
-            // It comes after all that is opaque.
+            // It comes after all opaque faces.
             before.surfaces.retain(|surface| !surface.translucent);
         } else {
             before.surfaces.truncate(followed.surface + 1);
@@ -104,7 +104,7 @@ pub(super) fn style(style: &Style) -> Style {
     Style { shading: Shading::Flat, visibility: Visibility::DepthBuffer, ..*style }
 }
 
-/// Leaves of a scene what has depth: its faces, without light.
+/// Removes from a scene all but its faces, and their light.
 pub(super) fn only(scene: &mut Scene) {
     scene.lights.clear();
     scene.lines.clear();
@@ -118,7 +118,7 @@ pub(super) fn only(scene: &mut Scene) {
 pub(super) struct Greys {
     /// F / B; 1 in parallel projection, where all is affine.
     near_over_far: f64,
-    /// What a depth of 1 at F and 0 at B means.
+    /// The meaning of a depth of 1 at F and 0 at B.
     volume: DepthScale,
     /// Z at F and at B; `None`: distances.
     range: Option<[f64; 2]>,
@@ -186,7 +186,7 @@ impl Greys {
         (self.near_over_far + depth * (1.0 - self.near_over_far)) as f32
     }
 
-    /// The levels from F to B with their numbers, and what has none.
+    /// The levels from F to B with their numbers, and the background.
     pub(super) fn legend(self, request: &Request, palette: Palette) -> Vec<LegendRow> {
         const STEPS: u32 = 40;
         let (camera, labels) = (&request.camera, request.labels);

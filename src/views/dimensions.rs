@@ -17,11 +17,11 @@ pub(super) struct Span<'a> {
     /// From the points to the line.
     pub(super) aside: DVec3,
     pub(super) text: &'a str,
-    /// What is left out between the ends, as shares of the way.
+    /// The gap between the ends, as shares of the length.
     pub(super) gap: Option<[f64; 2]>,
 }
 
-/// How strong a dimension line is.
+/// The stroke of a dimension line.
 #[derive(Clone, Copy)]
 pub(super) struct Pen {
     pub(super) color: Rgba,
@@ -91,7 +91,7 @@ pub(super) fn in_world(
     }
 }
 
-/// How far below the axis the lowest of the dimension lines lies, in lengths of the camera's axes.
+/// Distance of the lowest of the dimension lines below the axis, in lengths of the camera's axes.
 pub(super) const LOWEST: f64 = 1.75;
 
 fn one(builder: &mut GearBuilder, request: &Request, volume: &DrawnVolume, gear: Gear, measure: Measure, pen: Pen) {

@@ -1,4 +1,4 @@
-//! What there is to see in the world: how large it is, and what of it a picture should hold.
+//! The visible content of the world: its size, and the part of it that a picture should hold.
 
 use glam::{DVec2, DVec3};
 
@@ -10,7 +10,7 @@ use super::Request;
 use super::observer::Direction;
 use super::volume::DrawnVolume;
 
-/// The boxes of what the world shows.
+/// The boxes of the world's content.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Content {
     scene: Option<Aabb>,
@@ -52,7 +52,7 @@ impl Content {
         content
     }
 
-    /// How far the content extends.
+    /// The radius of the content.
     pub(super) fn radius(&self) -> f64 {
         self.core.radius()
     }
@@ -62,7 +62,7 @@ impl Content {
         Aabb::around(self.volume.all_corners()).map_or(self.core, |volume| volume.union(self.core))
     }
 
-    /// Where the axes of the world end: each a little outside of the scene; `None` where the origin is out of sight.
+    /// The tips of the axes of the world: each a little outside the scene; `None` where the origin is out of sight.
     pub(super) fn axis_tips(&self) -> Option<[DVec3; 3]> {
         let around = self.scene.unwrap_or(self.core);
         let largest = around.min.abs().max(around.max.abs()).max_element();
@@ -109,13 +109,13 @@ impl Ground {
     }
 }
 
-/// Where the corner of [`Viewpoint::Iso`](super::observer::Viewpoint::Iso) is: to the side of the camera and a little
-/// behind it, so that its axis runs across the picture from left to right and the image on its window is not seen from
-/// the back.
+/// The direction of [`Viewpoint::Iso`](super::observer::Viewpoint::Iso): to the side of the camera and a little behind
+/// it, so that its axis runs across the picture from left to right and the image on its window is not seen from the
+/// back.
 pub(super) fn iso_direction(camera: &Camera) -> Direction {
     const ASIDE: f64 = 60.0;
     let n = camera.basis().n;
-    // A camera that looks straight down stands, as a map does, with **v** to the back.
+    // A camera that looks straight down is placed, as a map is, with **v** to the back.
     let flat = if n.x.hypot(n.z) > 0.1 { n } else { camera.basis().v * -n.y.signum() };
     let azimuth = flat.x.atan2(flat.z).to_degrees();
     Direction { azimuth: (azimuth + ASIDE).round().rem_euclid(360.0), elevation: 20.0, roll: 0.0, parallel: false }

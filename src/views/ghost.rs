@@ -104,7 +104,7 @@ fn turn(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, 
     builder.arrows(Some(arc), palette.probe);
 }
 
-/// The way of a point that turns about an axis; more than two full turns are not told apart.
+/// The path of a point that turns about an axis; more than two full turns are not distinguished.
 fn arc(axis: Ray, from: DVec3, radians: f64) -> Vec<DVec3> {
     const STEPS: u32 = 96;
     let angle = radians.clamp(-2.0 * std::f64::consts::TAU, 2.0 * std::f64::consts::TAU);

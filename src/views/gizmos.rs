@@ -16,7 +16,7 @@ use super::screen::Screen;
 pub(super) const TYPE: f32 = 14.0;
 /// Height of small letters.
 pub(super) const SMALL_TYPE: f32 = 11.5;
-/// What a text keeps free around its point, in pixels at scale 1.
+/// Free space around the point of a text, in pixels at scale 1.
 const GAP: f64 = 7.0;
 
 /// A stroke with the hidden-line rule of the figure.

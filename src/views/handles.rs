@@ -1,4 +1,4 @@
-//! What can be taken with the pointer in the world: where it is on the screen, and what dragging it does.
+//! The handles of the world: their places on the screen, and the effect of dragging them.
 
 use glam::{DVec2, DVec3};
 
@@ -33,7 +33,7 @@ pub fn handle_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Handle
         .map(|(handle, _)| handle)
 }
 
-/// Where the handles are in the world.
+/// The places of the handles in the world.
 pub(super) fn on_screen(request: &Request, screen: &Screen, volume: &DrawnVolume) -> Vec<(Handle, DVec3)> {
     let camera = &request.camera;
     let mut all = vec![
@@ -113,7 +113,7 @@ pub(super) struct Grip<'a> {
 }
 
 impl Grip<'_> {
-    /// How far a point goes with the pointer, on its horizontal plane or vertically.
+    /// The displacement of a point with the pointer, on its horizontal plane or vertically.
     fn shift(&self, p: DVec3, vertical: bool) -> DVec3 {
         /// Below this elevation a step of the pointer would throw a point on the ground too far.
         const EDGE_ON: f64 = 8.0;
@@ -128,7 +128,7 @@ impl Grip<'_> {
         hit(self.to) - hit(self.from)
     }
 
-    /// How far a point goes with the pointer in the plane through it that is parallel to the picture.
+    /// The displacement of a point with the pointer in the plane through it that is parallel to the picture.
     fn in_picture(&self, p: DVec3) -> DVec3 {
         let [_, _, back] = self.observer.axes();
         let hit = |ray: Ray| {
@@ -139,13 +139,13 @@ impl Grip<'_> {
         if shift.is_finite() { shift } else { DVec3::ZERO }
     }
 
-    /// How far the point of a line nearest to the pointer's ray goes; `None` where the line is seen end-on.
+    /// The displacement of the point of a line nearest to the pointer's ray; `None` where the line is seen end-on.
     pub(super) fn along(&self, origin: DVec3, direction: DVec3) -> Option<f64> {
         let (from, to) = self.places_along(origin, direction)?;
         Some(to - from)
     }
 
-    /// Where on a line (from `origin`, in lengths of its unit `direction`) the points nearest to the two rays are;
+    /// The places on a line (from `origin`, in lengths of its unit `direction`) of the points nearest to the two rays;
     /// `None` where the line is seen end-on.
     pub(super) fn places_along(&self, origin: DVec3, direction: DVec3) -> Option<(f64, f64)> {
         let nearest = |ray| nearest_on_line(origin, direction, ray);
@@ -153,8 +153,8 @@ impl Grip<'_> {
     }
 }
 
-/// Where a ray meets the plane y = `height`. A ray at or over the horizon is bent down (or up) to it, so that a point
-/// dragged there goes far, but neither to infinity nor behind the eye.
+/// The point where a ray meets the plane y = `height`. A ray at or over the horizon is bent down (or up) to it, so that
+/// a point dragged there goes far, but neither to infinity nor behind the eye.
 fn on_horizontal(ray: Ray, height: f64, observer: &Observer) -> DVec3 {
     const LEAST_SLOPE: f64 = 0.03;
     let side = observer.elevation.signum();
@@ -351,7 +351,7 @@ mod tests {
             let place = |h| places.iter().find(|(handle, _)| *handle == h).unwrap().1;
             let apart = place(Handle::Near).distance(place(Handle::Position));
             assert!((15.0..25.0).contains(&apart), "{apart} px");
-            // It still moves by what the pointer moves along the axis.
+            // It still moves by the pointer's motion along the axis.
             let step = camera.direction_of_projection() * 0.5;
             let to = screen.place(camera.position() + step).unwrap();
             let from = screen.place(camera.position()).unwrap();

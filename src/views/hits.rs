@@ -1,4 +1,4 @@
-//! Where a segment meets the faces of a scene.
+//! Intersections of a segment with the faces of a scene.
 
 use glam::DVec3;
 
@@ -25,13 +25,13 @@ pub(super) fn fronts_only(object: &Object) -> bool {
     !object.two_sided && !object.mesh.closed
 }
 
-/// Where a segment first meets a face: 0 at `from`, 1 at `to`.
+/// The first intersection of a segment with a face: 0 at `from`, 1 at `to`.
 pub(super) fn first_crossing(scene: &Scene, from: DVec3, to: DVec3) -> Option<f64> {
     let faced = scene.objects.iter().filter(|o| o.faces);
     faced.filter_map(|o| crossing(o, from, to, false)).min_by(f64::total_cmp)
 }
 
-/// True where no face stands between a camera's near plane and a point.
+/// Whether no face hides a point behind a camera's front plane.
 pub(super) fn can_be_seen(p: DVec3, faces: &Scene, camera: &Camera) -> bool {
     let depth = -camera.view_point(p).z;
     let to_eye = match camera.projection() {

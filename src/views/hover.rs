@@ -1,4 +1,4 @@
-//! What only the pointer makes: what is pointed at, tried, and can be dragged. No file holds it.
+//! The hover: its target, its preview, and its handles, made by the pointer alone. No file holds it.
 
 use glam::{DMat4, DVec2, DVec3};
 
@@ -7,25 +7,25 @@ use crate::camera::{Camera, Convention, ImageSize, Operation};
 use crate::figure::{Measured, ShownProbe, TriangleStep};
 use crate::scene::transform::Trs;
 
-/// What only the pointer makes, in the pictures of a frame.
+/// The part of the pictures of a frame made by the pointer alone.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hover {
-    /// What is under the pointer, marked in all three pictures where nothing is pinned.
+    /// The target under the pointer, marked in all three pictures where nothing is pinned.
     pub probe: Option<Probe>,
     /// The operation that is being tried, shown in the world.
     pub ghost: Option<Ghost>,
     /// The handle under the pointer, drawn stronger, in the world.
     pub hovered: Option<Handle>,
-    /// By this what is selected can be moved, turned or scaled, in the world.
+    /// The gizmo that moves, turns or scales the selection, in the world.
     pub gizmo: Option<TransformGizmo>,
-    /// What is pointed at in a panel: these lengths, angles and coordinates are shown in the world.
+    /// The target in a panel: these lengths, angles and coordinates are shown in the world.
     pub measured: Vec<Measured>,
     /// The object of which parts are pointed at.
     pub object: Option<ObjectTransform>,
 }
 
 impl Hover {
-    /// What a picture shows of it.
+    /// The part of it that a picture shows.
     #[must_use]
     pub fn seen_in(&self, view: View) -> Self {
         match view {
@@ -38,7 +38,7 @@ impl Hover {
 /// The transform of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectTransform {
-    /// What its parent does to it.
+    /// The transform of its parent.
     pub world_from_parent: DMat4,
     /// Its own.
     pub trs: Trs,
@@ -47,13 +47,13 @@ pub struct ObjectTransform {
 /// A triangle that is followed step by step, as the pictures show it. Points are of the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TriangleOverlay {
-    /// Which step lights up.
+    /// The highlighted step.
     pub step: TriangleStep,
     /// Its corners, a, b, c.
     pub corners: [DVec3; 3],
     /// Those of them that are outside of a plane.
     pub outside: [bool; 3],
-    /// What clipping leaves of it, with the names of its corners.
+    /// The rest of it after clipping, with the names of its corners.
     pub left: Vec<(char, DVec3)>,
     /// Rows of pixels of the image, m × n, that it covers: j, the first i and the one after the last.
     pub rows: Vec<[u32; 3]>,
@@ -61,7 +61,7 @@ pub struct TriangleOverlay {
     pub pixel: Option<[u32; 2]>,
 }
 
-/// What is pointed at.
+/// The target of the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Probe {
     /// A point of the world, such as a vertex.
@@ -71,7 +71,7 @@ pub enum Probe {
 }
 
 impl Probe {
-    /// What a probe of a figure is to a camera with an image of this size.
+    /// The probe of a figure for a camera with an image of this size.
     #[must_use]
     pub fn of(shown: ShownProbe, camera: &Camera, image: ImageSize) -> Self {
         match shown {
@@ -91,7 +91,7 @@ impl Probe {
 pub struct Ghost {
     /// The camera before.
     pub before: Camera,
-    /// What is done to it.
+    /// The operation.
     pub operation: Operation,
     /// The sign rule of rotations.
     pub convention: Convention,
@@ -112,7 +112,7 @@ pub enum Handle {
     Far,
 }
 
-/// What a [`TransformGizmo`] does; the letters are those of the fields.
+/// The mode of a [`TransformGizmo`]; the letters are those of the fields.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Transforming {
     /// Three arrows move (T).
@@ -124,10 +124,10 @@ pub enum Transforming {
     Scale,
 }
 
-/// Where the gizmo stands.
+/// The placement of the gizmo.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransformGizmo {
-    /// What it does.
+    /// Its mode.
     pub does: Transforming,
     /// Its middle (world).
     pub origin: DVec3,
@@ -137,10 +137,10 @@ pub struct TransformGizmo {
     pub hovered: Option<GizmoPart>,
 }
 
-/// What can be taken of a [`TransformGizmo`].
+/// A part of a [`TransformGizmo`] that can be dragged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GizmoPart {
-    /// That of an axis: 0 is x.
+    /// The part of an axis: 0 is x.
     Axis(usize),
     /// The middle.
     Middle,

@@ -35,7 +35,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let paper = if greys.is_some() { palette.nothing } else { palette.paper };
     let style = match (greys, request.shot.look.reveal.divide_first) {
         (Some(_), _) => depth::style(style),
-        // What is wrong is drawn for itself, and only a depth buffer brings both together.
+        // The wrong part is drawn by itself, and only a depth buffer combines both.
         (None, true) => Style { visibility: Visibility::DepthBuffer, ..*style },
         (None, false) => *style,
     };
@@ -64,7 +64,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         );
     }
     if request.finish.bare {
-        // What it is painted on has the texts of the scene itself.
+        // The drawing below has the texts of the scene itself.
         drawn.drawing.labels.clear();
     }
     let mut rows = revealed.rows;
@@ -107,7 +107,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     drawn
 }
 
-/// Adds what another drawing shows in the same place, with the same depths.
+/// Adds the content of another drawing in the same place, with the same depths.
 fn add(drawing: &mut Drawing, more: Drawing) {
     drawing.surfaces.extend(more.surfaces);
     drawing.surfaces.iter_mut().for_each(|surface| surface.depth_test = true);

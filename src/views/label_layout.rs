@@ -1,4 +1,4 @@
-//! Where the texts of a picture stand, so that none covers another, a mark or a strong line, and none is cut off.
+//! The layout of the texts of a picture, so that none covers another, a mark or a strong line, and none is cut off.
 
 use glam::DVec2;
 
@@ -32,7 +32,7 @@ impl Box2 {
         self.part_inside(a, b).map_or(0.0, |[from, to]| (to - from) * (b - a).length())
     }
 
-    /// From where to where along a segment it is inside, 0 … 1 (Liang and Barsky 1984).
+    /// The part of a segment inside it, 0 … 1 (Liang and Barsky 1984).
     pub(super) fn part_inside(&self, a: DVec2, b: DVec2) -> Option<[f64; 2]> {
         let (from, d) = (a - self.center, b - a);
         let (mut t0, mut t1) = (0.0_f64, 1.0_f64);
@@ -51,22 +51,22 @@ impl Box2 {
     }
 }
 
-/// How labels give way to each other.
+/// The rules by which labels give way to each other.
 pub(super) struct Rules<'a> {
     /// Lines in these colours may be covered.
     pub(super) background: &'a [Rgba],
-    /// What must stay free.
+    /// The area that must stay free.
     pub(super) reserved: Option<Box2>,
     /// The texts that have the choice before all others, the first of them first; of the rest, larger ones come first.
     pub(super) first: &'a [&'a str],
     /// Texts in this colour are left out where they would cover a body.
     pub(super) dispensable: Option<Rgba>,
-    /// Colour and width of the lines that lead from a text to its point where there is no room beside it.
+    /// Colour and width of the lines that lead from a text to its point where there is no space beside it.
     pub(super) leader: Option<(Rgba, f32)>,
 }
 
-/// Places the labels of a drawing: the offset of each is the direction and distance that it would like. One that finds
-/// no free place stands farther off with a line that leads to its point; where there is none either, it is left out.
+/// Places the labels of a drawing: the offset of each is its preferred direction and distance. One that finds no free
+/// place is put farther off with a line that leads to its point; where there is none either, it is left out.
 pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
     if drawing.labels.is_empty() {
         return;
@@ -101,12 +101,12 @@ pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
     }
 }
 
-/// What a text should not stand on.
+/// The areas that a text should avoid.
 struct Taken {
     picture: DVec2,
     /// Marks, and the heads of arrows.
     marks: Vec<Box2>,
-    /// Texts, and what is reserved.
+    /// Texts, and the reserved area.
     texts: Vec<Box2>,
     /// The lines from texts to their points.
     leaders: Vec<[DVec2; 2]>,
@@ -130,7 +130,7 @@ impl Taken {
         }
     }
 
-    /// Takes up a text: there are thousands of lines in a picture, and few where it may stand.
+    /// Prepares for a text: there are thousands of lines in a picture, and few near its places.
     fn come_near(&mut self, label: &Label) {
         let (at, half) = (point(label.position), half_size(&label.text, label.size));
         let far = f64::from(label.size) * FARTHEST + f64::from(label.offset[0]).hypot(f64::from(label.offset[1]));
@@ -147,11 +147,11 @@ impl Taken {
         self.solids.share(place.center, place.half)
     }
 
-    /// How bad a place is; infinite where a text must not stand.
+    /// The cost of a place; infinite where a text must not be.
     fn cost(&self, candidate: &Candidate) -> f64 {
         /// Standing wholly before a body; less than standing far off with a line.
         const BEFORE_A_BODY: f64 = 9.0;
-        /// How near texts come to each other, in ems.
+        /// Smallest distance between texts, in ems.
         const APART: f64 = 0.18;
         let Candidate { place: b, em, .. } = *candidate;
         let (low, high) = (b.center - b.half, b.center + b.half);
@@ -181,7 +181,7 @@ impl Taken {
 /// From this cost on, a text covers a mark or the head of an arrow.
 const COVERS: f64 = 40.0;
 
-/// What a text must not cover: marks, and the heads of arrows.
+/// The areas that a text must not cover: marks, and the heads of arrows.
 fn marked(drawing: &Drawing) -> Vec<Box2> {
     let marks = drawing.marks.iter().map(|m| (point(m.position), f64::from(m.radius)));
     let heads = drawing.strokes.iter().filter(|s| s.style.arrow).flat_map(|s| {
@@ -215,9 +215,9 @@ fn point(p: [f32; 3]) -> DVec2 {
     DVec2::new(f64::from(p[0]), f64::from(p[1]))
 }
 
-/// How bad it is to cover a part of a line that is as long as a letter is high.
+/// Cost of covering a part of a line that is as long as a letter is high.
 const PLAIN: f64 = 1.2;
-/// The same, of an arrow's shaft.
+/// The same for an arrow's shaft.
 const STRONG: f64 = 3.0;
 
 /// The segments that a text should not cover, and how bad that is.
@@ -259,7 +259,7 @@ impl Candidate {
     }
 }
 
-/// How far off a text stands at most, in heights of its type.
+/// Greatest distance of a text, in heights of its type.
 const FARTHEST: f64 = 6.0;
 
 /// Places around a label's point and how little each is liked; those farther off if a line may lead to the point.
@@ -289,7 +289,7 @@ fn candidates(label: &Label, leaders: bool) -> impl Iterator<Item = Candidate> +
     })
 }
 
-/// Half the width and height in pixels of what a text takes around its middle, its halo included.
+/// Half the width and height in pixels of a text around its middle, its halo included.
 pub(super) fn half_size(text: &str, size: f32) -> DVec2 {
     /// The part of the halo that should stay free, in ems.
     const HALO: f64 = 0.08;

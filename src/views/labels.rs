@@ -7,7 +7,7 @@ use crate::pipeline::{NEAR, PlaneSet};
 /// The few words in the pictures; symbols (C, PF, u, v, n …) are the same in every language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Labels {
-    /// How numbers are written.
+    /// The number format.
     pub mark: DecimalMark,
     /// The view window.
     pub window: &'static str,
@@ -29,7 +29,7 @@ pub struct Labels {
     pub depth_stored: &'static str,
     /// Heading of a picture of distances.
     pub depth_linear: &'static str,
-    /// Where a picture of depths has none.
+    /// The label of pixels without a depth.
     pub nothing: &'static str,
     /// Parts outside the view volume.
     pub outside: &'static str,
@@ -45,9 +45,9 @@ pub struct Labels {
     pub planes: [&'static str; 6],
     /// The divide comes before clipping.
     pub divided_first: &'static str,
-    /// What comes of it, where anything is behind the eye.
+    /// The result, where anything is behind the eye.
     pub wrong: &'static str,
-    /// What comes of it otherwise.
+    /// The result otherwise.
     pub no_difference: &'static str,
     /// Depth that is 1 at F and 0 at B.
     pub reversed: &'static str,
@@ -79,12 +79,13 @@ pub struct Labels {
     pub horizon: &'static str,
     /// Before the first step of the way to the canonical volume.
     pub world: &'static str,
-    /// What each step does, in the order of [`Step`].
+    /// The effect of each step, in the order of [`Step`].
     pub steps: [&'static str; 15],
 }
 
 impl Labels {
-    /// Why an object is dropped. Behind the eye all signs are turned round, and only the near plane means what it says.
+    /// The reason why an object is dropped. Behind the eye all signs are reversed, and only the front plane is
+    /// meaningful.
     #[must_use]
     pub fn outside_planes(&self, planes: PlaneSet) -> String {
         let planes = if planes & NEAR != 0 { NEAR } else { planes };
@@ -93,7 +94,7 @@ impl Labels {
         format!("{}: {}", self.outside_of, names.join(", "))
     }
 
-    /// What a step of the way to the canonical volume does.
+    /// The effect of a step of the way to the canonical volume.
     #[must_use]
     pub fn step(&self, step: Step) -> &'static str {
         self.steps.get(step as usize).copied().unwrap_or_default()

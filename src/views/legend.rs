@@ -1,4 +1,4 @@
-//! What the colours of a picture mean, in its lower left corner.
+//! The legend of a picture's colours, in its lower left corner.
 
 use glam::DVec2;
 
@@ -18,7 +18,7 @@ const SWATCH: DVec2 = DVec2::new(1.5, 0.8);
 const INDENT: f64 = 2.1;
 /// Length of a scale, in heights of letters.
 const SCALE: f64 = 16.0;
-/// Where a legend would have to be smaller than so much of its size, it is left out: nobody could read it.
+/// Smallest scale of a legend: below it, it is left out, because nobody could read it.
 const SMALLEST: f64 = 0.5;
 
 /// A line of a legend.
@@ -26,11 +26,11 @@ const SMALLEST: f64 = 0.5;
 pub(super) enum LegendRow {
     /// A heading, in its own colour.
     Title(String, Rgba),
-    /// A colour and what it means.
+    /// A colour and its meaning.
     Swatch(Rgba, String),
-    /// A colour and what is wrong with what it means.
+    /// A colour and the fault that it marks.
     Warning(Rgba, String),
-    /// A mark and what it means.
+    /// A mark and its meaning.
     Mark(MarkShape, Rgba, String),
     /// A run of colours from left to right, with texts below its left end, its middle and its right end.
     Scale(Vec<Rgba>, Vec<[String; 3]>),
@@ -84,7 +84,7 @@ impl Legend {
         (DVec2::new(width, height) + 2.0 * PAD) * self.em
     }
 
-    /// Where it lies.
+    /// Its place.
     pub(super) fn place(&self) -> Box2 {
         let half = self.size() / 2.0;
         let edge = 0.5 * self.em;

@@ -9,6 +9,51 @@
 //! | `image` | world | the figure's camera |
 //! | `world` | world | [`Observer`] |
 //! | `canonical` | ndc, shown as (x_n, y_n, −z_n), which is right-handed; in other conventions as deep as they are | [`Observer`] |
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `arrangement` | arrangements of several pictures, on a screen or on a sheet |
+//! | `camera_gizmo` | the sizes of the camera's gear in the world |
+//! | `canonical` | the canonical volume: the scene after clipping and projection |
+//! | `canonical_box` | the canonical volume of a convention of NDC, as placed in the picture |
+//! | `components` | measures of matrix entries in the world |
+//! | `coverage_grid` | the parts of a picture that bodies cover: a text there would hide the subject of the picture |
+//! | `depth` | the image as depths: the content of the depth buffer, as grey levels and as numbers |
+//! | `dimensions` | dimension lines |
+//! | `framing` | the visible content of the world: its size, and the part of it that a picture should hold |
+//! | `ghost` | an operation being tried: axis, arcs, and the camera before it |
+//! | `gizmos` | lines, arrows, marks, texts, and the camera's body |
+//! | `handles` | the handles of the world: their places on the screen, and the effect of dragging them |
+//! | `hits` | intersections of a segment with the faces of a scene |
+//! | `hover` | `Hover`: the part of pictures made by the pointer alone |
+//! | `image` | the image: the scene as the figure's camera sees it |
+//! | `label_layout` | the layout of texts, so that none covers another |
+//! | `labels` | the words in the pictures |
+//! | `legend` | the legend of a picture's colours, in its lower left corner |
+//! | `named_points` | the figure's points under the pointer: which one is there, and where it goes when it is dragged |
+//! | `normalizing` | the view volume on its way to the canonical one |
+//! | `object_parts` | measures of an object's own transform in the world |
+//! | `observer` | the sides from which a 3D picture is seen, and the observer that fits |
+//! | `offscreen_arrows` | arrows to points beside the image or behind the eye |
+//! | `palette` | the colours of the pictures, one set for each theme |
+//! | `partial_paint` | the first triangles of a picture, in the order of painting |
+//! | `pick` | picking: from a place in a picture to the object or point there |
+//! | `pixels` | sizes and rectangles in pixels, and where the image lies in a picture |
+//! | `probe` | the probe and the figure's points in each picture: the same point, or the same ray, three times |
+//! | `request` | `Request`: all that a picture depends on, as one value |
+//! | `revealed_scene` | the inner work of the pipeline in the pictures, as in `[reveal]` |
+//! | `screen` | a camera and the pixels that its window fills: from points to pixels and back to rays |
+//! | `section` | the section along **u**: similar triangles, with their lengths |
+//! | `shot` | `Shot`: all that pictures show, as one value |
+//! | `stage_overlay` | a stage of the pipeline in its picture: input and output |
+//! | `timed_pipeline` | the pipeline as the pictures use it |
+//! | `transform_gizmo` | the gizmo that moves, turns and scales the selected objects in the world |
+//! | `transform_preview` | an object where a list of transforms puts it, as glass |
+//! | `triangle_overlay` | the triangle that is followed step by step, in each picture |
+//! | `vanishing` | vanishing points, with their construction |
+//! | `volume` | the view volume in the world: whole, or broken where it is too large |
+//! | `world` | the world: the scene, the camera in it, and the camera's view volume |
+//! | `world_framing` | the framing of the world: its observer, and the sizes of the camera's gear |
 
 mod arrangement;
 mod camera_gizmo;
@@ -76,7 +121,7 @@ pub use request::{Finish, Normalizing, Request, SharedScene};
 pub use shot::{Look, Shot};
 pub use timed_pipeline::TimedPipeline;
 
-/// Draws a picture, and tells what was done. `on_window` is the image that the view window of the world shows:
+/// Draws a picture, and reports. `on_window` is the image that the view window of the world shows:
 /// [`Request::image_on_window`] as pixels; without it the window is plain.
 #[must_use]
 pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
@@ -98,17 +143,17 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
     frame
 }
 
-/// The scene of a figure in the colours of its theme, with hidden edges as its style wants them; `progress` says how
-/// far reading its meshes has come.
+/// The scene of a figure in the colours of its theme, with the hidden edges of its style; `progress` follows the
+/// reading of its meshes.
 ///
 /// # Errors
-/// [`SceneError`] names the object and what is wrong with it.
+/// [`SceneError`] names the object and its fault.
 pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Scene, SceneError> {
     scene::build_with(&figure.scene, &figure.style, read_file, &mut MeshFiles::watched(progress))
 }
 
 impl Request {
-    /// From where the picture is seen; `None` for the image.
+    /// The observer of the picture; `None` for the image.
     #[must_use]
     pub fn seen_from(&self) -> Option<Observer> {
         match self.view {

@@ -20,9 +20,9 @@ pub fn point_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> 
     distances.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
 }
 
-/// Where a point of the world goes that is dragged from one place to another (pixels): in the plane through it that is
-/// parallel to the view window, so that its distance from the eye stays. In the world, where this plane is seen from
-/// its edge, in the plane of the picture. `None` where there is no such point.
+/// The new place of a point of the world that is dragged from one place to another (pixels): in the plane through it
+/// that is parallel to the view window, so that its distance from the eye stays. In the world, where this plane is seen
+/// from its edge, in the plane of the picture. `None` where there is no such point.
 #[must_use]
 pub fn dragged(request: &Request, p: DVec3, from: DVec2, to: DVec2) -> Option<DVec3> {
     /// The sine of the angle at which a plane is seen from its edge.

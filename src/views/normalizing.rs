@@ -29,7 +29,7 @@ struct Way {
     factors: Vec<Factor>,
     /// The step that is under way.
     step: usize,
-    /// How much of it is done, below 1.
+    /// The share of it that is done, below 1.
     share: f64,
 }
 
@@ -67,7 +67,7 @@ impl Way {
         (self.step..self.factors.len()).fold(self.part(), undone)
     }
 
-    /// From the world to after so many whole steps, as it is shown.
+    /// The map from the world to the state after this number of whole steps, as displayed.
     fn forward_from_world(&self, steps: usize) -> DMat4 {
         (0..steps).fold(DMat4::IDENTITY, |matrix, step| self.whole(step) * matrix)
     }
@@ -106,14 +106,14 @@ fn mapped(matrix: &DMat4, p: DVec3) -> Option<DVec3> {
     (q.w > 0.0).then(|| q.truncate() / q.w).filter(|p| p.is_finite())
 }
 
-/// How many times as far from the middle of the volume as its corners what is drawn with it may be.
+/// Greatest distance of drawn points from the middle of the volume, relative to its corners.
 const FARTHEST: f64 = 4.0;
 
-/// How long the axes are beside the volume.
+/// Length of the axes relative to the volume.
 const AXIS: f64 = 0.45;
 
-/// What must be in the picture after so many whole steps: the volume, and the origin with its axes where that is near
-/// enough to be seen with it.
+/// The required content of the picture after a number of whole steps: the volume, and the origin with its axes where
+/// that is near enough to be seen with it.
 fn extent(way: &Way, camera: &Camera, steps: usize) -> Option<Aabb> {
     const FAR_AWAY: f64 = 8.0;
     let matrix = way.forward_from_world(steps);
@@ -123,7 +123,7 @@ fn extent(way: &Way, camera: &Camera, steps: usize) -> Option<Aabb> {
     Some(if with_axes.radius() <= FAR_AWAY * volume.radius() { with_axes } else { volume })
 }
 
-/// The radius of the volume after so many whole steps.
+/// The radius of the volume after a number of whole steps.
 fn radius(way: &Way, camera: &Camera, steps: usize) -> Option<f64> {
     let matrix = way.forward_from_world(steps);
     Aabb::around(camera.volume_corners().into_iter().filter_map(|p| mapped(&matrix, p))).map(|volume| volume.radius())
@@ -145,12 +145,12 @@ fn observer(request: &Request, way: &Way) -> Option<Observer> {
 fn between(a: Observer, b: Observer, share: f64) -> Observer {
     let ratio = b.distance / a.distance;
     let distance = a.distance * ratio.powf(share);
-    // Along with the distance, so that what is far from the focal point does not leave the picture.
+    // Along with the distance, so that points far from the focal point do not leave the picture.
     let along = if (ratio - 1.0).abs() < 1e-9 { share } else { (distance - a.distance) / (b.distance - a.distance) };
     Observer { distance, target: a.target.lerp(b.target, along), ..b }
 }
 
-/// Draws the canonical volume, or what is on the way to it.
+/// Draws the canonical volume, or a state on the way to it.
 pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
     let on_the_way = Way::of(request).and_then(|way| moved(request, &way, pipeline));
     on_the_way.unwrap_or_else(|| canonical::frame_of(request, pipeline))

@@ -1,4 +1,4 @@
-//! What the parts of an object's own transform measure in the world: the arrow of its translation, axis and arc of a
+//! Measures of the parts of an object's own transform in the world: the arrow of its translation, axis and arc of a
 //! rotation, the length of a local axis.
 
 use glam::{DMat4, DQuat, DVec2, DVec3};
@@ -82,7 +82,7 @@ fn rotation(builder: &mut GearBuilder, request: &Request, object: ObjectTransfor
     builder.text(middle, &text, if toward == DVec2::ZERO { DVec2::X } else { toward }, SMALL_TYPE, pen.color);
 }
 
-/// By what a vector is to be multiplied to have a length; `None` where it has none.
+/// The factor that gives a vector a length; `None` for a vector without one.
 fn share(length: f64, vector: DVec3) -> Option<f64> {
     let share = length / vector.length();
     share.is_finite().then_some(share)

@@ -42,7 +42,7 @@ impl Viewpoint {
         [Self::Front, Self::Top, Self::Side, Self::Iso, Self::AlongU, Self::AlongV, Self::AlongN];
 }
 
-/// From where to look, without where to stand.
+/// A viewing direction, without a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Direction {
     /// Degrees, as in [`Observer`].
@@ -84,7 +84,7 @@ impl Direction {
     }
 
     /// This direction, or the one nearest to it in which the eye keeps clear of lines: along one of `lines` (unit
-    /// vectors), all that lies on it would be at one spot.
+    /// vectors), all points on it would be at one spot.
     pub(super) fn clear_of(self, lines: &[DVec3]) -> Self {
         /// From this angle on a direction stays, and another is as far as this from all lines.
         const STAYS: f64 = 18.0;

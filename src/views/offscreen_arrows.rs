@@ -10,13 +10,13 @@ use crate::sanitize;
 use super::gizmos::{SMALL_TYPE, stroke};
 use super::{Palette, Request, probe};
 
-/// How long an arrow is, and what it leaves free at the border, in pixels at scale 1.
+/// Length of an arrow, and its distance from the border, in pixels at scale 1.
 const LENGTH: f64 = 22.0;
 const MARGIN: f64 = 3.0;
 
 /// The direction (pixels, y down) from the middle of a picture of this size to a point that is not in it, and whether
 /// it is behind the eye. There it is the direction in which the camera would have to turn. `None` for a point in the
-/// picture, before or behind what F and B cut off too.
+/// picture, also one cut off by F or B.
 fn direction(camera: &Camera, size: DVec2, p: DVec3) -> Option<(DVec2, bool)> {
     let (view, clip) = (camera.view_point(p), camera.clip_point(p));
     if camera.projection() == Projection::Perspective && view.z >= 0.0 {
@@ -35,14 +35,14 @@ fn unit(direction: DVec2) -> DVec2 {
     (direction / direction.abs().max_element()).normalize_or(DVec2::Y)
 }
 
-/// Where the way from the middle of a picture in a direction leaves it, `MARGIN` before.
+/// The point where the way from the middle of a picture in a direction leaves it, `MARGIN` before.
 fn border(size: DVec2, direction: DVec2, scale: f64) -> DVec2 {
     let half = size / 2.0 - MARGIN * scale;
     let unit = unit(direction);
     size / 2.0 + unit * (half / unit.abs().max(DVec2::splat(1e-12))).min_element()
 }
 
-/// Adds the arrows and the names; those behind the eye are dashed, and said to be there.
+/// Adds the arrows and the names; those behind the eye are dashed, and marked as such.
 pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palette) {
     let size = DVec2::new(f64::from(drawing.width), f64::from(drawing.height));
     let scale = f64::from(request.size.scale);

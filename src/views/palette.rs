@@ -35,17 +35,17 @@ pub struct Palette {
     pub probe: Rgba,
     /// The camera before an operation.
     pub ghost: Rgba,
-    /// Where a picture of depths has none.
+    /// The colour of pixels without a depth.
     pub nothing: Rgba,
-    /// What lies outside the view volume, as glass.
+    /// Parts outside the view volume, as glass.
     pub outside: Rgba,
-    /// What is dropped whole, as glass.
+    /// Objects dropped whole, as glass.
     pub dropped: Rgba,
     /// Faces that turn their back to the camera.
     pub back: Rgba,
     /// Vertices that clipping makes, and the edges between them.
     pub cut: Rgba,
-    /// What is wrong on purpose.
+    /// Parts wrong on purpose.
     pub wrong: Rgba,
 }
 

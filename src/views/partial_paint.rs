@@ -2,8 +2,8 @@
 
 use crate::drawing::{Drawing, Paint, Surface};
 
-/// Leaves of the triangles the first share (0 … 1), and says how many those are, and how many there are. Strokes and
-/// marks are left out: what hides them may not be there yet.
+/// Keeps the first share (0 … 1) of the triangles, and returns their number, and that of all. Strokes and marks are
+/// left out: the faces that hide them may not be there yet.
 pub(super) fn first(drawing: &mut Drawing, share: f64) -> [usize; 2] {
     let all: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
     #[expect(
@@ -13,7 +13,7 @@ pub(super) fn first(drawing: &mut Drawing, share: f64) -> [usize; 2] {
         reason = "a share of a count"
     )]
     let count = (all as f64 * share.clamp(0.0, 1.0)).round() as usize;
-    // What is translucent is painted last, whatever its place in the list.
+    // Translucent faces are painted last, whatever their place in the list.
     let mut order: Vec<usize> = (0..drawing.surfaces.len()).collect();
     order.sort_by_key(|i| drawing.surfaces[*i].translucent);
     let mut left = count;

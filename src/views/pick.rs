@@ -30,8 +30,8 @@ pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
     nearest(points, &faces(request), &screen(request)?, pointer, reach)
 }
 
-/// The name of the figure's object whose face a place (pixels) of a picture shows; `None` where there is none, and in
-/// the canonical volume, where what is seen has been clipped and projected.
+/// The name of the figure's object whose face is at a place (pixels) of a picture; `None` where there is none, and in
+/// the canonical volume, where faces have been clipped and projected.
 #[must_use]
 pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
     match request.view {
@@ -177,8 +177,8 @@ fn vertices(scene: &Scene) -> impl Iterator<Item = DVec3> {
     scene.vertices().map(|v| v.p_world).chain(lines).chain(marks)
 }
 
-/// Of points (as drawn, and what they stand for) the one nearest to a place; one that faces hide loses to any that can
-/// be seen.
+/// Of points (as drawn, with their meaning) the one nearest to a place; one that faces hide loses to any that can be
+/// seen.
 fn nearest(
     points: impl Iterator<Item = (DVec3, DVec3)>,
     faces: &Scene,
@@ -186,7 +186,7 @@ fn nearest(
     pointer: DVec2,
     reach: f64,
 ) -> Option<DVec3> {
-    /// So many of the nearest are looked at closely; where more are within reach, no one can tell them apart.
+    /// Number of the nearest that are tested for visibility; where more are within reach, no one can distinguish them.
     const MOST: usize = 8;
     let mut close: Vec<(f64, DVec3, DVec3)> = points
         .filter_map(|(shown, stands_for)| Some((screen.place_inside(shown)?.distance(pointer), shown, stands_for)))
@@ -199,7 +199,7 @@ fn nearest(
     visible.or(close.first()).map(|(_, _, stands_for)| *stands_for)
 }
 
-/// True where no face stands between the camera's near plane and a point (world).
+/// Whether no face hides a point (world) behind the camera's front plane.
 #[must_use]
 pub fn can_be_seen_by(camera: &Camera, faces: &Scene, p: DVec3) -> bool {
     can_be_seen(p, faces, camera)
@@ -237,14 +237,14 @@ mod tests {
         test(&Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size));
     }
 
-    /// The same, of another picture.
+    /// The same for another picture.
     fn seen(request: &Request, view: View, viewpoint: Viewpoint) -> Request {
         let request = Request { view, ..request.clone() };
         let observer = request.observer_from(viewpoint);
         request.seen_by(observer)
     }
 
-    /// The near plane cuts the front away: what is seen is the inside of the back.
+    /// The front plane cuts the front away: the inside of the back is seen.
     #[test]
     fn the_inside_of_a_solid_that_is_cut_open_is_the_solid() {
         let position = DVec3::new(0.0, 0.0, 5.0);

@@ -21,7 +21,7 @@ const LETTERS: f32 = 14.0;
 /// Pictures up to this size fill a screen as they are.
 const SCREEN: [f32; 2] = [1920.0, 1080.0];
 
-/// How much letters and strokes grow with the side of a picture (`side`, in units of stroke width).
+/// Growth of letters and strokes with the side of a picture (`side`, in units of stroke width).
 #[expect(clippy::cast_possible_truncation, reason = "0.8 … 1.6")]
 fn growth(side: f32) -> f32 {
     (f64::from(side) / 480.0).powf(0.4).clamp(0.8, 1.6) as f32
@@ -40,7 +40,7 @@ impl Size {
         Self { width, height, scale: x.min(y).max(1.0) }
     }
 
-    /// Names in letters of so many pixels (the height of the type), and strokes in proportion.
+    /// Names in letters of this number of pixels (the height of the type), and strokes in proportion.
     #[must_use]
     pub fn with_letters(width: u32, height: u32, letters: f32) -> Self {
         let wanted = letters / LETTERS;
@@ -60,7 +60,7 @@ impl Size {
         LETTERS * self.type_scale()
     }
 
-    /// What the widths of strokes are multiplied by so that the edges of solids are so many pixels wide.
+    /// The factor of stroke widths that makes the edges of solids this number of pixels wide.
     #[must_use]
     pub fn stroke_factor(self, edges: f32) -> f32 {
         edges / self.type_scale()
@@ -106,7 +106,7 @@ impl PixelRect {
     }
 }
 
-/// Where the image lies in a picture of this size: the largest rectangle with its aspect (to the nearest pixel;
+/// The place of the image in a picture of this size: the largest rectangle with its aspect (to the nearest pixel;
 /// [`Look::image_aspect`](super::Look::image_aspect)), in the middle. All of the picture where that is m × n pixels
 /// large.
 #[must_use]

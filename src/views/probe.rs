@@ -1,4 +1,4 @@
-//! What the probe and the figure's points add to each picture: the same point, or the same ray, three times.
+//! The probe and the figure's points in each picture: the same point, or the same ray, three times.
 
 use glam::{DVec2, DVec3};
 
@@ -32,7 +32,7 @@ impl Pixel {
     }
 }
 
-/// How a point is drawn: what is pointed at, or one of the figure's.
+/// The look of a point: a probe, or one of the figure's.
 #[derive(Clone, Copy)]
 pub(super) struct Look<'a> {
     pub(super) name: &'a str,
@@ -42,7 +42,7 @@ pub(super) struct Look<'a> {
 }
 
 impl<'a> Look<'a> {
-    /// Of what is pointed at.
+    /// The look of the probe.
     fn probe(palette: Palette) -> Self {
         Self { name: "P", mark: (MarkShape::Ring, 6.0), ray: 1.4, color: palette.probe }
     }
@@ -185,7 +185,7 @@ pub(super) fn in_image(builder: &mut GearBuilder, request: &Request, palette: Pa
         Look { name, ..look }.mark(builder, p);
     }
     if let Some(Probe::Window(point)) = request.probe() {
-        // A hair behind the window: what lies in the front plane is clipped or not as rounding has it, and any point of
+        // A hair behind the window: a point in the front plane is clipped or not as rounding has it, and any point of
         // the ray has this pixel.
         let (origin, window, end) = ray_of(request, point);
         let behind = origin + (window - origin) * 1.001;
@@ -194,11 +194,11 @@ pub(super) fn in_image(builder: &mut GearBuilder, request: &Request, palette: Pa
     }
 }
 
-/// Where a ray through a point of the window begins, where it meets the window and where the back plane.
+/// The origin of a ray through a point of the window, its intersections with the window and with the back plane.
 fn ray_of(request: &Request, point: DVec2) -> (DVec3, DVec3, DVec3) {
     let camera = &request.camera;
     let ray = camera.ray_through_window(point);
-    // Depths along −n are what F and B measure.
+    // F and B measure depths along −n.
     let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
     (ray.origin, ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far())
 }

@@ -24,9 +24,9 @@ pub struct Request {
     pub shot: Arc<Shot>,
     /// What it looks at.
     pub scene: SharedScene,
-    /// What only the pointer makes.
+    /// The part made by the pointer alone.
     pub hover: Hover,
-    /// What the output asks for.
+    /// The settings of the output.
     pub finish: Finish,
     /// The words in the picture.
     pub labels: &'static Labels,
@@ -34,26 +34,26 @@ pub struct Request {
     pub size: Size,
     /// Run every stage of the pipeline, needed or not. The picture is the same.
     pub force_all_stages: bool,
-    /// What the drawing is for; pixels are made of drawings for pixels.
+    /// The output of the drawing; pixels are made of drawings for pixels.
     pub output: Output,
     /// The triangle of the shot on its way, which the renderer finds; nobody else sets it.
     pub triangle: Option<Arc<TriangleOverlay>>,
 }
 
-/// What belongs to an output, and not to what is shown.
+/// The settings of an output, independent of the content.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Finish {
     /// Without texts and legends: the picture is painted on something.
     pub bare: bool,
-    /// Without ground: what is behind the picture shows through.
+    /// Transparent background.
     pub transparent: bool,
-    /// What the widths of strokes are multiplied by; `None`: they are in proportion to the letters.
+    /// The factor of stroke widths; `None`: in proportion to the letters.
     pub stroke_factor: Option<f32>,
 }
 
 impl Request {
-    /// A picture of a figure, with nothing pointed at. The camera is the figure's, or what operations have made of it;
-    /// the scene is [`scene_of`](super::scene_of) the figure.
+    /// A picture of a figure, without hover. The camera is the figure's, or that after operations; the scene is
+    /// [`scene_of`](super::scene_of) the figure.
     #[must_use]
     pub fn of(
         figure: &Figure,
@@ -105,7 +105,7 @@ impl Request {
         }
     }
 
-    /// The same picture with another shot, of which what is seen in it counts.
+    /// The same picture with another shot, of which the part seen in it counts.
     #[must_use]
     pub fn with_shot(self, change: impl FnOnce(&mut Shot)) -> Self {
         let mut shot = Shot::clone(&self.shot);
@@ -113,7 +113,7 @@ impl Request {
         Self { shot: Arc::new(shot.seen_in(self.view)), ..self }
     }
 
-    /// The same picture seen from somewhere else; the image is seen by the camera alone.
+    /// The same picture with another observer; the image is seen by the camera alone.
     #[must_use]
     pub fn seen_by(self, observer: Option<Observer>) -> Self {
         Self { observer: observer.filter(|_| self.view != View::Image), ..self }
@@ -126,7 +126,7 @@ impl Request {
         Normalizing::of(self.shot.show.step?, &self.camera)
     }
 
-    /// What is marked in all three pictures: what is pinned, or what is pointed at.
+    /// The probe marked in all three pictures: the pinned one, or that of the pointer.
     #[must_use]
     pub fn probe(&self) -> Option<Probe> {
         let pinned = self.shot.show.probe.map(|probe| Probe::of(probe, &self.camera, self.shot.look.image));
@@ -170,7 +170,7 @@ impl Request {
     }
 }
 
-/// How far the scene has come on the way of a decomposition: whole numbers are whole steps.
+/// The progress of the scene through a decomposition: whole numbers are whole steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Normalizing {
     /// Whose steps.
@@ -180,7 +180,7 @@ pub struct Normalizing {
 }
 
 impl Normalizing {
-    /// How far a camera has come on a way; `None` where it has none of this source.
+    /// The progress of a camera; `None` where it has no steps of this source.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
     pub fn of(step: ShownStep, camera: &Camera) -> Option<Self> {

@@ -21,15 +21,15 @@ use super::label_layout::Box2;
 use super::legend::{Legend, LegendRow};
 use super::{Labels, Palette, Request, stage_overlay};
 
-/// How far beyond the canonical volume is shown what lies outside, in its own half sides.
+/// Range in which parts outside the canonical volume are shown, in its own half sides.
 pub(super) const REACH: f64 = 2.0;
 /// More new vertices than this are not marked one by one; the sides between them still are.
 const MOST_MARKS: usize = 500;
-/// So many objects that are dropped get their reason written on them.
+/// Greatest number of dropped objects with their reason written on them.
 const MOST_NAMES: usize = 24;
-/// How much of the colour of what is wrong is in its faces; the rest is their own, so that objects can be told apart.
+/// Share of the error colour in wrong faces; the rest is their own colour, so that objects can be distinguished.
 const WRONG: f64 = 0.75;
-/// The opacity of what is wrong: the right scene behind it is still seen.
+/// The opacity of wrong parts: the right scene behind them is still seen.
 const GLASS: u8 = 140;
 
 /// What a picture shows: a scene of its own, or that of the request, which is not copied.
@@ -41,7 +41,7 @@ pub(super) struct PipelineReveal<'a> {
     /// New vertices and the sides between them.
     cuts: Vec<DVec3>,
     sides: Vec<[DVec3; 2]>,
-    /// Reasons, and what they are written on.
+    /// Reasons, and their positions.
     names: Vec<(DVec3, String)>,
 }
 
@@ -84,7 +84,7 @@ pub(super) fn legend(request: &Request, rows: Vec<LegendRow>, target: &Target, p
     Legend::new(rows, size, target.scale, palette).filter(|_| !request.finish.bare)
 }
 
-/// What a drawing shows of a stage, and otherwise than it was asked to.
+/// The legend of a stage in a drawing, and its shortfalls.
 pub(super) fn drawn_rows(drawn: &Frame, request: &Request, palette: Palette) -> Vec<LegendRow> {
     let mut rows = stage_overlay::rows(drawn, request, palette);
     let what = match &drawn.too_much {
@@ -96,7 +96,7 @@ pub(super) fn drawn_rows(drawn: &Frame, request: &Request, palette: Palette) -> 
     rows
 }
 
-/// Draws the legend, and completes what shows a stage.
+/// Draws the legend, and completes the display of a stage.
 pub(super) fn explain(drawn: &mut Frame, request: &Request, legend: Option<&Legend>) {
     stage_overlay::part(drawn, request);
     for drawing in drawn.before.iter_mut().chain([&mut drawn.drawing]) {
@@ -391,7 +391,7 @@ impl Wider {
         Some(Self { camera, from_wider: DMat4::from_translation(DVec3::Z * (a + 2.0 * c - 1.0)) * scale })
     }
 
-    /// A scene clipped to what this camera sees, in the display space of the other.
+    /// A scene clipped to this camera's volume, in the display space of the other.
     fn show(&self, scene: &Scene, shading: Shading) -> Scene {
         let mut shown = clipped_scene(scene, &self.camera, shading);
         let place = |p: &mut DVec3| *p = self.from_wider.transform_point3(*p);

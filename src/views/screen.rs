@@ -42,8 +42,8 @@ impl Screen {
         self.extent
     }
 
-    /// Where a point is drawn, in pixels; also outside the rectangle. `None` for what is not in front of the near
-    /// plane.
+    /// The displayed position of a point, in pixels; also outside the rectangle. `None` for points not in front of the
+    /// front plane.
     pub(super) fn place(&self, p: DVec3) -> Option<DVec2> {
         let c = self.camera.clip_point(p);
         let in_front = c.w > 0.0 && c.z >= -c.w * (1.0 + 1e-12);

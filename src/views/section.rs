@@ -17,14 +17,14 @@ use super::volume::DrawnVolume;
 use super::{Palette, Probe, Request, framing};
 use crate::figure::Measure;
 
-/// Of a large scene, so many vertices are looked at for one that stands as an example.
+/// Number of vertices of a large scene that are searched for an example.
 const MOST_VERTICES: usize = 20_000;
 
-/// What the section shows, in the plane through C that DOP and **v** span.
+/// The content of the section, in the plane through C that DOP and **v** span.
 struct Profile<'a> {
     camera: &'a Camera,
     volume: DrawnVolume,
-    /// The point whose image is constructed, and what it is called.
+    /// The point whose image is constructed, and its name.
     p: DVec3,
     name: String,
     /// The distance from one dimension line to the next.
@@ -94,9 +94,9 @@ impl<'a> Profile<'a> {
     }
 }
 
-/// The point that is pointed at; without one, the first of the figure's points in front of C, or P where the scene
-/// names one there; else the vertex inside the volume whose image is farthest from the axis, or PF. And its name, by
-/// which it is told from others.
+/// The point of the hover; without one, the first of the figure's points in front of C, or P where the scene names one
+/// there; else the vertex inside the volume whose image is farthest from the axis, or PF. And its name, which
+/// distinguishes it from others.
 fn example(request: &Request) -> (DVec3, String) {
     let camera = &request.camera;
     let labels = request.labels;
@@ -133,7 +133,7 @@ fn example(request: &Request) -> (DVec3, String) {
         .unwrap_or_else(|| (camera.focal_point(), String::new()))
 }
 
-/// From where the section is seen: along **u**, with everything in the picture.
+/// The observer of the section: along **u**, with everything in the picture.
 pub(super) fn observer(request: &Request) -> Observer {
     let content = Content::of(request);
     let iso = framing::iso_direction(&request.camera);

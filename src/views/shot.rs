@@ -1,5 +1,5 @@
-//! All that pictures show, as one value: what a file, a link, a session and an export can hold. What only the pointer
-//! makes is [`Hover`](super::Hover).
+//! All that pictures show, as one value: the content of a file, a link, a session and an export. The part made by the
+//! pointer alone is [`Hover`](super::Hover).
 
 use std::sync::Arc;
 
@@ -41,7 +41,7 @@ impl Default for Shot {
 }
 
 impl Shot {
-    /// What a figure shows.
+    /// The shot of a figure.
     #[must_use]
     pub fn of(figure: &Figure) -> Self {
         let show = figure.show.clone();
@@ -105,8 +105,8 @@ impl Shot {
         }
     }
 
-    /// What a picture shows of the pipeline's inner work: what is asked for, and while a stage of the image is shown,
-    /// what belongs to it in the pictures beside.
+    /// The inner work of the pipeline in a picture: the requested part, and while a stage of the image is shown, its
+    /// parts in the pictures beside.
     fn revealed_in(&self, view: View) -> Reveal {
         let reveal = self.look.reveal;
         let beside = self.show.stage_of == StagePicture::default() && view != View::Image;
@@ -132,7 +132,7 @@ fn transform_of(scene: &SceneSpec, name: &str) -> Option<ObjectTransform> {
     Some(ObjectTransform { world_from_parent, trs })
 }
 
-/// What a picture depends on besides camera, scene and observer.
+/// The inputs of a picture besides camera, scene and observer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
     /// `[image]`

@@ -1,8 +1,7 @@
-//! A stage of the pipeline in the picture that it made: what goes in and what comes out.
+//! A stage of the pipeline in its picture: input and output.
 //!
-//! What is done to vertices, triangles and objects is drawn over the picture, as it was noted while the picture was
-//! made ([`StageWork`]). What is done to pixels shows in two halves: the left one as it is before the stage, the right
-//! one after it.
+//! Work on vertices, triangles and objects is drawn over the picture, as recorded while the picture was made
+//! ([`StageWork`]). Work on pixels shows in two halves: the left one before the stage, the right one after it.
 
 use std::ops::Range;
 
@@ -16,13 +15,13 @@ use super::gizmos::{SMALL_TYPE, stroke};
 use super::legend::LegendRow;
 use super::{Labels, Palette, Request};
 
-/// So many vertices get their numbers written on them.
+/// Number of vertices with their numbers written on them.
 const MOST_NUMBERS: usize = 10;
-/// So many objects that are dropped are named in the legend.
+/// Number of dropped objects named in the legend.
 const MOST_NAMES: usize = 4;
-/// More marks than this hide what they are on.
+/// More marks than this hide the picture.
 const MOST_MARKS: usize = 3000;
-/// How much of what is under a dropped face shows through it.
+/// Opacity of a dropped face.
 const GLASS: u8 = 150;
 
 /// Shows the stage in its picture; `again` draws a scene in a style as this picture was drawn.
@@ -99,7 +98,7 @@ fn stroke_of(color: Rgba, request: &Request) -> LineStyle {
     stroke(color, 1.2 * request.size.scale, Dash::Solid, HiddenLines::Shown)
 }
 
-/// A translucent surface without what shows through it.
+/// A translucent surface made opaque.
 fn opaque(surface: &mut Surface) {
     surface.translucent = false;
     let full = |color: &mut Rgba| color.a = 255;
@@ -111,7 +110,7 @@ fn opaque(surface: &mut Surface) {
     }
 }
 
-/// What is known of a surface before anything is interpolated: its vertices with their values, as colours.
+/// The values at the vertices of a surface before interpolation, as colours.
 fn values_at_vertices(surface: &Surface) -> Vec<([f32; 3], Rgba)> {
     let used = surface.triangles.iter().flatten().map(|&i| i as usize);
     let color = |i: usize| match &surface.paint {
@@ -167,11 +166,11 @@ fn dropped_face(polygon: &[[f32; 3]], palette: Palette) -> Surface {
     }
 }
 
-/// What goes in dashed, what comes out over it.
+/// The input dashed, the output over it.
 fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Palette) {
     let [color_in, color_out] = colors(palette);
     let thin = stroke_of(color_in, request);
-    // Wide enough to be seen on both sides of what comes out.
+    // Wide enough to be seen on both sides of the output.
     let dashed = LineStyle { dash: Dash::Dashed, width: 3.0 * thin.width, ..thin };
     for (sides, style) in [(&work.before, dashed), (&work.after, stroke_of(color_out, request))] {
         if !sides.is_empty() {
@@ -224,7 +223,7 @@ fn in_and_out(stage: Stage, vertex: &VertexWork, labels: &Labels) -> String {
     }
 }
 
-/// What the colours mean.
+/// The meanings of the colours.
 pub(super) fn rows(frame: &Frame, request: &Request, palette: Palette) -> Vec<LegendRow> {
     let Some(work) = &frame.work else { return Vec::new() };
     let ([color_in, color_out], labels) = (colors(palette), request.labels);

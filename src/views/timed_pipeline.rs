@@ -30,7 +30,7 @@ impl TimedPipeline {
         let options = Options {
             force_all_stages: request.force_all_stages,
             output: request.output,
-            // What is divided first is put into the image, with depths from F to B.
+            // Faces divided first are put into the image, with depths from F to B.
             depth_of_volume: request.view == View::Image && request.shot.look.reveal.divide_first,
             shown: request.shot.show.stage,
             followed: None,

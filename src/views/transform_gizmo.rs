@@ -1,4 +1,4 @@
-//! What moves, turns and scales the selected objects in the world: three arrows, three rings, or three bars.
+//! The gizmo that moves, turns and scales the selected objects in the world: three arrows, three rings, or three bars.
 
 use glam::{DVec2, DVec3};
 
@@ -14,28 +14,28 @@ use super::{GizmoPart, Palette, Request, TransformGizmo, Transforming, world_fra
 /// Corners of a ring.
 const CORNERS: u32 = 64;
 
-/// What the pointer has done with a part of the gizmo.
+/// A pull at a part of the gizmo.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pull {
-    /// It went so far (world) along the axis; a pixel is so long there.
+    /// A distance (world) along the axis, and the length of a pixel there.
     Along {
         /// Scene units.
         way: f64,
         /// Scene units.
         pixel: f64,
     },
-    /// It went round the axis.
+    /// A turn about the axis.
     Round {
         /// Counter-clockwise seen from the tip of the axis, −180° … 180°.
         angle: Angle,
-        /// What a pixel is at the ring.
+        /// The angle of a pixel at the ring.
         pixel: Angle,
     },
-    /// It is so many times as far from the middle as it was.
+    /// A factor of the distance from the middle.
     Times {
         /// Above 0.
         factor: f64,
-        /// What a pixel changes of it.
+        /// The change by a pixel.
         pixel: f64,
     },
 }
@@ -95,8 +95,8 @@ fn to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     p.distance(a + way * t)
 }
 
-/// What a part of `gizmo` was pulled by when the pointer went from `from` to `to` (pixels). `None` where that cannot be
-/// read: an axis seen end-on, a bar pulled through the middle.
+/// The pull at a part of `gizmo` when the pointer went from `from` to `to` (pixels). `None` where that cannot be read:
+/// an axis seen end-on, a bar pulled through the middle.
 #[must_use]
 pub fn pull(request: &Request, gizmo: &TransformGizmo, part: GizmoPart, from: DVec2, to: DVec2) -> Option<Pull> {
     let screen = world_framing::screen(request)?;
@@ -124,8 +124,8 @@ pub fn pull(request: &Request, gizmo: &TransformGizmo, part: GizmoPart, from: DV
     }
 }
 
-/// How far the pointer went round an axis: on the ring's plane, or, where that is seen nearly from its edge, along its
-/// nearer side.
+/// The angle of the pointer's motion about an axis: on the ring's plane, or, where that is seen nearly from its edge,
+/// along its nearer side.
 fn turned(gizmo: &TransformGizmo, axis: usize, length: f64, grip: &Grip<'_>) -> Option<Angle> {
     /// Sine of the angle below which a pixel would turn too far.
     const EDGE_ON: f64 = 0.2;

@@ -150,7 +150,7 @@ mod tests {
             assert!(texts.contains(&name), "{texts:?}");
         }
         assert!(two.surfaces.len() > plain.surfaces.len());
-        // No faces are added for what is flat.
+        // No faces are added for flat objects.
         let flat = drawn(vec![preview(DVec3::new(1.0, 0.0, 1.0), false)]);
         assert_eq!(flat.surfaces.len(), plain.surfaces.len());
     }
@@ -175,7 +175,7 @@ mod tests {
             axis: None,
             wrong: false,
         };
-        // Those of the colour of what is preview: the world is drawn around what there is.
+        // Those in the preview's colour: the world is drawn around its content.
         let color = Palette::of(style.theme).ghost;
         let polylines = |drawing: &Drawing| {
             let own = drawing.strokes.iter().filter(|set| set.style.color == color);

@@ -13,10 +13,10 @@ use super::pixels::PixelRect;
 use super::{Palette, Request, TriangleOverlay};
 use crate::figure::TriangleStep;
 
-/// How much of what is under it shows through a covered pixel.
+/// Opacity of a covered pixel.
 const GLASS: u8 = 130;
 
-/// Its corners, and from the cuts on what is left of it.
+/// Its corners, and from the cuts on those of the rest.
 fn shown(triangle: &TriangleOverlay) -> Vec<(char, DVec3)> {
     match triangle.step {
         TriangleStep::View | TriangleStep::Facing | TriangleStep::Outcodes => {

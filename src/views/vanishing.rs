@@ -21,7 +21,7 @@ use super::{Palette, Request};
 const DIRECTIONS: [(DVec3, &str); 3] = [(DVec3::X, "V_x"), (DVec3::Y, "V_y"), (DVec3::Z, "V_z")];
 
 /// (x_p, y_p) of the vanishing point of a direction, `[0]` (5.9), (5.10) of its ideal point; `None` where that is ideal
-/// itself: in parallel projection, and for what is parallel to the view plane up to rounding.
+/// itself: in parallel projection, and for directions parallel to the view plane up to rounding.
 pub(super) fn vanishing_point(camera: &Camera, direction: DVec3) -> Option<DVec2> {
     let basis = camera.basis();
     let along = direction.dot(basis.n);
@@ -148,7 +148,7 @@ impl WindowPicture<'_> {
         px.cmpge(DVec2::ZERO).all() && px.cmple(self.size).all()
     }
 
-    /// Draws what of a line is in the picture (in `f64`: a vanishing point may be a billion pixels away).
+    /// Draws the part of a line in the picture (in `f64`: a vanishing point may be a billion pixels away).
     fn line(
         &self,
         drawing: &mut Drawing,

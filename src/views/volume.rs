@@ -6,22 +6,21 @@ use glam::DVec3;
 use crate::camera::{Camera, Projection};
 use crate::geometry::Aabb;
 
-/// So many times larger than all else the whole volume may make what there is to see; beyond it, the volume is broken.
+/// Greatest enlargement of the visible content by the whole volume; beyond it, the volume is broken.
 const MOST_ENLARGED: f64 = 2.5;
 
-/// Where a broken volume ends in the picture, and where its gap is, measured by the depth at which all that there is to
-/// see ends.
+/// The end of a broken volume in the picture, and its gap, relative to the greatest depth of the other content.
 const END: f64 = 1.22;
 const GAP: [f64; 2] = [1.06, 1.105];
 
-/// Where F is more than so many times the depth at which all that there is to see ends, the window is drawn where the
-/// far face of a broken volume is, the far face behind it, as deep as this at most.
+/// Where F is more than this multiple of the greatest depth of the other content, the window is drawn at the place of
+/// the back face of a broken volume, with the back face behind it, as deep as this at most.
 const FARTHEST: f64 = 4.0;
 const DEEPEST: f64 = 0.5;
 
-/// How far the corners of a wide volume may pull the picture's border, measured by the radius of all else. One that is
-/// wider around its axis is drawn as wide as [`NARROWED`], with broken sides; of one twice as wide that lies aside,
-/// only the middle is in the picture.
+/// Greatest distance of the corners of a wide volume in the picture, in radii of the other content. One that is wider
+/// around its axis is drawn as wide as [`NARROWED`], with broken sides; of one twice as wide that lies off-axis, only
+/// the middle is in the picture.
 const WIDEST: f64 = 26.0;
 const NARROWED: f64 = 2.2;
 const MIDDLE: f64 = 4.0;
@@ -39,11 +38,11 @@ pub(super) struct DrawnVolume {
     /// From the axis to the corners of the window, along **u** and **v**.
     window: [[f64; 2]; 4],
     perspective: bool,
-    /// How much narrower than it is the volume is drawn along **u** and **v**: 1, or less where its sides are broken.
+    /// The scale of the drawn volume along **u** and **v**: 1, or less where its sides are broken.
     pub(super) narrowed: [f64; 2],
     /// The distance from C at which the window is drawn: F, or less where it lies far beyond all else.
     pub(super) start: f64,
-    /// From which to which distance what leads from C to the window is left out.
+    /// The range of distances left out between C and the window.
     pub(super) before: Option<[f64; 2]>,
     /// The distance from C at which the far face is drawn: B, or less where the volume is broken.
     pub(super) end: f64,
@@ -52,7 +51,7 @@ pub(super) struct DrawnVolume {
 }
 
 impl DrawnVolume {
-    /// The volume among what else there is to see: the box around it, and the points of it that the volume should hold.
+    /// The volume among the other content: the box around it, and the points that the volume should hold.
     pub(super) fn of(camera: &Camera, core: &Aabb, points: &[DVec3]) -> Self {
         let whole = Self::whole(camera);
         let depth = |least: f64| points.iter().map(|&p| -camera.view_point(p).z).fold(least, f64::max);
@@ -108,7 +107,7 @@ impl DrawnVolume {
         Self { start, before, end: start + depth.min(most), gap, ..self }
     }
 
-    /// With sides that leave what else there is to see readable.
+    /// With sides that leave the other content readable.
     fn narrower(self, radius: f64) -> Self {
         let widest = self.scale(self.end);
         let narrowed = std::array::from_fn(|axis| {
@@ -121,7 +120,7 @@ impl DrawnVolume {
         Self { narrowed, ..self }
     }
 
-    /// How many times as wide as the window a section is.
+    /// The width of a section relative to the window.
     fn scale(&self, distance: f64) -> f64 {
         if self.perspective { distance / self.near } else { 1.0 }
     }

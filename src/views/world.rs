@@ -83,7 +83,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     drawn
 }
 
-/// Up to so many faces a corner is looked at closely.
+/// Greatest number of faces that are tested for hiding a corner.
 const MOST_FACES: usize = 200_000;
 
 /// The picture while it is being made.
@@ -192,17 +192,17 @@ impl World<'_> {
         self.face(&near, self.palette.ink, 2.0, Dash::Solid);
     }
 
-    /// How opaque the image on the window may be so that it does not hide the scene: fully as long as it stands before
-    /// little of it, and the fainter the more it covers.
+    /// Opacity of the image on the window that does not hide the scene: full as long as it covers little of it, and the
+    /// fainter the more it covers.
     fn unobtrusive(&self) -> f64 {
         const LITTLE: f64 = 0.12;
         const MUCH: f64 = 0.45;
         const FAINTEST: f64 = 0.3;
-        // What is on a window that is drawn narrower is not to scale.
+        // The image on a window that is drawn narrower is not to scale.
         if self.content.volume.narrowed != [1.0; 2] {
             return 0.0;
         }
-        // A window so many times as large as all else is a wall without a picture.
+        // A window this many times as large as all else is a wall without a picture.
         const LARGE: f64 = 2.0;
         const WALL: f64 = 6.0;
         let Some(bounds) = self.request.scene.bounds() else { return 1.0 };
@@ -250,7 +250,7 @@ impl World<'_> {
         [window, far]
     }
 
-    /// Writes a face's name at the uppermost of its corners that can be seen, unless the face is too small to be told
+    /// Writes a face's name at the uppermost of its visible corners, unless the face is too small to be distinguished
     /// from a point.
     fn name_face(&mut self, face: &[DVec3; 4], text: &str) {
         let screen = self.builder.screen;
@@ -262,7 +262,7 @@ impl World<'_> {
             return;
         }
         corners.sort_by(|a, b| a.1.y.total_cmp(&b.1.y));
-        // Where there are very many faces, looking for one before the corner would take longer than the picture.
+        // With very many faces, testing which hides the corner would take longer than the picture.
         let faces: usize = self.request.scene.objects.iter().map(|o| o.mesh.triangles.len()).sum();
         let seen = |p: DVec3| faces > MOST_FACES || hits::can_be_seen(p, &self.request.scene, screen.camera());
         if let Some((corner, px)) = corners.into_iter().find(|(p, _)| seen(*p)) {
@@ -355,7 +355,7 @@ impl World<'_> {
         }
     }
 
-    /// From C and PF down (or up) to the ground: people judge distance by where a thing stands.
+    /// From C and PF down (or up) to the ground: people judge distance by the foot of a thing.
     fn drop_lines(&mut self) {
         let reach = 4.0 * self.content.radius();
         for p in [self.request.camera.position(), self.request.camera.focal_point()] {

@@ -1,4 +1,4 @@
-//! How the world is framed: its observer, and the sizes of the camera's gear, which belongs into the picture.
+//! The framing of the world: its observer, and the sizes of the camera's gear, which belongs into the picture.
 
 use glam::DVec3;
 
@@ -36,8 +36,8 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
     framing(request, Direction::from(*observer))
 }
 
-/// Frames what is of interest; the camera's gear has a size in pixels, so its room is known after a framing only, and
-/// each next one knows it better.
+/// Frames the content; the camera's gear has a size in pixels, so its extent is known after a framing only, and each
+/// next one knows it better.
 fn framing(request: &Request, direction: Direction) -> Observer {
     let content = Content::of(request);
     let mut observer = enclosing(&content.of_interest, direction, request.size);
@@ -56,7 +56,7 @@ fn framing(request: &Request, direction: Direction) -> Observer {
     observer
 }
 
-/// From where the world is seen.
+/// The observer of the world.
 pub(super) fn seen_from(request: &Request) -> Observer {
     if request.shot.look.world.section {
         return section::observer(request);

@@ -68,7 +68,7 @@ fn what_differs_is_said() {
     choose(&mut window, "compared with", "Direct3D");
     assert!(window.says("Direct3D has the same NDC as Metal: nothing differs."));
     window.click("compared with: B → ∞");
-    assert!(window.says("Marked: what differs in Direct3D, B → ∞. It has no far plane."));
+    assert!(window.says("Marked: what differs in Direct3D, B → ∞. It has no back plane."));
     choose(&mut window, "compared with", "nothing");
     assert_eq!(shown(&window).compared, None);
     assert!(!window.says("Marked") && !window.says("Direct3D, B"));

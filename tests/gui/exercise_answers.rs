@@ -142,7 +142,7 @@ fn too_few_numbers_are_told_with_both_counts_and_a_whole_answer_is_marked_as_any
     let signs = |window: &Window, sign: &str| window.written().iter().filter(|(text, _)| text == sign).count();
     assert_eq!((signs(&window, "✗"), signs(&window, "✓")), (1, 0));
     window.command_key(Key::L);
-    assert!(window.says("Pedem-se 3, foram dados 2."));
+    assert!(window.says("Esperavam-se 3 números, foram dados 2."));
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.harness.event(Event::Text(format!("[{}]", right(ask).join("; "))));
     window.run();

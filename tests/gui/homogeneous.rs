@@ -31,10 +31,10 @@ fn window(lang: Lang, points: &[(&str, DVec3)]) -> Window {
 }
 
 #[test]
-fn a_point_behind_the_eye_is_turned_over_and_one_beside_it_has_no_line() {
+fn a_point_behind_the_eye_is_flipped_and_one_beside_it_has_no_line() {
     let window = window(Lang::En, &[("Q", DVec3::new(1.0, 0.0, 9.0)), ("S", DVec3::new(2.0, 0.0, 5.0))]);
     let written: Vec<String> = window.written().into_iter().map(|(text, _)| text).collect();
-    assert!(written.iter().any(|text| text == "Q turned over"), "{written:?}");
+    assert!(written.iter().any(|text| text == "Q flipped"), "{written:?}");
     assert!(written.iter().any(|text| text == "S ideal"), "{written:?}");
     // Straight ahead, x and y are parallel to the view plane.
     assert!(written.iter().any(|text| text == "(±x, 0) ideal") && written.iter().any(|text| text == "(±z, 0)"));

@@ -75,7 +75,7 @@ fn typed_in_any_space_the_point_goes_where_it_has_these_coordinates() {
 #[test]
 fn what_no_point_has_is_refused_with_what_is_allowed() {
     for (lang, field, message) in
-        [(Lang::En, "NDC z_n", "no point of the world is so far"), (Lang::PtBr, "NDC z_n", "nenhum ponto do mundo")]
+        [(Lang::En, "NDC z_n", "no point of the world is that far"), (Lang::PtBr, "NDC z_n", "nenhum ponto do mundo")]
     {
         let mut window = window(lang, P);
         // z_n reaches (B + F)/(B − F) = 2 at infinity.

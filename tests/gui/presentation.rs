@@ -83,7 +83,7 @@ fn what_lies_between_two_figures_is_passed_over_and_told() {
     window.command_key(Key::L);
     window.command_key(Key::PageUp);
     assert_eq!(name(&window), "1.toml");
-    assert!(window.says("deixado"));
+    assert!(window.says("ignorado"));
 }
 
 #[test]

@@ -136,8 +136,8 @@ fn faults_of_the_figure_are_named_in_one_paragraph() {
     for (text, message) in [
         (
             "[camera]\nposition = [0, 5, 0]\nview_up = [0, 1, 0]",
-            "figure.toml, line 3: [camera] view_up is collinear with focal_point − position; allowed: any vector that \
-             points to another side",
+            "figure.toml, line 3: [camera] view_up is collinear with focal_point − position; allowed: any vector \
+             in another direction",
         ),
         ("[camera]\nnear = 0", "figure.toml, line 2: [camera] near is 0.0; allowed: a finite number greater than 0"),
         (

@@ -226,7 +226,7 @@ fn what_a_figure_names_has_one_budget_and_the_same_file_counts_once() {
     bench.write("figure.toml", meshes(&["\"a.gltf\"", "\"b.gltf\""]));
     render(&bench, "figure.toml", &[]).done();
     bench.write("figure.toml", meshes(&["\"a.gltf\"", "\"b.gltf\"", "\"c.gltf\""]));
-    for (lang, part) in [("en", "with it this figure's files have more than 512 MiB"), ("pt-BR", "passam de 512 MiB")] {
+    for (lang, part) in [("en", "with it the files of this figure exceed 512 MiB"), ("pt-BR", "passam de 512 MiB")] {
         let run = render(&bench, "figure.toml", &["--lang", lang]);
         assert!(run.refused(2).contains(part) && run.err.contains("c.bin"), "{}", run.err);
     }

@@ -66,6 +66,7 @@ mod stages;
 mod stress;
 mod stress_case;
 mod stroke_runs;
+mod text;
 mod trace;
 mod views;
 mod views_pictures;

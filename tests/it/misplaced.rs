@@ -93,7 +93,7 @@ fn render_says_it_and_writes_the_picture() {
     let run = Run::of(&mut bench.command(&["render", "narrow.toml", "--size", "100x100", "-o", "narrow.png"]));
     assert_eq!(run.status, Some(0));
     assert!(
-        run.err.contains("narrow.toml: vertex") && run.err.contains("of \"box\" is drawn 0.8 pixels"),
+        run.err.contains("narrow.toml: vertex") && run.err.contains("of \"box\" is drawn 0.8 px off"),
         "{}",
         run.err
     );

@@ -495,7 +495,7 @@ fn the_command_line_takes_the_convention() {
     }
     let refused = inspect(&["b.toml", "--ndc", "vulkan-infinite"]);
     assert_eq!((refused.status, refused.out.len()), (Some(2), 0));
-    assert!(refused.err.contains("b.toml: vulkan-infinite lets the far plane go to infinity"), "{}", refused.err);
+    assert!(refused.err.contains("b.toml: vulkan-infinite moves the back plane to infinity"), "{}", refused.err);
     let refused = inspect(&["b.toml", "--ndc", "vulkan-infinite", "--lang", "pt-BR"]);
     assert!(refused.err.contains("b.toml: vulkan-infinite leva o plano de fundo ao infinito"), "{}", refused.err);
     let unknown = inspect(&["a.toml", "--ndc", "direct3d-inverted"]);

@@ -5,8 +5,8 @@
 use camera_lab::camera::{Camera, Convention, Decomposition, Operation, Parameters};
 use camera_lab::figure::words::MEASURES;
 use camera_lab::figure::{
-    Figure, Measured, Observers, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TriangleStep, View, read, show_with,
-    write,
+    Figure, Measured, Observers, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TriangleStep, View, read,
+    show_with, write,
 };
 use camera_lab::geometry::Angle;
 use camera_lab::i18n::{Lang, pictures::labels};

@@ -110,7 +110,7 @@ fn what_cannot_be_followed_is_refused_with_what_is_allowed() {
         (&["--trace"][..], "--point"),
         (&["--depth-pixel", "1,2"], "I,J,Z"),
         (&["--depth-pixel", "1.5,2,0.5"], "two integers"),
-        (&["--depth-pixel", "1,2,2"], "no point of the world is so far"),
+        (&["--depth-pixel", "1,2,2"], "no point of the world is that far"),
     ] {
         let run = bench.run(&[&["inspect", "f.toml"], arguments].concat());
         let message = run.refused(2);

@@ -70,11 +70,11 @@ fn what_another_version_wrote_stays() {
 #[test]
 fn a_damaged_file_is_told_by_its_key() {
     for (text, said) in [
-        ("[exercise.basis]\ntries = \"two\"", "exercise.basis.tries cannot be understood"),
-        ("[exercise.basis]\ntries = -1", "exercise.basis.tries cannot be understood"),
-        ("[exercise.basis]\nseed = \"x\"", "exercise.basis.seed cannot be understood"),
-        ("exercise = 1", "exercise cannot be understood"),
-        ("[mistake]\nsign = 1", "mistake.sign cannot be understood"),
+        ("[exercise.basis]\ntries = \"two\"", "exercise.basis.tries cannot be read"),
+        ("[exercise.basis]\ntries = -1", "exercise.basis.tries cannot be read"),
+        ("[exercise.basis]\nseed = \"x\"", "exercise.basis.seed cannot be read"),
+        ("exercise = 1", "exercise cannot be read"),
+        ("[mistake]\nsign = 1", "mistake.sign cannot be read"),
     ] {
         assert_eq!(Progress::read(text).unwrap_err().to_string(), said);
     }

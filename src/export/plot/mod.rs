@@ -1,4 +1,8 @@
 //! Charts as SVG, PDF or PNG, drawn by one plotting library, in the bundled font.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `pdf` | one page of PDF as a back end of the plotting library |
 
 mod pdf;
 

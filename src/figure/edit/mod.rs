@@ -1,4 +1,8 @@
 //! A change of a figure → the change of its text, with comments and order kept.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `show` | one key of `[show]`, set from outside of a file |
 
 mod show;
 

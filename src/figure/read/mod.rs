@@ -1,4 +1,12 @@
 //! The text of a figure file → [`Figure`].
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `points` | the `[[points]]` of a figure file |
+//! | `scene` | the `[scene]` section: a preset, a tree of objects, lights |
+//! | `section` | one section of a figure file, whose keys are read one by one; the keys left over are unknown |
+//! | `show` | the `[show]` of a figure file |
+//! | `syntax` | a text that is not TOML: which line, which key, and why |
 
 mod points;
 mod scene;

@@ -1,4 +1,4 @@
-//! Where the pictures lie in the room they have: so that they use most of it, or as the user wants it.
+//! The layout of the pictures in their space: the one that uses most of it, or the user's.
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
@@ -13,10 +13,10 @@ const TITLE: f32 = 26.0;
 /// The share of the room that a picture keeps when a bar is dragged.
 const LEAST_SHARE: f32 = 0.15;
 
-/// Which way a bar moves.
+/// The direction in which a bar moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Axis {
-    /// The bar stands, and moves to the left and to the right.
+    /// The bar is vertical, and moves to the left and to the right.
     X,
     /// The bar lies, and moves up and down.
     Y,
@@ -25,11 +25,11 @@ pub(super) enum Axis {
 /// A bar between pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bar {
-    /// Where it is.
+    /// Its place.
     pub(super) rect: Rect,
-    /// Which way it moves.
+    /// The direction in which it moves.
     pub(super) axis: Axis,
-    /// What it divides.
+    /// The area that it divides.
     span: Rect,
     /// Its place in [`Shares`].
     index: (usize, usize),
@@ -103,7 +103,7 @@ pub(super) fn arrange(
     (pictures.iter().map(|framed| framed.picture).zip(rects).collect(), bars)
 }
 
-/// The places of so many pictures.
+/// The places of `count` pictures.
 fn lay_out(room: Rect, count: usize, arrangement: Arrangement, shares: &Shares) -> (Vec<Rect>, Vec<Bar>) {
     let place = Shares::place(arrangement, count);
     let [first, second] = shares.0[place];

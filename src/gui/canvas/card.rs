@@ -1,4 +1,4 @@
-//! The card with the coordinates of what is pinned: where it stands, and its buttons.
+//! The card with the coordinates of the pinned probe: its place, and its buttons.
 
 use eframe::egui::{Context, Id, Pos2, Rect, Ui, Vec2, Window, vec2};
 use glam::DVec3;
@@ -17,14 +17,14 @@ const USUAL: Vec2 = vec2(250.0, 190.0);
 /// Between a card and the border of the pictures.
 const MARGIN: f32 = 8.0;
 
-/// What the buttons of a card ask for.
+/// The action of a button of a card.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CardAction {
     /// Copy all digits.
     Copy,
     /// Follow the point through every space.
     Follow,
-    /// Forget what is pinned.
+    /// Release the pinned probe.
     Release,
 }
 
@@ -32,7 +32,7 @@ fn id() -> Id {
     Id::unique("card of the probe")
 }
 
-/// The coordinates of what is pinned, on a card that stays until it is released, at `place` where it is given; it can
+/// The coordinates of the pinned probe, on a card that stays until it is released, at `place` where it is given; it can
 /// be moved.
 pub(super) fn show(
     ui: &Ui,
@@ -104,8 +104,8 @@ fn place_on_screen(pane: &Pane, p_world: DVec3) -> Option<Pos2> {
     Some(pane.rect.rect_of(x, y, 0.0, 0.0).min)
 }
 
-/// Where a card of a size has its upper left corner, in the corner of the room that is farthest from all places; of
-/// equal ones the first of: below on the left, below on the right, above on the left, above on the right.
+/// The upper left corner of a card of this size, in the corner of the room that is farthest from all places; of equal
+/// ones the first of: below on the left, below on the right, above on the left, above on the right.
 fn farthest_corner(room: Rect, size: Vec2, places: &[Pos2]) -> Pos2 {
     let inner = room.shrink(MARGIN);
     let (left, top) = (inner.left(), inner.top());

@@ -55,13 +55,13 @@ impl PointDrag {
         self.put(state, self.before);
     }
 
-    /// Where it is, and how it is dragged.
+    /// Its position, and how it is dragged.
     pub(super) fn lines(&self, state: &State) -> Vec<String> {
         lines(self.index, state)
     }
 }
 
-/// The point under the pointer, and what is said of it.
+/// The point under the pointer, and its status lines.
 pub(super) fn hovered(request: &Request, pointer: DVec2, pane: &Pane, state: &State) -> Option<(DVec3, Vec<String>)> {
     let index = named_points::point_at(request, pointer, pane.rect.pixels(handle_drag::REACH))?;
     Some((request.shot.points.get(index)?.position, lines(index, state)))

@@ -1,5 +1,5 @@
-//! What is held with the pointer: the eye of a picture, a handle of the camera, the gizmo of what is selected, a point
-//! that is followed.
+//! Drags of the pointer: the observer of a picture, a handle of the camera, the gizmo of the selection, a followed
+//! point.
 
 use eframe::egui::{CursorIcon, Key, PointerButton, PopupAnchor, Pos2, RichText, TextWrapMode, Tooltip, Ui};
 use glam::DVec2;
@@ -23,7 +23,7 @@ use crate::views::{GizmoPart, Picture, Transforming, View};
 /// How near the pointer must come to a part of the gizmo, in points.
 pub(super) const GIZMO_REACH: f32 = 7.0;
 
-/// What is held with the pointer.
+/// A drag of the pointer.
 pub(super) enum Drag {
     /// The eye of a three-dimensional picture turns.
     Orbit { picture: usize, pressed: Vec<Option<Observer>> },
@@ -150,7 +150,7 @@ impl Canvas {
                     return;
                 };
                 let snap = ui.input(|i| i.modifiers.command).then(|| snap_length(state));
-                // Where the scene cannot be built with it, the last one that could stays.
+                // Where the scene cannot be built with it, the last possible one stays.
                 let Ok(Some((scene, all))) = movable.pulled(before, *part, pulled, snap) else { return };
                 *is_sheared = !all;
                 if state.document.figure().scene != scene {
@@ -168,7 +168,7 @@ impl Canvas {
         self.shot.pictures.iter().enumerate().filter(turns).map(|(i, _)| i).collect()
     }
 
-    /// Puts back what was there before the press.
+    /// Restores the state before the press.
     pub(super) fn give_up(&mut self, state: &mut State) {
         match self.drag.take() {
             None => {}
@@ -251,12 +251,12 @@ pub(super) fn tooltip(ui: &Ui, lines: &[String]) {
     });
 }
 
-/// How far a move goes in one step while the modifier is held: a tenth of D, as a power of ten.
+/// Length of one step of a move while the modifier is held: a tenth of D, as a power of ten.
 fn snap_length(state: &State) -> f64 {
     power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0)
 }
 
-/// What the gizmo changes of what is selected, as it is now, and how it is dragged.
+/// The transform of the selection that the gizmo changes, and how it is dragged.
 pub(super) fn gizmo_lines(state: &State, digits: usize) -> [String; 2] {
     let t = scenes::texts(state.settings.lang);
     let Some(movable) = Movable::selected(state) else { return Default::default() };

@@ -6,7 +6,7 @@ use eframe::egui::{
     Align2, FontId, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
-/// What is drawn on a button.
+/// The icon of a button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Icon {
     /// Four corners around a point.
@@ -35,8 +35,8 @@ pub(super) enum Icon {
     Arrange,
 }
 
-/// A square button as high as other buttons; `name` is its tooltip and what screen readers say. `on`: it is switched
-/// on.
+/// A square button as high as other buttons; `name` is its tooltip and its name for screen readers. `on`: it is
+/// switched on.
 pub(super) fn icon_button(ui: &mut Ui, icon: Icon, name: &str, on: bool) -> Response {
     let side = ui.spacing().interact_size.y;
     let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click());

@@ -1,4 +1,4 @@
-//! What the pointer that holds nothing and the keys do in the pictures; what it holds is in `held`.
+//! Interaction with the pictures by keys and by a pointer without a drag; drags are in `held`.
 
 use eframe::egui::{Event, EventFilter, Key, Modifiers, PointerButton, Ui, Vec2};
 use glam::DVec2;
@@ -27,7 +27,7 @@ const STEP: f64 = 5.0;
 const STEP_FACTOR: f64 = 1.1;
 
 impl Canvas {
-    /// Lets pointer and keys act; the result says what is under the pictures.
+    /// Handles pointer and keys; returns the status lines.
     pub(super) fn interact(
         &mut self,
         ui: &Ui,
@@ -111,8 +111,7 @@ impl Canvas {
         explain::clicked(state, &pane.request, pane.rect.pixel(pointer))
     }
 
-    /// While the tree of the scene is open, selects the object that was clicked; with `beside`, beside what is
-    /// selected.
+    /// While the tree of the scene is open, selects the clicked object; with `beside`, in addition to the selection.
     fn select(&self, state: &mut State, pane: &Pane, beside: bool) {
         let is_open = state.settings.tab == Tab::Scene && state.settings.panels().is_shown(Side::Left);
         let is_there = pane.view != View::Canonical || !state.is_on_the_way();
@@ -144,7 +143,7 @@ impl Canvas {
 
     // The pointer, not held.
 
-    /// Marks what is under the pointer and says what it is.
+    /// Marks the target of the pointer and reports it.
     fn hover(
         &mut self,
         ui: &Ui,

@@ -12,7 +12,7 @@ use crate::views::{Hover, Probe, Request, View, pick};
 /// Pixels for one press of an arrow key with Shift.
 const FAST: f64 = 10.0;
 
-/// What the arrow keys move the probe over.
+/// The targets of the probe for the arrow keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Probing {
     /// The pixels of the image (key I).
@@ -22,7 +22,7 @@ pub(super) enum Probing {
 }
 
 impl Probing {
-    /// What a key asks for in a picture; pixels only the image has.
+    /// The mode that a key begins in a picture; pixels only in the image.
     pub(super) fn asked(key: Key, view: View) -> Option<Self> {
         match (key, view) {
             (Key::I, View::Image) => Some(Self::Pixels),

@@ -1,4 +1,4 @@
-//! What takes longer than half a second: told under the pictures, and given up with Esc.
+//! Work that takes longer than half a second: reported under the pictures, and cancelled with Esc.
 
 use std::time::Duration;
 
@@ -11,20 +11,20 @@ use crate::i18n::canvas as words;
 use crate::i18n::{progress, scenes, window};
 use crate::sanitize;
 
-/// What is done sooner is not told.
+/// Work shorter than this is not reported.
 const PATIENCE: Duration = Duration::from_millis(500);
 
 /// Work that takes long.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LongWork {
-    /// What is being done, how to give it up, and what it is for.
+    /// The activity, its purpose, and how to cancel it.
     pub(super) text: String,
-    /// How much of what is being done has been, where that is known.
+    /// The share done, where it is known.
     pub(super) share: Option<f32>,
 }
 
 impl LongWork {
-    /// The work that has been going on for longest, of what takes long.
+    /// The longest-running long work.
     pub(super) fn of(canvas: &Canvas, state: &State) -> Option<Self> {
         let lang = state.settings.lang;
         let mesh = state
@@ -41,7 +41,7 @@ impl LongWork {
             .map(|(path, running)| (format!("{} {}", window::texts(lang).exporting, sanitize::path(path)), running));
         let all = exports.chain(mesh).chain(picture).filter(|(_, running)| running.time >= PATIENCE);
         let (what, Running { now, .. }) = all.max_by_key(|(_, running)| running.time)?;
-        // The name, which may be long, stands where it may be cut off.
+        // The name, which may be long, comes last, where it may be elided.
         let doing = now.map(|(doing, share)| format!("{} · ", progress::progress(lang, doing, share)));
         let text = format!("{}{} · {what}", doing.unwrap_or_default(), progress::texts(lang).cancel);
         Some(Self { text, share: now.and_then(|(_, share)| share) })
@@ -49,7 +49,7 @@ impl LongWork {
 }
 
 impl Canvas {
-    /// Gives up what takes long where Esc is pressed and means nothing else.
+    /// Cancels long work where Esc is pressed and means nothing else.
     pub fn listen_for_cancel(&mut self, ctx: &egui::Context, state: &mut State) {
         let busy = ctx.text_edit_focused() || ctx.input(|input| input.pointer.any_down());
         if state.file_flow.dialog.is_some() || busy || LongWork::of(self, state).is_none() {
@@ -115,7 +115,7 @@ mod tests {
             let mut output = ctx.run_ui(input, |ui| canvas.listen_for_cancel(ui.ctx(), state));
             output.textures_delta.clear();
         };
-        // Too early: nothing is told, and Escape means something else.
+        // Too early: nothing is reported, and Escape means something else.
         press(&mut state);
         std::thread::sleep(PATIENCE + Duration::from_millis(100));
         let told = LongWork::of(&Canvas::default(), &state).expect("told");

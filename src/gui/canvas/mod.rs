@@ -1,8 +1,29 @@
-//! The three pictures in the middle of the window: where they lie, who looks at them, and what the pointer does in
-//! them.
+//! The three pictures in the middle of the window: their layout, their observers, and the interaction with them.
 //!
-//! Nothing is stored that can be computed: each frame says anew what each visible picture is made from, and only a
-//! picture for which that has changed is drawn again.
+//! Nothing is stored that can be computed: each frame describes anew the request of each visible picture, and only a
+//! picture whose request has changed is drawn again.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `arrange` | the layout of the pictures in their space: the one that uses most of it, or the user's |
+//! | `card` | the card with the coordinates of the pinned probe: its place, and its buttons |
+//! | `followed` | dragging a point that is followed, in the world and in the image |
+//! | `held` | drags of the pointer: the observer of a picture, a handle of the camera, the gizmo of the selection |
+//! | `icons` | small buttons with drawn icons |
+//! | `interaction` | keys, and the pointer without a drag; drags are in `held` |
+//! | `keyboard_probe` | probing without a pointer: the arrow keys move the probe from pixel to pixel |
+//! | `long_work` | work that takes longer than half a second: reported under the pictures, and cancelled with Esc |
+//! | `observers` | the observers of the pictures in a frame |
+//! | `orbit` | the observers of the two three-dimensional pictures, and their changes by pointer and keys |
+//! | `picking` | the target of the pointer, found beside the window's thread in heavy scenes |
+//! | `readout` | the coordinates of the target of the pointer, in every space |
+//! | `rendering` | has pictures drawn beside the window's thread, each only when something that made it has changed |
+//! | `status` | the lines under the pictures: hints and position of the pointer, and the coordinates of the probe |
+//! | `strip` | the strip under the pictures: every stage with counts, time and reason |
+//! | `texture` | a picture on the screen: its textures, and where each of its pixels is |
+//! | `title` | the title of a picture, with its buttons |
+//! | `touch` | two fingers on a picture: pan and zoom |
+//! | `vertex_name` | the vertex at a point: its number and its object |
 
 mod arrange;
 mod card;
@@ -66,12 +87,12 @@ use crate::views::{Hover, Look, MAX_PICTURES, Palette, Picture, Probe, Request, 
 
 /// How long a frame waits for its pictures. What takes longer is shown when it is done.
 const PATIENCE: Duration = Duration::from_millis(30);
-/// How often it is told anew how far long work has come.
+/// Interval between reports of long work.
 const TELL: Duration = Duration::from_millis(100);
 
-/// Draws the pictures and keeps what belongs to them from one frame to the next.
+/// Draws the pictures and stores their state from one frame to the next.
 pub struct Canvas {
-    /// How long a frame waits for its pictures; tests have more of it than a hand that drags.
+    /// Time that a frame waits for its pictures; tests have more of it than a hand that drags.
     pub patience: Duration,
     rendering: Rendering,
     /// The pictures of the shot, as they are on the screen.
@@ -90,7 +111,7 @@ pub struct Canvas {
     drag: Option<Drag>,
     /// What the card speaks of.
     on_card: Option<Probe>,
-    /// For so many frames more the card is put in its place.
+    /// Number of frames until the card has settled in its place.
     card_settles: u8,
     vertex_names: VertexNames,
     /// For a double-click, whose first click was not meant to pin.
@@ -264,7 +285,7 @@ impl Canvas {
         }
     }
 
-    /// In an empty image stands why it is empty.
+    /// Explains an empty image, in it.
     fn say_why_empty(&self, ui: &mut Ui, state: &mut State, panes: &[Pane]) {
         let image = panes.iter().find(|pane| pane.view == View::Image);
         let is_there = |pane: &&Pane| self.drag.is_none() && self.pictures[pane.picture].missing.is_none();
@@ -411,7 +432,7 @@ impl Canvas {
         }
     }
 
-    /// What lies over the pictures: borders, the ring of the keyboard's focus, the cross of lines under the pointer.
+    /// Overlays of the pictures: borders, the focus ring, the cross hairs of the pointer.
     fn decorate(&self, ui: &Ui, state: &State, panes: &[Pane], texts: &CanvasTexts) {
         for pane in panes {
             let rect = pane.rect.rect;
@@ -518,7 +539,7 @@ fn copied(cells: &[Cell]) -> String {
     cells.iter().map(|cell| format!("{}\t{}\n", cell.space, cell.value)).collect::<String>().replace('−', "-")
 }
 
-/// Which mesh files are being read, in a sentence; empty where none is.
+/// The mesh files being read, in a sentence; empty where there are none.
 fn loading(state: &State) -> String {
     let files = state.scene_cache.loading();
     if files.is_empty() {

@@ -1,4 +1,4 @@
-//! From where the pictures are seen in a frame: as a button or a key asks for, as the figure says, or as it suits.
+//! The observers of the pictures in a frame: as requested by a button or a key, as in the figure, or fitted.
 
 use eframe::egui::Ui;
 

@@ -1,4 +1,4 @@
-//! From where the two three-dimensional pictures are seen, and how pointer and keys change that.
+//! The observers of the two three-dimensional pictures, and their changes by pointer and keys.
 
 use eframe::egui::Vec2;
 use glam::DVec2;
@@ -23,7 +23,7 @@ pub(super) struct Auto {
 #[derive(Debug)]
 struct FittedObserver {
     observer: Observer,
-    /// The observer that would fit, and what it was computed from.
+    /// The observer that would fit, and its inputs.
     fitted: Observer,
     camera: Camera,
     scene: SharedScene,
@@ -45,7 +45,7 @@ impl Auto {
             self.kept = Some(FittedObserver { observer: fitted, fitted, camera, scene, subject, size, outside });
             return Some(fitted);
         };
-        // Gear and letters have sizes of their own, in pixels; what lies outside the canonical volume needs room.
+        // Gear and letters have sizes of their own, in pixels; parts outside the canonical volume need room.
         let reshaped = kept.size != size || (request.view == View::Canonical && kept.outside != outside);
         if reshaped || kept.camera != *camera || kept.scene != *scene {
             (kept.size, kept.outside) = (size, outside);
@@ -65,7 +65,7 @@ impl Auto {
     }
 }
 
-/// True where what the fitted observer has in its picture is in this one's too, and not lost in it.
+/// Whether this observer's picture contains everything in the fitted one's, and not too small.
 fn still_fits(observer: &Observer, fitted: &Observer) -> bool {
     if (observer.azimuth, observer.elevation) != (fitted.azimuth, fitted.elevation) {
         return false;
@@ -75,8 +75,8 @@ fn still_fits(observer: &Observer, fitted: &Observer) -> bool {
     needed <= 1.08 * observer.distance && fitted.distance >= 0.4 * observer.distance
 }
 
-/// What a button of the toolbar or a key asks for, from where one looks now. `None`: the figure says nothing any more,
-/// and [`Auto`] looks.
+/// The observer requested by a button of the toolbar or a key, from the present one. `None`: the figure has none any
+/// more, and [`Auto`] applies.
 pub(super) fn changed(request: &Request, change: ObserverChange) -> Option<Observer> {
     match change {
         ObserverChange::From(Viewpoint::Iso) => None,
@@ -91,7 +91,7 @@ pub(super) fn orbited(pressed: Observer, motion: Vec2) -> Observer {
     pressed.orbit(f64::from(motion.x) * DEGREES_PER_POINT, f64::from(motion.y) * DEGREES_PER_POINT)
 }
 
-/// Goes nearer by `factor` so that what is at `pointer` (pixels) stays there.
+/// Moves nearer by `factor` so that the point at `pointer` (pixels) stays there.
 pub(super) fn zoomed_at(observer: Observer, factor: f64, pointer: DVec2, size: Size) -> Observer {
     let height = f64::from(size.height);
     let from_center = pointer - DVec2::new(f64::from(size.width), height) / 2.0;

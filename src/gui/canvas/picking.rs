@@ -1,4 +1,4 @@
-//! Finds what the pointer points at: at once in a light scene, beside the window's thread in a heavy one, so that
+//! Finds the target of the pointer: immediately in a light scene, beside the window's thread in a heavy one, so that
 //! neither the pointer nor the pictures wait for a walk through a million triangles.
 
 use std::time::Duration;
@@ -14,16 +14,16 @@ use crate::progress::Progress;
 use crate::views::depth::{self, DepthReading};
 use crate::views::{Probe, Request, View, pick};
 
-/// How near the pointer must come to a vertex, in points.
+/// Distance within which the pointer catches a vertex, in points.
 pub(super) const REACH: f32 = 7.0;
 
 /// More vertices and triangles than this take longer to look through than a frame has.
 const HEAVY: usize = 60_000;
 
-/// How long a frame waits for what is found.
+/// Time that a frame waits for the result.
 const PATIENCE: Duration = Duration::from_millis(4);
 
-/// What is asked about a picture.
+/// A query about a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum PickQuery {
     /// What is at a place (pixels), within reach (pixels).
@@ -42,7 +42,7 @@ pub(super) struct PickRequest {
 }
 
 impl PickRequest {
-    /// True where what was found for the other is better than nothing: the pointer has moved a little.
+    /// Whether the result of the other query is better than none: the pointer has moved a little.
     fn is_near(&self, other: &Self) -> bool {
         let is_under = |pick: &Self| matches!(pick.what, PickQuery::Under { .. });
         is_under(self) && is_under(other) && self.request == other.request
@@ -68,7 +68,7 @@ impl PickRequest {
     }
 }
 
-/// What was found.
+/// The result of a query.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct PickResult {
     pub(super) probe: Option<Probe>,
@@ -77,12 +77,12 @@ pub(super) struct PickResult {
     pub(super) point: Option<DVec3>,
 }
 
-/// What the depth buffer holds at a pixel, if anything.
+/// The content of the depth buffer at a pixel, if any.
 pub(super) type Depths = Option<DepthReading>;
 
-/// What is at `pointer` (pixels) in a picture: a vertex within `reach` pixels, or a pixel of the image.
+/// The target at `pointer` (pixels) in a picture: a vertex within `reach` pixels, or a pixel of the image.
 fn probe_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Probe> {
-    // What a pixel of the depth buffer holds is the depth of a face, not of a vertex behind or beside it.
+    // A pixel of the depth buffer holds the depth of a face, not of a vertex behind or beside it.
     let shows_depths = request.view == View::Image && request.shot.look.reveal.depth != Depth::Off;
     let vertex = if shows_depths { None } else { pick::vertex(request, pointer, reach) };
     vertex.map(Probe::Point).or_else(|| {
@@ -104,7 +104,7 @@ pub(super) fn center_of(image: ImageSize, camera: &Camera, pixel: DVec2) -> DVec
     image.window_from_image(&camera.window(), pixel + 0.5)
 }
 
-/// What the depth buffer holds under the probe; `None` where the image does not show depths.
+/// The content of the depth buffer under the probe; `None` where the image does not show depths.
 fn depths(probe: Probe, request: &Request) -> Option<Depths> {
     match probe {
         Probe::Window(w) if request.shot.look.reveal.depth != Depth::Off => Some(depth::reading(request, w)),
@@ -184,7 +184,7 @@ mod tests {
         while picker.ask(&ctx, heavy.clone()) != wanted {
             assert!(clock::now() - start < Duration::from_secs(60));
         }
-        // Until the next is found, the last one nearby stands; nothing of another camera.
+        // Until the next result, the last one nearby is shown; none of another camera.
         let what = PickQuery::Under { pointer: DVec2::new(201.0, 150.0), reach: 7.0 };
         let beside = PickRequest { what, ..heavy.clone() };
         assert!(picker.ask(&ctx, beside).probe.is_some());

@@ -1,4 +1,4 @@
-//! The coordinates of what is pointed at, in every space.
+//! The coordinates of the target of the pointer, in every space.
 
 use glam::{DVec2, DVec3};
 
@@ -115,7 +115,7 @@ fn depth_cells(depths: Option<Depths>, (digits, mark): (usize, DecimalMark), tex
     }
 }
 
-/// What the point of a probe is: which vertex of which object, numbered from 1.
+/// The vertex of a probe: its number, from 1, and its object.
 pub(super) fn vertex_cell(name: &VertexName, texts: &CanvasTexts) -> Cell {
     let VertexName { object, of_preset, number } = name;
     let object = if *of_preset { preset_object(texts.lang, object) } else { escaped(object) };

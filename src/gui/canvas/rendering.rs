@@ -29,9 +29,9 @@ pub(super) struct RenderJob {
 /// A picture that has been drawn.
 pub(super) struct Rendered {
     pub(super) tiles: Tiles,
-    /// How it came about, where that was asked for.
+    /// Its render report, where it was requested.
     pub(super) account: Option<RenderReport>,
-    /// What could not be done as it was asked for.
+    /// A shortfall of the picture.
     pub(super) too_much: Option<OverBudget>,
 }
 
@@ -40,7 +40,7 @@ pub(super) struct Rendered {
 pub(super) enum Missing {
     /// The user gave it up.
     Cancelled,
-    /// It has no size, no memory is left for it, or what draws has panicked.
+    /// It has no size, there is not enough memory, or drawing has panicked.
     NotDrawn,
 }
 
@@ -50,7 +50,7 @@ impl Missing {
     }
 }
 
-/// What came of a job.
+/// The result of a job.
 struct DrawOutcome {
     rendered: Result<Rendered, Missing>,
     draft: bool,
@@ -104,7 +104,7 @@ fn work() -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome {
     }
 }
 
-/// True for pictures that differ at most in what is pointed at.
+/// Whether two pictures differ at most in the hover.
 fn same_but_hover(one: &Request, other: &Request) -> bool {
     let bare = |request: &Request| Request { hover: Hover::default(), ..request.clone() };
     bare(one) == bare(other)

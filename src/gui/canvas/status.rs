@@ -1,4 +1,4 @@
-//! The lines under the pictures: what the pointer does and where it is, and the coordinates of the probe.
+//! The lines under the pictures: hints and position of the pointer, and the coordinates of the probe.
 
 use eframe::egui::{
     self, Align, Color32, FontId, Id, Label, Layout, Popup, Rect, RichText, TextStyle, Ui, UiBuilder, pos2, vec2,
@@ -20,7 +20,7 @@ const GAP: f32 = 1.0;
 /// The width of the bar that shows how far long work has come.
 const BAR: f32 = 120.0;
 
-/// What the buttons under the pictures ask for.
+/// The action of a button under the pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum StatusAction {
     /// Show a hidden picture.
@@ -29,41 +29,40 @@ pub(super) enum StatusAction {
     Arrange(Option<Arrangement>),
     /// Show the stages of the pipeline, or hide them.
     Strip,
-    /// Show what the coach has to say.
+    /// Show the coach.
     Coach,
 }
 
-/// What is said under the pictures.
+/// The content of the lines under the pictures.
 #[derive(Default)]
 pub(super) struct Status {
     /// The first line.
     pub(super) message: String,
-    /// For a while the keys of a presentation stand instead of the message, and how much is to be seen of them.
+    /// For a while the keys of a presentation replace the message, with this opacity.
     pub(super) keys: Option<(&'static str, f32)>,
-    /// What takes long stands instead of both.
+    /// Long work replaces both.
     pub(super) work: Option<LongWork>,
     /// The message says why something is not possible.
     pub(super) warning: bool,
     /// At the right end of the first line.
     pub(super) aside: String,
-    /// How the pictures share the room, where there is a choice.
+    /// The arrangement of the pictures, where there is a choice.
     pub(super) arrangement: Option<Option<Arrangement>>,
     /// The stages of the pipeline are shown.
     pub(super) strip: bool,
-    /// What the coach has to say, in a few words.
+    /// The summary of the coach.
     pub(super) coach: Option<Brief>,
     /// The pictures that can be shown again.
     pub(super) hidden: Vec<View>,
     /// The coordinates of the probe.
     pub(super) cells: Vec<Cell>,
-    /// The same with all digits, for the tooltip.
+    /// The cells with all digits, for the tooltip.
     pub(super) exact: Vec<Cell>,
-    /// What stands there without a probe, or after the cells.
+    /// The text without a probe, or after the cells.
     pub(super) note: &'static str,
 }
 
-/// How many lines of cells there are. They depend on the room alone, so that nothing moves when the probe comes and
-/// goes.
+/// Number of lines of cells. It depends on the space alone, so that nothing moves when the probe comes and goes.
 fn lines(ui: &Ui, width: f32) -> u8 {
     let em = line_height(ui);
     if width >= 120.0 * em {
@@ -142,7 +141,7 @@ impl Status {
         action
     }
 
-    /// What is under the pointer, or how far long work has come.
+    /// The hint for the target of the pointer, or the progress of long work.
     fn message(&self, ui: &mut Ui) {
         if let Some(work) = &self.work {
             if let Some(share) = work.share {
@@ -195,8 +194,8 @@ impl Status {
     }
 }
 
-/// A button that is the same whatever comes before it: one that is pressed is let go of as itself, also where what
-/// stands before it comes or goes meanwhile.
+/// A button with an identity that does not depend on the ones before it: a press and its release belong together, even
+/// where one of those comes or goes in between.
 fn named<R>(ui: &mut Ui, name: &'static str, button: impl FnOnce(&mut Ui) -> R) -> R {
     ui.scope_builder(UiBuilder::new().scope_id(Id::unique(("under the pictures", name))), button).inner
 }
@@ -205,7 +204,7 @@ fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) 
     let mut action = None;
     let button = icon_button(ui, Icon::Arrange, texts.arrange, false);
     Popup::menu(&button).show(|ui| {
-        // Menus leave borders out; without one, what is not chosen cannot be seen on a light ground.
+        // Menus leave borders out; without one, an unchosen button cannot be seen on a light background.
         ui.visuals_mut().widgets.inactive.bg_stroke = ui.visuals().widgets.noninteractive.fg_stroke;
         for choice in [None].into_iter().chain(Arrangement::ALL.map(Some)) {
             if ui.radio(choice == now, texts.arrangement(choice)).clicked() {
@@ -217,8 +216,8 @@ fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) 
     action
 }
 
-/// Where cells stand one after the other in so many lines, as many as there is room for; true where that is all of
-/// them.
+/// The places of cells one after the other in `lines` lines, as many as there is space for; returns whether those are
+/// all.
 fn flow(ui: &Ui, rect: Rect, lines: u8, cells: &[&Cell]) -> (Vec<Rect>, bool) {
     let height = line_height(ui);
     let (mut places, mut line, mut x) = (Vec::new(), 0_u8, rect.left());

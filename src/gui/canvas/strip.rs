@@ -1,5 +1,5 @@
-//! The strip under the pictures: every stage of the pipeline in the order of `[3]`, with what went in and came out, how
-//! long it took, or why it was left out, as it was for the picture that is on the screen.
+//! The strip under the pictures: every stage of the pipeline in the order of `[3]`, with counts in and out, time, or
+//! the reason why it was left out, for the picture on the screen.
 
 use std::time::Duration;
 
@@ -24,18 +24,18 @@ use crate::views::View;
 /// The least width of a cell, in heights of its letters.
 const CELL_WIDTH: f32 = 8.2;
 
-/// What the strip's controls ask for.
+/// The action of a control of the strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum StripAction {
     /// Show the stages of another picture.
     Of(View),
     /// Hide the strip.
     Close,
-    /// Show what goes into a stage and what comes out, or no more.
+    /// Show or hide the input and output of a stage.
     Show(Stage),
 }
 
-/// What the strip shows.
+/// The content of the strip.
 pub(super) struct Strip<'a> {
     pub(super) lang: Lang,
     pub(super) texts: &'a CanvasTexts,
@@ -88,7 +88,7 @@ impl Strip<'_> {
         self.head(ui, head, pointed.or(self.shown)).or(clicked.map(StripAction::Show))
     }
 
-    /// Whose stages they are, and in a sentence what is pointed at.
+    /// The picture of the stages, and a sentence about the stage under the pointer.
     fn head(&self, ui: &mut Ui, rect: Rect, pointed: Option<Stage>) -> Option<StripAction> {
         let mut action = None;
         let builder = UiBuilder::new().id_salt("strip").max_rect(rect).layout(Layout::left_to_right(Align::Center));
@@ -123,7 +123,7 @@ impl Strip<'_> {
         action
     }
 
-    /// What is pointed at in full, or what there is to see in the strip.
+    /// The stage under the pointer in full, or a summary of the strip.
     fn sentence(&self, pointed: Option<Stage>) -> String {
         let Some(account) = self.account else {
             return (if self.hidden { self.texts.strip_hidden } else { "" }).to_owned();
@@ -186,13 +186,13 @@ impl Strip<'_> {
         self.lang.mark().printed(&numbers::duration(time))
     }
 
-    /// What went in and came out, with its unit where that `fits`.
+    /// The counts in and out, with their unit where it `fits`.
     fn counts(&self, report: &StageReport, fits: impl Fn(&str) -> bool) -> String {
         let Some((from, to)) = report.counts else { return String::new() };
         let count = |n| self.lang.mark().printed(&numbers::count(n));
         let unit = words::unit(self.lang, report);
         let (short, long) = match unit.split_once(" → ") {
-            // What comes out is of another kind than what went in.
+            // The output is of another kind than the input.
             Some((before, after)) => {
                 let short = format!("{}→{}", count(from), count(to));
                 (

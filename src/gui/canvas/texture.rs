@@ -9,7 +9,7 @@ use crate::views;
 /// One pixel of a picture is one pixel of the screen.
 const OPTIONS: TextureOptions = TextureOptions::NEAREST;
 
-/// Where a picture lies: its corner on a whole pixel, its sides whole pixels.
+/// The place of a picture: its corner on a whole pixel, its sides whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PictureRect {
     /// In points.
@@ -106,7 +106,7 @@ pub(super) struct PictureTexture {
 }
 
 impl PictureTexture {
-    /// Takes a new picture; the textures are kept where their number is the same.
+    /// Takes a new picture; the textures are reused where their number is the same.
     pub(super) fn set(&mut self, ctx: &Context, name: &str, picture: Option<Tiles>) {
         self.failed = picture.is_none();
         let Some(Tiles { size, tiles }) = picture else { return };

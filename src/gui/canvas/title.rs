@@ -10,7 +10,7 @@ use crate::i18n::canvas::CanvasTexts;
 use crate::views::View;
 use crate::views::observer::Viewpoint;
 
-/// What a title's buttons ask for.
+/// The action of a title's button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum TitleAction {
     /// Look from somewhere else.
@@ -27,7 +27,7 @@ pub(super) enum TitleAction {
     ToggleSection,
 }
 
-/// What a title shows.
+/// The content of a title.
 pub(super) struct Title<'a> {
     pub(super) view: View,
     pub(super) texts: &'a CanvasTexts,
@@ -128,7 +128,7 @@ impl Title<'_> {
         action
     }
 
-    /// How much room the switch of the image takes.
+    /// Width of the switch of the image.
     fn switch_width(&self, ui: &Ui) -> f32 {
         let text = RichText::new(self.texts.undistorted).small();
         let extend = Some(egui::TextWrapMode::Extend);
@@ -140,7 +140,7 @@ impl Title<'_> {
         RichText::new(format!("{} ▾", self.texts.look)).small()
     }
 
-    /// How much room the menu takes with its word.
+    /// Width of the menu with its word.
     fn menu_width(&self, ui: &Ui) -> f32 {
         let extend = Some(egui::TextWrapMode::Extend);
         let galley = WidgetText::from(self.menu_text()).into_galley(ui, extend, f32::INFINITY, TextStyle::Small);
@@ -169,7 +169,7 @@ impl Title<'_> {
         action
     }
 
-    /// From where to look, in words and with the keys for it.
+    /// The menu of viewpoints, in words and with their keys.
     fn observer_menu(&self, ui: &mut Ui, worded: bool) -> Option<TitleAction> {
         let mut action = None;
         let button = if worded {

@@ -1,4 +1,4 @@
-//! Which vertex of which object stands at a point.
+//! The vertex at a point: its number and its object.
 
 use glam::DVec3;
 
@@ -13,13 +13,13 @@ use crate::views::SharedScene;
 pub(super) struct VertexName {
     /// The object's name.
     pub(super) object: String,
-    /// It belongs to the named scene.
+    /// Part of the named scene.
     pub(super) of_preset: bool,
     /// Its place among the object's vertices, from 1.
     pub(super) number: usize,
 }
 
-/// The name of the point that was asked for last: in a scene of millions of vertices it takes a while to find.
+/// The name of the point requested last: in a scene of millions of vertices it takes a while to find.
 #[derive(Debug, Default)]
 pub(super) struct VertexNames {
     last: Memo<(SharedScene, DVec3), Option<VertexName>>,

@@ -1,5 +1,5 @@
-//! The depth panel: z_n over the distance from the eye, what formats of depth buffers tell apart, and planes that hold
-//! the scene.
+//! The depth panel: z_n over the distance from the eye, the resolution of formats of depth buffers, and planes that
+//! contain the scene.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Color32, Grid, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
@@ -60,7 +60,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Para
     wanted.filter(|p| Camera::new(p).is_ok())
 }
 
-/// What each format of depth buffers tells apart, and what it makes of the two planes.
+/// The resolution of each format of depth buffers, and its picture of the two planes.
 fn formats(ui: &mut Ui, lang: Lang, resolutions: &[Resolution]) {
     let t = words::texts(lang);
     let colors = Planes::of(ui);

@@ -2,6 +2,26 @@
 //!
 //! A tab is a variant of [`ExplainTab`], its row in `TABS` and a file here with `fn ui`. Only the tab that is shown
 //! computes anything.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `answer` | the explanation of an entry: its formula, its numbers, its value, and the definitions of its symbols |
+//! | `arithmetic` | a point's way, step by step, with each product written out: forward and back |
+//! | `code` | the tab of code: the camera for other libraries |
+//! | `dialects` | the tab of other vocabularies, and a pasted matrix → its camera |
+//! | `digits` | numbers whose changed digits glow |
+//! | `entries` | the entries of a matrix as a grid, each a control of its own |
+//! | `homogeneous` | the tab of w: points in (x_r, w_r), where a middle goes, and a floor with and without w |
+//! | `matrices` | the tab of matrices: each entry of each matrix with its formula, its numbers and its value |
+//! | `measures` | the measures of symbols in the world |
+//! | `notes` | the tab of notes, found by words or by F1 |
+//! | `order` | the tab of order: a list of transforms, in both readings |
+//! | `order_list` | the list of the tab of order: calls with their numbers, moved by dragging their dots and by keyboard |
+//! | `point` | the tab of a point: its coordinates in every space, and its trace |
+//! | `stages` | the tab of stages: the image painted so far, triangle by triangle, by each hidden-surface algorithm |
+//! | `steps` | the tab of steps: the factors on the way to the canonical volume |
+//! | `subject` | the subject of the explanations: the figure's camera, and the selected object |
+//! | `triangle` | one triangle step by step: its corners in each space, the cuts |
 
 mod answer;
 mod arithmetic;

@@ -29,7 +29,7 @@ pub(in crate::gui) fn read(ctx: &egui::Context, file: File, then: impl FnOnce(Pa
     });
 }
 
-/// What came back, for the window and for what the browser calls.
+/// The answer, for the window and for the callbacks of the browser.
 type Answer = Rc<RefCell<Option<FileAnswer>>>;
 
 /// The browser's dialog, which is open.
@@ -58,7 +58,7 @@ fn open(ctx: &egui::Context, question: FileQuestion, answer: &Answer) -> Option<
     let document = web_sys::window()?.document()?;
     let input: HtmlInputElement = document.create_element("input").ok()?.dyn_into().ok()?;
     input.set_type("file");
-    // A figure comes with its meshes, and a mesh with what it names: all kinds of files can be chosen beside it.
+    // A figure comes with its meshes, and a mesh with the files it names: all kinds of files can be chosen together.
     input.set_multiple(true);
     let endings: Vec<&str> = question.filters.iter().flat_map(|(_, endings)| endings.iter().copied()).collect();
     let (chosen, dialog, wake) = (Rc::clone(answer), input.clone(), ctx.clone());
@@ -89,7 +89,7 @@ fn open(ctx: &egui::Context, question: FileQuestion, answer: &Answer) -> Option<
     Some(())
 }
 
-/// The file that was asked for; the others are what it names.
+/// The requested file; the others are those that it names.
 fn first_of(paths: Vec<PathBuf>, endings: &[&str]) -> Option<PathBuf> {
     let is_asked_for = |path: &Path| {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();

@@ -11,12 +11,11 @@ use crate::clock;
 use crate::gui::worker::{Done, Worker};
 use crate::progress::Progress;
 
-/// Where no portal and no zenity runs, the answer comes at once (10 ms, on a busy machine some hundreds) and looks like
-/// a cancellation. Nobody reads a dialog and closes it this fast; if somebody does, the question for a path does no
-/// harm.
+/// Without a portal or zenity, the answer comes at once (10 ms, on a busy machine some hundreds) and looks like a
+/// cancellation. Nobody reads a dialog and closes it this fast; if somebody does, the question for a path does no harm.
 const TOO_FAST: Duration = Duration::from_millis(600);
 
-/// What is chosen in a dialog, once it has been closed.
+/// The choice in a dialog, once it has been closed.
 type Chosen = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
 
 /// A dialog that is open. Each has a thread of its own: one that never answers does not keep the next from being

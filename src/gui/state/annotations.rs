@@ -1,13 +1,13 @@
-//! What a lecturer draws and shows over the pictures: it belongs to the moment, not to the figure.
+//! Annotations of a lecturer over the pictures: they belong to the moment, not to the figure.
 
 use eframe::egui::Pos2;
 
-/// What lies over the pictures.
+/// The annotations over the pictures.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Annotations {
     /// The pointer draws.
     pub pen: bool,
-    /// What it has drawn, in points of the window.
+    /// The strokes of the pen, in points of the window.
     pub strokes: Vec<Vec<Pos2>>,
     /// A spot shows where the pointer is.
     pub spot: bool,

@@ -1,4 +1,5 @@
-//! What the coach knows of the figure: found beside the window's thread, anew only when what it depends on has changed.
+//! The coach's findings about the figure: computed beside the window's thread, and anew only when their inputs have
+//! changed.
 
 use std::time::Duration;
 
@@ -13,7 +14,7 @@ use crate::numerics::health::{Health, health};
 use crate::progress::Progress;
 use crate::views::SharedScene;
 
-/// What the answer depends on.
+/// The inputs of the findings.
 #[derive(Clone, Debug, PartialEq)]
 struct HealthRequest {
     camera: Camera,
@@ -22,7 +23,7 @@ struct HealthRequest {
     image: ImageSize,
 }
 
-/// What is wrong with the picture, and how near the camera is to trouble.
+/// The faults of the picture, and the health of the camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Advice {
     /// The camera that it is about.
@@ -60,13 +61,13 @@ impl Coach {
         self.advice.poll(patience);
     }
 
-    /// What there is to say of the figure as it was asked about last; `None` until it is known.
+    /// The advice for the last request; `None` until it is known.
     #[must_use]
     pub fn advice(&self) -> Option<&Advice> {
         self.advice.answer()
     }
 
-    /// The same, or what was said last, while what has changed since is looked at.
+    /// The advice, or the last one while changes since are being examined.
     #[must_use]
     pub fn newest_advice(&self) -> Option<&Advice> {
         self.advice.newest().map(|(_, advice)| advice)
@@ -98,7 +99,7 @@ impl State {
         self.document.edit(|figure| figure.style.shading = style.shading);
     }
 
-    /// The same of the camera alone.
+    /// Applies a repair of the camera alone.
     pub(in crate::gui) fn apply_camera(&mut self, camera: Parameters) {
         self.document.commit();
         self.document.set_parameters(camera);

@@ -1,4 +1,4 @@
-//! How matrices and what follows from them are shown. The figure does not depend on it.
+//! The display of matrices and the numbers that follow from them. The figure does not depend on it.
 
 use crate::camera::Ndc;
 

@@ -1,4 +1,4 @@
-//! The tab of exercises: what is chosen, what was typed, and what became of it.
+//! The tab of exercises: the choice, typed answers, and verdicts.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -16,19 +16,18 @@ use crate::files::{self, FileError, OwnExercises};
 pub struct Chosen {
     /// The identifier of the exercise or of its family.
     pub id: String,
-    /// What its numbers come from; 0 where they are those of the notes.
+    /// The source of its numbers; 0 where they are those of the notes.
     pub seed: u64,
 }
 
-/// What was typed for an exercise.
+/// The typed answers of an exercise.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Typed {
-    /// By the name of what is asked: the fields, row by row; one for a number, a choice or a camera.
+    /// The fields by the name of the ask, row by row; one for a number, a choice or a camera.
     pub answers: BTreeMap<String, Vec<String>>,
     /// Numbers that the source leaves open, by their names.
     pub free: BTreeMap<String, String>,
-    /// The answers that were judged as they stand here, by the names of what is asked; what became of them is judged
-    /// again, not kept.
+    /// The answers judged as they are here, by the names of the asks; their verdicts are computed again, not stored.
     pub judged: BTreeSet<String>,
 }
 
@@ -40,7 +39,7 @@ impl Typed {
         all.all(|text| text.trim().is_empty())
     }
 
-    /// The numbers that were chosen where the source leaves them open; what is not a number is left out.
+    /// The numbers chosen where the source leaves them open; texts that are not numbers are left out.
     #[must_use]
     pub fn chosen_numbers(&self) -> Free {
         let number = |text: &String| evaluate(text, Dimension::Number).ok().filter(|value| *value > 0.0);
@@ -48,16 +47,16 @@ impl Typed {
     }
 }
 
-/// What was done in a window; files are written by what was done, so that two windows lose nothing of each other.
+/// A record of progress in a window; files are written from records, so that two windows lose nothing of each other.
 #[derive(Clone, Debug)]
 pub(in crate::gui) enum Done {
     /// An answer was judged, at a time in seconds since the beginning of 1970.
     Judged(Arc<Exercise>, Box<Judged>, u64),
-    /// So many hints and worked steps of what is asked are open.
+    /// The number of open hints and worked steps of an ask.
     Opened { id: String, seed: u64, ask: String, hints: u32 },
     /// Other numbers were chosen where the notes leave them open.
     NumbersChanged(String),
-    /// It was solved before there was a file of progress.
+    /// Solved before there was a file of progress.
     WasSolved(String),
 }
 
@@ -73,23 +72,23 @@ impl Done {
     }
 }
 
-/// What became of an answer.
+/// The verdict on an answer.
 #[derive(Clone, Debug)]
 pub struct Checked {
     /// The fields as they were judged.
     pub fields: Vec<String>,
-    /// What was said.
+    /// The verdict.
     pub judged: Judged,
 }
 
-/// What is open of the way to an answer.
+/// The open part of the help for an answer.
 #[derive(Clone, Debug, Default)]
 pub struct Opened {
-    /// How many hints.
+    /// Number of hints.
     pub hints: usize,
-    /// How many worked steps.
+    /// Number of worked steps.
     pub steps: usize,
-    /// The whole way, once a step was asked for.
+    /// The whole solution, once a step was requested.
     pub(in crate::gui) way: Option<Arc<[Worked]>>,
 }
 
@@ -98,7 +97,7 @@ pub struct Opened {
 pub struct Described {
     /// The ask that was answered.
     pub ask: String,
-    /// What it describes.
+    /// The camera that the answer describes.
     pub camera: Result<Box<Camera>, NotCamera>,
 }
 
@@ -116,42 +115,42 @@ pub enum NotCamera {
 /// A folder of a lecturer's own exercises, as it was when it was opened.
 #[derive(Debug)]
 pub struct OwnFolder {
-    /// Where it is.
+    /// The path of the folder.
     pub folder: PathBuf,
-    /// What it holds, or why it cannot be read.
+    /// Its content, or the reason why it cannot be read.
     pub found: Result<OwnExercises, FileError>,
 }
 
 /// The tab of exercises.
 #[derive(Clone, Debug, Default)]
 pub struct Exercises {
-    /// What is searched for in the list.
+    /// The search text of the list.
     pub wanted: String,
     /// The exercise that is worked on; `None`: the list is shown.
     pub open: Option<Chosen>,
-    /// What was typed, for every exercise.
+    /// The typed answers of every exercise.
     pub typed: BTreeMap<Chosen, Typed>,
-    /// What was checked, of the exercise that is worked on.
+    /// The verdicts, of the current exercise.
     pub checked: BTreeMap<String, Checked>,
-    /// What is open of the ways, of the exercise that is worked on.
+    /// The open help, of the current exercise.
     pub opened: BTreeMap<String, Opened>,
     /// The camera of an answer that is shown beside the right one.
     pub described: Option<Described>,
-    /// They have been called in this window: that the panel stood open when it began does not count.
+    /// The exercises were opened in this window: a panel that was open at the start does not count.
     pub(in crate::gui) was_called: bool,
     /// The keyboard goes to the first control: the field for words, or the way back to the list.
     pub(in crate::gui) calls_keyboard: bool,
-    /// Where the keyboard goes next: in the list to an identifier, in an exercise to the answer of what has this name.
+    /// The next target of the focus: in the list an identifier, in an exercise the answer to the ask of this name.
     pub(in crate::gui) wants_focus: Option<String>,
-    /// What is asked, where something was said of it just now: that is brought into sight, in so many frames.
+    /// The ask with a new verdict or help: scrolled into sight within this number of frames.
     pub(in crate::gui) just_said: Option<(String, u8)>,
     /// The statement is brought into sight.
     pub(in crate::gui) just_opened: bool,
-    /// What was done, in this window and others.
+    /// The progress, in this window and others.
     pub progress: Progress,
-    /// The file in which it is kept.
+    /// The file of the progress.
     pub file: Option<PathBuf>,
-    /// What was done and is not in the file yet.
+    /// Records that are not in the file yet.
     pub(in crate::gui) unwritten: Vec<Done>,
     /// All of it is to be forgotten, and the file to be set aside.
     pub(in crate::gui) forgets: bool,
@@ -203,14 +202,14 @@ impl Exercises {
         }
     }
 
-    /// Something was said of what is asked.
+    /// Marks an ask as having a new verdict or help.
     pub(in crate::gui) fn say(&mut self, ask: &Ask) {
-        /// It is laid out in one frame, and known with its height in the next.
+        /// It is laid out in one frame, and its height is known in the next.
         const FRAMES: u8 = 2;
         self.just_said = Some((ask.name.clone(), FRAMES));
     }
 
-    /// The name of what something was said of just now.
+    /// The name of the ask with a new verdict or help.
     pub(in crate::gui) fn take_said(&mut self) -> Option<String> {
         let (name, frames) = self.just_said.take()?;
         if frames > 1 {
@@ -219,7 +218,7 @@ impl Exercises {
         Some(name)
     }
 
-    /// Gives the keyboard to what is wanted by its name.
+    /// Gives the focus to the widget wanted by its name.
     pub(in crate::gui) fn give_focus(&mut self, name: &str, response: &egui::Response) {
         if self.wants_focus.as_deref() != Some(name) {
             return;
@@ -234,7 +233,7 @@ impl Exercises {
         }
     }
 
-    /// Works on an exercise; what was typed for it before is there again.
+    /// Opens an exercise; its typed answers are restored.
     pub fn work_on(&mut self, chosen: Chosen) {
         if self.open.as_ref() == Some(&chosen) {
             return;
@@ -277,7 +276,7 @@ impl Exercises {
         Some((entry, Arc::clone(exercise)))
     }
 
-    /// Judges what was judged before it was left, which is no new try.
+    /// Judges the answers that were judged before, which is no new try.
     fn judge_again(&mut self, entry: &Entry, exercise: &Exercise) {
         for ask in &exercise.asks {
             if !self.typed_now().judged.contains(&ask.name) {
@@ -291,7 +290,7 @@ impl Exercises {
         }
     }
 
-    /// What was typed into the fields of what is asked.
+    /// The fields of an ask.
     pub(in crate::gui) fn fields(&mut self, ask: &Ask) -> &[String] {
         let [rows, columns] = ask.shape();
         let fields = self.typed_now().answers.entry(ask.name.clone()).or_default();
@@ -299,7 +298,7 @@ impl Exercises {
         fields
     }
 
-    /// Types into the fields of what is asked. What is typed is not judged yet, and describes no camera.
+    /// Types into the fields of an ask. The new answer is not judged yet, and describes no camera.
     pub(in crate::gui) fn type_into(&mut self, ask: &Ask, fields: Vec<String>) {
         if *self.fields(ask) == fields {
             return;
@@ -317,18 +316,18 @@ impl Exercises {
         }
     }
 
-    /// Keeps what became of an answer, and that it was judged.
+    /// Stores the verdict on an answer, and that it was judged.
     pub(in crate::gui) fn took(&mut self, ask: &Ask, checked: Checked) {
         self.typed_now().judged.insert(ask.name.clone());
         self.checked.insert(ask.name.clone(), checked);
     }
 
-    /// What was typed for the exercise that is worked on.
+    /// The typed answers of the current exercise.
     pub(in crate::gui) fn typed_now(&mut self) -> &mut Typed {
         self.typed.entry(self.open.clone().unwrap_or_default()).or_default()
     }
 
-    /// How far an exercise or a family is: as far as the one of it that is farthest.
+    /// The stage of an exercise or a family: that of its most advanced member.
     #[must_use]
     pub fn stage(&self, id: &str) -> Stage {
         match self.progress.stage(id) {
@@ -346,7 +345,8 @@ impl Exercises {
         seeds.map(|(chosen, _)| chosen.seed).max().unwrap_or_default()
     }
 
-    /// What is practised next, and why; not what is worked on already. `now`: seconds since the beginning of 1970.
+    /// The next exercise to practise, and the reason; never the current one. `now`: seconds since the beginning of
+    /// 1970.
     #[must_use]
     pub fn next(&self, now: u64) -> Option<(Chosen, Why)> {
         let all: Vec<&Entry> = self.entries().collect();
@@ -359,40 +359,40 @@ impl Exercises {
 
     fn next_of(&self, entries: &[&Entry], now: u64) -> Option<(Chosen, Why)> {
         let next = self.progress.practise_next(entries.iter().copied(), now)?;
-        // Of what was not judged yet, what was typed is gone on with.
+        // An exercise with typed but unjudged answers is continued.
         let begun = entries.iter().find(|entry| entry.id == next.id && self.progress.tried(&next.id).is_none());
         let seed = begun.map_or(next.seed, |entry| self.seed_of(entry));
         Some((Chosen { id: next.id, seed }, next.why))
     }
 
-    /// Notes what was done, for this window and for the file.
+    /// Records progress, for this window and for the file.
     pub(in crate::gui) fn note(&mut self, done: Done) {
         done.note(&mut self.progress);
         self.unwritten.push(done);
     }
 
-    /// Notes how many hints and worked steps of what is asked are open.
+    /// Records the number of open hints and worked steps of an ask.
     pub(in crate::gui) fn note_opened(&mut self, exercise: &Exercise, ask: &Ask) {
         let opened = self.opened.get(&ask.name).map_or(0, |opened| opened.hints + opened.steps);
         let hints = u32::try_from(opened).unwrap_or(u32::MAX);
         self.note(Done::Opened { id: exercise.id.clone(), seed: exercise.seed, ask: ask.name.clone(), hints });
     }
 
-    /// Nothing is kept any more: neither what was done nor what was typed.
+    /// Deletes all progress and all typed answers.
     pub(in crate::gui) fn forget(&mut self) {
         let Self { wanted, open, made, file, own, was_called, .. } = std::mem::take(self);
         *self = Self { wanted, open, made, file, own, was_called, ..Self::default() };
     }
 
-    /// The names of what is answered rightly.
+    /// The names of the asks with right answers.
     #[must_use]
     pub fn right(&self) -> BTreeSet<&str> {
         self.checked.iter().filter(|(_, checked)| checked.judged.right).map(|(name, _)| name.as_str()).collect()
     }
 }
 
-/// The answer that stands in fields, as one text; empty where nothing was typed. Where the first field holds a whole
-/// list or matrix in brackets, it is the answer.
+/// The answer in the fields, as one text; empty where nothing was typed. Where the first field holds a whole list or
+/// matrix in brackets, it is the answer.
 #[must_use]
 pub fn joined(ask: &Ask, fields: &[String]) -> String {
     let first = fields.first().map_or("", |field| field.trim());
@@ -415,8 +415,8 @@ pub fn joined(ask: &Ask, fields: &[String]) -> String {
     }
 }
 
-/// True where the first field holds a whole list or matrix: in brackets, or a list of as many numbers as are asked for
-/// with nothing in the other fields. Two numbers may be one with a decimal comma.
+/// Whether the first field holds a whole list or matrix: in brackets, or a list of the required count with nothing in
+/// the other fields. Two numbers may be one with a decimal comma.
 #[must_use]
 pub fn is_whole(ask: &Ask, fields: &[String]) -> bool {
     let first = fields.first().map_or("", |field| field.trim());

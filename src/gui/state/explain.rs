@@ -1,4 +1,4 @@
-//! What the side of explanations shows.
+//! The content of the explanations.
 
 use super::matrices::Matrices;
 use super::notes::Notes;
@@ -20,13 +20,13 @@ pub enum ExplainTab {
     Point,
     /// The view volume becomes the canonical one, step by step.
     Steps,
-    /// What w does.
+    /// The effects of w.
     Homogeneous,
     /// The image as far as it is painted.
     Stages,
     /// The camera in other vocabularies, and a pasted matrix.
     Dialects,
-    /// In which order transforms act.
+    /// The order of transforms.
     Order,
     /// The camera as code.
     Code,
@@ -36,7 +36,7 @@ pub enum ExplainTab {
     Exercises,
 }
 
-/// The side of explanations. Whether it is shown is said by [`Panels`](super::Panels).
+/// The explanations. Their visibility is in [`Panels`](super::Panels).
 #[derive(Clone, Debug)]
 pub struct Explain {
     /// The tab that is shown.
@@ -49,27 +49,26 @@ pub struct Explain {
     pub order: Order,
     /// The tab of notes.
     pub notes: Notes,
-    /// Where along a segment a point is whose image is asked for, 0 … 1.
+    /// The position of a point along a segment whose image is shown, 0 … 1.
     pub share: f64,
     /// The numbers of the triangle that is followed step by step.
     pub triangle: FollowedTriangle,
-    /// How the picture of the strip came about, stage by stage; written by the pictures while the tab of stages is
-    /// shown.
+    /// The report of the strip's picture, stage by stage; written by the pictures while the tab of stages is shown.
     pub reports: Vec<StageReport>,
-    /// For what the code is.
+    /// The target of the code.
     pub code: CodeTarget,
     /// A number of another vocabulary that would not give a camera, and why.
     pub refused: Option<(Vocabulary, Quantity, f64, CameraError)>,
-    /// A matrix whose camera is asked for.
+    /// A pasted matrix.
     pub pasted: Pasted,
 }
 
-/// A matrix as text, and what it is said to be.
+/// A matrix as text, and its kind.
 #[derive(Clone, Debug)]
 pub struct Pasted {
     /// As it was typed.
     pub text: String,
-    /// What it does.
+    /// Its kind.
     pub kind: MatrixKind,
     /// It acts on row vectors.
     pub transposed: bool,

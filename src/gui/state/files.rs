@@ -1,4 +1,4 @@
-//! What is asked about files, and what is going on with them.
+//! Questions about files, and pending work with them.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ use crate::gui::session::NewsList;
 use crate::gui::watch::Watch;
 use crate::gui::worker::Running;
 
-/// What is to be done once nothing can be lost any more.
+/// An action to be done once nothing can be lost any more.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum AfterSave {
     /// The default figure.
@@ -25,13 +25,13 @@ pub enum AfterSave {
     OpenPath(PathBuf),
     /// Open the figure of the program with this name.
     Shipped(&'static str),
-    /// Go on with what a window left in this slot.
+    /// Restore the session of this slot.
     Restore(usize),
     /// Close the window.
     Quit,
 }
 
-/// What a file is asked for.
+/// The purpose of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Purpose {
     /// To open it.
@@ -46,13 +46,13 @@ pub enum Purpose {
     Mesh(MeshFor),
     /// A folder, whose figures the gallery is to show.
     Folder,
-    /// To write what is kept of exercises, as a table for spreadsheets.
+    /// To export progress in exercises, as a table for spreadsheets.
     Progress,
     /// A folder of a lecturer's own exercises.
     Exercises,
 }
 
-/// What a mesh file is for.
+/// The use of a mesh file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MeshFor {
     /// A new object.
@@ -64,43 +64,43 @@ pub enum MeshFor {
 /// The endings of mesh files.
 pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
 
-/// What another program has written into the figure's file; `None`: what cannot be read.
+/// The content that another program has written into the figure's file; `None`: unreadable.
 pub type Theirs = Option<Vec<u8>>;
 
-/// What the user has agreed to write over.
+/// Overwrites that the user has agreed to.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Agreed {
-    /// This, which another program has written into the figure's file.
+    /// This content of another program in the figure's file.
     pub theirs: Option<Theirs>,
     /// A read-only file.
     pub read_only: bool,
 }
 
 impl Agreed {
-    /// What saving may replace.
+    /// The files that saving may replace.
     #[must_use]
     pub fn overwrite(&self) -> Overwrite {
         if self.read_only { Overwrite::ReadOnlyToo } else { Overwrite::Writable }
     }
 }
 
-/// The figure's file holds something else than what was read from it or saved in it: what then?
+/// A change of the figure's file by another program, with the question that it raises.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Changed {
-    /// What it holds.
+    /// The content of the file.
     pub theirs: Theirs,
-    /// What was to come after saving.
+    /// The action after saving.
     pub then: Option<AfterSave>,
     /// The lines that differ, once they are wanted.
     pub comparison: Option<Comparison>,
 }
 
-/// What is asked in the window.
+/// A question in the window.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dialog {
-    /// There are changes: save them?
+    /// Unsaved changes: save them?
     Unsaved(AfterSave),
-    /// Which file? The text of the field.
+    /// The path of a file, as typed.
     Path(Purpose, String),
     /// The file is there already: replace it?
     Overwrite(Purpose, PathBuf),
@@ -108,49 +108,49 @@ pub enum Dialog {
     Changed(Changed),
     /// The file is read-only: replace it all the same?
     ReadOnly(Purpose, PathBuf, Agreed),
-    /// What to export.
+    /// The export dialog.
     Export(Export),
     /// Pictures are still being written: the window closes when they are there.
     Closing,
-    /// What the pointer and the keys do.
+    /// Help on mouse and keyboard.
     Help,
-    /// What the program is, and what it is made of.
+    /// The program, its version and its components.
     About,
     /// Why the picture is empty, and how near the camera is to trouble.
     Coach,
-    /// Which figure to begin with.
+    /// The gallery of figures.
     Gallery,
-    /// What becomes of what hangs on these objects, which are to be deleted?
+    /// The treatment of the children of objects that are to be deleted.
     Delete {
         /// Their names.
         names: BTreeSet<String>,
-        /// How many other objects hang on them.
+        /// Number of other objects below them.
         below: usize,
     },
-    /// Forget what is kept of exercises?
+    /// Deletion of the progress in exercises.
     DeleteProgress,
     /// The figure as a link.
     Link,
 }
 
-/// What is going on with files.
+/// The state of work with files.
 #[derive(Debug, Default)]
 pub struct FileFlow {
-    /// What is asked in the window now.
+    /// The open question.
     pub dialog: Option<Dialog>,
-    /// Why the file that was typed last could not be opened or written; said in the dialog.
+    /// The reason why the last typed file could not be opened or written; shown in the dialog.
     pub(in crate::gui) refused: Option<Message>,
-    /// False: files are asked for with a field in the window, as where the system has no dialogs.
+    /// False: paths are typed in the window, as where the system has no dialogs.
     pub native: bool,
     /// True from the moment when the window may close.
     pub may_close: bool,
-    /// What another program has written into the figure's file, as long as that has to be said.
+    /// The content of another program in the figure's file, as long as that has to be shown.
     pub theirs: Option<Theirs>,
-    /// What there is to say about sessions, until the user has closed it.
+    /// Messages about sessions, until the user has closed them.
     pub(in crate::gui) news: NewsList,
-    /// What has been said about the file, and is not said again.
+    /// A reported content of the file, which is not reported again.
     pub(in crate::gui) decided: Option<Theirs>,
-    /// What a window left in this slot is wanted now.
+    /// The session in this slot is to be restored now.
     pub(in crate::gui) restore: Option<usize>,
     /// The figure's file is to be looked at in the next frame.
     pub(in crate::gui) look: bool,
@@ -159,18 +159,18 @@ pub struct FileFlow {
     pub(in crate::gui) given: Vec<PathBuf>,
     pub(in crate::gui) asking: Option<(Purpose, OpenFileDialog)>,
     pub(in crate::gui) exporting: Vec<Exporting>,
-    /// What the export dialog shows while it is open.
+    /// The content of the export dialog while it is open.
     pub preview: Option<Preview>,
 }
 
 impl FileFlow {
-    /// Nothing is going on.
+    /// Work with files, with nothing pending.
     #[must_use]
     pub fn new(native: bool) -> Self {
         Self { native, ..Self::default() }
     }
 
-    /// True from the first question that is asked because the window is to close, until one is answered by *Cancel*.
+    /// True from the first question because of closing the window, until one is answered by *Cancel*.
     pub(in crate::gui) fn is_closing(&self) -> bool {
         let closes = |next: &AfterSave| *next == AfterSave::Quit;
         let saves = |purpose: &Purpose| matches!(purpose, Purpose::Save(Some(next)) if closes(next));

@@ -1,4 +1,4 @@
-//! Which point is followed, and what is being typed of it.
+//! The followed point, and the text being typed for it.
 
 use crate::camera::NotProjectable;
 use crate::figure::NamedPoint;
@@ -6,7 +6,7 @@ use crate::figure::NamedPoint;
 /// A space in which a point is typed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::gui) enum Space {
-    /// That of the selected object.
+    /// The space of the selected object.
     Local,
     /// The world.
     World,
@@ -27,7 +27,7 @@ pub struct Follow {
     pub(in crate::gui) chosen: Option<String>,
     /// The name that is being typed, of the point that has this one; and whether its field has been left.
     pub(in crate::gui) typing: Option<(String, String, bool)>,
-    /// Why what was typed last belongs to no point; said until something else is typed.
+    /// The reason why the last typed coordinates belong to no point; shown until something else is typed.
     pub(in crate::gui) refused: Option<(Space, NotProjectable)>,
 }
 

@@ -18,7 +18,7 @@ impl State {
         let file = path.rsplit(['/', '\\']).next().unwrap_or(&path);
         let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
         let name = if stem.is_empty() { scenes::texts(self.settings.lang).shape_mesh } else { stem }.to_owned();
-        // A mesh has its own size; what it is stays as it was modelled.
+        // A mesh has its own size; it stays as it was modelled.
         self.insert(ObjectSpec { segments: 32, ..ObjectSpec::new(name, Shape::Mesh { path }) });
     }
 

@@ -1,9 +1,9 @@
-//! How the room in the window is shared, and what is asked of the pictures.
+//! The layout of the window, and requests to the pictures.
 
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 
-/// From where a three-dimensional picture is to be seen.
+/// A change of the observer of a three-dimensional picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ObserverChange {
     /// From a side, with everything in the picture.
@@ -12,14 +12,14 @@ pub enum ObserverChange {
     Fit,
 }
 
-/// Which pictures are shown, and how.
+/// Visible pictures, and their layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
     /// False: the picture is hidden and not drawn. In the order of [`View::ALL`]; at least one is true.
     pub shown: [bool; 3],
     /// The picture that has all the room, whatever `shown` says.
     pub maximized: Option<View>,
-    /// How the pictures share the room; `None`: as suits the room.
+    /// The arrangement of the pictures; `None`: automatic.
     pub arrangement: Option<Arrangement>,
     /// Orbiting one three-dimensional picture turns the other too.
     pub linked: bool,
@@ -78,7 +78,7 @@ pub enum Side {
     Explain,
 }
 
-/// What the panel on the left shows.
+/// A tab of the panel on the left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Tab {
     /// Camera, projection, view window, image.
@@ -86,18 +86,18 @@ pub enum Tab {
     Camera,
     /// Objects and lights.
     Scene,
-    /// How the pictures are drawn.
+    /// The style of the drawing.
     Drawing,
 }
 
-/// Which panels are wanted, and which there is room for.
+/// Panels wanted by the user, and panels that fit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Panels {
     /// Wanted by the user, in the order of [`Side`].
     pub wanted: [bool; 3],
-    /// The one that stays where there is no room beside it.
+    /// The one that stays where two do not fit.
     pub last: Side,
-    /// There is room for one panel.
+    /// Only one panel fits.
     pub narrow: bool,
 }
 

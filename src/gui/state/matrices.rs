@@ -1,10 +1,10 @@
-//! The tab of matrices of the side of explanations: what is shown, and what the last change touched.
+//! The tab of matrices: its content, and the effect of the last change.
 
 use std::collections::BTreeSet;
 
 use crate::explain::{Component, Matrix, Symbol};
 
-/// How the entries of a matrix are written.
+/// A notation for the entries of a matrix.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Reading {
     /// With the notes' symbols.
@@ -12,18 +12,18 @@ pub enum Reading {
     Formulas,
     /// With the numbers in the place of the symbols.
     Numbers,
-    /// What they amount to.
+    /// Their values.
     Values,
 }
 
 /// The tab of matrices.
 #[derive(Clone, Debug)]
 pub struct Matrices {
-    /// Which matrix; never an inverse.
+    /// The matrix; never an inverse.
     pub matrix: Matrix,
     /// Its inverse is shown.
     pub inverse: bool,
-    /// How its entries are written.
+    /// The notation of its entries.
     pub reading: Reading,
     /// The entry that is explained: row and column from 0.
     pub entry: [usize; 2],
@@ -31,7 +31,7 @@ pub struct Matrices {
     pub(in crate::gui) wants_focus: bool,
     /// The symbols whose definitions are open, each with those that lead to it.
     pub(in crate::gui) open: BTreeSet<Vec<Symbol>>,
-    /// What the last change touched.
+    /// The effect of the last change.
     pub(in crate::gui) glow: Glow,
 }
 
@@ -69,10 +69,10 @@ impl Matrices {
         [Matrix::Model, Matrix::View, Matrix::Projection, Matrix::ViewProjection, Matrix::Viewport];
 }
 
-/// How long what has changed glows, in seconds.
+/// Duration of the glow of a change, in seconds.
 const GLOW_SECONDS: f64 = 1.0;
 
-/// Which entries the last change touched, and when.
+/// Entries changed last, with the time.
 #[derive(Clone, Debug, Default)]
 pub(in crate::gui) struct Glow {
     /// The matrix, and whose it is.

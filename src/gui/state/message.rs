@@ -13,37 +13,37 @@ use crate::pipeline::OverBudget;
 use crate::sanitize;
 use crate::scene::{Preset, SceneError};
 
-/// What is said at the bottom of the window.
+/// A message at the bottom of the window.
 #[derive(Debug)]
 pub enum Message {
     /// The numbers are in the clipboard.
     NumbersCopied,
-    /// Which figure of a sequence this is.
+    /// The position in a sequence of figures.
     Step {
         /// From 1.
         number: usize,
-        /// How many there are.
+        /// Number of figures.
         of: usize,
     },
     /// Why a file was passed over, and how many more were.
     AndMore(Box<Self>, usize),
-    /// There is no figure before this one.
+    /// No figure before this one.
     FirstFigure,
-    /// There is no figure after this one.
+    /// No figure after this one.
     LastFigure,
-    /// This file has been opened.
+    /// A file has been opened.
     Opened(PathBuf),
-    /// Of so many files that were dropped at once, this one was taken.
+    /// Of several files dropped at once, this one was opened.
     FirstOfDropped(PathBuf, usize),
-    /// This file has been written.
+    /// A file has been written.
     Saved(PathBuf),
-    /// This file was handed to the browser.
+    /// A file was handed to the browser.
     Downloaded(PathBuf),
-    /// A link with so many characters is in the clipboard.
+    /// A link with this number of characters is in the clipboard.
     LinkCopied(usize),
     /// The figure of a link is shown.
     LinkOpened,
-    /// This file cannot be read or written.
+    /// A file cannot be read or written.
     File(PathBuf, FileError),
     /// The camera of the figure in this file is impossible.
     NotOpened(PathBuf, CameraError),
@@ -51,11 +51,11 @@ pub enum Message {
     Camera(CameraError),
     /// The scene cannot be built.
     Scene(SceneError),
-    /// A picture is not as it was asked for.
+    /// A picture has a shortfall.
     OverBudget(OverBudget),
     /// A picture is being written.
     Exporting,
-    /// The picture in this file is written, and not as it was asked for.
+    /// The picture in this file is written, with a shortfall.
     SavedOtherwise(PathBuf, OverBudget),
     /// No picture was written to this file.
     NotExported(PathBuf, NotExported),
@@ -67,18 +67,18 @@ pub enum Message {
     Deleted {
         /// Its name.
         name: String,
-        /// How many went with it.
+        /// Number of others removed with it.
         others: usize,
-        /// What hung on it is sheared, and did not stay where it was.
+        /// A child is sheared, and did not stay in place.
         shear: bool,
     },
     /// The light with this place in the list, from 0, is deleted.
     LightDeleted(usize),
-    /// What was to be selected together cannot be.
+    /// Objects that cannot be selected together.
     SelectedAlone,
     /// No more points can be followed.
     TooManyPoints,
-    /// What was kept of exercises is forgotten, and is in this file still.
+    /// The progress in exercises is deleted, and still in this file.
     ProgressDeleted(PathBuf),
 }
 
@@ -93,7 +93,7 @@ impl Message {
         self.row(Lang::En).0 == Tone::Error
     }
 
-    /// True for what has been read soon; false for what went wrong, and for what is still so.
+    /// Whether the message disappears by itself; errors, and lasting states, stay.
     #[must_use]
     pub fn passes(&self) -> bool {
         self.row(Lang::En).0 == Tone::News
@@ -154,7 +154,7 @@ impl Message {
     }
 }
 
-/// How something is said.
+/// The tone of a message.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Tone {
     /// It has been read soon.
@@ -165,7 +165,7 @@ enum Tone {
     Error,
 }
 
-/// What there is to say about a window that did not close, or about what is kept of this one.
+/// A message about a window that did not close, or about the storage of this one.
 pub(in crate::gui) fn about_session(lang: Lang, news: &News) -> String {
     let t = window::texts(lang);
     match news {

@@ -1,4 +1,27 @@
-//! What the panels and the pictures share.
+//! State shared by the panels and the pictures.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `annotations` | annotations of a lecturer over the pictures |
+//! | `coach` | the coach's findings about the figure |
+//! | `conventions` | the display of matrices, and the convention of NDC |
+//! | `exercises` | the tab of exercises: the choice, typed answers, and verdicts |
+//! | `explain` | the content of the explanations |
+//! | `files` | questions about files, and pending work with them |
+//! | `follow` | the followed point, and the text being typed for it |
+//! | `insert` | objects that are put into the scene |
+//! | `layout` | the layout of the window, and requests to the pictures |
+//! | `matrices` | the tab of matrices: its content, and the effect of the last change |
+//! | `message` | messages at the bottom of the window, as values |
+//! | `notes` | the tab of notes: search text, and the note that is read |
+//! | `numerics` | the studies of error against run time: the one shown, the results, and the thread that measures |
+//! | `operations` | steps, signs and the slider that is held |
+//! | `order` | the tab of order: the list of transforms, and its reading |
+//! | `recent` | the files that were opened or saved last |
+//! | `scene_tree` | the state of the tree: selection, folding, typed texts |
+//! | `shown` | explanations in the pictures: the `[show]` of the figure, its changes by panels |
+//! | `steps` | the tab of steps: the decomposition, and its playback |
+//! | `view_history` | earlier viewpoints of the pictures |
 
 mod annotations;
 mod coach;
@@ -67,10 +90,10 @@ use super::export::Export;
 use super::gallery::{Gallery, Source};
 use super::scene_cache::SceneCache;
 
-/// How long news are shown, in seconds: time to read two lines.
+/// Duration of news, in seconds: time to read two lines.
 const NEWS_SECONDS: f64 = 10.0;
 
-/// What belongs to the window and not to the figure.
+/// State of the window, and not of the figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// The language of the interface.
@@ -81,7 +104,7 @@ pub struct Settings {
     pub presentation: bool,
     /// The panels at the sides.
     pub panels: Panels,
-    /// What the panel on the left shows.
+    /// The tab of the panel on the left.
     pub tab: Tab,
     /// The panels at the sides during a presentation.
     pub presentation_panels: Panels,
@@ -89,15 +112,15 @@ pub struct Settings {
     pub aspect_follows_image: bool,
     /// The inverse matrices are shown instead of the matrices.
     pub inverse: bool,
-    /// How matrices are shown, and whose NDC.
+    /// The display of matrices, and the convention of NDC.
     pub conventions: Conventions,
     /// Significant digits of the numbers, 2 … 17.
     pub digits: usize,
     /// The ground of the window and of its pictures. What a figure file asks for counts where pictures are written.
     pub theme: Theme,
-    /// What would move is at its end at once.
+    /// Skip animations.
     pub reduce_motion: bool,
-    /// What is explained in the pictures is saved with the figure.
+    /// Save explanations with the figure.
     pub saves_explained: bool,
     /// The pictures alone, without menus: a figure in somebody's page.
     pub bare: bool,
@@ -115,8 +138,7 @@ impl Settings {
         if self.presentation { &mut self.presentation_panels } else { &mut self.panels }
     }
 
-    /// What stroke widths and type sizes in the pictures are multiplied by, on top of the pixels per point of the
-    /// window.
+    /// The factor of stroke widths and type sizes in the pictures, on top of the pixels per point of the window.
     #[must_use]
     pub fn stroke_scale(&self) -> f32 {
         if self.presentation { 1.5 } else { 1.0 }
@@ -134,7 +156,7 @@ pub struct State {
     pub settings: Settings,
     /// The pictures.
     pub layout: Layout,
-    /// From where they have been seen.
+    /// Their earlier viewpoints.
     pub views: ViewHistory,
     /// The tree of the scene.
     pub tree: SceneTree,
@@ -151,24 +173,24 @@ pub struct State {
     pub in_browser: bool,
     /// The address of that page, where others can open it too.
     pub own_address: Option<String>,
-    /// Where a page with this program lies that links lead to, as the user has it.
+    /// The address of a page with this program, for links, as entered by the user.
     pub page_address: String,
-    /// What was said last at the bottom of the window.
+    /// The last message at the bottom of the window.
     pub message: Option<Message>,
     /// When the message was first shown, in seconds; `None`: not yet.
     shown_since: Option<f64>,
     /// Asks the pictures to look from somewhere; they take it (`take()`) in the next frame. For both three-dimensional
     /// pictures.
     pub observer_change: Option<ObserverChange>,
-    /// True where no field on the screen says what is wrong with the parameters (its section is closed).
+    /// No field on the screen shows the fault of the parameters (its section is closed).
     pub problem_out_of_sight: bool,
-    /// What the panels point at in this frame.
+    /// The hover of the panels in this frame.
     pub hover: PanelHover,
-    /// From where the pictures were seen last; `None`: they have not been shown.
+    /// The last observers of the pictures; `None`: they have not been shown.
     pub seen: Observers,
     /// The panels that were open in the last frame, of those that explain something in the pictures.
     pub(in crate::gui) open_panels: OpenPanels,
-    /// What is pointed at; written by the pictures, shown by the panel.
+    /// The target of the pointer; written by the pictures, shown by the panel.
     pub probe: Option<Probe>,
     /// The files that were opened or saved last.
     pub recent: Recent,
@@ -176,12 +198,11 @@ pub struct State {
     pub gallery: Gallery,
     /// Figures that were left with changes, by where they come from.
     pub kept: Vec<(Option<Source>, Document)>,
-    /// Those of them of which has been said, since the window is being closed, that they are not to be saved; kept
-    /// again where it is not closed.
+    /// Those of them that the user, closing the window, has decided not to save; kept again where it is not closed.
     pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
-    /// How pictures were exported last.
+    /// The last export settings.
     pub export: Export,
-    /// What lies over the pictures.
+    /// Annotations over the pictures.
     pub annotations: Annotations,
     /// The studies of error against run time.
     pub numerics: Numerics,
@@ -189,14 +210,14 @@ pub struct State {
     pub explain: Explain,
     /// The exercises.
     pub exercises: Exercises,
-    /// Which point is followed.
+    /// The followed point.
     pub follow: Follow,
-    /// What is wrong with the picture, and how near the camera is to trouble.
+    /// The faults of the picture, and the health of the camera.
     pub coach: Coach,
 }
 
-/// The document at the start. What the command line has done to the camera is a change of the figure in the file: it
-/// can be undone, and is asked about when the window is closed.
+/// The document at the start. Operations of the command line are a change of the figure in the file: they can be
+/// undone, and closing the window asks about them.
 fn begin(figure: Figure, file: Option<SourceFile>) -> Result<Document, CameraError> {
     let in_file = file.as_ref().and_then(|file| figure_from(file.text.as_bytes()).ok());
     let Some(in_file) = in_file.map(|opened| opened.figure).filter(|saved| *saved != figure) else {
@@ -293,8 +314,8 @@ impl State {
         Some(self.kept.remove(index).1)
     }
 
-    /// Selects what was clicked, or, with `beside`, also what is selected already. Only objects of the figure are
-    /// selected together; where that is not possible, it is said.
+    /// Selects a clicked object, or, with `beside`, adds it to the selection. Only objects of the figure are selected
+    /// together; else that is reported.
     pub(in crate::gui) fn select(&mut self, what: Option<Selected>, beside: bool) {
         let scene = &self.document.figure().scene;
         let is_alone = |selected: &Selected| !matches!(selected, Selected::Object(_));
@@ -310,7 +331,7 @@ impl State {
         }
     }
 
-    /// How the pictures in the window are drawn: as the figure wants it, in the theme of the window.
+    /// The style of the pictures in the window: that of the figure, in the theme of the window.
     #[must_use]
     pub fn style(&self) -> Style {
         Style { theme: self.settings.theme, ..self.document.figure().style }
@@ -338,14 +359,14 @@ impl State {
         self.follow.choose(&name);
     }
 
-    /// One step back; what it brings back in the scene is selected.
+    /// Undoes a step; objects that come back are selected.
     pub fn undo(&mut self) {
         let before = self.document.figure().scene.clone();
         self.document.undo();
         self.tree.follow(&before, &self.document.figure().scene);
     }
 
-    /// One step forward; what it brings back in the scene is selected.
+    /// Redoes a step; objects that come back are selected.
     pub fn redo(&mut self) {
         let before = self.document.figure().scene.clone();
         self.document.redo();
@@ -370,7 +391,7 @@ impl State {
         self.scene_cache.running().is_some() || self.file_flow.running().next().is_some()
     }
 
-    /// Shows why an entry of a matrix is what it is; the entry takes the keyboard.
+    /// Explains an entry of a matrix; the entry takes the focus.
     pub(in crate::gui) fn explain_entry(&mut self, matrix: Matrix, entry: [usize; 2]) {
         self.explain.matrices.go_to(matrix, entry);
         self.show_explanation(ExplainTab::Matrices);
@@ -413,8 +434,8 @@ impl State {
         self.shown_since = None;
     }
 
-    /// Takes news back that have been shown for so many seconds (`now` is a time in seconds); gives how many are left
-    /// until then. What went wrong stays until it is closed, and what is still so as long as it is so.
+    /// Removes news that have been shown long enough (`now` is a time in seconds); returns the seconds left until then.
+    /// Errors stay until they are closed, and lasting states as long as they hold.
     pub(in crate::gui) fn forget_old_news(&mut self, now: f64) -> Option<f64> {
         self.message.as_ref().filter(|message| message.passes())?;
         let left = *self.shown_since.get_or_insert(now) + NEWS_SECONDS - now;
@@ -425,7 +446,7 @@ impl State {
         None
     }
 
-    /// What is possible, but probably not what was meant, in the language of the window.
+    /// Warnings about the camera, in the language of the window.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let camera = self.document.camera();

@@ -1,9 +1,9 @@
 //! The tab of notes of the side of explanations.
 
-/// What is searched for, and the note that is read.
+/// The search text, and the note that is read.
 #[derive(Clone, Debug, Default)]
 pub struct Notes {
-    /// What is searched for.
+    /// The search text.
     pub wanted: String,
     /// The identifier of the note that is read; empty: the first one.
     pub chosen: &'static str,
@@ -13,7 +13,7 @@ pub struct Notes {
     pub(in crate::gui) wants_focus: bool,
 }
 
-/// How far back one can go.
+/// The longest way back.
 const LONGEST_WAY: usize = 32;
 
 impl Notes {
@@ -31,7 +31,7 @@ impl Notes {
         self.chosen = id;
     }
 
-    /// Reads a note that was asked for elsewhere: it takes the keyboard in a list of all notes.
+    /// Opens a note requested elsewhere: it takes the focus in a list of all notes.
     pub(in crate::gui) fn go_to(&mut self, id: &'static str) {
         self.read(id);
         self.wanted.clear();

@@ -1,4 +1,4 @@
-//! The studies of error against run time: which is shown, what has been measured, and the thread that measures.
+//! The studies of error against run time: the one shown, the results, and the thread that measures.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -17,13 +17,13 @@ pub struct Numerics {
     pub shown: bool,
     /// The study that is shown.
     pub study: Study,
-    /// Which of its cases, by its place.
+    /// The case, by its index.
     pub case: usize,
     /// Error over time, rather than over the parameter.
     pub over_time: bool,
-    /// Which parameter the table is of, by its place; `None`: the stiffest.
+    /// The parameter of the table, by its index; `None`: the stiffest.
     pub parameter: Option<usize>,
-    /// How much is tried.
+    /// The effort of a run.
     pub effort: Effort,
     found: BTreeMap<&'static str, Findings>,
     measured: Latest<(Study, Effort), Findings>,
@@ -67,7 +67,7 @@ impl Numerics {
         self.measured.waiting().map(|(study, _)| (*study, share))
     }
 
-    /// What has been found about a study.
+    /// The results of a study.
     #[must_use]
     pub fn found(&self, study: Study) -> Option<&Findings> {
         self.found.get(study.name())

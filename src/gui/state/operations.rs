@@ -2,10 +2,10 @@
 
 use crate::camera::{Amount, Camera, Convention, Freedom, OPERATIONS, Operation};
 
-/// What the panel of operations remembers from one frame to the next.
+/// The state of the panel of operations.
 #[derive(Clone, Debug)]
 pub struct Operations {
-    /// What a button does: degrees, factor or scene units, in the order of [`OPERATIONS`].
+    /// The step of each button: degrees, factor or scene units, in the order of [`OPERATIONS`].
     pub steps: [f64; OPERATIONS.len()],
     /// Whose signs.
     pub convention: Convention,
@@ -20,7 +20,7 @@ pub(in crate::gui) struct Scrub {
     pub(in crate::gui) freedom: Freedom,
     /// The camera when it was taken.
     pub(in crate::gui) start: Camera,
-    /// How far it has been pulled.
+    /// The amount of the slider.
     pub(in crate::gui) amount: f64,
 }
 

@@ -8,11 +8,11 @@ use glam::DVec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ListedCall {
     pub(in crate::gui) key: usize,
-    /// What it does.
+    /// The call.
     pub call: Call,
 }
 
-/// Of what a list is.
+/// The owner of a list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Own {
     /// The name of the object; `None`: it is an example.
@@ -26,22 +26,22 @@ pub struct Own {
 pub struct Order {
     /// The list, from left to right.
     pub list: Vec<ListedCall>,
-    /// How it is read.
+    /// The reading of the list.
     pub reading: Reading,
-    /// How many calls are done; `None`: all.
+    /// Number of calls applied; `None`: all.
     pub done: Option<usize>,
     /// The places of the two that are exchanged in the other order.
     pub exchange: [usize; 2],
     /// The call that has the keyboard, by its number.
     pub(in crate::gui) focused: Option<usize>,
-    /// What the list has begun with.
+    /// The owner at the start of the list.
     own: Option<Own>,
     next_key: usize,
 }
 
 impl Order {
-    /// Begins with an object's own calls, or with an example, where it is another one, or stands elsewhere, than when
-    /// the list was begun.
+    /// Starts with the calls of the object, or with an example, where it is another one, or has moved, since the start
+    /// of the list.
     pub(in crate::gui) fn follow(&mut self, own: Own) {
         if self.own.as_ref() != Some(&own) {
             self.own = Some(own);

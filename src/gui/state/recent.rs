@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 pub struct Recent {
     /// All that are remembered, the latest first.
     pub files: Vec<PathBuf>,
-    /// Those of this window that have not been written down yet, the latest first.
+    /// Those of this window that have not been saved yet, the latest first.
     pub(in crate::gui) new: Vec<PathBuf>,
 }
 
-/// How many files are remembered.
+/// Number of recent files.
 const MOST_RECENT: usize = 16;
 
 impl Recent {

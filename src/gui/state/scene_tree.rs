@@ -1,4 +1,4 @@
-//! What is selected, folded and typed in the tree of the scene.
+//! The state of the tree: selection, folding, typed texts.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use crate::scene::palette::SceneColors;
 use crate::scene::{ObjectSpec, Preset, SceneError, SceneSpec};
 use crate::views::Transforming;
 
-/// What is selected in the tree.
+/// A selection in the tree.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Selected {
     /// An object of the figure, by name.
@@ -19,7 +19,7 @@ pub enum Selected {
 }
 
 impl Selected {
-    /// What an object of the built scene stands for, by the name of its [`owner`](crate::scene::Object::owner).
+    /// The item of an object of the built scene, by the name of its [`owner`](crate::scene::Object::owner).
     #[must_use]
     pub fn of_object(scene: &SceneSpec, name: &str) -> Option<Self> {
         if scene.objects.iter().any(|object| object.name == name) {
@@ -30,15 +30,15 @@ impl Selected {
     }
 }
 
-/// What the tree remembers from one frame to the next.
+/// The state of the tree from one frame to the next.
 #[derive(Debug, Default)]
 pub struct SceneTree {
     pub(in crate::gui) selected: Option<Selected>,
-    /// The figure's objects that are selected beside it.
+    /// The figure's other selected objects.
     also: BTreeSet<String>,
-    /// What is selected after this frame: what is being typed now is taken over before.
+    /// The selection after this frame: text being typed is applied before.
     next: Option<(Option<Selected>, BTreeSet<String>)>,
-    /// What dragging in the world does to what is selected.
+    /// The gizmo for dragging the selection in the world.
     pub(in crate::gui) transforming: Transforming,
     pub(in crate::gui) folded: BTreeSet<String>,
     /// The scene as the fields show it while it is impossible.
@@ -75,7 +75,7 @@ impl Typing {
 }
 
 impl SceneTree {
-    /// What is selected, if the scene has it.
+    /// The selection, if the scene has it.
     #[must_use]
     pub fn selected(&self, scene: &SceneSpec) -> Option<&Selected> {
         self.selected.as_ref().filter(|selected| match selected {
@@ -90,12 +90,12 @@ impl SceneTree {
         self.select_all(selected, BTreeSet::new());
     }
 
-    /// As [`select`](Self::select), with other objects of the figure beside it.
+    /// As [`select`](Self::select), with other objects of the figure.
     pub fn select_all(&mut self, selected: Option<Selected>, also: BTreeSet<String>) {
         self.next = Some((selected, also));
     }
 
-    /// Selects an object of the figure beside what is selected, or no longer.
+    /// Adds an object of the figure to the selection, or removes it.
     pub(in crate::gui) fn toggle(&mut self, scene: &SceneSpec, name: &str) {
         let mut names = self.names(scene);
         let primary = if names.remove(name) {
@@ -126,8 +126,8 @@ impl SceneTree {
         own.filter(|name| is_selected(name)).cloned().collect()
     }
 
-    /// After undo or redo has made `after` of `before`: what came back is selected, and what has another name now stays
-    /// so.
+    /// Updates the selection after undo or redo has made `after` of `before`: restored objects are selected, and
+    /// renamed ones stay so.
     pub(in crate::gui) fn follow(&mut self, before: &SceneSpec, after: &SceneSpec) {
         let has = |scene: &SceneSpec, name: &str| scene.objects.iter().any(|o| o.name == name);
         let of = |from: &SceneSpec, other: &SceneSpec| -> Vec<String> {
@@ -141,7 +141,7 @@ impl SceneTree {
             None => Some(name.clone()),
         };
         if !is_renaming && !come.is_empty() {
-            // Of what came back with what it hangs on, the latter.
+            // Of objects restored with their parent, the parent.
             let is_top = |name: &&String| {
                 let object = after.objects.iter().find(|o| o.name == **name);
                 object.and_then(|o| o.parent.as_ref()).is_none_or(|parent| !come.contains(parent))
@@ -158,7 +158,7 @@ impl SceneTree {
         }
     }
 
-    /// Does what [`select`](Self::select) has asked for; true where it has.
+    /// Applies the last [`select`](Self::select); returns whether there was one.
     pub fn settle(&mut self) -> bool {
         let next = self.next.take();
         let asked = next.is_some();

@@ -1,5 +1,4 @@
-//! What the pictures show of an explanation: the `[show]` of the figure, how panels change it, and the shot that is
-//! made of it.
+//! Explanations in the pictures: the `[show]` of the figure, its changes by panels, and the shot made of it.
 
 use super::explain::ExplainTab;
 use super::{Side, State, steps};
@@ -15,13 +14,13 @@ use crate::views::{Ghost, Look, Normalizing, Picture, Probe, Request, Shot, Size
 pub struct PanelHover {
     /// The operation that is being tried or pointed at, shown in the world.
     pub ghost: Option<Ghost>,
-    /// What is pointed at, shown in the world.
+    /// The measures of the hover, shown in the world.
     pub measured: Vec<Measured>,
     /// The parameters that are pointed at in another panel.
     pub pointed: Vec<Symbol>,
 }
 
-/// The panels that explain something in the pictures: closing one takes back what it showed.
+/// The panels that explain something in the pictures: closing one removes its explanation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::gui) struct OpenPanels {
     stages: bool,
@@ -50,8 +49,7 @@ impl State {
         }
     }
 
-    /// The figure that shows in any program what is on the screen now: with what is explained, and from where it is
-    /// seen.
+    /// The figure that shows in any program the present screen: with explanations, and with the observers.
     #[must_use]
     pub fn figure_as_shown(&self) -> Figure {
         Figure { observers: self.observers_as_shown(), show: self.show_as_saved(), ..self.document.figure().clone() }
@@ -65,8 +63,8 @@ impl State {
         Figure { show, ..self.document.figure().clone() }
     }
 
-    /// From where the pictures are seen, where whoever draws the figure would not look from there of its own accord: an
-    /// observer that nobody has turned stays where it is while the camera moves.
+    /// The observers of the pictures, where they are not the default ones: an observer that nobody has turned stays in
+    /// place while the camera moves.
     fn observers_as_shown(&self) -> Observers {
         let mut observers = self.document.figure().observers;
         let shot = Shot::of(self.document.figure());
@@ -93,33 +91,33 @@ impl State {
         Show { answer: answered.or(show.answer), ..show.clone() }
     }
 
-    /// What is explained in the pictures.
+    /// The explanations in the pictures.
     #[must_use]
     pub fn shown(&self) -> &Show {
         &self.document.figure().show
     }
 
-    /// How far the canonical picture is on its way; `None` where no way is shown, or the camera has none.
+    /// The progress of the canonical picture on its way; `None` where no way is shown, or the camera has none.
     #[must_use]
     pub fn normalizing(&self) -> Option<Normalizing> {
         self.shown().step.and_then(|step| Normalizing::of(step, self.document.camera()))
     }
 
-    /// True while the canonical picture is on its way: what is in it is not where the canonical volume has it, and
-    /// nothing can be picked.
+    /// True while the canonical picture is on its way: points are not where the canonical volume has them, and nothing
+    /// can be picked.
     #[must_use]
     pub fn is_on_the_way(&self) -> bool {
         let camera = self.document.camera();
         self.shown().step.is_some_and(|step| steps::time_of(step, camera) < steps::end_of(step.way, camera))
     }
 
-    /// How much of the image is painted, where it is not all.
+    /// The share of the image that is painted, where it is not all.
     #[must_use]
     pub fn painted_share(&self) -> Option<f64> {
         self.shown().painted
     }
 
-    /// Paints so much of the image.
+    /// Paints this share of the image.
     pub(in crate::gui) fn paint_share(&mut self, share: f64) {
         let show = self.document.show_mut();
         show.painted = Some(share.clamp(0.0, 1.0)).filter(|share| *share < 1.0);
@@ -133,7 +131,7 @@ impl State {
         self.shown().stage
     }
 
-    /// Shows what goes into a stage and what comes out, of the whole picture whose stages are listed; or no more.
+    /// Shows or hides the input and output of a stage, of the picture whose stages are listed.
     pub(in crate::gui) fn toggle_stage(&mut self, stage: Stage) {
         let of = StagePicture(self.layout.strip_of);
         let show = self.document.show_mut();
@@ -217,7 +215,7 @@ impl State {
         self.shows_tab(ExplainTab::Stages)
     }
 
-    /// True while anything tells what each stage did.
+    /// Whether anything shows the reports of stages.
     pub(in crate::gui) fn accounts_for_stages(&self) -> bool {
         self.layout.strip || self.shows_stages()
     }
@@ -226,7 +224,7 @@ impl State {
         self.settings.panels().is_shown(Side::Explain) && self.explain.tab == tab
     }
 
-    /// Takes back what a panel showed that has been closed since the last frame, and shows what belongs to one that has
+    /// Removes the explanation of a panel that has been closed since the last frame, and shows that of one that has
     /// been opened.
     pub(in crate::gui) fn follow_panels(&mut self) {
         let now = OpenPanels {

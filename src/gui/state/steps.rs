@@ -5,7 +5,7 @@ use crate::camera::{Camera, Decomposition};
 use crate::figure::ShownStep;
 use crate::views::Normalizing;
 
-/// How long a step takes while it is played, in seconds.
+/// Duration of a step in playback, in seconds.
 const STEP_SECONDS: f64 = 2.0;
 /// After a longer pause between two frames, playing goes on where it was.
 const LONGEST_FRAME: f64 = 0.5;
@@ -19,7 +19,7 @@ pub struct Steps {
     played: Option<f64>,
 }
 
-/// How many steps a camera has; 0 where it has none of this source.
+/// Number of steps for a camera; 0 where the source has none.
 #[must_use]
 pub fn count(way: Decomposition, camera: &Camera) -> usize {
     camera.decomposed(way).map_or(0, |factors| factors.len())
@@ -32,13 +32,13 @@ pub fn end_of(way: Decomposition, camera: &Camera) -> f64 {
     count(way, camera) as f64
 }
 
-/// The way where so many steps are done.
+/// The way after a time in steps.
 #[must_use]
 pub fn step_at(way: Decomposition, time: f64, camera: &Camera) -> ShownStep {
     ShownStep { way, at: Some(time.max(0.0)).filter(|time| *time < end_of(way, camera)) }
 }
 
-/// How many steps are done, 0 … their number.
+/// The number of steps applied, 0 … all.
 #[must_use]
 pub fn time_of(step: ShownStep, camera: &Camera) -> f64 {
     Normalizing::of(step, camera).map_or(0.0, |way| way.time)

@@ -1,9 +1,9 @@
-//! From where the pictures have been seen: going back to the view before a turn, a move or a zoom, which is no change
-//! of the figure and so no undo step.
+//! Earlier viewpoints of the pictures: going back to the one before a turn, a move or a zoom, which is no change of the
+//! figure and so no undo step.
 
 use crate::figure::Observers;
 
-/// So many views are kept.
+/// Number of stored viewpoints.
 const MOST: usize = 100;
 /// A view counts once nothing has turned it for so long, in seconds: the turns of a wheel are one step.
 const STILL: f64 = 0.4;
@@ -15,7 +15,7 @@ pub struct ViewHistory {
     future: Vec<Observers>,
     /// The view that counts now.
     now: Observers,
-    /// What may become the next, and since when (seconds).
+    /// The candidate for the next one, with its time (seconds).
     turning: Option<(Observers, f64)>,
 }
 
@@ -47,7 +47,7 @@ impl ViewHistory {
         }
     }
 
-    /// The same views in pictures of another size: no step.
+    /// The same viewpoints in pictures of another size: no step.
     pub fn framed_again(&mut self, before: Observers, after: Observers) {
         if self.now == before {
             self.now = after;

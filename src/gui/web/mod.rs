@@ -3,9 +3,9 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
-//! | [`store`] | what the page keeps, hands over, and locks |
-//! | [`interface`] | what other pages may ask of this one: `window.cameraLab` |
-//! | [`keys`] | keys that are the program's and not the browser's |
+//! | `interface` | the interface for other pages: `window.cameraLab` |
+//! | `keys` | keys that are the program's and not the browser's |
+//! | `store` | storage in the browser, downloads, and the locks that keep its tabs apart |
 
 mod interface;
 mod keys;

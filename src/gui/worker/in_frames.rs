@@ -11,16 +11,16 @@ use super::{Done, Make, Running, Shared, Shares, Slices, Work};
 /// In a frame jobs are gone on with for so long: what people see moves on in between.
 const SLICE: Duration = Duration::from_millis(30);
 
-/// Where the frames themselves take longer, jobs get as much time as they, up to this: a hand feels what comes later.
+/// Where the frames themselves take longer, jobs get as much time as they, up to this: a hand feels longer delays.
 const LONGEST_SLICE: Duration = Duration::from_millis(100);
 
 /// Before a job of whose like a slice took so long there is a frame that tells it.
 const LONG: Duration = Duration::from_millis(500);
 
-/// What does the jobs in the frames.
+/// The backend that does the jobs in the frames.
 pub(super) struct InFrames<Job, Outcome, const SLOTS: usize> {
     work: Work<Job, Outcome>,
-    /// What is asked for the next frame.
+    /// The context of the next frame.
     ctx: egui::Context,
     shares: Shares<SLOTS>,
     under_way: Option<UnderWay<Outcome>>,
@@ -28,7 +28,7 @@ pub(super) struct InFrames<Job, Outcome, const SLOTS: usize> {
     ended: Option<Duration>,
     /// The longest slice of the last job of each slot.
     longest: [Duration; SLOTS],
-    /// The slot whose job takes long, and of which that has been told in a frame.
+    /// The slot whose long job has been announced in a frame.
     announced: Option<usize>,
 }
 
@@ -36,9 +36,9 @@ pub(super) struct InFrames<Job, Outcome, const SLOTS: usize> {
 struct UnderWay<Outcome> {
     slot: usize,
     slices: Slices<Outcome>,
-    /// What its slices took together.
+    /// The total time of its slices.
     time: Duration,
-    /// What the longest of them took.
+    /// The time of the longest of them.
     longest: Duration,
 }
 
@@ -55,7 +55,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
         }
     }
 
-    /// A job that takes long and of which nothing can be told once it has begun, as it is done in one slice.
+    /// A long job that is done in one slice, so that it has to be announced before it begins.
     pub(super) fn announced(&self) -> Option<Running> {
         self.announced.map(|slot| Running { slot, time: self.longest[slot], now: None })
     }
@@ -91,7 +91,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
         }
     }
 
-    /// The job whose turn it is; `None` where none waits, or it has to be told first.
+    /// The next job; `None` where none waits, or it has to be announced first.
     fn next(&mut self, shared: &Shared<Job, Outcome, SLOTS>, clock: fn() -> Duration) -> Option<UnderWay<Outcome>> {
         let slot = self.shares.next(shared.mailbox().waiting())?;
         let is_told = self.announced.take() == Some(slot);
@@ -104,7 +104,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
         Some(UnderWay { slot, slices, time: Duration::ZERO, longest: Duration::ZERO })
     }
 
-    /// Does a slice of a job. What has panicked has no outcome, and what it left half done is made anew.
+    /// Does a slice of a job. A job that has panicked has no outcome, and its half-done parts are made anew.
     fn slice(
         &mut self,
         job: &mut UnderWay<Outcome>,

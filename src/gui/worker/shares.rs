@@ -2,11 +2,11 @@
 
 use std::time::Duration;
 
-/// How much time each slot has had, so that the next is the one that had least.
+/// Time used by each slot, so that the next is the one that had least.
 #[derive(Debug)]
 pub(super) struct Shares<const SLOTS: usize> {
     had: [Duration; SLOTS],
-    /// What the slot that came last had had before: one that has not waited gets no credit for it.
+    /// The time that the last slot had had before: one that has not waited gets no credit for it.
     floor: Duration,
 }
 

@@ -3,6 +3,13 @@
 //! What is seen is counted in pixels that the pipeline really draws. Why something is not seen is found from the side
 //! of each plane of the volume on which its points lie; and a repair is only offered after it was applied, and its
 //! picture was looked at.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `count` | counts of the pixels that a scene covers |
+//! | `place` | the place of a subject: sides of the planes, depth, pixels |
+//! | `repair` | repairs of a camera, from small to large |
+//! | `subject` | the contents of a scene, by name: objects and grids |
 
 mod count;
 mod place;

@@ -86,7 +86,7 @@ fn what_nothing_hides_comes_last() {
 
 #[test]
 fn a_run_that_is_before_and_behind_another_is_split_between() {
-    // It goes twice over an upright line that leans: behind it above, before it below.
+    // It goes twice over an upright line that leans: behind it above, in front of it below.
     let leaning = [[50.0, 5.0, 0.9], [50.0, 95.0, 0.1]];
     let around = [[20.0, 20.0, 0.5], [80.0, 20.0, 0.5], [80.0, 80.0, 0.5], [20.0, 80.0, 0.5]];
     let drawing = drawing(&[(&around, tested(2.0)), (&leaning, tested(2.0))]);

@@ -1,0 +1,192 @@
+//! The texts of the sources themselves: how docs begin, how comments wrap, and that tables of files are true.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// The longest line of a comment, in characters, as of code.
+const WIDTH: usize = 120;
+
+fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() && !path.ends_with("target") {
+            rust_files(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// Path and text of every Rust file of some folders.
+fn sources(folders: &[&str]) -> Vec<(String, String)> {
+    let mut files = Vec::new();
+    for folder in folders {
+        rust_files(&Path::new(ROOT).join(folder), &mut files);
+    }
+    files.sort();
+    let name = |file: &Path| file.strip_prefix(ROOT).unwrap().to_string_lossy().replace('\\', "/");
+    files.into_iter().map(|file| (name(&file), fs::read_to_string(&file).unwrap())).collect()
+}
+
+/// A comment line that is too long; tables and addresses cannot be wrapped.
+fn is_too_long(line: &str) -> bool {
+    let comment = line.trim_start();
+    let wraps = comment.starts_with("//") && !comment.trim_start_matches(['/', '!', ' ']).starts_with('|');
+    wraps && line.chars().count() > WIDTH && !line.contains("://")
+}
+
+#[test]
+fn comments_wrap_as_code_does() {
+    let files = sources(&["src", "tests", "benches", "fuzz"]);
+    assert!(files.len() > 300, "the sources are not where they were");
+    let long = files.iter().flat_map(|(path, text)| {
+        let lines = text.lines().enumerate().filter(|(_, line)| is_too_long(line));
+        lines.map(move |(number, line)| format!("{path}:{}: {line}", number + 1))
+    });
+    let long: Vec<String> = long.collect();
+    assert!(long.is_empty(), "comment lines of more than {WIDTH} characters:\n{}", long.join("\n"));
+    assert!(is_too_long(&format!("    /// {}", "x".repeat(WIDTH))) && !is_too_long(&"x".repeat(2 * WIDTH)));
+    assert!(!is_too_long(&format!("/// | {} |", "x".repeat(WIDTH))));
+}
+
+/// Beginnings of docs that keep the reader waiting for the noun.
+const VAGUE: &[&str] = &["What ", "Of what ", "In what ", "To what ", "By what ", "With what "];
+
+/// The first lines of docs: those without a doc line before them.
+fn doc_beginnings(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let docs = |line: &str| {
+        let line = line.trim_start();
+        line.starts_with("///") || line.starts_with("//!")
+    };
+    let mut was_doc = false;
+    text.lines().enumerate().filter_map(move |(number, line)| {
+        let begins = docs(line) && !was_doc;
+        was_doc = docs(line);
+        begins.then(|| (number + 1, line.trim_start().trim_start_matches(['/', '!']).trim_start()))
+    })
+}
+
+fn is_vague(doc: &str) -> bool {
+    VAGUE.iter().any(|beginning| doc.starts_with(beginning))
+}
+
+#[test]
+fn docs_begin_with_a_thing_or_a_deed() {
+    let vague: Vec<String> = sources(&["src"])
+        .iter()
+        .flat_map(|(path, text)| {
+            let found = doc_beginnings(text).filter(|(_, doc)| is_vague(doc));
+            found.map(|(number, doc)| format!("{path}:{number}: {doc}")).collect::<Vec<_>>()
+        })
+        .collect();
+    assert!(vague.is_empty(), "docs that begin with \"what\":\n{}", vague.join("\n"));
+    let text = "/// What is drawn.\n/// What follows is no beginning.\nfn f() {}\n    //! Of what it is.\n";
+    let found: Vec<usize> = doc_beginnings(text).filter(|(_, doc)| is_vague(doc)).map(|(number, _)| number).collect();
+    assert_eq!(found, [1, 4]);
+}
+
+/// The names in the table of files of a module's docs: the first cells, of which each is one name in backticks.
+fn table(text: &str) -> BTreeSet<String> {
+    let rows = text.lines().map_while(|line| line.strip_prefix("//!")).map(str::trim);
+    let mut rows =
+        rows.skip_while(|row| !(row.starts_with("| file | purpose") || row.starts_with("| module | purpose")));
+    rows.next();
+    let names = rows.skip(1).map_while(|row| row.strip_prefix("| `")?.split_once('`').map(|(name, _)| name.to_owned()));
+    names.collect()
+}
+
+/// The files and folders of a folder under the names that its table has for them.
+fn contents(folder: &Path) -> BTreeSet<String> {
+    let paths: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let stem = |path: &Path| path.file_stem().unwrap().to_string_lossy().into_owned();
+    let is_test = |name: &str| name == "tests" || name.ends_with("_tests");
+    let files = paths.iter().filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    let files: BTreeSet<String> = files.map(|path| stem(path)).filter(|name| !is_test(name)).collect();
+    let folders = paths.iter().filter(|path| path.is_dir()).map(|path| stem(path));
+    let folders = folders.filter(|name| !files.contains(name)).map(|name| format!("{name}/"));
+    let roots = ["mod", "lib", "main"];
+    let all = files.iter().filter(|name| !roots.contains(&name.as_str())).cloned().chain(folders);
+    all.collect()
+}
+
+/// The file whose docs have the table of a folder.
+fn module_file(folder: &Path) -> PathBuf {
+    let candidates = [folder.join("mod.rs"), folder.join("lib.rs"), folder.with_extension("rs")];
+    candidates.into_iter().find(|file| file.is_file()).unwrap()
+}
+
+#[test]
+fn every_folder_has_a_true_table_of_its_files() {
+    let source = Path::new(ROOT).join("src");
+    let (mut folders, mut at) = (vec![source], 0);
+    while at < folders.len() {
+        let entries = fs::read_dir(&folders[at]).unwrap().map(|entry| entry.unwrap().path());
+        let below: Vec<PathBuf> = entries.filter(|path| path.is_dir()).collect();
+        folders.extend(below);
+        at += 1;
+    }
+    assert!(folders.len() > 30, "the sources are not where they were");
+    let mut faults = Vec::new();
+    for folder in &folders {
+        let file = module_file(folder);
+        let (listed, there) = (table(&fs::read_to_string(&file).unwrap()), contents(folder));
+        let missing: Vec<_> = there.difference(&listed).collect();
+        let gone: Vec<_> = listed.difference(&there).collect();
+        if !missing.is_empty() || !gone.is_empty() {
+            faults.push(format!("{}: missing {missing:?}, not on disk {gone:?}", file.display()));
+        }
+    }
+    assert!(faults.is_empty(), "tables of files:\n{}", faults.join("\n"));
+}
+
+#[test]
+fn a_table_of_files_is_read_to_its_end() {
+    let text = "//! Docs.\n//!\n//! | file | purpose |\n//! | --- | --- |\n//! | `a` | x |\n//! | `b/` | y |\n//!\n//! | `c` | z |\nmod a;\n";
+    assert_eq!(table(text).into_iter().collect::<Vec<_>>(), ["a", "b/"]);
+    assert_eq!(table("//! Docs.\n//! | `a` | x |\n"), BTreeSet::new());
+}
+
+/// The names of files and folders in the lists of `docs/architecture.md`, as paths from `src`: `## src/gui` begins a
+/// list, whose items begin with names in backticks.
+fn architecture_names(text: &str) -> Vec<String> {
+    let mut folder = None;
+    let mut found = Vec::new();
+    for line in text.lines() {
+        if let Some(heading) = line.strip_prefix("### ").or_else(|| line.strip_prefix("## ")) {
+            folder = heading.strip_prefix("`src/").and_then(|rest| rest.strip_suffix('`'));
+        }
+        let Some((names, _)) = line.strip_prefix("- ").and_then(|item| item.split_once(": ")) else { continue };
+        let Some(folder) = folder else { continue };
+        let names = names.split('`').skip(1).step_by(2);
+        found.extend(names.map(|name| format!("src/{folder}/{name}")));
+    }
+    // Elsewhere files are named by their whole path from `src`, or from the root.
+    for name in text.split('`').skip(1).step_by(2) {
+        let is_file = name.ends_with(".rs") && !name.contains([' ', '*', '<']) && !name.contains("NAME");
+        if is_file {
+            let roots = ["src/", "tests/", "dist/", "benches/", "fuzz/"];
+            let whole =
+                if roots.iter().any(|root| name.starts_with(root)) { name.to_owned() } else { format!("src/{name}") };
+            found.push(whole);
+        }
+    }
+    found
+}
+
+#[test]
+fn the_architecture_names_files_that_exist() {
+    let text = fs::read_to_string(Path::new(ROOT).join("docs/architecture.md")).unwrap();
+    let names = architecture_names(&text);
+    assert!(names.len() > 100, "{}", names.len());
+    let there = |name: &String| {
+        let path = Path::new(ROOT).join(name.trim_end_matches('/'));
+        if name.ends_with('/') { path.is_dir() } else { path.is_file() || path.with_extension("rs").is_file() }
+    };
+    let gone: Vec<&String> = names.iter().filter(|name| !there(name)).collect();
+    assert!(gone.is_empty(), "docs/architecture.md names files that do not exist: {gone:?}");
+}
