@@ -53,9 +53,8 @@ pub(super) fn subject_of<'a>(exercise: &'a Exercise, ask: &'a Ask) -> &'a Subjec
     }
 }
 
-/// The thumbnails drawn last, by their content.
-#[derive(Default)]
-struct Drawn(Option<(Figure, Lang, TextureHandle)>);
+/// The thumbnail drawn last.
+type Drawn = Memo<(Figure, Lang), Option<TextureHandle>>;
 
 /// The image of the figure by the camera that is to be found; drawn once.
 pub(super) fn target(ui: &Ui, mut figure: Figure, (theme, lang): (Theme, Lang)) -> Option<TextureHandle> {
