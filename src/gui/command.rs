@@ -1,4 +1,4 @@
-//! What can be done from the menus and the keyboard: [`MENUS`] has a row for each command.
+//! The commands of menus and keyboard: [`MENUS`] has a row for each.
 
 mod table;
 
@@ -82,16 +82,16 @@ struct Row {
     shortcut: KeyboardShortcut,
     second_shortcut: Option<KeyboardShortcut>,
     in_browser: InBrowser,
-    /// Its name, and what it does.
+    /// Label and hint.
     words: fn(&Texts) -> (&'static str, &'static str),
     enabled: fn(&State) -> bool,
-    /// Why it would do nothing, where that is not plain.
+    /// The reason why it is disabled, where that is not plain.
     hint_disabled: Option<fn(&Texts) -> &'static str>,
     on: Option<fn(&State) -> bool>,
     run: Run,
 }
 
-/// What a page in a browser has of a command.
+/// The part of a command that a page in a browser has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum InBrowser {
     /// The command and its keys.
@@ -103,7 +103,7 @@ enum InBrowser {
     Nothing,
 }
 
-/// How a command is done.
+/// The way in which a command is done.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Run {
     /// By a change of the state.
@@ -127,19 +127,19 @@ impl Command {
         rows().find(|row| row.command == self).expect("a row")
     }
 
-    /// Its name.
+    /// The label.
     #[must_use]
     pub fn label(self, t: &Texts) -> &'static str {
         (self.row().words)(t).0
     }
 
-    /// What it does.
+    /// The hint.
     #[must_use]
     pub fn hint(self, t: &Texts) -> &'static str {
         (self.row().words)(t).1
     }
 
-    /// Why it would do nothing, where that is not plain; else what it does.
+    /// The hint while it is disabled: the reason, where that is not plain.
     #[must_use]
     pub fn hint_disabled(self, t: &Texts) -> &'static str {
         self.row().hint_disabled.map_or_else(|| self.hint(t), |hint| hint(t))
@@ -165,19 +165,19 @@ impl Command {
         keys.any(|keys| keys.logical_key == key && modifiers.matches_exact(keys.modifiers))
     }
 
-    /// False where it would do nothing.
+    /// Whether it would do something.
     #[must_use]
     pub fn is_enabled(self, state: &State) -> bool {
         (self.row().enabled)(state)
     }
 
-    /// On or off, for what is one of both.
+    /// On or off, for a switch.
     #[must_use]
     pub fn is_on(self, state: &State) -> Option<bool> {
         self.row().on.map(|on| on(state))
     }
 
-    /// How it is done.
+    /// The way in which it is done.
     pub(super) fn run(self) -> Run {
         self.row().run
     }

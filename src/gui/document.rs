@@ -26,8 +26,8 @@ pub struct Document {
     /// Which scene the figure has, and whether it is another one than the one that was saved.
     revision: Revision,
     scene_is_changed: bool,
-    /// Which document it is, from wherever it is seen and whatever is explained in it, and which one the last step was
-    /// made of.
+    /// The number of the document, whatever its observers and what is shown in it, and of the one of which the last step
+    /// was made.
     version: Revision,
     committed: Option<Revision>,
     is_changed: bool,
