@@ -94,7 +94,7 @@ impl Stage {
         self.row().0
     }
 
-    /// On what it works.
+    /// The elements on which it works.
     #[must_use]
     pub const fn works_on(self) -> WorksOn {
         self.row().1
@@ -108,7 +108,7 @@ impl Stage {
     }
 }
 
-/// On what a stage works, and so how it shows in a picture.
+/// The elements on which a stage works, and by which it shows in a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WorksOn {
     /// Objects by their boxes.
@@ -123,6 +123,6 @@ pub enum WorksOn {
     Pieces,
     /// The colours of faces or vertices.
     Colors,
-    /// What the rasterizer paints.
+    /// Pixels.
     Pixels,
 }

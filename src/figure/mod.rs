@@ -84,7 +84,7 @@ impl Figure {
         Self { camera: recommended_camera(preset), scene, ..Self::default() }
     }
 
-    /// What one edits, without its scene, which can be large: neither from where it is seen nor what is explained in it.
+    /// All but the scene, which can be large, and but the observers and what is shown, which are no edits.
     #[must_use]
     pub fn without_scene(&self) -> Self {
         let Self {

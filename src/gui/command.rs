@@ -1,4 +1,4 @@
-//! What can be done from the menus and the keyboard: [`MENUS`] has a row for each command.
+//! The commands of menus and keyboard: [`MENUS`] has a row for each.
 
 mod table;
 
@@ -82,16 +82,16 @@ struct Row {
     shortcut: KeyboardShortcut,
     second_shortcut: Option<KeyboardShortcut>,
     in_browser: InBrowser,
-    /// Its name, and what it does.
+    /// Label and hint.
     words: fn(&Texts) -> (&'static str, &'static str),
     enabled: fn(&State) -> bool,
-    /// Why it would do nothing, where that is not plain.
+    /// The reason why it is disabled, where that is not plain.
     hint_disabled: Option<fn(&Texts) -> &'static str>,
     on: Option<fn(&State) -> bool>,
     run: Run,
 }
 
-/// What a page in a browser has of a command.
+/// The part of a command that a page in a browser has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum InBrowser {
     /// The command and its keys.
@@ -103,7 +103,7 @@ enum InBrowser {
     Nothing,
 }
 
-/// How a command is done.
+/// The way in which a command is done.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Run {
     /// By a change of the state.
@@ -127,7 +127,7 @@ impl Command {
         rows().find(|row| row.command == self).expect("a row")
     }
 
-    /// Its name.
+    /// The label.
     #[must_use]
     pub fn label(self, t: &Texts) -> &'static str {
         (self.row().words)(t).0
@@ -165,7 +165,7 @@ impl Command {
         keys.any(|keys| keys.logical_key == key && modifiers.matches_exact(keys.modifiers))
     }
 
-    /// False where it would do nothing.
+    /// Whether it would do something.
     #[must_use]
     pub fn is_enabled(self, state: &State) -> bool {
         (self.row().enabled)(state)
@@ -177,7 +177,7 @@ impl Command {
         self.row().on.map(|on| on(state))
     }
 
-    /// How it is done.
+    /// The way in which it is done.
     pub(super) fn run(self) -> Run {
         self.row().run
     }

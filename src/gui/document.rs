@@ -26,8 +26,8 @@ pub struct Document {
     /// The revision of the scene, and whether it differs from the saved one.
     revision: Revision,
     scene_is_changed: bool,
-    /// Which document it is, from wherever it is seen and whatever is explained in it, and which one the last step was
-    /// made of.
+    /// The number of the document, whatever its observers and what is shown in it, and of the one of which the last step
+    /// was made.
     version: Revision,
     committed: Option<Revision>,
     is_changed: bool,

@@ -1,4 +1,4 @@
-//! The kinds of files that are asked for: what each is called, what its names end in, and which name is proposed.
+//! The kinds of files that are asked for: title, endings, proposed name.
 
 use std::path::{Path, PathBuf};
 
@@ -9,13 +9,13 @@ use crate::i18n::{exercise_window, explain, gallery, scenes, window};
 
 /// A kind of files.
 pub(super) struct FileKind {
-    /// Whether it is there already.
+    /// A file that is there, a new one, or a folder.
     pub(super) wanted: Wanted,
     /// The title of the question.
     pub(super) title: &'static str,
     /// The button below it.
     pub(super) action: &'static str,
-    /// What the files are called, and what their names end in; the first ending is appended to names that have none.
+    /// Names of formats with their endings; the first ending is appended to names that have none.
     filters: Vec<(String, &'static [&'static str])>,
     /// The name that is proposed; empty for what is read.
     name: String,

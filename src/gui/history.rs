@@ -8,8 +8,8 @@ use crate::figure::{Figure, Observers, Show};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
 
-/// Which scene, or which document: where two numbers are the same, so is what they stand for, which can be large. Of
-/// other numbers nothing is said.
+/// The number of a scene or of a document: equal numbers mean equal content, without a comparison of it, which can be
+/// large. Different numbers mean nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Revision(u64);
 

@@ -1,4 +1,4 @@
-//! What has been computed for the window: once for each thing that it is computed from.
+//! Values that are computed once for each key: in the frame, and beside the window's thread.
 
 use std::time::Duration;
 
@@ -142,7 +142,7 @@ impl<K: Clone + PartialEq + Send + 'static, V: Send + 'static> Latest<K, V> {
         self.asked.as_ref().filter(|_| self.waits)
     }
 
-    /// What is being done.
+    /// The work that is being done.
     pub(super) fn running(&self) -> Option<Running> {
         self.worker.running()
     }

@@ -18,17 +18,17 @@ use crate::progress::Progress;
 /// The longest wait for a running write before the window closes.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);
 
-/// What a window has changed, to be merged into what the file holds by then.
+/// A change of a window, to be merged into the present content of the file.
 pub(super) trait Change: Clone + Send + 'static {
-    /// What a file holds.
+    /// The content of a file.
     type Content: Default;
-    /// What is known of the file once the change is in it.
+    /// The part of the content that the window takes over once the change is in it.
     type Merged: Send + 'static;
 
     /// Reads a file; `None` where it cannot be understood.
     fn understood(text: &str) -> Option<Self::Content>;
 
-    /// True where nothing is to be written.
+    /// Whether there is nothing to write.
     fn is_empty(&self) -> bool;
 
     /// Whether nothing was added since `other`.
@@ -38,7 +38,7 @@ pub(super) trait Change: Clone + Send + 'static {
     fn merge(&self, content: Self::Content) -> (String, Self::Merged);
 }
 
-/// What a file holds, as text and understood, and where one went that could not be understood.
+/// The content of a file, as text and understood, and the new place of one that could not be understood.
 type Held<T> = (String, T, Option<PathBuf>);
 
 /// The file as it is, empty where there is none; what cannot be understood, or is far too large, is set aside under
@@ -83,7 +83,7 @@ type Written<C> = Result<(<C as Change>::Merged, Option<PathBuf>), FileError>;
 pub(super) struct SharedFile<C: Change> {
     pub(super) path: PathBuf,
     what: Keeping,
-    /// What is said where it was set aside.
+    /// The message about a file that was set aside.
     set_aside: fn(PathBuf) -> News,
     worker: Worker<(PathBuf, C), Written<C>>,
     /// What is being written, or could not be.
@@ -128,7 +128,7 @@ impl<C: Change> SharedFile<C> {
         self.told
     }
 
-    /// What there is to say about it, each once.
+    /// New messages about it, each once.
     pub(super) fn news(&mut self) -> Vec<News> {
         std::mem::take(&mut self.news)
     }
@@ -142,7 +142,7 @@ impl<C: Change> SharedFile<C> {
         }
     }
 
-    /// What was written, once there is any, and what is known of the file since then.
+    /// The change that was written, once one was, and what the window takes over.
     pub(super) fn take(&mut self, patience: Duration) -> Option<(C, C::Merged)> {
         let [done] = self.worker.take(patience);
         match done?.outcome? {
@@ -167,7 +167,7 @@ impl<C: Change> SharedFile<C> {
     /// Puts the file under another name, and forgets what was asked for. False where there is none.
     ///
     /// # Errors
-    /// What keeps it where it is.
+    /// The lock or the file system refuses.
     pub(super) fn put_aside(&mut self, aside: &Path) -> Result<bool, FileError> {
         let moved = locked(&self.path).and_then(|_lock| disk::rename(&self.path, aside).map_err(FileError::Write));
         let was_there = match moved {

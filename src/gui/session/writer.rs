@@ -39,7 +39,7 @@ impl Note {
             && (self.revision == document.revision() || self.figure.scene == figure.scene)
     }
 
-    /// True where it says how a document is seen.
+    /// Whether it has the observers of a document, and what is shown in it.
     fn is_seen_as(&self, document: &Document) -> bool {
         let figure = document.figure();
         (self.figure.observers, &self.figure.show) == (figure.observers, &figure.show)
@@ -79,7 +79,7 @@ pub(super) struct Writer {
     worker: Worker<WriteJob, Result<(), FileError>>,
     /// The last request; `None` before there was any.
     asked: Option<Option<Arc<Note>>>,
-    /// Which document that was.
+    /// The number of that document.
     version: Option<Revision>,
 }
 

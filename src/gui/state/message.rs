@@ -105,7 +105,7 @@ impl Message {
         sanitize::printable(self.row(lang).1.trim())
     }
 
-    /// How it is said, and the sentence.
+    /// Tone and sentence.
     fn row(&self, lang: Lang) -> (Tone, String) {
         use Tone::{Error, Lasting, News};
         let (t, scene, sharing) = (window::texts(lang), scenes::texts(lang), sharing::texts(lang));
