@@ -25,7 +25,7 @@ pub struct Report {
     pub basis: BasisReport,
     /// The view window on the plane z_c = −F.
     pub window: WindowReport,
-    /// The convention of NDC: [`Ndc::name`](crate::camera::Ndc::name). What follows of M_p, clip coordinates and NDC is
+    /// The convention of NDC: [`Ndc::name`](crate::camera::Ndc::name). The derived M_p, clip coordinates and NDC are
     /// in it.
     pub ndc: &'static str,
     /// M_v, rows.

@@ -128,7 +128,7 @@ pub const MAX_EXERCISE_BYTES: usize = 1 << 20;
 /// The most exercises in a folder: all are read when the folder is; a lecture has a few dozen.
 pub const MAX_OWN_EXERCISES: usize = 256;
 
-/// The most that one exercise asks: they are lettered from a to z.
+/// The most questions of one exercise: they are lettered from a to z.
 pub const MAX_ASKS: usize = 26;
 
 /// The longest identifier of an exercise or of a question, in characters: it is part of a command line.

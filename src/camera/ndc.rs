@@ -1,6 +1,6 @@
 //! Conventions of normalised device coordinates: where graphics libraries want z_n, and which way y_n points.
 
-/// The range of depths and the direction of y of a graphics library, and what can be done with depth in it.
+/// The range of depths and the direction of y of a graphics library, and its treatment of depth.
 ///
 /// Whatever the convention, view space is right-handed and the camera looks along −**n**, as in `[0]`.
 ///

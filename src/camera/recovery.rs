@@ -148,7 +148,7 @@ const EXACT: f64 = 1e-9;
 /// ```
 ///
 /// # Errors
-/// [`RecoveryError`] says which entry or row no camera has.
+/// [`RecoveryError`] names the entry or row that no camera has.
 pub fn recover(kind: MatrixKind, matrix: DMat4, ndc: Ndc, current: &Parameters) -> Result<Recovered, RecoveryError> {
     for row in 0..4 {
         for column in 0..4 {

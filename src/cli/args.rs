@@ -236,8 +236,8 @@ pub(super) struct DiagnoseArgs {
     /// Sentences to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TableFormat,
-    /// Write the figure, with its operations and the repair of the first finding applied, to the file of -o; comments stay.
-    /// Without a repair, report so and write the figure without one
+    /// Write the figure, with its operations and the repair of the first finding applied, to the file of -o; comments
+    /// stay. Without a repair, report so and write the figure without one
     #[arg(long, requires = "output")]
     pub(super) repair: bool,
     /// The figure file to write

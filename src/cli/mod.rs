@@ -94,7 +94,7 @@ pub struct Opening {
     pub figure: Figure,
     /// Its file; `None`: a new figure.
     pub file: Option<SourceFile>,
-    /// The user lets the figure name any file.
+    /// The user allows the figure to name any file.
     pub allow_files: bool,
     /// The language of messages, and of the window where nothing is remembered.
     pub lang: Lang,

@@ -14,7 +14,7 @@ pub enum PictureFormat {
 }
 
 impl PictureFormat {
-    /// All of them; the first is that of a file whose name says none.
+    /// All of them; the first is that of a file whose name has no extension.
     pub const ALL: [Self; 3] = [Self::Png, Self::WebP, Self::Jpeg];
 
     /// Its common name.
@@ -61,7 +61,7 @@ impl PictureFormat {
         self.endings()[0]
     }
 
-    /// The format that a file's name says.
+    /// The format of a file's extension.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?;

@@ -20,7 +20,7 @@ pub struct OwnExercises {
 /// A file in a folder of exercises that holds none that can be used.
 #[derive(Debug)]
 pub struct BadExercise {
-    /// The path of the folder.
+    /// The path of the file.
     pub path: PathBuf,
     /// Why not.
     pub error: FileError,
@@ -31,8 +31,8 @@ pub struct BadExercise {
 /// Reads the exercises of a folder: each file that ends with `.toml`, one each. Folders in it are not looked into.
 ///
 /// # Errors
-/// [`FileError`]: the folder cannot be read, or holds more of them than there may be. What is wrong with one file is in `faults`, and the others
-/// can be used.
+/// [`FileError`]: the folder cannot be read, or has too many of them. The fault of a single file is in `faults`, and
+/// the others can be used.
 pub fn read_exercises(folder: &Path) -> Result<OwnExercises, FileError> {
     if super::is_network(folder) {
         return Err(FileError::Network);

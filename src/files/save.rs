@@ -1,4 +1,5 @@
-//! Saving: the file is there afterwards as a whole, or, after an error, as it was before; and it stays what it was.
+//! Saving: the file is there afterwards as a whole, or, after an error, as it was before; permissions, links and owner
+//! stay.
 //!
 //! The new bytes go into a temporary file beside the old one, which is then renamed. That would cut hard links, and
 //! give the file another owner where the user may write it without owning it: such a file, and one in a folder where

@@ -133,13 +133,13 @@ impl Command {
         (self.row().words)(t).0
     }
 
-    /// Its tooltip.
+    /// The hint.
     #[must_use]
     pub fn hint(self, t: &Texts) -> &'static str {
         (self.row().words)(t).1
     }
 
-    /// The reason why it is disabled, where that is not plain; else its tooltip.
+    /// The hint while it is disabled: the reason, where that is not plain.
     #[must_use]
     pub fn hint_disabled(self, t: &Texts) -> &'static str {
         self.row().hint_disabled.map_or_else(|| self.hint(t), |hint| hint(t))
@@ -171,7 +171,7 @@ impl Command {
         (self.row().enabled)(state)
     }
 
-    /// The state of a switch.
+    /// On or off, for a switch.
     #[must_use]
     pub fn is_on(self, state: &State) -> Option<bool> {
         self.row().on.map(|on| on(state))
@@ -182,7 +182,7 @@ impl Command {
         self.row().run
     }
 
-    /// Whether a text field handles it itself while it has the focus.
+    /// True for what a text field does itself while it has the keyboard.
     #[must_use]
     pub fn is_for_text_too(self) -> bool {
         matches!(self, Self::Undo | Self::Redo)

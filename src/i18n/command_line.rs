@@ -184,7 +184,7 @@ pub fn pixel(lang: Lang, text: &str) -> String {
     }
 }
 
-/// The name of a file whose ending says neither an animation nor a picture.
+/// The name of a file whose extension is neither that of an animation nor that of a picture.
 #[must_use]
 pub fn animation_ending(lang: Lang, name: &str) -> String {
     match lang {
@@ -296,7 +296,7 @@ pub fn seed(lang: Lang, text: &str) -> String {
     }
 }
 
-/// A file of charts whose ending says no format.
+/// A file of charts whose extension is not that of a format.
 #[must_use]
 pub fn plot_ending(lang: Lang, path: &str, endings: &str) -> String {
     match lang {

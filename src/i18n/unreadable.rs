@@ -65,20 +65,20 @@ pub(super) fn system_in_portuguese(kind: io::ErrorKind, code: Option<i32>) -> Co
         io::ErrorKind::AlreadyExists => "já existe algo com este nome",
         io::ErrorKind::InvalidInput | io::ErrorKind::InvalidFilename => "nenhum arquivo pode ter este nome",
         io::ErrorKind::StorageFull => "o disco está cheio",
-        io::ErrorKind::QuotaExceeded => "sua cota do disco está cheia",
+        io::ErrorKind::QuotaExceeded => "sua cota de disco está esgotada",
         io::ErrorKind::FileTooLarge => "o disco não aceita um arquivo tão grande",
         io::ErrorKind::ReadOnlyFilesystem => "o disco é somente de leitura",
         io::ErrorKind::ResourceBusy | io::ErrorKind::ExecutableFileBusy => "outro programa o está usando",
         io::ErrorKind::CrossesDevices => "está em outro disco",
         io::ErrorKind::OutOfMemory => "não há memória suficiente",
-        io::ErrorKind::BrokenPipe => "ninguém mais o lê",
+        io::ErrorKind::BrokenPipe => "o leitor o fechou",
         io::ErrorKind::TimedOut => "demorou demais",
         io::ErrorKind::UnexpectedEof | io::ErrorKind::WriteZero => "terminou antes do fim",
-        io::ErrorKind::InvalidData => "contém o que não deve",
+        io::ErrorKind::InvalidData => "contém dados inválidos",
         io::ErrorKind::Unsupported => {
-            "uma página no navegador não vê pastas; escolha o arquivo nela, ou solte-o sobre a página"
+            "uma página no navegador não lê pastas; escolha o arquivo nela, ou solte-o sobre a página"
         }
-        _ if is_loop(code) => "seus links levam em círculo",
+        _ if is_loop(code) => "seus links formam um ciclo",
         _ => match code {
             Some(code) => return format!("o sistema recusa, com o erro {code}").into(),
             None => "o sistema recusa",

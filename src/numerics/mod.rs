@@ -10,7 +10,7 @@
 //! | `chain` | the textbook chain, once, for every kind of number |
 //! | `charts` | the charts of a study |
 //! | `depth_format` | the formats of depth buffers, and the surfaces that each distinguishes |
-//! | `diagnosis/` | why is my picture empty? What of a scene a camera does not show, why |
+//! | `diagnosis/` | the reasons why a camera does not show a part of a scene, with repairs |
 //! | `health` | the health of a camera: six quantities with their thresholds |
 //! | `measure` | the error of a method, and its run time |
 //! | `overhead` | the overhead of precision: double-double against plain `f64` |

@@ -105,7 +105,7 @@ pub enum Reason {
     /// Left out: all faces were dropped or clipped away before.
     NoFaceLeft,
 
-    /// Left out: every object is wholly inside the volume.
+    /// Left out: every object is entirely inside the volume.
     AllInside {
         /// In view.
         objects: usize,

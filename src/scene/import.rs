@@ -65,7 +65,7 @@ impl MeshFiles {
         Ok(imported)
     }
 
-    /// None yet; `progress` says how far reading them has come.
+    /// None yet; `progress` follows the reading.
     #[must_use]
     pub fn watched(progress: &Progress) -> Self {
         Self { progress: progress.clone(), ..Self::default() }
@@ -82,7 +82,7 @@ impl MeshFiles {
         self.known.insert(path.to_owned(), imported);
     }
 
-    /// Forgets the files that `is_used` says no to.
+    /// Forgets the files that `is_used` denies.
     pub(super) fn retain(&mut self, is_used: impl Fn(&str) -> bool) {
         self.known.retain(|path, _| is_used(path));
     }

@@ -10,7 +10,7 @@ pub enum MeshError {
     /// The file could not be read.
     #[error(transparent)]
     Unreadable(Box<ReadError>),
-    /// The ending of its name says nothing.
+    /// The extension of its name is unknown.
     #[error("the format is not known; allowed: a name that ends in .obj, .gltf or .glb")]
     Format,
     /// Reading was cancelled.
@@ -140,7 +140,7 @@ pub enum MeshNotice {
         /// Number of such faces.
         count: usize,
     },
-    /// A material would make all that has it wholly invisible.
+    /// A material would make its faces fully invisible.
     #[error("the material \"{material}\" is fully transparent (Tr 1 or d 0); it is drawn opaque")]
     Invisible {
         /// Its name.

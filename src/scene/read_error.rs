@@ -106,24 +106,24 @@ pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str>
         io::ErrorKind::PermissionDenied => "permission denied",
         io::ErrorKind::IsADirectory => "it is a directory",
         io::ErrorKind::NotADirectory => "a part of the path is not a directory",
-        io::ErrorKind::AlreadyExists => "there is something of this name",
+        io::ErrorKind::AlreadyExists => "something of this name exists already",
         io::ErrorKind::InvalidInput | io::ErrorKind::InvalidFilename => "no file can have this name",
         io::ErrorKind::StorageFull => "the disk is full",
-        io::ErrorKind::QuotaExceeded => "your share of the disk is full",
-        io::ErrorKind::FileTooLarge => "the disk takes no file so large",
+        io::ErrorKind::QuotaExceeded => "your disk quota is used up",
+        io::ErrorKind::FileTooLarge => "the disk does not accept a file this large",
         io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only",
         io::ErrorKind::ResourceBusy | io::ErrorKind::ExecutableFileBusy => "another program is using it",
-        io::ErrorKind::CrossesDevices => "it lies on another disk",
+        io::ErrorKind::CrossesDevices => "it is on another disk",
         io::ErrorKind::OutOfMemory => "there is not enough memory",
-        io::ErrorKind::BrokenPipe => "nobody reads it any more",
+        io::ErrorKind::BrokenPipe => "the reader has closed it",
         io::ErrorKind::TimedOut => "it took too long",
         io::ErrorKind::UnexpectedEof | io::ErrorKind::WriteZero => "it ended early",
-        io::ErrorKind::InvalidData => "it holds what it must not",
+        io::ErrorKind::InvalidData => "it holds invalid data",
         // Only a page of a browser has no files at all.
         io::ErrorKind::Unsupported => {
-            "a page in a browser can't look into folders; choose the file there, or drop it on the page"
+            "a page in a browser cannot read folders; choose the file there, or drop it on the page"
         }
-        _ if is_loop(code) => "its links lead round in a circle",
+        _ if is_loop(code) => "its links form a cycle",
         _ => match code {
             Some(code) => return format!("the system refuses, with its error {code}").into(),
             None => "the system refuses",

@@ -70,7 +70,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().text_color());
 }
 
-/// Steps that are wholly done.
+/// Steps that are completely done.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful of steps")]
 fn whole(time: f64) -> usize {
     (time + 1e-9).floor() as usize

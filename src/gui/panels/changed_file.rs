@@ -1,4 +1,4 @@
-//! The bar that says that another program has changed the figure's file, until the user has decided.
+//! The bar about a change of the figure's file by another program, until the user has decided.
 
 use eframe::egui::{self, Label, RichText};
 

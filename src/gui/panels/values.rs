@@ -138,7 +138,7 @@ fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&T
         .inner
 }
 
-/// Makes each number that is the entry of a matrix a control that asks why; gives the one that was clicked.
+/// Makes each number that is the entry of a matrix a control for its explanation; returns the one that was clicked.
 fn questions(
     ui: &egui::Ui,
     t: &'static Texts,

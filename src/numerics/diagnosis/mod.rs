@@ -1,8 +1,9 @@
-//! Why is my picture empty? What of a scene a camera does not show, why, and which change of the camera would show it.
+//! Why is my picture empty? The parts of a scene that a camera does not show, the reasons, and the changes of the
+//! camera that would show them.
 //!
-//! What is seen is counted in pixels that the pipeline really draws. Why something is not seen is found from the side
-//! of each plane of the volume on which its points lie; and a repair is only offered after it was applied, and its
-//! picture was looked at.
+//! Visibility is counted in pixels that the pipeline really draws. The reason for a missing part is found from the
+//! sides of the planes of the volume on which its points lie; a repair is offered only after it was applied, and its
+//! picture was checked.
 //!
 //! | file | purpose |
 //! | --- | --- |

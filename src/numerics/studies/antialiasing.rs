@@ -97,7 +97,7 @@ impl Setup {
         Some(Self { parameters, camera, triangle, scene, exact })
     }
 
-    /// Pixels that are wholly inside or outside are right with any number of samples, and are left out.
+    /// Pixels that are entirely inside or outside are right with any number of samples, and are left out.
     fn judge(&self, input: usize, coverage: &[f64], trial: &mut Trial) {
         for (&computed, &exact) in coverage.iter().zip(&self.exact) {
             if (exact > 0.0 && exact < 1.0) || computed != exact {

@@ -33,7 +33,7 @@ use crate::scene::edit::{self, Children};
 use crate::scene::transform::{below, topmost};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
 
-/// A change that the tree or a button asks for.
+/// A change requested by the tree or a button.
 enum Edit {
     Hang {
         name: String,
@@ -255,7 +255,7 @@ fn measure_of(key: &str, i: usize) -> Option<Measured> {
     }
 }
 
-/// Deletes an object, says so, and selects its parent.
+/// Deletes an object, reports it, and selects its parent.
 pub(in crate::gui) fn remove(state: &mut State, names: &BTreeSet<String>, children: Children) {
     let mut scene = state.document.figure().scene.clone();
     let before = scene.objects.len();
