@@ -26,8 +26,8 @@ pub struct Document {
     /// The revision of the scene, and whether it differs from the saved one.
     revision: Revision,
     scene_is_changed: bool,
-    /// The number of the document, whatever its observers and what is shown in it, and of the one of which the last step
-    /// was made.
+    /// The number of the document, whatever its observers and what is shown in it, and of the one of which the last
+    /// step was made.
     version: Revision,
     committed: Option<Revision>,
     is_changed: bool,
@@ -198,7 +198,7 @@ impl Document {
         &mut self.figure.observers
     }
 
-    /// What is explained in the pictures: kept in the file as the observers are, and no change of the figure. What is
+    /// `[show]`: saved in the file like the observers, and no change of the figure. What is
     /// chosen there (a stage, a triangle, what is measured) is an undo step.
     pub fn show_mut(&mut self) -> &mut Show {
         &mut self.figure.show

@@ -193,7 +193,7 @@ pub(super) enum ExportError {
     /// The user does not want it any more.
     #[error("cancelled")]
     Cancelled,
-    /// What draws and writes has panicked.
+    /// The export panicked.
     #[error("a bug in this program")]
     Panic,
 }
@@ -285,7 +285,7 @@ pub(super) struct Task {
     overwrite: Overwrite,
 }
 
-/// What is written.
+/// The kind of the file.
 #[derive(Clone, Copy)]
 pub(super) enum ExportKind {
     Pictures(Export),

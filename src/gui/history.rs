@@ -21,7 +21,7 @@ impl Revision {
     }
 }
 
-/// What one undo step brings back: everything but the observers. Of what is explained, it brings back what was chosen;
+/// The content of an undo step: everything but the observers. Of `[show]` it restores the choices;
 /// all of it where the figure was another one.
 #[derive(Clone, Debug)]
 struct Snapshot {
@@ -29,7 +29,7 @@ struct Snapshot {
     revision: Revision,
     /// The figure without its scene.
     rest: Figure,
-    /// With what it knows beyond the `f64`s of its parameters.
+    /// With its digits beyond the `f64`s of its parameters.
     camera: Camera,
     draft: Parameters,
     show: Show,
@@ -87,13 +87,13 @@ impl Snapshot {
     }
 }
 
-/// What is explained because it was chosen, and not pointed at, played, or made by a panel.
+/// The parts of `[show]` that are choices: not pointed at, played, or made by a panel.
 fn chosen(show: &Show) -> impl PartialEq {
     let triangle = show.triangle.as_ref().map(|triangle| (&triangle.object, triangle.index));
     (show.stage, show.stage_of, triangle, &show.measure, &show.measure_of)
 }
 
-/// What is explained now, with what was chosen then.
+/// `[show]` as it is now, with the choices of then.
 fn with_chosen(now: &Show, then: &Show) -> Show {
     let Show { stage, stage_of, triangle, measure, measure_of, .. } = then.clone();
     Show { stage, stage_of, triangle, measure, measure_of, ..now.clone() }

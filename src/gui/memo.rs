@@ -101,8 +101,8 @@ impl<K: Clone + PartialEq + Send + 'static, V: Send + 'static> Latest<K, V> {
         self.worker.cancel();
     }
 
-    /// Receives an answer: to the question that was asked last, or to one before it that has not been given up. Waits up
-    /// to `patience` for it.
+    /// Receives an answer: to the question that was asked last, or to one before it that has not been given up. Waits
+    /// up to `patience` for it.
     pub(super) fn poll(&mut self, patience: Duration) {
         if !self.receive(patience) && !self.worker.is_pending(0) {
             // The answer has come in between, or what answers has panicked.

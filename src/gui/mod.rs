@@ -18,6 +18,7 @@
 //! | `export` | exports, in the same way as `camera-lab render`, byte for byte |
 //! | `export_dialog` | the export dialog, with a preview |
 //! | `file_flow` | opening, saving and closing: the questions, their order, the actions |
+//! | `file_kind` | the kinds of files: title, endings, proposed name, whether they are written |
 //! | `focus` | the keyboard's way through the window: regions, focus ring, scrolling |
 //! | `gallery/` | the gallery of figures: built-in, recent, of a folder |
 //! | `handle_drag` | dragging C, PF, VUP and the clipping planes in the world |
@@ -27,10 +28,12 @@
 //! | `launch_options` | options of one window, from the command line or the address of a page |
 //! | `link_dialog` | the dialog of the figure as a link |
 //! | `mathematics` | formulas, set as `KaTeX` sets them |
+//! | `memo` | values computed once for each thing that they are computed from, at once or beside the window's thread |
 //! | `menu` | the bar at the top: menus, the name of the figure, switches |
 //! | `motion` | the short animation of an operation |
 //! | `native` | file dialogs: those of the system, or of a browser |
 //! | `number_field` | a field for one number: drag it, type an expression, or step it |
+//! | `number_tables` | the numbers of the figure as tables, for the panel and for copying |
 //! | `panels/` | the panels at the sides, and the few shapes that all of them are made of |
 //! | `plotting` | common parts of the plots of the window |
 //! | `preferences/` | preferences of the window, in a small TOML file in the user's configuration folder |

@@ -41,7 +41,7 @@ pub(in crate::gui) struct Table {
     pub(in crate::gui) rows: Vec<(String, Vec<f64>)>,
     /// Where the notes print something else: what, and what is right.
     pub(in crate::gui) erratum: Option<&'static str>,
-    /// What rounding can have left of zero, beside its row, is shown as 0.
+    /// A number that can be a rounding error of zero, relative to its row, is shown as 0.
     rests: bool,
     /// It is other numbers in another convention of NDC.
     pub(in crate::gui) follows_ndc: bool,

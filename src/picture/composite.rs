@@ -83,7 +83,7 @@ pub enum NoComposite {
 /// Pictures that belong together, and their layout on a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Composite {
-    /// What is drawn, in the order of the shot.
+    /// The pictures, in the order of the shot.
     pub requests: Vec<Request>,
     /// How they share the sheet.
     pub arrangement: Arrangement,
@@ -223,7 +223,7 @@ fn parts(count: usize, length: u32, gap: u32) -> Option<impl Iterator<Item = u32
     Some((0..count).rev().map(move |later| (room + later) / count))
 }
 
-/// What the first picture has of a length, and what the others have.
+/// The lengths of the first picture and of the others.
 fn first_and_rest(length: u32, gap: u32, arrangement: Arrangement) -> Option<[u32; 2]> {
     let room = length.checked_sub(gap)?;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of the room")]

@@ -15,9 +15,9 @@
 //! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces,
 //! blending and smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
 //! [`Pipeline::frame`] takes the objects through the stages one by one, each by `object_pass`; `recorder` counts and
-//! times them, and notes in `stage_work` what goes into the stage that a picture shows, and what comes out. [`clip_parts`],
-//! [`cull_result`], [`one_triangle`] and [`divide_before_clip`] are not on the way to a picture: they show what
-//! clipping and culling do, and what would come of dividing first.
+//! times them, and notes in `stage_work` what goes into the stage that a picture shows, and what comes out.
+//! [`clip_parts`], [`cull_result`], [`one_triangle`] and [`divide_before_clip`] are not on the way to a picture: they
+//! show what clipping and culling do, and what would come of dividing first.
 //!
 //! A drawing for an output without a depth buffer is completed by [`stroke_runs`], the parts of its strokes that faces
 //! hide, and [`stroke_order`], their order in depth.
@@ -37,8 +37,10 @@
 //! | `depths` | the range of distances resolved by the depths of a picture |
 //! | `divide_before_clip` | the result of dividing by w before clipping: the mistake that homogeneous clipping avoids `[2]` |
 //! | `faces` | the faces of one object that are left to draw: projected, culled, clipped |
+//! | `hidden_surfaces` | the surfaces of a picture, in the order of painting where no depth buffer decides |
 //! | `light` | light on faces and vertices, by the one formula of `lighting` |
 //! | `lines` | edges and lines → strokes: clipped, projected, grouped by style |
+//! | `object_pass` | one object on its way through the stages |
 //! | `one_triangle` | one triangle step by step, as every triangle goes |
 //! | `outline` | the outline of a curved solid: its silhouette, which depends on the viewpoint, and its creases |
 //! | `plan` | the stages that a picture needs, and the reason why each other one is left out |
@@ -47,9 +49,11 @@
 //! | `pool` | reuse of the memory of returned drawings: fresh memory costs more than writing to it |
 //! | `project` | the scene after clipping and projection: the content of the canonical volume |
 //! | `projector` | the camera as the pipeline applies it, point by point: object → world → view → clip, in `f64` |
+//! | `recorder` | the record of a picture while it is made: counts, times, the stage that is shown, rounding |
 //! | `report` | the report of a picture: counts and times, stage by stage |
 //! | `resample` | attributes of the vertices that cutting makes: colours, normals, texture coordinates … |
 //! | `rounding_check` | detection of vertices that rounding misplaces in the picture, by the code that draws them |
+//! | `scenes` | a scene and the gear of a picture, side by side |
 //! | `shade` | surfaces of the drawing from the faces that are left |
 //! | `stage_work` | input and output of a stage, recorded while a picture is made, so that the picture can show them |
 //! | `stages` | reasons of stages, plans and reports of objects |

@@ -71,7 +71,7 @@ impl<'a> ObjectPass<'a> {
         faces.clip(&self.vertices(), screen, self.wants_source(), options.force_all_stages);
     }
 
-    /// What became of the faces that turn their back.
+    /// The treatment of the faces that turn their back.
     pub(super) fn faces_done(&self, faces: &Faces) -> FacesDone {
         match self.culls_back(faces) {
             true => FacesDone::BackDropped,

@@ -1,4 +1,4 @@
-//! What is reported of a picture while it is made: counts and times, the work of the stage that is shown, rounding,
+//! The record of a picture while it is made: counts and times, the work of the stage that is shown, rounding,
 //! and the triangle that is followed.
 
 use super::budget::OverBudget;
@@ -16,7 +16,7 @@ use crate::stage::Stage;
 /// Watches the stages of one picture.
 pub(super) struct Recorder<'a> {
     pub(super) meter: Meter,
-    /// What was done with each object.
+    /// The report of each object.
     objects: Vec<ObjectReport>,
     followed: Option<FollowedTriangle>,
     notes: Option<Notes<'a>>,

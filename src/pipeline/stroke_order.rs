@@ -20,7 +20,7 @@ use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::order::{StrokePoint, later_is_over, stroke_reach};
 use crate::drawing::{Drawing, single};
 
-/// What is painted of the strokes of a drawing, from back to front.
+/// Runs of the strokes of a drawing, from back to front.
 ///
 /// *Guarantees*: of two runs of different strokes that touch, the one that is over the other where they touch comes
 /// later. Exceptions: three or more that touch at one place and do not agree on an order there, and where a run passes

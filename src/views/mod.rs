@@ -38,6 +38,7 @@
 //! | `palette` | the colours of the pictures, one set for each theme |
 //! | `partial_paint` | the first triangles of a picture, in the order of painting |
 //! | `pick` | picking: from a place in a picture to the object or point there |
+//! | `picture` | `Picture`: one entry of the list of pictures in a shot |
 //! | `pixels` | sizes and rectangles in pixels, and where the image lies in a picture |
 //! | `probe` | the probe and the figure's points in each picture: the same point, or the same ray, three times |
 //! | `request` | `Request`: all that a picture depends on, as one value |

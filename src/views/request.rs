@@ -20,9 +20,9 @@ pub struct Request {
     pub observer: Option<Observer>,
     /// The camera that the picture is about.
     pub camera: Camera,
-    /// What it shows: of all that pictures show, what is seen in this one.
+    /// The part of the shot that is seen in this picture.
     pub shot: Arc<Shot>,
-    /// What it looks at.
+    /// The scene.
     pub scene: SharedScene,
     /// The part made by the pointer alone.
     pub hover: Hover,

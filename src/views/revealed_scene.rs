@@ -1,4 +1,4 @@
-//! What the pictures show of the pipeline's inner work: the scene of each, changed as `[reveal]` wants it.
+//! The pipeline's inner work in the pictures: the scene of each, changed by `[reveal]`.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -32,11 +32,11 @@ const WRONG: f64 = 0.75;
 /// The opacity of wrong parts: the right scene behind them is still seen.
 const GLASS: u8 = 140;
 
-/// What a picture shows: a scene of its own, or that of the request, which is not copied.
+/// The scene of a picture: one of its own, or that of the request, which is not copied.
 #[derive(Clone, Debug)]
 pub(super) struct PipelineReveal<'a> {
     pub(super) scene: Cow<'a, Scene>,
-    /// What its colours mean.
+    /// The meaning of its colours.
     pub(super) rows: Vec<LegendRow>,
     /// New vertices and the sides between them.
     cuts: Vec<DVec3>,

@@ -25,7 +25,7 @@ pub struct Shot {
     pub ndc: Ndc,
     /// The pictures, each with its observer and its camera.
     pub pictures: Vec<Picture>,
-    /// What is explained in the pictures.
+    /// Explanations in the pictures.
     pub show: Show,
     /// The second camera of `show`, which may know more than its parameters.
     pub answered: Option<Camera>,
@@ -65,8 +65,8 @@ impl Shot {
         there.cloned().unwrap_or_else(|| Picture::new(kind, None))
     }
 
-    /// What is seen of it in a picture of a kind: what belongs to others is at its default, so that it changes nothing
-    /// here. The pictures are left out: a request has its own.
+    /// The part of it that is seen in a picture of a kind: parts of others are at their defaults, so that they change
+    /// nothing here. The pictures are left out: a request has its own.
     #[must_use]
     pub fn seen_in(&self, view: View) -> Self {
         let show = &self.show;

@@ -64,7 +64,7 @@ fn bodies(builder: &mut GearBuilder, request: &Request, preview: &TransformPrevi
     }
 }
 
-/// What has no faces: segments as strokes, points as marks.
+/// Objects without faces: segments as strokes, points as marks.
 fn bare(builder: &mut GearBuilder, object: &Object, world_from_object: DMat4, color: Rgba) {
     let place = |i: &u32| object.mesh.positions.get(*i as usize).map(|p| world_from_object.transform_point3(*p));
     for ends in &object.mesh.edges {

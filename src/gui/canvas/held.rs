@@ -31,7 +31,7 @@ pub(super) enum Drag {
     Pan { picture: usize, pressed: Observer },
     /// Something in the world is moved.
     Handle(usize, Box<HandleDrag>),
-    /// What is selected is moved, turned or scaled.
+    /// The selection is moved, turned or scaled.
     Gizmo(usize, Box<GizmoDrag>),
     /// A point that is followed is moved.
     Point(usize, Box<PointDrag>),
@@ -82,7 +82,7 @@ impl Canvas {
         }
     }
 
-    /// What a press at `origin` takes.
+    /// The drag that a press at `origin` begins.
     fn taken(&self, ui: &Ui, state: &State, pane: &Pane, origin: Pos2) -> Option<Drag> {
         let Pane { picture, view, request, .. } = pane;
         let picture = *picture;

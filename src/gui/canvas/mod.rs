@@ -98,25 +98,25 @@ pub struct Canvas {
     /// The pictures of the shot, as they are on the screen.
     pictures: Vec<ScreenPicture>,
     shares: Shares,
-    /// What a title's button asked for, by picture.
+    /// The request of a title's button, and its picture.
     asked: Option<(usize, ObserverChange)>,
-    /// What the pictures of this frame show, and what the pointer adds to it.
+    /// The shot of this frame, and the additions of the pointer.
     shot: Shot,
     hover: Hover,
     highlight: Highlight,
-    /// What looks for what is pointed at, for what the probe is at, and for where keys move it.
+    /// Pickers for the pointer, for the point of the probe, and for its next point by keys.
     picker: Picker,
     probe_picker: Picker,
     key_picker: Picker,
     drag: Option<Drag>,
-    /// What the card speaks of.
+    /// The probe on the card.
     on_card: Option<Probe>,
     /// Number of frames until the card has settled in its place.
     card_settles: u8,
     vertex_names: VertexNames,
     /// For a double-click, whose first click was not meant to pin.
     pinned_before: Option<Probe>,
-    /// What the arrow keys move the probe over, and in which picture.
+    /// The mode of the arrow keys, and its picture.
     probing: Option<(usize, Probing)>,
     /// Where the keys move it that have not been followed yet, by picture.
     probe_steps: VecDeque<(usize, ProbeStep)>,
@@ -130,11 +130,11 @@ struct ScreenPicture {
     account: Option<RenderReport>,
     /// Why there is none.
     missing: Option<Missing>,
-    /// What could not be done in it.
+    /// A budget that it exceeded.
     too_much: Option<OverBudget>,
     /// From where it is seen where the figure does not say.
     auto: Auto,
-    /// What a button or a key has framed last, and for a picture of which size.
+    /// The observer that a button or a key framed last, with the size of the picture.
     framed: Option<(Observer, Size)>,
     /// Where it is, in points.
     place: Option<Rect>,

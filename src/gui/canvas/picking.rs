@@ -26,9 +26,9 @@ const PATIENCE: Duration = Duration::from_millis(4);
 /// A query about a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum PickQuery {
-    /// What is at a place (pixels), within reach (pixels).
+    /// The probe at a place (pixels), within reach (pixels).
     Under { pointer: DVec2, reach: f64 },
-    /// What a probe is at: the first point of the scene behind a pixel, and what the depth buffer holds there.
+    /// The point of a probe: for a pixel the first point of the scene behind it, with its depth in the buffer.
     At(Probe),
     /// Where a key moves the probe.
     Step(ProbeStep),
@@ -124,7 +124,7 @@ impl Default for Picker {
 }
 
 impl Picker {
-    /// What was found, or what was found last near it while this is being looked for; `ctx` is asked for a frame when
+    /// The result; during the search the last one nearby. A frame is requested of `ctx` when
     /// it is found.
     pub(super) fn ask(&mut self, ctx: &egui::Context, pick: PickRequest) -> PickResult {
         if let Some(found) = self.found(ctx, &pick) {
@@ -134,7 +134,7 @@ impl Picker {
         near.map_or_else(PickResult::default, |(_, found)| *found)
     }
 
-    /// What was found; `None` while it is being looked for.
+    /// The result; `None` during the search.
     pub(super) fn found(&mut self, ctx: &egui::Context, pick: &PickRequest) -> Option<PickResult> {
         if !pick.is_heavy() {
             return Some(pick.find());

@@ -59,13 +59,13 @@ struct DrawOutcome {
 /// Has pictures drawn, one slot for each.
 pub(super) struct Rendering {
     worker: Worker<RenderJob, DrawOutcome, MAX_PICTURES>,
-    /// What was asked for last, by picture.
+    /// The last jobs, by picture.
     asked: [Option<RenderJob>; MAX_PICTURES],
-    /// What the user gave up, by picture.
+    /// The jobs that the user cancelled, by picture.
     given_up: [Option<RenderJob>; MAX_PICTURES],
     /// How many pictures have been drawn, by picture.
     drawn: [u64; MAX_PICTURES],
-    /// What the last drawing of each picture took, and the last one that was not a draft.
+    /// The time of the last drawing of each picture, and of the last one that was not a draft.
     cost: [Duration; MAX_PICTURES],
     full_cost: [Duration; MAX_PICTURES],
 }
@@ -144,7 +144,7 @@ impl Rendering {
         }
     }
 
-    /// What is being drawn.
+    /// The running job.
     pub(super) fn running(&self) -> Option<Running> {
         self.worker.running()
     }

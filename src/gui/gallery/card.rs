@@ -59,7 +59,7 @@ pub(super) enum CardOutcome {
 /// A small picture, or why there is none.
 pub(super) type Drawn = Result<Pixels, String>;
 
-/// What draws small pictures, and keeps them by what they show.
+/// The work that draws thumbnails, and caches them by their content.
 pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
     let mut renderer = Renderer::default();
     let mut kept: HashMap<u64, Drawn> = HashMap::new();

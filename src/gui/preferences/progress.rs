@@ -18,7 +18,7 @@ use crate::gui::state::{Done, Message, State};
 /// The progress of one window.
 #[derive(Clone, Debug)]
 struct ProgressJob {
-    /// What was typed: keys with their values as TOML.
+    /// Typed answers: keys with their values as TOML.
     changed: BTreeMap<String, String>,
     done: Vec<Done>,
 }
@@ -58,7 +58,7 @@ impl Change for ProgressJob {
 /// The file of progress, and the part of this window in it.
 pub(super) struct KeptProgress {
     file: SharedFile<ProgressJob>,
-    /// What was typed in this window, as it is in the file.
+    /// The answers typed in this window, as they are in the file.
     kept: BTreeMap<String, String>,
 }
 

@@ -86,7 +86,7 @@ pub(super) struct SharedFile<C: Change> {
     /// The message about a file that was set aside.
     set_aside: fn(PathBuf) -> News,
     worker: Worker<(PathBuf, C), Written<C>>,
-    /// What is being written, or could not be.
+    /// The change of the running write, or of one that failed.
     asked: Option<C>,
     /// The failure of the file has been reported.
     told: bool,

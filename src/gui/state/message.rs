@@ -1,4 +1,4 @@
-//! What is said at the bottom of the window, as values: the words are made when they are shown, in the language of that
+//! Messages at the bottom of the window, as values: their words are made when they are shown, in the language of that
 //! moment.
 
 use std::path::{Path, PathBuf};

@@ -9,7 +9,7 @@ use crate::stage::Stage;
 use crate::views::observer::Viewpoint;
 use crate::views::{Ghost, Look, Normalizing, Picture, Probe, Request, Shot, Size};
 
-/// What the panels point at in a frame; each frame begins with nothing.
+/// Things that panels point at in a frame; each frame begins without any.
 #[derive(Clone, Debug, Default)]
 pub struct PanelHover {
     /// The operation that is being tried or pointed at, shown in the world.
@@ -157,8 +157,8 @@ impl State {
         (show.stage, show.stage_of) = (None, StagePicture::default());
     }
 
-    /// What Esc lets go of: the stage that is shown, then the triangle; then all else that no open panel shows, but a
-    /// file or another window has brought. The first of them that there is, as it is without it.
+    /// `[show]` after Esc: without its stage, then without its triangle; then without all else that no open panel
+    /// shows, but a file or another window has brought. The first of them that there is, as it is without it.
     fn without_shown(&self) -> Option<Show> {
         let (show, open) = (self.shown(), self.open_panels);
         if show.stage.is_some() {
@@ -195,7 +195,7 @@ impl State {
         true
     }
 
-    /// What is pinned.
+    /// The pinned probe.
     #[must_use]
     pub fn pinned(&self) -> Option<Probe> {
         let image = self.document.figure().image;
