@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{CameraError, Derived};
+use super::{CameraError, Derived, ParameterKey};
 use crate::geometry::double_double::{Dd, Dd3, exact_sum, two_product};
 
 /// The VRC: an orthonormal right-handed basis, `[0]` Eq. (5.3).
@@ -69,7 +69,10 @@ impl CameraFrame {
     /// the square root and the division are not. Nothing overflows or underflows on the way, as vectors are scaled by
     /// powers of two first.
     pub(super) fn new(pose: &Pose) -> Result<Self, CameraError> {
-        let overflow = CameraError::Overflow { quantity: Derived::Distance, keys: &["focal_point", "position"] };
+        let overflow = CameraError::Overflow {
+            quantity: Derived::Distance,
+            keys: &[ParameterKey::FocalPoint, ParameterKey::Position],
+        };
         let to_viewer = pose.position - pose.focal_point;
         if !to_viewer.value().is_finite() {
             return Err(overflow);

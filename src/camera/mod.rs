@@ -62,7 +62,7 @@ pub use descriptors::{Amount, Descriptor, Freedom, OPERATIONS, OperationError};
 pub use image_map::{ImageSize, Viewport};
 pub use ndc::{Api, InfiniteParallel, Ndc};
 pub use operations::{Changes, Convention, Operation};
-pub use parameters::{CameraError, Derived, Parameters, Projection, Range, ViewWindow};
+pub use parameters::{CameraError, Checked, Derived, ParameterKey, Parameters, Projection, Range, ViewWindow};
 pub use place::Place;
 pub use recovery::{MatrixKind, Recovered, RecoveryError, Unknown, recover};
 pub use stations::{Projected, Stations};
@@ -144,21 +144,26 @@ impl Camera {
 
     /// Everything that can be derived must be a finite number, and the window must have a size.
     fn check_finite(&self) -> Result<(), CameraError> {
-        const VIEW: &[&str] = &["position"];
-        const CORNERS: &[&str] = &["far", "position"];
+        use ParameterKey as Key;
+        const VIEW: &[Key] = &[Key::Position];
+        const CORNERS: &[Key] = &[Key::Far, Key::Position];
         let perspective = self.projection() == Projection::Perspective;
-        let (shape, lens, all): (&'static [_], &'static [_], &'static [_]) =
+        let (shape, lens, all): (&'static [Key], &'static [Key], &'static [Key]) =
             match (self.parameters.window.is_some(), perspective) {
-                (true, _) => (&["window"], &["window", "near", "far"], &["window", "position", "near", "far"]),
+                (true, _) => (
+                    &[Key::Window],
+                    &[Key::Window, Key::Near, Key::Far],
+                    &[Key::Window, Key::Position, Key::Near, Key::Far],
+                ),
                 (false, true) => (
-                    &["view_angle", "aspect", "near"],
-                    &["near", "far", "view_angle", "aspect"],
-                    &["position", "near", "far", "view_angle", "aspect"],
+                    &[Key::ViewAngle, Key::Aspect, Key::Near],
+                    &[Key::Near, Key::Far, Key::ViewAngle, Key::Aspect],
+                    &[Key::Position, Key::Near, Key::Far, Key::ViewAngle, Key::Aspect],
                 ),
                 (false, false) => (
-                    &["height", "aspect"],
-                    &["height", "aspect", "near", "far"],
-                    &["position", "height", "aspect", "near", "far"],
+                    &[Key::Height, Key::Aspect],
+                    &[Key::Height, Key::Aspect, Key::Near, Key::Far],
+                    &[Key::Position, Key::Height, Key::Aspect, Key::Near, Key::Far],
                 ),
             };
         let w = self.window();

@@ -6,7 +6,7 @@
 //! and pitch about **u**, as is done here.
 
 use super::basis::{CameraFrame, Pose};
-use super::parameters::check_range;
+use super::parameters::{Checked, ParameterKey, check_range};
 use super::{Camera, CameraError, Derived, Parameters, Range};
 use crate::geometry::double_double::{Dd, Dd3, sin_cos_degrees};
 use crate::geometry::{Angle, Ray};
@@ -167,7 +167,7 @@ impl Operation {
                 // the numbers that end.
                 let (position, focal_point) = (pose.position.value(), pose.focal_point.value());
                 if position == focal_point || !position.is_finite() || !focal_point.is_finite() {
-                    let keys = &["position", "focal_point"];
+                    let keys = &[ParameterKey::Position, ParameterKey::FocalPoint];
                     return Err(CameraError::Overflow { quantity: Derived::Distance, keys });
                 }
             }
@@ -177,7 +177,7 @@ impl Operation {
     }
 
     fn check(&self) -> Result<(), CameraError> {
-        let name = self.name();
+        let name = Checked::Operation(self.name());
         match *self {
             Self::Zoom(factor) | Self::Dolly(factor) => check_range(name, factor, Range::Positive),
             Self::Pan { dx, dy } => {

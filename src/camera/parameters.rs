@@ -96,25 +96,165 @@ impl Default for Parameters {
     }
 }
 
+/// A parameter of a camera, or what belongs together of the view window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ParameterKey {
+    /// C
+    Position,
+    /// PF
+    FocalPoint,
+    /// VUP
+    ViewUp,
+    /// θ
+    ViewAngle,
+    /// H
+    Height,
+    /// A
+    Aspect,
+    /// F
+    Near,
+    /// B
+    Far,
+    /// l, r, b and t
+    Window,
+}
+
+impl ParameterKey {
+    /// All.
+    pub const ALL: [Self; 9] = [
+        Self::Position,
+        Self::FocalPoint,
+        Self::ViewUp,
+        Self::ViewAngle,
+        Self::Height,
+        Self::Aspect,
+        Self::Near,
+        Self::Far,
+        Self::Window,
+    ];
+
+    /// Its key in `[camera]` of a figure file.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Position => "position",
+            Self::FocalPoint => "focal_point",
+            Self::ViewUp => "view_up",
+            Self::ViewAngle => "view_angle",
+            Self::Height => "height",
+            Self::Aspect => "aspect",
+            Self::Near => "near",
+            Self::Far => "far",
+            Self::Window => "window",
+        }
+    }
+
+    /// The notes' symbol.
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::Position => "C",
+            Self::FocalPoint => "PF",
+            Self::ViewUp => "VUP",
+            Self::ViewAngle => "θ",
+            Self::Height => "H",
+            Self::Aspect => "A",
+            Self::Near => "F",
+            Self::Far => "B",
+            Self::Window => "l, r, b, t",
+        }
+    }
+
+    /// Copies this parameter.
+    pub fn copy(self, from: &Parameters, to: &mut Parameters) {
+        match self {
+            Self::Position => to.position = from.position,
+            Self::FocalPoint => to.focal_point = from.focal_point,
+            Self::ViewUp => to.view_up = from.view_up,
+            Self::ViewAngle => to.view_angle = from.view_angle,
+            Self::Height => to.height = from.height,
+            Self::Aspect => to.aspect = from.aspect,
+            Self::Near => to.near = from.near,
+            Self::Far => to.far = from.far,
+            Self::Window => to.window = from.window,
+        }
+    }
+
+    /// Their keys, with commas between them.
+    #[must_use]
+    pub fn list(keys: &[Self]) -> String {
+        keys.iter().map(|key| key.name()).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// A value with a range: a parameter, or the amount of an operation (by its name).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Checked {
+    /// A parameter.
+    Parameter(ParameterKey),
+    /// An operation.
+    Operation(&'static str),
+}
+
+impl Checked {
+    /// Its key in a figure file, or its name on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Parameter(key) => key.name(),
+            Self::Operation(name) => name,
+        }
+    }
+
+    /// The notes' symbol, or the name of the operation.
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::Parameter(key) => key.symbol(),
+            Self::Operation(name) => name,
+        }
+    }
+}
+
+impl From<ParameterKey> for Checked {
+    fn from(key: ParameterKey) -> Self {
+        Self::Parameter(key)
+    }
+}
+
+impl fmt::Display for Checked {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
 impl Parameters {
     /// Checks every value for itself, and near against far, and the sides of the window.
     pub(super) fn check(&self) -> Result<(), CameraError> {
-        for (key, vector) in [("position", self.position), ("focal_point", self.focal_point), ("view_up", self.view_up)]
-        {
+        for (key, vector) in [
+            (ParameterKey::Position, self.position),
+            (ParameterKey::FocalPoint, self.focal_point),
+            (ParameterKey::ViewUp, self.view_up),
+        ] {
             for value in vector.to_array() {
-                check_range(key, value, Range::Finite)?;
+                check_range(key.into(), value, Range::Finite)?;
             }
         }
-        check_range("view_angle", self.view_angle, Range::HalfTurn)?;
-        for (key, value) in [("height", self.height), ("aspect", self.aspect), ("near", self.near), ("far", self.far)] {
-            check_range(key, value, Range::Positive)?;
+        check_range(ParameterKey::ViewAngle.into(), self.view_angle, Range::HalfTurn)?;
+        for (key, value) in [
+            (ParameterKey::Height, self.height),
+            (ParameterKey::Aspect, self.aspect),
+            (ParameterKey::Near, self.near),
+            (ParameterKey::Far, self.far),
+        ] {
+            check_range(key.into(), value, Range::Positive)?;
         }
         if self.near >= self.far {
             return Err(CameraError::FarNotBeyondNear { near: self.near, far: self.far });
         }
         if let Some(ViewWindow { left, right, bottom, top }) = self.window {
             for value in [left, right, bottom, top] {
-                check_range("window", value, Range::Finite)?;
+                check_range(ParameterKey::Window.into(), value, Range::Finite)?;
             }
             if left >= right {
                 return Err(CameraError::WindowWidth { left, right });
@@ -131,7 +271,7 @@ impl Parameters {
 }
 
 /// An error unless `value` lies in `allowed`.
-pub(super) fn check_range(key: &'static str, value: f64, allowed: Range) -> Result<(), CameraError> {
+pub(super) fn check_range(key: Checked, value: f64, allowed: Range) -> Result<(), CameraError> {
     if allowed.contains(value) { Ok(()) } else { Err(CameraError::OutOfRange { key, value, allowed }) }
 }
 
@@ -214,8 +354,8 @@ pub enum CameraError {
     /// A value is out of its range.
     #[error("{key} is {value:?}; allowed: {allowed}")]
     OutOfRange {
-        /// The figure file's key, or the operation's name.
-        key: &'static str,
+        /// The parameter, or the operation.
+        key: Checked,
         /// The value found.
         value: f64,
         /// The allowed range.
@@ -246,27 +386,32 @@ pub enum CameraError {
         top: f64,
     },
     /// The parameters are possible one by one, but a quantity derived from them is not a finite `f64`.
-    #[error("{quantity} would exceed the range of numbers (about 1e-308 to 1e308); it follows from {}", keys.join(", "))]
+    #[error(
+        "{quantity} would exceed the range of numbers (about 1e-308 to 1e308); it follows from {}",
+        ParameterKey::list(keys)
+    )]
     Overflow {
         /// The quantity.
         quantity: Derived,
-        /// The figure file's keys that it follows from.
-        keys: &'static [&'static str],
+        /// The parameters that it follows from.
+        keys: &'static [ParameterKey],
     },
 }
 
 impl CameraError {
-    /// The keys of `[camera]` in a figure file that the error is about, the most likely culprit first. (For an
-    /// operation with an impossible value: its name.)
+    /// The parameters that the error is about, the most likely culprit first; none for an operation with an impossible
+    /// value.
     #[must_use]
-    pub fn keys(&self) -> &[&'static str] {
+    pub fn parameters(&self) -> &[ParameterKey] {
+        use ParameterKey as Key;
         match self {
-            Self::FocalPointAtPosition => &["focal_point", "position"],
-            Self::ViewUpZero => &["view_up"],
-            Self::ViewUpCollinear => &["view_up", "focal_point", "position"],
-            Self::OutOfRange { key, .. } => std::slice::from_ref(key),
-            Self::FarNotBeyondNear { .. } => &["far", "near"],
-            Self::WindowWidth { .. } | Self::WindowHeight { .. } => &["window"],
+            Self::FocalPointAtPosition => &[Key::FocalPoint, Key::Position],
+            Self::ViewUpZero => &[Key::ViewUp],
+            Self::ViewUpCollinear => &[Key::ViewUp, Key::FocalPoint, Key::Position],
+            Self::OutOfRange { key: Checked::Parameter(key), .. } => std::slice::from_ref(key),
+            Self::OutOfRange { key: Checked::Operation(_), .. } => &[],
+            Self::FarNotBeyondNear { .. } => &[Key::Far, Key::Near],
+            Self::WindowWidth { .. } | Self::WindowHeight { .. } => &[Key::Window],
             Self::Overflow { keys, .. } => keys,
         }
     }

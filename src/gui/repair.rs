@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::camera::{Camera, CameraError, Parameters};
+use crate::camera::{Camera, CameraError, Checked, ParameterKey, Parameters};
 
 /// A repair, in the words of its button.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +45,7 @@ pub fn repairs(error: &CameraError, draft: &Parameters, good: &Camera) -> Vec<(R
             list.push((Repair::FarTenTimesNear, Parameters { far: 10.0 * near, ..*draft }));
             list.push((Repair::SwapNearFar, Parameters { near: *far, far: *near, ..*draft }));
         }
-        CameraError::OutOfRange { key: "view_angle", value, .. } => {
+        CameraError::OutOfRange { key: Checked::Parameter(ParameterKey::ViewAngle), value, .. } => {
             let angle = if *value >= 180.0 { 179.0 } else { 1.0 };
             list.push((Repair::ViewAngle(angle), Parameters { view_angle: angle, ..*draft }));
         }
@@ -63,7 +63,7 @@ pub fn repairs(error: &CameraError, draft: &Parameters, good: &Camera) -> Vec<(R
         }
         CameraError::OutOfRange { .. } | CameraError::Overflow { .. } => {}
     }
-    list.push((Repair::Back, back(error.keys(), draft, good.parameters())));
+    list.push((Repair::Back, back(error.parameters(), draft, good.parameters())));
     list.retain(|(_, mended)| Camera::new(mended).is_ok());
     if list.is_empty() {
         list.push((Repair::Back, *good.parameters()));
@@ -71,23 +71,10 @@ pub fn repairs(error: &CameraError, draft: &Parameters, good: &Camera) -> Vec<(R
     list
 }
 
-/// `draft` with the values of `keys` taken from `good`.
-fn back(keys: &[&str], draft: &Parameters, good: &Parameters) -> Parameters {
-    let mut mended = *draft;
-    for key in keys {
-        match *key {
-            "position" => mended.position = good.position,
-            "focal_point" => mended.focal_point = good.focal_point,
-            "view_up" => mended.view_up = good.view_up,
-            "view_angle" => mended.view_angle = good.view_angle,
-            "height" => mended.height = good.height,
-            "aspect" => mended.aspect = good.aspect,
-            "near" => mended.near = good.near,
-            "far" => mended.far = good.far,
-            "window" => mended.window = good.window,
-            _ => mended = *good,
-        }
-    }
+/// `draft` with these parameters taken from `good`; without any, all of it.
+fn back(keys: &[ParameterKey], draft: &Parameters, good: &Parameters) -> Parameters {
+    let mut mended = if keys.is_empty() { *good } else { *draft };
+    keys.iter().for_each(|key| key.copy(good, &mut mended));
     mended
 }
 

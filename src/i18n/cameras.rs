@@ -7,8 +7,8 @@ use super::Lang;
 use super::expressions::in_expression;
 use super::wording::Wording;
 use crate::camera::{
-    Amount, CameraError, Derived, Descriptor, InfiniteParallel, NotProjectable, Operation, OperationError, Range,
-    Warning,
+    Amount, CameraError, Derived, Descriptor, InfiniteParallel, NotProjectable, Operation, OperationError,
+    ParameterKey, Range, Warning,
 };
 use crate::inspect::InspectError;
 use crate::sanitize::escaped;
@@ -40,7 +40,7 @@ pub(super) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
         ),
         (_, CameraError::OutOfRange { key, value, allowed }) => {
             let allowed = range(lang, *allowed);
-            let symbol = symbol(key);
+            let symbol = key.symbol();
             match lang {
                 Lang::En => english(&format!("{symbol} must be {}", allowed.in_symbols)),
                 Lang::PtBr => Wording::new(
@@ -75,7 +75,7 @@ pub(super) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
                     format!(
                         "{} excederia os limites dos números (cerca de 1e-308 a 1e308); depende de {}",
                         quantity.full,
-                        keys.join(", ")
+                        ParameterKey::list(keys)
                     ),
                     format!("{} sairia da faixa dos números (cerca de 1e-308 a 1e308)", quantity.in_symbols),
                 ),
@@ -117,22 +117,6 @@ fn derived(lang: Lang, quantity: Derived) -> Wording {
         (Lang::PtBr, Derived::VolumeCorners) => {
             Wording::new("os vértices do volume de vista", "Um canto do volume de vista")
         }
-    }
-}
-
-/// The notes' symbol of a key of `[camera]`.
-fn symbol(key: &str) -> &str {
-    match key {
-        "position" => "C",
-        "focal_point" => "PF",
-        "view_up" => "VUP",
-        "view_angle" => "θ",
-        "height" => "H",
-        "aspect" => "A",
-        "near" => "F",
-        "far" => "B",
-        "window" => "l, r, b, t",
-        other => other,
     }
 }
 

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::camera::{
-    Camera, CameraError, Changes, Convention, Derived, Operation, OperationError, Projection, ViewWindow,
+    Camera, CameraError, Changes, Checked, Convention, Derived, Operation, OperationError, Projection, ViewWindow,
 };
 use camera_lab::geometry::Angle;
 use glam::DVec3;
@@ -290,7 +290,9 @@ fn impossible_values_and_results_are_errors() {
         Operation::Roll(Angle::from_degrees(f64::NAN)),
     ] {
         let error = operation.apply(&camera, Convention::RightHand).unwrap_err();
-        assert_eq!(error.keys(), [operation.name()]);
+        assert!(
+            matches!(error, CameraError::OutOfRange { key: Checked::Operation(name), .. } if name == operation.name())
+        );
     }
     for operation in [
         Operation::Zoom(1e-320),

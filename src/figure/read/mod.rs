@@ -158,9 +158,9 @@ fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Parameters {
     if section.faults.is_empty()
         && let Err(error) = Camera::new(&parameters)
     {
-        let concerned = error.keys();
-        let key = concerned.iter().find(|key| section.is_present(key)).or(concerned.first());
-        section.fault(key.copied().unwrap_or_default(), Problem::Camera(error));
+        let concerned = error.parameters().iter().map(|key| key.name());
+        let key = concerned.clone().find(|key| section.is_present(key)).or_else(|| concerned.clone().next());
+        section.fault(key.unwrap_or_default(), Problem::Camera(error));
     }
     faults.extend(section.finish());
     parameters

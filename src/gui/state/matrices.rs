@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::camera::ParameterKey;
 use crate::explain::{Component, Matrix, Symbol};
 
 /// A notation for the entries of a matrix.
@@ -110,25 +111,18 @@ impl Glow {
     }
 }
 
-/// The symbols of a key of `[camera]`, or of the transform of an object.
-pub(in crate::gui) fn symbols_of(key: &str) -> Vec<Symbol> {
+/// The symbols of a parameter.
+pub(in crate::gui) fn symbols_of(key: ParameterKey) -> Vec<Symbol> {
     match key {
-        "position" => Component::THREE.map(Symbol::Position).to_vec(),
-        "focal_point" => Component::THREE.map(Symbol::FocalPoint).to_vec(),
-        "view_up" => Component::THREE.map(Symbol::ViewUp).to_vec(),
-        "near" => vec![Symbol::Near],
-        "far" => vec![Symbol::Far],
-        "view_angle" => vec![Symbol::ViewAngle],
-        "height" => vec![Symbol::Height],
-        "aspect" => vec![Symbol::Aspect],
-        "left" => vec![Symbol::Left],
-        "right" => vec![Symbol::Right],
-        "bottom" => vec![Symbol::Bottom],
-        "top" => vec![Symbol::Top],
-        "translate" => Component::THREE.map(Symbol::Translate).to_vec(),
-        "rotate" => Component::THREE.map(Symbol::Rotate).to_vec(),
-        "scale" => Component::THREE.map(Symbol::Scale).to_vec(),
-        _ => Vec::new(),
+        ParameterKey::Position => Component::THREE.map(Symbol::Position).to_vec(),
+        ParameterKey::FocalPoint => Component::THREE.map(Symbol::FocalPoint).to_vec(),
+        ParameterKey::ViewUp => Component::THREE.map(Symbol::ViewUp).to_vec(),
+        ParameterKey::Near => vec![Symbol::Near],
+        ParameterKey::Far => vec![Symbol::Far],
+        ParameterKey::ViewAngle => vec![Symbol::ViewAngle],
+        ParameterKey::Height => vec![Symbol::Height],
+        ParameterKey::Aspect => vec![Symbol::Aspect],
+        ParameterKey::Window => vec![Symbol::Left, Symbol::Right, Symbol::Bottom, Symbol::Top],
     }
 }
 

@@ -3,7 +3,8 @@
 use eframe::egui;
 
 use super::{Number, ParameterForm, VectorParameter, row};
-use crate::camera::{Camera, Parameters, Projection, ViewWindow};
+use crate::camera::{Camera, ParameterKey, Parameters, Projection, ViewWindow};
+use crate::figure::WindowSide;
 use crate::gui::context_help::help_topic;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::{erratum, section};
@@ -22,7 +23,7 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut ParameterForm) {
         form.vector(
             ui,
             VectorParameter {
-                key: "position",
+                key: ParameterKey::Position,
                 symbol: "C",
                 name: t.position,
                 hint: t.position_hint,
@@ -33,7 +34,7 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut ParameterForm) {
         form.vector(
             ui,
             VectorParameter {
-                key: "focal_point",
+                key: ParameterKey::FocalPoint,
                 symbol: "PF",
                 name: t.focal_point,
                 hint: t.focal_point_hint,
@@ -44,7 +45,7 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut ParameterForm) {
         form.vector(
             ui,
             VectorParameter {
-                key: "view_up",
+                key: ParameterKey::ViewUp,
                 symbol: "VUP",
                 name: t.view_up,
                 hint: t.view_up_hint,
@@ -73,7 +74,7 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, state: &mu
                 form.number(
                     ui,
                     Number {
-                        key: "aspect",
+                        key: ParameterKey::Aspect,
                         symbol: "A",
                         name: t.aspect,
                         hint: t.aspect_hint,
@@ -86,7 +87,7 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, state: &mu
         form.number(
             ui,
             Number {
-                key: "near",
+                key: ParameterKey::Near,
                 symbol: "F",
                 name: t.near,
                 hint: t.near_hint,
@@ -97,7 +98,7 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, state: &mu
         form.number(
             ui,
             Number {
-                key: "far",
+                key: ParameterKey::Far,
                 symbol: "B",
                 name: t.far,
                 hint: t.far_hint,
@@ -139,7 +140,7 @@ fn angle_or_height(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = form.t;
     let number = match form.parameters.projection {
         Projection::Perspective => Number {
-            key: "view_angle",
+            key: ParameterKey::ViewAngle,
             symbol: "θ",
             name: t.view_angle,
             hint: t.view_angle_hint,
@@ -147,7 +148,7 @@ fn angle_or_height(ui: &mut egui::Ui, form: &mut ParameterForm) {
             value: |p| &mut p.view_angle,
         },
         Projection::Parallel => Number {
-            key: "height",
+            key: ParameterKey::Height,
             symbol: "H",
             name: t.height,
             hint: t.height_hint,
@@ -179,7 +180,7 @@ pub(super) fn window(ui: &mut egui::Ui, form: &mut ParameterForm) {
                 ui.label(sizes(5)).explained(sizes(EXACT_DIGITS));
             });
         });
-        form.point_at(ui, "aspect", size.response.rect);
+        form.point_at(ui, ParameterKey::Aspect, size.response.rect);
         if form.parameters.window.is_some() {
             form.derived(ui, "A", t.aspect, t.aspect_hint, window.aspect(), "");
             if form.parameters.projection == Projection::Perspective {
@@ -241,24 +242,24 @@ fn sides(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = form.t;
     let Some(ViewWindow { mut left, mut right, mut bottom, mut top }) = form.parameters.window else { return };
     let step = power_of_ten((right - left).abs().max((top - bottom).abs()) / 10.0).unwrap_or(1.0);
-    let marked = form.is_marked("window");
+    let marked = form.is_marked(ParameterKey::Window);
     let mut outputs = Vec::new();
     for pair in [
-        [("l", "left", t.left, &mut left), ("r", "right", t.right, &mut right)],
-        [("b", "bottom", t.bottom, &mut bottom), ("t", "top", t.top, &mut top)],
+        [("l", WindowSide::Left, t.left, &mut left), ("r", WindowSide::Right, t.right, &mut right)],
+        [("b", WindowSide::Bottom, t.bottom, &mut bottom), ("t", WindowSide::Top, t.top, &mut top)],
     ] {
         let width = ((ui.available_width() - 4.0) / 2.0).floor();
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
-            for (symbol, key, name, value) in pair {
+            for (symbol, side, name, value) in pair {
                 let field = NumberField::new(format!("{symbol}, {name}"), Step::Add(step)).prefix(symbol);
                 let field = field.hint(t.side_hint).width(width).marked(marked);
                 let output = ui.scope(|ui| field.show(ui, t, value));
-                form.point_at(ui, key, output.response.rect);
+                form.point_at_side(ui, side, output.response.rect);
                 outputs.push(output.inner);
             }
         });
     }
     form.parameters.window = Some(ViewWindow { left, right, bottom, top });
-    form.complain(ui, "window", &outputs);
+    form.complain(ui, ParameterKey::Window, &outputs);
 }

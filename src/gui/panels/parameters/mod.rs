@@ -18,7 +18,7 @@ use eframe::egui;
 use glam::DVec3;
 
 use super::{complaint, row};
-use crate::camera::{Camera, CameraError, Parameters};
+use crate::camera::{Camera, CameraError, ParameterKey, Parameters};
 use crate::explain::Symbol;
 use crate::figure::{Measure, Measured, WindowSide};
 use crate::gui::command::Command;
@@ -133,16 +133,16 @@ impl ParameterForm {
         }
     }
 
-    fn is_marked(&self, key: &str) -> bool {
-        self.error.as_ref().is_some_and(|error| error.keys().contains(&key))
+    fn is_marked(&self, key: ParameterKey) -> bool {
+        self.error.as_ref().is_some_and(|error| error.parameters().contains(&key))
     }
 
     /// Shows the fault of a value below its field: that of the typed text, or of the value.
-    fn complain(&mut self, ui: &mut egui::Ui, key: &str, fields: &[FieldOutput]) {
+    fn complain(&mut self, ui: &mut egui::Ui, key: ParameterKey, fields: &[FieldOutput]) {
         for error in fields.iter().filter_map(|field| field.error.as_ref()) {
             complaint(ui, &error.text(self.t.lang));
         }
-        if self.error.as_ref().is_some_and(|error| error.keys().first() == Some(&key)) {
+        if self.error.as_ref().is_some_and(|error| error.parameters().first() == Some(&key)) {
             self.problem(ui);
         }
     }
@@ -190,12 +190,29 @@ impl ParameterForm {
 
     /// While the pointer is on the row of a parameter, the world shows its length or angle; then, and while its field
     /// has the focus, the explanations mark the entries that depend on it.
-    fn point_at(&mut self, ui: &egui::Ui, key: &str, row: egui::Rect) {
+    fn point_at(&mut self, ui: &egui::Ui, key: ParameterKey, row: egui::Rect) {
+        self.point_at_symbols(ui, symbols_of(key), measure_of(key), row);
+    }
+
+    /// The same for a side of the view window.
+    fn point_at_side(&mut self, ui: &egui::Ui, side: WindowSide, row: egui::Rect) {
+        let symbol = match side {
+            WindowSide::Left => Symbol::Left,
+            WindowSide::Right => Symbol::Right,
+            WindowSide::Bottom => Symbol::Bottom,
+            WindowSide::Top => Symbol::Top,
+        };
+        self.point_at_symbols(ui, vec![symbol], Some(Measured::Side(side)), row);
+    }
+
+    fn point_at_symbols(&mut self, ui: &egui::Ui, symbols: Vec<Symbol>, measured: Option<Measured>, row: egui::Rect) {
         let pointed = ui.rect_contains_pointer(row);
-        if pointed && !ui.input(|input| input.pointer.any_down()) {
-            self.measured = measure_of(key).map_or_else(|| std::mem::take(&mut self.measured), |measure| vec![measure]);
+        if pointed
+            && !ui.input(|input| input.pointer.any_down())
+            && let Some(measured) = measured
+        {
+            self.measured = vec![measured];
         }
-        let symbols = symbols_of(key);
         if let Some(symbol) = symbols.first() {
             help_topic_row(ui, row, notes::of_symbol(*symbol));
         }
@@ -215,7 +232,7 @@ impl ParameterForm {
 }
 
 struct VectorParameter {
-    key: &'static str,
+    key: ParameterKey,
     symbol: &'static str,
     name: &'static str,
     hint: &'static str,
@@ -224,7 +241,7 @@ struct VectorParameter {
 }
 
 struct Number {
-    key: &'static str,
+    key: ParameterKey,
     symbol: &'static str,
     name: &'static str,
     hint: &'static str,
@@ -232,23 +249,18 @@ struct Number {
     value: fn(&mut Parameters) -> &mut f64,
 }
 
-/// The length or angle that a key of `[camera]` is, or sets.
-fn measure_of(key: &str) -> Option<Measured> {
-    let side = |side| Some(Measured::Side(side));
-    let dimension = |measure| Some(Measured::Dimension(measure));
-    match key {
-        "near" => dimension(Measure::Near),
-        "far" => dimension(Measure::Far),
-        "view_angle" => dimension(Measure::HalfAngle),
-        "height" => dimension(Measure::Height),
-        "aspect" => dimension(Measure::Width),
-        "focal_point" => dimension(Measure::Distance),
-        "left" => side(WindowSide::Left),
-        "right" => side(WindowSide::Right),
-        "bottom" => side(WindowSide::Bottom),
-        "top" => side(WindowSide::Top),
-        _ => None,
-    }
+/// The length or angle that a parameter is, or sets.
+fn measure_of(key: ParameterKey) -> Option<Measured> {
+    let measure = match key {
+        ParameterKey::Near => Measure::Near,
+        ParameterKey::Far => Measure::Far,
+        ParameterKey::ViewAngle => Measure::HalfAngle,
+        ParameterKey::Height => Measure::Height,
+        ParameterKey::Aspect => Measure::Width,
+        ParameterKey::FocalPoint => Measure::Distance,
+        ParameterKey::Position | ParameterKey::ViewUp | ParameterKey::Window => return None,
+    };
+    Some(Measured::Dimension(measure))
 }
 
 fn label(t: &Texts, repair: Repair) -> String {

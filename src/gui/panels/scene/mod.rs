@@ -17,12 +17,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use eframe::egui::{self, RichText};
 
 use super::{choice, row, section};
-use crate::explain::Symbol;
+use crate::explain::{Component, Symbol};
 use crate::figure::Measured;
 use crate::gui::context_help::{has_focus, help_topic_row};
 use crate::gui::focus::keep_in_sight;
 use crate::gui::number_field::FieldOutput;
-use crate::gui::state::{Dialog, Draft, Message, Selected, State, symbols_of};
+use crate::gui::state::{Dialog, Draft, Message, Selected, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::faults;
 use crate::i18n::notes;
@@ -198,18 +198,17 @@ impl SceneForm {
 
     /// While the pointer is on a part of the transform, or its field has the focus, the world shows its measure, and
     /// the explanations mark the entries that depend on it.
-    fn point_at(&mut self, ui: &egui::Ui, rect: egui::Rect, key: &str) {
-        let symbols = symbols_of(key);
-        let Some(symbol) = symbols.first() else { return };
-        help_topic_row(ui, rect, notes::of_symbol(*symbol));
+    fn point_at(&mut self, ui: &egui::Ui, rect: egui::Rect, part: TransformPart) {
+        let symbols = Component::THREE.map(part.symbol);
+        help_topic_row(ui, rect, notes::of_symbol(symbols[0]));
         let pointed = ui.rect_contains_pointer(rect);
         if pointed || (has_focus(ui, rect) && self.pointed.is_empty()) {
             self.measured = if ui.input(|input| input.pointer.any_down()) {
                 Vec::new()
             } else {
-                (0..3).filter_map(|i| measure_of(key, i)).collect()
+                (0..3).map(part.measure).collect()
             };
-            self.pointed = symbols;
+            self.pointed = symbols.to_vec();
         }
     }
 
@@ -245,15 +244,18 @@ impl SceneForm {
     }
 }
 
-/// The measure of a coordinate of a part of the transform.
-fn measure_of(key: &str, i: usize) -> Option<Measured> {
-    match key {
-        "translate" => Some(Measured::Translate(i)),
-        "rotate" => Some(Measured::Rotate(i)),
-        "scale" => Some(Measured::Scale(i)),
-        _ => None,
-    }
+/// A part of an object's transform: its key in a figure file, its symbols and its measures, by axis.
+#[derive(Clone, Copy)]
+struct TransformPart {
+    key: &'static str,
+    symbol: fn(Component) -> Symbol,
+    measure: fn(usize) -> Measured,
 }
+
+const TRANSLATE: TransformPart =
+    TransformPart { key: "translate", symbol: Symbol::Translate, measure: Measured::Translate };
+const ROTATE: TransformPart = TransformPart { key: "rotate", symbol: Symbol::Rotate, measure: Measured::Rotate };
+const SCALE: TransformPart = TransformPart { key: "scale", symbol: Symbol::Scale, measure: Measured::Scale };
 
 /// Deletes an object, reports it, and selects its parent.
 pub(in crate::gui) fn remove(state: &mut State, names: &BTreeSet<String>, children: Children) {

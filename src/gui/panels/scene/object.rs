@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use eframe::egui::{self, Key, RichText};
 use glam::DVec3;
 
-use super::{Edit, SceneForm};
+use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart};
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
 use crate::gui::context_help::{help_topic, help_topic_row};
@@ -65,16 +65,16 @@ pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut SceneForm, 
         let parent = object.parent.as_deref().map(|name| preset_object(t.lang, name));
         ui.add(egui::Label::new(parent.unwrap_or_else(|| t.no_parent.to_owned())).truncate())
     });
-    for (key, symbol, name, hint, v, unit) in [
-        ("translate", "T", t.translate, t.translate_hint, object.translate, ""),
-        ("rotate", "R", t.rotate, t.rotate_hint, object.rotate, "°"),
-        ("scale", "S", t.scale, t.scale_hint, object.scale, ""),
+    for (part, symbol, name, hint, v, unit) in [
+        (TRANSLATE, "T", t.translate, t.translate_hint, object.translate, ""),
+        (ROTATE, "R", t.rotate, t.rotate_hint, object.rotate, "°"),
+        (SCALE, "S", t.scale, t.scale_hint, object.scale, ""),
     ] {
         let mark = state.settings.lang.mark();
         let components = v.to_array().map(|x| format!("{}{unit}", mark.number(x, 5)));
         let text = format!("({})", components.join(mark.separator()));
         let place = ui.scope(|ui| row(ui, symbol, name, hint, |ui| ui.label(text)));
-        form.point_at(ui, place.response.rect, key);
+        form.point_at(ui, place.response.rect, part);
     }
 }
 
@@ -217,18 +217,24 @@ fn transform_fields(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, trans
     let owner = form.scene.objects[index].name.clone();
     let step = form.step;
     gizmo(ui, form, transforming);
-    let mut show =
-        |ui: &mut egui::Ui, key, symbol, name, hint, step, angles, value: fn(&mut ObjectSpec) -> &mut DVec3| {
-            let marked = form.is_marked(Some(&owner), key);
-            let field = VectorField { symbol, name, hint, field: name, owner: &owner, step, angles, marked };
-            let outputs = ui.scope(|ui| field.show(ui, form.window, value(&mut form.scene.objects[index])));
-            form.point_at(ui, outputs.response.rect, key);
-            let outputs = outputs.inner;
-            form.complain(ui, Some(&owner), key, &outputs);
-        };
-    show(ui, "translate", "T", t.translate, t.translate_hint, step, false, |o| &mut o.translate);
-    show(ui, "rotate", "R", t.rotate, t.rotate_hint, 15.0, true, |o| &mut o.rotate);
-    show(ui, "scale", "S", t.scale, t.scale_hint, 0.1, false, |o| &mut o.scale);
+    let mut show = |ui: &mut egui::Ui,
+                    part: TransformPart,
+                    symbol,
+                    name,
+                    hint,
+                    step,
+                    angles,
+                    value: fn(&mut ObjectSpec) -> &mut DVec3| {
+        let marked = form.is_marked(Some(&owner), part.key);
+        let field = VectorField { symbol, name, hint, field: name, owner: &owner, step, angles, marked };
+        let outputs = ui.scope(|ui| field.show(ui, form.window, value(&mut form.scene.objects[index])));
+        form.point_at(ui, outputs.response.rect, part);
+        let outputs = outputs.inner;
+        form.complain(ui, Some(&owner), part.key, &outputs);
+    };
+    show(ui, TRANSLATE, "T", t.translate, t.translate_hint, step, false, |o| &mut o.translate);
+    show(ui, ROTATE, "R", t.rotate, t.rotate_hint, 15.0, true, |o| &mut o.rotate);
+    show(ui, SCALE, "S", t.scale, t.scale_hint, 0.1, false, |o| &mut o.scale);
     form.complain(ui, Some(&owner), "parent", &[]);
 }
 
