@@ -1,4 +1,10 @@
 //! Every number of a figure, as the command line prints it and the window shows it.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `quantity` | the numbers of a report by type |
+
+pub mod quantity;
 
 use glam::{DMat4, DVec2, DVec3};
 use serde::{Serialize, Serializer};

@@ -178,7 +178,7 @@ fn asked(lang: Lang, exercise: &Exercise, ask: &Ask) -> Value {
         "shape": ask.shape(),
         "unit": ask.unit.symbol(),
         "tolerance": ask.tolerance,
-        "quantity": ask.quantity,
+        "quantity": ask.quantity.map(|path| path.to_string()),
         "choices": choices,
     })
 }

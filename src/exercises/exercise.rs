@@ -9,9 +9,10 @@ use super::subject::Subject;
 use super::textbook;
 use super::value::Table;
 use super::worked::{Worked, worked};
-use crate::camera::{Camera, Parameters};
+use crate::camera::{Camera, ParameterKey, Parameters};
 use crate::explain::{Notation, Style};
 use crate::figure::Figure;
+use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath, RayNumber, WindowNumber};
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
 
 /// An exercise with its numbers.
@@ -99,7 +100,7 @@ pub struct Ask {
     /// Whole numbers are required.
     pub whole: bool,
     /// The path to the right answer in the report of the exercise's subject, where it has one.
-    pub quantity: Option<String>,
+    pub quantity: Option<QuantityPath>,
     /// The readings of the question: an answer that is right in one of them is right. The first is the one that the
     /// assumptions settle; the others have the name of their text.
     pub readings: Vec<Reading>,
@@ -168,7 +169,7 @@ pub type Conditions = Arc<dyn Fn(&Camera) -> Vec<(&'static str, bool)> + Send + 
 #[derive(Clone)]
 pub enum Expected {
     /// The value of `inspect` at a path of a subject.
-    Quantity(Box<Subject>, String),
+    Quantity(Box<Subject>, QuantityPath),
     /// A value computed by a family.
     Computed(Compute, Vec<Worked>),
     /// One of the choices; others that are known mistakes.
@@ -193,7 +194,7 @@ impl Expected {
     #[must_use]
     pub fn table(&self) -> Option<Table> {
         match self {
-            Self::Quantity(subject, path) => subject.value(path),
+            Self::Quantity(subject, path) => subject.value(*path),
             Self::Computed(compute, _) => compute(Slips::NONE),
             Self::Choice(..) | Self::Camera(..) => None,
         }
@@ -203,7 +204,7 @@ impl Expected {
     #[must_use]
     pub fn slipped(&self, slips: Slips) -> Option<Table> {
         match self {
-            Self::Quantity(subject, path) => textbook::value(subject, path, slips),
+            Self::Quantity(subject, path) => textbook::value(subject, *path, slips),
             Self::Computed(compute, _) => compute(slips).filter(Table::is_finite),
             Self::Choice(..) | Self::Camera(..) => None,
         }
@@ -234,31 +235,48 @@ impl Ask {
     /// # Panics
     /// Never: a path without numbers gives a number that no answer equals.
     #[must_use]
-    pub fn quantity(name: &str, subject: &Subject, path: &str) -> Self {
-        let ask = Self::of_subject(name, subject, path);
-        Self { quantity: Some(path.to_owned()), ..ask }
+    pub fn quantity(name: &str, subject: &Subject, path: impl Into<QuantityPath>) -> Self {
+        let path = path.into();
+        Self { quantity: Some(path), ..Self::of_subject(name, subject, path) }
     }
 
     /// An ask for the value of `inspect` at a path of another subject: the same camera after an operation of its own.
     #[must_use]
-    pub fn of_subject(name: &str, subject: &Subject, path: &str) -> Self {
+    pub fn of_subject(name: &str, subject: &Subject, path: impl Into<QuantityPath>) -> Self {
+        let path = path.into();
         let [rows, columns] = subject.value(path).map_or([1, 1], |table| table.shape());
         let kind = match (rows, columns) {
             (1, 1) => Kind::Number,
             (rows, 1) => Kind::Vector(rows),
             _ => Kind::Matrix(rows, columns),
         };
-        let ask = Self::new(name, kind, Expected::Quantity(Box::new(subject.clone()), path.to_owned()));
-        match path.rsplit('.').next() {
-            Some("pixel") => Self { unit: Unit::Pixels, whole: true, ..ask },
-            Some("view_angle") => Self { unit: Unit::Degrees, ..ask },
-            Some("viewport") => Self { unit: Unit::Pixels, ..ask },
-            Some(
-                "position" | "focal_point" | "width" | "height" | "left" | "right" | "bottom" | "top" | "view"
-                | "world" | "origin" | "distance",
-            ) => Self { unit: Unit::Scene, ..ask },
-            _ if path.starts_with("volume_corners") => Self { unit: Unit::Scene, ..ask },
-            _ => ask,
+        let ask = Self::new(name, kind, Expected::Quantity(Box::new(subject.clone()), path));
+        match path.quantity {
+            Quantity::Point(_, PointNumber::Pixel) | Quantity::Ray(_, RayNumber::Pixel) => {
+                Self { unit: Unit::Pixels, whole: true, ..ask }
+            }
+            Quantity::Point(_, PointNumber::Viewport) => Self { unit: Unit::Pixels, ..ask },
+            Quantity::Camera(ParameterKey::ViewAngle) => Self { unit: Unit::Degrees, ..ask },
+            Quantity::Camera(ParameterKey::Position | ParameterKey::FocalPoint | ParameterKey::Height)
+            | Quantity::CameraSide(_)
+            | Quantity::Distance
+            | Quantity::Corner(_)
+            | Quantity::Point(_, PointNumber::World | PointNumber::View)
+            | Quantity::Ray(_, RayNumber::Origin) => Self { unit: Unit::Scene, ..ask },
+            Quantity::Window(number) if number != WindowNumber::Aspect => Self { unit: Unit::Scene, ..ask },
+            Quantity::Camera(
+                ParameterKey::ViewUp
+                | ParameterKey::Aspect
+                | ParameterKey::Near
+                | ParameterKey::Far
+                | ParameterKey::Window,
+            )
+            | Quantity::Direction
+            | Quantity::Axis(_)
+            | Quantity::Window(_)
+            | Quantity::Matrix(_)
+            | Quantity::Point(_, PointNumber::Clip | PointNumber::Ndc | PointNumber::Window | PointNumber::Inside)
+            | Quantity::Ray(_, RayNumber::Direction) => ask,
         }
     }
 
@@ -346,7 +364,7 @@ impl Ask {
     #[must_use]
     pub fn steps(&self) -> Vec<Worked> {
         match self.expected() {
-            Expected::Quantity(subject, path) => worked(subject, path),
+            Expected::Quantity(subject, path) => worked(subject, *path),
             Expected::Computed(_, steps) | Expected::Choice(_, _, steps) => steps.clone(),
             Expected::Camera(..) => Vec::new(),
         }

@@ -8,6 +8,7 @@ use super::mistake::{Mistake, Slip, Slips};
 use super::own_texts::{ExpectedAnswer, OwnMistake};
 use super::value::Table;
 use crate::camera::Camera;
+use crate::inspect::quantity::Quantity;
 
 /// The verdict on an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -244,7 +245,7 @@ fn diagnose(ask: &Ask, expected: &Expected, right: &Table, given: &[f64]) -> Opt
 /// step first, of all else the axes.
 fn in_order_of_telling(expected: &Expected) -> Vec<Slip> {
     let last_first = matches!(expected, Expected::Quantity(subject, path)
-        if path.starts_with("points") || !subject.operations.is_empty());
+        if matches!(path.quantity, Quantity::Point(..)) || !subject.operations.is_empty());
     let (axes, others): (Vec<Slip>, Vec<Slip>) = Slip::ALL.iter().partition(|slip| slip.is_of_axes());
     if last_first { [others, axes].concat() } else { [axes, others].concat() }
 }

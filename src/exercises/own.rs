@@ -15,6 +15,7 @@ use crate::figure::read::{self, Fault, Section};
 use crate::figure::words::Words;
 use crate::figure::{Figure, FigureError};
 use crate::formula;
+use crate::inspect::quantity::QuantityPath;
 use crate::limits::{MAX_ASKS, MAX_EXERCISE_BYTES, MAX_EXERCISE_NAME};
 use crate::scene::Preset;
 
@@ -228,12 +229,12 @@ fn asked(
         }
         (true, false) => {
             section.skip("answer");
-            let path = quantity?;
-            if subject.value(&path).is_none_or(|table| !table.is_finite()) {
+            let path =
+                QuantityPath::of(&quantity?).filter(|path| subject.value(*path).is_some_and(|table| table.is_finite()));
+            if path.is_none() {
                 section.refuse("quantity", Allowed::Quantity);
-                return None;
             }
-            Some(Ask::quantity(name, subject, &path))
+            Some(Ask::quantity(name, subject, path?))
         }
         (false, true) => match given(section, &choices, unit)? {
             ExpectedAnswer::Choice(right) => {

@@ -1,11 +1,11 @@
 //! The subject of an exercise, and its numbers from `inspect`.
 
 use glam::DVec3;
-use serde_json::Value;
 
 use super::value::Table;
 use crate::camera::{Camera, Convention, Operation};
 use crate::figure::Figure;
+use crate::inspect::quantity::{Numbers, QuantityPath};
 use crate::inspect::{InspectError, Report, camera_after};
 
 /// A figure with operations on its camera, and the points and pixels of interest.
@@ -38,33 +38,10 @@ impl Subject {
         Report::new(&self.figure, &self.operations, Convention::RightHand, &self.points, &self.pixels)
     }
 
-    /// The numbers at a path in that report, such as `basis.u` or `points.0.ndc`; a boolean is 1 or 0. `None`: there is
-    /// nothing there, or no numbers.
+    /// A quantity of that report; a boolean is 1 or 0. `None`: the report does not have it.
     #[must_use]
-    pub fn value(&self, path: &str) -> Option<Table> {
-        let report = serde_json::to_value(self.report().ok()?).ok()?;
-        let mut place = &report;
-        for part in path.split('.') {
-            place = match place {
-                Value::Array(items) => items.get(part.parse::<usize>().ok()?)?,
-                Value::Object(entries) => entries.get(part)?,
-                _ => return None,
-            };
-        }
-        table(place)
-    }
-}
-
-fn table(value: &Value) -> Option<Table> {
-    let numbers = |items: &[Value]| items.iter().map(Value::as_f64).collect::<Option<Vec<f64>>>();
-    match value {
-        Value::Bool(is) => Some(Table::number(f64::from(u8::from(*is)))),
-        Value::Array(items) if items.first().is_some_and(Value::is_array) => {
-            let rows: Vec<Vec<f64>> = items.iter().map(|row| numbers(row.as_array()?)).collect::<Option<_>>()?;
-            let columns = rows.first()?.len();
-            Some(Table { rows: rows.len(), columns, entries: rows.concat() })
-        }
-        Value::Array(items) => Some(Table::column(&numbers(items)?)),
-        other => other.as_f64().map(Table::number),
+    pub fn value(&self, path: impl Into<QuantityPath>) -> Option<Table> {
+        let Numbers { columns, entries } = path.into().numbers(&self.report().ok()?)?;
+        Some(Table { rows: entries.len() / columns.max(1), columns, entries })
     }
 }

@@ -8,15 +8,24 @@ use super::mistake::{Slip, Slips};
 use super::subject::Subject;
 use super::value::Table;
 use crate::camera::{
-    Camera, CameraError, Convention, ImageSize, Operation, Parameters, Projection, ViewWindow, Viewport,
+    Camera, CameraError, Convention, ImageSize, Operation, ParameterKey, Parameters, Projection, ViewWindow, Viewport,
 };
 use crate::geometry::Angle;
+use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, RayNumber, ReportMatrix, WindowNumber};
 
-/// The value at a path of the report when `slips` are made; `None` where it is not a number, or the path is not known.
+/// A quantity of the report when `slips` are made; `None` where it is not a number, or the report does not have it.
 #[must_use]
-pub(super) fn value(subject: &Subject, path: &str, slips: Slips) -> Option<Table> {
+pub(super) fn value(subject: &Subject, path: impl Into<QuantityPath>, slips: Slips) -> Option<Table> {
+    let QuantityPath { quantity, entry } = path.into();
     let camera = operated(subject, slips).ok()?;
-    let found = Textbook::new(&camera, subject, slips).at(path)?;
+    let found = Textbook::new(&camera, subject, slips).at(quantity)?;
+    let found = match entry {
+        [None, _] => found,
+        [Some(row), column] => {
+            let row = found.rows().nth(row)?;
+            column.map_or_else(|| Some(Table::column(row)), |k| row.get(k).map(|entry| Table::number(*entry)))?
+        }
+    };
     found.is_finite().then_some(found)
 }
 
@@ -101,30 +110,30 @@ impl<'a> Textbook<'a> {
         Self { camera, subject, slips, u, v, n, window, near, far, view, projection }
     }
 
-    fn at(&self, path: &str) -> Option<Table> {
-        let parts: Vec<&str> = path.split('.').collect();
+    fn at(&self, quantity: Quantity) -> Option<Table> {
         let parameters = self.camera.parameters();
-        Some(match parts[..] {
-            ["basis", "u"] => self.u.into(),
-            ["basis", "v"] => self.v.into(),
-            ["basis", "n"] => self.n.into(),
-            ["dop"] => (-self.n).into(),
-            ["distance"] => self.camera.distance().into(),
-            ["view_matrix"] => self.view.into(),
-            ["projection_matrix"] => self.projection.into(),
-            ["view_projection_matrix"] => self.view_projection().into(),
-            ["inverse_view_matrix"] => self.view.inverse().into(),
-            ["inverse_projection_matrix"] => self.projection.inverse().into(),
-            ["window", side] => window_number(&self.window, side)?.into(),
-            ["camera", "position"] => parameters.position.into(),
-            ["camera", "focal_point"] => parameters.focal_point.into(),
-            ["camera", "view_up"] => parameters.view_up.into(),
-            ["camera", "view_angle"] => parameters.view_angle.into(),
-            ["camera", "height"] => self.window.height().into(),
-            ["volume_corners", k] => self.corner(k.parse().ok()?)?.into(),
-            ["points", k, what] => self.point(*self.subject.points.get(k.parse::<usize>().ok()?)?, what)?,
-            ["rays", k, what] => self.ray(*self.subject.pixels.get(k.parse::<usize>().ok()?)?, what)?,
-            _ => return None,
+        Some(match quantity {
+            Quantity::Axis(BasisAxis::U) => self.u.into(),
+            Quantity::Axis(BasisAxis::V) => self.v.into(),
+            Quantity::Axis(BasisAxis::N) => self.n.into(),
+            Quantity::Direction => (-self.n).into(),
+            Quantity::Distance => self.camera.distance().into(),
+            Quantity::Matrix(ReportMatrix::View) => self.view.into(),
+            Quantity::Matrix(ReportMatrix::Projection) => self.projection.into(),
+            Quantity::Matrix(ReportMatrix::ViewProjection) => self.view_projection().into(),
+            Quantity::Matrix(ReportMatrix::InverseView) => self.view.inverse().into(),
+            Quantity::Matrix(ReportMatrix::InverseProjection) => self.projection.inverse().into(),
+            Quantity::Window(number) => window_number(&self.window, number).into(),
+            Quantity::Camera(ParameterKey::Position) => parameters.position.into(),
+            Quantity::Camera(ParameterKey::FocalPoint) => parameters.focal_point.into(),
+            Quantity::Camera(ParameterKey::ViewUp) => parameters.view_up.into(),
+            Quantity::Camera(ParameterKey::ViewAngle) => parameters.view_angle.into(),
+            Quantity::Camera(ParameterKey::Height) => self.window.height().into(),
+            Quantity::Camera(ParameterKey::Aspect | ParameterKey::Near | ParameterKey::Far | ParameterKey::Window)
+            | Quantity::CameraSide(_) => return None,
+            Quantity::Corner(k) => self.corner(k)?.into(),
+            Quantity::Point(k, number) => self.point(*self.subject.points.get(k)?, number)?,
+            Quantity::Ray(k, number) => self.ray(*self.subject.pixels.get(k)?, number)?,
         })
     }
 
@@ -152,20 +161,20 @@ impl<'a> Textbook<'a> {
         (k < 8).then(|| self.on_plane(x, y, if k < 4 { self.near } else { self.far }))
     }
 
-    fn point(&self, world: DVec3, what: &str) -> Option<Table> {
+    fn point(&self, world: DVec3, number: PointNumber) -> Option<Table> {
         let seen = self.view * world.extend(1.0);
         let seen = if self.slips.has(Slip::ViewDepthSign) { DVec4::new(seen.x, seen.y, -seen.z, 1.0) } else { seen };
         let clip = self.projection * seen;
         let ndc = if self.slips.has(Slip::NoDivide) { clip.truncate() } else { clip.truncate() / clip.w };
-        Some(match what {
-            "world" => world.into(),
-            "view" => seen.truncate().into(),
-            "clip" => clip.into(),
-            "ndc" => ndc.into(),
-            "window" => Table::column(&self.projected(seen.truncate()).to_array()),
-            "pixel" => Table::column(&self.pixel(self.projected(seen.truncate()))),
-            "viewport" => Table::column(&self.viewport(ndc)),
-            _ => return None,
+        Some(match number {
+            PointNumber::World => world.into(),
+            PointNumber::View => seen.truncate().into(),
+            PointNumber::Clip => clip.into(),
+            PointNumber::Ndc => ndc.into(),
+            PointNumber::Window => Table::column(&self.projected(seen.truncate()).to_array()),
+            PointNumber::Pixel => Table::column(&self.pixel(self.projected(seen.truncate()))),
+            PointNumber::Viewport => Table::column(&self.viewport(ndc)),
+            PointNumber::Inside => return None,
         })
     }
 
@@ -200,7 +209,7 @@ impl<'a> Textbook<'a> {
     }
 
     #[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
-    fn ray(&self, [i, j]: [i64; 2], what: &str) -> Option<Table> {
+    fn ray(&self, [i, j]: [i64; 2], number: RayNumber) -> Option<Table> {
         let ImageSize { width, height } = self.subject.figure.image;
         let half = if self.slips.has(Slip::PixelCorner) { 0.0 } else { 0.5 };
         let [i, j] = if self.slips.has(Slip::ColumnsAndRows) { [j, i] } else { [i, j] };
@@ -210,16 +219,16 @@ impl<'a> Textbook<'a> {
         let across = self.u * x + self.v * y;
         let in_perspective = self.camera.projection() == Projection::Perspective;
         let forward = if self.slips.any(&[Slip::ViewDepthSign, Slip::LeftHanded]) { self.n } else { -self.n };
-        Some(match what {
-            "origin" if in_perspective => self.camera.position().into(),
-            "origin" => (self.camera.position() + across).into(),
-            "direction" if in_perspective => {
+        Some(match number {
+            RayNumber::Origin if in_perspective => self.camera.position().into(),
+            RayNumber::Origin => (self.camera.position() + across).into(),
+            RayNumber::Direction if in_perspective => {
                 let direction = across + forward * self.near;
                 let keeps_length = self.slips.has(Slip::RayNotNormalised);
                 (if keeps_length { direction } else { direction.normalize_or_zero() }).into()
             }
-            "direction" => forward.into(),
-            _ => return None,
+            RayNumber::Direction => forward.into(),
+            RayNumber::Pixel => return None,
         })
     }
 }
@@ -280,17 +289,16 @@ fn window(camera: &Camera, slips: Slips) -> ViewWindow {
     ViewWindow { left: -width / 2.0, right: width / 2.0, bottom: -height / 2.0, top: height / 2.0 }
 }
 
-fn window_number(window: &ViewWindow, name: &str) -> Option<f64> {
-    Some(match name {
-        "left" => window.left,
-        "right" => window.right,
-        "bottom" => window.bottom,
-        "top" => window.top,
-        "width" => window.width(),
-        "height" => window.height(),
-        "aspect" => window.aspect(),
-        _ => return None,
-    })
+fn window_number(window: &ViewWindow, number: WindowNumber) -> f64 {
+    match number {
+        WindowNumber::Left => window.left,
+        WindowNumber::Right => window.right,
+        WindowNumber::Bottom => window.bottom,
+        WindowNumber::Top => window.top,
+        WindowNumber::Width => window.width(),
+        WindowNumber::Height => window.height(),
+        WindowNumber::Aspect => window.aspect(),
+    }
 }
 
 /// M_v, `[0]` (5.7).

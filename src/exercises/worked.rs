@@ -5,12 +5,13 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::subject::Subject;
-use crate::camera::{Camera, Convention, Operation, Projection};
+use crate::camera::{Camera, Convention, Operation, ParameterKey, Projection};
 use crate::explain::{
     self, Axis, Component, Formula, Function, Line, Matrix, MatrixFormula, Named, Setting, Style, Symbol, definition,
     over, plus, times,
 };
 use crate::inspect::camera_after;
+use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, RayNumber, ReportMatrix};
 
 /// A step of a solution.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,63 +99,64 @@ fn setting<'a>(camera: &'a Camera, subject: &Subject) -> Setting<'a> {
     Setting::new(camera.notes_clip_space(), subject.figure.image, subject.figure.viewport)
 }
 
-/// The steps to the value of `inspect` at a path.
+/// The steps to a quantity of `inspect`; none to an entry of it.
 #[must_use]
-pub(super) fn worked(subject: &Subject, path: &str) -> Vec<Worked> {
-    let parts: Vec<&str> = path.split('.').collect();
-    let (mut steps, after) = operated(subject, |operation| matters(&parts, operation));
+pub(super) fn worked(subject: &Subject, path: impl Into<QuantityPath>) -> Vec<Worked> {
+    let QuantityPath { quantity, entry } = path.into();
+    let (mut steps, after) = operated(subject, |operation| matters(quantity, operation));
     let Ok(camera) = after.camera() else { return steps };
+    if entry != [None; 2] {
+        return steps;
+    }
     let setting = setting(&camera, &after);
-    match parts[..] {
-        ["basis", axis] => steps.extend(basis(&after, &setting, axis)),
-        ["dop" | "distance"] => steps.extend(basis(&after, &setting, "n")),
-        ["window", _] | ["camera", "height"] => steps.extend(window(&after, &setting)),
-        ["view_matrix" | "inverse_view_matrix"] => {
-            steps.extend(basis(&after, &setting, "v"));
-            steps.push(matrix(
-                &after,
-                &setting,
-                if path == "view_matrix" { Matrix::View } else { Matrix::InverseView },
-            ));
-        }
-        ["projection_matrix" | "inverse_projection_matrix"] => {
-            steps.extend(window(&after, &setting));
-            let of = if path == "projection_matrix" { Matrix::Projection } else { Matrix::InverseProjection };
+    let axes = || basis(&after, &setting, BasisAxis::V);
+    let sides = || window(&after, &setting);
+    match quantity {
+        Quantity::Axis(axis) => steps.extend(basis(&after, &setting, axis)),
+        Quantity::Direction | Quantity::Distance => steps.extend(basis(&after, &setting, BasisAxis::N)),
+        Quantity::Window(_) | Quantity::Camera(ParameterKey::Height) => steps.extend(sides()),
+        Quantity::Matrix(of @ (ReportMatrix::View | ReportMatrix::InverseView)) => {
+            steps.extend(axes());
+            let of = if of == ReportMatrix::View { Matrix::View } else { Matrix::InverseView };
             steps.push(matrix(&after, &setting, of));
         }
-        ["view_projection_matrix"] => {
-            steps.extend(basis(&after, &setting, "v"));
-            steps.extend(window(&after, &setting));
+        Quantity::Matrix(of @ (ReportMatrix::Projection | ReportMatrix::InverseProjection)) => {
+            steps.extend(sides());
+            let of = if of == ReportMatrix::Projection { Matrix::Projection } else { Matrix::InverseProjection };
+            steps.push(matrix(&after, &setting, of));
+        }
+        Quantity::Matrix(ReportMatrix::ViewProjection) => {
+            steps.extend(axes());
+            steps.extend(sides());
             let all = [Matrix::View, Matrix::Projection, Matrix::ViewProjection];
             steps.extend(all.map(|of| matrix(&after, &setting, of)));
         }
-        ["points", k, what] => {
-            let point = k.parse().ok().and_then(|k: usize| subject.points.get(k));
-            steps.extend(basis(&after, &setting, "v"));
-            if what != "view" {
-                steps.extend(window(&after, &setting));
+        Quantity::Point(k, number) => {
+            steps.extend(axes());
+            if number != PointNumber::View {
+                steps.extend(sides());
             }
-            steps.extend(point.map(|point| trace(&after, &setting, *point, what)).unwrap_or_default());
+            let point = subject.points.get(k);
+            steps.extend(point.map(|point| trace(&after, &setting, *point, number.name())).unwrap_or_default());
         }
-        ["rays", k, what] => {
-            let pixel = k.parse().ok().and_then(|k: usize| subject.pixels.get(k));
-            steps.extend(basis(&after, &setting, "v"));
-            steps.extend(window(&after, &setting));
-            steps.extend(pixel.map(|pixel| ray(&after, &setting, *pixel, what)));
+        Quantity::Ray(k, number) => {
+            steps.extend(axes());
+            steps.extend(sides());
+            steps.extend(subject.pixels.get(k).map(|pixel| ray(&after, &setting, *pixel, number)));
         }
-        ["volume_corners", k] => {
-            steps.extend(basis(&after, &setting, "v"));
-            steps.extend(window(&after, &setting));
-            steps.extend(k.parse().ok().map(|k| corner(&after, &setting, k)));
+        Quantity::Corner(k) => {
+            steps.extend(axes());
+            steps.extend(sides());
+            steps.push(corner(&after, &setting, k));
         }
-        _ => {}
+        Quantity::Camera(_) | Quantity::CameraSide(_) => {}
     }
     steps
 }
 
 /// The way to whether a point is inside: its clip coordinates, and how far inside of each plane it is.
 pub(super) fn inside(subject: &Subject, k: usize) -> Vec<Worked> {
-    let mut steps = worked(subject, &format!("points.{k}.clip"));
+    let mut steps = worked(subject, Quantity::Point(k, PointNumber::Clip));
     let (_, after) = operated(subject, |_| false);
     let (Ok(camera), Some(point)) = (after.camera(), subject.points.get(k)) else { return steps };
     let setting = setting(&camera, &after).with_point(*point);
@@ -170,15 +172,18 @@ pub(super) fn inside(subject: &Subject, k: usize) -> Vec<Worked> {
 }
 
 /// Whether an operation changes the value at a path.
-fn matters(path: &[&str], operation: Operation) -> bool {
+fn matters(quantity: Quantity, operation: Operation) -> bool {
     let changes = operation.changes();
     let (pose, window) = (changes.position || changes.focal_point || changes.view_up, changes.window);
-    match path {
-        ["basis" | "dop" | "distance" | "view_matrix" | "inverse_view_matrix", ..] => pose,
-        ["camera", "position" | "focal_point" | "view_up"] => pose,
-        ["window" | "projection_matrix" | "inverse_projection_matrix", ..] | ["camera", "view_angle" | "height"] => {
-            window
-        }
+    match quantity {
+        Quantity::Axis(_)
+        | Quantity::Direction
+        | Quantity::Distance
+        | Quantity::Matrix(ReportMatrix::View | ReportMatrix::InverseView)
+        | Quantity::Camera(ParameterKey::Position | ParameterKey::FocalPoint | ParameterKey::ViewUp) => pose,
+        Quantity::Window(_)
+        | Quantity::Matrix(ReportMatrix::Projection | ReportMatrix::InverseProjection)
+        | Quantity::Camera(ParameterKey::ViewAngle | ParameterKey::Height) => window,
         _ => true,
     }
 }
@@ -309,9 +314,11 @@ fn turned(step: &mut Worked, setting: &Setting<'_>, operation: Operation, about:
 }
 
 /// D and **n**, then **u**, then **v**, up to the requested axis.
-fn basis(subject: &Arc<Subject>, setting: &Setting<'_>, up_to: &str) -> Vec<Worked> {
+fn basis(subject: &Arc<Subject>, setting: &Setting<'_>, up_to: BasisAxis) -> Vec<Worked> {
     let mut steps = Vec::new();
-    for (axis, heading, letter) in [(Axis::N, "n", "n"), (Axis::U, "u", "u"), (Axis::V, "v", "v")] {
+    for (axis, heading, last) in
+        [(Axis::N, "n", BasisAxis::N), (Axis::U, "u", BasisAxis::U), (Axis::V, "v", BasisAxis::V)]
+    {
         let symbols = Component::THREE.map(|c| Symbol::Axis(axis, c));
         let distance = (axis == Axis::N).then_some(Symbol::Distance);
         let mut step = defined(subject, setting, heading, distance.into_iter().chain(symbols));
@@ -319,7 +326,7 @@ fn basis(subject: &Arc<Subject>, setting: &Setting<'_>, up_to: &str) -> Vec<Work
             with_cross_product(&mut step, setting);
         }
         steps.push(step);
-        if letter == up_to {
+        if last == up_to {
             break;
         }
     }
@@ -447,7 +454,7 @@ const ORIGIN: [(&str, &str); 3] = [("O_R,x", "O_{R,x}"), ("O_R,y", "O_{R,y}"), (
 
 /// The ray through the centre of a pixel: (5.23) with the half, then (5.17) to (5.21).
 #[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
-fn ray(subject: &Arc<Subject>, setting: &Setting<'_>, [i, j]: [i64; 2], what: &str) -> Worked {
+fn ray(subject: &Arc<Subject>, setting: &Setting<'_>, [i, j]: [i64; 2], number: RayNumber) -> Worked {
     let in_perspective = setting.space().camera().projection() == Projection::Perspective;
     let equation = if in_perspective { "(5.23), (5.17)–(5.19)" } else { "(5.23), (5.20), (5.21)" };
     let mut step = Worked::of("ray", equation, subject);
@@ -463,7 +470,7 @@ fn ray(subject: &Arc<Subject>, setting: &Setting<'_>, [i, j]: [i64; 2], what: &s
         [part(x_p, Axis::U), part(y_p, Axis::V)]
     };
     let components = Component::THREE.into_iter();
-    if in_perspective && what == "direction" {
+    if in_perspective && number == RayNumber::Direction {
         let mut parts = [0.0_f64; 3];
         for (k, (c, (text, latex))) in components.clone().zip(DIRECTION).enumerate() {
             let [x, y] = across(c);
@@ -479,11 +486,11 @@ fn ray(subject: &Arc<Subject>, setting: &Setting<'_>, [i, j]: [i64; 2], what: &s
             step.push(setting, named(text, latex, 0.0), over(part(k), norm));
         }
     } else {
-        let names = if what == "origin" { ORIGIN } else { UNIT_DIRECTION };
+        let names = if number == RayNumber::Origin { ORIGIN } else { UNIT_DIRECTION };
         for (c, (text, latex)) in components.zip(names) {
-            let formula = match (what, in_perspective) {
-                ("origin", true) => Symbol::Position(c).into(),
-                ("origin", false) => {
+            let formula = match (number, in_perspective) {
+                (RayNumber::Origin, true) => Symbol::Position(c).into(),
+                (RayNumber::Origin, false) => {
                     let [x, y] = across(c);
                     explain::sum([Symbol::Position(c).into(), x, y])
                 }

@@ -42,13 +42,13 @@ pub struct Argument {
     pub name: &'static str,
     /// Its number.
     pub value: f64,
-    /// The quantity that it sets; [`Quantity::Fixed`]: nothing.
-    pub quantity: Quantity,
+    /// The quantity that it sets; [`CameraNumber::Fixed`]: nothing.
+    pub quantity: CameraNumber,
 }
 
 /// The quantity of a camera that a number stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Quantity {
+pub enum CameraNumber {
     /// C
     Position(Component),
     /// PF
@@ -163,41 +163,41 @@ impl Vocabulary {
     }
 
     /// The parameters of the camera with one of the numbers changed. Whether they are those of a camera,
-    /// [`Camera::new`] says. [`Quantity::Axis`] and [`Quantity::Fixed`] change nothing.
+    /// [`Camera::new`] says. [`CameraNumber::Axis`] and [`CameraNumber::Fixed`] change nothing.
     #[must_use]
-    pub fn set(self, camera: &Camera, image: ImageSize, quantity: Quantity, value: f64) -> Parameters {
+    pub fn set(self, camera: &Camera, image: ImageSize, quantity: CameraNumber, value: f64) -> Parameters {
         let mut p = *camera.parameters();
         let component = |vector: &mut DVec3, c: Component| vector[c.index().min(2)] = value;
         let (m, n) = (f64::from(image.width), f64::from(image.height));
         let window = camera.window();
         match quantity {
-            Quantity::Position(c) => component(&mut p.position, c),
-            Quantity::FocalPoint(c) => component(&mut p.focal_point, c),
-            Quantity::ViewUp(c) => component(&mut p.view_up, c),
-            Quantity::Direction(c) => {
+            CameraNumber::Position(c) => component(&mut p.position, c),
+            CameraNumber::FocalPoint(c) => component(&mut p.focal_point, c),
+            CameraNumber::ViewUp(c) => component(&mut p.view_up, c),
+            CameraNumber::Direction(c) => {
                 let mut direction = camera.direction_of_projection();
                 component(&mut direction, c);
                 p.focal_point = p.position + direction.normalize_or_zero() * camera.distance();
             }
-            Quantity::ViewAngle => p.view_angle = value,
-            Quantity::Aspect => p.aspect = value,
-            Quantity::Left => p.window = Some(ViewWindow { left: value, ..window }),
-            Quantity::Right => p.window = Some(ViewWindow { right: value, ..window }),
-            Quantity::Bottom => p.window = Some(ViewWindow { bottom: value, ..window }),
-            Quantity::Top => p.window = Some(ViewWindow { top: value, ..window }),
-            Quantity::HalfWidth => p.aspect = 2.0 * value / camera.window_height(),
-            Quantity::HalfHeight => {
+            CameraNumber::ViewAngle => p.view_angle = value,
+            CameraNumber::Aspect => p.aspect = value,
+            CameraNumber::Left => p.window = Some(ViewWindow { left: value, ..window }),
+            CameraNumber::Right => p.window = Some(ViewWindow { right: value, ..window }),
+            CameraNumber::Bottom => p.window = Some(ViewWindow { bottom: value, ..window }),
+            CameraNumber::Top => p.window = Some(ViewWindow { top: value, ..window }),
+            CameraNumber::HalfWidth => p.aspect = 2.0 * value / camera.window_height(),
+            CameraNumber::HalfHeight => {
                 p.aspect = camera.window_width() / (2.0 * value);
                 match camera.projection() {
                     Projection::Perspective => p.view_angle = 2.0 * value.atan2(camera.near()).to_degrees(),
                     Projection::Parallel => p.height = 2.0 * value,
                 }
             }
-            Quantity::Near => p.near = value,
-            Quantity::Far => p.far = value,
-            Quantity::NearCoordinate => p.near = -value,
-            Quantity::FarCoordinate => p.far = -value,
-            Quantity::FocalLength(c) => {
+            CameraNumber::Near => p.near = value,
+            CameraNumber::Far => p.far = value,
+            CameraNumber::NearCoordinate => p.near = -value,
+            CameraNumber::FarCoordinate => p.far = -value,
+            CameraNumber::FocalLength(c) => {
                 // The image keeps its size: a longer focal length is a smaller window around the same axis.
                 let (pixels, size) = if c == Component::X { (m, window.width()) } else { (n, window.height()) };
                 let factor = camera.near() * pixels / value / size;
@@ -207,15 +207,15 @@ impl Vocabulary {
                     ViewWindow { bottom: window.bottom * factor, top: window.top * factor, ..window }
                 });
             }
-            Quantity::PrincipalPoint(Component::X) => {
+            CameraNumber::PrincipalPoint(Component::X) => {
                 let left = -value * window.width() / m;
                 p.window = Some(ViewWindow { left, right: left + window.width(), ..window });
             }
-            Quantity::PrincipalPoint(_) => {
+            CameraNumber::PrincipalPoint(_) => {
                 let top = value * window.height() / n;
                 p.window = Some(ViewWindow { bottom: top - window.height(), top, ..window });
             }
-            Quantity::Translation(c) => {
+            CameraNumber::Translation(c) => {
                 let rotation = vision_rotation(camera);
                 let mut t = -(rotation * camera.position());
                 component(&mut t, c);
@@ -223,7 +223,7 @@ impl Vocabulary {
                 p.focal_point += position - p.position;
                 p.position = position;
             }
-            Quantity::Axis(..) | Quantity::Fixed => {}
+            CameraNumber::Axis(..) | CameraNumber::Fixed => {}
         }
         p
     }
@@ -240,11 +240,11 @@ struct Values<'a> {
     image: ImageSize,
 }
 
-fn argument(name: &'static str, value: f64, quantity: Quantity) -> Argument {
+fn argument(name: &'static str, value: f64, quantity: CameraNumber) -> Argument {
     Argument { name, value: value + 0.0, quantity }
 }
 
-fn vector(names: [&'static str; 3], value: DVec3, quantity: fn(Component) -> Quantity) -> Vec<Argument> {
+fn vector(names: [&'static str; 3], value: DVec3, quantity: fn(Component) -> CameraNumber) -> Vec<Argument> {
     let parts = names.into_iter().zip(value.to_array()).zip(Component::THREE);
     parts.map(|((name, value), component)| argument(name, value, quantity(component))).collect()
 }
@@ -257,19 +257,21 @@ impl Values<'_> {
 
     fn look_at(&self) -> Line {
         let camera = self.camera;
-        let eye = vector(["eyeX", "eyeY", "eyeZ"], camera.position(), Quantity::Position);
-        let center = vector(["centerX", "centerY", "centerZ"], camera.focal_point(), Quantity::FocalPoint);
-        let up = vector(["upX", "upY", "upZ"], camera.view_up(), Quantity::ViewUp);
+        let eye = vector(["eyeX", "eyeY", "eyeZ"], camera.position(), CameraNumber::Position);
+        let center = vector(["centerX", "centerY", "centerZ"], camera.focal_point(), CameraNumber::FocalPoint);
+        let up = vector(["upX", "upY", "upZ"], camera.view_up(), CameraNumber::ViewUp);
         Line { name: "gluLookAt", arguments: [eye, center, up].concat() }
     }
 
     fn open_gl_lens(&self, projection: Projection, symmetric: bool) -> Line {
         let camera = self.camera;
-        let planes =
-            [argument("nearVal", camera.near(), Quantity::Near), argument("farVal", camera.far(), Quantity::Far)];
+        let planes = [
+            argument("nearVal", camera.near(), CameraNumber::Near),
+            argument("farVal", camera.far(), CameraNumber::Far),
+        ];
         if projection == Projection::Perspective && symmetric && camera.parameters().window.is_none() {
-            let angle = argument("fovy", camera.view_angle().degrees(), Quantity::ViewAngle);
-            let aspect = argument("aspect", camera.window_aspect(), Quantity::Aspect);
+            let angle = argument("fovy", camera.view_angle().degrees(), CameraNumber::ViewAngle);
+            let aspect = argument("aspect", camera.window_aspect(), CameraNumber::Aspect);
             return Line { name: "gluPerspective", arguments: [&[angle, aspect], &planes[..]].concat() };
         }
         let name = if projection == Projection::Perspective { "glFrustum" } else { "glOrtho" };
@@ -277,7 +279,7 @@ impl Values<'_> {
     }
 
     fn sides(&self, names: [&'static str; 4]) -> Vec<Argument> {
-        let quantities = [Quantity::Left, Quantity::Right, Quantity::Bottom, Quantity::Top];
+        let quantities = [CameraNumber::Left, CameraNumber::Right, CameraNumber::Bottom, CameraNumber::Top];
         let parts = names.into_iter().zip(self.window()).zip(quantities);
         parts.map(|((name, value), quantity)| argument(name, value, quantity)).collect()
     }
@@ -287,14 +289,14 @@ impl Values<'_> {
         let line = |name, arguments| Line { name, arguments };
         let number = |name, value, quantity| line(name, vec![argument(name, value, quantity)]);
         vec![
-            line("VRP", vector(["x", "y", "z"], camera.position(), Quantity::Position)),
-            line("VPN", vector(["x", "y", "z"], camera.direction_of_projection(), Quantity::Direction)),
-            line("VUV", vector(["x", "y", "z"], camera.view_up(), Quantity::ViewUp)),
-            number("D", camera.near(), Quantity::Fixed),
-            number("w", camera.window_width() / 2.0, Quantity::HalfWidth),
-            number("h", camera.window_height() / 2.0, Quantity::HalfHeight),
-            number("F", camera.near(), Quantity::Near),
-            number("B", camera.far(), Quantity::Far),
+            line("VRP", vector(["x", "y", "z"], camera.position(), CameraNumber::Position)),
+            line("VPN", vector(["x", "y", "z"], camera.direction_of_projection(), CameraNumber::Direction)),
+            line("VUV", vector(["x", "y", "z"], camera.view_up(), CameraNumber::ViewUp)),
+            number("D", camera.near(), CameraNumber::Fixed),
+            number("w", camera.window_width() / 2.0, CameraNumber::HalfWidth),
+            number("h", camera.window_height() / 2.0, CameraNumber::HalfHeight),
+            number("F", camera.near(), CameraNumber::Near),
+            number("B", camera.far(), CameraNumber::Far),
         ]
     }
 
@@ -303,23 +305,24 @@ impl Values<'_> {
         let line = |name, arguments| Line { name, arguments };
         let number = |name, value, quantity| line(name, vec![argument(name, value, quantity)]);
         let mut lines = vec![
-            line("P_0", vector(["x_0", "y_0", "z_0"], camera.position(), Quantity::Position)),
-            line("P_{ref}", vector(["x", "y", "z"], camera.focal_point(), Quantity::FocalPoint)),
-            line("V", vector(["x", "y", "z"], camera.view_up(), Quantity::ViewUp)),
+            line("P_0", vector(["x_0", "y_0", "z_0"], camera.position(), CameraNumber::Position)),
+            line("P_{ref}", vector(["x", "y", "z"], camera.focal_point(), CameraNumber::FocalPoint)),
+            line("V", vector(["x", "y", "z"], camera.view_up(), CameraNumber::ViewUp)),
         ];
         if projection == Projection::Perspective {
-            let origin = vector(["x_{prp}", "y_{prp}", "z_{prp}"], DVec3::ZERO, |_| Quantity::Fixed);
+            let origin = vector(["x_{prp}", "y_{prp}", "z_{prp}"], DVec3::ZERO, |_| CameraNumber::Fixed);
             lines.push(line("prp", origin));
-            lines.push(number("z_{vp}", -camera.near(), Quantity::Fixed));
-            let angle = if camera.parameters().window.is_none() { Quantity::ViewAngle } else { Quantity::Fixed };
-            let aspect = if camera.parameters().window.is_none() { Quantity::Aspect } else { Quantity::Fixed };
+            lines.push(number("z_{vp}", -camera.near(), CameraNumber::Fixed));
+            let angle =
+                if camera.parameters().window.is_none() { CameraNumber::ViewAngle } else { CameraNumber::Fixed };
+            let aspect = if camera.parameters().window.is_none() { CameraNumber::Aspect } else { CameraNumber::Fixed };
             lines.push(number("θ", camera.view_angle().degrees(), angle));
             lines.push(number("aspect", camera.window_aspect(), aspect));
         } else {
             lines.push(line("xw, yw", self.sides(["xw_{min}", "xw_{max}", "yw_{min}", "yw_{max}"])));
         }
-        lines.push(number("z_{near}", -camera.near(), Quantity::NearCoordinate));
-        lines.push(number("z_{far}", -camera.far(), Quantity::FarCoordinate));
+        lines.push(number("z_{near}", -camera.near(), CameraNumber::NearCoordinate));
+        lines.push(number("z_{far}", -camera.far(), CameraNumber::FarCoordinate));
         lines
     }
 
@@ -330,17 +333,17 @@ impl Values<'_> {
         let (width, height) = (camera.window_width(), camera.window_height());
         let (x, y) = (Component::X, Component::Y);
         let k = vec![
-            argument("f_x", camera.near() * m / width, Quantity::FocalLength(x)),
-            argument("skew", 0.0, Quantity::Fixed),
-            argument("c_x", -left / width * m, Quantity::PrincipalPoint(x)),
-            argument("f_y", camera.near() * n / height, Quantity::FocalLength(y)),
-            argument("c_y", top / height * n, Quantity::PrincipalPoint(y)),
+            argument("f_x", camera.near() * m / width, CameraNumber::FocalLength(x)),
+            argument("skew", 0.0, CameraNumber::Fixed),
+            argument("c_x", -left / width * m, CameraNumber::PrincipalPoint(x)),
+            argument("f_y", camera.near() * n / height, CameraNumber::FocalLength(y)),
+            argument("c_y", top / height * n, CameraNumber::PrincipalPoint(y)),
         ];
         let rotation = vision_rotation(camera);
         let axes = [Axis::U, Axis::V, Axis::N];
         let row = |i: usize, names| {
             let parts = Component::THREE.into_iter().zip(rotation.row(i).to_array()).zip(names);
-            parts.map(|((c, value), name)| argument(name, value, Quantity::Axis(axes[i], c))).collect::<Vec<_>>()
+            parts.map(|((c, value), name)| argument(name, value, CameraNumber::Axis(axes[i], c))).collect::<Vec<_>>()
         };
         let t = -(rotation * camera.position());
         vec![
@@ -354,7 +357,7 @@ impl Values<'_> {
                 ]
                 .concat(),
             },
-            Line { name: "t", arguments: vector(["t_1", "t_2", "t_3"], t, Quantity::Translation) },
+            Line { name: "t", arguments: vector(["t_1", "t_2", "t_3"], t, CameraNumber::Translation) },
         ]
     }
 }

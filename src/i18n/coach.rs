@@ -6,7 +6,7 @@ use super::{Lang, conventions};
 use crate::camera::{Camera, Ndc, Projection};
 use crate::numbers::significant;
 use crate::numerics::diagnosis::{Cause, Diagnosis, Finding, Value};
-use crate::numerics::health::{Health, Level, Quantity, volume_sides};
+use crate::numerics::health::{Health, HealthQuantity, Level, volume_sides};
 use crate::sanitize::escaped;
 use crate::scene::SceneSpec;
 
@@ -71,19 +71,19 @@ pub fn camera_is(lang: Lang, level: Level) -> String {
 
 /// The judged quantity, in a few words.
 #[must_use]
-pub const fn quantity(lang: Lang, quantity: Quantity) -> &'static str {
+pub const fn quantity(lang: Lang, quantity: HealthQuantity) -> &'static str {
     match (lang, quantity) {
-        (Lang::En, Quantity::VupAngle) => "angle between VUP and DOP",
-        (Lang::PtBr, Quantity::VupAngle) => "ângulo entre VUP e DOP",
-        (_, Quantity::FarNearRatio) => "B / F",
-        (Lang::En, Quantity::DepthResolution) => "depth resolution",
-        (Lang::PtBr, Quantity::DepthResolution) => "resolução em profundidade",
-        (Lang::En, Quantity::PositionDigits) => "digits left",
-        (Lang::PtBr, Quantity::PositionDigits) => "dígitos que restam",
-        (Lang::En, Quantity::VolumeShape) => "shape of the volume",
-        (Lang::PtBr, Quantity::VolumeShape) => "forma do volume",
-        (Lang::En, Quantity::ViewAngle) => "view angle θ",
-        (Lang::PtBr, Quantity::ViewAngle) => "ângulo de vista θ",
+        (Lang::En, HealthQuantity::VupAngle) => "angle between VUP and DOP",
+        (Lang::PtBr, HealthQuantity::VupAngle) => "ângulo entre VUP e DOP",
+        (_, HealthQuantity::FarNearRatio) => "B / F",
+        (Lang::En, HealthQuantity::DepthResolution) => "depth resolution",
+        (Lang::PtBr, HealthQuantity::DepthResolution) => "resolução em profundidade",
+        (Lang::En, HealthQuantity::PositionDigits) => "digits left",
+        (Lang::PtBr, HealthQuantity::PositionDigits) => "dígitos que restam",
+        (Lang::En, HealthQuantity::VolumeShape) => "shape of the volume",
+        (Lang::PtBr, HealthQuantity::VolumeShape) => "forma do volume",
+        (Lang::En, HealthQuantity::ViewAngle) => "view angle θ",
+        (Lang::PtBr, HealthQuantity::ViewAngle) => "ângulo de vista θ",
     }
 }
 
@@ -93,8 +93,8 @@ pub fn health(lang: Lang, health: &Health, camera: &Camera) -> String {
     let n = |x: f64| length(lang, x);
     let perspective = camera.projection() == Projection::Perspective;
     let own = match health.quantity {
-        Quantity::VupAngle => vup_angle(lang, health.value),
-        Quantity::FarNearRatio if perspective => {
+        HealthQuantity::VupAngle => vup_angle(lang, health.value),
+        HealthQuantity::FarNearRatio if perspective => {
             let half = 2.0 * camera.near() / (1.0 + camera.near() / camera.far());
             let (ratio, half) = (n(health.value), n(half));
             match lang {
@@ -106,7 +106,7 @@ pub fn health(lang: Lang, health: &Health, camera: &Camera) -> String {
                 ),
             }
         }
-        Quantity::FarNearRatio => {
+        HealthQuantity::FarNearRatio => {
             let ratio = n(health.value);
             match lang {
                 Lang::En => {
@@ -119,8 +119,8 @@ pub fn health(lang: Lang, health: &Health, camera: &Camera) -> String {
                 ),
             }
         }
-        Quantity::DepthResolution => depth_resolution(lang, camera),
-        Quantity::PositionDigits => {
+        HealthQuantity::DepthResolution => depth_resolution(lang, camera),
+        HealthQuantity::PositionDigits => {
             let (ratio, digits) = (n(camera.origin_ratio()), n(health.value));
             match lang {
                 Lang::En => format!(
@@ -131,7 +131,7 @@ pub fn health(lang: Lang, health: &Health, camera: &Camera) -> String {
                 ),
             }
         }
-        Quantity::VolumeShape => {
+        HealthQuantity::VolumeShape => {
             let [w, h, d] = volume_sides(camera).map(n);
             let ratio = n(health.value);
             match lang {
@@ -143,9 +143,9 @@ pub fn health(lang: Lang, health: &Health, camera: &Camera) -> String {
                 ),
             }
         }
-        Quantity::ViewAngle => view_angle(lang, health.value, perspective),
+        HealthQuantity::ViewAngle => view_angle(lang, health.value, perspective),
     };
-    let more = health.warnings.iter().filter(|_| health.quantity == Quantity::VolumeShape);
+    let more = health.warnings.iter().filter(|_| health.quantity == HealthQuantity::VolumeShape);
     more.fold(own, |text, warning| format!("{text} {}.", warning_wording(lang, warning).in_symbols))
 }
 

@@ -33,7 +33,7 @@ impl Level {
 
 /// A quantity that is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Quantity {
+pub enum HealthQuantity {
     /// The angle between VUP and the line of DOP in degrees, 0 … 90.
     VupAngle,
     /// B / F.
@@ -48,7 +48,7 @@ pub enum Quantity {
     ViewAngle,
 }
 
-impl Quantity {
+impl HealthQuantity {
     /// All, in the order of reporting.
     pub const ALL: [Self; 6] = [
         Self::VupAngle,
@@ -110,10 +110,10 @@ const NEEDLE_DEGREES: f64 = 0.01;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Health {
     /// The quantity.
-    pub quantity: Quantity,
+    pub quantity: HealthQuantity,
     /// Its level.
     pub level: Level,
-    /// In the unit that [`Quantity`] says.
+    /// In the unit that [`HealthQuantity`] says.
     pub value: f64,
     /// The warnings that say more of it.
     pub warnings: Vec<Warning>,
@@ -126,7 +126,7 @@ pub struct Health {
 pub fn health(camera: &Camera, image: ImageSize, bounds: Option<Aabb>) -> Vec<Health> {
     let warnings: Vec<Warning> = camera.warnings().into_iter().chain(camera.aspect_warning(image)).collect();
     let line = |quantity| {
-        let warnings: Vec<Warning> = warnings.iter().filter(|w| Quantity::of(w) == quantity).cloned().collect();
+        let warnings: Vec<Warning> = warnings.iter().filter(|w| HealthQuantity::of(w) == quantity).cloned().collect();
         let (value, level) = judged(quantity, camera);
         // JSON has no infinity; the greatest number says as much.
         let value = value.min(f64::MAX);
@@ -134,18 +134,18 @@ pub fn health(camera: &Camera, image: ImageSize, bounds: Option<Aabb>) -> Vec<He
         let repair = (level > Level::Good).then(|| repaired(quantity, camera, image, bounds, &warnings)).flatten();
         Health { quantity, level, value, warnings, repair: repair.filter(|p| Camera::new(p).is_ok()) }
     };
-    Quantity::ALL.into_iter().map(line).collect()
+    HealthQuantity::ALL.into_iter().map(line).collect()
 }
 
 /// The value of a quantity, and how good it is.
-fn judged(quantity: Quantity, camera: &Camera) -> (f64, Level) {
+fn judged(quantity: HealthQuantity, camera: &Camera) -> (f64, Level) {
     let perspective = camera.projection() == Projection::Perspective;
     match quantity {
-        Quantity::VupAngle => {
+        HealthQuantity::VupAngle => {
             let angle = camera.view_up_angle();
             (angle, below(angle, SMALL_VUP_DEGREES, NEARLY_COLLINEAR_DEGREES))
         }
-        Quantity::FarNearRatio => {
+        HealthQuantity::FarNearRatio => {
             let ratio = camera.far() / camera.near();
             // The step at B is B (1 − F/B) ratio / 2^24.
             let coarse = camera.depth_step(camera.far()) > COARSE_DEPTH * camera.far();
@@ -156,27 +156,27 @@ fn judged(quantity: Quantity, camera: &Camera) -> (f64, Level) {
             };
             (ratio, level)
         }
-        Quantity::DepthResolution => {
+        HealthQuantity::DepthResolution => {
             let step = camera.depth_step(camera.far());
             let length = if perspective { camera.far() } else { camera.window_height().max(camera.window_width()) };
             (step, above(step, VISIBLE_STEP * length, COARSE_DEPTH * length))
         }
-        Quantity::PositionDigits => {
+        HealthQuantity::PositionDigits => {
             let ratio = camera.origin_ratio();
             (digits_left(ratio), above(ratio, RATHER_FAR, FAR_AWAY))
         }
-        Quantity::VolumeShape => {
+        HealthQuantity::VolumeShape => {
             let sides = volume_sides(camera);
             let [least, most] =
                 [sides.into_iter().fold(f64::INFINITY, f64::min), sides.into_iter().fold(0.0, f64::max)];
             (most / least, above(most / least, SLENDER, DEGENERATE))
         }
-        Quantity::ViewAngle if perspective => {
+        HealthQuantity::ViewAngle if perspective => {
             let degrees = camera.view_angle().degrees();
             let level = above(degrees, WIDE_DEGREES, EXTREME_DEGREES);
             (degrees, level.max(below(degrees, NARROW_DEGREES, NEEDLE_DEGREES)))
         }
-        Quantity::ViewAngle => (0.0, Level::Good),
+        HealthQuantity::ViewAngle => (0.0, Level::Good),
     }
 }
 
@@ -228,7 +228,7 @@ pub fn with_planes(p: &Parameters, [near, far]: [f64; 2]) -> Parameters {
 }
 
 fn repaired(
-    quantity: Quantity,
+    quantity: HealthQuantity,
     camera: &Camera,
     image: ImageSize,
     bounds: Option<Aabb>,
@@ -243,10 +243,10 @@ fn repaired(
     };
     match quantity {
         // The picture stays as it is.
-        Quantity::VupAngle => Some(Parameters { view_up: camera.basis().v, ..p }),
-        Quantity::FarNearRatio | Quantity::DepthResolution => planes(),
-        Quantity::PositionDigits => None,
-        Quantity::VolumeShape => match warnings.first() {
+        HealthQuantity::VupAngle => Some(Parameters { view_up: camera.basis().v, ..p }),
+        HealthQuantity::FarNearRatio | HealthQuantity::DepthResolution => planes(),
+        HealthQuantity::PositionDigits => None,
+        HealthQuantity::VolumeShape => match warnings.first() {
             Some(Warning::AspectMismatch { .. }) if p.window.is_none() => {
                 Some(Parameters { aspect: image.aspect(), ..p })
             }
@@ -255,7 +255,7 @@ fn repaired(
             }
             _ => planes(),
         },
-        Quantity::ViewAngle => (p.window.is_none()).then(|| ordinary_angle(camera)),
+        HealthQuantity::ViewAngle => (p.window.is_none()).then(|| ordinary_angle(camera)),
     }
 }
 

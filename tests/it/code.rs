@@ -8,7 +8,7 @@ use std::path::Path;
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
 use camera_lab::explain::Setting;
 use camera_lab::explain::code::{CodeConvention, CodeTarget};
-use camera_lab::explain::vocabulary::{Limitation, Line, Quantity, Vocabulary};
+use camera_lab::explain::vocabulary::{CameraNumber, Limitation, Line, Vocabulary};
 use camera_lab::i18n::{Lang, code as texts};
 use glam::{DMat3, DMat4, DVec3, DVec4};
 use proptest::prelude::*;
@@ -207,10 +207,10 @@ proptest! {
                 for (a, argument) in line.arguments.iter().enumerate() {
                     let wanted = argument.value * factor + 0.01;
                     let p = vocabulary.set(&camera, IMAGE, argument.quantity, wanted);
-                    let fixed = matches!(argument.quantity, Quantity::Fixed | Quantity::Axis(..));
+                    let fixed = matches!(argument.quantity, CameraNumber::Fixed | CameraNumber::Axis(..));
                     prop_assert_eq!(p == *camera.parameters(), fixed, "{:?}", argument);
                     // Directions are brought back to length 1.
-                    let direction = matches!(argument.quantity, Quantity::Direction(_));
+                    let direction = matches!(argument.quantity, CameraNumber::Direction(_));
                     let Ok(changed) = Camera::new(&p) else { continue };
                     let Ok(again) = vocabulary.lines(&changed, IMAGE) else { continue };
                     if fixed || direction || again.len() != lines.len() || again[l].name != line.name {

@@ -5,7 +5,7 @@
 use camera_lab::camera::{Camera, ImageSize, Ndc, Parameters, Projection};
 use camera_lab::figure::read;
 use camera_lab::numbers::random::Random;
-use camera_lab::numerics::health::{Health, Level, Quantity, health};
+use camera_lab::numerics::health::{Health, HealthQuantity, Level, health};
 use camera_lab::numerics::resolutions;
 use glam::{DVec3, DVec4};
 
@@ -13,7 +13,7 @@ use crate::common::program::Bench;
 
 const IMAGE: ImageSize = ImageSize { width: 400, height: 300 };
 
-fn line(p: &Parameters, quantity: Quantity) -> Health {
+fn line(p: &Parameters, quantity: HealthQuantity) -> Health {
     let lines = health(&Camera::new(p).unwrap(), IMAGE, None);
     lines.into_iter().find(|line| line.quantity == quantity).unwrap()
 }
@@ -42,30 +42,30 @@ fn the_values_are_those_of_formulas_of_their_own() {
         };
         let (f, b) = (p.near, p.far);
         let cosine = p.view_up.normalize().dot((p.focal_point - p.position).normalize()).abs();
-        near(line(&p, Quantity::VupAngle).value, cosine.acos().to_degrees());
-        near(line(&p, Quantity::FarNearRatio).value, b / f);
+        near(line(&p, HealthQuantity::VupAngle).value, cosine.acos().to_degrees());
+        near(line(&p, HealthQuantity::FarNearRatio).value, b / f);
         let half = (p.view_angle / 2.0).to_radians().tan();
         let step = 2f64.powi(-24);
         match p.projection {
             Projection::Perspective => {
                 // 1/d is even in Z: Z = (1/F − 1/d) / (1/F − 1/B); its derivative at B.
                 let slope = (1.0 / (b * b)) / (1.0 / f - 1.0 / b);
-                near(line(&p, Quantity::DepthResolution).value, step / slope);
-                near(line(&p, Quantity::ViewAngle).value, p.view_angle);
+                near(line(&p, HealthQuantity::DepthResolution).value, step / slope);
+                near(line(&p, HealthQuantity::ViewAngle).value, p.view_angle);
                 let height = half * (f + b);
                 let sides = [height, height * p.aspect, b - f];
                 let ratio =
                     sides.iter().fold(0.0, |a: f64, &b| a.max(b)) / sides.iter().fold(1e99, |a: f64, &b| a.min(b));
-                near(line(&p, Quantity::VolumeShape).value, ratio);
+                near(line(&p, HealthQuantity::VolumeShape).value, ratio);
             }
             Projection::Parallel => {
-                near(line(&p, Quantity::DepthResolution).value, step * (b - f));
-                assert_eq!(line(&p, Quantity::ViewAngle).value, 0.0);
+                near(line(&p, HealthQuantity::DepthResolution).value, step * (b - f));
+                assert_eq!(line(&p, HealthQuantity::ViewAngle).value, 0.0);
             }
         }
         let greatest = p.position.abs().max(p.focal_point.abs()).max_element();
         let lost = (greatest / p.position.distance(p.focal_point)).max(1.0).log10();
-        near(line(&p, Quantity::PositionDigits).value, 15.954589770191003 - lost);
+        near(line(&p, HealthQuantity::PositionDigits).value, 15.954589770191003 - lost);
     }
 }
 
@@ -74,38 +74,38 @@ fn levels_begin_where_the_thresholds_stand() {
     use Level::{Fair, Good, Poor};
     let usual = Parameters { position: DVec3::new(0.0, 0.0, 5.0), ..Parameters::default() };
     let hold = |quantity, level, p: Parameters| assert_eq!(line(&p, quantity).level, level, "{quantity:?} {p:?}");
-    for quantity in Quantity::ALL {
+    for quantity in HealthQuantity::ALL {
         hold(quantity, Good, usual);
     }
     let up = |degrees: f64| {
         let angle = degrees.to_radians();
         Parameters { view_up: DVec3::new(0.0, angle.sin(), -angle.cos()), ..usual }
     };
-    hold(Quantity::VupAngle, Fair, up(0.5));
-    hold(Quantity::VupAngle, Poor, up(0.005));
+    hold(HealthQuantity::VupAngle, Fair, up(0.5));
+    hold(HealthQuantity::VupAngle, Poor, up(0.005));
     let planes = |near, far| Parameters { near, far, ..usual };
-    hold(Quantity::FarNearRatio, Fair, planes(0.1, 5e3));
-    hold(Quantity::FarNearRatio, Poor, planes(0.1, 5e4));
-    hold(Quantity::DepthResolution, Fair, planes(0.1, 5e3));
-    hold(Quantity::DepthResolution, Poor, planes(0.1, 5e4));
+    hold(HealthQuantity::FarNearRatio, Fair, planes(0.1, 5e3));
+    hold(HealthQuantity::FarNearRatio, Poor, planes(0.1, 5e4));
+    hold(HealthQuantity::DepthResolution, Fair, planes(0.1, 5e3));
+    hold(HealthQuantity::DepthResolution, Poor, planes(0.1, 5e4));
     let parallel = |far| Parameters { projection: Projection::Parallel, ..planes(0.1, far) };
-    hold(Quantity::FarNearRatio, Good, parallel(1e12));
-    hold(Quantity::DepthResolution, Good, parallel(1e2));
-    hold(Quantity::DepthResolution, Fair, parallel(1e5));
-    hold(Quantity::DepthResolution, Poor, parallel(1e12));
+    hold(HealthQuantity::FarNearRatio, Good, parallel(1e12));
+    hold(HealthQuantity::DepthResolution, Good, parallel(1e2));
+    hold(HealthQuantity::DepthResolution, Fair, parallel(1e5));
+    hold(HealthQuantity::DepthResolution, Poor, parallel(1e12));
     let away = |distance: f64| {
         let position = DVec3::new(distance, 0.0, 5.0);
         Parameters { position, focal_point: DVec3::new(distance, 0.0, 0.0), ..usual }
     };
-    hold(Quantity::PositionDigits, Fair, away(1e6));
-    hold(Quantity::PositionDigits, Poor, away(1e9));
+    hold(HealthQuantity::PositionDigits, Fair, away(1e6));
+    hold(HealthQuantity::PositionDigits, Poor, away(1e9));
     let angle = |view_angle| Parameters { view_angle, ..usual };
     for (degrees, level) in [(1e-6, Poor), (0.5, Fair), (45.0, Good), (130.0, Fair), (179.9, Poor)] {
-        hold(Quantity::ViewAngle, level, angle(degrees));
+        hold(HealthQuantity::ViewAngle, level, angle(degrees));
     }
-    hold(Quantity::VolumeShape, Poor, angle(1e-3));
-    hold(Quantity::VolumeShape, Fair, Parameters { aspect: 1.0, ..usual });
-    hold(Quantity::VolumeShape, Fair, planes(6.0, 50.0));
+    hold(HealthQuantity::VolumeShape, Poor, angle(1e-3));
+    hold(HealthQuantity::VolumeShape, Fair, Parameters { aspect: 1.0, ..usual });
+    hold(HealthQuantity::VolumeShape, Fair, planes(6.0, 50.0));
 }
 
 /// One way to judge: where a warning says something, the line is not good; and a repair makes it better.

@@ -106,7 +106,7 @@ fn the_quantity_is_what_inspect_says() {
     all_of(10 * seeds(), |entry, exercise| {
         for ask in &exercise.asks {
             let Some(quantity) = &ask.quantity else { continue };
-            let inspected = exercise.subject.value(quantity).unwrap_or_else(|| panic!("{} {quantity}", entry.id));
+            let inspected = exercise.subject.value(*quantity).unwrap_or_else(|| panic!("{} {quantity}", entry.id));
             match ask.expected().table() {
                 Some(right) => assert_eq!(right, inspected, "{} {}", entry.id, ask.name),
                 None => {

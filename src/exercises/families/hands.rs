@@ -7,6 +7,7 @@ use crate::camera::{Camera, Parameters, Projection};
 use crate::exercises::worked::inside as steps_inside;
 use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake};
 use crate::figure::Figure;
+use crate::inspect::quantity::{PointNumber, Quantity};
 use crate::scene::{ObjectSpec, Preset, Shape};
 
 pub(super) const CANONICAL_CAMERA: Entry =
@@ -188,7 +189,7 @@ fn predict_visible(seed: u64) -> Exercise {
     let names = ["P", "Q", "R"];
     let asks = names.into_iter().zip(&points).enumerate().map(|(k, (name, point))| {
         let ask = Ask::choice(name, &["yes", "no"], usize::from(!is_seen(*point)), &[], steps_inside(&subject, k));
-        Ask { quantity: Some(format!("points.{k}.inside")), ..ask }
+        Ask { quantity: Some(Quantity::Point(k, PointNumber::Inside).into()), ..ask }
     });
     let facts: Vec<(&'static str, Fact)> =
         names.into_iter().zip(&points).map(|(name, p)| (name, Fact::Tuple(p.to_array().to_vec()))).collect();

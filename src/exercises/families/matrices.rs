@@ -3,6 +3,7 @@
 use super::cameras::{about, any_projection, camera, numbers, subject};
 use crate::camera::{Parameters, Projection, ViewWindow};
 use crate::exercises::{Ask, Entry, Exercise};
+use crate::inspect::quantity::{BasisAxis, Quantity, ReportMatrix, WindowNumber};
 
 pub(super) const BASIS: Entry = Entry::family("basis", "[0] §5.2, (5.2), (5.3)", |seed, _| basis(seed));
 pub(super) const VIEW_MATRIX: Entry = Entry::family("view-matrix", "[0] §5.3.1, (5.7)", |seed, _| view_matrix(seed));
@@ -18,27 +19,32 @@ pub(super) const ASYMMETRIC_WINDOW: Entry =
 
 fn basis(seed: u64) -> Exercise {
     let subject = subject(camera(&mut numbers("basis", seed), Projection::Perspective));
-    let asks = ["u", "v", "n"].map(|axis| Ask::quantity(axis, &subject, &format!("basis.{axis}")));
-    Exercise { asks: asks.to_vec(), ..about(subject) }
+    let asks = BasisAxis::ALL.iter().map(|axis| Ask::quantity(axis.name(), &subject, Quantity::Axis(*axis)));
+    Exercise { asks: asks.collect(), ..about(subject) }
 }
 
 fn view_matrix(seed: u64) -> Exercise {
     let subject = subject(camera(&mut numbers("view-matrix", seed), Projection::Perspective));
-    let asks = vec![Ask::quantity("Mv", &subject, "view_matrix")];
+    let asks = vec![Ask::quantity("Mv", &subject, Quantity::Matrix(ReportMatrix::View))];
     Exercise { asks, ..about(subject) }
 }
 
 fn window(seed: u64) -> Exercise {
     let mut random = numbers("window", seed);
     let subject = subject(camera(&mut random, Projection::Perspective));
-    let asks = [("H", "window.height"), ("W", "window.width"), ("r", "window.right"), ("b", "window.bottom")];
+    let asks = [
+        ("H", Quantity::Window(WindowNumber::Height)),
+        ("W", Quantity::Window(WindowNumber::Width)),
+        ("r", Quantity::Window(WindowNumber::Right)),
+        ("b", Quantity::Window(WindowNumber::Bottom)),
+    ];
     let asks = asks.map(|(name, path)| Ask::quantity(name, &subject, path));
     Exercise { asks: asks.to_vec(), ..about(subject) }
 }
 
 fn projection_matrix(family: &str, seed: u64, projection: Projection) -> Exercise {
     let subject = subject(camera(&mut numbers(family, seed), projection));
-    let asks = vec![Ask::quantity("Mp", &subject, "projection_matrix")];
+    let asks = vec![Ask::quantity("Mp", &subject, Quantity::Matrix(ReportMatrix::Projection))];
     Exercise { asks, ..about(subject) }
 }
 
@@ -52,6 +58,6 @@ fn asymmetric_window(seed: u64) -> Exercise {
     let top = -bottom * random.one_of(&[0.5, 1.5, 2.0]);
     let camera = Parameters { window: Some(ViewWindow { left, right, bottom, top }), ..camera };
     let subject = subject(camera);
-    let asks = vec![Ask::quantity("Mp", &subject, "projection_matrix")];
+    let asks = vec![Ask::quantity("Mp", &subject, Quantity::Matrix(ReportMatrix::Projection))];
     Exercise { asks, ..about(subject) }
 }

@@ -1,9 +1,10 @@
 //! The operations on a camera, `[0]` §5.6.
 
 use super::cameras::{about, any_projection, camera, numbers, subject};
-use crate::camera::{Operation, Projection};
+use crate::camera::{Operation, ParameterKey, Projection};
 use crate::exercises::{Ask, Entry, Exercise, Fact};
 use crate::geometry::Angle;
+use crate::inspect::quantity::{BasisAxis, Quantity, WindowNumber};
 use crate::numbers::random::Random;
 
 macro_rules! turns {
@@ -13,24 +14,24 @@ macro_rules! turns {
 }
 
 turns! {
-    ELEVATION, "elevation", Elevation, [("C", "camera.position"), ("n", "basis.n"), ("v", "basis.v")];
-    AZIMUTH, "azimuth", Azimuth, [("C", "camera.position"), ("n", "basis.n"), ("u", "basis.u")];
-    ROLL, "roll", Roll, [("u", "basis.u"), ("v", "basis.v")];
-    YAW, "yaw", Yaw, [("PF", "camera.focal_point"), ("n", "basis.n"), ("u", "basis.u")];
-    PITCH, "pitch", Pitch, [("PF", "camera.focal_point"), ("n", "basis.n"), ("v", "basis.v")];
+    ELEVATION, "elevation", Elevation, [("C", Quantity::Camera(ParameterKey::Position)), ("n", Quantity::Axis(BasisAxis::N)), ("v", Quantity::Axis(BasisAxis::V))];
+    AZIMUTH, "azimuth", Azimuth, [("C", Quantity::Camera(ParameterKey::Position)), ("n", Quantity::Axis(BasisAxis::N)), ("u", Quantity::Axis(BasisAxis::U))];
+    ROLL, "roll", Roll, [("u", Quantity::Axis(BasisAxis::U)), ("v", Quantity::Axis(BasisAxis::V))];
+    YAW, "yaw", Yaw, [("PF", Quantity::Camera(ParameterKey::FocalPoint)), ("n", Quantity::Axis(BasisAxis::N)), ("u", Quantity::Axis(BasisAxis::U))];
+    PITCH, "pitch", Pitch, [("PF", Quantity::Camera(ParameterKey::FocalPoint)), ("n", Quantity::Axis(BasisAxis::N)), ("v", Quantity::Axis(BasisAxis::V))];
 }
 
 pub(super) const ZOOM: Entry = Entry::family("zoom", "[0] §5.6", |seed, _| zoom(seed));
 pub(super) const DOLLY: Entry = Entry::family("dolly", "[0] §5.6", |seed, _| dolly(seed));
 pub(super) const PAN: Entry = Entry::family("pan", "[0] §5.6", |seed, _| pan(seed));
 
-fn turn(family: &str, seed: u64, operation: fn(Angle) -> Operation, asks: &[(&str, &str)]) -> Exercise {
+fn turn(family: &str, seed: u64, operation: fn(Angle) -> Operation, asks: &[(&str, Quantity)]) -> Exercise {
     let mut random = numbers(family, seed);
     let projection = any_projection(&mut random);
     let angle = random.one_of(&[30.0, 45.0, 60.0, 90.0, -30.0, -45.0, -60.0, 120.0]);
     let mut subject = subject(camera(&mut random, projection));
     subject.operations.push(operation(Angle::from_degrees(angle)));
-    let asks = asks.iter().map(|(name, path)| Ask::quantity(name, &subject, path)).collect();
+    let asks = asks.iter().map(|(name, quantity)| Ask::quantity(name, &subject, *quantity)).collect();
     let mut exercise = Exercise { asks, ..about(subject) };
     exercise.facts.push(("alpha", Fact::Angle(angle)));
     exercise
@@ -47,9 +48,9 @@ fn zoom(seed: u64) -> Exercise {
     let s = factor(&mut random);
     let mut subject = subject(camera(&mut random, projection));
     subject.operations.push(Operation::Zoom(s));
-    let mut paths = vec![("H", "window.height"), ("W", "window.width")];
+    let mut paths = vec![("H", Quantity::Window(WindowNumber::Height)), ("W", Quantity::Window(WindowNumber::Width))];
     if projection == Projection::Perspective {
-        paths.push(("theta", "camera.view_angle"));
+        paths.push(("theta", Quantity::Camera(ParameterKey::ViewAngle)));
     }
     let asks = paths.into_iter().map(|(name, path)| Ask::quantity(name, &subject, path)).collect();
     let mut exercise = Exercise { asks, ..about(subject) };
@@ -63,7 +64,10 @@ fn dolly(seed: u64) -> Exercise {
     let f = factor(&mut random);
     let mut subject = subject(camera(&mut random, projection));
     subject.operations.push(Operation::Dolly(f));
-    let asks = vec![Ask::quantity("C", &subject, "camera.position"), Ask::quantity("D", &subject, "distance")];
+    let asks = vec![
+        Ask::quantity("C", &subject, Quantity::Camera(ParameterKey::Position)),
+        Ask::quantity("D", &subject, Quantity::Distance),
+    ];
     let mut exercise = Exercise { asks, ..about(subject) };
     exercise.facts.push(("f", Fact::Number(f)));
     exercise
@@ -75,8 +79,10 @@ fn pan(seed: u64) -> Exercise {
     let [dx, dy] = [0, 1].map(|_| random.one_of(&[1.0, 2.0, -1.0, -2.0, 0.5, 3.0]));
     let mut subject = subject(camera(&mut random, projection));
     subject.operations.push(Operation::Pan { dx, dy });
-    let asks =
-        vec![Ask::quantity("C", &subject, "camera.position"), Ask::quantity("PF", &subject, "camera.focal_point")];
+    let asks = vec![
+        Ask::quantity("C", &subject, Quantity::Camera(ParameterKey::Position)),
+        Ask::quantity("PF", &subject, Quantity::Camera(ParameterKey::FocalPoint)),
+    ];
     let mut exercise = Exercise { asks, ..about(subject) };
     exercise.facts.extend([("dx", Fact::Number(dx)), ("dy", Fact::Number(dy))]);
     exercise

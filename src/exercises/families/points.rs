@@ -6,6 +6,7 @@ use super::cameras::{about, any_projection, camera, image, numbers, point_inside
 use crate::camera::{Camera, ImageSize, Projection, Viewport};
 use crate::exercises::worked::inside as steps_inside;
 use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake, Subject, Unit};
+use crate::inspect::quantity::{PointNumber, Quantity, RayNumber, WindowNumber};
 use crate::numbers::random::Random;
 
 pub(super) const NDC: Entry = Entry::family("ndc", "[0] §5.3.2, [2]", |seed, _| ndc(seed));
@@ -28,7 +29,8 @@ fn ndc(seed: u64) -> Exercise {
     let mut random = numbers("ndc", seed);
     let projection = any_projection(&mut random);
     let subject = with_a_point(&mut random, projection);
-    let asks = ["view", "clip", "ndc"].map(|space| Ask::quantity(space, &subject, &format!("points.0.{space}")));
+    let asks = [PointNumber::View, PointNumber::Clip, PointNumber::Ndc]
+        .map(|space| Ask::quantity(space.name(), &subject, Quantity::Point(0, space)));
     let point = point(&subject);
     let mut exercise = Exercise { asks: asks.to_vec(), ..about(subject) };
     exercise.facts.push(point);
@@ -46,10 +48,10 @@ fn inside(seed: u64) -> Exercise {
     let (point, plane) = point_beyond(&mut random, &Camera::new(&parameters).ok(), parameters.focal_point, wanted);
     let subject = with_point(subject(parameters), point);
     let is_inside = Ask {
-        quantity: Some("points.0.inside".to_owned()),
+        quantity: Some(Quantity::Point(0, PointNumber::Inside).into()),
         ..Ask::choice("inside", &["yes", "no"], usize::from(plane != 0), &[], steps_inside(&subject, 0))
     };
-    let clip = Ask::quantity("clip", &subject, "points.0.clip");
+    let clip = Ask::quantity("clip", &subject, Quantity::Point(0, PointNumber::Clip));
     let cut = Ask::choice("plane", &PLANES, plane, &opposite(plane, projection), steps_inside(&subject, 0));
     let fact = self::point(&subject);
     let mut exercise = Exercise { asks: vec![clip, is_inside, cut], ..about(subject) };
@@ -103,10 +105,11 @@ fn pixel(seed: u64) -> Exercise {
     let mut random = numbers("pixel", seed);
     let projection = any_projection(&mut random);
     let height = random.one_of(&[240, 300, 480, 600]);
-    let subject = off_borders(&mut random, "window", |random| with_image(with_a_point(random, projection), height));
+    let subject =
+        off_borders(&mut random, PointNumber::Window, |random| with_image(with_a_point(random, projection), height));
     let asks = vec![
-        Ask::quantity("window", &subject, "points.0.window").in_unit(Unit::Scene),
-        Ask::quantity("pixel", &subject, "points.0.pixel"),
+        Ask::quantity("window", &subject, Quantity::Point(0, PointNumber::Window)).in_unit(Unit::Scene),
+        Ask::quantity("pixel", &subject, Quantity::Point(0, PointNumber::Pixel)),
     ];
     let facts = [vec![point(&subject)], image(subject.figure.image)].concat();
     let mut exercise = Exercise { asks, ..about(subject) };
@@ -115,16 +118,16 @@ fn pixel(seed: u64) -> Exercise {
 }
 
 /// A subject whose point is not on the border of two pixels, where the last digit of a calculator decides.
-fn off_borders(random: &mut Random, space: &str, mut make: impl FnMut(&mut Random) -> Subject) -> Subject {
+fn off_borders(random: &mut Random, space: PointNumber, mut make: impl FnMut(&mut Random) -> Subject) -> Subject {
     for _ in 0..50 {
         let subject = make(random);
-        let Some(at) = subject.value(&format!("points.0.{space}")) else { continue };
+        let Some(at) = subject.value(Quantity::Point(0, space)) else { continue };
         let ImageSize { width, height } = subject.figure.image;
         let (size, window) = match subject.figure.viewport {
             Some(viewport) => ([viewport.width, viewport.height], [2.0, 2.0]),
             None => {
-                let Some(window) = ["width", "height"]
-                    .map(|side| subject.value(&format!("window.{side}")))
+                let Some(window) = [WindowNumber::Width, WindowNumber::Height]
+                    .map(|side| subject.value(Quantity::Window(side)))
                     .into_iter()
                     .map(|side| side.map(|side| side.entries[0]))
                     .collect::<Option<Vec<f64>>>()
@@ -158,7 +161,8 @@ fn ray(seed: u64) -> Exercise {
         }
     });
     subject.pixels.push([i, j]);
-    let asks = ["origin", "direction"].map(|what| Ask::quantity(what, &subject, &format!("rays.0.{what}")));
+    let asks = [RayNumber::Origin, RayNumber::Direction]
+        .map(|number| Ask::quantity(number.name(), &subject, Quantity::Ray(0, number)));
     #[expect(clippy::cast_precision_loss, reason = "a few hundred pixels")]
     let facts = [vec![("i", Fact::Number(i as f64)), ("j", Fact::Number(j as f64))], image(size)].concat();
     let mut exercise = Exercise { asks: asks.to_vec(), ..about(subject) };
@@ -173,13 +177,15 @@ fn viewport(seed: u64) -> Exercise {
     let (x, y) = random.one_of(&[(0, 0), (100, 50), (20, 40), (64, 32)]);
     let (depth_near, depth_far) = random.one_of(&[(0.0, 1.0), (0.0, 0.5), (0.25, 1.0), (1.0, 0.0)]);
     let viewport = Viewport { x, y, width, height, depth_near, depth_far };
-    let subject = off_borders(&mut random, "ndc", |random| {
+    let subject = off_borders(&mut random, PointNumber::Ndc, |random| {
         let mut subject = with_a_point(random, projection);
         subject.figure.viewport = Some(viewport);
         subject
     });
-    let asks =
-        vec![Ask::quantity("ndc", &subject, "points.0.ndc"), Ask::quantity("viewport", &subject, "points.0.viewport")];
+    let asks = vec![
+        Ask::quantity("ndc", &subject, Quantity::Point(0, PointNumber::Ndc)),
+        Ask::quantity("viewport", &subject, Quantity::Point(0, PointNumber::Viewport)),
+    ];
     let numbers = [
         ("Xv", f64::from(x)),
         ("Yv", f64::from(y)),

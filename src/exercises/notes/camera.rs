@@ -10,6 +10,7 @@ use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Mistake, Slip, Slips, Su
 use crate::explain::{Formula, Function, over, plus};
 use crate::figure::{Figure, NamedPoint};
 use crate::geometry::Angle;
+use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, RayNumber, ReportMatrix};
 use crate::scene::Preset;
 
 /// 5.1: the rays towards the point (1, 1, 0) of the VRC.
@@ -43,7 +44,7 @@ pub(super) fn rays(_seed: u64) -> Exercise {
     let direction = Ask::computed("perspective_direction", Kind::Vector(3), towards_vrc(&in_perspective), {
         let subject = in_perspective.clone();
         move |slips| {
-            let [u, v] = ["basis.u", "basis.v"].map(|path| {
+            let [u, v] = [Quantity::Axis(BasisAxis::U), Quantity::Axis(BasisAxis::V)].map(|path| {
                 if slips == Slips::NONE { subject.value(path) } else { textbook::value(&subject, path, slips) }
             });
             let sum: Vec<f64> = u?.entries.iter().zip(&v?.entries).map(|(u, v)| u + v).collect();
@@ -52,12 +53,12 @@ pub(super) fn rays(_seed: u64) -> Exercise {
             Some(Table::from(if keeps { sum } else { sum.normalize_or_zero() }))
         }
     });
-    let of = |name, subject, path| Ask::of_subject(name, subject, path);
+    let of = |name, subject, path: Quantity| Ask::of_subject(name, subject, path);
     let asks = vec![
-        of("parallel_origin", &through, "rays.0.origin"),
-        of("parallel_direction", &through, "rays.0.direction"),
-        of("perspective_origin", &in_perspective, "rays.0.origin"),
-        direction.or_read_as("window-point", of("", &in_perspective, "rays.0.direction")),
+        of("parallel_origin", &through, Quantity::Ray(0, RayNumber::Origin)),
+        of("parallel_direction", &through, Quantity::Ray(0, RayNumber::Direction)),
+        of("perspective_origin", &in_perspective, Quantity::Ray(0, RayNumber::Origin)),
+        direction.or_read_as("window-point", of("", &in_perspective, Quantity::Ray(0, RayNumber::Direction))),
     ];
     let mut exercise = about(parallel);
     // The point of the VRC, and where its rays start: C + u + v.
@@ -72,7 +73,7 @@ pub(super) fn rays(_seed: u64) -> Exercise {
 
 /// (**u** + **v**)/√2.
 fn towards_vrc(subject: &Subject) -> Vec<Worked> {
-    let mut steps = worked(subject, "basis.v");
+    let mut steps = worked(subject, Quantity::Axis(BasisAxis::V));
     let Ok(camera) = subject.camera() else { return steps };
     let basis = camera.basis();
     let mut step = Worked::new("direction", "(5.17)");
@@ -128,10 +129,10 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
     // that would count.
     let pixel_of = |subject: &Subject| {
         let subject = subject.clone();
-        let steps = worked(&subject, "points.0.pixel");
+        let steps = worked(&subject, Quantity::Point(0, PointNumber::Pixel));
         let pixel = Ask::computed("pixel", Kind::Vector(2), steps, move |slips| {
             if slips != Slips::NONE {
-                return textbook::value(&subject, "points.0.pixel", slips);
+                return textbook::value(&subject, Quantity::Point(0, PointNumber::Pixel), slips);
             }
             let camera = subject.camera().ok()?;
             let [i, j] = [1024.0 * (1.0 / camera.window_width() + 0.5), 768.0 * (0.5 - 1.0 / camera.window_height())];
@@ -139,25 +140,28 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
         });
         pixel.whole().in_unit(Unit::Pixels)
     };
-    let pixel = Ask { quantity: Some("points.0.pixel".to_owned()), ..pixel_of(&after) }
+    let pixel = Ask { quantity: Some(Quantity::Point(0, PointNumber::Pixel).into()), ..pixel_of(&after) }
         .or_read_as("before-zoom", pixel_of(&before))
         .or_read_as("angle-at-distance", pixel_of(&at_distance))
         .or_read_as("angle-at-distance-before-zoom", pixel_of(&at_distance_before));
-    let read = |ask: Ask, path: &str| {
+    let read = |ask: Ask, path: Quantity| {
         let of = |subject| Ask::of_subject("", subject, path);
         ask.or_read_as("before-zoom", of(&before))
             .or_read_as("angle-at-distance", of(&at_distance))
             .or_read_as("angle-at-distance-before-zoom", of(&at_distance_before))
     };
-    let corner = Ask::quantity("corner", &after, "volume_corners.2");
-    let corner = corner.or_read_as("angle-at-distance", Ask::of_subject("", &at_distance, "volume_corners.2"));
+    let corner = Ask::quantity("corner", &after, Quantity::Corner(2));
+    let corner = corner.or_read_as("angle-at-distance", Ask::of_subject("", &at_distance, Quantity::Corner(2)));
     let mut asks = vec![
         corner,
         pixel,
-        Ask::quantity("Mv", &after, "view_matrix"),
-        read(Ask::quantity("Mp", &after, "projection_matrix"), "projection_matrix"),
+        Ask::quantity("Mv", &after, Quantity::Matrix(ReportMatrix::View)),
+        read(
+            Ask::quantity("Mp", &after, Quantity::Matrix(ReportMatrix::Projection)),
+            Quantity::Matrix(ReportMatrix::Projection),
+        ),
     ];
-    asks.extend(["u", "v", "n"].map(|axis| Ask::of_subject(axis, &elevated, &format!("basis.{axis}"))));
+    asks.extend(BasisAxis::ALL.iter().map(|axis| Ask::of_subject(axis.name(), &elevated, Quantity::Axis(*axis))));
     let exercise = about(after);
     let facts = [
         ("theta", Fact::Angle(90.0)),

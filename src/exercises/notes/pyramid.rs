@@ -13,6 +13,7 @@ use crate::exercises::worked::{Worked, named, worked};
 use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Slip, Slips, Subject, Table, textbook};
 use crate::explain::{over, times};
 use crate::figure::Figure;
+use crate::inspect::quantity::{PointNumber, Quantity, ReportMatrix};
 use crate::scene::{ObjectSpec, Preset, Shape};
 
 const BASE: [DVec3; 4] =
@@ -142,17 +143,18 @@ pub(super) fn model_and_view(free: &Free) -> Exercise {
     let world = matrix_of_points("world", vec![model_step(), placed], move |slips| Some(of().world(slips)));
     let seen = {
         let subject = subject.clone();
-        let mut steps = worked(&subject, "view_matrix");
+        let mut steps = worked(&subject, Quantity::Matrix(ReportMatrix::View));
         steps.extend(
-            matrix(&subject, "view_matrix", Slips::NONE).map(|view| multiplied(view, &of().world(Slips::NONE))),
+            matrix(&subject, Quantity::Matrix(ReportMatrix::View), Slips::NONE)
+                .map(|view| multiplied(view, &of().world(Slips::NONE))),
         );
         matrix_of_points("view", steps, move |slips| {
-            let view = matrix(&subject, "view_matrix", slips)?;
+            let view = matrix(&subject, Quantity::Matrix(ReportMatrix::View), slips)?;
             Some(of().world(slips).into_iter().map(|vertex| view * vertex).collect())
         })
     };
     let exercise = birth.exercise(&["D", "M"]);
-    let asks = vec![model, world, Ask::quantity("Mv", &subject, "view_matrix"), seen];
+    let asks = vec![model, world, Ask::quantity("Mv", &subject, Quantity::Matrix(ReportMatrix::View)), seen];
     Exercise { asks, assumptions: vec!["lost-pyramid", "touches-planes"], ..exercise }
 }
 
@@ -161,20 +163,25 @@ pub(super) fn projection(free: &Free) -> Exercise {
     let birth = Birth::new(free);
     let subject = birth.subject();
     let of = Birth { ..birth };
-    let mut steps = worked(&subject, "view_projection_matrix");
+    let mut steps = worked(&subject, Quantity::Matrix(ReportMatrix::ViewProjection));
     let clip = {
         let subject = subject.clone();
         let world = of.world(Slips::NONE);
-        steps.extend(matrix(&subject, "view_projection_matrix", Slips::NONE).map(|all| multiplied(all, &world)));
+        steps.extend(
+            matrix(&subject, Quantity::Matrix(ReportMatrix::ViewProjection), Slips::NONE)
+                .map(|all| multiplied(all, &world)),
+        );
         matrix_of_points("clip", steps, move |slips| {
-            let (view, projection) =
-                (matrix(&subject, "view_matrix", slips)?, matrix(&subject, "projection_matrix", slips)?);
+            let (view, projection) = (
+                matrix(&subject, Quantity::Matrix(ReportMatrix::View), slips)?,
+                matrix(&subject, Quantity::Matrix(ReportMatrix::Projection), slips)?,
+            );
             Some(world.iter().map(|vertex| projection * (view * *vertex)).collect())
         })
     };
-    let apex = Ask::quantity("apex", &subject, "points.4.clip");
+    let apex = Ask::quantity("apex", &subject, Quantity::Point(4, PointNumber::Clip));
     let exercise = of.exercise(&["D", "M", "theta", "A"]);
-    let asks = vec![Ask::quantity("Mp", &subject, "projection_matrix"), clip, apex];
+    let asks = vec![Ask::quantity("Mp", &subject, Quantity::Matrix(ReportMatrix::Projection)), clip, apex];
     let assumptions = vec!["lost-pyramid", "touches-planes", "angle-and-aspect", "distances-not-coordinates", "w-zero"];
     Exercise { asks, assumptions, ..exercise }
 }
@@ -188,7 +195,7 @@ pub(in crate::exercises) fn whole(free: &Free) -> Exercise {
 }
 
 /// A matrix of a subject, as it comes out with slips.
-fn matrix(subject: &Subject, path: &str, slips: Slips) -> Option<DMat4> {
+fn matrix(subject: &Subject, path: Quantity, slips: Slips) -> Option<DMat4> {
     let table = if slips == Slips::NONE { subject.value(path) } else { textbook::value(subject, path, slips) }?;
     let entries: [f64; 16] = table.entries.try_into().ok()?;
     Some(DMat4::from_cols_array(&entries).transpose())

@@ -15,6 +15,7 @@ use crate::gui::prose;
 use crate::gui::state::{Described, NotCamera, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::{Lang, dialects, exercise_window as words, exercises as said};
+use crate::inspect::quantity::{BasisAxis, Quantity, QuantityPath, ReportMatrix};
 
 /// The button of the next help. It keeps the focus, whatever appears above it: it is identified by `id`, and not by its
 /// place.
@@ -78,11 +79,11 @@ pub(super) fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, as
     state.exercises.described = Some(Described { ask: ask.name.clone(), camera });
 }
 
-/// The path of the requested number, where it is one of `inspect`.
-fn path(ask: &Ask) -> &str {
+/// The quantity of `inspect` that is asked for, where it is one, as a whole.
+fn quantity(ask: &Ask) -> Option<Quantity> {
     match ask.expected() {
-        Expected::Quantity(_, path) => path,
-        Expected::Computed(..) | Expected::Choice(..) | Expected::Camera(..) => "",
+        Expected::Quantity(_, QuantityPath { quantity, entry: [None, _] }) => Some(*quantity),
+        Expected::Quantity(..) | Expected::Computed(..) | Expected::Choice(..) | Expected::Camera(..) => None,
     }
 }
 
@@ -92,8 +93,8 @@ fn describes_camera(ask: &Ask, judged: &Judged) -> bool {
         Answer::Camera(_) => true,
         Answer::Choice(_) => false,
         Answer::Numbers { rows, columns, entries } => {
-            [*rows, *columns] == ask.shape() && entries.iter().all(Option::is_some) && matrix_kind(path(ask)).is_some()
-                || matches!(path(ask), "basis.u" | "basis.v" | "basis.n")
+            [*rows, *columns] == ask.shape() && entries.iter().all(Option::is_some) && matrix_kind(ask).is_some()
+                || matches!(quantity(ask), Some(Quantity::Axis(_)))
                     && entries.len() == 3
                     && entries.iter().all(Option::is_some)
         }
@@ -101,15 +102,14 @@ fn describes_camera(ask: &Ask, judged: &Judged) -> bool {
 }
 
 /// The kind of a matrix, and whether it is the inverse.
-fn matrix_kind(path: &str) -> Option<(MatrixKind, bool)> {
-    Some(match path {
-        "view_matrix" => (MatrixKind::View, false),
-        "inverse_view_matrix" => (MatrixKind::View, true),
-        "projection_matrix" => (MatrixKind::Projection, false),
-        "inverse_projection_matrix" => (MatrixKind::Projection, true),
-        "view_projection_matrix" => (MatrixKind::ViewProjection, false),
-        "inverse_view_projection_matrix" => (MatrixKind::ViewProjection, true),
-        _ => return None,
+fn matrix_kind(ask: &Ask) -> Option<(MatrixKind, bool)> {
+    let Some(Quantity::Matrix(matrix)) = quantity(ask) else { return None };
+    Some(match matrix {
+        ReportMatrix::View => (MatrixKind::View, false),
+        ReportMatrix::InverseView => (MatrixKind::View, true),
+        ReportMatrix::Projection => (MatrixKind::Projection, false),
+        ReportMatrix::InverseProjection => (MatrixKind::Projection, true),
+        ReportMatrix::ViewProjection => (MatrixKind::ViewProjection, false),
     })
 }
 
@@ -124,34 +124,37 @@ fn described(exercise: &Exercise, ask: &Ask, answer: &Answer) -> Option<(Paramet
     let right = figure::subject_of(exercise, ask).camera().ok()?;
     let Answer::Numbers { entries, .. } = answer else { return None };
     let numbers: Vec<f64> = entries.iter().copied().collect::<Option<_>>()?;
-    let found = match matrix_kind(path(ask)) {
+    let found = match matrix_kind(ask) {
         Some((kind, is_inverse)) => {
             let matrix = DMat4::from_cols_array(&numbers.try_into().ok()?).transpose();
             let matrix = if is_inverse { matrix.inverse() } else { matrix };
             let found = recover(kind, matrix, Ndc::default(), right.parameters()).map_err(NotCamera::Matrix);
             found.map(|found| found.parameters)
         }
-        None => with_axis(&right, path(ask), DVec3::from_array(numbers.try_into().ok()?)),
+        None => {
+            let Some(Quantity::Axis(of)) = quantity(ask) else { return None };
+            with_axis(&right, of, DVec3::from_array(numbers.try_into().ok()?))
+        }
     };
     Some((*right.parameters(), found.and_then(|found| camera(&found))))
 }
 
 /// The camera at the same place that has an axis of an answer, and of the others as much as goes with it.
-fn with_axis(right: &Camera, path: &str, axis: DVec3) -> Result<Parameters, NotCamera> {
+fn with_axis(right: &Camera, of: BasisAxis, axis: DVec3) -> Result<Parameters, NotCamera> {
     /// Of lengths and cosines: that of an answer of three digits.
     const TOLERANCE: f64 = 2e-3;
     let (parameters, n) = (*right.parameters(), right.basis().n);
     if (axis.length() - 1.0).abs() > TOLERANCE {
         return Err(NotCamera::Length(axis.length()));
     }
-    if path == "basis.n" {
+    if of == BasisAxis::N {
         let distance = parameters.position.distance(parameters.focal_point);
         return Ok(Parameters { focal_point: parameters.position - distance * axis, ..parameters });
     }
     if axis.dot(n).abs() > TOLERANCE {
         return Err(NotCamera::Oblique(axis.dot(n)));
     }
-    let view_up = if path == "basis.u" { n.cross(axis) } else { axis };
+    let view_up = if of == BasisAxis::U { n.cross(axis) } else { axis };
     Ok(Parameters { view_up, ..parameters })
 }
 

@@ -6,7 +6,7 @@ use glam::DMat4;
 
 use crate::camera::{Camera, MatrixKind, Ndc, Parameters, RecoveryError, recover};
 use crate::explain::Axis;
-use crate::explain::vocabulary::{Argument, Line, Quantity, Vocabulary};
+use crate::explain::vocabulary::{Argument, CameraNumber, Line, Vocabulary};
 use crate::expression::{self, Dimension};
 use crate::gui::context_help::{help_topic, help_topic_row};
 use crate::gui::number_field::{NumberField, Step};
@@ -50,25 +50,25 @@ const fn note_on_matrix(kind: MatrixKind) -> &'static str {
 }
 
 /// The note on a number in the notes' words.
-const fn note_on(quantity: Quantity, vocabulary: Vocabulary) -> &'static str {
+const fn note_on(quantity: CameraNumber, vocabulary: Vocabulary) -> &'static str {
     match quantity {
-        Quantity::Position(_) => "C",
-        Quantity::FocalPoint(_) => "PF",
-        Quantity::ViewUp(_) => "VUP",
-        Quantity::Direction(_) => "DOP",
-        Quantity::ViewAngle => "theta",
-        Quantity::Aspect => "A",
-        Quantity::Left | Quantity::Right | Quantity::Bottom | Quantity::Top => "window",
-        Quantity::HalfWidth => "W",
-        Quantity::HalfHeight => "H",
-        Quantity::Near | Quantity::NearCoordinate => "F",
-        Quantity::Far | Quantity::FarCoordinate => "B",
-        Quantity::FocalLength(_) | Quantity::PrincipalPoint(_) => "K",
-        Quantity::Translation(_) => "step-to-eye",
-        Quantity::Axis(Axis::U, _) => "u",
-        Quantity::Axis(Axis::V, _) => "v",
-        Quantity::Axis(Axis::N, _) => "n",
-        Quantity::Fixed => note_on_vocabulary(vocabulary),
+        CameraNumber::Position(_) => "C",
+        CameraNumber::FocalPoint(_) => "PF",
+        CameraNumber::ViewUp(_) => "VUP",
+        CameraNumber::Direction(_) => "DOP",
+        CameraNumber::ViewAngle => "theta",
+        CameraNumber::Aspect => "A",
+        CameraNumber::Left | CameraNumber::Right | CameraNumber::Bottom | CameraNumber::Top => "window",
+        CameraNumber::HalfWidth => "W",
+        CameraNumber::HalfHeight => "H",
+        CameraNumber::Near | CameraNumber::NearCoordinate => "F",
+        CameraNumber::Far | CameraNumber::FarCoordinate => "B",
+        CameraNumber::FocalLength(_) | CameraNumber::PrincipalPoint(_) => "K",
+        CameraNumber::Translation(_) => "step-to-eye",
+        CameraNumber::Axis(Axis::U, _) => "u",
+        CameraNumber::Axis(Axis::V, _) => "v",
+        CameraNumber::Axis(Axis::N, _) => "n",
+        CameraNumber::Fixed => note_on_vocabulary(vocabulary),
     }
 }
 
@@ -118,7 +118,7 @@ const SYMBOL: f32 = 56.0;
 const IN_A_ROW: usize = 3;
 
 /// A line with a field for each number; returns the one that was set.
-fn numbers(ui: &mut egui::Ui, state: &State, vocabulary: Vocabulary, line: &Line) -> Option<(Quantity, f64)> {
+fn numbers(ui: &mut egui::Ui, state: &State, vocabulary: Vocabulary, line: &Line) -> Option<(CameraNumber, f64)> {
     let mut set = None;
     let is_call = line.name.starts_with("gl");
     if is_call {
@@ -164,7 +164,7 @@ fn number(
     // A name before the line is not repeated.
     let prefix = if line.name == argument.name { "" } else { argument.name };
     let greatest = line.arguments.iter().fold(0.0_f64, |greatest, a| greatest.max(a.value.abs()));
-    if matches!(argument.quantity, Quantity::Fixed | Quantity::Axis(..)) {
+    if matches!(argument.quantity, CameraNumber::Fixed | CameraNumber::Axis(..)) {
         let value = if is_rest(argument.value, greatest) { 0.0 } else { argument.value };
         let text = format!("{prefix} {}", lang.mark().number(value, state.settings.digits));
         let job = theme::lowered(ui, text.trim(), &egui::TextStyle::Body, ui.visuals().weak_text_color());
@@ -181,9 +181,9 @@ fn number(
     let step = power_of_ten(argument.value.abs().max(1e-6) / 5.0).unwrap_or(0.1).max(1e-9);
     let name = format!("{} {}", line.name, argument.name).replace(['{', '}'], "");
     let field = match argument.quantity {
-        Quantity::ViewAngle => NumberField::angle(name, 5.0),
-        Quantity::Aspect => NumberField::new(name, Step::Multiply(1.1)).fractions(),
-        Quantity::Near | Quantity::Far | Quantity::HalfWidth | Quantity::HalfHeight => {
+        CameraNumber::ViewAngle => NumberField::angle(name, 5.0),
+        CameraNumber::Aspect => NumberField::new(name, Step::Multiply(1.1)).fractions(),
+        CameraNumber::Near | CameraNumber::Far | CameraNumber::HalfWidth | CameraNumber::HalfHeight => {
             NumberField::new(name, Step::Multiply(1.1))
         }
         _ => NumberField::new(name, Step::Add(step)),

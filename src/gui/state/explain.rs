@@ -6,7 +6,7 @@ use super::order::Order;
 use super::steps::Steps;
 use crate::camera::{CameraError, MatrixKind};
 use crate::explain::code::CodeTarget;
-use crate::explain::vocabulary::{Quantity, Vocabulary};
+use crate::explain::vocabulary::{CameraNumber, Vocabulary};
 use crate::picture::FollowedTriangle;
 use crate::pipeline::StageReport;
 
@@ -58,7 +58,7 @@ pub struct Explain {
     /// The target of the code.
     pub code: CodeTarget,
     /// A number of another vocabulary that would not give a camera, and why.
-    pub refused: Option<(Vocabulary, Quantity, f64, CameraError)>,
+    pub refused: Option<(Vocabulary, CameraNumber, f64, CameraError)>,
     /// A pasted matrix.
     pub pasted: Pasted,
 }

@@ -1,0 +1,418 @@
+//! The numbers of a report by type, from which their paths in the JSON of `inspect` come.
+
+use std::fmt;
+
+use super::{PointReport, RayReport, Report};
+use crate::camera::ParameterKey;
+
+/// Numbers of a [`Report`] that belong together. Points and rays are counted from 0, in the order in which they were
+/// asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// A parameter of the camera; its window is read by [`CameraSide`](Self::CameraSide).
+    Camera(ParameterKey),
+    /// A side of the window among the parameters, where they have one.
+    CameraSide(Side),
+    /// DOP
+    Direction,
+    /// D
+    Distance,
+    /// **u**, **v** or **n**
+    Axis(BasisAxis),
+    /// A number of the view window.
+    Window(WindowNumber),
+    /// A matrix, or an inverse.
+    Matrix(ReportMatrix),
+    /// A corner of the view volume: near (l,b) (r,b) (r,t) (l,t), then far in the same order.
+    Corner(usize),
+    /// A point in a space.
+    Point(usize, PointNumber),
+    /// The ray through a pixel.
+    Ray(usize, RayNumber),
+}
+
+macro_rules! named {
+    ($(#[$doc:meta])* $name:ident { $($(#[$of:meta])* $variant:ident = $word:literal),* $(,)? }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum $name { $($(#[$of])* $variant),* }
+
+        impl $name {
+            /// All.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// Its key in the JSON of `inspect`.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $word),* }
+            }
+
+            fn of_name(name: &str) -> Option<Self> {
+                Self::ALL.iter().copied().find(|one| one.name() == name)
+            }
+        }
+    };
+}
+
+named! {
+    /// A side of the view window.
+    Side {
+        /// l
+        Left = "left",
+        /// r
+        Right = "right",
+        /// b
+        Bottom = "bottom",
+        /// t
+        Top = "top",
+    }
+}
+
+named! {
+    /// An axis of the VRC.
+    BasisAxis {
+        /// **u**
+        U = "u",
+        /// **v**
+        V = "v",
+        /// **n**
+        N = "n",
+    }
+}
+
+named! {
+    /// A number of the view window.
+    WindowNumber {
+        /// l
+        Left = "left",
+        /// r
+        Right = "right",
+        /// b
+        Bottom = "bottom",
+        /// t
+        Top = "top",
+        /// W
+        Width = "width",
+        /// H
+        Height = "height",
+        /// W / H
+        Aspect = "aspect",
+    }
+}
+
+named! {
+    /// A matrix of a report, or an inverse.
+    ReportMatrix {
+        /// M_v
+        View = "view_matrix",
+        /// M_p
+        Projection = "projection_matrix",
+        /// M_p M_v
+        ViewProjection = "view_projection_matrix",
+        /// M_v⁻¹
+        InverseView = "inverse_view_matrix",
+        /// M_p⁻¹
+        InverseProjection = "inverse_projection_matrix",
+    }
+}
+
+named! {
+    /// A point in one of its spaces.
+    PointNumber {
+        /// World.
+        World = "world",
+        /// View space.
+        View = "view",
+        /// Clip coordinates.
+        Clip = "clip",
+        /// NDC.
+        Ndc = "ndc",
+        /// (x_p, y_p) on the view window.
+        Window = "window",
+        /// The pixel (i, j).
+        Pixel = "pixel",
+        /// (X, Y, Z) of the viewport.
+        Viewport = "viewport",
+        /// 1 inside the view volume, 0 outside.
+        Inside = "inside",
+    }
+}
+
+named! {
+    /// The ray through a pixel.
+    RayNumber {
+        /// The pixel (i, j).
+        Pixel = "pixel",
+        /// O_R
+        Origin = "origin",
+        /// A unit vector.
+        Direction = "direction",
+    }
+}
+
+/// Numbers in rows: a number is 1 × 1, a vector is a column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Numbers {
+    /// The number of columns.
+    pub columns: usize,
+    /// All numbers, row by row.
+    pub entries: Vec<f64>,
+}
+
+fn column(values: impl IntoIterator<Item = f64>) -> Numbers {
+    Numbers { columns: 1, entries: values.into_iter().collect() }
+}
+
+impl Quantity {
+    /// Its numbers in a report; `None` where the report has none: a point behind the eye has no NDC.
+    #[must_use]
+    pub fn of(self, report: &Report) -> Option<Numbers> {
+        let camera = &report.camera;
+        Some(match self {
+            Self::Camera(key) => match key {
+                ParameterKey::Position => column(camera.position),
+                ParameterKey::FocalPoint => column(camera.focal_point),
+                ParameterKey::ViewUp => column(camera.view_up),
+                ParameterKey::ViewAngle => column([camera.view_angle]),
+                ParameterKey::Height => column([camera.height]),
+                ParameterKey::Aspect => column([camera.aspect]),
+                ParameterKey::Near => column([camera.near]),
+                ParameterKey::Far => column([camera.far]),
+                ParameterKey::Window => return None,
+            },
+            Self::CameraSide(side) => {
+                let window = camera.window?;
+                column([match side {
+                    Side::Left => window.left,
+                    Side::Right => window.right,
+                    Side::Bottom => window.bottom,
+                    Side::Top => window.top,
+                }])
+            }
+            Self::Direction => column(report.dop),
+            Self::Distance => column([report.distance]),
+            Self::Axis(BasisAxis::U) => column(report.basis.u),
+            Self::Axis(BasisAxis::V) => column(report.basis.v),
+            Self::Axis(BasisAxis::N) => column(report.basis.n),
+            Self::Window(number) => column([match number {
+                WindowNumber::Left => report.window.left,
+                WindowNumber::Right => report.window.right,
+                WindowNumber::Bottom => report.window.bottom,
+                WindowNumber::Top => report.window.top,
+                WindowNumber::Width => report.window.width,
+                WindowNumber::Height => report.window.height,
+                WindowNumber::Aspect => report.window.aspect,
+            }]),
+            Self::Matrix(matrix) => {
+                let rows = match matrix {
+                    ReportMatrix::View => &report.view_matrix,
+                    ReportMatrix::Projection => &report.projection_matrix,
+                    ReportMatrix::ViewProjection => &report.view_projection_matrix,
+                    ReportMatrix::InverseView => &report.inverse_view_matrix,
+                    ReportMatrix::InverseProjection => &report.inverse_projection_matrix,
+                };
+                Numbers { columns: 4, entries: rows.concat() }
+            }
+            Self::Corner(index) => column(*report.volume_corners.get(index)?),
+            Self::Point(index, number) => point(report.points.get(index)?, number)?,
+            Self::Ray(index, number) => ray(report.rays.get(index)?, number),
+        })
+    }
+
+    /// The quantity of a path; the rest of the path is of entries of it.
+    fn of_path<'a>(parts: &'a [&'a str]) -> Option<(Self, &'a [&'a str])> {
+        let index = |part: &str| part.parse::<usize>().ok();
+        Some(match parts {
+            ["camera", "window", side, rest @ ..] => (Self::CameraSide(Side::of_name(side)?), rest),
+            ["camera", key, rest @ ..] => {
+                let key = ParameterKey::ALL.into_iter().find(|parameter| parameter.name() == *key)?;
+                (Self::Camera(key), rest)
+            }
+            ["dop", rest @ ..] => (Self::Direction, rest),
+            ["distance", rest @ ..] => (Self::Distance, rest),
+            ["basis", axis, rest @ ..] => (Self::Axis(BasisAxis::of_name(axis)?), rest),
+            ["window", number, rest @ ..] => (Self::Window(WindowNumber::of_name(number)?), rest),
+            ["volume_corners", k, rest @ ..] => (Self::Corner(index(k)?), rest),
+            ["points", k, number, rest @ ..] => (Self::Point(index(k)?, PointNumber::of_name(number)?), rest),
+            ["rays", k, number, rest @ ..] => (Self::Ray(index(k)?, RayNumber::of_name(number)?), rest),
+            [matrix, rest @ ..] => (Self::Matrix(ReportMatrix::of_name(matrix)?), rest),
+            [] => return None,
+        })
+    }
+}
+
+fn point(report: &PointReport, number: PointNumber) -> Option<Numbers> {
+    Some(match number {
+        PointNumber::World => column(report.world),
+        PointNumber::View => column(report.view),
+        PointNumber::Clip => column(report.clip),
+        PointNumber::Ndc => column(report.ndc?),
+        PointNumber::Window => column(report.window?),
+        PointNumber::Pixel => column(report.pixel?.map(|whole| whole.0)),
+        PointNumber::Viewport => {
+            let (x, y, z) = report.viewport?;
+            column([x.0, y.0, z])
+        }
+        PointNumber::Inside => column([f64::from(u8::from(report.inside?))]),
+    })
+}
+
+fn ray(report: &RayReport, number: RayNumber) -> Numbers {
+    match number {
+        #[expect(clippy::cast_precision_loss, reason = "pixels far beyond any image")]
+        RayNumber::Pixel => column(report.pixel.map(|index| index as f64)),
+        RayNumber::Origin => column(report.origin),
+        RayNumber::Direction => column(report.direction),
+    }
+}
+
+/// The path in the JSON of `inspect`.
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Camera(key) => write!(f, "camera.{}", key.name()),
+            Self::CameraSide(side) => write!(f, "camera.window.{}", side.name()),
+            Self::Direction => f.write_str("dop"),
+            Self::Distance => f.write_str("distance"),
+            Self::Axis(axis) => write!(f, "basis.{}", axis.name()),
+            Self::Window(number) => write!(f, "window.{}", number.name()),
+            Self::Matrix(matrix) => f.write_str(matrix.name()),
+            Self::Corner(index) => write!(f, "volume_corners.{index}"),
+            Self::Point(index, number) => write!(f, "points.{index}.{}", number.name()),
+            Self::Ray(index, number) => write!(f, "rays.{index}.{}", number.name()),
+        }
+    }
+}
+
+/// A quantity, or an entry of it: what a path in the JSON of `inspect` leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct QuantityPath {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// The row that is meant, and the column; `None`: all.
+    pub entry: [Option<usize>; 2],
+}
+
+impl From<Quantity> for QuantityPath {
+    fn from(quantity: Quantity) -> Self {
+        Self { quantity, entry: [None; 2] }
+    }
+}
+
+impl QuantityPath {
+    /// Reads a path, such as `basis.u`, `points.0.ndc` or `view_matrix.2.3`; `None` where there are no numbers under it
+    /// in any report.
+    #[must_use]
+    pub fn of(path: &str) -> Option<Self> {
+        let parts: Vec<&str> = path.split('.').collect();
+        let (quantity, rest) = Quantity::of_path(&parts)?;
+        let index = |part: &str| part.parse().ok();
+        let entry = match rest {
+            [] => [None; 2],
+            [row] => [Some(index(row)?), None],
+            [row, column] => [Some(index(row)?), Some(index(column)?)],
+            _ => return None,
+        };
+        Some(Self { quantity, entry })
+    }
+
+    /// Its numbers in a report, if it has them.
+    #[must_use]
+    pub fn numbers(self, report: &Report) -> Option<Numbers> {
+        let all = self.quantity.of(report)?;
+        match (self.entry, all.columns) {
+            ([None, _], _) => Some(all),
+            ([Some(k), None], 1) => all.entries.get(k).map(|entry| column([*entry])),
+            ([Some(row), None], columns) => all.entries.chunks(columns).nth(row).map(|row| column(row.iter().copied())),
+            ([Some(row), Some(k)], columns) if columns > 1 => {
+                all.entries.chunks(columns).nth(row)?.get(k).map(|entry| column([*entry]))
+            }
+            ([Some(_), Some(_)], _) => None,
+        }
+    }
+}
+
+impl fmt::Display for QuantityPath {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.quantity)?;
+        self.entry.iter().flatten().try_for_each(|index| write!(f, ".{index}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::camera::{Convention, ViewWindow};
+    use crate::figure::Figure;
+    use glam::DVec3;
+    use serde_json::Value;
+
+    /// Every path to a number or to numbers in a JSON value.
+    fn paths(value: &Value, at: &str, found: &mut Vec<String>) {
+        let join = |key: &str| if at.is_empty() { key.to_owned() } else { format!("{at}.{key}") };
+        match value {
+            Value::Number(_) | Value::Bool(_) => found.push(at.to_owned()),
+            Value::Array(items) => {
+                if items.iter().all(Value::is_number) {
+                    found.push(at.to_owned());
+                }
+                items.iter().enumerate().for_each(|(i, item)| paths(item, &join(&i.to_string()), found));
+            }
+            Value::Object(entries) => entries.iter().for_each(|(key, entry)| paths(entry, &join(key), found)),
+            Value::Null | Value::String(_) => {}
+        }
+    }
+
+    fn numbers_at(value: &Value, path: &str) -> Vec<f64> {
+        let step = |at: &Value, part: &str| match at {
+            Value::Array(items) => items[part.parse::<usize>().unwrap()].clone(),
+            other => other[part].clone(),
+        };
+        let found = path.split('.').fold(value.clone(), |at, part| step(&at, part));
+        match &found {
+            Value::Bool(is) => vec![f64::from(u8::from(*is))],
+            Value::Array(items) => items.iter().map(|item| item.as_f64().unwrap()).collect(),
+            number => vec![number.as_f64().unwrap()],
+        }
+    }
+
+    #[test]
+    fn every_number_of_the_json_is_a_quantity_with_that_path_and_that_value() {
+        let window = ViewWindow { left: -1.0, right: 2.0, bottom: -0.5, top: 0.75 };
+        for window in [None, Some(window)] {
+            let mut figure = Figure::default();
+            figure.camera.window = window;
+            let points = [DVec3::ZERO, DVec3::new(0.3, 0.2, -0.1)];
+            let report = Report::new(&figure, &[], Convention::RightHand, &points, &[[3, 4]]).unwrap();
+            let json = serde_json::to_value(&report).unwrap();
+            let mut all = Vec::new();
+            paths(&json, "", &mut all);
+            assert!(all.len() > 150, "{}", all.len());
+            for path in all.iter().filter(|path| !path.starts_with("warnings")) {
+                let Some(quantity) = QuantityPath::of(path) else {
+                    assert_eq!(path, "volume_corners", "only the list of all corners is no quantity");
+                    continue;
+                };
+                assert_eq!(quantity.to_string(), *path);
+                assert_eq!(quantity.numbers(&report).unwrap().entries, numbers_at(&json, path), "{path}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_leads_to_no_numbers_is_no_quantity() {
+        for path in
+            ["", "basis", "basis.w", "points.x.ndc", "points.0", "camera.projection", "view_matrix.0.1.2", "ndc"]
+        {
+            assert_eq!(QuantityPath::of(path), None, "{path}");
+        }
+        let report = Report::new(&Figure::default(), &[], Convention::RightHand, &[], &[]).unwrap();
+        for path in
+            ["points.0.ndc", "camera.window.left", "basis.u.3", "basis.u.0.0", "view_matrix.4", "volume_corners.8"]
+        {
+            assert_eq!(QuantityPath::of(path).and_then(|path| path.numbers(&report)), None, "{path}");
+        }
+    }
+}
