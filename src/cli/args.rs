@@ -46,7 +46,7 @@ pub(super) enum Command {
     Inspect(InspectArgs),
     /// Write a picture of a figure
     Render(RenderArgs),
-    /// Report which stages of the pipeline a picture needs, which are left out, and why
+    /// Report which stages of the pipeline a picture needs, which are skipped, and why
     Explain(ExplainArgs),
     /// Redraw a picture many times from scratch and report how long it takes
     Bench(BenchArgs),

@@ -63,7 +63,7 @@ texts! {
     // Title of the strip of stages, and the button that shows it.
     strip: "Pipeline", "Pipeline";
     // Tooltip of that button.
-    strip_show: "Every stage of the pipeline: what went in and came out, how long it took, or why it was left out (F10)", "Cada etapa do pipeline: o que entrou e o que saiu, quanto durou, ou por que foi omitida (F10)";
+    strip_show: "Every stage of the pipeline: what went in and came out, how long it took, or why it was skipped (F10)", "Cada etapa do pipeline: o que entrou e o que saiu, quanto durou, ou por que foi omitida (F10)";
     // Name of the chooser whose stages are shown.
     strip_of: "Stages of the picture", "Etapas da imagem";
     // Tooltip of a button.
@@ -75,7 +75,7 @@ texts! {
     // Before the number of stages that ran.
     strip_ran: "ran:", "executadas:";
     // Before the number of those that did not.
-    strip_out: "left out:", "omitidas:";
+    strip_out: "skipped:", "omitidas:";
     // What can be done with the strip.
     strip_hint: "click a stage: what goes in, what comes out", "clique numa etapa: o que entra, o que sai";
     // Of a stage.

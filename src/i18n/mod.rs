@@ -30,7 +30,7 @@
 //! | `pictures` | the words in the three pictures |
 //! | `pipeline` | the stages of the pipeline: names, purposes, reports |
 //! | `progress` | long work, and work over budget |
-//! | `reasons` | the reasons why stages run or are left out |
+//! | `reasons` | the reasons why stages run or are skipped |
 //! | `scene_errors` | faults of objects and lights |
 //! | `scenes` | the words of the scene: its tree, its objects and lights |
 //! | `sessions` | messages about windows that did not close, in both languages |

@@ -1,4 +1,4 @@
-//! The stages of the pipeline, and why each runs or is left out.
+//! The stages of the pipeline, and why each runs or is skipped.
 
 use super::Lang;
 pub use super::reasons::{planes, reason};
@@ -48,7 +48,7 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
     }
 }
 
-/// The report of a stage: counts in and out, time, and reason; or the reason why it was left out.
+/// The report of a stage: counts in and out, time, and reason; or the reason why it was skipped.
 #[must_use]
 pub fn line(lang: Lang, report: &StageReport) -> String {
     let (name, reason) = (stage(lang, report.stage), reason(lang, report.reason));
@@ -167,11 +167,11 @@ pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
     }
 }
 
-/// "left out": the mark of a stage that does not run.
+/// "skipped": the mark of a stage that does not run.
 #[must_use]
 pub const fn left_out(lang: Lang) -> &'static str {
     match lang {
-        Lang::En => "left out",
+        Lang::En => "skipped",
         Lang::PtBr => "omitida",
     }
 }

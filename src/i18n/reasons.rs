@@ -1,4 +1,4 @@
-//! Why stages run, and why they are left out.
+//! Why stages run, and why they are skipped.
 
 use super::Lang;
 use crate::pipeline::{PlaneSet, Reason};
@@ -36,7 +36,7 @@ texts! {
     no_lines: "nothing but faces is in view", "só há faces no campo de visão";
 }
 
-/// Why a stage runs, or why it is left out.
+/// Why a stage runs, or why it is skipped.
 #[must_use]
 pub fn reason(lang: Lang, reason: Reason) -> String {
     let t = texts(lang);

@@ -50,10 +50,10 @@ pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &s
         }
         (Lang::En, true, _) => format!("{not_remembered}, and changes in this window would be lost in a crash: {why}"),
         (Lang::PtBr, true, "") => {
-            format!("Mudanças desta janela se perderiam em uma queda: {why}. Nova tentativa em andamento.")
+            format!("Mudanças desta janela se perderiam em uma falha do programa: {why}. Nova tentativa em andamento.")
         }
         (Lang::PtBr, true, _) => {
-            format!("{not_remembered}, e mudanças desta janela se perderiam em uma queda: {why}")
+            format!("{not_remembered}, e mudanças desta janela se perderiam em uma falha do programa: {why}")
         }
     }
 }
@@ -66,7 +66,7 @@ pub const fn no_home(lang: Lang) -> &'static str {
             "Preferences and progress are not saved, and changes would be lost in a crash: your account has no home folder"
         }
         Lang::PtBr => {
-            "Preferências e progresso não são salvos, e mudanças se perderiam em uma queda: sua conta não tem pasta pessoal"
+            "Preferências e progresso não são salvos, e mudanças se perderiam em uma falha do programa: sua conta não tem pasta pessoal"
         }
     }
 }
@@ -79,7 +79,7 @@ pub fn no_slot(lang: Lang, slots: usize) -> String {
             "Changes in this window would be lost in a crash: there are already {slots} unsaved windows. Restore or discard what is listed."
         ),
         Lang::PtBr => format!(
-            "Mudanças desta janela se perderiam em uma queda: já há {slots} janelas não salvas. Restaure ou descarte o que está na lista."
+            "Mudanças desta janela se perderiam em uma falha do programa: já há {slots} janelas não salvas. Restaure ou descarte o que está na lista."
         ),
     }
 }

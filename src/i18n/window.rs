@@ -83,7 +83,7 @@ texts! {
     numerics: "Numerics", "Numérica";
     numerics_hint: "Error against run time of several ways to compute what a camera does, measured on this machine", "Erro contra tempo de execução de várias formas de calcular o que uma câmera faz, medidos nesta máquina";
     pipeline: "Pipeline stages", "Etapas do pipeline";
-    pipeline_hint: "The strip under the pictures: what each stage did, or why it was left out", "A faixa sob as imagens: o que cada etapa fez, ou por que foi omitida";
+    pipeline_hint: "The strip under the pictures: what each stage did, or why it was skipped", "A faixa sob as imagens: o que cada etapa fez, ou por que foi omitida";
     look_front: "Look from the front", "Olhar de frente";
     look_front_hint: "The world and the canonical volume from +z", "O mundo e o volume canônico vistos de +z";
     look_top: "Look from the top", "Olhar de cima";

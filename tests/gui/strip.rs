@@ -1,4 +1,4 @@
-//! The strip under the pictures: every stage of the pipeline, and why it was left out.
+//! The strip under the pictures: every stage of the pipeline, and why it was skipped.
 
 use camera_lab::gui::state::ExplainTab;
 use camera_lab::gui::{Start, State};
@@ -33,19 +33,19 @@ fn the_divide_is_left_out_in_parallel_projection_and_says_why() {
     window.key(Key::F10);
     window.run();
     assert!(window.stage("divide by w: 24 → 24 vertices") || window.stage("divide by w: 8 → 8 vertices"));
-    assert!(window.stage("oblique window: left out – symmetric window"));
+    assert!(window.stage("oblique window: skipped – symmetric window"));
     window.key(Key::F5);
     window.click("Parallel");
-    assert!(window.stage("divide by w: left out – parallel projection: w is 1 everywhere"));
+    assert!(window.stage("divide by w: skipped – parallel projection: w is 1 everywhere"));
     // Pointed at, it is said in full at the head of the strip.
     let divide = |label: &str| label.starts_with("divide by w");
     let at = window.harness.get_by(|node| node.label().is_some_and(|l| divide(&l)) && node.role() == Role::ListItem);
     at.hover();
     window.run();
-    let said = window.harness.query_all_by_label_contains("divide by w: left out – parallel projection").count();
+    let said = window.harness.query_all_by_label_contains("divide by w: skipped – parallel projection").count();
     assert!(said >= 2, "{said}");
     window.command_key(Key::Z);
-    assert!(!window.stage("divide by w: left out"));
+    assert!(!window.stage("divide by w: skipped"));
 }
 
 #[test]
@@ -154,12 +154,12 @@ fn a_click_on_a_stage_shows_it_in_its_picture_and_a_second_click_or_escape_takes
     click(&mut window, "fill");
     window.key(Key::Escape);
     assert_eq!(window.state().shown_stage(), None, "Esc");
-    // One that was left out says why, and is shown as left out.
+    // One that was skipped says why, and is shown as skipped.
     click(&mut window, "texture");
     assert_eq!(window.state().shown_stage(), Some(Stage::Texture));
     window.harness.remove_cursor();
     window.run();
-    assert!(window.says("texture: left out – no object has a texture"));
+    assert!(window.says("texture: skipped – no object has a texture"));
     window.key(Key::F10);
     assert_eq!(window.state().shown_stage(), None, "hidden, it is not shown");
     assert_eq!(*window.state().document.figure(), figure, "the figure stays as it is");

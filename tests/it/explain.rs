@@ -162,7 +162,7 @@ fn the_table_says_what_is_left_out_and_why_in_both_languages() {
     };
     let english = table("en");
     assert!(english.starts_with("Image, 64 × 48\n"), "{english}");
-    assert!(english.contains("left out: everything in view is opaque"), "{english}");
+    assert!(english.contains("skipped: everything in view is opaque"), "{english}");
     let portuguese = table("pt-BR");
     assert!(portuguese.starts_with("Imagem, 64 × 48\n"), "{portuguese}");
     assert!(portuguese.contains("omitida: tudo que se vê é opaco"), "{portuguese}");
