@@ -109,9 +109,9 @@ named! {
         Projection = "projection_matrix",
         /// M_p M_v
         ViewProjection = "view_projection_matrix",
-        /// M_v⁻¹
+        /// The inverse of M_v.
         InverseView = "inverse_view_matrix",
-        /// M_p⁻¹
+        /// The inverse of M_p.
         InverseProjection = "inverse_projection_matrix",
     }
 }

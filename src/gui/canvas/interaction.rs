@@ -41,10 +41,8 @@ impl Canvas {
         }
         if self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape)) {
             // One thing after the other.
-            if state.pinned().is_none() && self.probing.is_none() {
-                if state.release_shown() {
-                    ui.request_repaint();
-                }
+            if state.pinned().is_none() && self.probing.is_none() && state.release_shown() {
+                ui.request_repaint();
             }
             state.pin(None);
             self.probing = None;
