@@ -283,7 +283,7 @@ impl App {
         })
     }
 
-    /// Does what a menu or the keyboard asks for.
+    /// Performs a command of a menu or the keyboard.
     fn perform(&mut self, ctx: &egui::Context, command: Command) {
         match command.run() {
             Run::Change(change) => change(&mut self.state, ctx),

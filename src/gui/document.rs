@@ -225,8 +225,8 @@ impl Document {
         }
     }
 
-    /// Makes an undo step of what has changed since the last one. Call it when no pointer or key is held, so that a
-    /// drag is one step.
+    /// Makes an undo step of the changes since the last one. Call it when no pointer or key is held, so that a drag is
+    /// one step.
     pub fn commit(&mut self) {
         let is_another = self.committed.replace(self.version) != Some(self.version);
         if is_another || self.history.shows_other(&self.figure.show) {

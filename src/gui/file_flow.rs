@@ -76,8 +76,8 @@ pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
     }
 }
 
-/// Asks for a file: with the dialog of the system, or with a field where it has none. A page in a browser has no places
-/// where files go: there, only the name of a figure is asked for.
+/// Asks for a file: with the dialog of the system, or with a field where it has none. A page in a browser has no
+/// folders to choose: it asks only for the name of a figure.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
     let kind = FileKind::of(state, &purpose);
     let hands_out = state.in_browser && kind.wanted == Wanted::NewFile;
@@ -452,7 +452,7 @@ mod tests {
         assert_eq!(state.file_flow.dialog, None);
         assert!(!frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
 
-        // One that could not be written is told, by a window that stays.
+        // A failed one is reported, by a window that stays.
         let (ctx, mut state) = exporting(|| async |_, _: &Progress| Err(ExportError::Panic));
         go_on(&ctx, &mut state, AfterSave::Quit);
         assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));

@@ -91,7 +91,7 @@ struct Reader {
     read: Latest<MeshFile, BuiltScene>,
     /// The files that come next.
     waiting: Vec<MeshFile>,
-    /// How many bytes were read for each file that is in use.
+    /// Bytes read for each file in use.
     bytes: BTreeMap<String, usize>,
 }
 
@@ -140,7 +140,7 @@ impl Reader {
         self.next(ctx);
         match read {
             Some((file, outcome)) => Some((file.path, outcome)),
-            // A panic; what is missing is asked for again with the next change.
+            // A panic; missing files are requested again with the next change.
             None => self.take(ctx, patience),
         }
     }

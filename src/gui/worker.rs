@@ -31,7 +31,7 @@ type Make<Job, Outcome> = Arc<dyn Fn() -> Work<Job, Outcome> + Send + Sync>;
 /// A job that is being done, and that ends a slice where it [pauses](crate::progress::pause).
 type Slices<Outcome> = Pin<Box<dyn Future<Output = Option<Outcome>>>>;
 
-/// Work that is done by `work`, with what it keeps from one job to the next.
+/// Work done by `work`, with its state from one job to the next.
 fn one_by_one<Job: 'static, Outcome: 'static>(
     work: impl AsyncFnMut(Job, &Progress) -> Outcome + 'static,
 ) -> Work<Job, Outcome> {
@@ -140,8 +140,8 @@ impl<Job, Outcome, const SLOTS: usize> Mailbox<Job, Outcome, SLOTS> {
 }
 
 impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Job, Outcome, SLOTS> {
-    /// `make` makes what does the jobs: on the thread, with the first job, and anew after a panic. `name` is the
-    /// thread's.
+    /// `make` makes the function that does the jobs: on the thread, with the first job, and anew after a panic. `name`
+    /// is the thread's.
     pub(super) fn new<W: AsyncFnMut(Job, &Progress) -> Outcome + 'static>(
         name: &'static str,
         clock: fn() -> Duration,

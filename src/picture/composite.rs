@@ -1,4 +1,4 @@
-//! One picture, or all three on a sheet: which size each has, how they are arranged, and how far apart they stand.
+//! One picture, or all three on a sheet: their sizes, their arrangement, and their gaps.
 
 use crate::appearance::Rgba;
 use crate::limits::MAX_PIXELS;
@@ -69,7 +69,7 @@ pub struct Crowded {
 /// Why there is no sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoComposite {
-    /// It would have more pixels than any picture.
+    /// More pixels than any picture may have.
     #[error("there is not enough memory for a picture of this size")]
     TooLarge,
     /// All pictures do not fit on it.
@@ -85,7 +85,7 @@ pub enum NoComposite {
 pub struct Composite {
     /// The pictures, in the order of the shot.
     pub requests: Vec<Request>,
-    /// How they share the sheet.
+    /// Their arrangement on the sheet.
     pub arrangement: Arrangement,
     /// Pixels between two of them.
     pub(super) gap: u32,
@@ -216,7 +216,7 @@ fn sizes_of(count: usize, arrangement: Arrangement, sheet: Size) -> Option<Vec<S
     })
 }
 
-/// Equal parts of a length with gaps between them; what does not divide goes to the first ones, a pixel each.
+/// Equal parts of a length with gaps between them; the remainder goes to the first ones, a pixel each.
 fn parts(count: usize, length: u32, gap: u32) -> Option<impl Iterator<Item = u32>> {
     let count = u32::try_from(count).ok()?;
     let room = length.checked_sub(count.checked_sub(1)?.checked_mul(gap)?)?;
@@ -254,7 +254,7 @@ mod tests {
         sizes_of(3, arrangement, sheet).unwrap().try_into().unwrap()
     }
 
-    /// A sheet of the figure that is there at first, so many pixels large.
+    /// A sheet of the default figure, of this size in pixels.
     fn sheet(views: Views, [width, height]: [u32; 2], paper: Option<OnPaper>) -> Composite {
         let figure = Figure::default();
         let camera = Camera::new(&figure.camera).unwrap();

@@ -1,4 +1,4 @@
-//! Pictures as files, in the format that is asked for.
+//! Pictures as files, in the requested format.
 
 use super::{Composite, NoComposite, Pixels, Renderer};
 use crate::camera::Ndc;
@@ -13,7 +13,7 @@ use crate::views::View;
 /// Why there is no picture file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PictureError {
-    /// A side is 0, or there is no memory for so many pixels.
+    /// A side is 0, or there is not enough memory.
     #[error("there is not enough memory for a picture of this size")]
     TooLarge,
     /// There is no sheet.

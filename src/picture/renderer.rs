@@ -49,7 +49,7 @@ impl Renderer {
         self.on_window = None;
     }
 
-    /// A picture. `None` where a side is 0, there is no memory for so many pixels, or it was cancelled.
+    /// A picture. `None` where a side is 0, there is not enough memory, or it was cancelled.
     pub fn pixels(&mut self, request: &Request) -> Option<Pixels> {
         let mut picture = Pixels::default();
         at_once(self.pixels_into(request, &mut picture)).map(|_| picture)
@@ -94,9 +94,8 @@ impl Renderer {
         Some(())
     }
 
-    /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty ground around what it shows.
-    /// And what could not be done in any of them as it was asked for. `None` as for [`pixels`](Self::pixels), and
-    /// without pictures.
+    /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty background around it. And
+    /// the shortfall of any of them. `None` as for [`pixels`](Self::pixels), and without pictures.
     pub async fn sheet(&mut self, sheet: &Composite, crop: bool) -> Option<(Pixels, Option<OverBudget>)> {
         let (mut pictures, mut too_much) = (Vec::new(), None);
         for request in &sheet.requests {

@@ -13,7 +13,7 @@ use super::scenes::Scenes;
 use crate::geometry::Aabb;
 use crate::scene::{Mesh, Object};
 
-/// The scene that was drawn last, and the tree of boxes over its objects.
+/// The scene drawn last, and the tree of boxes over its objects.
 ///
 /// A scene that has changed a little keeps its tree; the changed objects are then tested one by one.
 #[derive(Debug, Default)]
@@ -70,7 +70,7 @@ const FEW: usize = 16;
 const LEAF: usize = 4;
 
 impl BoundingTree {
-    /// Where each object of `scene` lies.
+    /// The place of each object of `scene`.
     pub(super) fn places(&mut self, scenes: Scenes, projector: &Projector) -> Places {
         self.update(scenes);
         let (mut tested, mut in_view) = (0, InView::NOTHING);
@@ -111,7 +111,7 @@ impl BoundingTree {
         Places { containments: places, boxes_tested: boxes + tested, in_view }
     }
 
-    /// Brings what is known up to date.
+    /// Updates the tree and the bounds.
     fn update(&mut self, scenes: Scenes) {
         let count = scenes.object_count();
         self.objects.truncate(count);

@@ -4,8 +4,8 @@
 use crate::drawing::order::same_depth;
 use crate::drawing::single;
 
-/// Depths that differ by less than the rules of the display list make of them are the same. Where that is more than
-/// this share of what is in view, the depths are spread over what is in view alone.
+/// Threshold of resolution: depths that differ by less than the tolerance of the display list are the same. Where that
+/// is more than this share of the depths in view, the depths are spread over those alone.
 const ENOUGH: f64 = 0.01;
 
 /// Relative thickness below which a scene is not resolved further: it would be rounding of the numbers from which it is

@@ -105,7 +105,7 @@ impl<'a> Strokes<'a> {
         polylines.iter().map(Vec::len).sum()
     }
 
-    /// The lines that stand in the world.
+    /// The lines of the world.
     pub(super) fn lines(&mut self, scenes: Scenes) {
         let projector = self.projector;
         self.asked += scenes.line_count();

@@ -8,7 +8,7 @@
 //! | each vertex transformed once | object → world → view → clip → ndc → pixels | `projector`, `transform` |
 //! | back faces dropped | pixels | `faces`, `cull` |
 //! | clipping, before the divide | clip | `faces`, `clip` |
-//! | light on what is left | view | `light`, `shade` |
+//! | light on the remaining faces | view | `light`, `shade` |
 //! | order of faces, where no depth buffer decides | view | `hidden_surfaces`, `visibility` |
 //! | edges, outlines, lines, marks, texts | world → pixels | `lines`, `outline` |
 //!
@@ -232,7 +232,7 @@ impl Pipeline {
         }
 
         if style.shading == Shading::Wireframe {
-            // Forced to be made, but only edges were asked for.
+            // Forced, but only edges were requested.
             unordered = Unordered::default();
         }
         let ordered = unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress);

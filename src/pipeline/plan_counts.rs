@@ -80,8 +80,8 @@ impl Survey {
         }
     }
 
-    /// The same counts of what was done: an object all of whose faces were dropped or clipped away has none, and what
-    /// the near plane has cut open keeps its back faces.
+    /// The same counts of finished work: an object all of whose faces were dropped or clipped away has none, and one
+    /// that the front plane has cut open keeps its back faces.
     pub(super) fn of_done(scenes: Scenes, plans: &[ObjectPlan], done: &[ObjectReport], style: &Style) -> Self {
         let left = plans.iter().zip(done).map(|(plan, done)| ObjectPlan {
             faces: plan.faces && done.triangles > 0,
@@ -89,7 +89,7 @@ impl Survey {
             ..*plan
         });
         let left = Self::new(scenes, &left.collect::<Vec<_>>(), style);
-        // Culling has come before what is left is known: it counts all objects whose faces it was given.
+        // Culling comes before the remaining faces are known: it counts all objects whose faces it was given.
         let culling = plans
             .iter()
             .zip(done)

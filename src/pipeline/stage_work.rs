@@ -14,7 +14,7 @@ use super::transform::{Screen, Vertices, off_grid};
 use crate::scene::Object;
 use crate::stage::{Stage, WorksOn};
 
-/// So many sides, vertices and faces are noted; of more, nobody could tell one from another.
+/// Greatest number of recorded sides, vertices and faces; nobody could distinguish more.
 const MOST: usize = 20_000;
 
 /// Input and output of a stage of a picture, as far as they lie in the picture. Points are those of the display list:

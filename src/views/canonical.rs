@@ -107,8 +107,8 @@ fn axes(builder: &mut GearBuilder, canonical: &CanonicalBox, palette: Palette) {
     }
 }
 
-/// The box: its near face (z_n = −1 in the notes) stands out as the window does in the world, its far face has dashed
-/// edges as there.
+/// The box: its front face (z_n = −1 in the notes) is emphasised as the window is in the world, its back face has
+/// dashed edges as there.
 fn cube(builder: &mut GearBuilder, canonical: &CanonicalBox, labels: &Labels, palette: Palette) {
     let bounds = canonical.bounds();
     let [near, far] = canonical.faces();

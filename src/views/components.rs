@@ -15,7 +15,7 @@ use crate::figure::{Measured, WindowSide};
 const LETTERS: [&str; 3] = ["x", "y", "z"];
 const AXES: [&str; 3] = ["u", "v", "n"];
 
-/// Draws what is pointed at in a panel, but for what has a dimension line, and what is of an object.
+/// Draws the measures of the panel's hover, but for those with a dimension line, and those of an object.
 pub(super) fn in_world(
     builder: &mut GearBuilder,
     request: &Request,

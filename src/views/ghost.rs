@@ -45,7 +45,7 @@ fn camera_before(builder: &mut GearBuilder, request: &Request, palette: Palette,
     }
 }
 
-/// The camera of an answer with its axes and its name, in the colour of what is wrong.
+/// The camera of an answer with its axes and its name, in the colour of errors.
 fn camera_answered(builder: &mut GearBuilder, request: &Request, palette: Palette, gear: Gear, answered: &Camera) {
     let (c, color) = (answered.position(), palette.wrong);
     camera(builder, gear, answered, "camera of the answer", color);

@@ -52,7 +52,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     triangle_overlay::in_image(&mut builder, request, palette);
     let scenes = Scenes::new(&revealed.scene, &builder.gear);
     let mut drawn = pipeline.frame(request, scenes, &request.camera, target, &style);
-    // Where nothing is behind the eye, dividing first makes no difference, and clipping did its work as ever.
+    // Where nothing is behind the eye, dividing first makes no difference, and clipping worked as ever.
     let wrong = wrong.filter(|wrong| *wrong != Scene { lights: wrong.lights.clone(), ..Scene::default() });
     if let Some((wrong, front)) = wrong.zip(revealed_scene::front()) {
         drawn.say(Stage::Clip, Reason::DividedFirst);

@@ -15,7 +15,7 @@ use crate::figure::Measured;
 /// The radius of an arc, in pixels at scale 1.
 const RADIUS: f64 = 46.0;
 
-/// Draws what is pointed at of the object that is explained.
+/// Draws the measures of the explained object in the panel's hover.
 pub(super) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     let Some(object) = request.measured_object() else { return };
     let pen = Pen { color: palette.probe, width: 2.0 };
@@ -51,7 +51,7 @@ fn axis_of_rotation(rotate: DVec3, i: usize) -> DQuat {
 
 /// About which line through its origin the object is turned, and the arc of the angle, which begins at the next axis.
 fn rotation(builder: &mut GearBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
-    /// An arc has a point for each of so many degrees.
+    /// Angle between two points of an arc, in degrees.
     const STEP: f64 = 5.0;
     let ObjectTransform { world_from_parent, trs } = object;
     let frame = world_from_parent * DMat4::from_translation(trs.translate);

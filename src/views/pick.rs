@@ -1,4 +1,4 @@
-//! From a place in a picture to what is there.
+//! Picking: from a place in a picture to the object or point there.
 
 use std::borrow::Cow;
 

@@ -142,7 +142,7 @@ pub(super) fn in_canonical(builder: &mut GearBuilder, request: &Request, palette
     }
 }
 
-/// The projector through a place, up to what is marked on it, and dotted to the back of the box.
+/// The projector through a place, up to the mark on it, and dotted to the back of the box.
 fn ray_through_box(
     builder: &mut GearBuilder,
     canonical: &CanonicalBox,

@@ -152,7 +152,7 @@ impl Request {
     pub fn image_on_window(&self) -> Self {
         let side = (self.size.width.max(self.size.height) / 2).clamp(256, 1024);
         let frame = image_frame(Size { width: side, height: side, scale: 1.0 }, self.camera.window().aspect());
-        // Points, and what is explained, are drawn in the world.
+        // Points and explanations are drawn in the world.
         let look = Look { undistorted: true, ..self.shot.look };
         let shot = Shot { look, ndc: self.shot.ndc, ..Shot::default().seen_in(View::Image) };
         Self {

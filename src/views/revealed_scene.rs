@@ -51,7 +51,7 @@ impl<'a> PipelineReveal<'a> {
         Self { scene, rows: Vec::new(), cuts: Vec::new(), sides: Vec::new(), names: Vec::new() }
     }
 
-    /// Draws what is more than the scene.
+    /// Draws the additions to the scene.
     pub(super) fn mark(&self, builder: &mut GearBuilder, palette: Palette) {
         for side in &self.sides {
             builder.line(side.to_vec(), palette.cut, 1.6, Dash::Solid);

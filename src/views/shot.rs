@@ -17,7 +17,7 @@ use crate::stage::Stage;
 /// All that pictures show of a scene and a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shot {
-    /// How everything looks.
+    /// The look of everything.
     pub look: Look,
     /// The points that are followed.
     pub points: Arc<[NamedPoint]>,

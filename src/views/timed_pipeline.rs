@@ -18,7 +18,7 @@ pub struct TimedPipeline {
 }
 
 impl TimedPipeline {
-    /// Sends what a picture shows through the pipeline.
+    /// Sends the content of a picture through the pipeline.
     pub(super) fn frame<'a>(
         &mut self,
         request: &Request,

@@ -24,8 +24,8 @@ pub(super) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Pa
     }
 }
 
-/// The objects as glass, and of those without faces their strokes; what is scaled to nothing has no faces to be seen.
-/// Where they stand already, there is nothing to add.
+/// The objects as glass, and of those without faces their strokes; objects scaled to nothing have no faces to be seen.
+/// Where they are in place already, there is nothing to add.
 fn bodies(builder: &mut GearBuilder, request: &Request, preview: &TransformPreview, color: Rgba) {
     let mut add = |name: &str, mesh, world_from_object: DMat4| {
         if world_from_object.determinant().abs() <= f64::MIN_POSITIVE {
@@ -91,7 +91,7 @@ fn axes(builder: &mut GearBuilder, preview: &TransformPreview, number: usize, co
     builder.mark_above(origin, MarkShape::Disc, 3.0, color);
 }
 
-/// About what it has turned last.
+/// The axis of the last turn.
 fn about(builder: &mut GearBuilder, axis: Ray, color: Rgba) {
     let reach = builder.screen.units_per_pixel(axis.origin) * 0.25 * builder.screen.extent().min_element();
     let ends = [-reach, reach].map(|t| axis.origin + axis.direction * t);

@@ -86,7 +86,7 @@ pub(super) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Pa
     }
 }
 
-/// In the canonical volume: what can be divided.
+/// In the canonical volume: the corners that can be divided.
 pub(super) fn in_canonical(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     let Some(triangle) = &request.triangle else { return };
     let canonical = CanonicalBox::of(request);

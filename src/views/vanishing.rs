@@ -33,7 +33,8 @@ pub(super) fn vanishing_point(camera: &Camera, direction: DVec3) -> Option<DVec2
 
 /// In the world: the parallels through C, each up to the view plane.
 pub(super) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
-    /// Farther than so many windows from the middle of the window a point would pull the eye away from the scene.
+    /// Farthest vanishing point to include, in windows from the middle of the window: a farther one would pull the eye
+    /// away from the scene.
     const FARTHEST: f64 = 2.5;
     let camera = &request.camera;
     let size = camera.window_width().max(camera.window_height());

@@ -82,7 +82,7 @@ impl Shares {
 pub(super) struct Framed {
     /// Its place among the pictures of the shot.
     pub(super) picture: usize,
-    /// Width by height of what it shows.
+    /// Width by height of its picture.
     pub(super) aspect: f32,
 }
 

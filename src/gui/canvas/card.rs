@@ -70,8 +70,8 @@ pub(super) fn show(
 }
 
 impl Canvas {
-    /// Where the card of a probe that has just been pinned stands: in the corner of the pictures that is farthest from
-    /// all that they show of it. `None` for one that has its card.
+    /// The position of a new probe card: in the corner of the pictures that is farthest from all their marks of the
+    /// probe. `None` for a probe that has its card.
     pub(super) fn place_of_card(
         &mut self,
         ctx: &Context,

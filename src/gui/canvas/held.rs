@@ -20,7 +20,7 @@ use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::{part_at, pull};
 use crate::views::{GizmoPart, Picture, Transforming, View};
 
-/// How near the pointer must come to a part of the gizmo, in points.
+/// Distance within which the pointer catches a part of the gizmo, in points.
 pub(super) const GIZMO_REACH: f32 = 7.0;
 
 /// A drag of the pointer.

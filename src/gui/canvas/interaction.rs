@@ -237,11 +237,11 @@ impl Canvas {
         }
     }
 
-    /// Lets the keys move the probe, once they were asked to; true where this key did.
+    /// Lets the keys move the probe in probing mode; returns whether this key did.
     fn probe_by_key(&mut self, state: &mut State, pane: &Pane, key: Key, modifiers: Modifiers) -> bool {
         let step = |probing, arrow| ProbeStep { probing, from: None, arrow, fast: modifiers.shift };
         if let Some(asked) = Probing::asked(key, pane.view) {
-            // The same key again ends it.
+            // The same key ends it.
             let is_on = self.probing == Some((pane.picture, asked));
             self.probing = (!is_on).then_some((pane.picture, asked));
             self.probe_steps.clear();

@@ -31,7 +31,7 @@ impl Probing {
         }
     }
 
-    /// Where the probe begins: at the middle of the image, or at the vertex nearest to the middle of the picture.
+    /// The first target: the pixel at the middle of the image, or the vertex nearest to the middle of the picture.
     fn first(self, request: &Request) -> Option<Probe> {
         let ImageSize { width, height } = request.shot.look.image;
         match self {
@@ -40,8 +40,8 @@ impl Probing {
         }
     }
 
-    /// Where it goes from `now` with an arrow key (`arrow`: x right, y up); stays at the border, and where there is no
-    /// vertex on.
+    /// The target next to `now` in the direction of an arrow key (`arrow`: x right, y up); stays at the border, and
+    /// where there is no vertex beyond.
     fn moved(self, request: &Request, now: Probe, arrow: DVec2, fast: bool) -> Option<Probe> {
         let down = DVec2::new(arrow.x, -arrow.y);
         match (self, now) {

@@ -85,7 +85,7 @@ use crate::pipeline::OverBudget;
 use crate::views::image_frame;
 use crate::views::{Hover, Look, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
 
-/// How long a frame waits for its pictures. What takes longer is shown when it is done.
+/// Time that a frame waits for its pictures. Slower ones are shown when they are done.
 const PATIENCE: Duration = Duration::from_millis(30);
 /// Interval between reports of long work.
 const TELL: Duration = Duration::from_millis(100);
@@ -400,7 +400,7 @@ impl Canvas {
             let missing = rendered.as_ref().err().copied();
             let (tiles, account, too_much) =
                 rendered.map_or((None, None, None), |r| (Some(r.tiles), r.account, r.too_much));
-            // Said when it comes up; as long as it is so, a note stands in the picture.
+            // Reported when it comes up; as long as it holds, a note is in the picture.
             let is_known =
                 |new: &OverBudget| self.pictures.iter().any(|picture| picture.too_much.as_ref() == Some(new));
             if let Some(too_much) = too_much.as_ref().filter(|new| !is_known(new)) {
@@ -470,7 +470,7 @@ impl Canvas {
             (status.note, self.on_card) = (texts.probe_hint, None);
             return;
         };
-        // What is found there does not depend on the size.
+        // The result does not depend on the size.
         let size = Size { width: 1, height: 1, scale: 1.0 };
         let request = self.request(state, &self.shot.picture(View::Image), size);
         let request = Request { hover: Hover::default(), ..request };

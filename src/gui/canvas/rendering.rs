@@ -63,7 +63,7 @@ pub(super) struct Rendering {
     asked: [Option<RenderJob>; MAX_PICTURES],
     /// The jobs that the user cancelled, by picture.
     given_up: [Option<RenderJob>; MAX_PICTURES],
-    /// How many pictures have been drawn, by picture.
+    /// Number of pictures drawn, by picture.
     drawn: [u64; MAX_PICTURES],
     /// The time of the last drawing of each picture, and of the last one that was not a draft.
     cost: [Duration; MAX_PICTURES],
@@ -111,7 +111,7 @@ fn same_but_hover(one: &Request, other: &Request) -> bool {
 }
 
 impl Rendering {
-    /// How many pictures have been drawn, by picture.
+    /// Number of pictures drawn, by picture.
     pub(super) fn drawn(&self) -> [u64; MAX_PICTURES] {
         self.drawn
     }
@@ -122,8 +122,8 @@ impl Rendering {
         self.full_cost[picture] > patience
     }
 
-    /// Asks for a picture, unless it, or one of which it would be a draft, was asked for last. `ctx` is asked for a
-    /// frame when it is done.
+    /// Requests a picture, unless it, or one of which it would be a draft, was requested last. Requests a frame of
+    /// `ctx` when it is done.
     pub(super) fn ask(&mut self, ctx: &egui::Context, job: RenderJob) {
         let i = job.picture;
         // A picture that is there needs no draft of itself, and no second drawing without the account that it has.
@@ -149,7 +149,7 @@ impl Rendering {
         self.worker.running()
     }
 
-    /// Gives up all pictures that are being drawn. What is pointed at does not begin them anew, only what they show.
+    /// Cancels all pictures that are being drawn. A new hover does not begin them anew, only a new shot does.
     pub(super) fn cancel(&mut self) {
         for i in (0..MAX_PICTURES).filter(|&i| self.worker.is_pending(i)) {
             self.given_up[i].clone_from(&self.asked[i]);

@@ -4,7 +4,6 @@
 //! | --- | --- |
 //! | `changed_file` | the bar about a change of the figure's file by another program |
 //! | `conventions` | whose NDC, compared with whose, and how matrices are written |
-//! | `number_tables` | the numbers of a report as tables: their symbols, names and rows, as they are shown |
 //! | `numerics/` | the panel of studies: which to measure, the chart of errors, and the methods with their numbers |
 //! | `operations` | the operations on the camera, by buttons and sliders |
 //! | `parameters/` | the panel on the left: every parameter of the figure, in three tabs |

@@ -38,7 +38,7 @@ pub struct Advice {
 #[derive(Debug)]
 pub struct Coach {
     advice: Latest<HealthRequest, Advice>,
-    /// How far apart two surfaces are, in scene units, of which is asked whether they can be told apart.
+    /// The gap between two surfaces, in scene units, for the test whether they can be told apart.
     pub gap: f64,
 }
 
@@ -56,7 +56,7 @@ impl Default for Coach {
 }
 
 impl Coach {
-    /// Takes what has been found. Waits for it as long as `patience` says.
+    /// Takes results. Waits up to `patience`.
     pub fn take(&mut self, patience: Duration) {
         self.advice.poll(patience);
     }

@@ -54,7 +54,7 @@ impl Numerics {
         self.measured.ask_again(ctx, (self.study, self.effort));
     }
 
-    /// Gives up what is being measured.
+    /// Cancels the running study.
     pub fn cancel(&mut self) {
         self.measured.stop();
         self.measured.give_up();
@@ -73,7 +73,7 @@ impl Numerics {
         self.found.get(study.name())
     }
 
-    /// Takes what has been measured. Waits for it as long as `patience` says.
+    /// Takes results. Waits up to `patience`.
     pub fn take(&mut self, patience: Duration) {
         if let Some(((study, _), findings)) = self.measured.take(patience) {
             self.found.insert(study.name(), findings);

@@ -8,7 +8,7 @@ use eframe::egui;
 
 use super::{Done, Make, Running, Shared, Shares, Slices, Work};
 
-/// In a frame jobs are gone on with for so long: what people see moves on in between.
+/// Time for jobs in a frame: the animation moves on in between.
 const SLICE: Duration = Duration::from_millis(30);
 
 /// Where the frames themselves take longer, jobs get as much time as they, up to this: a hand feels longer delays.
