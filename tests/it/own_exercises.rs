@@ -203,7 +203,7 @@ fn a_foreign_file_leaves_the_exercises_beside_it_usable_and_is_named() {
         symlink("nowhere", bench.path("dangling.toml")).unwrap();
         symlink("loop.toml", bench.path("loop.toml")).unwrap();
         assert!(std::process::Command::new("mkfifo").arg(bench.path("pipe.toml")).status().unwrap().success());
-        bad.extend([("dangling.toml", "no such file"), ("loop.toml", "circle"), ("pipe.toml", "pipe")]);
+        bad.extend([("dangling.toml", "no such file"), ("loop.toml", "cycle"), ("pipe.toml", "pipe")]);
     }
     let folder = bench.path("");
     let exercise =
