@@ -12,6 +12,9 @@ pub enum View {
 }
 
 impl View {
+    /// How many there are.
+    pub const COUNT: usize = Self::ALL.len();
+
     /// All three, from left to right.
     pub const ALL: [Self; 3] = [Self::World, Self::Canonical, Self::Image];
 

@@ -92,7 +92,7 @@ impl Export {
     /// All three pictures as on the screen, for paper. `sizes`: width and height of each picture on the screen, in the
     /// order of [`View::ALL`]; `scale`: pixels there for one unit of stroke width.
     #[must_use]
-    pub fn new(sizes: [[u32; 2]; 3], scale: f32) -> Self {
+    pub fn new(sizes: [[u32; 2]; View::COUNT], scale: f32) -> Self {
         let mut export = Self {
             what: Views::All,
             width: 0,
@@ -113,7 +113,7 @@ impl Export {
 
     /// Sets the size to that on paper, or to that on the screen, `times` as large, which may be more than a picture can
     /// have; `sizes` and `scale` as in [`new`](Self::new).
-    pub fn fit_screen(&mut self, sizes: [[u32; 2]; 3], scale: f32) {
+    pub fn fit_screen(&mut self, sizes: [[u32; 2]; View::COUNT], scale: f32) {
         if self.on_paper {
             let paper = self.paper.asked();
             let [width, height] = self.paper.size.map(|cm| pixels(paper.pixels_across(cm)));
@@ -161,7 +161,7 @@ fn pixels(side: f64) -> u32 {
 
 /// Room for three pictures side by side: as on the screen, or, where they are stacked there, as large as the largest, 4
 /// by 3.
-fn together(sizes: [[u32; 2]; 3]) -> [u32; 2] {
+fn together(sizes: [[u32; 2]; View::COUNT]) -> [u32; 2] {
     if sizes.iter().all(|size| size[1] == sizes[0][1]) {
         return [sizes.iter().map(|size| size[0]).sum(), sizes[0][1]];
     }

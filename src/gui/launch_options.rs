@@ -63,7 +63,7 @@ impl LaunchOptions {
         }
         match self.views {
             Some(Views::One(view)) => state.layout.shown = View::ALL.map(|other| other == view),
-            Some(Views::All) => state.layout.shown = [true; 3],
+            Some(Views::All) => state.layout.shown = [true; View::COUNT],
             None => {}
         }
     }

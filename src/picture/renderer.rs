@@ -18,7 +18,7 @@ use crate::views::{self, Request, TimedPipeline, View};
 #[derive(Debug, Default)]
 pub struct Renderer {
     /// One for each picture: each finds its own buffers again.
-    pipelines: [TimedPipeline; 3],
+    pipelines: [TimedPipeline; View::COUNT],
     /// For the image that the view window of the world shows.
     window_pipeline: TimedPipeline,
     rasterizer: Rasterizer,

@@ -117,7 +117,7 @@ const KEYS: [Key; 33] = [
         apply: |state, value| {
             let names: Vec<&str> = value.as_array().into_iter().flatten().filter_map(Value::as_str).collect();
             let shown = View::ALL.map(|view| names.contains(&view.name()));
-            put(&mut state.layout.shown, Some(shown).filter(|shown| *shown != [false; 3]));
+            put(&mut state.layout.shown, Some(shown).filter(|shown| *shown != [false; View::COUNT]));
         },
     },
     key!("pipeline", switch, layout.strip),

@@ -16,7 +16,7 @@ pub enum ObserverChange {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
     /// False: the picture is hidden and not drawn. In the order of [`View::ALL`]; at least one is true.
-    pub shown: [bool; 3],
+    pub shown: [bool; View::COUNT],
     /// The picture that has all the room, whatever `shown` says.
     pub maximized: Option<View>,
     /// The arrangement of the pictures; `None`: automatic.
@@ -32,7 +32,7 @@ pub struct Layout {
 impl Default for Layout {
     fn default() -> Self {
         Self {
-            shown: [true; 3],
+            shown: [true; View::COUNT],
             maximized: None,
             arrangement: None,
             linked: false,
@@ -55,12 +55,12 @@ impl Layout {
     /// Shows or hides a picture; the last one stays.
     pub fn toggle(&mut self, view: View) {
         if let Some(only) = self.maximized.take() {
-            self.shown = [false; 3];
+            self.shown = [false; View::COUNT];
             self.shown[only.index()] = true;
         }
         let shown = &mut self.shown[view.index()];
         *shown = !*shown;
-        if self.shown == [false; 3] {
+        if self.shown == [false; View::COUNT] {
             self.shown[view.index()] = true;
         }
     }

@@ -55,6 +55,7 @@ use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::limits::MAX_NAMED_POINTS;
 use crate::views::Probe;
+use crate::views::View;
 pub use annotations::Annotations;
 pub use coach::{Advice, Coach};
 pub use conventions::Conventions;
@@ -166,7 +167,7 @@ pub struct State {
     pub file_flow: FileFlow,
     /// Width and height of each picture on the screen, in pixels, in the order of
     /// [`View::ALL`](crate::views::View::ALL); written by the pictures.
-    pub picture_sizes: [[u32; 2]; 3],
+    pub picture_sizes: [[u32; 2]; View::COUNT],
     /// Pixels for one unit of stroke width in the pictures; written by the pictures.
     pub screen_scale: f32,
     /// The window is a page in a browser: there are no folders, and no window to be closed.
@@ -267,7 +268,7 @@ impl State {
             tree: SceneTree::default(),
             operations: Operations::default(),
             file_flow: FileFlow::new(true),
-            picture_sizes: [[640, 480]; 3],
+            picture_sizes: [[640, 480]; View::COUNT],
             screen_scale: 1.0,
             message: None,
             shown_since: None,
@@ -281,7 +282,7 @@ impl State {
             gallery: Gallery::default(),
             kept: Vec::new(),
             given_up: Vec::new(),
-            export: Export::new([[640, 480]; 3], 1.0),
+            export: Export::new([[640, 480]; View::COUNT], 1.0),
             annotations: Annotations::default(),
             numerics: Numerics::default(),
             explain: Explain::default(),
