@@ -207,7 +207,7 @@ fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<
 /// Why the triangle that a figure shows is not in its scene; `None` where it is, or none is shown.
 fn missing_triangle(figure: &Figure, scene: &Scene, lang: Lang) -> Option<String> {
     let triangle = figure.show.triangle.as_ref()?;
-    let Some(object) = scene.objects.iter().find(|object| object.name == triangle.object) else {
+    let Some(object) = scene.place_of(&triangle.object).map(|place| &scene.objects[place]) else {
         let names: Vec<&str> = scene.objects.iter().map(|object| object.name.as_str()).collect();
         return Some(texts::no_such_object(lang, &triangle.object, &names));
     };

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use glam::{DMat4, DVec2, DVec3};
 
 use super::View;
-use crate::camera::{Decomposition, Parameters};
+use crate::camera::{Decomposition, Ndc, Parameters};
 use crate::geometry::Ray;
 use crate::stage::Stage;
 
@@ -32,8 +32,34 @@ pub struct Show {
     pub probe: Option<ShownProbe>,
     /// Objects where lists of transforms would put them, in the world; their axes are numbered in this order.
     pub moved: Vec<TransformPreview>,
+    /// The convention of NDC of the canonical volume; `None`: that of the notes, or of the window that shows it.
+    pub ndc: Option<Ndc>,
     /// A second camera, such as the one that a wrong answer describes, in the world.
     pub answer: Option<Parameters>,
+}
+
+impl Show {
+    /// Follows an object, or its parts, to another name.
+    pub fn rename_object(&mut self, from: &str, to: &str) {
+        let renamed = |name: &str| match name.strip_prefix(from) {
+            Some("") => Some(to.to_owned()),
+            Some(part) if part.starts_with('/') => Some(format!("{to}{part}")),
+            _ => None,
+        };
+        if let Some(triangle) = &mut self.triangle
+            && let Some(name) = renamed(&triangle.object)
+        {
+            triangle.object = name;
+        }
+        if self.measure_of.as_deref() == Some(from) {
+            self.measure_of = Some(to.to_owned());
+        }
+        for preview in &mut self.moved {
+            if preview.objects.remove(from) {
+                preview.objects.insert(to.to_owned());
+            }
+        }
+    }
 }
 
 /// The picture of a stage: the image by default.

@@ -2,7 +2,7 @@
 
 use super::{Depth, Measure, Measured, Outside, StagePicture, TriangleStep, View, WindowSide};
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
-use crate::camera::{Decomposition, Projection};
+use crate::camera::{Decomposition, Ndc, Projection};
 use crate::scene::{LightSpec, Preset, Shape};
 use crate::stage::Stage;
 
@@ -75,6 +75,17 @@ pub const WAYS: Words<Decomposition> = &[
     (Decomposition::Scale.name(), Decomposition::Scale),
     (Decomposition::Normalised.name(), Decomposition::Normalised),
 ];
+
+/// `[show] ndc`
+pub const NDCS: Words<Ndc> = &{
+    let mut all = [("", Ndc::ALL[0]); Ndc::ALL.len()];
+    let mut i = 0;
+    while i < all.len() {
+        all[i] = (Ndc::ALL[i].name(), Ndc::ALL[i]);
+        i += 1;
+    }
+    all
+};
 
 /// `[show] triangle`, its `step`
 pub const TRIANGLE_STEPS: Words<TriangleStep> = &[

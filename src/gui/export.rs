@@ -8,7 +8,7 @@ use eframe::egui;
 use super::document::Document;
 use super::worker::{Running, Worker};
 use crate::appearance::Theme;
-use crate::camera::{Camera, CameraError, Decomposition, Ndc};
+use crate::camera::{Camera, CameraError, Decomposition};
 use crate::clock;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
@@ -49,8 +49,6 @@ pub struct Export {
     pub crop: bool,
     /// The theme of the picture.
     pub theme: Theme,
-    /// Whose NDC the canonical volume is in, as in the window.
-    pub ndc: Ndc,
     /// Thick strokes and large type by this factor.
     pub scale: f32,
 }
@@ -104,7 +102,6 @@ impl Export {
             transparent: false,
             crop: false,
             theme: Theme::Print,
-            ndc: Ndc::default(),
             scale: 1.0,
         };
         export.fit_screen(sizes, scale);
@@ -267,7 +264,6 @@ impl ExportSource {
         let scene = scene_of(figure, &mut |wanted| files.read(wanted), progress)?;
         let labels = pictures::labels(*lang);
         let scene = SharedScene::new(scene);
-        let shot = &Shot { ndc: export.ndc, ..shot.clone() };
         let request = Request::new(shot, View::Image, &camera, &scene, labels, export.size());
         let finish = Finish { transparent: export.is_without_ground(), ..Finish::default() };
         let request = Request { finish, ..request };

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::camera::{Camera, Parameters};
-use crate::figure::{Figure, Observers, Show};
+use crate::figure::{Figure, Observers, Show, ShownTriangle};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
 
@@ -96,6 +96,10 @@ fn chosen(show: &Show) -> impl PartialEq {
 /// `[show]` as it is now, with the choices of then.
 fn with_chosen(now: &Show, then: &Show) -> Show {
     let Show { stage, stage_of, triangle, measure, measure_of, .. } = then.clone();
+    let is_of = |triangle: &ShownTriangle| (triangle.object.clone(), triangle.index);
+    // Of the same triangle, its step and its pixel stay.
+    let triangle =
+        if now.triangle.as_ref().map(is_of) == triangle.as_ref().map(is_of) { now.triangle.clone() } else { triangle };
     Show { stage, stage_of, triangle, measure, measure_of, ..now.clone() }
 }
 

@@ -117,7 +117,7 @@ impl FollowedTriangle {
     /// shown, or there is no such triangle.
     pub fn found(&mut self, request: &Request) -> Option<(TriangleSteps, Option<Arc<TrianglePixels>>)> {
         let ShownTriangle { object, index, step, .. } = request.shot.show.triangle.as_ref()?;
-        let place = request.scene.objects.iter().position(|candidate| candidate.name == *object)?;
+        let place = request.scene.place_of(object)?;
         let (camera, scene) = (request.camera.clone(), request.scene.clone());
         let key = Key { camera, scene, look: request.shot.look, object: place, index: *index };
         if self.kept.as_ref().is_none_or(|(of, _)| *of != key) {

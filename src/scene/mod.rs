@@ -93,6 +93,14 @@ impl Scene {
         objects.chain(lines).chain(marks).reduce(Aabb::union)
     }
 
+    /// The place of the object of this name; one of the figure comes before a part of another that is called alike.
+    #[must_use]
+    pub fn place_of(&self, name: &str) -> Option<usize> {
+        let own = |object: &Object| object.name == name && object.part_of.is_none();
+        let any = || self.objects.iter().position(|object| object.name == name);
+        self.objects.iter().position(own).or_else(any)
+    }
+
     /// All vertices of all objects, in the world, for a probe to catch. A vertex that a crease doubles comes as often.
     pub fn vertices(&self) -> impl Iterator<Item = SceneVertex<'_>> {
         self.objects.iter().flat_map(|object| {

@@ -153,8 +153,7 @@ impl Greys {
 
     /// Paints the faces of an image with their depths, takes everything else away, and says so of the stages that had
     /// to do with it.
-    pub(super) fn paint(self, frame: &mut Frame) {
-        let (drawing, scale) = (&mut frame.drawing, frame.depths);
+    pub(super) fn paint(self, drawing: &mut Drawing, scale: DepthScale) {
         drawing.surfaces.retain(|surface| !surface.translucent);
         for surface in &mut drawing.surfaces {
             let depths = || surface.positions.iter().map(|p| scale.in_scale(&self.volume, f64::from(p[2])));
@@ -167,13 +166,16 @@ impl Greys {
         }
         drawing.strokes.clear();
         drawing.labels.clear();
-        let painted = !drawing.surfaces.is_empty();
-        let marked = !drawing.marks.is_empty();
+    }
+
+    /// Says in the report of a picture what depths change; `marks`: it has any, a stage's not counted.
+    pub(super) fn report(frame: &mut Frame, marks: bool) {
+        let painted = !frame.drawing.surfaces.is_empty();
         for report in &mut frame.report {
             match report.stage {
                 // [`only`] took lights and lines away.
                 Stage::Normals | Stage::Light if !report.ran => report.reason = Reason::DepthsShown,
-                Stage::Lines if !marked => (report.ran, report.reason) = (false, Reason::DepthsShown),
+                Stage::Lines if !marks => (report.ran, report.reason) = (false, Reason::DepthsShown),
                 Stage::Interpolate if painted => (report.ran, report.reason) = (true, Reason::DepthsShown),
                 _ => {}
             }

@@ -1,9 +1,12 @@
 //! The image: the scene as the figure's camera sees it, m × n pixels of (5.22), which are not square where A ≠ m / n.
 
+use std::cell::Cell;
+
 use glam::DVec2;
 
 use crate::appearance::{Dash, HiddenLines, Rgba, Style, Visibility};
 use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
+use crate::pipeline::depths::DepthScale;
 use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
 use crate::scene::Scene;
 
@@ -51,17 +54,26 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     probe::in_image(&mut builder, request, palette);
     triangle_overlay::in_image(&mut builder, request, palette);
     let scenes = Scenes::new(&revealed.scene, &builder.gear);
-    let mut drawn = pipeline.frame(request, scenes, &request.camera, target, &style);
+    let marks = Cell::new(false);
+    let repaint = |drawing: &mut Drawing, scale: DepthScale| {
+        marks.set(!drawing.marks.is_empty());
+        if let Some(greys) = greys {
+            greys.paint(drawing, scale);
+        }
+    };
+    let mut drawn = pipeline.repainted(request, scenes, &request.camera, target, &style, repaint);
     // Where nothing is behind the eye, dividing first makes no difference, and clipping worked as ever.
     let wrong = wrong.filter(|wrong| *wrong != Scene { lights: wrong.lights.clone(), ..Scene::default() });
     if let Some((wrong, front)) = wrong.zip(revealed_scene::front()) {
         drawn.say(Stage::Clip, Reason::DividedFirst);
-        add(
-            &mut drawn.drawing,
-            TimedPipeline::default()
-                .frame(&request.clone().with_shot(|shot| shot.show.stage = None), &wrong, &front, target, &style)
-                .drawing,
-        );
+        let plain = request.clone().with_shot(|shot| shot.show.stage = None);
+        let mut more = TimedPipeline::default().frame(&plain, &wrong, &front, target, &style).drawing;
+        if greys.is_some() {
+            // Glass has no depth.
+            more.surfaces.clear();
+            more.strokes.clear();
+        }
+        add(&mut drawn.drawing, more);
     }
     if request.finish.bare {
         // The drawing below has the texts of the scene itself.
@@ -73,7 +85,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         rows.push(LegendRow::Title(format!("{count} / {all} {}", request.labels.triangles), palette.ink));
     }
     if let Some(greys) = greys {
-        greys.paint(&mut drawn);
+        Greys::report(&mut drawn, marks.get());
         rows.extend(greys.legend(request, palette));
     }
     rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));

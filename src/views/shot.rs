@@ -50,7 +50,7 @@ impl Shot {
         Self {
             look: Look::of(figure),
             points: figure.points.as_slice().into(),
-            ndc: Ndc::default(),
+            ndc: show.ndc.unwrap_or_default(),
             pictures: Picture::of_figure(&figure.observers),
             answered: show.answer.and_then(|parameters| Camera::new(&parameters).ok()),
             measured_object: object.and_then(|name| transform_of(&figure.scene, name)),

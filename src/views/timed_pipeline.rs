@@ -5,6 +5,8 @@ use std::time::Duration;
 use super::{Request, View, stage_overlay};
 use crate::appearance::Style;
 use crate::camera::Camera;
+use crate::drawing::Drawing;
+use crate::pipeline::depths::DepthScale;
 use crate::pipeline::{Frame, Options, Pipeline, Scenes, Target};
 
 /// The pipeline, with buffers that serve one picture after the other, and a clock for those who want to know how long
@@ -27,6 +29,19 @@ impl TimedPipeline {
         target: Target,
         style: &Style,
     ) -> Frame {
+        self.repainted(request, scenes, camera, target, style, |_, _| {})
+    }
+
+    /// As [`frame`](Self::frame), with surfaces that are painted otherwise before a stage is shown over them.
+    pub(super) fn repainted<'a>(
+        &mut self,
+        request: &Request,
+        scenes: impl Into<Scenes<'a>>,
+        camera: &Camera,
+        target: Target,
+        style: &Style,
+        repaint: impl Fn(&mut Drawing, DepthScale),
+    ) -> Frame {
         let options = Options {
             force_all_stages: request.force_all_stages,
             output: request.output,
@@ -38,10 +53,14 @@ impl TimedPipeline {
         };
         let scenes = scenes.into();
         let mut frame = self.stages.frame(scenes, camera, target, style, options);
+        repaint(&mut frame.drawing, frame.depths);
         if frame.work.is_some() {
             let options = Options { shown: None, clock: None, ..options };
             let again = |scenes: Scenes, style: &Style| {
-                Pipeline::default().frame(scenes, camera, target, style, options).drawing
+                let Frame { mut drawing, depths, .. } =
+                    Pipeline::default().frame(scenes, camera, target, style, options);
+                repaint(&mut drawing, depths);
+                drawing
             };
             stage_overlay::show(&mut frame, request, scenes, style, again);
         }

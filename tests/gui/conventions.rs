@@ -151,7 +151,6 @@ fn an_exported_canonical_volume_is_in_the_convention_and_names_it() {
         let on_screen = window.textures.only([width as usize, height as usize]);
         window.command_key(Key::E);
         let Some(Dialog::Export(mut export)) = window.state().file_flow.dialog.clone() else { panic!("no dialog") };
-        assert_eq!(export.ndc, ndc);
         let (sizes, unit) = (window.state().picture_sizes, window.state().screen_scale);
         let theme = window.state().settings.theme;
         (export.what, export.times, export.theme) = (Views::One(View::Canonical), Some(1), theme);

@@ -16,6 +16,7 @@ mod exercise_answers;
 mod exercises;
 mod explain;
 mod explain_steps;
+mod explained;
 mod files;
 mod gallery;
 mod guide_pictures;

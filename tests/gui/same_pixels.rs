@@ -4,7 +4,7 @@ use std::fs;
 use std::time::{Duration, Instant};
 
 use camera_lab::camera::{Convention, Operation};
-use camera_lab::figure::{ShownProbe, ShownStep, ShownTriangle, TriangleStep};
+use camera_lab::figure::{Measure, Measured, ShownProbe, ShownStep, ShownTriangle, TriangleStep};
 use camera_lab::files::open_figure;
 use camera_lab::geometry::Angle;
 use camera_lab::gui::export::Export;
@@ -152,7 +152,26 @@ fn they_agree_on_every_kind_of_explanation() {
         (show.probe, show.painted) = (Some(ShownProbe::Pixel([500, 300])), Some(0.5));
         window.run();
     };
+    let convention: Act = |window| {
+        window.app_mut().state.settings.conventions.ndc =
+            camera_lab::camera::Ndc::ALL.into_iter().find(|ndc| ndc.name() == "direct3d").expect("a convention");
+        window.run();
+    };
+    let measures: Act = |window| {
+        window.app_mut().state.document.show_mut().measure =
+            vec![Measured::Dimension(Measure::Near), Measured::Dimension(Measure::HalfAngle)];
+        window.run();
+    };
+    let stage_over_depths: Act = |window| {
+        let document = &mut window.app_mut().state.document;
+        document.edit(|figure| figure.reveal.depth = camera_lab::figure::Depth::Linear);
+        document.show_mut().stage = Some(camera_lab::stage::Stage::Antialias);
+        window.run();
+    };
     for (view, act) in [
+        (View::Canonical, convention),
+        (View::World, measures),
+        (View::Image, stage_over_depths),
         (View::Image, stage),
         (View::World, stage),
         (View::Canonical, step),

@@ -149,7 +149,7 @@ fn an_animation_is_given_up_within_a_picture() {
     let figure = Figure::default();
     let camera = Camera::new(&figure.camera).unwrap();
     let scene = SharedScene::new(scene_of(&figure, &mut camera_lab::scene::no_files, &Default::default()).unwrap());
-    let size = Size { width: 640, height: 480, scale: 1.0 };
+    let size = Size { width: 2400, height: 1800, scale: 1.0 };
     let request = Request::of(&figure, View::Canonical, &camera, &scene, labels(Lang::En), size);
     let film = Animation { request, decomposition: Decomposition::Notes };
     let progress = Progress::default();

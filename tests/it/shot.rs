@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::camera::{Camera, Convention, Decomposition, Operation, Parameters};
+use camera_lab::camera::{Camera, Convention, Decomposition, Ndc, Operation, Parameters};
 use camera_lab::figure::words::MEASURES;
 use camera_lab::figure::{
     Figure, Measured, Observers, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TriangleStep, View, read,
@@ -43,11 +43,12 @@ fn picture(figure: &Figure, view: View, renderer: &mut Renderer) -> Pixels {
 fn shows() -> impl Strategy<Value = Show> {
     let stage = (proptest::option::of(select(&Stage::ALL[..])), select(&View::ALL[..]));
     let step = (select(&Decomposition::ALL[..]), proptest::option::of(0.0..5.0_f64));
-    let triangle = (0..8_u32, select(&TriangleStep::ALL[..]));
+    let triangle = (0..8_u32, select(&TriangleStep::ALL[..]), proptest::option::of([0..64_u32, 0..48_u32]));
     let measures: Vec<Measured> = MEASURES.iter().map(|(_, measured)| *measured).collect();
     let probe = prop_oneof![
         [-2.0..2.0, 0.0..3.0, -2.0..2.0].prop_map(|p: [f64; 3]| ShownProbe::World(DVec3::from_array(p))),
         (0..1024_i64, 0..768_i64).prop_map(|(i, j)| ShownProbe::Pixel([i, j])),
+        [-1.0..1.0, -1.0..1.0].prop_map(|p: [f64; 2]| ShownProbe::Window(p.into())),
     ];
     (
         stage,
@@ -56,25 +57,26 @@ fn shows() -> impl Strategy<Value = Show> {
         proptest::option::of(triangle),
         proptest::collection::vec(select(measures), 0..3),
         proptest::option::of(probe),
-        any::<bool>(),
+        (any::<bool>(), proptest::option::of(select(&Ndc::ALL[..]))),
     )
-        .prop_map(|((stage, of), painted, step, triangle, measure, probe, answered)| {
+        .prop_map(|((stage, of), painted, step, triangle, measure, probe, (answered, ndc))| {
             let name = scene(&Figure::of_preset(Preset::House)).objects[0].name.clone();
             Show {
                 stage,
                 stage_of: if stage.is_some() { StagePicture(of) } else { StagePicture::default() },
                 painted: painted.filter(|_| stage.is_none()),
                 step: step.map(|(way, at)| ShownStep { way, at }),
-                triangle: triangle.map(|(index, step)| ShownTriangle {
+                triangle: triangle.map(|(index, step, pixel)| ShownTriangle {
                     object: name.clone(),
                     index,
                     step,
-                    pixel: None,
+                    pixel,
                 }),
                 measure,
                 measure_of: Some(name),
                 probe,
                 moved: Vec::new(),
+                ndc,
                 answer: answered
                     .then(|| Parameters { position: DVec3::new(4.0, 3.0, 2.0), ..Figure::default().camera }),
             }

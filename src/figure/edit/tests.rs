@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::appearance::{HiddenLines, Rgba, Style, Theme};
-use crate::camera::{Decomposition, ImageSize, Parameters, Projection, ViewWindow, Viewport};
+use crate::camera::{Decomposition, ImageSize, Ndc, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{MEASURES, PRESETS, SHADINGS, VISIBILITIES};
 use crate::figure::{
     Depth, Measured, NamedPoint, Observer, Observers, Outside, Reveal, Show, ShownProbe, ShownStep, ShownTriangle,
@@ -178,8 +178,9 @@ fn show() -> impl Strategy<Value = Show> {
     let moved = proptest::collection::vec(preview, 0..3);
     let painted = proptest::option::of(0.0..=1.0_f64);
     let answer = proptest::option::of(parameters());
-    (stage, painted, step, proptest::option::of(triangle), measure, proptest::option::of(probe), moved, answer)
-        .prop_map(|((stage, of), painted, step, triangle, (measure, measure_of), probe, moved, answer)| Show {
+    let ndc = proptest::option::of(proptest::sample::select(&Ndc::ALL[..]));
+    (stage, painted, step, proptest::option::of(triangle), measure, proptest::option::of(probe), moved, (ndc, answer))
+        .prop_map(|((stage, of), painted, step, triangle, (measure, measure_of), probe, moved, (ndc, answer))| Show {
             stage,
             stage_of: StagePicture(of),
             painted,
@@ -189,6 +190,7 @@ fn show() -> impl Strategy<Value = Show> {
             measure_of,
             probe,
             moved,
+            ndc,
             answer,
         })
 }

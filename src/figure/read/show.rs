@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::camera;
 use super::section::{Fault, Section};
 use crate::figure::error::{Allowed, Problem};
-use crate::figure::words::{MEASURES, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
+use crate::figure::words::{MEASURES, NDCS, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
 use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep};
 use crate::geometry::Ray;
 use crate::limits::{MAX_SHOWN_OBJECTS, MAX_STEPS};
@@ -19,6 +19,7 @@ pub(super) fn show(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Show {
     let (stage, stage_of) =
         (section.choice("stage", STAGES), section.word("stage_of", STAGE_PICTURES, StagePicture::default()));
     let (measure, measure_of) = (section.words("measure", MEASURES), section.text("measure_of"));
+    let ndc = section.choice("ndc", NDCS);
     let moved = section.sections("moved", "[[show.moved]]");
     faults.extend(section.finish());
     Show {
@@ -31,6 +32,7 @@ pub(super) fn show(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Show {
         measure_of,
         probe: probe(probe_section, faults),
         moved: previews(moved, faults),
+        ndc,
         answer: answer_section.is_table().then(|| camera(answer_section, faults)),
     }
 }

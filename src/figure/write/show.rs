@@ -4,12 +4,12 @@ use glam::DMat4;
 use toml_edit::{Array, ArrayOfTables, InlineTable, Item, Table, Value};
 
 use super::{camera, number, quoted, table, vector};
-use crate::figure::words::{self, MEASURES, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
+use crate::figure::words::{self, MEASURES, NDCS, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
 use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview};
 
 /// The section; empty where nothing is shown.
 pub(super) fn show(show: &Show) -> Table {
-    let Show { stage, stage_of, painted, step, triangle, measure, measure_of, probe, moved, answer } = show;
+    let Show { stage, stage_of, painted, step, triangle, measure, measure_of, probe, moved, ndc, answer } = show;
     let mut keys: Vec<(&str, Value)> = Vec::new();
     keys.extend(stage.map(|stage| ("stage", words::name(STAGES, stage).into())));
     if *stage_of != StagePicture::default() {
@@ -24,6 +24,7 @@ pub(super) fn show(show: &Show) -> Table {
     }
     keys.extend(measure_of.as_ref().map(|object| ("measure_of", quoted(object))));
     keys.extend(probe.map(|probe| ("probe", of_probe(probe))));
+    keys.extend(ndc.map(|ndc| ("ndc", words::name(NDCS, ndc).into())));
     let mut section = table(keys);
     let previews: ArrayOfTables = moved.iter().map(preview).collect();
     if !previews.is_empty() {

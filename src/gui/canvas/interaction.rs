@@ -6,6 +6,7 @@ use glam::DVec2;
 use super::held::{GIZMO_REACH, gizmo_lines, tooltip};
 use super::keyboard_probe::{ProbeStep, Probing};
 use super::picking::{self, PickQuery, PickRequest};
+use super::pixel::pixel_of;
 use super::status::Status;
 use super::{Canvas, Pane, followed, orbit, readout, toggle_maximized};
 use crate::camera::{Convention, Operation};
@@ -41,14 +42,14 @@ impl Canvas {
         }
         if self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape)) {
             // One thing after the other.
-            if state.pinned().is_none() && self.probing.is_none() && state.release_shown() {
+            if state.pinned().is_none() && !self.is_probing() && state.release_shown() {
                 ui.request_repaint();
             }
             state.pin(None);
-            self.probing = None;
-            self.probe_steps.clear();
+            self.stop_probing();
         }
         let mut hovered = None;
+        self.hover_pick = None;
         self.hover.hovered = None;
         for pane in panes {
             self.focus(ui, state, pane);
@@ -83,13 +84,19 @@ impl Canvas {
     fn click(&mut self, state: &mut State, pane: &Pane, hovered: Option<Probe>) {
         let response = &pane.response;
         if response.double_clicked_by(PointerButton::Primary) {
+            self.stop_probing();
             state.pin(self.pinned_before);
             toggle_maximized(state, pane.view);
             response.ctx.request_repaint();
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
             self.pinned_before = state.pinned();
-            state.pin(hovered);
-            self.probing = None;
+            self.stop_probing();
+            let unanswered = self.hover_pick.take().filter(|pick| hovered.is_none() && pick.is_heavy());
+            match unanswered.filter(|pick| self.picker.found(&response.ctx, pick).is_none()) {
+                // It is pinned when it is found.
+                Some(pick) => self.clicked_pick = Some(pick),
+                None => state.pin(hovered),
+            }
             let beside = response.ctx.input(|i| i.modifiers.command);
             self.select(state, pane, beside);
             if self.choose_triangle(state, pane) {
@@ -187,7 +194,7 @@ impl Canvas {
             View::Image => match pick::window_point_in_image(request, pointer) {
                 Some(point) => {
                     let image = state.document.figure().image;
-                    let pixel = readout::pair(picking::pixel_of(image, camera, point), 17, texts.lang.mark());
+                    let pixel = readout::pair(pixel_of(image, camera, point), 17, texts.lang.mark());
                     let point = readout::pair(point, 4, texts.lang.mark());
                     format!(
                         "{} {} {pixel} / {} × {} · {} {point} · {}",
@@ -208,7 +215,9 @@ impl Canvas {
         }
         let what = PickQuery::Under { pointer, reach: pane.rect.pixels(picking::REACH) };
         let request = Request { hover: Hover::default(), ..request.clone() };
-        self.picker.ask(ui.ctx(), PickRequest { request, what }).probe
+        let pick = PickRequest { request, what };
+        self.hover_pick = Some(pick.clone());
+        self.picker.ask(ui.ctx(), pick).probe
     }
 
     // The keys.

@@ -1,13 +1,11 @@
 //! Probing without a pointer: the arrow keys move the probe from pixel to pixel, or from vertex to vertex.
 
-use eframe::egui::{Context, Key};
+use eframe::egui::Key;
 use glam::DVec2;
 
-use super::picking::{self, PickQuery, PickRequest};
-use super::{Canvas, Pane};
+use super::pixel::{center_of, pixel_of};
 use crate::camera::ImageSize;
-use crate::gui::state::State;
-use crate::views::{Hover, Probe, Request, View, pick};
+use crate::views::{Probe, Request, View, pick};
 
 /// Pixels for one press of an arrow key with Shift.
 const FAST: f64 = 10.0;
@@ -49,7 +47,7 @@ impl Probing {
                 let ImageSize { width, height } = request.shot.look.image;
                 let last = DVec2::new(f64::from(width), f64::from(height)) - 1.0;
                 let step = down * if fast { FAST } else { 1.0 };
-                let pixel = picking::pixel_of(request.shot.look.image, &request.camera, point);
+                let pixel = pixel_of(request.shot.look.image, &request.camera, point);
                 Some(at_pixel(request, (pixel + step).clamp(DVec2::ZERO, last)))
             }
             (Self::Vertices, Probe::Point(p)) => {
@@ -82,24 +80,6 @@ impl ProbeStep {
     }
 }
 
-impl Canvas {
-    /// Takes the steps that keys have asked for, one from where the other has led. In a heavy scene they take a while,
-    /// beside the window's thread.
-    pub(super) fn take_probe_steps(&mut self, ctx: &Context, state: &mut State, panes: &[Pane]) {
-        while let Some((picture, step)) = self.probe_steps.front().copied() {
-            if let Some(pane) = panes.iter().find(|pane| pane.picture == picture) {
-                let step = ProbeStep { from: state.pinned().filter(|_| step.arrow != DVec2::ZERO), ..step };
-                let request = Request { hover: Hover::default(), ..pane.request.clone() };
-                let pick = PickRequest { request, what: PickQuery::Step(step) };
-                let Some(found) = self.key_picker.found(ctx, &pick) else { return };
-                state.pin(found.probe);
-                ctx.request_repaint();
-            }
-            self.probe_steps.pop_front();
-        }
-    }
-}
-
 fn at_pixel(request: &Request, pixel: DVec2) -> Probe {
-    Probe::Window(picking::center_of(request.shot.look.image, &request.camera, pixel))
+    Probe::Window(center_of(request.shot.look.image, &request.camera, pixel))
 }

@@ -16,6 +16,8 @@
 //! | `observers` | the observers of the pictures in a frame |
 //! | `orbit` | the observers of the two three-dimensional pictures, and their changes by pointer and keys |
 //! | `picking` | the target of the pointer, found beside the window's thread in heavy scenes |
+//! | `pixel` | pixels of the figure's image, from points of the view window and back |
+//! | `probe_steps` | searches that take a while in a heavy scene, and pin their results: steps of the keys, and clicks |
 //! | `readout` | the coordinates of the target of the pointer, in every space |
 //! | `rendering` | has pictures drawn beside the window's thread, each only when something that made it has changed |
 //! | `status` | the lines under the pictures: hints and position of the pointer, and the coordinates of the probe |
@@ -36,6 +38,8 @@ mod long_work;
 mod observers;
 mod orbit;
 mod picking;
+mod pixel;
+mod probe_steps;
 mod readout;
 mod rendering;
 mod status;
@@ -120,6 +124,9 @@ pub struct Canvas {
     probing: Option<(usize, Probing)>,
     /// Where the keys move it that have not been followed yet, by picture.
     probe_steps: VecDeque<(usize, ProbeStep)>,
+    /// The search at the pointer, and one whose result is to be pinned.
+    hover_pick: Option<PickRequest>,
+    clicked_pick: Option<PickRequest>,
 }
 
 /// A picture on the screen, and what is kept of it from one frame to the next.
@@ -161,6 +168,8 @@ impl Default for Canvas {
             pinned_before: None,
             probing: None,
             probe_steps: VecDeque::new(),
+            hover_pick: None,
+            clicked_pick: None,
         }
     }
 }
@@ -205,7 +214,7 @@ impl Canvas {
     /// True where Esc would let go of something in a picture.
     #[must_use]
     pub fn holds_something(&self, state: &State) -> bool {
-        self.drag.is_some() || state.pinned().is_some() || state.can_release_shown()
+        self.drag.is_some() || self.is_probing() || state.pinned().is_some() || state.can_release_shown()
     }
 
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
@@ -225,6 +234,8 @@ impl Canvas {
         }
         if let Err(error) = state.scene_cache.update(&ctx, &state.document, state.settings.theme, self.patience) {
             state.say(Message::Scene(error));
+        } else if state.scene_cache.loading().is_empty() {
+            state.forget_missing();
         }
         self.hover = Hover {
             ghost: state.hover.ghost.clone(),
@@ -245,6 +256,7 @@ impl Canvas {
         }
         self.settle_observers(ui, state, &mut panes);
         let mut status = self.interact(ui, state, &panes, texts);
+        self.pin_clicked(&ctx, state);
         self.take_probe_steps(&ctx, state, &panes);
         state.probe = state.pinned().or(self.hover.probe);
         state.seen = Picture::observers(&self.shot.pictures);
@@ -511,6 +523,7 @@ impl Canvas {
                 }
                 Some(CardAction::Copy) => ctx.copy_text(copied(&cells(EXACT_DIGITS, DecimalMark::Point))),
                 Some(CardAction::Release) => {
+                    self.stop_probing();
                     state.pin(None);
                     ctx.request_repaint();
                 }

@@ -1,5 +1,7 @@
 //! The observers of the two three-dimensional pictures, and their changes by pointer and keys.
 
+use std::collections::VecDeque;
+
 use eframe::egui::Vec2;
 use glam::DVec2;
 
@@ -18,7 +20,12 @@ pub(super) const DEGREES_PER_POINT: f64 = 0.5;
 #[derive(Debug, Default)]
 pub(super) struct Auto {
     kept: Option<FittedObserver>,
+    /// Cameras that were there before, and from where they were seen: one that comes back, as by undo, is seen as then.
+    before: VecDeque<(Camera, Observer)>,
 }
+
+/// The number of cameras that are remembered.
+const REMEMBERED: usize = 64;
 
 #[derive(Debug)]
 struct FittedObserver {
@@ -30,6 +37,8 @@ struct FittedObserver {
     subject: u64,
     size: Size,
     outside: Outside,
+    /// Nothing was being dragged.
+    settled: bool,
 }
 
 impl Auto {
@@ -42,18 +51,32 @@ impl Auto {
         let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
             let fitted = request.observer_from(Viewpoint::default())?;
             let (camera, scene) = (camera.clone(), scene.clone());
-            self.kept = Some(FittedObserver { observer: fitted, fitted, camera, scene, subject, size, outside });
+            let settled = !steady;
+            self.before.clear();
+            self.kept =
+                Some(FittedObserver { observer: fitted, fitted, camera, scene, subject, size, outside, settled });
             return Some(fitted);
         };
         // Gear and letters have sizes of their own, in pixels; parts outside the canonical volume need room.
         let reshaped = kept.size != size || (request.view == View::Canonical && kept.outside != outside);
+        if reshaped || kept.scene != *scene {
+            self.before.clear();
+        } else if kept.settled && kept.camera != *camera {
+            self.before.truncate(REMEMBERED - 1);
+            self.before.push_front((kept.camera.clone(), kept.observer));
+        }
+        let returns = kept.camera != *camera || !kept.settled;
+        let then = self.before.iter().find(|(before, _)| returns && !steady && before == camera);
+        kept.settled = !steady;
         if reshaped || kept.camera != *camera || kept.scene != *scene {
             (kept.size, kept.outside) = (size, outside);
             kept.camera = camera.clone();
             kept.scene = scene.clone();
             kept.fitted = request.kept_clear(&kept.observer)?;
         }
-        if reshaped || !(steady || still_fits(&kept.observer, &kept.fitted)) {
+        if let Some((_, observer)) = then {
+            kept.observer = *observer;
+        } else if reshaped || !(steady || still_fits(&kept.observer, &kept.fitted)) {
             kept.observer = kept.fitted;
         }
         Some(kept.observer)
@@ -62,6 +85,7 @@ impl Auto {
     /// Fits again in the next frame.
     pub(super) fn forget(&mut self) {
         self.kept = None;
+        self.before.clear();
     }
 }
 
@@ -161,6 +185,31 @@ mod tests {
         assert!(!fits(Observer { distance: 24.0, ..observer() }));
         assert!(!fits(Observer { distance: 5.0, ..observer() }));
         assert!(!fits(Observer { target: DVec3::new(9.0, 2.0, 3.0), ..observer() }));
+    }
+
+    #[test]
+    fn a_camera_that_comes_back_is_seen_from_where_it_was_seen() {
+        let figure = Figure::default();
+        let (scene, mut auto) = (SharedScene::default(), Auto::default());
+        let camera = Camera::new(&figure.camera).unwrap();
+        let turned = |degrees| {
+            let by = crate::camera::Operation::Azimuth(crate::geometry::Angle::from_degrees(degrees));
+            by.apply(&camera, crate::camera::Convention::RightHand).unwrap()
+        };
+        let mut seen = |camera: &Camera, steady: bool| {
+            let size = Size { width: 400, height: 300, scale: 1.0 };
+            let request = Request::of(&figure, View::World, camera, &scene, labels(Lang::En), size);
+            auto.observer(&request, 0, steady).unwrap()
+        };
+        let first = seen(&camera, false);
+        // A drag, and what is there when it is let go; then undo and redo.
+        for degrees in [20.0, 45.0, 65.0] {
+            assert_eq!(seen(&turned(degrees), true), first, "nothing moves in the hand");
+        }
+        let moved = seen(&turned(65.0), false);
+        assert_ne!(moved, first, "the camera looked along the line of sight");
+        assert_eq!(seen(&camera, false), first, "undone");
+        assert_eq!(seen(&turned(65.0), false), moved, "done again");
     }
 
     #[test]

@@ -7,7 +7,8 @@ use eframe::egui;
 use glam::{DVec2, DVec3};
 
 use super::keyboard_probe::ProbeStep;
-use crate::camera::{Camera, ImageSize};
+use super::pixel::{center_of, pixel_of};
+
 use crate::figure::Depth;
 use crate::gui::memo::Latest;
 use crate::progress::Progress;
@@ -44,11 +45,15 @@ pub(super) struct PickRequest {
 impl PickRequest {
     /// Whether the result of the other query is better than none: the pointer has moved a little.
     fn is_near(&self, other: &Self) -> bool {
-        let is_under = |pick: &Self| matches!(pick.what, PickQuery::Under { .. });
-        is_under(self) && is_under(other) && self.request == other.request
+        match (self.what, other.what) {
+            (PickQuery::Under { pointer, reach }, PickQuery::Under { pointer: there, .. }) => {
+                pointer.distance(there) <= reach && self.request == other.request
+            }
+            _ => false,
+        }
     }
 
-    fn is_heavy(&self) -> bool {
+    pub(super) fn is_heavy(&self) -> bool {
         let scene = &self.request.scene;
         scene.objects.iter().map(|o| o.mesh.positions.len() + o.mesh.triangles.len()).sum::<usize>() > HEAVY
     }
@@ -92,18 +97,6 @@ fn probe_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Probe> {
     })
 }
 
-/// The pixel (i, j) of the figure's image at a point of the view window, `[0]` Eq. (5.22); on the right and the lower
-/// border the last one.
-pub(super) fn pixel_of(image: ImageSize, camera: &Camera, point: DVec2) -> DVec2 {
-    let last = DVec2::new(f64::from(image.width), f64::from(image.height)) - 1.0;
-    image.image_from_window(&camera.window(), point).floor().clamp(DVec2::ZERO, last.max(DVec2::ZERO))
-}
-
-/// The point of the view window at the centre of a pixel, `[0]` Eq. (5.23).
-pub(super) fn center_of(image: ImageSize, camera: &Camera, pixel: DVec2) -> DVec2 {
-    image.window_from_image(&camera.window(), pixel + 0.5)
-}
-
 /// The content of the depth buffer under the probe; `None` where the image does not show depths.
 fn depths(probe: Probe, request: &Request) -> Option<Depths> {
     match probe {
@@ -134,6 +127,11 @@ impl Picker {
         near.map_or_else(PickResult::default, |(_, found)| *found)
     }
 
+    /// True while an answer may still come.
+    pub(super) fn is_waiting(&self) -> bool {
+        self.found.waiting().is_some()
+    }
+
     /// The result; `None` during the search.
     pub(super) fn found(&mut self, ctx: &egui::Context, pick: &PickRequest) -> Option<PickResult> {
         if !pick.is_heavy() {
@@ -151,6 +149,7 @@ mod tests {
 
     use super::*;
     use crate::appearance::Style;
+    use crate::camera::Camera;
     use crate::clock;
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures};

@@ -2,7 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::picking::{Depths, pixel_of};
+use super::picking::Depths;
+use super::pixel::pixel_of;
 use super::vertex_name::VertexName;
 use crate::camera::Projected;
 use crate::gui::handle_drag::point;

@@ -298,7 +298,6 @@ fn save_as(state: &mut State, ctx: &Context) {
 
 fn show_export(state: &mut State) {
     state.export.fit_screen(state.picture_sizes, state.screen_scale);
-    state.export.ndc = state.settings.conventions.ndc;
     show_dialog(state, Dialog::Export(state.export));
 }
 

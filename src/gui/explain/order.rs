@@ -53,7 +53,7 @@ pub(super) fn head(ui: &mut Ui, state: &mut State) {
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.settings.lang);
     let selected = subject::selected(state);
-    state.document.show_mut().moved.clear();
+    state.explain.placed.clear();
     let mut order = std::mem::take(&mut state.explain.order);
     order.follow(own(selected.as_ref()));
     tab(ui, state, t, (&mut order, selected.as_ref()));
@@ -231,7 +231,7 @@ fn place(state: &mut State, selected: OrderedObject<'_>, stage: Stage, wrong: bo
         Some(Ray { origin: parent.transform_point3(axis.origin), direction })
     });
     if change.is_finite() {
-        state.document.show_mut().moved.push(TransformPreview { objects, change, world_from_frame, axis, wrong });
+        state.explain.placed.push(TransformPreview { objects, change, world_from_frame, axis, wrong });
     }
 }
 

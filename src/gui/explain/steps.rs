@@ -25,7 +25,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let t = words::texts(lang);
     let camera = state.document.camera().clone();
     let now = ui.input(|input| input.time);
-    let way = sources(ui, lang, &camera, state.explain.steps.way);
+    let now_shown = state.shown().step.map_or(state.explain.steps.way, |step| step.way);
+    let way = sources(ui, lang, &camera, now_shown);
     let mut shown = state.shown().step.filter(|step| step.way == way).unwrap_or(ShownStep { way, at: None });
     state.explain.steps.way = way;
     let Some(factors) = camera.decomposed(way) else {

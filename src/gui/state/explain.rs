@@ -7,6 +7,7 @@ use super::steps::Steps;
 use crate::camera::{CameraError, MatrixKind};
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{CameraNumber, Vocabulary};
+use crate::figure::TransformPreview;
 use crate::picture::FollowedTriangle;
 use crate::pipeline::StageReport;
 
@@ -41,6 +42,8 @@ pub enum ExplainTab {
 pub struct Explain {
     /// The tab that is shown.
     pub tab: ExplainTab,
+    /// Objects where the tab of order puts them in this frame.
+    pub placed: Vec<TransformPreview>,
     /// The tab of matrices.
     pub matrices: Matrices,
     /// The tab of steps.
@@ -84,6 +87,7 @@ impl Default for Explain {
     fn default() -> Self {
         Self {
             tab: ExplainTab::default(),
+            placed: Vec::new(),
             matrices: Matrices::default(),
             steps: Steps::default(),
             order: Order::default(),

@@ -2,6 +2,7 @@
 
 use super::explain::ExplainTab;
 use super::{Side, State, steps};
+use crate::camera::Ndc;
 use crate::explain::Symbol;
 use crate::figure::{Figure, Measured, Observers, Show, ShownProbe, ShownStep, StagePicture, View};
 use crate::i18n::pictures::labels;
@@ -39,6 +40,7 @@ impl State {
         if let Some(step) = show.step.as_mut().filter(|_| self.settings.reduce_motion && self.explain.steps.plays()) {
             step.at = step.at.map(f64::floor);
         }
+        show.moved.extend_from_slice(&self.explain.placed);
         Shot {
             look,
             ndc: self.settings.conventions.ndc,
@@ -88,7 +90,22 @@ impl State {
     fn show_as_saved(&self) -> Show {
         let show = &self.document.figure().show;
         let answered = self.answered_camera().map(|camera| *camera.parameters());
-        Show { answer: answered.or(show.answer), ..show.clone() }
+        let ndc = Some(self.settings.conventions.ndc).filter(|ndc| *ndc != Ndc::default());
+        let moved = show.moved.iter().chain(&self.explain.placed).cloned().collect();
+        Show { answer: answered.or(show.answer), ndc, moved, ..show.clone() }
+    }
+
+    /// Forgets a triangle whose object has gone from the scene.
+    pub(in crate::gui) fn forget_missing(&mut self) {
+        let scene = self.scene_cache.scene();
+        let is_there = |name: &str, index: u32| {
+            let place = scene.place_of(name);
+            place.is_some_and(|place| (index as usize) < scene.objects[place].mesh.triangles.len())
+        };
+        let triangle = self.shown().triangle.as_ref();
+        if triangle.is_some_and(|triangle| !is_there(&triangle.object, triangle.index)) {
+            self.document.show_mut().triangle = None;
+        }
     }
 
     /// The explanations in the pictures.
@@ -174,7 +191,7 @@ impl State {
         let rest = Show {
             painted: show.painted.filter(|_| open.painting),
             step: show.step.filter(|_| open.steps),
-            moved: if open.order { show.moved.clone() } else { Vec::new() },
+            moved: Vec::new(),
             measure: Vec::new(),
             measure_of: None,
             answer: None,
@@ -227,6 +244,10 @@ impl State {
     /// Removes the explanation of a panel that has been closed since the last frame, and shows that of one that has
     /// been opened.
     pub(in crate::gui) fn follow_panels(&mut self) {
+        if let Some(ndc) = self.document.show_mut().ndc.take() {
+            // A file's convention is that of the window from now on.
+            self.settings.conventions.ndc = ndc;
+        }
         let now = OpenPanels {
             stages: self.accounts_for_stages(),
             painting: self.shows_stages(),
@@ -243,7 +264,7 @@ impl State {
             (show.painted, show.triangle) = (None, None);
         }
         if before.order && !now.order {
-            show.moved.clear();
+            self.explain.placed.clear();
         }
         match (before.steps, now.steps) {
             (true, false) => show.step = None,

@@ -110,6 +110,7 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str
             let mut base = form.base.clone();
             if edit::rename(&mut base, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
                 state.document.edit(|figure| figure.scene = base.clone());
+                state.document.show_mut().rename_object(name, &wanted);
                 form.base = base;
                 state.tree.select(Some(Selected::Object(wanted)));
             }
@@ -254,9 +255,8 @@ fn gizmo(ui: &mut egui::Ui, form: &SceneForm, transforming: &mut Transforming) {
 fn color(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) {
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
-    let of_parts = format!("{owner}/");
     let shown = state.scene_cache.scene().objects.iter().find_map(|o| match o.paint {
-        ObjectPaint::Solid(color) if o.name == owner || o.name.starts_with(&of_parts) => Some(color),
+        ObjectPaint::Solid(color) if o.owner() == owner => Some(color),
         ObjectPaint::Solid(_) | ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => None,
     });
     let automatic = form.scene.objects[index].color.is_none();
