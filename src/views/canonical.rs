@@ -88,7 +88,8 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
     };
     let mut revealed = revealed(request);
-    let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
+    let (change, style) = gizmos::wired(style);
+    let scene = pipeline.scene(request, std::mem::take(&mut revealed.scene), change);
     let mut builder = GearBuilder::new(&screen, style.hidden_lines);
     let canonical = CanonicalBox::of(request);
     axes(&mut builder, &canonical, palette);

@@ -1,6 +1,5 @@
 //! The gear that pictures add to a scene: lines, arrows, marks, texts, and the camera's body.
 
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
@@ -125,24 +124,37 @@ impl<'a> GearBuilder<'a> {
     }
 }
 
-/// In wireframe, the scene's objects as edges in their own colours, and a style in which the camera's gear keeps its
-/// faces.
-pub(super) fn wired<'a>(mut scene: Cow<'a, Scene>, style: &Style) -> (Cow<'a, Scene>, Style) {
-    if style.shading != Shading::Wireframe {
-        return (scene, *style);
-    }
-    for object in &mut scene.to_mut().objects {
+/// A change of a scene for a picture that shows it otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum SceneChange {
+    /// Its objects are edges in their own colours.
+    Wired(HiddenLines),
+    /// It is left its faces alone, without light.
+    Faces,
+}
+
+/// Turns the objects of a scene into edges in their own colours, as wireframe wants them.
+pub(super) fn wire(scene: &mut Scene, hidden: HiddenLines) {
+    for object in &mut scene.objects {
         let own = match object.paint {
             ObjectPaint::Solid(color) => color.with_alpha(255),
             ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => {
                 object.edges.map_or(Rgba::rgb(128, 128, 128), |edges| edges.color)
             }
         };
-        object.edges = Some(stroke(own, 1.25, Dash::Solid, style.hidden_lines));
+        object.edges = Some(stroke(own, 1.25, Dash::Solid, hidden));
         object.outline = None;
         object.faces = false;
     }
-    (scene, Style { shading: Shading::Flat, ..*style })
+}
+
+/// The change of the scene in wireframe, and a style in which the camera's gear keeps its faces.
+pub(super) fn wired(style: &Style) -> (Option<SceneChange>, Style) {
+    if style.shading == Shading::Wireframe {
+        (Some(SceneChange::Wired(style.hidden_lines)), Style { shading: Shading::Flat, ..*style })
+    } else {
+        (None, *style)
+    }
 }
 
 /// Adds a planar convex polygon, counter-clockwise seen from outside, with its edges.

@@ -11,7 +11,7 @@ use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
 use crate::scene::Scene;
 
 use super::depth::{self, Greys};
-use super::gizmos::{GearBuilder, stroke};
+use super::gizmos::{GearBuilder, SceneChange, stroke};
 use super::label_layout::{Box2, Rules};
 use super::legend::LegendRow;
 use super::pixels::{PixelRect, Size, image_frame};
@@ -46,14 +46,13 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let rect = frame(request);
     let target = Target { width: rect.width, height: rect.height, ..whole };
     let (mut revealed, wrong) = revealed_scene::in_image(request, palette);
-    if greys.is_some() {
-        depth::only(revealed.scene.to_mut());
-    }
+    let change = greys.map(|_| SceneChange::Faces);
+    let scene = pipeline.scene(request, std::mem::take(&mut revealed.scene), change);
     let mut builder = GearBuilder::new(&screen, style.hidden_lines);
     revealed.mark(&mut builder, palette);
     probe::in_image(&mut builder, request, palette);
     triangle_overlay::in_image(&mut builder, request, palette);
-    let scenes = Scenes::new(&revealed.scene, &builder.gear);
+    let scenes = Scenes::new(&scene, &builder.gear);
     let marks = Cell::new(false);
     let repaint = |drawing: &mut Drawing, scale: DepthScale| {
         marks.set(!drawing.marks.is_empty());

@@ -172,7 +172,8 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let screen = Screen::new(camera, PixelRect::whole(request.size), request.size.scale);
     let mut scene = canonical::contents(request);
     scene.project(&matrix);
-    let (scene, style) = gizmos::wired(Cow::Owned(scene), &request.shot.look.style);
+    let (change, style) = gizmos::wired(&request.shot.look.style);
+    let scene = pipeline.scene(request, Cow::Owned(scene), change);
     let mut builder = GearBuilder::new(&screen, style.hidden_lines);
     let last = way.step + 1 == way.factors.len();
     let before = radius(way, &request.camera, way.step)?;

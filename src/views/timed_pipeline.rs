@@ -1,13 +1,16 @@
 //! The pipeline as the pictures use it.
 
+use std::borrow::Cow;
 use std::time::Duration;
 
-use super::{Request, View, stage_overlay};
+use super::gizmos::{self, SceneChange};
+use super::{Request, SharedScene, View, depth, stage_overlay};
 use crate::appearance::Style;
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::pipeline::depths::DepthScale;
 use crate::pipeline::{Frame, Options, Pipeline, Scenes, Target};
+use crate::scene::Scene;
 
 /// The pipeline, with buffers that serve one picture after the other, and a clock for those who want to know how long
 /// each stage takes.
@@ -17,9 +20,36 @@ pub struct TimedPipeline {
     pub stages: Pipeline,
     /// The time since any moment that stays the same. Without it nothing is timed.
     pub clock: Option<fn() -> Duration>,
+    /// The changed scene of the last picture that had one: the pointer moves over the same one for long.
+    changed: Option<(SharedScene, SceneChange, SharedScene)>,
 }
 
 impl TimedPipeline {
+    /// A scene for a picture, changed. That of the request is changed once, and neither copied nor changed again for the
+    /// next picture of it.
+    pub(super) fn scene(&mut self, request: &Request, scene: Cow<'_, Scene>, by: Option<SceneChange>) -> SharedScene {
+        let changed = |mut scene: Scene| {
+            match by {
+                None => {}
+                Some(SceneChange::Wired(hidden)) => gizmos::wire(&mut scene, hidden),
+                Some(SceneChange::Faces) => depth::only(&mut scene),
+            }
+            SharedScene::new(scene)
+        };
+        match (scene, by) {
+            (Cow::Owned(scene), _) => changed(scene),
+            (Cow::Borrowed(_), None) => request.scene.clone(),
+            (Cow::Borrowed(_), Some(by)) => match &self.changed {
+                Some((of, how, made)) if *of == request.scene && *how == by => made.clone(),
+                _ => {
+                    let made = changed(Scene::clone(&request.scene));
+                    self.changed = Some((request.scene.clone(), by, made.clone()));
+                    made
+                }
+            },
+        }
+    }
+
     /// Sends the content of a picture through the pipeline.
     pub(super) fn frame<'a>(
         &mut self,
@@ -65,5 +95,34 @@ impl TimedPipeline {
             stage_overlay::show(&mut frame, request, scenes, style, again);
         }
         frame
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+    use super::*;
+    use crate::appearance::HiddenLines;
+    use crate::figure::Figure;
+    use crate::i18n::{Lang, pictures};
+    use crate::scene::{Preset, no_files};
+    use crate::views::{Size, scene_of};
+
+    #[test]
+    fn a_scene_is_changed_once_for_all_pictures_of_it_and_one_without_change_is_not_copied() {
+        let figure = Figure::of_preset(Preset::Cube);
+        let camera = Camera::new(&figure.camera).unwrap();
+        let scene = SharedScene::new(scene_of(&figure, &mut no_files, &Default::default()).unwrap());
+        let size = Size { width: 10, height: 10, scale: 1.0 };
+        let request = Request::of(&figure, View::World, &camera, &scene, pictures::labels(Lang::En), size);
+        let mut pipeline = TimedPipeline::default();
+        let mut made = |by| pipeline.scene(&request, Cow::Borrowed(&*request.scene), by);
+        assert_eq!(made(None), scene);
+        let wired = made(Some(SceneChange::Wired(HiddenLines::Dashed)));
+        assert!(wired.objects.iter().all(|object| !object.faces) && wired != scene);
+        assert_eq!(made(Some(SceneChange::Wired(HiddenLines::Dashed))), wired, "the same one");
+        let faces = made(Some(SceneChange::Faces));
+        assert!(faces.lights.is_empty() && faces.objects.iter().all(|object| object.faces && object.edges.is_none()));
     }
 }

@@ -36,7 +36,8 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     } else {
         revealed_scene::in_world(request, palette)
     };
-    let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
+    let (change, style) = gizmos::wired(style);
+    let scene = pipeline.scene(request, std::mem::take(&mut revealed.scene), change);
     let builder = GearBuilder::new(&screen, style.hidden_lines);
     let mut world = World { request, palette, content, gear: Gear::new(&screen, &request.camera), on_window, builder };
     let names = if request.shot.look.world.section {
