@@ -25,8 +25,8 @@ pub struct TimedPipeline {
 }
 
 impl TimedPipeline {
-    /// A scene for a picture, changed. That of the request is changed once, and neither copied nor changed again for the
-    /// next picture of it.
+    /// A scene for a picture, changed. That of the request is changed once, and neither copied nor changed again for
+    /// the next picture of it.
     pub(super) fn scene(&mut self, request: &Request, scene: Cow<'_, Scene>, by: Option<SceneChange>) -> SharedScene {
         let changed = |mut scene: Scene| {
             match by {

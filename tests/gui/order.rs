@@ -57,7 +57,7 @@ fn alt(window: &mut Window, key: Key) {
 
 /// Where the list, and where the other order, puts the object.
 fn placed(window: &Window) -> Vec<DMat4> {
-    window.state().shown().moved.iter().map(|placed| placed.world_from_frame).collect()
+    window.state().explain.placed.iter().map(|placed| placed.world_from_frame).collect()
 }
 
 #[test]
@@ -224,7 +224,7 @@ fn push_and_pop_are_in_the_list_and_a_pop_alone_is_named() {
     assert!(window.says("No object is selected"));
     assert_eq!(symbols(&window), ["T", "R_y", "S"]);
     assert!(window.harness.get_by_label("Apply").accesskit_node().is_disabled());
-    assert!(window.state().shown().moved[0].objects.is_empty(), "a cube");
+    assert!(window.state().explain.placed[0].objects.is_empty(), "a cube");
     for entry in ["push: save the matrix", "translate", "pop: restore it"] {
         window.click("+ Add");
         window.click(entry);
@@ -233,5 +233,5 @@ fn push_and_pop_are_in_the_list_and_a_pop_alone_is_named() {
     assert!(placed(&window)[0].abs_diff_eq(whole, 1e-12), "what was pushed is back");
     window.click("Remove 4");
     assert!(window.says("Step 5 is a pop, and nothing was pushed before it."));
-    assert!(window.state().shown().moved.is_empty());
+    assert!(window.state().explain.placed.is_empty());
 }

@@ -69,7 +69,7 @@ impl State {
     /// place while the camera moves.
     fn observers_as_shown(&self) -> Observers {
         let mut observers = self.document.figure().observers;
-        let shot = Shot::of(self.document.figure());
+        let shot = Shot { ndc: self.settings.conventions.ndc, ..Shot::of(self.document.figure()) };
         for (view, observer, seen) in [
             (View::World, &mut observers.world, self.seen.world),
             (View::Canonical, &mut observers.canonical, self.seen.canonical),
