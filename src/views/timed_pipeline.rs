@@ -123,6 +123,6 @@ mod tests {
         assert!(wired.objects.iter().all(|object| !object.faces) && wired != scene);
         assert_eq!(made(Some(SceneChange::Wired(HiddenLines::Dashed))), wired, "the same one");
         let faces = made(Some(SceneChange::Faces));
-        assert!(faces.lights.is_empty() && faces.objects.iter().all(|object| object.faces && object.edges.is_none()));
+        assert!(faces.lights.is_empty() && faces.objects.iter().all(|object| object.edges.is_none()));
     }
 }
