@@ -15,7 +15,7 @@ pub fn escaped(text: &str) -> String {
     within(text, LONGEST)
 }
 
-/// As [`shown`], of at most `longest` characters.
+/// As [`escaped`], of at most `longest` characters.
 #[must_use]
 pub fn within(text: &str, longest: usize) -> String {
     let mut shown = String::new();
@@ -34,7 +34,7 @@ pub fn within(text: &str, longest: usize) -> String {
     shown
 }
 
-/// A path as a part of a message: as [`shown`], but longer, and of one that is too long the end.
+/// A path as a part of a message: as [`escaped`], but longer, and of one that is too long the end.
 #[must_use]
 pub fn path(path: &Path) -> String {
     path_text(&path.to_string_lossy())
