@@ -95,12 +95,15 @@ impl State {
         Show { answer: answered.or(show.answer), ndc, moved, ..show.clone() }
     }
 
-    /// Forgets a triangle whose object has gone from the scene.
+    /// Forgets a triangle that has gone from the scene; not one of an object whose file cannot be read now.
     pub(in crate::gui) fn forget_missing(&mut self) {
-        let scene = self.scene_cache.scene();
-        let is_there = |name: &str, index: u32| {
-            let place = scene.place_of(name);
-            place.is_some_and(|place| (index as usize) < scene.objects[place].mesh.triangles.len())
+        let (scene, spec) = (self.scene_cache.scene(), &self.document.figure().scene);
+        let is_of = |name: &str, owner: &str| {
+            name.strip_prefix(owner).is_some_and(|part| part.is_empty() || part.starts_with('/'))
+        };
+        let is_there = |name: &str, index: u32| match scene.place_of(name) {
+            Some(place) => (index as usize) < scene.objects[place].mesh.triangles.len(),
+            None => spec.objects.iter().any(|object| is_of(name, &object.name)),
         };
         let triangle = self.shown().triangle.as_ref();
         if triangle.is_some_and(|triangle| !is_there(&triangle.object, triangle.index)) {
