@@ -257,3 +257,27 @@ pub struct Text {
     /// Faint where a face hides its point; else always fully drawn.
     pub fade_if_hidden: bool,
 }
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+    use super::*;
+    use crate::appearance::Style;
+
+    #[test]
+    fn an_object_comes_before_a_part_of_another_that_is_called_alike() {
+        let spec = SceneSpec {
+            preset: Preset::Empty,
+            objects: vec![ObjectSpec::new("engine/block", Shape::Box)],
+            ..SceneSpec::default()
+        };
+        let mut scene = build(&spec, &Style::default(), &mut no_files).unwrap();
+        let own = scene.objects[0].clone();
+        scene.objects.insert(0, Object { part_of: Some("engine".into()), ..own.clone() });
+        scene.objects.insert(0, Object { name: "engine/wheel".to_owned(), part_of: Some("engine".into()), ..own });
+        assert_eq!(scene.place_of("engine/block"), Some(2));
+        assert_eq!(scene.place_of("engine/wheel"), Some(0));
+        assert_eq!((scene.place_of("engine"), scene.objects[0].owner()), (None, "engine"));
+    }
+}
