@@ -3,14 +3,17 @@
 use eframe::egui::{Context, Id, Pos2, Rect, Ui, Vec2, Window, vec2};
 use glam::DVec3;
 
-use super::readout::Cell;
-use super::status::{line_height, table};
+use super::picking::{PickQuery, PickRequest};
+use super::readout::{self, Cell};
+use super::status::{Status, line_height, table};
 use super::{Canvas, Pane};
-use crate::gui::state::State;
+use crate::figure::Depth;
+use crate::gui::state::{ExplainTab, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::explain_point;
-use crate::views::{Hover, Request, pick};
+use crate::numbers::{DecimalMark, EXACT_DIGITS};
+use crate::views::{Hover, Probe, Request, Size, View, pick};
 
 /// The room that a card takes before it has been shown, in points.
 const USUAL: Vec2 = vec2(250.0, 190.0);
@@ -70,6 +73,75 @@ pub(super) fn show(
 }
 
 impl Canvas {
+    pub(super) fn describe_probe(
+        &mut self,
+        (ui, room): (&Ui, Rect),
+        panes: &[Pane],
+        state: &mut State,
+        status: &mut Status,
+        texts: &'static CanvasTexts,
+    ) {
+        let ctx = ui.ctx();
+        let Some(probe) = state.probe else {
+            (status.note, self.on_card) = (texts.probe_hint, None);
+            return;
+        };
+        // The result does not depend on the size.
+        let size = Size { width: 1, height: 1, scale: 1.0 };
+        let request = self.request(state, &self.shot.picture(View::Image), size);
+        let request = Request { hover: Hover::default(), ..request };
+        let digits = state.settings.digits;
+        let asks = matches!(probe, Probe::Window(_)) && request.shot.look.reveal.depth != Depth::Off;
+        let is_new = state.pinned().is_some() && (state.pinned() != self.on_card || self.card_settles > 0);
+        let at = (asks || is_new).then(|| {
+            let pick = PickRequest { request: request.clone(), what: PickQuery::At(probe) };
+            self.probe_picker.ask(ctx, pick)
+        });
+        let (depths, point) = at.map_or((None, None), |at| (at.depths, at.point));
+        let place = self.place_of_card(ctx, state, panes, point, room);
+        let (mark, scene) = (texts.lang.mark(), state.scene_cache.scene());
+        let vertex = match probe {
+            Probe::Point(p) => self.vertex_names.at(p, scene, &state.document.figure().scene),
+            Probe::Window(_) => None,
+        };
+        let vertex: Vec<_> = vertex.iter().map(|name| readout::vertex_cell(name, texts)).collect();
+        let cells = |digits, mark| {
+            let coordinates = readout::cells(probe, depths, &request, (digits, mark), texts);
+            vertex.iter().cloned().chain(coordinates).collect::<Vec<_>>()
+        };
+        status.cells = cells(digits.min(4), mark);
+        status.exact = cells(digits, mark);
+        if state.pinned().is_some() {
+            let point = match probe {
+                Probe::Point(p) => Some(p),
+                Probe::Window(_) => None,
+            };
+            match show(ui, room, place, (&status.exact, point.is_some()), texts) {
+                None => {}
+                Some(CardAction::Follow) => {
+                    if let Some(p) = point {
+                        state.follow_point(p);
+                        state.show_explanation(ExplainTab::Point);
+                        ctx.request_repaint();
+                    }
+                }
+                Some(CardAction::Copy) => ctx.copy_text(copied(&cells(EXACT_DIGITS, DecimalMark::Point))),
+                Some(CardAction::Release) => {
+                    self.stop_probing();
+                    state.pin(None);
+                    ctx.request_repaint();
+                }
+            }
+        }
+        if state.pinned().is_some() {
+            status.aside = if status.aside.is_empty() {
+                texts.pinned.to_owned()
+            } else {
+                format!("{} · {}", texts.pinned, status.aside)
+            };
+        }
+    }
+
     /// The position of a new probe card: in the corner of the pictures that is farthest from all their marks of the
     /// probe. `None` for a probe that has its card.
     pub(super) fn place_of_card(
@@ -117,6 +189,11 @@ fn farthest_corner(room: Rect, size: Vec2, places: &[Pos2]) -> Pos2 {
     };
     let first = corners[0];
     corners.into_iter().fold(first, |best, corner| if apart(corner) > apart(best) { corner } else { best })
+}
+
+/// Cells as text, a space in a line, with numbers as programs read them.
+fn copied(cells: &[Cell]) -> String {
+    cells.iter().map(|cell| format!("{}\t{}\n", cell.space, cell.value)).collect::<String>().replace('−', "-")
 }
 
 #[cfg(test)]

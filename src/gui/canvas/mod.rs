@@ -58,21 +58,19 @@ use eframe::egui::{
 };
 
 use self::arrange::{Axis, Framed, Shares, arrange};
-use self::card::CardAction;
 use self::held::Drag;
 use self::keyboard_probe::{ProbeStep, Probing};
 use self::long_work::LongWork;
 use self::orbit::Auto;
-use self::picking::{PickQuery, PickRequest, Picker};
-use self::readout::Cell;
+use self::picking::{PickRequest, Picker};
 use self::rendering::{Missing, RenderJob, Rendering};
-use self::status::{Status, StatusAction};
+use self::status::StatusAction;
 use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
 use self::title::{Title, TitleAction};
 use self::vertex_name::VertexNames;
 use crate::appearance::Rgba;
-use crate::figure::{Depth, Observer};
+use crate::figure::Observer;
 use crate::gui::coach::{self, Brief};
 use crate::gui::explain;
 use crate::gui::focus::{self, Region};
@@ -80,10 +78,9 @@ use crate::gui::handle_drag::point;
 use crate::gui::highlight::Highlight;
 use crate::gui::presentation;
 use crate::gui::selection_gizmo::Movable;
-use crate::gui::state::{Dialog, ExplainTab, Message, ObserverChange, State};
+use crate::gui::state::{Dialog, Message, ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
-use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::picture::RenderReport;
 use crate::pipeline::OverBudget;
 use crate::views::image_frame;
@@ -468,75 +465,6 @@ impl Canvas {
             }
         }
     }
-
-    fn describe_probe(
-        &mut self,
-        (ui, room): (&Ui, Rect),
-        panes: &[Pane],
-        state: &mut State,
-        status: &mut Status,
-        texts: &'static CanvasTexts,
-    ) {
-        let ctx = ui.ctx();
-        let Some(probe) = state.probe else {
-            (status.note, self.on_card) = (texts.probe_hint, None);
-            return;
-        };
-        // The result does not depend on the size.
-        let size = Size { width: 1, height: 1, scale: 1.0 };
-        let request = self.request(state, &self.shot.picture(View::Image), size);
-        let request = Request { hover: Hover::default(), ..request };
-        let digits = state.settings.digits;
-        let asks = matches!(probe, Probe::Window(_)) && request.shot.look.reveal.depth != Depth::Off;
-        let is_new = state.pinned().is_some() && (state.pinned() != self.on_card || self.card_settles > 0);
-        let at = (asks || is_new).then(|| {
-            let pick = PickRequest { request: request.clone(), what: PickQuery::At(probe) };
-            self.probe_picker.ask(ctx, pick)
-        });
-        let (depths, point) = at.map_or((None, None), |at| (at.depths, at.point));
-        let place = self.place_of_card(ctx, state, panes, point, room);
-        let (mark, scene) = (texts.lang.mark(), state.scene_cache.scene());
-        let vertex = match probe {
-            Probe::Point(p) => self.vertex_names.at(p, scene, &state.document.figure().scene),
-            Probe::Window(_) => None,
-        };
-        let vertex: Vec<_> = vertex.iter().map(|name| readout::vertex_cell(name, texts)).collect();
-        let cells = |digits, mark| {
-            let coordinates = readout::cells(probe, depths, &request, (digits, mark), texts);
-            vertex.iter().cloned().chain(coordinates).collect::<Vec<_>>()
-        };
-        status.cells = cells(digits.min(4), mark);
-        status.exact = cells(digits, mark);
-        if state.pinned().is_some() {
-            let point = match probe {
-                Probe::Point(p) => Some(p),
-                Probe::Window(_) => None,
-            };
-            match card::show(ui, room, place, (&status.exact, point.is_some()), texts) {
-                None => {}
-                Some(CardAction::Follow) => {
-                    if let Some(p) = point {
-                        state.follow_point(p);
-                        state.show_explanation(ExplainTab::Point);
-                        ctx.request_repaint();
-                    }
-                }
-                Some(CardAction::Copy) => ctx.copy_text(copied(&cells(EXACT_DIGITS, DecimalMark::Point))),
-                Some(CardAction::Release) => {
-                    self.stop_probing();
-                    state.pin(None);
-                    ctx.request_repaint();
-                }
-            }
-        }
-        if state.pinned().is_some() {
-            status.aside = if status.aside.is_empty() {
-                texts.pinned.to_owned()
-            } else {
-                format!("{} · {}", texts.pinned, status.aside)
-            };
-        }
-    }
 }
 
 /// Whether the image is shown as the eye would see it; `None` where its pixels are square, so that it makes no
@@ -545,11 +473,6 @@ fn undistorted(state: &State) -> Option<bool> {
     let figure = state.document.figure();
     let differs = state.document.camera().aspect_warning(figure.image).is_some();
     (differs || figure.undistorted).then_some(figure.undistorted)
-}
-
-/// Cells as text, a space in a line, with numbers as programs read them.
-fn copied(cells: &[Cell]) -> String {
-    cells.iter().map(|cell| format!("{}\t{}\n", cell.space, cell.value)).collect::<String>().replace('−', "-")
 }
 
 /// The mesh files being read, in a sentence; empty where there are none.
