@@ -37,8 +37,8 @@ impl MatrixFormula {
             Matrix::InverseView => inverse_view(),
             Matrix::Projection => projection(setting),
             Matrix::InverseProjection => inverse_projection(setting),
-            Matrix::ViewProjection => product(&projection(setting), &view()),
-            Matrix::InverseViewProjection => product(&inverse_view(), &inverse_projection(setting)),
+            Matrix::ViewProjection => entry_product(&projection(setting), &view()),
+            Matrix::InverseViewProjection => entry_product(&inverse_view(), &inverse_projection(setting)),
             Matrix::Viewport => viewport(setting),
             Matrix::InverseViewport => inverse_viewport(setting),
         };
@@ -78,29 +78,30 @@ fn place(matrix: Matrix, setting: &Setting<'_>) -> (&'static str, &'static str) 
     }
 }
 
-fn zero() -> Formula {
+pub(super) fn zero() -> Formula {
     Formula::Number(0.0)
 }
 
-fn one() -> Formula {
+pub(super) fn one() -> Formula {
     Formula::Number(1.0)
 }
 
-fn symbol(symbol: Symbol) -> Formula {
+pub(super) fn symbol(symbol: Symbol) -> Formula {
     symbol.into()
 }
 
-fn last_row() -> [Formula; 4] {
+pub(super) fn last_row() -> [Formula; 4] {
     [zero(), zero(), zero(), one()]
 }
 
 /// a b, each entry a sum of products without those that are 0.
-fn product(a: &EntryFormula, b: &EntryFormula) -> EntryFormula {
+#[must_use]
+pub fn entry_product(a: &EntryFormula, b: &EntryFormula) -> EntryFormula {
     std::array::from_fn(|i| std::array::from_fn(|j| sum((0..4).map(|k| times([a[i][k].clone(), b[k][j].clone()])))))
 }
 
 /// (5.7).
-fn view() -> EntryFormula {
+pub(super) fn view() -> EntryFormula {
     let row = |axis| {
         let [x, y, z] = Component::THREE.map(|c| symbol(Symbol::Axis(axis, c)));
         [x, y, z, -Formula::Dot(Vector::Axis(axis), Vector::Position)]
@@ -141,7 +142,7 @@ fn up(setting: &Setting<'_>, formula: Formula) -> Formula {
 }
 
 /// (5.13) to (5.16), and the substitutes of their third row in other conventions.
-fn projection(setting: &Setting<'_>) -> EntryFormula {
+pub(super) fn projection(setting: &Setting<'_>) -> EntryFormula {
     let WindowParts { size: [width, height], sum: [sum_x, sum_y], difference: [across, upwards] } =
         window_parts(setting);
     let skew = |sum: Formula, difference| if sum == zero() { zero() } else { over(sum, difference) };
@@ -330,7 +331,7 @@ fn entries_of(matrix: Matrix) -> EntryFormula {
 
 fn with_parent(model: EntryFormula, setting: &Setting<'_>) -> EntryFormula {
     let has_parent = setting.placement().is_some_and(|placement| placement.parent.is_some());
-    if has_parent { product(&entries_of(Matrix::Parent), &model) } else { model }
+    if has_parent { entry_product(&entries_of(Matrix::Parent), &model) } else { model }
 }
 
 /// S⁻¹ Rᵀ T⁻¹, after the inverse of the parent.
@@ -345,5 +346,5 @@ fn inverse_model(setting: &Setting<'_>) -> EntryFormula {
     };
     let own = [row(0), row(1), row(2), last_row()];
     let has_parent = setting.placement().is_some_and(|placement| placement.parent.is_some());
-    if has_parent { product(&own, &entries_of(Matrix::InverseParent)) } else { own }
+    if has_parent { entry_product(&own, &entries_of(Matrix::InverseParent)) } else { own }
 }

@@ -9,6 +9,7 @@
 //! | --- | --- |
 //! | `code` | the camera as code for libraries: the copied code gives the matrices that the program shows |
 //! | `definitions` | definitions of each symbol in the notes, down to the parameters |
+//! | `factors` | each entry of each step to the canonical volume as a formula |
 //! | `formula` | formulas as trees: one tree is evaluated, written with symbols, and written with numbers |
 //! | `formula_writer` | formulas as text and as LaTeX: with the notes' symbols, or with the numbers put in |
 //! | `homogeneous` | the effects of w: points, the middle of a segment, a chequered floor |
@@ -23,6 +24,7 @@
 
 pub mod code;
 mod definitions;
+mod factors;
 mod formula;
 mod formula_writer;
 pub mod homogeneous;
@@ -36,9 +38,10 @@ mod trace;
 pub mod vocabulary;
 
 pub use definitions::{Definition, definition, leaves};
+pub use factors::factor_entries;
 pub use formula::{Formula, Function, Named, minus, over, plus, sum, times};
 pub use formula_writer::{Notation, Numbers, Writer};
-pub use matrices::{EntryFormula, MatrixFormula, projection_equation};
+pub use matrices::{EntryFormula, MatrixFormula, entry_product, projection_equation};
 pub use report::{DepthPixelReport, json};
 pub use setting::{Placement, Setting};
 pub use step_lines::{Line, Style, aligned, written};

@@ -11,6 +11,7 @@
 //! | `read/` | the text of a figure file → `Figure` |
 //! | `recommended` | the viewpoint from which each preset is worth seeing |
 //! | `reveal` | the inner work of the pipeline that pictures show: the `[reveal]` section of a figure |
+//! | `screen` | the explanations that a window can show beside the pictures, by name |
 //! | `show` | the explanations that pictures show: the `[show]` section of a figure |
 //! | `view` | the three pictures, by name |
 //! | `words` | the words of a figure file: each name as it is written there, with its value |
@@ -25,6 +26,7 @@ pub mod points;
 pub mod read;
 mod recommended;
 mod reveal;
+mod screen;
 mod show;
 mod view;
 pub mod words;
@@ -40,6 +42,7 @@ pub use observer::Observer;
 pub use points::NamedPoint;
 pub use recommended::recommended_camera;
 pub use reveal::{Depth, Outside, Reveal};
+pub use screen::Explanation;
 pub use show::{
     Measure, Measured, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep,
     WindowSide,

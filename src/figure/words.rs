@@ -1,6 +1,6 @@
 //! The words of a figure file: each name as it is written there, with its value.
 
-use super::{Depth, Measure, Measured, Outside, StagePicture, TriangleStep, View, WindowSide};
+use super::{Depth, Explanation, Measure, Measured, Outside, StagePicture, TriangleStep, View, WindowSide};
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::camera::{Decomposition, Ndc, Projection};
 use crate::scene::{LightSpec, Preset, Shape};
@@ -86,6 +86,25 @@ pub const NDCS: Words<Ndc> = &{
     }
     all
 };
+
+/// The explanations at the side of the window.
+pub const EXPLANATIONS: Words<Explanation> = &[
+    ("matrices", Explanation::Matrices),
+    ("point", Explanation::Point),
+    ("w", Explanation::Homogeneous),
+    ("order", Explanation::Order),
+    ("steps", Explanation::Steps),
+    ("stages", Explanation::Stages),
+    ("triangle", Explanation::Triangle),
+    ("hidden-surfaces", Explanation::HiddenSurfaces),
+    ("clipping", Explanation::Clipping),
+    ("depth", Explanation::Depth),
+    ("dialects", Explanation::Dialects),
+    ("code", Explanation::Code),
+    ("conventions", Explanation::Conventions),
+    ("exercises", Explanation::Exercises),
+    ("notes", Explanation::Notes),
+];
 
 /// `[show] triangle`, its `step`
 pub const TRIANGLE_STEPS: Words<TriangleStep> = &[

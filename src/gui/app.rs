@@ -220,6 +220,10 @@ impl App {
             self.perform(&ctx, command);
         }
         dialogs::show(&ctx, &mut self.state);
+        if let Some(command) = self.state.search.command.take() {
+            self.perform(&ctx, command);
+            ctx.request_repaint();
+        }
         drop_hint(&ctx, &self.state);
         self.focus.end(&ctx);
         self.apply_settings(&ctx);

@@ -1,11 +1,5 @@
 //! The coach: in an empty image why it is empty, under the pictures a few words, and in a dialog all there is to say,
 //! with repairs.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `depth` | the depth panel: z_n over the distance from the eye, the resolution of formats of depth buffers |
-
-mod depth;
 
 use eframe::egui::{
     self, Align, Button, Color32, Label, Layout, Rect, Response, RichText, TextStyle, Ui, UiBuilder, vec2,
@@ -13,6 +7,7 @@ use eframe::egui::{
 
 use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::state::{Advice, Dialog, State};
+use crate::figure::Explanation;
 use crate::gui::elide;
 use crate::gui::tooltip::Explained;
 use crate::i18n::Lang;
@@ -127,6 +122,8 @@ fn change(state: &State, repair: &Repair) -> String {
 enum Wish {
     Repair(Repair),
     Camera(crate::camera::Parameters),
+    /// Go to the explanation of depths.
+    Depth,
 }
 
 /// The dialog with all there is to say.
@@ -141,8 +138,8 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: bool) {
         Some(advice) => {
             findings(ui, state, &advice, &mut wish);
             health(ui, state, &advice, &mut wish);
-            if let Some(camera) = depth::ui(ui, state, &advice.camera) {
-                wish = Some(Wish::Camera(camera));
+            if ui.link(words.about_depth).clicked() {
+                wish = Some(Wish::Depth);
             }
         }
     });
@@ -155,6 +152,10 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: bool) {
     match wish {
         Wish::Repair(repair) => state.apply_repair(repair),
         Wish::Camera(camera) => state.apply_camera(camera),
+        Wish::Depth => {
+            state.file_flow.dialog = None;
+            state.show_explanation(Explanation::Depth);
+        }
     }
     ui.request_repaint();
 }

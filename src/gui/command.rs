@@ -25,6 +25,7 @@ pub enum Command {
     SaveAs,
     Export,
     CopyLink,
+    Search,
     Quit,
     Undo,
     Redo,
@@ -68,14 +69,16 @@ pub enum Command {
 #[derive(Debug)]
 pub struct Menu {
     pub(super) title: fn(&Texts) -> &'static str,
+    /// False: its place is elsewhere, at the titles of the pictures.
+    pub in_bar: bool,
     groups: &'static [&'static [Row]],
 }
 
 impl Menu {
     /// Its commands in groups, as far as a window of this kind has them.
     pub fn groups(&self, state: &State) -> impl Iterator<Item = impl Iterator<Item = Command>> {
-        let is_there = |row: &&Row| !(state.in_browser && row.in_browser == InBrowser::Nothing);
-        self.groups.iter().map(move |group| group.iter().filter(is_there).map(|row| row.command))
+        let commands = |group: &'static [Row]| group.iter().map(|row| row.command);
+        self.groups.iter().map(move |group| commands(group).filter(|command| command.is_there(state)))
     }
 }
 
@@ -167,6 +170,12 @@ impl Command {
     pub fn any_has_in_browser(key: Key, modifiers: Modifiers) -> bool {
         let mut keys = rows().filter(|row| row.in_browser != InBrowser::WithoutKeys).flat_map(Row::all_keys);
         keys.any(|keys| keys.logical_key == key && modifiers.matches_exact(keys.modifiers))
+    }
+
+    /// True where a window of this kind has it.
+    #[must_use]
+    pub fn is_there(self, state: &State) -> bool {
+        !(state.in_browser && self.row().in_browser == InBrowser::Nothing)
     }
 
     /// Whether it would do something.

@@ -16,8 +16,10 @@ use super::file_flow;
 use super::file_kind::FileKind;
 use super::gallery::{self, Chosen, Source};
 use super::link_dialog;
+use super::menu;
 use super::native::Wanted;
 use super::panels::{complaint, scene};
+use super::search;
 use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use super::text_field::TextField;
 use crate::gui::tooltip::Explained;
@@ -46,6 +48,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,
             Dialog::Gallery => 1110.0,
             Dialog::Coach => coach::WIDTH,
+            Dialog::Search => search::WIDTH,
             Dialog::Export(_) => export_dialog::WIDTH,
             Dialog::Changed(_) => 480.0,
             Dialog::Unsaved(_) | Dialog::Path(..) | Dialog::Overwrite(..) | Dialog::ReadOnly(..) | Dialog::Closing => {
@@ -98,6 +101,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             Dialog::About => about::show(ui, t, state, first),
             Dialog::Link => link_dialog::show(ui, t, state, first),
             Dialog::Coach => coach::show(ui, t, state, first),
+            Dialog::Search => search::show(ui, state, first),
             Dialog::Gallery => {
                 state.file_flow.dialog = Some(Dialog::Gallery);
                 if first {
@@ -305,6 +309,9 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
             title(ui, words.help_touch);
             ui.label(words.help_touch_text);
         }
+        title(ui, t.help_signs);
+        let signs = menu::legend().map(|(sign, command)| format!("{sign} {}", command.label(t)));
+        ui.label(signs.collect::<Vec<_>>().join(" · "));
         title(ui, t.help_numbers);
         ui.label(t.help_numbers_text);
         title(ui, t.help_commands);

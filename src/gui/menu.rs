@@ -13,6 +13,54 @@ use crate::sanitize::escaped;
 /// Below this width, in points, the menus have no room beside the switches: a telephone held upright.
 pub(super) const PHONE: f32 = 600.0;
 
+/// From this width on, in points, the switches that most look for have their words.
+const WORDS: f32 = 1000.0;
+
+/// From this width on, every switch of the bar has its word.
+const ALL_WORDS: f32 = 1500.0;
+
+/// A switch at the right end of the bar.
+struct Switch {
+    command: Command,
+    sign: Option<Sign>,
+    word: fn(&Texts) -> &'static str,
+}
+
+/// The sign of a switch where there is little room.
+struct Sign {
+    text: &'static str,
+    /// It stands for the word in a window of an ordinary size too, not in a small one alone.
+    is_enough: bool,
+}
+
+const SWITCHES: &[Switch] = &[
+    Switch { command: Command::Language, sign: None, word: |t| t.language },
+    Switch { command: Command::ParametersPanel, sign: Some(Sign::panel("◧")), word: |t| t.parameters_panel },
+    Switch { command: Command::Pipeline, sign: Some(Sign::panel("⬓")), word: |t| t.stages_word },
+    Switch { command: Command::NumbersPanel, sign: Some(Sign::panel("◨")), word: |t| t.operations_word },
+    Switch { command: Command::Explain, sign: Some(Sign::in_small("?")), word: |t| t.explain_word },
+    Switch { command: Command::Exercises, sign: Some(Sign::in_small("✎")), word: |t| t.exercises },
+    Switch { command: Command::Presentation, sign: Some(Sign::in_small("▶")), word: |t| t.menu_present },
+];
+
+impl Sign {
+    const fn panel(text: &'static str) -> Self {
+        Self { text, is_enough: true }
+    }
+
+    const fn in_small(text: &'static str) -> Self {
+        Self { text, is_enough: false }
+    }
+}
+
+/// The signs of the bar with their commands, as a legend lists them.
+pub(super) fn legend() -> impl Iterator<Item = (&'static str, Command)> {
+    let switches = SWITCHES.iter().filter_map(|switch| Some((switch.sign.as_ref()?.text, switch.command)));
+    HISTORY.into_iter().map(|(command, sign)| (sign, command)).chain(switches)
+}
+
+const HISTORY: [(Command, &str); 2] = [(Command::Undo, "↶"), (Command::Redo, "↷")];
+
 /// Shows the bar; the chosen command, if any.
 pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
     let t = window::texts(state.settings.lang);
@@ -26,8 +74,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
             chosen = menus(ui, t, state);
         }
         ui.separator();
-        for command in [Command::Undo, Command::Redo] {
-            let sign = if command == Command::Undo { "↶" } else { "↷" };
+        for (command, sign) in HISTORY {
             if switch(ui, t, state, command, sign) {
                 chosen = Some(command);
             }
@@ -42,18 +89,14 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         };
         let switched = with_room_before(ui, middle, |ui| {
             let mut switched = None;
-            for (command, sign) in [
-                (Command::Language, t.language),
-                (Command::Theme, "◐"),
-                (Command::Presentation, "▶"),
-                (Command::ParametersPanel, "◧"),
-                (Command::Pipeline, "⬓"),
-                (Command::NumbersPanel, "◨"),
-                (Command::Explain, "?"),
-                (Command::Exercises, "✎"),
-            ] {
-                if switch(ui, t, state, command, sign) {
-                    switched = Some(command);
+            let width = ui.ctx().content_rect().width();
+            for Switch { command, sign, word } in SWITCHES {
+                let text = match sign {
+                    Some(sign) if width < if sign.is_enough { ALL_WORDS } else { WORDS } => sign.text,
+                    Some(_) | None => word(t),
+                };
+                if switch(ui, t, state, *command, text) {
+                    switched = Some(*command);
                 }
             }
             switched
@@ -66,7 +109,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
 /// The menus, one beside or below the other; the chosen command, if any.
 fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
     let mut chosen = None;
-    for menu in MENUS {
+    for menu in MENUS.iter().filter(|menu| menu.in_bar) {
         ui.menu_button((menu.title)(t), |ui| {
             ui.set_min_width(220.0);
             let mut is_first = true;
@@ -119,12 +162,11 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
 fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Command>) {
     let name = state.document.name().map_or_else(|| t.untitled.to_owned(), |name| escaped(&name));
     let text = if state.document.is_changed() { format!("{name} •") } else { name };
-    if state.document.name().is_none() && !state.document.is_changed() {
-        // Whoever has just come in sees where there is more to see.
-        let keys = ui.ctx().format_shortcut(&Command::Gallery.shortcut());
-        let link = ui.link(format!("{} ({keys})", t.gallery.trim_end_matches('…')));
-        if link.explained(t.gallery_hint).clicked() {
-            *chosen = Some(Command::Gallery);
+    for command in [Command::Gallery, Command::Search] {
+        let keys = keys(ui, state, command).map(|keys| format!(" ({keys})")).unwrap_or_default();
+        let link = ui.link(command.label(t).trim_end_matches('…'));
+        if link.explained(format!("{}{keys}", command.hint(t))).clicked() {
+            *chosen = Some(command);
         }
     }
     let label = egui::Label::new(RichText::new(text).weak()).truncate();

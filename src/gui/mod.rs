@@ -42,6 +42,7 @@
 //! | `prose` | text in Markdown, with mathematics between dollar signs |
 //! | `repair` | one-click repairs of impossible camera parameters |
 //! | `scene_cache` | the scene of the pictures; mesh files are read beside the window's thread |
+//! | `search` | one search for everything in the window |
 //! | `selection_gizmo` | the effect of the gizmo in the world on the selection |
 //! | `sequence` | the previous and the next figure, of a folder or of the built-in ones |
 //! | `session/` | the session of a window that did not close |
@@ -94,6 +95,7 @@ pub mod preview;
 mod prose;
 pub mod repair;
 pub mod scene_cache;
+mod search;
 mod selection_gizmo;
 mod sequence;
 pub mod session;

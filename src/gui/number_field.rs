@@ -97,6 +97,16 @@ struct Editing {
     error: Option<FieldError>,
 }
 
+/// The field of this name, in a panel that is shown in the next frame, takes the keyboard.
+pub(super) fn take_keyboard(ctx: &egui::Context, name: &str) {
+    ctx.data_mut(|data| data.insert_temp(called(), name.to_owned()));
+    ctx.request_repaint();
+}
+
+fn called() -> egui::Id {
+    egui::Id::unique("number field that takes the keyboard")
+}
+
 impl<'a> NumberField<'a> {
     /// A field with the name that screen readers say.
     #[must_use]
@@ -202,9 +212,19 @@ impl<'a> NumberField<'a> {
         self.show_in(&mut ui.new_child(place), texts, value)
     }
 
+    /// Takes the keyboard where this field was asked to.
+    fn answer_call(&self, ui: &egui::Ui, id: egui::Id) {
+        let called = ui.data(|data| data.get_temp::<String>(called()));
+        if self.owner.is_empty() && called.as_deref() == Some(self.name.as_ref()) {
+            ui.data_mut(|data| data.remove::<String>(self::called()));
+            ui.memory_mut(|memory| memory.request_focus(id));
+        }
+    }
+
     /// As [`Self::show`], in a place of its own: button and text field must have one and the same id.
     fn show_in(self, ui: &mut egui::Ui, texts: &Texts, value: &mut f64) -> FieldOutput {
         let id = ui.next_auto_id();
+        self.answer_call(ui, id);
         let old = *value;
         let editing = ui.is_enabled()
             && ui.memory_mut(|memory| {

@@ -61,13 +61,13 @@ texts! {
     // What the keys do in the image.
     keys_in_image: "Arrows: raise and turn the camera · + −: zoom · Page ↑ ↓: nearer, farther · I, V: probe pixels, vertices", "Setas: erguer e girar a câmera · + −: zoom · Page ↑ ↓: perto, longe · I, V: sondar pixels, vértices";
     // Title of the strip of stages, and the button that shows it.
-    strip: "Pipeline", "Pipeline";
+    strip: "Stages", "Etapas";
     // Tooltip of that button.
     strip_show: "Every stage of the pipeline: what went in and came out, how long it took, or why it was skipped (F10)", "Cada etapa do pipeline: o que entrou e o que saiu, quanto durou, ou por que foi omitida (F10)";
     // Name of the chooser whose stages are shown.
     strip_of: "Stages of the picture", "Etapas da imagem";
     // Tooltip of a button.
-    strip_close: "Hide the pipeline (F10)", "Esconder o pipeline (F10)";
+    strip_close: "Hide the stages (F10)", "Esconder as etapas (F10)";
     // Of a picture that is hidden.
     strip_hidden: "This picture is hidden: no stage runs for it.", "Esta imagem está escondida: nenhuma etapa é executada para ela.";
     // Before the time of all stages.

@@ -20,9 +20,9 @@ texts! {
     nothing_repaired: "nothing to repair: the figure is written unchanged", "nada a consertar: a figura é gravada sem mudança";
     cannot_repair: "no change to camera or style repairs this: the figure is written unchanged", "nenhuma mudança na câmera ou no estilo conserta isto: a figura é gravada sem mudança";
     // Of the window.
-    coach: "Coach", "Orientador";
+    coach: "Camera check", "Exame da câmera";
     coach_hint: "How close the camera is to numerical trouble, and why something is missing from the picture", "Quão perto a câmera está de problemas numéricos, e por que algo falta na imagem";
-    camera_is: "Camera:", "Câmera:";
+    camera_is: "Camera check:", "Exame da câmera:";
     image_empty: "Image empty: why?", "Imagem vazia: por quê?";
     one_finding: "1 finding", "1 achado";
     many_findings: "findings", "achados";
@@ -30,7 +30,7 @@ texts! {
     improve: "Improve", "Melhorar";
     looking: "Looking…", "Examinando…";
     too_large: "The image is too large to be drawn.", "A imagem é grande demais para ser desenhada.";
-    depth: "Depth", "Profundidade";
+    about_depth: "Depth, z-fighting: what a depth buffer can tell apart →", "Profundidade, z-fighting: o que um z-buffer distingue →";
     depth_hint: "z_n against the distance from the eye, from F to B, in the convention in use: in perspective, linear as in parallel projection, and reversed (from 1 to 0). The thick curve is that of this camera", "z_n em função da distância ao olho, de F a B, na convenção em uso: em perspectiva, linear como na projeção paralela, e invertida (de 1 a 0). A curva grossa é a desta câmera";
     distance: "distance from the eye", "distância ao olho";
     perspective: "perspective", "perspectiva";

@@ -33,6 +33,7 @@
 //! | `reasons` | the reasons why stages run or are skipped |
 //! | `scene_errors` | faults of objects and lights |
 //! | `scenes` | the words of the scene: its tree, its objects and lights |
+//! | `search` | the words of the search for anything, and the other names of the field |
 //! | `sessions` | messages about windows that did not close, in both languages |
 //! | `sharing` | links to figures, and the differences in a page of a browser, in both languages |
 //! | `sources` | the notes that texts cite as `[0]` … `[4]` |
@@ -107,6 +108,7 @@ pub mod progress;
 pub mod reasons;
 mod scene_errors;
 pub mod scenes;
+pub mod search;
 pub mod sessions;
 pub mod sharing;
 pub mod sources;

@@ -8,6 +8,7 @@
 use std::sync::LazyLock;
 
 use super::Lang;
+use super::search::{folded, has_words};
 use crate::camera::{Freedom, Step};
 use crate::explain::{Axis, Component, Matrix, Symbol};
 use crate::pipeline::Stage;
@@ -48,14 +49,19 @@ impl Note {
     /// Whether it says all words of `wanted`, however they are accented and capitalised. No words: it does.
     #[must_use]
     pub fn says(&self, wanted: &str) -> bool {
-        folded(wanted).split_whitespace().all(|word| self.searched.contains(word))
+        has_words(&self.searched, wanted)
+    }
+
+    /// All its words, without accents and capitals.
+    #[must_use]
+    pub fn searched(&self) -> &str {
+        &self.searched
     }
 
     /// Whether all words of `wanted` are in its heading.
     #[must_use]
     pub fn is_headed(&self, wanted: &str) -> bool {
-        let title = folded(self.title);
-        folded(wanted).split_whitespace().all(|word| title.contains(word))
+        has_words(&folded(self.title), wanted)
     }
 
     fn finish(mut self) -> Self {
@@ -127,20 +133,6 @@ fn take(note: &mut Note, line: &'static str) {
 fn pieces(line: &'static str) -> Vec<Piece> {
     let piece = |(i, part)| if i % 2 == 0 { Piece::Words(part) } else { Piece::Mathematics(part) };
     line.split('$').enumerate().map(piece).filter(|piece| *piece != Piece::Words("")).collect()
-}
-
-/// Without accents and capitals.
-fn folded(text: &str) -> String {
-    let plain = |c| match c {
-        'á' | 'à' | 'â' | 'ã' => 'a',
-        'é' | 'ê' => 'e',
-        'í' => 'i',
-        'ó' | 'ô' | 'õ' => 'o',
-        'ú' | 'ü' => 'u',
-        'ç' => 'c',
-        c => c,
-    };
-    text.to_lowercase().chars().map(plain).collect()
 }
 
 /// LaTeX of the notes in a line: for screen readers, and to be found.

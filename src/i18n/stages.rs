@@ -1,4 +1,4 @@
-//! The tab of stages.
+//! Stages and hidden surfaces.
 
 use crate::stage::{Stage, WorksOn};
 
@@ -34,7 +34,8 @@ texts! {
     pieces: "Dashed: triangles that cross a plane. Lines: the pieces that remain; the new vertices are marked. What lies outside is tinted in the world.",
         "Tracejado: triângulos que cruzam um plano. Linhas: os pedaços que restam; os vértices novos estão marcados. O que fica fora está tingido no mundo.";
     halves: "Left half: as it goes in. Right half: as it comes out.", "Metade esquerda: como entra. Metade direita: como sai.";
-    order: "All stages, in their order", "Todas as etapas, na ordem";
+    strip: "Also under the pictures (F10), with counts and times", "Também sob as imagens (F10), com contagens e tempos";
+    strip_hint: "The strip under the pictures: each stage with what goes in and out, and its time", "A faixa sob as imagens: cada etapa com o que entra e sai, e seu tempo";
 }
 
 /// The display of a stage in a picture.

@@ -5,7 +5,8 @@ texts! {
     menus: "Menu", "Menu";
     menu_file: "File", "Arquivo";
     menu_edit: "Edit", "Editar";
-    menu_view: "View", "Ver";
+    menu_view: "Pictures", "Imagens";
+    menu_viewpoint: "Viewpoint", "Ponto de vista";
     menu_window: "Window", "Janela";
     menu_present: "Present", "Apresentar";
     menu_help: "Help", "Ajuda";
@@ -70,6 +71,11 @@ texts! {
     parameters_panel_hint: "Shows or hides the panel on the left", "Mostra ou esconde o painel da esquerda";
     numbers_panel: "Operations and numbers", "Operações e números";
     numbers_panel_hint: "Shows or hides the panel on the right", "Mostra ou esconde o painel da direita";
+    explain_word: "Explain", "Explicar";
+    stages_word: "Stages", "Etapas";
+    operations_word: "Operations", "Operações";
+    search: "Search…", "Procurar…";
+    search_hint: "Finds commands, explanations, notes, exercises and figures", "Encontra comandos, explicações, notas, exercícios e figuras";
     explain_panel: "Explanations", "Explicações";
     exercises: "Exercises", "Exercícios";
     exercises_hint: "Exercises of the notes, and families that draw new numbers each time; answers are checked and explained", "Os exercícios das notas, e famílias que sorteiam números novos a cada vez; as respostas são conferidas e explicadas";
@@ -117,6 +123,7 @@ texts! {
     help_numbers_text: "Drag sideways (Shift: slowly). Click and type a number or an expression: 1/3, sqrt(2)/2, 45°, pi/3. Enter: accept · Esc: cancel · ↑ ↓: one step · Page ↑ ↓: ten steps", "Arraste para o lado (Shift: devagar). Clique e digite um número ou uma expressão: 1/3, sqrt(2)/2, 45°, pi/3. Enter: aceitar · Esc: cancelar · ↑ ↓: um passo · Page ↑ ↓: dez passos";
     help_pictures: "Pictures", "Imagens";
     help_pictures_text: "Double-click: maximise. Drag C, PF, VUP and the planes F and B in the world, and the arrows, rings (R) and bars (S) of the object selected in the scene; with Ctrl, in steps. Click: pin what is under the pointer.", "Duplo clique: maximizar. Arraste C, PF, VUP e os planos F e B no mundo, e as setas, anéis (R) e barras (S) do objeto selecionado na cena; com Ctrl, em passos. Clique: fixar o que está sob o ponteiro.";
+    help_signs: "Signs of the bar", "Sinais da barra";
     help_commands: "Commands", "Comandos";
     close: "Close", "Fechar";
     show_world: "World", "Mundo";
@@ -216,7 +223,7 @@ texts! {
     antialias_hint: "Samples per pixel: more are smoother and slower", "Amostras por pixel: mais amostras, mais suave e mais lento";
     theme_name: "theme", "tema";
     file_theme: "file theme", "tema do arquivo";
-    file_theme_hint: "The theme in which camera-lab render writes the pictures of this figure. The window has its own: View, Dark theme", "O tema em que camera-lab render grava as imagens desta figura. A janela tem o seu: Ver, Tema escuro";
+    file_theme_hint: "The theme in which camera-lab render writes the pictures of this figure. The window has its own: Window, Dark theme", "O tema em que camera-lab render grava as imagens desta figura. A janela tem o seu: Janela, Tema escuro";
     theme_light: "light", "claro";
     theme_dark: "dark", "escuro";
     theme_print: "print", "impressão";
@@ -233,7 +240,6 @@ texts! {
     section_view_hint: "The section through C, as in the side figures of the notes: similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its own", "O corte por C, como nas figuras de perfil das notas: triângulos semelhantes, θ/2, H/2, F, B, um ponto e seu y_p. Aponte para um vértice para ver o dele";
 
     // What is revealed of the pipeline.
-    reveal: "Inside the pipeline", "Por dentro do pipeline";
     depth_view: "image", "imagem";
     depth_view_hint: "The depth buffer in place of the colours: black is near, white is far. Perspective crowds Z near 1. Point at a pixel to read its numbers below. [0] (5.25), [2] depth buffer", "O z-buffer no lugar das cores: preto é perto, branco é longe. A perspectiva comprime Z perto de 1. Aponte para um pixel para ler seus números embaixo. [0] (5.25), [2] z-buffer";
     depth_off: "colours", "cores";
@@ -241,7 +247,7 @@ texts! {
     depth_linear: "distances", "distâncias";
     outside_view: "outside", "fora";
     outside_view_hint: "Parts of the scene outside the view volume, in the world and in the canonical volume. [2] clipping, [0] §5.3", "Partes da cena fora do volume de vista, no mundo e no volume canônico. [2] clipping, [0] §5.3";
-    outside_usual: "as usual", "como sempre";
+    outside_usual: "drawn normally", "desenhado normalmente";
     outside_cut: "cut", "cortado";
     outside_tinted: "tinted", "tingido";
     outside_shown: "shown", "à vista";

@@ -309,15 +309,21 @@ fn only_what_has_changed_is_drawn_again() {
     assert_eq!((changed[0], changed[1], changed[2]), (hidden[0] + 1, hidden[1], hidden[2] + 1));
 }
 
+/// Takes a viewpoint of the world from its menu.
+fn look(h: &mut Harness<'_, Stage>, from: &str) {
+    h.get_all_by_label("Look from…").next().unwrap().click();
+    h.run();
+    h.get_by_label_contains(from).click();
+    h.run();
+}
+
 #[test]
 fn a_look_from_a_side_is_taken_and_an_untold_observer_stays_while_the_camera_moves_a_little() {
     let mut h = stage(|_| ());
-    h.get_all_by_label("From the top (+y)").next().unwrap().click();
-    h.run();
+    look(&mut h, "From the top (+y)");
     assert_eq!(world_observer(&h).elevation, 90.0);
     assert_eq!(canonical_observer(&h).elevation, 30.0, "each picture has its own buttons");
-    h.get_all_by_label("From a corner").next().unwrap().click();
-    h.run();
+    look(&mut h, "From a corner");
     assert_eq!(h.state().state.document.figure().observers.world, None);
 
     let drawn = h.state().canvas.drawn()[0];

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use camera_lab::camera::{Api, Ndc, Parameters};
+use camera_lab::figure::Explanation;
 use camera_lab::gui::state::Dialog;
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
@@ -50,10 +51,10 @@ fn an_empty_image_says_why_and_one_click_shows_what_was_missing() {
 #[test]
 fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
     let mut window = window(Lang::En);
-    assert!(window.harness.query_by_label("Camera: good").is_some());
+    assert!(window.harness.query_by_label("Camera check: good").is_some());
     window.enter("F", "0.00001");
     settled(&mut window);
-    window.click("⚠ Camera: poor");
+    window.click("⚠ Camera check: poor");
     settled(&mut window);
     assert!(window.says("The picture is as it should be."));
     assert!(window.says("⚠ B / F: poor"));
@@ -62,7 +63,7 @@ fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
     improve.click();
     settled(&mut window);
     assert!(window.state().document.figure().camera.near > 0.5);
-    assert!(window.harness.query_by_label("Camera: good").is_some());
+    assert!(window.harness.query_by_label("Camera check: good").is_some());
     window.command_key(Key::Z);
     assert_eq!(window.state().document.figure().camera.near, 1e-5);
 }
@@ -73,7 +74,7 @@ fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
 fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
     let mut window = window(Lang::En);
     let place = |window: &Window, label: &str| window.harness.get_by_label(label).rect();
-    let (coach, stages) = (place(&window, "Camera: good").center(), place(&window, "Pipeline"));
+    let (coach, stages) = (place(&window, "Camera check: good").center(), place(&window, "Stages"));
     let button = |window: &Window, pressed| {
         let modifiers = Modifiers::NONE;
         window.harness.event(Event::PointerButton { pos: coach, button: PointerButton::Primary, pressed, modifiers });
@@ -90,8 +91,8 @@ fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
     settled(&mut window);
     assert!(window.state().file_flow.dialog == Some(Dialog::Coach) && !window.state().layout.strip);
     window.key(Key::Escape);
-    assert!(window.harness.query_by_label("⚠ Camera: poor").is_some());
-    assert_eq!(place(&window, "Pipeline"), stages);
+    assert!(window.harness.query_by_label("⚠ Camera check: poor").is_some());
+    assert_eq!(place(&window, "Stages"), stages);
 }
 
 /// Once it has said what there is to say, the coach does nothing until the figure changes.
@@ -105,7 +106,7 @@ fn what_has_not_changed_is_not_looked_at_again() {
     assert_eq!(window.state().coach.advice(), Some(&known));
 }
 
-/// The depth panel is in the convention that is worked in, and draws what it says of two planes.
+/// The explanation of depths is in the convention that is worked in, and draws what it says of two planes.
 #[test]
 fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
     let cases = [
@@ -128,8 +129,7 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
     ];
     for (lang, in_convention, fixed, float, apart, flicker) in cases {
         let mut window = window(lang);
-        window.app_mut().state.file_flow.dialog = Some(Dialog::Coach);
-        window.run();
+        window.explain(Explanation::Depth);
         assert!(window.harness.query_by_label(in_convention).is_some());
         assert!(window.harness.query_by_label(float).is_some());
         let picture = |window: &Window, text: &str| {

@@ -4,6 +4,7 @@ use std::fs;
 use std::time::{Duration, Instant};
 
 use camera_lab::camera::{Api, Ndc, Projection};
+use camera_lab::figure::Explanation;
 use camera_lab::gui::state::{Conventions, Dialog};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
@@ -17,10 +18,10 @@ use super::window::Window;
 
 const VULKAN: Ndc = Ndc { api: Api::Vulkan, reversed: false, infinite: false };
 
-/// A window whose section of conventions is open.
+/// A window that shows the conventions.
 fn window(lang: Lang) -> Window {
     let mut window = Window::new(lang);
-    window.click(if lang == Lang::En { "Conventions" } else { "Convenções" });
+    window.explain(Explanation::Conventions);
     window
 }
 

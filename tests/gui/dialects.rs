@@ -2,35 +2,33 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::gui::state::ExplainTab;
+use camera_lab::figure::Explanation;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
-use eframe::egui::{Key, Modifiers};
+use eframe::egui::Key;
 use egui_kittest::kittest::Queryable as _;
 use glam::DVec3;
 
 use super::window::Window;
 
-/// A window whose side of explanations shows a tab.
-fn window(lang: Lang, tab: &str) -> Window {
+/// A window that shows an explanation.
+fn window(lang: Lang, shown: Explanation) -> Window {
     let mut figure = camera_lab::gui::fresh();
     figure.scene.preset = Preset::Empty;
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
     state.layout.maximized = Some(View::Image);
     // So high that nothing has to be scrolled.
     let mut window = Window::with_state(state, [1100.0, 1500.0]);
-    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
-    window.run();
-    window.click(tab);
+    window.explain(shown);
     window
 }
 
 #[test]
 fn a_number_of_another_vocabulary_sets_the_camera() {
-    let mut window = window(Lang::En, "Dialects");
-    assert_eq!(window.state().explain.tab, ExplainTab::Dialects);
+    let mut window = window(Lang::En, Explanation::Dialects);
+    assert_eq!(window.state().explain.shown(), Explanation::Dialects);
     window.enter("gluLookAt eyeX", "7");
     assert_eq!(window.state().document.camera().position().x, 7.0);
     window.enter("F F", "0.5");
@@ -53,7 +51,7 @@ fn a_number_of_another_vocabulary_sets_the_camera() {
 
 #[test]
 fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
-    let mut window = window(Lang::PtBr, "Dialetos");
+    let mut window = window(Lang::PtBr, Explanation::Dialects);
     window.app_mut().state.explain.pasted.text = "1 0 0\n0 1 0".to_owned();
     window.run();
     assert!(window.says("6 números"));
@@ -75,7 +73,7 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
 
 #[test]
 fn code_is_for_the_camera_as_it_is() {
-    let mut window = window(Lang::En, "Code");
+    let mut window = window(Lang::En, Explanation::Code);
     let code = |window: &Window| {
         let mut nodes = window.harness.get_all_by_label("Code").filter_map(|node| node.value());
         nodes.find(|text| text.contains("gl")).unwrap_or_default()

@@ -4,7 +4,8 @@
 
 use camera_lab::camera::Parameters;
 use camera_lab::exercises::{Ask, Entry, Exercise, Expected, Free, Stage, entry};
-use camera_lab::gui::state::{Chosen, ExplainTab};
+use camera_lab::figure::Explanation;
+use camera_lab::gui::state::Chosen;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::{Lang, exercise_messages, exercise_window, exercises as said};
 use camera_lab::scene::Preset;
@@ -79,7 +80,7 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     let own = window.state().document.figure().clone();
     assert!(!window.state().shows_exercises(), "off at the start");
     window.click("Exercises");
-    assert_eq!(window.state().explain.tab, ExplainTab::Exercises);
+    assert_eq!(window.state().explain.shown(), Explanation::Exercises);
     window.click("The view matrix, [0] §5.3.1, (5.7), not begun");
     let (_, exercise) = made("view-matrix", 0);
     let ask = &exercise.asks[0];

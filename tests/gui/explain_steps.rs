@@ -6,7 +6,7 @@ use std::fs;
 use std::time::{Duration, Instant};
 
 use camera_lab::camera::{Decomposition, Parameters, ViewWindow};
-use camera_lab::gui::state::ExplainTab;
+use camera_lab::figure::Explanation;
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::explain::texts;
 use camera_lab::views::View;
@@ -19,10 +19,7 @@ use super::window::Window;
 fn stepping(lang: Lang) -> Window {
     let mut window = Window::new(lang);
     window.app_mut().state.layout.maximized = Some(View::Canonical);
-    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
-    window.run();
-    window.click(texts(lang).steps);
-    assert_eq!(window.state().explain.tab, ExplainTab::Steps);
+    window.explain(Explanation::Steps);
     window
 }
 

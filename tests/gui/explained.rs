@@ -3,8 +3,8 @@
 use std::fs;
 
 use camera_lab::camera::Decomposition;
+use camera_lab::figure::Explanation;
 use camera_lab::figure::{Measure, Measured, ShownTriangle, TriangleStep};
-use camera_lab::gui::state::ExplainTab;
 use eframe::egui::Key;
 
 use super::files::Folder;
@@ -66,7 +66,7 @@ fn esc_lets_go_of_what_a_file_brought_and_a_presentation_keeps_it() {
 fn an_open_tab_of_steps_takes_up_the_way_of_a_file() {
     let mut window = window("explained-way", "step = { way = \"box\", at = 1.0 }");
     window.app_mut().state.settings.panels.wanted[2] = true;
-    window.app_mut().state.explain.tab = ExplainTab::Steps;
+    window.app_mut().state.explain.show(Explanation::Steps);
     window.run();
     let step = window.state().shown().step.expect("a step");
     assert_eq!((step.way, step.at), (Decomposition::Box, Some(1.0)));

@@ -42,7 +42,7 @@ impl Window {
 #[test]
 fn figures_of_the_program_are_chosen_with_the_keys_and_opened() {
     let mut window = Window::new(Lang::PtBr);
-    window.click("Galeria (Ctrl+G)");
+    window.click("Galeria");
     window.wait_for("Primitivas: Uma de cada forma");
     window.wait_for("Cena vazia: Nada");
     window.wait_for("Planeta e lua: Corpos");

@@ -10,9 +10,10 @@ use camera_lab::camera::Decomposition;
 use camera_lab::camera::{Camera, MatrixKind, Ndc, recover};
 use camera_lab::exercises::{Free, check, entry};
 use camera_lab::explain::Matrix;
+use camera_lab::figure::Explanation;
 use camera_lab::figure::NamedPoint;
 use camera_lab::figure::ShownStep;
-use camera_lab::gui::state::{Checked, Chosen, Described, ExplainTab, Selected, Typed, joined};
+use camera_lab::gui::state::{Checked, Chosen, Described, Selected, Typed, joined};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::{ObjectSpec, Preset, Shape};
@@ -24,7 +25,7 @@ use super::window::Window;
 
 /// What is shown beside a tab.
 struct Shown {
-    tab: ExplainTab,
+    tab: Explanation,
     /// The name of the file.
     name: &'static str,
     view: View,
@@ -32,9 +33,9 @@ struct Shown {
 }
 
 const ALL: [Shown; 9] = [
-    Shown { tab: ExplainTab::Point, name: "point", view: View::Image, change: |_| () },
+    Shown { tab: Explanation::Point, name: "point", view: View::Image, change: |_| () },
     Shown {
-        tab: ExplainTab::Steps,
+        tab: Explanation::Steps,
         name: "steps",
         view: View::Canonical,
         change: |state| {
@@ -42,20 +43,20 @@ const ALL: [Shown; 9] = [
         },
     },
     Shown {
-        tab: ExplainTab::Homogeneous,
+        tab: Explanation::Homogeneous,
         name: "w",
         view: View::Image,
         change: |state| state.document.edit(|figure| figure.reveal.vanishing = true),
     },
     Shown {
-        tab: ExplainTab::Stages,
+        tab: Explanation::Stages,
         name: "stages",
         view: View::Image,
         change: |state| state.document.show_mut().painted = Some(0.4),
     },
-    Shown { tab: ExplainTab::Dialects, name: "dialects", view: View::World, change: |_| () },
+    Shown { tab: Explanation::Dialects, name: "dialects", view: View::World, change: |_| () },
     Shown {
-        tab: ExplainTab::Order,
+        tab: Explanation::Order,
         name: "order",
         view: View::World,
         change: |state| {
@@ -67,14 +68,14 @@ const ALL: [Shown; 9] = [
             state.tree.select(Some(Selected::Object("box".to_owned())));
         },
     },
-    Shown { tab: ExplainTab::Code, name: "code", view: View::World, change: |_| () },
+    Shown { tab: Explanation::Code, name: "code", view: View::World, change: |_| () },
     Shown {
-        tab: ExplainTab::Notes,
+        tab: Explanation::Notes,
         name: "notes",
         view: View::World,
         change: |state| state.explain.notes.chosen = "5.14",
     },
-    Shown { tab: ExplainTab::Exercises, name: "exercises", view: View::World, change: wrong_view_matrix },
+    Shown { tab: Explanation::Exercises, name: "exercises", view: View::World, change: wrong_view_matrix },
 ];
 
 /// A view matrix with −C in its last column, judged, and its camera beside the right one.
@@ -112,7 +113,7 @@ fn window(shown: &Shown, lang: Lang, size: [f32; 2], change: impl FnOnce(&mut St
         figure.points = points.map(|(name, position)| NamedPoint { name: name.to_owned(), position }).to_vec();
     });
     state.settings.panels.wanted = [false, false, true];
-    state.explain.tab = shown.tab;
+    state.explain.show(shown.tab);
     state.layout.maximized = Some(shown.view);
     (shown.change)(&mut state);
     change(&mut state);
@@ -136,7 +137,7 @@ fn of_each_tab() {
             let mut window = window(shown, lang, [960.0, 640.0], |_| ());
             draw(&mut window, &folder.join(format!("explain-{}.{code}.png", shown.name)));
         }
-        let matrices = Shown { tab: ExplainTab::Matrices, name: "", view: View::World, change: |_| () };
+        let matrices = Shown { tab: Explanation::Matrices, name: "", view: View::World, change: |_| () };
         let mut window = window(&matrices, lang, [1280.0, 720.0], |state| {
             state.layout.maximized = None;
             state.settings.panels.wanted = [true, false, true];

@@ -3,13 +3,12 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::camera::{Camera, Parameters, Projection};
-use camera_lab::figure::NamedPoint;
+use camera_lab::figure::{Explanation, NamedPoint};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use glam::DVec3;
 
@@ -24,9 +23,7 @@ fn window(lang: Lang, points: &[(&str, DVec3)]) -> Window {
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
     state.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1000.0, 1300.0]);
-    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
-    window.run();
-    window.click("w");
+    window.explain(Explanation::Homogeneous);
     window
 }
 

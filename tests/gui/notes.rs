@@ -1,7 +1,8 @@
 //! The tab of notes: searched, read, left by links; F1 on a thing opens the note on it.
 
+use camera_lab::figure::Explanation;
 use camera_lab::figure::NamedPoint;
-use camera_lab::gui::state::{Dialog, ExplainTab, Selected, Side, Tab};
+use camera_lab::gui::state::{Dialog, Selected, Side, Tab};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::explain::texts;
 use camera_lab::i18n::notes::note;
@@ -17,7 +18,7 @@ fn reading(lang: Lang) -> Window {
     let mut window = Window::new(lang);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
     window.run();
-    window.app_mut().state.explain.tab = ExplainTab::Notes;
+    window.app_mut().state.explain.show(Explanation::Notes);
     window.run();
     window
 }
@@ -29,7 +30,7 @@ fn chosen(window: &Window) -> &'static str {
 /// The note that is shown, with the side of explanations and its tab.
 fn shown(window: &Window) -> Option<&'static str> {
     let state = window.state();
-    let is_shown = state.settings.panels().is_shown(Side::Explain) && state.explain.tab == ExplainTab::Notes;
+    let is_shown = state.settings.panels().is_shown(Side::Explain) && state.explain.shown() == Explanation::Notes;
     is_shown.then_some(state.explain.notes.chosen)
 }
 
@@ -168,7 +169,7 @@ fn f1_opens_the_note_on_an_operation_a_stage_and_the_entry_of_a_matrix() {
     assert_eq!(shown(&window), Some("stage-clip"));
     point_at(&mut window, Pos2::ZERO);
 
-    window.app_mut().state.explain.tab = ExplainTab::Matrices;
+    window.app_mut().state.explain.show(Explanation::Matrices);
     window.run();
     window.harness.get_by_label_contains("M_p, linha 3, coluna 3").focus();
     window.run();
@@ -182,7 +183,7 @@ fn f1_opens_the_note_on_what_is_in_the_other_tabs_of_explanations() {
     window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
     window.run();
     let mut ask = |tab, role, label: &str, note: &str| {
-        window.app_mut().state.explain.tab = tab;
+        window.app_mut().state.explain.show(tab);
         window.run();
         window.harness.get_by_role_and_label(role, label).focus();
         window.run();
@@ -190,15 +191,15 @@ fn f1_opens_the_note_on_what_is_in_the_other_tabs_of_explanations() {
         assert_eq!(shown(&window), Some(note), "{label}");
     };
     let t = camera_lab::i18n::homogeneous::texts(Lang::En);
-    ask(ExplainTab::Homogeneous, Role::Slider, t.share, "5.6");
-    ask(ExplainTab::Homogeneous, Role::CheckBox, t.vanishing, "ideal-point");
-    ask(ExplainTab::Homogeneous, Role::DisclosureTriangle, t.plane_title, "w");
-    ask(ExplainTab::Order, Role::Button, "Step 2: R_y", "rotation");
-    ask(ExplainTab::Order, Role::SpinButton, "S y", "scale");
-    ask(ExplainTab::Dialects, Role::SpinButton, "gluPerspective fovy", "theta");
-    ask(ExplainTab::Dialects, Role::SpinButton, "gluLookAt eyeX", "C");
-    ask(ExplainTab::Dialects, Role::DisclosureTriangle, "K [R | t]: computer vision", "K");
-    ask(ExplainTab::Dialects, Role::MultilineTextInput, "A matrix → its camera", "M_pM_v");
+    ask(Explanation::Homogeneous, Role::Slider, t.share, "5.6");
+    ask(Explanation::Homogeneous, Role::CheckBox, t.vanishing, "ideal-point");
+    ask(Explanation::Homogeneous, Role::DisclosureTriangle, t.plane_title, "w");
+    ask(Explanation::Order, Role::Button, "Step 2: R_y", "rotation");
+    ask(Explanation::Order, Role::SpinButton, "S y", "scale");
+    ask(Explanation::Dialects, Role::SpinButton, "gluPerspective fovy", "theta");
+    ask(Explanation::Dialects, Role::SpinButton, "gluLookAt eyeX", "C");
+    ask(Explanation::Dialects, Role::DisclosureTriangle, "K [R | t]: computer vision", "K");
+    ask(Explanation::Dialects, Role::MultilineTextInput, "A matrix → its camera", "M_pM_v");
 }
 
 #[test]
@@ -218,7 +219,7 @@ fn f1_opens_the_note_on_the_fields_of_an_object_and_of_a_point() {
         window.key(Key::F1);
         assert_eq!(shown(&window), Some(note));
     }
-    window.app_mut().state.explain.tab = ExplainTab::Point;
+    window.app_mut().state.explain.show(Explanation::Point);
     window.run();
     window.field("NDC z_n").focus();
     window.run();

@@ -3,8 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::explain::order::{Call, Reading, product};
+use camera_lab::figure::Explanation;
 use camera_lab::figure::Figure;
-use camera_lab::gui::state::ExplainTab;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::order::texts;
@@ -32,13 +32,7 @@ fn window(lang: Lang, selected: Option<&str>) -> Window {
     state.tree.select(selected);
     // So high that nothing has to be scrolled.
     let mut window = Window::with_state(state, [900.0, 1300.0]);
-    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
-    window.run();
-    window.click(match lang {
-        Lang::En => "Order",
-        Lang::PtBr => "Ordem",
-    });
-    assert_eq!(window.state().explain.tab, ExplainTab::Order);
+    window.explain(Explanation::Order);
     window
 }
 
@@ -116,7 +110,7 @@ fn taking_over_is_in_sight_in_a_small_window_also_when_the_list_is_scrolled() {
         let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
         state.tree.select(Some(camera_lab::gui::state::Selected::Object("box".to_owned())));
         state.settings.panels.wanted = [false, false, true];
-        state.explain.tab = ExplainTab::Order;
+        state.explain.show(Explanation::Order);
         let mut window = Window::with_state(state, [1280.0, 720.0]);
         let place = |window: &Window| window.harness.get_by_label(t.take).rect();
         let before = place(&window);

@@ -4,8 +4,9 @@
 
 use camera_lab::camera::{Parameters, Place};
 use camera_lab::explain::{Notation, Setting, Style, forward};
+use camera_lab::figure::Explanation;
 use camera_lab::figure::{Figure, NamedPoint};
-use camera_lab::gui::state::{ExplainTab, Selected};
+use camera_lab::gui::state::Selected;
 use camera_lab::i18n::Lang;
 use camera_lab::scene::{ObjectSpec, Shape};
 use camera_lab::views::{Probe, image_frame, pick};
@@ -31,7 +32,7 @@ fn window(lang: Lang, p: DVec3) -> Window {
     state.document.edit(|figure| followed(figure, p));
     state.document.commit();
     state.settings.panels.wanted = [false, false, true];
-    state.explain.tab = ExplainTab::Point;
+    state.explain.show(Explanation::Point);
     window.run();
     window
 }
@@ -291,5 +292,5 @@ fn a_pinned_vertex_is_followed_from_its_card() {
     h.run();
     let state = &h.state().state;
     assert_eq!(state.document.figure().points, [NamedPoint { name: "P".to_owned(), position: corner }]);
-    assert_eq!((state.explain.tab, state.settings.panels.wanted[2]), (ExplainTab::Point, true));
+    assert_eq!((state.explain.shown(), state.settings.panels.wanted[2]), (Explanation::Point, true));
 }

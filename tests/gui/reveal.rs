@@ -1,8 +1,8 @@
-//! The section "Inside the pipeline": what it shows in the pictures, and the numbers under the pointer.
+//! The inner work of the pipeline: what it shows in the pictures, and the numbers under the pointer.
 
 use camera_lab::appearance::{Rgba, Visibility};
 use camera_lab::camera::Parameters;
-use camera_lab::figure::{Depth, Figure, Observer, Outside, Reveal};
+use camera_lab::figure::{Depth, Explanation, Figure, Observer, Outside, Reveal};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
@@ -59,10 +59,10 @@ fn choose(window: &mut Window, choice: &str, entry: &str) {
 #[test]
 fn the_way_of_finding_hidden_faces_is_chosen_and_undone() {
     let mut window = window(Lang::En, View::Image);
-    window.key(Key::F7);
-    choose(&mut window, "hidden faces", "painter");
+    window.explain(Explanation::HiddenSurfaces);
+    window.click("Painter");
     assert_eq!(window.state().document.figure().style.visibility, Visibility::Painter);
-    choose(&mut window, "hidden faces", "BSP tree");
+    window.click("BSP");
     assert_eq!(window.state().document.figure().style.visibility, Visibility::Bsp);
     window.command_key(Key::Z);
     assert_eq!(window.state().document.figure().style.visibility, Visibility::Painter);
@@ -71,7 +71,7 @@ fn the_way_of_finding_hidden_faces_is_chosen_and_undone() {
 #[test]
 fn the_depth_buffer_is_shown_with_its_numbers_and_undone() {
     let mut window = window(Lang::En, View::Image);
-    window.key(Key::F7);
+    window.explain(Explanation::Depth);
     let at = middle(&window, "Image: what");
     // Beside the lines that cross at the pointer, and the probe's own mark.
     let beside = at + eframe::egui::vec2(30.0, 30.0);
@@ -94,7 +94,7 @@ fn the_depth_buffer_is_shown_with_its_numbers_and_undone() {
 #[test]
 fn the_section_speaks_portuguese() {
     let mut window = window(Lang::PtBr, View::Image);
-    window.key(Key::F7);
+    window.explain(Explanation::Depth);
     choose(&mut window, "imagem", "distâncias");
     assert_eq!(window.state().document.figure().reveal.depth, Depth::Linear);
     let at = middle(&window, "Imagem: o que");
@@ -106,12 +106,12 @@ fn the_section_speaks_portuguese() {
 #[test]
 fn each_switch_shows_something_and_is_undone() {
     let mut window = window_with(Lang::En, View::World, [900.0, 700.0], |_| ());
-    window.key(Key::F7);
-    for (switch, reveal) in [
-        ("Clipping vertices", Reveal { clipping: true, ..Reveal::default() }),
-        ("Culled parts", Reveal { culled: true, ..Reveal::default() }),
-        ("Divide before clipping", Reveal { divide_first: true, ..Reveal::default() }),
+    for (explanation, switch, reveal) in [
+        (Explanation::HiddenSurfaces, "Culled parts", Reveal { culled: true, ..Reveal::default() }),
+        (Explanation::Clipping, "Clipping vertices", Reveal { clipping: true, ..Reveal::default() }),
+        (Explanation::Clipping, "Divide before clipping", Reveal { divide_first: true, ..Reveal::default() }),
     ] {
+        window.explain(explanation);
         let drawn = window.app_mut().canvas.drawn()[0];
         window.click(switch);
         assert_eq!(window.state().document.figure().reveal, reveal);
@@ -132,7 +132,7 @@ fn a_vertex_says_its_outcode_and_its_distances() {
         // F = 4.5: the corner (1, 1, 1), 4 units before C, is cut off; seen from the front it lies to the right of the
         // middle.
         let mut window = window_with(lang, View::World, [1280.0, 720.0], |figure| figure.camera.near = 4.5);
-        window.key(Key::F7);
+        window.explain(Explanation::Clipping);
         window.click(switch);
         let corner = {
             let state = window.state();

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::appearance::Visibility;
+use camera_lab::figure::Explanation;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::stages::texts;
@@ -20,9 +21,7 @@ fn staged(lang: Lang) -> Window {
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
     state.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1000.0, 900.0]);
-    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
-    window.run();
-    window.click(camera_lab::i18n::explain::texts(lang).stages);
+    window.explain(Explanation::HiddenSurfaces);
     window
 }
 

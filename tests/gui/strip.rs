@@ -1,6 +1,6 @@
 //! The strip under the pictures: every stage of the pipeline, and why it was skipped.
 
-use camera_lab::gui::state::ExplainTab;
+use camera_lab::figure::Explanation;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::pipeline::Stage;
@@ -204,7 +204,7 @@ fn stages_are_reached_shown_and_explained_by_keyboard() {
         window.key(Key::Tab);
         assert!(cell(&window, camera_lab::i18n::pipeline::stage(lang, Stage::Oblique)).is_focused());
         window.key(Key::F1);
-        assert_eq!(window.state().explain.tab, ExplainTab::Notes);
+        assert_eq!(window.state().explain.shown(), Explanation::Notes);
         assert_eq!(window.state().explain.notes.chosen, camera_lab::i18n::notes::of_stage(Stage::Oblique));
     }
 }
@@ -216,9 +216,7 @@ fn in_the_world_a_stage_of_the_image_shows_what_belongs_to_it() {
     window.app_mut().state.layout.strip = true;
     window.run();
     let before = window.app_mut().canvas.drawn()[View::World.index()];
-    window.harness.key_press_modifiers(eframe::egui::Modifiers::ALT, Key::E);
-    window.run();
-    window.click(camera_lab::i18n::explain::texts(Lang::En).stages);
+    window.explain(Explanation::Stages);
     let drawn = window.app_mut().canvas.drawn()[View::World.index()];
     assert!(drawn >= before);
     let clipping = format!("7. {}", camera_lab::i18n::pipeline::stage(Lang::En, Stage::Clip));

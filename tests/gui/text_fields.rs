@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use camera_lab::gui::state::{Dialog, ExplainTab, Purpose};
+use camera_lab::figure::Explanation;
+use camera_lab::gui::state::{Dialog, Purpose};
 use camera_lab::i18n::Lang;
 use camera_lab::limits::{MAX_EXPRESSION, MAX_TYPED, MAX_TYPED_NAME};
 use eframe::egui::accesskit::Role;
@@ -61,7 +62,7 @@ fn a_long_text_in_any_other_field_is_cut_and_that_is_said() {
 
     window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
     window.run();
-    window.app_mut().state.explain.tab = ExplainTab::Notes;
+    window.app_mut().state.explain.show(Explanation::Notes);
     window.run();
     assert_eq!(window.paste_a_file_into("Search the notes").chars().count(), MAX_TYPED_NAME);
     assert!(window.says(&format!("at most {MAX_TYPED_NAME} characters")));

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use camera_lab::figure::Explanation;
 use camera_lab::figure::TriangleStep;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
@@ -9,7 +10,7 @@ use camera_lab::i18n::triangle::{step, texts};
 use camera_lab::picture::FollowedTriangle;
 use camera_lab::scene::Preset;
 use camera_lab::views::{Request, Size, TriangleOverlay, View};
-use eframe::egui::{Key, Modifiers, accesskit::Role};
+use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable as _;
 
 use super::window::Window;
@@ -22,9 +23,7 @@ fn staged(lang: Lang) -> Window {
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
     state.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1100.0, 1000.0]);
-    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
-    window.run();
-    window.click(camera_lab::i18n::explain::texts(lang).stages);
+    window.explain(Explanation::Triangle);
     window
 }
 
@@ -108,7 +107,7 @@ fn a_triangle_is_chosen_and_stepped_by_keyboard_and_f1_opens_the_note() {
     assert_eq!(window.state().shown().triangle.as_ref().unwrap().step, TriangleStep::Outcodes);
     assert!(window.says("w + x = ") && window.says(t.inside));
     window.key(Key::F1);
-    assert_eq!(window.state().explain.tab, camera_lab::gui::state::ExplainTab::Notes);
+    assert_eq!(window.state().explain.shown(), Explanation::Notes);
     assert_eq!(window.state().explain.notes.chosen, "stage-clip");
     assert!(window.state().shown().triangle.is_none(), "hidden, nothing of it is shown");
 }

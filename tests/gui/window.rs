@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use camera_lab::figure::Explanation;
+use camera_lab::gui::state::Side;
 use camera_lab::gui::{App, Start, State, theme};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
@@ -21,7 +23,43 @@ pub(crate) struct Window {
     pub(crate) textures: Textures,
 }
 
+/// The names of an explanation's question and of itself in the window.
+pub(crate) fn names(lang: Lang, explanation: Explanation) -> [&'static str; 2] {
+    let t = camera_lab::i18n::explain::texts(lang);
+    match explanation {
+        Explanation::Matrices => [t.question_where, t.matrices],
+        Explanation::Point => [t.question_where, t.point],
+        Explanation::Homogeneous => [t.question_where, t.homogeneous],
+        Explanation::Order => [t.question_where, t.order],
+        Explanation::Steps => [t.question_happens, t.steps],
+        Explanation::Stages => [t.question_happens, t.stages],
+        Explanation::Triangle => [t.question_happens, t.triangle],
+        Explanation::HiddenSurfaces => [t.question_happens, t.hidden_surfaces],
+        Explanation::Clipping => [t.question_happens, t.clipping],
+        Explanation::Depth => [t.question_happens, t.depth],
+        Explanation::Dialects => [t.question_called, t.dialects],
+        Explanation::Code => [t.question_called, t.code],
+        Explanation::Conventions => [t.question_called, t.conventions],
+        Explanation::Exercises => [t.question_able, t.exercises],
+        Explanation::Notes => [t.question_able, t.notes],
+    }
+}
+
 impl Window {
+    /// Opens the side of explanations, a question and one of its answers, as a user does.
+    pub(crate) fn explain(&mut self, explanation: Explanation) {
+        if !self.state().settings.panels().is_shown(Side::Explain) {
+            self.harness.key_press_modifiers(Modifiers::ALT, Key::E);
+            self.run();
+        }
+        for name in names(self.state().settings.lang, explanation) {
+            // The bar may have a switch of the same name, before the panel.
+            self.harness.get_all_by_label(name).last().expect("a question and its answer").click();
+            self.run();
+        }
+        assert!(self.state().shows_explanation(explanation));
+    }
+
     /// A window of the usual size with the camera that it begins with. There is little to draw in it, because pictures
     /// take their time without optimisation.
     pub(crate) fn new(lang: Lang) -> Self {

@@ -3,10 +3,12 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::camera::{Camera, ImageSize, Ndc, NotProjectable, Parameters, Projection, ViewWindow, Viewport};
+use camera_lab::camera::{
+    Camera, Decomposition, ImageSize, Ndc, NotProjectable, Parameters, Projection, ViewWindow, Viewport,
+};
 use camera_lab::explain::{
-    Axis, Component, Formula, Matrix, MatrixFormula, Notation, Numbers, Placement, Setting, Step, Style, Symbol,
-    Writer, back, definition, forward, leaves, written,
+    Axis, Component, EntryFormula, Formula, Matrix, MatrixFormula, Notation, Numbers, Placement, Setting, Step, Style,
+    Symbol, Writer, back, definition, entry_product, factor_entries, forward, leaves, written,
 };
 use camera_lab::expression::{self, Dimension};
 use camera_lab::numbers::{DecimalMark, EXACT_DIGITS};
@@ -299,4 +301,46 @@ fn a_point_in_the_plane_of_the_eye_is_followed_as_far_as_it_goes() {
     let expected = turned().world_from_object * DVec4::new(1.0, 2.0, 3.0, 1.0);
     assert!(DVec3::from_slice(&steps[0].output).abs_diff_eq(expected.truncate(), 1e-14));
     assert_eq!(Formula::Number(2.0).value(&Setting::new(camera.notes_clip_space(), IMAGE, None)), 2.0);
+}
+
+/// Every entry of every step to the canonical volume, and of their product, has a formula that gives it.
+fn assert_every_step(camera: &Camera) {
+    for way in Decomposition::ALL {
+        let Some(factors) = camera.decomposed(way) else { continue };
+        let setting = Setting::new(camera.possible_clip_space(way.ndc()), IMAGE, None);
+        let mut product: Option<(EntryFormula, DMat4)> = None;
+        for factor in factors {
+            let formulas = factor_entries(factor.step, &setting);
+            let so_far = match product {
+                None => (formulas.clone(), factor.matrix),
+                Some((before, matrix)) => (entry_product(&formulas, &before), factor.matrix * matrix),
+            };
+            for (formulas, matrix) in [(&formulas, factor.matrix), (&so_far.0, so_far.1)] {
+                for (row, entries) in formulas.iter().enumerate() {
+                    for (column, formula) in entries.iter().enumerate() {
+                        let (expected, value) = (matrix.row(row)[column], formula.value(&setting));
+                        let slack = 1e-11 * formula.magnitude(&setting).max(expected.abs());
+                        let what = format!("{way:?} {:?} [{row}][{column}] {formula:?}", factor.step);
+                        assert!((value - expected).abs() <= slack, "{what}: {value} is not {expected}");
+                    }
+                }
+            }
+            product = Some(so_far);
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn every_step_to_the_cube_has_formulas(camera in plain_camera()) {
+        assert_every_step(&camera);
+    }
+}
+
+#[test]
+fn the_first_step_moves_the_eye_to_the_origin() {
+    let camera = camera(|_| ());
+    let setting = Setting::new(camera.possible_clip_space(Ndc::default()), IMAGE, None);
+    let [x, ..] = factor_entries(camera_lab::camera::Step::ToEye, &setting);
+    assert_eq!(x[3], -Formula::Symbol(Symbol::Position(Component::X)));
 }

@@ -7,8 +7,8 @@ use super::picking::{PickQuery, PickRequest};
 use super::readout::{self, Cell};
 use super::status::{Status, line_height, table};
 use super::{Canvas, Pane};
-use crate::figure::Depth;
-use crate::gui::state::{ExplainTab, State};
+use crate::figure::{Depth, Explanation};
+use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::explain_point;
@@ -121,7 +121,7 @@ impl Canvas {
                 Some(CardAction::Follow) => {
                     if let Some(p) = point {
                         state.follow_point(p);
-                        state.show_explanation(ExplainTab::Point);
+                        state.show_explanation(Explanation::Point);
                         ctx.request_repaint();
                     }
                 }

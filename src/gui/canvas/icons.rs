@@ -2,29 +2,15 @@
 
 use crate::gui::tooltip::Explained;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Align2, FontId, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
-};
+use eframe::egui::{Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
 
 /// The icon of a button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Icon {
     /// Four corners around a point.
     Fit,
-    /// A cube with its front face marked.
-    Front,
-    /// A cube with its top face marked.
-    Top,
-    /// A cube with its right face marked.
-    Side,
     /// A cube.
     Iso,
-    /// The name of an axis of the VRC, with an arrow over it.
-    Axis(&'static str),
-    /// Similar triangles.
-    Section,
-    /// Two rings of a chain.
-    Link,
     /// A large frame.
     Maximize,
     /// A small frame before another.
@@ -48,19 +34,7 @@ pub(super) fn icon_button(ui: &mut Ui, icon: Icon, name: &str, on: bool) -> Resp
         }
         draw(ui.painter(), icon, rect, Stroke::new(1.2 * side / 18.0, visuals.fg_stroke.color));
     }
-    response.widget_info(|| match icon {
-        Icon::Link | Icon::Section => WidgetInfo::selected(Role::CheckBox, true, on, name),
-        Icon::Fit
-        | Icon::Front
-        | Icon::Top
-        | Icon::Side
-        | Icon::Iso
-        | Icon::Axis(_)
-        | Icon::Maximize
-        | Icon::Restore
-        | Icon::Hide
-        | Icon::Arrange => WidgetInfo::labeled(Role::Button, true, name),
-    });
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
     response.explained(name)
 }
 
@@ -80,24 +54,7 @@ fn draw(painter: &Painter, icon: Icon, rect: Rect, stroke: Stroke) {
             }
             painter.circle_filled(at(0.0, 0.0), 1.8 * unit, stroke.color);
         }
-        Icon::Front => cube(painter, rect, stroke, Some(CubeFace::Front)),
-        Icon::Top => cube(painter, rect, stroke, Some(CubeFace::Top)),
-        Icon::Side => cube(painter, rect, stroke, Some(CubeFace::Right)),
-        Icon::Iso => cube(painter, rect, stroke, None),
-        Icon::Axis(name) => {
-            let font = FontId::proportional(13.0 * unit);
-            painter.text(at(0.0, 1.5), Align2::CENTER_CENTER, name, font, stroke.color);
-            line(&[at(-4.0, -5.0), at(4.0, -5.0)]);
-            line(&[at(2.0, -6.8), at(4.0, -5.0), at(2.0, -3.2)]);
-        }
-        Icon::Section => {
-            line(&[at(6.0, 4.5), at(-6.0, 4.5), at(6.0, -5.0), at(6.0, 4.5)]);
-            line(&[at(0.5, 4.5), at(0.5, -0.6)]);
-        }
-        Icon::Link => {
-            painter.circle_stroke(at(-2.4, 0.0), 3.4 * unit, stroke);
-            painter.circle_stroke(at(2.4, 0.0), 3.4 * unit, stroke);
-        }
+        Icon::Iso => cube(painter, rect, stroke),
         Icon::Maximize => frame(at(-5.0, -5.0), at(5.0, 5.0)),
         Icon::Restore => {
             frame(at(-5.0, -1.0), at(1.0, 5.0));
@@ -115,29 +72,13 @@ fn draw(painter: &Painter, icon: Icon, rect: Rect, stroke: Stroke) {
     }
 }
 
-/// A face of a cube that is seen from one of its corners.
-#[derive(Clone, Copy)]
-enum CubeFace {
-    Front,
-    Top,
-    Right,
-}
-
-/// A cube, one of its faces filled.
-fn cube(painter: &Painter, rect: Rect, stroke: Stroke, filled: Option<CubeFace>) {
+/// A cube, seen from one of its corners.
+fn cube(painter: &Painter, rect: Rect, stroke: Stroke) {
     let unit = rect.width() / 18.0;
     let at = |x: f32, y: f32| rect.center() + unit * vec2(x, y);
     let (hub, top, bottom) = (at(0.0, 0.0), at(0.0, -6.0), at(0.0, 6.0));
     let (left_top, left_low) = (at(-5.2, -3.0), at(-5.2, 3.0));
     let (right_top, right_low) = (at(5.2, -3.0), at(5.2, 3.0));
-    if let Some(face) = filled {
-        let corners = match face {
-            CubeFace::Front => [left_top, hub, bottom, left_low],
-            CubeFace::Top => [top, right_top, hub, left_top],
-            CubeFace::Right => [hub, right_top, right_low, bottom],
-        };
-        painter.add(Shape::convex_polygon(corners.to_vec(), stroke.color, Stroke::NONE));
-    }
     let thin = Stroke { width: 0.8 * stroke.width, ..stroke };
     painter.add(Shape::closed_line(vec![top, right_top, right_low, bottom, left_low, left_top], thin));
     for corner in [left_top, right_top, bottom] {

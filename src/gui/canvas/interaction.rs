@@ -10,6 +10,7 @@ use super::pixel::pixel_of;
 use super::status::Status;
 use super::{Canvas, Pane, followed, orbit, readout, toggle_maximized};
 use crate::camera::{Convention, Operation};
+use crate::figure::Explanation;
 use crate::geometry::Angle;
 use crate::gui::state::{ObserverChange, Selected, Side, State, Tab};
 use crate::gui::{explain, handle_drag};
@@ -108,9 +109,9 @@ impl Canvas {
         }
     }
 
-    /// While the tab of stages is shown, a triangle of the image is chosen, or a pixel of it; true where there is one.
+    /// While a triangle is explained, a triangle of the image is chosen, or a pixel of it; true where there is one.
     fn choose_triangle(&self, state: &mut State, pane: &Pane) -> bool {
-        let shows = state.shows_stages() && pane.view == View::Image;
+        let shows = state.shows_explanation(Explanation::Triangle) && pane.view == View::Image;
         let Some(pointer) = pane.response.interact_pointer_pos().filter(|_| shows) else { return false };
         pane.response.ctx.request_repaint();
         explain::clicked(state, &pane.request, pane.rect.pixel(pointer))

@@ -70,7 +70,7 @@ use self::texture::{PictureRect, PictureTexture};
 use self::title::{Title, TitleAction};
 use self::vertex_name::VertexNames;
 use crate::appearance::Rgba;
-use crate::figure::Observer;
+use crate::figure::{Explanation, Observer};
 use crate::gui::coach::{self, Brief};
 use crate::gui::explain;
 use crate::gui::focus::{self, Region};
@@ -432,7 +432,7 @@ impl Canvas {
     /// Tells the side of explanations how the picture came about.
     fn report(&self, ctx: &eframe::egui::Context, state: &mut State) {
         let of = state.layout.strip_of;
-        let is_asked = state.shows_stages() && state.layout.is_shown(of);
+        let is_asked = state.shows_explanation(Explanation::Stages) && state.layout.is_shown(of);
         let account = self.picture_of(of).and_then(|picture| picture.account.as_ref()).filter(|_| is_asked);
         let reports = account.map(|account| account.stages.as_slice()).unwrap_or_default();
         if state.explain.reports != reports {

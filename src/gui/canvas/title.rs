@@ -41,23 +41,22 @@ pub(super) struct Title<'a> {
     pub(super) section: Option<bool>,
 }
 
-const CHANGES: [(ObserverChange, Icon); 8] = [
-    (ObserverChange::Fit, Icon::Fit),
-    (ObserverChange::From(Viewpoint::Front), Icon::Front),
-    (ObserverChange::From(Viewpoint::Top), Icon::Top),
-    (ObserverChange::From(Viewpoint::Side), Icon::Side),
-    (ObserverChange::From(Viewpoint::Iso), Icon::Iso),
-    (ObserverChange::From(Viewpoint::AlongU), Icon::Axis("u")),
-    (ObserverChange::From(Viewpoint::AlongV), Icon::Axis("v")),
-    (ObserverChange::From(Viewpoint::AlongN), Icon::Axis("n")),
+const CHANGES: [ObserverChange; 8] = [
+    ObserverChange::Fit,
+    ObserverChange::From(Viewpoint::Front),
+    ObserverChange::From(Viewpoint::Top),
+    ObserverChange::From(Viewpoint::Side),
+    ObserverChange::From(Viewpoint::Iso),
+    ObserverChange::From(Viewpoint::AlongU),
+    ObserverChange::From(Viewpoint::AlongV),
+    ObserverChange::From(Viewpoint::AlongN),
 ];
 
 /// Of [`CHANGES`], those of a canonical volume, which has no u, v and n of its own.
 const OF_THE_CUBE: usize = 5;
 
 impl Title<'_> {
-    /// Draws the title in `rect`. Where there is no room for all buttons, those that say from where to look become a
-    /// menu.
+    /// Draws the title in `rect`. The menu of viewpoints has its word where there is room.
     pub(super) fn show(&self, ui: &mut Ui, rect: Rect) -> Option<TitleAction> {
         let mut action = None;
         let name = self.texts.view(self.view);
@@ -65,18 +64,15 @@ impl Title<'_> {
         let galley = WidgetText::from(name).into_galley(ui, Some(egui::TextWrapMode::Extend), f32::INFINITY, font);
         let side = ui.spacing().interact_size.y;
         let solid = matches!(self.view, View::World | View::Canonical);
-        let all: u8 = if self.view == View::World { 10 } else { 6 };
         let word = self.menu_width(ui);
         let room_beside = |extra: f32, buttons: u8| {
-            rect.width() >= galley.size().x + f32::from(buttons + 2) * (side + 1.0) + 18.0 + extra
+            rect.width() >= galley.size().x + f32::from(buttons) * (side + 1.0) + 18.0 + extra
         };
-        let room_for_all = room_beside(0.0, all);
-        // The menu has its word where that costs no button.
-        let worded = solid && (room_beside(word, all) || !room_for_all && room_beside(word, 0));
-        let observer_buttons: u8 = match (solid, room_for_all) {
+        let worded = solid && room_beside(word, 3);
+        let observer_buttons: u8 = match (solid, worded) {
             (false, _) => 0,
-            (true, true) => all,
-            (true, false) => u8::from(!worded),
+            (true, true) => 1,
+            (true, false) => 2,
         };
         let buttons = observer_buttons + 1 + u8::from(self.can_hide);
         let room_for_switch = self.undistorted.map_or(0.0, |_| self.switch_width(ui));
@@ -95,11 +91,9 @@ impl Title<'_> {
         ui.scope_builder(builder, |ui| {
             ui.spacing_mut().item_spacing.x = 1.0;
             if solid {
-                if worded || !room_for_all {
-                    action = self.observer_menu(ui, worded).or(action);
-                }
-                if room_for_all {
-                    action = self.observer_buttons(ui).or(action);
+                action = self.observer_menu(ui, worded).or(action);
+                if icon_button(ui, Icon::Fit, self.texts.fit, false).clicked() {
+                    action = Some(TitleAction::Observe(ObserverChange::Fit));
                 }
                 ui.add_space(4.0);
             }
@@ -147,26 +141,8 @@ impl Title<'_> {
         galley.size().x + 2.0 * ui.spacing().button_padding.x + 2.0
     }
 
-    fn changes(&self) -> impl Iterator<Item = (ObserverChange, Icon)> + use<> {
+    fn changes(&self) -> impl Iterator<Item = ObserverChange> + use<> {
         CHANGES.into_iter().take(if self.view == View::World { CHANGES.len() } else { OF_THE_CUBE })
-    }
-
-    fn observer_buttons(&self, ui: &mut Ui) -> Option<TitleAction> {
-        let mut action = None;
-        for (change, icon) in self.changes() {
-            if icon_button(ui, icon, change_name(self.texts, change), false).clicked() {
-                action = Some(TitleAction::Observe(change));
-            }
-        }
-        if let Some(on) = self.section
-            && icon_button(ui, Icon::Section, self.texts.section, on).clicked()
-        {
-            action = Some(TitleAction::ToggleSection);
-        }
-        if icon_button(ui, Icon::Link, self.texts.link, self.linked).clicked() {
-            action = Some(TitleAction::ToggleLink);
-        }
-        action
     }
 
     /// The menu of viewpoints, in words and with their keys.
@@ -179,7 +155,7 @@ impl Title<'_> {
             icon_button(ui, Icon::Iso, self.texts.look_menu, false)
         };
         Popup::menu(&button).show(|ui| {
-            for (change, _) in self.changes() {
+            for change in self.changes() {
                 let keys = ui.ctx().format_shortcut(&Command::Observe(change).shortcut());
                 let entry = egui::Button::new(change_name(self.texts, change)).shortcut_text(keys);
                 if ui.add(entry).clicked() {

@@ -5,13 +5,11 @@ use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
 use super::Command::{self, *};
 use super::{InBrowser, Menu, Row, Run};
 use crate::appearance;
-use crate::figure::Observers;
+use crate::figure::{Explanation, Observers};
 use crate::gui::file_flow;
 use crate::gui::gallery::Part;
 use crate::gui::number_tables;
-use crate::gui::state::{
-    self, AfterSave, Dialog, ExplainTab, Message, ObserverChange, Purpose, Side, State, ViewHistory,
-};
+use crate::gui::state::{self, AfterSave, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory};
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, canvas, sharing};
 use crate::views::observer::Viewpoint;
@@ -59,6 +57,7 @@ macro_rules! row {
 pub const MENUS: &[Menu] = &[
     Menu {
         title: |t| t.menu_file,
+        in_bar: true,
         groups: &[
             &[
                 row!(New, ctrl(Key::N), new, new_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::New))
@@ -82,6 +81,7 @@ pub const MENUS: &[Menu] = &[
     },
     Menu {
         title: |t| t.menu_edit,
+        in_bar: true,
         groups: &[
             &[
                 row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.undo()).enabled(|s| s.document.can_undo()),
@@ -97,6 +97,7 @@ pub const MENUS: &[Menu] = &[
     },
     Menu {
         title: |t| t.menu_view,
+        in_bar: true,
         groups: &[
             &[
                 row!(picture World, ctrl(Key::Num1), show_world),
@@ -111,14 +112,6 @@ pub const MENUS: &[Menu] = &[
                 row!(arrangement Some(Arrangement::Beside), ctrl(Key::Num8)),
             ],
             &[
-                row!(look ObserverChange::From(Viewpoint::Front), alt(Key::Num1), look_front, look_front_hint),
-                row!(look ObserverChange::From(Viewpoint::Top), alt(Key::Num2), look_top, look_top_hint),
-                row!(look ObserverChange::From(Viewpoint::Side), alt(Key::Num3), look_side, look_side_hint),
-                row!(look ObserverChange::From(Viewpoint::Iso), alt(Key::Num4), look_iso, look_iso_hint),
-                row!(look ObserverChange::From(Viewpoint::AlongU), alt(Key::Num5), look_along_u, look_along_u_hint),
-                row!(look ObserverChange::From(Viewpoint::AlongV), alt(Key::Num6), look_along_v, look_along_v_hint),
-                row!(look ObserverChange::From(Viewpoint::AlongN), alt(Key::Num7), look_along_n, look_along_n_hint),
-                row!(look ObserverChange::Fit, alt(Key::Num0), look_fit, look_fit_hint),
                 row!(ViewBack, alt(Key::ArrowLeft), view_back, view_back_hint, |s, _| see_as(s, ViewHistory::back))
                     .enabled(|s| s.views.can_go_back(s.document.figure().observers)),
                 row!(ViewForward, alt(Key::ArrowRight), view_forward, view_forward_hint, |s, _| see_as(
@@ -134,14 +127,25 @@ pub const MENUS: &[Menu] = &[
                     .disabled_because(|t| t.dimensions_in_section),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch layout.linked),
             ],
-            &[
-                row!(Pipeline, plain(Key::F10), pipeline, pipeline_hint, switch layout.strip),
-                row!(Numerics, ctrl(Key::Num9), numerics, numerics_hint, switch numerics.shown),
-            ],
         ],
     },
     Menu {
+        title: |t| t.menu_viewpoint,
+        in_bar: false,
+        groups: &[&[
+            row!(look ObserverChange::From(Viewpoint::Front), alt(Key::Num1), look_front, look_front_hint),
+            row!(look ObserverChange::From(Viewpoint::Top), alt(Key::Num2), look_top, look_top_hint),
+            row!(look ObserverChange::From(Viewpoint::Side), alt(Key::Num3), look_side, look_side_hint),
+            row!(look ObserverChange::From(Viewpoint::Iso), alt(Key::Num4), look_iso, look_iso_hint),
+            row!(look ObserverChange::From(Viewpoint::AlongU), alt(Key::Num5), look_along_u, look_along_u_hint),
+            row!(look ObserverChange::From(Viewpoint::AlongV), alt(Key::Num6), look_along_v, look_along_v_hint),
+            row!(look ObserverChange::From(Viewpoint::AlongN), alt(Key::Num7), look_along_n, look_along_n_hint),
+            row!(look ObserverChange::Fit, alt(Key::Num0), look_fit, look_fit_hint),
+        ]],
+    },
+    Menu {
         title: |t| t.menu_window,
+        in_bar: true,
         groups: &[
             &[
                 row!(tab Camera, plain(Key::F5), camera_tab, camera_tab_hint).browsers_keys(),
@@ -152,6 +156,8 @@ pub const MENUS: &[Menu] = &[
                 row!(panel Explain, Explain, alt(Key::E), explain_panel, explain_panel_hint),
                 row!(Exercises, alt(Key::X), exercises, exercises_hint, |s, _| toggle_exercises(s))
                     .on(State::shows_exercises),
+                row!(Pipeline, plain(Key::F10), pipeline, pipeline_hint, switch layout.strip),
+                row!(Numerics, ctrl(Key::Num9), numerics, numerics_hint, switch numerics.shown),
             ],
             &[
                 row!(Theme, ctrl(Key::T), theme, theme_hint, |s, _| toggle_theme(s))
@@ -173,6 +179,7 @@ pub const MENUS: &[Menu] = &[
     },
     Menu {
         title: |t| t.menu_present,
+        in_bar: true,
         groups: &[
             &[row!(Presentation, plain(Key::F11), presentation, presentation_hint, toggle_presentation)
                 .on(|s| s.settings.presentation)],
@@ -194,7 +201,9 @@ pub const MENUS: &[Menu] = &[
     },
     Menu {
         title: |t| t.menu_help,
+        in_bar: true,
         groups: &[&[
+            row!(Search, ctrl_shift(Key::P), search, search_hint, |s, _| show_search(s)).browsers_keys(),
             row!(Help, plain(Key::F1), help, help_hint, |s, _| show_dialog(s, Dialog::Help)),
             row!(About, shift(Key::F1), about, about_hint, |s, _| show_dialog(s, Dialog::About)),
         ]],
@@ -287,6 +296,11 @@ fn show_dialog(state: &mut State, dialog: Dialog) {
     state.file_flow.dialog = Some(dialog);
 }
 
+fn show_search(state: &mut State) {
+    state.search.begin();
+    show_dialog(state, Dialog::Search);
+}
+
 fn show_recent(state: &mut State) {
     state.gallery.part = Part::Recent;
     show_dialog(state, Dialog::Gallery);
@@ -330,7 +344,7 @@ fn toggle_exercises(state: &mut State) {
     if state.shows_exercises() && state.exercises.was_called {
         state.settings.panels_mut().toggle(Side::Explain);
     } else {
-        state.show_explanation(ExplainTab::Exercises);
+        state.show_explanation(Explanation::Exercises);
         state.exercises.call();
     }
 }

@@ -8,6 +8,7 @@ use crate::gui::state::{Chosen, Exercises};
 use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::exercise_window::Texts;
+use crate::i18n::search::{folded, has_words};
 use crate::i18n::{Lang, exercise_messages, exercises as said};
 use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
@@ -34,12 +35,11 @@ pub(super) fn count(ui: &mut Ui, state: &Exercises, lang: Lang) {
 /// Those that say all the words.
 fn found(lang: Lang, state: &Exercises) -> impl Iterator<Item = &Entry> {
     state.entries().filter(move |entry| {
-        let text = format!("{} {} {}", entry.id, entry.source, said::title(lang, entry)).to_lowercase();
-        state.wanted.split_whitespace().all(|word| text.contains(&word.to_lowercase()))
+        has_words(&folded(&format!("{} {} {}", entry.id, entry.source, said::title(lang, entry))), &state.wanted)
     })
 }
 
-fn open(state: &mut Exercises, entry: &Entry) {
+pub(in crate::gui) fn open(state: &mut Exercises, entry: &Entry) {
     let seed = state.seed_of(entry);
     state.work_on(Chosen { id: entry.id.clone().into_owned(), seed });
     state.calls_keyboard = true;

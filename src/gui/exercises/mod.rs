@@ -14,7 +14,7 @@
 
 mod answers;
 mod figure;
-mod list;
+pub(super) mod list;
 mod own;
 mod progress;
 mod solution;

@@ -8,7 +8,7 @@ use super::answer::{self, Writing};
 use super::entries::{self, Cell};
 use super::subject::ExplainedSetting;
 use crate::camera::{Ndc, Projection};
-use crate::explain::{Formula, Matrix, MatrixFormula, Setting, forward, leaves};
+use crate::explain::{EntryFormula, Formula, Matrix, MatrixFormula, Setting, forward, leaves};
 use crate::gui::context_help::help_topic;
 use crate::gui::mathematics::Both;
 use crate::gui::panels::erratum;
@@ -46,7 +46,9 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let now = ui.input(|input| input.time);
     let object = subject.object.as_ref().filter(|_| state.explain.matrices.matrix == Matrix::Model);
     state.explain.matrices.glow.follow((matrix, object.map(|(name, _)| name.as_str())), values, now);
-    let cells = cells(state, writing, &formulas, &values, now);
+    let (reading, glow) = (state.explain.matrices.reading, &state.explain.matrices.glow);
+    let written = (matrix.text(), &formulas.entries, reading);
+    let cells = cells(state, writing, written, &values, |entry| glow.strength(entry, now));
     let Matrices { entry, wants_focus, .. } = state.explain.matrices;
     let pointed = entries::show(ui, &cells, (entry, wants_focus), note_on(&formulas));
     state.explain.matrices.wants_focus = false;
@@ -119,13 +121,18 @@ fn choices(ui: &mut Ui, t: &'static Texts, state: &mut Matrices) {
         }
         ui.checkbox(&mut state.inverse, t.inverse);
     });
+    reading(ui, t, &mut state.reading);
+}
+
+/// The choice of the notation of entries.
+pub(super) fn reading(ui: &mut Ui, t: &'static Texts, chosen: &mut Reading) {
     ui.horizontal_wrapped(|ui| {
         for (reading, name, hint) in [
             (Reading::Formulas, t.formulas, t.formulas_hint),
             (Reading::Numbers, t.numbers, t.numbers_hint),
             (Reading::Values, t.values, t.values_hint),
         ] {
-            ui.selectable_value(&mut state.reading, reading, name).explained(hint);
+            ui.selectable_value(chosen, reading, name).explained(hint);
         }
     });
 }
@@ -183,27 +190,28 @@ fn entry_name(matrix: Matrix, row: usize, column: usize) -> Both {
     }
 }
 
-fn cells(
+/// The entries of the matrix called `name` as they are written; `glow` is the strength of an entry's glow, 0 … 1.
+pub(super) fn cells(
     state: &State,
     writing: Writing<'_>,
-    formulas: &MatrixFormula,
+    (name, formulas, reading): (&str, &EntryFormula, Reading),
     values: &[[f64; 4]; 4],
-    now: f64,
+    glow: impl Fn([usize; 2]) -> f64,
 ) -> [[Cell; 4]; 4] {
-    let (explain, pointed) = (&state.explain, &state.hover.pointed);
+    let pointed = &state.hover.pointed;
     let depends = |formula: &Formula| {
         !pointed.is_empty() && leaves(formula, writing.setting).iter().any(|symbol| pointed.contains(symbol))
     };
     std::array::from_fn(|i| {
         std::array::from_fn(|j| {
-            let formula = formulas.entry(i, j);
-            let Both { latex, text } = match explain.matrices.reading {
+            let formula = &formulas[i][j];
+            let Both { latex, text } = match reading {
                 Reading::Formulas => writing.formula(formula),
                 Reading::Numbers => writing.numbers(formula),
                 Reading::Values => writing.value(values[i][j]),
             };
-            let name = format!("{}: {text}", words::entry(writing.lang, formulas.matrix.text(), i, j));
-            let strength = explain.matrices.glow.strength([i, j], now);
+            let name = format!("{}: {text}", words::entry(writing.lang, name, i, j));
+            let strength = glow([i, j]);
             #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
             let glow = if state.settings.reduce_motion { strength.ceil() } else { strength } as f32;
             Cell { latex, text, name, depends: depends(formula), glow }

@@ -1,34 +1,42 @@
-//! The side of explanations, in the place of operations and numbers: every number with its formula.
+//! The side of explanations, in the place of operations and numbers: four questions, and what answers each.
 //!
-//! A tab is a variant of [`ExplainTab`], its row in `TABS` and a file here with `fn ui`. Only the tab that is shown
-//! computes anything.
+//! An explanation is a variant of [`Explanation`], its row in `QUESTIONS` and a file here with `fn ui`. Only the one
+//! that is shown computes anything.
 //!
 //! | file | purpose |
 //! | --- | --- |
 //! | `answer` | the explanation of an entry: its formula, its numbers, its value, and the definitions of its symbols |
 //! | `arithmetic` | a point's way, step by step, with each product written out: forward and back |
-//! | `code` | the tab of code: the camera for other libraries |
-//! | `dialects` | the tab of other vocabularies, and a pasted matrix → its camera |
+//! | `clipping` | the parts outside the view volume: cut, tinted or shown, and the division before clipping |
+//! | `code` | the camera as code for other libraries |
+//! | `conventions` | whose NDC, compared with whose, and how matrices are written |
+//! | `depth` | z_n over the distance from the eye, the resolution of formats of depth buffers, and z-fighting |
+//! | `dialects` | the camera in other vocabularies, and a pasted matrix → its camera |
 //! | `digits` | numbers whose changed digits glow |
 //! | `entries` | the entries of a matrix as a grid, each a control of its own |
-//! | `homogeneous` | the tab of w: points in (x_r, w_r), where a middle goes, and a floor with and without w |
-//! | `matrices` | the tab of matrices: each entry of each matrix with its formula, its numbers and its value |
+//! | `hidden_surfaces` | the image painted so far, triangle by triangle, by each hidden-surface algorithm |
+//! | `homogeneous` | points in (x_r, w_r), where a middle goes, and a floor with and without w |
+//! | `matrices` | each entry of each matrix with its formula, its numbers and its value |
 //! | `measures` | the measures of symbols in the world |
-//! | `notes` | the tab of notes, found by words or by F1 |
-//! | `order` | the tab of order: a list of transforms, in both readings |
-//! | `order_list` | the list of the tab of order: calls with their numbers, moved by dragging their dots and by keyboard |
-//! | `point` | the tab of a point: its coordinates in every space, and its trace |
-//! | `stages` | the tab of stages: the image painted so far, triangle by triangle, by each hidden-surface algorithm |
-//! | `steps` | the tab of steps: the factors on the way to the canonical volume |
+//! | `notes` | the notes, found by words or by F1 |
+//! | `order` | a list of transforms, in both readings |
+//! | `order_list` | the list of transforms: calls with their numbers, moved by dragging their dots and by keyboard |
+//! | `point` | a point: its coordinates in every space, and its trace |
+//! | `stages` | the stages of the pipeline, and what each did |
+//! | `steps` | the factors on the way to the canonical volume |
 //! | `subject` | the subject of the explanations: the figure's camera, and the selected object |
 //! | `triangle` | one triangle step by step: its corners in each space, the cuts |
 
 mod answer;
 mod arithmetic;
+mod clipping;
 mod code;
+mod conventions;
+mod depth;
 mod dialects;
 mod digits;
 mod entries;
+mod hidden_surfaces;
 mod homogeneous;
 mod matrices;
 mod measures;
@@ -41,77 +49,154 @@ mod steps;
 mod subject;
 mod triangle;
 
-use eframe::egui;
+use eframe::egui::{self, Button, RichText, TextStyle, Ui, vec2};
 
 pub(in crate::gui) use subject::object_transform;
 
 use super::exercises;
 use super::focus::keep_in_sight;
-use super::state::{ExplainTab, State};
+use super::state::{Question, State};
 use super::tooltip::Explained;
+use crate::figure::Explanation;
 use crate::i18n::explain::{self, Texts};
 pub(super) use triangle::clicked;
 
-/// A tab: its name, its purpose, and its content.
-struct TabRow {
-    tab: ExplainTab,
-    name: fn(&Texts) -> &'static str,
-    hint: fn(&Texts) -> &'static str,
-    /// The part that stays in sight while the tab is scrolled.
-    head: Option<fn(&mut egui::Ui, &mut State)>,
-    ui: fn(&mut egui::Ui, &mut State),
+/// A name and a hint.
+type Words = fn(&Texts) -> (&'static str, &'static str);
+
+/// A question, and the explanations that answer it.
+struct QuestionRow {
+    question: Question,
+    words: Words,
+    answers: &'static [ExplanationRow],
 }
 
-impl TabRow {
-    /// A tab of which everything scrolls.
-    const fn new(
-        tab: ExplainTab,
-        name: fn(&Texts) -> &'static str,
-        hint: fn(&Texts) -> &'static str,
-        ui: fn(&mut egui::Ui, &mut State),
-    ) -> Self {
-        Self { tab, name, hint, head: None, ui }
+/// An explanation: its name, its purpose, and its content.
+struct ExplanationRow {
+    explanation: Explanation,
+    words: Words,
+    /// The part that stays in sight while the rest is scrolled.
+    head: Option<fn(&mut Ui, &mut State)>,
+    ui: fn(&mut Ui, &mut State),
+}
+
+impl ExplanationRow {
+    /// An explanation of which everything scrolls.
+    const fn new(explanation: Explanation, words: Words, ui: fn(&mut Ui, &mut State)) -> Self {
+        Self { explanation, words, head: None, ui }
     }
 }
 
-/// The tabs, in the order in which they are read.
-const TABS: &[TabRow] = &[
-    TabRow::new(ExplainTab::Matrices, |t| t.matrices, |t| t.matrices_hint, matrices::ui),
-    TabRow::new(ExplainTab::Point, |t| t.point, |t| t.point_hint, point::ui),
-    TabRow::new(ExplainTab::Steps, |t| t.steps, |t| t.steps_hint, steps::ui),
-    TabRow::new(ExplainTab::Homogeneous, |t| t.homogeneous, |t| t.homogeneous_hint, homogeneous::ui),
-    TabRow::new(ExplainTab::Stages, |t| t.stages, |t| t.stages_hint, stages::ui),
-    TabRow::new(ExplainTab::Dialects, |t| t.dialects, |t| t.dialects_hint, dialects::ui),
-    TabRow { head: Some(order::head), ..TabRow::new(ExplainTab::Order, |t| t.order, |t| t.order_hint, order::ui) },
-    TabRow::new(ExplainTab::Code, |t| t.code, |t| t.code_hint, code::ui),
-    TabRow::new(ExplainTab::Notes, |t| t.notes, |t| t.notes_hint, notes::ui),
-    TabRow {
-        head: Some(exercises::head),
-        ..TabRow::new(ExplainTab::Exercises, |t| t.exercises, |t| t.exercises_hint, exercises::ui)
+/// The questions and their explanations, in the order in which they are read.
+const QUESTIONS: &[QuestionRow] = &[
+    QuestionRow {
+        question: Question::Where,
+        words: |t| (t.question_where, t.question_where_hint),
+        answers: &[
+            ExplanationRow::new(Explanation::Matrices, |t| (t.matrices, t.matrices_hint), matrices::ui),
+            ExplanationRow::new(Explanation::Point, |t| (t.point, t.point_hint), point::ui),
+            ExplanationRow::new(Explanation::Homogeneous, |t| (t.homogeneous, t.homogeneous_hint), homogeneous::ui),
+            ExplanationRow {
+                head: Some(order::head),
+                ..ExplanationRow::new(Explanation::Order, |t| (t.order, t.order_hint), order::ui)
+            },
+        ],
+    },
+    QuestionRow {
+        question: Question::Happens,
+        words: |t| (t.question_happens, t.question_happens_hint),
+        answers: &[
+            ExplanationRow::new(Explanation::Steps, |t| (t.steps, t.steps_hint), steps::ui),
+            ExplanationRow::new(Explanation::Stages, |t| (t.stages, t.stages_hint), stages::ui),
+            ExplanationRow::new(Explanation::Triangle, |t| (t.triangle, t.triangle_hint), triangle::ui),
+            ExplanationRow::new(
+                Explanation::HiddenSurfaces,
+                |t| (t.hidden_surfaces, t.hidden_surfaces_hint),
+                hidden_surfaces::ui,
+            ),
+            ExplanationRow::new(Explanation::Clipping, |t| (t.clipping, t.clipping_hint), clipping::ui),
+            ExplanationRow::new(Explanation::Depth, |t| (t.depth, t.depth_hint), depth::ui),
+        ],
+    },
+    QuestionRow {
+        question: Question::Called,
+        words: |t| (t.question_called, t.question_called_hint),
+        answers: &[
+            ExplanationRow::new(Explanation::Dialects, |t| (t.dialects, t.dialects_hint), dialects::ui),
+            ExplanationRow::new(Explanation::Code, |t| (t.code, t.code_hint), code::ui),
+            ExplanationRow::new(Explanation::Conventions, |t| (t.conventions, t.conventions_hint), conventions::ui),
+        ],
+    },
+    QuestionRow {
+        question: Question::Able,
+        words: |t| (t.question_able, t.question_able_hint),
+        answers: &[
+            ExplanationRow {
+                head: Some(exercises::head),
+                ..ExplanationRow::new(Explanation::Exercises, |t| (t.exercises, t.exercises_hint), exercises::ui)
+            },
+            ExplanationRow::new(Explanation::Notes, |t| (t.notes, t.notes_hint), notes::ui),
+        ],
     },
 ];
 
-/// Shows the heads of the tabs, and the tab that is chosen.
-pub fn ui(ui: &mut egui::Ui, state: &mut State) {
+/// Name and purpose of each explanation, with its question.
+pub(super) fn all(t: &Texts) -> impl Iterator<Item = (Explanation, &'static str, (&'static str, &'static str))> {
+    QUESTIONS.iter().flat_map(move |row| {
+        let question = (row.words)(t).0;
+        row.answers.iter().map(move |answer| (answer.explanation, question, (answer.words)(t)))
+    })
+}
+
+/// Shows the questions, the explanations of the one that is open, and the explanation that is chosen.
+pub fn ui(ui: &mut Ui, state: &mut State) {
     let t = explain::texts(state.settings.lang);
     ui.add_space(2.0);
+    questions(ui, t, state);
+    let Some(question) = QUESTIONS.iter().find(|row| row.question == state.explain.question()) else { return };
     ui.horizontal_wrapped(|ui| {
-        for row in TABS {
-            let chosen = state.explain.tab == row.tab;
-            let button = egui::Button::selectable(chosen, (row.name)(t)).frame_when_inactive(true);
-            if ui.add(button).explained((row.hint)(t)).clicked() {
-                state.explain.tab = row.tab;
+        for row in question.answers {
+            let (name, hint) = (row.words)(t);
+            let chosen = state.explain.shown() == row.explanation;
+            let button = Button::selectable(chosen, name).frame_when_inactive(true);
+            if ui.add(button).explained(hint).clicked() {
+                state.explain.show(row.explanation);
             }
         }
     });
     ui.add_space(2.0);
-    let Some(row) = TABS.iter().find(|row| row.tab == state.explain.tab) else { return };
+    let Some(row) = question.answers.iter().find(|row| row.explanation == state.explain.shown()) else { return };
     if let Some(head) = row.head {
         head(ui, state);
         ui.separator();
     }
-    egui::ScrollArea::vertical().id_salt(("explain", row.tab)).auto_shrink(false).show(ui, |ui| {
+    egui::ScrollArea::vertical().id_salt(("explain", row.explanation)).auto_shrink(false).show(ui, |ui| {
         (row.ui)(ui, state);
         keep_in_sight(ui);
     });
+}
+
+/// The four questions, two in a row; each opens at the explanation that was read last.
+fn questions(ui: &mut Ui, t: &Texts, state: &mut State) {
+    let gap = 4.0;
+    let (room, height) = (ui.available_width() - gap, ui.spacing().interact_size.y);
+    let font = TextStyle::Small;
+    for two in QUESTIONS.chunks(2) {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            // The longer questions are on the left.
+            for (row, share) in two.iter().zip([0.55, 0.45]) {
+                let size = vec2((room * share).floor(), height);
+                let (name, hint) = (row.words)(t);
+                let open = state.explain.question() == row.question;
+                let text = RichText::new(name).text_style(font.clone());
+                let text = if open { text.strong() } else { text };
+                let button = Button::selectable(open, text).frame_when_inactive(true).wrap().min_size(size);
+                if ui.add_sized(size, button).explained(hint).clicked() {
+                    state.explain.ask(row.question);
+                }
+            }
+        });
+    }
+    ui.separator();
 }

@@ -6,12 +6,17 @@ use std::time::Duration;
 use eframe::egui::{self, Button, Id, Key, Modifiers, RichText, Slider, Ui};
 use glam::DMat4;
 
+use super::answer::{self, Writing};
+use super::entries;
+use super::matrices::{cells, reading};
 use crate::camera::{Camera, Decomposition, Factor};
+use crate::explain::{EntryFormula, Setting, entry_product, factor_entries};
 use crate::figure::ShownStep;
 use crate::gui::context_help::help_topic;
 use crate::gui::file_flow;
+use crate::gui::mathematics::Both;
 use crate::gui::panels::values::brackets;
-use crate::gui::state::{Purpose, State, Steps, end_of, step_at, time_of};
+use crate::gui::state::{Purpose, Reading, State, Steps, end_of, step_at, time_of};
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::explain::{self as words, Texts};
@@ -50,18 +55,11 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     }
     list(ui, lang, &camera, &factors, (&mut state.explain.steps, &mut shown));
     state.document.show_mut().step = Some(shown);
-    let done = whole(time_of(shown, &camera));
-    let number = |value: f64| lang.mark().number(value, state.settings.digits.min(5));
+    let time = time_of(shown, &camera);
     ui.separator();
-    match done.checked_sub(1).and_then(|last| factors.get(last)) {
+    match running(time).checked_sub(1) {
         None => drop(ui.label(t.nothing_done)),
-        Some(factor) => {
-            ui.label(RichText::new(words::factor(lang, done)).strong());
-            numbers(ui, &factor.matrix, number);
-            let product = product(&factors[..done]);
-            ui.label(RichText::new(words::product(lang, done)).strong());
-            numbers(ui, &product, number);
-        }
+        Some(last) => matrices_of(ui, state, &camera, (way, &factors, last), time),
     }
     ui.separator();
     let ndc = way.ndc();
@@ -71,10 +69,64 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().text_color());
 }
 
-/// Steps that are completely done.
+/// The step that runs, or has been done last; 0 before the first.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful of steps")]
-fn whole(time: f64) -> usize {
-    (time + 1e-9).floor() as usize
+fn running(time: f64) -> usize {
+    (time - 1e-9).ceil() as usize
+}
+
+/// The matrix of the step that runs, the product as far as steps are done, and the explanation of the chosen entry.
+fn matrices_of(
+    ui: &mut Ui,
+    state: &mut State,
+    camera: &Camera,
+    (way, factors, last): (Decomposition, &[Factor], usize),
+    time: f64,
+) {
+    let lang = state.settings.lang;
+    let figure = state.document.figure();
+    let setting = Setting::new(camera.possible_clip_space(way.ndc()), figure.image, figure.viewport);
+    let writing = Writing { setting: &setting, lang, digits: state.settings.digits.min(5) };
+    let done = factors.iter().take(last + usize::from((last + 1) as f64 <= time + 1e-9)).copied().collect::<Vec<_>>();
+    let formulas: Vec<EntryFormula> =
+        factors.iter().take(last + 1).map(|factor| factor_entries(factor.step, &setting)).collect();
+    let (Some(factor), Some(of_factor)) = (factors.get(last), formulas.last()) else { return };
+    let shown = [
+        Some((words::factor(lang, last + 1), of_factor.clone(), factor.matrix, state.explain.matrices.reading)),
+        (done.len() > 1).then(|| {
+            let formulas =
+                formulas.iter().take(done.len()).cloned().reduce(|before, next| entry_product(&next, &before));
+            (
+                words::product(lang, done.len()),
+                formulas.unwrap_or_else(|| of_factor.clone()),
+                product(&done),
+                Reading::Values,
+            )
+        }),
+    ];
+    reading(ui, words::texts(lang), &mut state.explain.matrices.reading);
+    for (place, (name, formulas, matrix, reading)) in shown.into_iter().flatten().enumerate() {
+        ui.push_id(("step", place), |ui| {
+            ui.label(RichText::new(&name).strong());
+            let values = matrix.transpose().to_cols_array_2d().map(|row| row.map(|x| x + 0.0));
+            let cells = cells(state, writing, (&name, &formulas, reading), &values, |_| 0.0);
+            let chosen = state.explain.steps.entry.filter(|(of, _)| *of == place).map(|(_, entry)| entry);
+            let pointed =
+                entries::show(ui, &cells, (chosen.unwrap_or([usize::MAX; 2]), false), notes::of_step(factor.step));
+            if let Some(entry) = pointed.chosen {
+                state.explain.steps.entry = Some((place, entry));
+            }
+            if let Some([row, column]) = pointed.hovered.or(chosen) {
+                let (text, place) = (format!("m_{}{}", row + 1, column + 1), format!("{}{}", row + 1, column + 1));
+                let name = Both { latex: format!("m_{{{place}}}"), text };
+                let entry = (&formulas[row][column], values[row][column]);
+                let lit = answer::show(ui, writing, &name, entry, &mut state.explain.matrices);
+                state.hover.measured.extend(answer::lights(entry.0, lit));
+            } else {
+                ui.label(RichText::new(words::texts(lang).click_an_entry).small().weak());
+            }
+        });
+    }
 }
 
 /// First to last, so that the last one is at the left.
@@ -189,12 +241,12 @@ fn tenth(time: f64, by: f64) -> f64 {
 /// The steps in their order, each clickable; a change of handedness is marked.
 fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], (steps, shown): (&mut Steps, &mut ShownStep)) {
     let labels = pictures::labels(lang);
-    let done = whole(time_of(*shown, camera));
+    let runs = running(time_of(*shown, camera));
     let mut left_handed = false;
     for (i, factor) in factors.iter().enumerate() {
         let text = format!("{}. {}", i + 1, labels.step(factor.step));
         let lowered = theme::lowered(ui, &text, &egui::TextStyle::Button, ui.visuals().text_color());
-        let button = Button::selectable(done == i + 1, lowered).wrap();
+        let button = Button::selectable(runs == i + 1, lowered).wrap();
         let button = ui.add(button).accessible_name(text.replace(['{', '}'], ""));
         help_topic(&button, notes::of_step(factor.step));
         if button.clicked() {

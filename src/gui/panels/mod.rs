@@ -3,7 +3,6 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `changed_file` | the bar about a change of the figure's file by another program |
-//! | `conventions` | whose NDC, compared with whose, and how matrices are written |
 //! | `numerics/` | the panel of studies: which to measure, the chart of errors, and the methods with their numbers |
 //! | `operations` | the operations on the camera, by buttons and sliders |
 //! | `parameters/` | the panel on the left: every parameter of the figure, in three tabs |
@@ -14,7 +13,6 @@
 //! | `values` | the numbers: basis, matrices, window, corners |
 
 pub mod changed_file;
-mod conventions;
 pub mod numerics;
 pub mod operations;
 pub mod parameters;

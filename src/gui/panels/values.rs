@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use eframe::egui::{self, RichText, TextFormat, text::LayoutJob};
 
-use super::{TEXT_LINE, complaint, conventions, erratum, section};
+use super::{TEXT_LINE, complaint, erratum, section};
+use crate::camera::Ndc;
 use crate::explain::Matrix;
 use crate::gui::context_help::help_topic;
 use crate::gui::number_field::{NumberField, Step};
@@ -15,36 +16,14 @@ use crate::gui::tooltip::Explained;
 use crate::i18n::conventions::differences;
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{explain, notes};
-use crate::inspect::Report;
-
-/// The numbers in the convention that is compared with, where there is one.
-fn compared(state: &State) -> Option<Report> {
-    report(state, state.settings.conventions.compared?)
-}
 
 /// Shows the numbers.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.settings.lang);
-    conventions::ui(ui, state);
     section(ui, t.numbers, "numbers", true, |ui| {
-        let Some(report) = report(state, state.settings.conventions.ndc) else { return };
         toolbar(ui, t, state);
-        let (digits, inverse) = (state.settings.digits, state.settings.inverse);
-        let shown = state.settings.conventions;
-        let camera = state.document.camera();
-        let other = compared(state).map(|other| (tables(t, (camera, &other), inverse, shown), ndc_of(&other)));
-        let mut asked = None;
-        for (i, table) in tables(t, (camera, &report), inverse, shown).iter().enumerate() {
-            let other = other.as_ref().filter(|_| table.follows_ndc);
-            asked = show(ui, t, table, other.and_then(|(tables, _)| tables.get(i)), digits).or(asked);
-            // Said once, below M_p.
-            if let Some((_, ndc)) = other.filter(|_| table.symbol.contains("M_p") && !table.symbol.contains("M_v")) {
-                ui.label(RichText::new(differences(t.lang, ndc_of(&report), *ndc)).small());
-            }
-        }
-        if let Some((matrix, entry)) = asked {
-            state.explain_entry(matrix, entry);
-        }
+        let inverse = state.settings.inverse;
+        list(ui, state, inverse, None, |_| true);
     });
     let warnings = state.warnings();
     if !warnings.is_empty() {
@@ -54,6 +33,35 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
                 ui.label(RichText::new(format!("⚠ {warning}")).color(color));
             }
         });
+    }
+}
+
+/// Lists the tables that are wanted, each with the one of another convention where there is one. A click on an entry
+/// of a matrix explains it.
+pub(in crate::gui) fn list(
+    ui: &mut egui::Ui,
+    state: &mut State,
+    inverse: bool,
+    compared: Option<Ndc>,
+    is_wanted: fn(&Table) -> bool,
+) {
+    let t = window::texts(state.settings.lang);
+    let shown = state.settings.conventions;
+    let Some(report) = report(state, shown.ndc) else { return };
+    let camera = state.document.camera();
+    let other = compared.and_then(|ndc| number_tables::report(state, ndc));
+    let other = other.map(|other| (tables(t, (camera, &other), inverse, shown), ndc_of(&other)));
+    let mut asked = None;
+    for (i, table) in tables(t, (camera, &report), inverse, shown).iter().enumerate().filter(|(_, t)| is_wanted(t)) {
+        let other = other.as_ref().filter(|_| table.follows_ndc);
+        asked = show(ui, t, table, other.and_then(|(tables, _)| tables.get(i)), state.settings.digits).or(asked);
+        // Said once, below M_p.
+        if let Some((_, ndc)) = other.filter(|_| table.symbol.contains("M_p") && !table.symbol.contains("M_v")) {
+            ui.label(RichText::new(differences(t.lang, ndc_of(&report), *ndc)).small());
+        }
+    }
+    if let Some((matrix, entry)) = asked {
+        state.explain_entry(matrix, entry);
     }
 }
 

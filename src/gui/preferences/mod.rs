@@ -23,10 +23,10 @@ use std::path::{Path, PathBuf};
 use toml_edit::{DocumentMut, Value};
 
 use super::launch_options::LANGUAGES;
-use super::state::{ExplainTab, State};
+use super::state::State;
 use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
 use crate::export::format::PictureFormat;
-use crate::figure::words::{self, THEMES, Words};
+use crate::figure::words::{self, EXPLANATIONS, THEMES, Words};
 use crate::limits::{PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
 use crate::views::{Arrangement, View, Views};
@@ -43,20 +43,6 @@ const LAYOUTS: Words<Option<Arrangement>> = &[
 
 /// Whose signs the rotations have, by the names that `--convention` has for them.
 const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
-
-/// The tabs of the side of explanations.
-const EXPLANATIONS: Words<ExplainTab> = &[
-    ("matrices", ExplainTab::Matrices),
-    ("point", ExplainTab::Point),
-    ("steps", ExplainTab::Steps),
-    ("w", ExplainTab::Homogeneous),
-    ("order", ExplainTab::Order),
-    ("stages", ExplainTab::Stages),
-    ("dialects", ExplainTab::Dialects),
-    ("code", ExplainTab::Code),
-    ("notes", ExplainTab::Notes),
-    ("exercises", ExplainTab::Exercises),
-];
 
 /// The key of the list of files that were opened or saved last.
 const RECENT: &str = "recent";
@@ -94,7 +80,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 33] = [
+const KEYS: [Key; 34] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -109,7 +95,22 @@ const KEYS: [Key; 33] = [
     key!("parameters_panel", switch, settings.panels.wanted[0]),
     key!("numbers_panel", switch, settings.panels.wanted[1]),
     key!("explanations", switch, settings.panels.wanted[2]),
-    key!("explanation", one of EXPLANATIONS, explain.tab),
+    Key {
+        name: "explanation",
+        of: |state| words::name(EXPLANATIONS, state.explain.shown()).into(),
+        apply: |state, value| word(EXPLANATIONS, value).into_iter().for_each(|shown| state.explain.show(shown)),
+    },
+    // The last one of each question.
+    Key {
+        name: "explanations_read",
+        of: |state| state.explain.last().map(|last| words::name(EXPLANATIONS, last)).into_iter().collect(),
+        apply: |state, value| {
+            let names = value.as_array().into_iter().flatten().filter_map(Value::as_str);
+            let shown = state.explain.shown();
+            names.filter_map(|name| words::value(EXPLANATIONS, name)).for_each(|read| state.explain.show(read));
+            state.explain.show(shown);
+        },
+    },
     key!("layout", one of LAYOUTS, layout.arrangement),
     Key {
         name: "pictures",
@@ -288,6 +289,7 @@ mod tests {
 
     use super::*;
     use crate::appearance::Theme;
+    use crate::figure::Explanation;
     use crate::gui::Start;
     use crate::gui::export::{Export, Paper};
     use crate::gui::state::Conventions;
@@ -333,7 +335,7 @@ mod tests {
             ..changed.export
         };
         changed.operations.steps = std::array::from_fn(|i| 2.5 + i as f64);
-        changed.explain.tab = ExplainTab::Code;
+        changed.explain.show(Explanation::Code);
         let plain = values(&state());
         let told = values(&changed);
         for (key, value) in &told {

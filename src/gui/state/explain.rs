@@ -7,41 +7,51 @@ use super::steps::Steps;
 use crate::camera::{CameraError, MatrixKind};
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{CameraNumber, Vocabulary};
-use crate::figure::TransformPreview;
+use crate::figure::{Explanation, TransformPreview};
 use crate::picture::FollowedTriangle;
 use crate::pipeline::StageReport;
 
-/// A tab of the side of explanations.
+/// A question that the side of explanations answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum ExplainTab {
-    /// Each entry of each matrix, as formula and as number.
+pub enum Question {
+    /// Where does this number come from?
     #[default]
-    Matrices,
-    /// A point through every space, forward and back.
-    Point,
-    /// The view volume becomes the canonical one, step by step.
-    Steps,
-    /// The effects of w.
-    Homogeneous,
-    /// The image as far as it is painted.
-    Stages,
-    /// The camera in other vocabularies, and a pasted matrix.
-    Dialects,
-    /// The order of transforms.
-    Order,
-    /// The camera as code.
-    Code,
-    /// A short text for each symbol, operation, equation, step and stage.
-    Notes,
-    /// Exercises whose answers are checked.
-    Exercises,
+    Where,
+    /// What happens, in which order?
+    Happens,
+    /// What is it called elsewhere?
+    Called,
+    /// Can I do it?
+    Able,
+}
+
+impl Question {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Where, Self::Happens, Self::Called, Self::Able];
+
+    /// The question that an explanation answers.
+    #[must_use]
+    pub const fn of(explanation: Explanation) -> Self {
+        match explanation {
+            Explanation::Matrices | Explanation::Point | Explanation::Homogeneous | Explanation::Order => Self::Where,
+            Explanation::Steps
+            | Explanation::Stages
+            | Explanation::Triangle
+            | Explanation::HiddenSurfaces
+            | Explanation::Clipping
+            | Explanation::Depth => Self::Happens,
+            Explanation::Dialects | Explanation::Code | Explanation::Conventions => Self::Called,
+            Explanation::Exercises | Explanation::Notes => Self::Able,
+        }
+    }
 }
 
 /// The explanations. Their visibility is in [`Panels`](super::Panels).
 #[derive(Clone, Debug)]
 pub struct Explain {
-    /// The tab that is shown.
-    pub tab: ExplainTab,
+    question: Question,
+    /// The explanation that each question showed last, in the order of [`Question::ALL`].
+    last: [Explanation; 4],
     /// Objects where the tab of order puts them in this frame.
     pub placed: Vec<TransformPreview>,
     /// The tab of matrices.
@@ -83,10 +93,41 @@ impl Default for Pasted {
     }
 }
 
+impl Explain {
+    /// The question that is open.
+    #[must_use]
+    pub fn question(&self) -> Question {
+        self.question
+    }
+
+    /// The explanation that is shown.
+    #[must_use]
+    pub fn shown(&self) -> Explanation {
+        self.last[self.question as usize]
+    }
+
+    /// The explanations that the questions showed last.
+    pub(in crate::gui) fn last(&self) -> [Explanation; 4] {
+        self.last
+    }
+
+    /// Opens a question where it was left.
+    pub fn ask(&mut self, question: Question) {
+        self.question = question;
+    }
+
+    /// Shows an explanation, under its question.
+    pub fn show(&mut self, explanation: Explanation) {
+        self.question = Question::of(explanation);
+        self.last[self.question as usize] = explanation;
+    }
+}
+
 impl Default for Explain {
     fn default() -> Self {
         Self {
-            tab: ExplainTab::default(),
+            question: Question::default(),
+            last: [Explanation::Matrices, Explanation::Steps, Explanation::Dialects, Explanation::Exercises],
             placed: Vec::new(),
             matrices: Matrices::default(),
             steps: Steps::default(),

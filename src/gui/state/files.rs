@@ -120,6 +120,8 @@ pub enum Dialog {
     Coach,
     /// The gallery of figures.
     Gallery,
+    /// The search for anything in the window.
+    Search,
     /// The treatment of the children of objects that are to be deleted.
     Delete {
         /// Their names.

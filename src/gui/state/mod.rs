@@ -19,6 +19,7 @@
 //! | `order` | the tab of order: the list of transforms, and its reading |
 //! | `recent` | the files that were opened or saved last |
 //! | `scene_tree` | the state of the tree: selection, folding, typed texts |
+//! | `search` | the search for anything in the window |
 //! | `shown` | explanations in the pictures: the `[show]` of the figure, its changes by panels |
 //! | `steps` | the tab of steps: the decomposition, and its playback |
 //! | `view_history` | earlier viewpoints of the pictures |
@@ -40,6 +41,7 @@ mod operations;
 mod order;
 mod recent;
 mod scene_tree;
+mod search;
 mod shown;
 mod steps;
 mod view_history;
@@ -50,7 +52,7 @@ use crate::appearance::{Style, Theme};
 use crate::camera::{Camera, CameraError, Operation};
 use crate::explain::Matrix;
 use crate::figure::points::free_name;
-use crate::figure::{Figure, NamedPoint, Observers};
+use crate::figure::{Explanation, Figure, NamedPoint, Observers};
 use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::limits::MAX_NAMED_POINTS;
@@ -61,7 +63,7 @@ pub use coach::{Advice, Coach};
 pub use conventions::Conventions;
 pub(in crate::gui) use exercises::Done;
 pub use exercises::{Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Typed, is_whole, joined};
-pub use explain::{Explain, ExplainTab};
+pub use explain::{Explain, Question};
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub use follow::Follow;
 pub(super) use follow::Space;
@@ -80,6 +82,7 @@ pub use recent::Recent;
 pub(super) use recent::merged;
 pub(super) use scene_tree::{Draft, Typing, preset_objects};
 pub use scene_tree::{SceneTree, Selected};
+pub use search::Search;
 use shown::OpenPanels;
 pub use shown::PanelHover;
 pub use steps::{Steps, count, end_of, step_at, time_of};
@@ -197,6 +200,8 @@ pub struct State {
     pub recent: Recent,
     /// The figures that one can begin with.
     pub gallery: Gallery,
+    /// The search for anything.
+    pub search: Search,
     /// Figures that were left with changes, by where they come from.
     pub kept: Vec<(Option<Source>, Document)>,
     /// Those of them that the user, closing the window, has decided not to save; kept again where it is not closed.
@@ -280,6 +285,7 @@ impl State {
             probe: None,
             recent: Recent::default(),
             gallery: Gallery::default(),
+            search: Search::default(),
             kept: Vec::new(),
             given_up: Vec::new(),
             export: Export::new([[640, 480]; View::COUNT], 1.0),
@@ -338,10 +344,10 @@ impl State {
         Style { theme: self.settings.theme, ..self.document.figure().style }
     }
 
-    /// Shows a tab of the side of explanations.
-    pub(in crate::gui) fn show_explanation(&mut self, tab: ExplainTab) {
+    /// Shows an explanation at the side.
+    pub(in crate::gui) fn show_explanation(&mut self, explanation: Explanation) {
         self.settings.panels_mut().show(Side::Explain);
-        self.explain.tab = tab;
+        self.explain.show(explanation);
     }
 
     /// Adds a point of the world to the figure and follows it; one that is there already is only followed.
@@ -395,13 +401,13 @@ impl State {
     /// Explains an entry of a matrix; the entry takes the focus.
     pub(in crate::gui) fn explain_entry(&mut self, matrix: Matrix, entry: [usize; 2]) {
         self.explain.matrices.go_to(matrix, entry);
-        self.show_explanation(ExplainTab::Matrices);
+        self.show_explanation(Explanation::Matrices);
     }
 
     /// True while the exercises are shown.
     #[must_use]
     pub fn shows_exercises(&self) -> bool {
-        self.settings.panels().is_shown(Side::Explain) && self.explain.tab == ExplainTab::Exercises
+        self.shows_explanation(Explanation::Exercises)
     }
 
     /// The camera that an answer describes, while it is shown.
@@ -426,7 +432,7 @@ impl State {
     /// Shows a note, which takes the keyboard in the list of notes.
     pub(in crate::gui) fn explain_by_note(&mut self, id: &'static str) {
         self.explain.notes.go_to(id);
-        self.show_explanation(ExplainTab::Notes);
+        self.show_explanation(Explanation::Notes);
     }
 
     /// Says something at the bottom of the window.

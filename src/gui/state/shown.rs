@@ -1,10 +1,9 @@
 //! Explanations in the pictures: the `[show]` of the figure, its changes by panels, and the shot made of it.
 
-use super::explain::ExplainTab;
 use super::{Side, State, steps};
 use crate::camera::Ndc;
 use crate::explain::Symbol;
-use crate::figure::{Figure, Measured, Observers, Show, ShownProbe, ShownStep, StagePicture, View};
+use crate::figure::{Explanation, Figure, Measured, Observers, Show, ShownProbe, ShownStep, StagePicture, View};
 use crate::i18n::pictures::labels;
 use crate::stage::Stage;
 use crate::views::observer::Viewpoint;
@@ -26,6 +25,7 @@ pub struct PanelHover {
 pub(in crate::gui) struct OpenPanels {
     stages: bool,
     painting: bool,
+    triangle: bool,
     steps: bool,
     order: bool,
 }
@@ -230,18 +230,15 @@ impl State {
         });
     }
 
-    /// True while the tab of stages is shown.
-    pub(in crate::gui) fn shows_stages(&self) -> bool {
-        self.shows_tab(ExplainTab::Stages)
-    }
-
     /// Whether anything shows the reports of stages.
     pub(in crate::gui) fn accounts_for_stages(&self) -> bool {
-        self.layout.strip || self.shows_stages()
+        self.layout.strip || self.shows_explanation(Explanation::Stages)
     }
 
-    fn shows_tab(&self, tab: ExplainTab) -> bool {
-        self.settings.panels().is_shown(Side::Explain) && self.explain.tab == tab
+    /// True while an explanation is at the side.
+    #[must_use]
+    pub fn shows_explanation(&self, explanation: Explanation) -> bool {
+        self.settings.panels().is_shown(Side::Explain) && self.explain.shown() == explanation
     }
 
     /// Removes the explanation of a panel that has been closed since the last frame, and shows that of one that has
@@ -253,9 +250,10 @@ impl State {
         }
         let now = OpenPanels {
             stages: self.accounts_for_stages(),
-            painting: self.shows_stages(),
-            steps: self.shows_tab(ExplainTab::Steps),
-            order: self.shows_tab(ExplainTab::Order),
+            painting: self.shows_explanation(Explanation::HiddenSurfaces),
+            triangle: self.shows_explanation(Explanation::Triangle),
+            steps: self.shows_explanation(Explanation::Steps),
+            order: self.shows_explanation(Explanation::Order),
         };
         let before = std::mem::replace(&mut self.open_panels, now);
         if before.stages && !now.stages {
@@ -264,7 +262,10 @@ impl State {
         let way = self.explain.steps.way;
         let show = self.document.show_mut();
         if before.painting && !now.painting {
-            (show.painted, show.triangle) = (None, None);
+            show.painted = None;
+        }
+        if before.triangle && !now.triangle {
+            show.triangle = None;
         }
         if before.order && !now.order {
             self.explain.placed.clear();

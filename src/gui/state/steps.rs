@@ -15,6 +15,8 @@ const LONGEST_FRAME: f64 = 0.5;
 pub struct Steps {
     /// Whose steps.
     pub way: Decomposition,
+    /// The entry that is explained: of the step's matrix (0) or of the product so far (1), row and column from 0.
+    pub(in crate::gui) entry: Option<(usize, [usize; 2])>,
     /// When the last frame was shown, in seconds, while it is played.
     played: Option<f64>,
 }

@@ -4,13 +4,11 @@
 //! | --- | --- |
 //! | `camera` | C, PF, VUP; θ or H, A, F, B; the view window |
 //! | `image` | the image and the viewport |
-//! | `reveal_section` | the section about the inner work of the pipeline |
 //! | `style` | the section about the style of the drawing |
 //! | `world_section` | the section about the content of the world picture besides scene and camera |
 
 mod camera;
 mod image;
-mod reveal_section;
 mod style;
 mod world_section;
 
@@ -48,7 +46,6 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
         Tab::Drawing => {
             scroll.show(ui, |ui| {
                 style::ui(ui, state);
-                reveal_section::ui(ui, state);
                 world_section::ui(ui, state);
                 keep_in_sight(ui);
             });

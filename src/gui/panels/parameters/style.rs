@@ -4,8 +4,10 @@ use eframe::egui;
 
 use super::row;
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
+use crate::figure::Explanation;
 use crate::gui::panels::{choice, section};
 use crate::gui::state::State;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window;
 
 /// Shading, hidden surfaces and lines, samples, theme.
@@ -13,6 +15,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.settings.lang);
     let old = state.document.figure().style;
     let mut style = old;
+    let mut opens = false;
     section(ui, t.style, "style", true, |ui| {
         let shadings = [
             (Shading::Wireframe, t.shading_wireframe),
@@ -23,13 +26,13 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         row(ui, "", t.shading, t.shading_hint, |ui| {
             choice(ui, t.shading, t.shading_hint, &mut style.shading, &shadings)
         });
-        let orders = [
-            (Visibility::DepthBuffer, t.visibility_depth_buffer),
-            (Visibility::Painter, t.visibility_painter),
-            (Visibility::Bsp, t.visibility_bsp),
-        ];
         row(ui, "", t.visibility, t.visibility_hint, |ui| {
-            choice(ui, t.visibility, t.visibility_hint, &mut style.visibility, &orders)
+            let by = match style.visibility {
+                Visibility::DepthBuffer => t.visibility_depth_buffer,
+                Visibility::Painter => t.visibility_painter,
+                Visibility::Bsp => t.visibility_bsp,
+            };
+            opens = ui.link(format!("{by} →")).explained(t.visibility_hint).clicked();
         });
         let lines = [
             (HiddenLines::Dashed, t.hidden_dashed),
@@ -50,5 +53,8 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     });
     if style != old {
         state.document.edit(|figure| figure.style = style);
+    }
+    if opens {
+        state.show_explanation(Explanation::HiddenSurfaces);
     }
 }

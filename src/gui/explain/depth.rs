@@ -1,14 +1,15 @@
-//! The depth panel: z_n over the distance from the eye, the resolution of formats of depth buffers, and planes that
-//! contain the scene.
+//! Depth: the depth buffer as a picture, z_n over the distance from the eye, the resolution of formats of depth
+//! buffers, and planes that contain the scene.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Color32, Grid, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
 use egui_plot::{Corner, Legend, Line, Plot, PlotPoints, VLine, uniform_grid_spacer};
 
-use super::title;
 use crate::camera::{Camera, Ndc, Parameters, Projection};
+use crate::figure::Depth;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::numerics::color_of;
+use crate::gui::panels::{choice, row};
 use crate::gui::plotting::{decade, decades, still};
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
@@ -23,11 +24,32 @@ const SAMPLES: u32 = 200;
 /// Where B/F is more, depths are shown by their logarithms: all else would be at the left border.
 const WIDE_RANGE: f64 = 50.0;
 
-/// Shows the panel; gives a camera with other planes where that is wanted.
-pub(super) fn ui(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Parameters> {
+/// Shows it for the camera of the figure.
+pub(super) fn ui(ui: &mut Ui, state: &mut State) {
+    depth_view(ui, state);
+    let camera = state.document.camera().clone();
+    if let Some(wanted) = of_camera(ui, state, &camera) {
+        state.apply_camera(wanted);
+        ui.request_repaint();
+    }
+}
+
+/// The image in colours, or the depth buffer in its place.
+fn depth_view(ui: &mut Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    let old = state.document.figure().reveal.depth;
+    let mut depth = old;
+    let depths = [(Depth::Off, t.depth_off), (Depth::Stored, t.depth_stored), (Depth::Linear, t.depth_linear)];
+    row(ui, "", t.depth_view, t.depth_view_hint, |ui| choice(ui, t.depth_view, t.depth_view_hint, &mut depth, &depths));
+    if depth != old {
+        state.document.edit(|figure| figure.reveal.depth = depth);
+    }
+}
+
+/// Shows what follows from a camera; gives one with other planes where that is wanted.
+fn of_camera(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Parameters> {
     let lang = state.settings.lang;
     let t = words::texts(lang);
-    title(ui, t.depth);
     let [near, far] = [camera.near(), camera.far()];
     let probe = match state.probe {
         Some(Probe::Point(p)) => Some(-camera.view_point(p).z).filter(|depth| (near..=far).contains(depth)),
@@ -38,7 +60,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Para
     plot(ui, t, camera, space.ndc(), probe);
     let depth = probe.unwrap_or_else(|| camera.distance().clamp(near, far));
     let n = |x: f64| lang.mark().number(x, 3);
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.label(t.two_planes);
         let texts = window::texts(lang);
         let mut gap = state.coach.gap;
@@ -51,7 +73,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Para
     formats(ui, lang, &resolutions(&space, depth, state.coach.gap));
     let planes = suggested_planes(camera, state.scene_cache.scene().bounds()?)?;
     let mut wanted = None;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.label(format!("{} F = {}, B = {}", t.suggested, n(planes[0]), n(planes[1])));
         if planes != [near, far] && ui.button(t.use_them).clicked() {
             wanted = Some(with_planes(camera.parameters(), planes));

@@ -2,37 +2,37 @@
 
 use eframe::egui;
 
-use super::{choice, complaint, row, section};
 use crate::camera::{Api, Ndc};
+use crate::gui::panels::{choice, complaint, row, values};
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
 use crate::i18n::conventions::{self, Texts, finite_instead};
 
-/// Shows the choices; closed, it is one line.
+/// Shows the choices, and below them the numbers that depend on them.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = conventions::texts(state.settings.lang);
     let camera = state.document.camera();
     let shown = &mut state.settings.conventions;
-    section(ui, t.title, "conventions", false, |ui| {
-        let mut ndc = Some(shown.ndc);
-        one(ui, t, (t.ndc, t.ndc_hint), &mut ndc, false);
-        shown.ndc = ndc.unwrap_or_default();
-        one(ui, t, (t.compared, t.compared_hint), &mut shown.compared, true);
-        for error in
-            [Some(shown.ndc), shown.compared].into_iter().flatten().filter_map(|ndc| camera.clip_space(ndc).err())
-        {
-            complaint(ui, &finite_instead(t.lang, error));
+    let mut ndc = Some(shown.ndc);
+    one(ui, t, (t.ndc, t.ndc_hint), &mut ndc, false);
+    shown.ndc = ndc.unwrap_or_default();
+    one(ui, t, (t.compared, t.compared_hint), &mut shown.compared, true);
+    for error in [Some(shown.ndc), shown.compared].into_iter().flatten().filter_map(|ndc| camera.clip_space(ndc).err())
+    {
+        complaint(ui, &finite_instead(t.lang, error));
+    }
+    for (on, name, hint, said) in [
+        (&mut shown.row_vectors, t.row_vectors, t.row_vectors_hint, t.row_vectors_said),
+        (&mut shown.left_handed, t.left_handed, t.left_handed_hint, t.left_handed_said),
+    ] {
+        ui.checkbox(on, name).explained(hint);
+        if *on {
+            ui.label(egui::RichText::new(said).small().weak());
         }
-        for (on, name, hint, said) in [
-            (&mut shown.row_vectors, t.row_vectors, t.row_vectors_hint, t.row_vectors_said),
-            (&mut shown.left_handed, t.left_handed, t.left_handed_hint, t.left_handed_said),
-        ] {
-            ui.checkbox(on, name).explained(hint);
-            if *on {
-                ui.label(egui::RichText::new(said).small().weak());
-            }
-        }
-    });
+    }
+    ui.separator();
+    let compared = shown.compared;
+    values::list(ui, state, false, compared, |table| table.is_matrix());
 }
 
 /// A library, reversed, without a far plane; with `or_none` also none.
