@@ -203,7 +203,10 @@ impl App {
             name_handle(ui, "numbers", t.panel_width);
         }
         if sides.is_shown(Side::Explain) {
-            egui::Panel::right("explain").default_size(400.0).size_range(320.0..=620.0).show(ui, |ui| {
+            // In a presentation the pictures keep more than half of the width.
+            let share = if self.state.settings.presentation { 0.45 } else { 1.0 };
+            let most = (share * ctx.content_rect().width()).clamp(320.0, 620.0);
+            egui::Panel::right("explain").default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
                 tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
                 explain::ui(ui, &mut self.state);
@@ -211,6 +214,7 @@ impl App {
             name_handle(ui, "explain", t.panel_width);
         }
         tooltip::beside_nothing(&ctx);
+        motion::show_done(&ctx, &mut self.state);
         self.state.follow_panels();
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         let pictures = egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));

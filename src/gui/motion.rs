@@ -1,18 +1,25 @@
 //! A step of an operation that the eye can follow: the camera moves to its end in a moment, and is there exactly.
 
+use std::time::Duration;
+
 use eframe::egui::{self, Event};
 
-use super::state::{Motion, State};
+use super::state::{DoneStep, Motion, State};
 use crate::camera::{Amount, Camera, Convention, Freedom};
+use crate::views::Ghost;
 
 /// Duration of a step, in seconds.
 const DURATION: f64 = 0.2;
+/// Time for which a step is shown in the world, in seconds.
+const SHOWN: f64 = 2.0;
 
 /// Begins a step; at once at its end where motion is to be reduced, or where it leads to no camera.
 pub(in crate::gui) fn begin(state: &mut State, freedom: Freedom, amount: f64) {
     finish(state);
     let (start, convention) = (state.document.camera().clone(), state.operations.convention);
     let operation = freedom.by(amount);
+    let ghost = Ghost { before: start.clone(), operation, convention };
+    state.operations.done = Some(DoneStep { ghost, since: None });
     if state.settings.reduce_motion || operation.apply(&start, convention).is_err() {
         state.operate(operation);
     } else {
@@ -42,6 +49,19 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
     let _ = state.document.operate_from(&motion.start, motion.at(share), motion.convention);
     state.operations.motion = Some(motion);
     ctx.request_repaint();
+}
+
+/// Shows the step that was done last in the world, for a moment, whatever the pointer is over.
+pub(in crate::gui) fn show_done(ctx: &egui::Context, state: &mut State) {
+    let Some(done) = &mut state.operations.done else { return };
+    let now = ctx.input(|input| input.time);
+    let left = *done.since.get_or_insert(now) + SHOWN - now;
+    if left > 0.0 && state.operations.scrub.is_none() {
+        state.hover.ghost = Some(done.ghost.clone());
+        ctx.request_repaint_after(Duration::from_secs_f64(left));
+    } else {
+        state.operations.done = None;
+    }
 }
 
 /// Puts the camera at the end of the step, as one change.

@@ -25,6 +25,7 @@ texts! {
     section: "Section along u: similar triangles", "Corte ao longo de u: triângulos semelhantes";
     link: "Orbit world and canonical volume together", "Girar mundo e volume canônico juntos";
     // A menu, and its tooltip.
+    on_the_way: "World → canonical volume", "Mundo → volume canônico";
     look: "Viewpoint", "Ponto de vista";
     look_menu: "Look from…", "Ver de…";
     // From where to look.
@@ -141,6 +142,16 @@ texts! {
     near_plane: "front plane", "plano da frente";
     // The distance of the back plane.
     far_plane: "back plane", "plano de fundo";
+}
+
+/// The observer of a picture went back; the first key fits the picture, undo of the camera brings it back.
+#[must_use]
+pub fn went_back(lang: Lang, view: View) -> String {
+    let name = texts(lang).view(view);
+    match lang {
+        Lang::En => format!("{name}: seen from farther away, so that everything stays in the picture (Alt+0 fits it)"),
+        Lang::PtBr => format!("{name}: visto de mais longe, para que tudo continue na imagem (Alt+0 enquadra)"),
+    }
 }
 
 impl CanvasTexts {

@@ -376,7 +376,7 @@ texts! {
     step: "step", "passo";
     step_hint: "The step of the buttons − and +", "O passo dos botões − e +";
     scrub: "slider", "controle";
-    scrub_hint: "Pull: the camera moves from where it is; release: it stays there", "Puxe: a câmera se move de onde está; solte: ela fica lá";
+    scrub_hint: "Pull: the camera moves from where it is, by 5° (Ctrl: freely); release: it stays there, and the knob springs back", "Puxe: a câmera se move de onde está, de 5° em 5° (Ctrl: livre); solte: ela fica lá, e o botão volta ao meio";
     vtk: "Signs of VTK", "Sinais do VTK";
     vtk_hint: "VTK turns elevation and roll the other way. Here a positive angle is counter-clockwise seen from the tip of the axis", "O VTK gira elevação e rolagem ao contrário. Aqui um ângulo positivo é anti-horário visto da ponta do eixo";
 

@@ -174,16 +174,6 @@ impl Request {
         }
     }
 
-    /// As [`fitted`](Self::fitted), but moved aside where the world would be seen (nearly) along DOP, u, v or n: for an
-    /// observer that nobody has turned.
-    #[must_use]
-    pub fn kept_clear(&self, observer: &Observer) -> Option<Observer> {
-        match self.view {
-            View::World => Some(world_framing::kept_clear(self, observer)),
-            View::Canonical | View::Image => self.fitted(observer),
-        }
-    }
-
     /// The observer that looks in the same direction as `observer` and has everything of interest in the picture;
     /// `None` for the image.
     #[must_use]

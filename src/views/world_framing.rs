@@ -19,12 +19,6 @@ pub(super) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
     framing(request, viewpoint.direction(iso, camera.basis()))
 }
 
-/// The observer that keeps `observer`'s direction as long as it is clear of the camera's axes, and has everything of
-/// interest in the picture.
-pub(super) fn kept_clear(request: &Request, observer: &Observer) -> Observer {
-    framing(request, Direction::from(*observer).clear_of(&lines(&request.camera)))
-}
-
 /// The lines along which a picture of the camera tells nothing: u, v, and n, which is the line of DOP too.
 fn lines(camera: &Camera) -> [DVec3; 3] {
     let basis = camera.basis();

@@ -159,30 +159,22 @@ fn a_far_plane_that_would_dwarf_the_scene_is_drawn_nearer_and_says_so() {
 fn an_observer_that_nobody_turned_keeps_clear_of_dop_u_v_and_n() {
     let (_, figure, scene) = shipped().into_iter().find(|(name, ..)| name == "primitives").unwrap();
     let mut request = world(&figure, &scene, (640, 480));
-    let mut kept = request.seen_from().unwrap();
-    let mut moved = 0;
     for step in 1..=24 {
         let turn = Operation::Azimuth(Angle::from_degrees(15.0));
         request.camera = turn.apply(&request.camera, Convention::RightHand).unwrap();
-        // Looked at anew, and followed from picture to picture as in the window.
-        let next = request.kept_clear(&kept).unwrap();
-        moved += usize::from((next.azimuth, next.elevation) != (kept.azimuth, kept.elevation));
-        kept = next;
-        for observer in [request.seen_from().unwrap(), kept] {
-            let request = request.clone().seen_by(Some(observer));
-            let camera = &request.camera;
-            let c = place(&request, &observer, camera.position());
-            let pf = place(&request, &observer, camera.focal_point());
-            assert!(c.distance(pf) > 40.0, "{step}: C and PF are {} px apart", c.distance(pf));
-            let [_, _, back] = observer.axes();
-            let basis = camera.basis();
-            for axis in [basis.u, basis.v, basis.n] {
-                assert!(axis.dot(back).abs() < 18_f64.to_radians().cos() + 1e-9, "{step}: {axis} {back}");
-            }
+        let observer = request.seen_from().unwrap();
+        let request = request.clone().seen_by(Some(observer));
+        let camera = &request.camera;
+        let c = place(&request, &observer, camera.position());
+        let pf = place(&request, &observer, camera.focal_point());
+        assert!(c.distance(pf) > 40.0, "{step}: C and PF are {} px apart", c.distance(pf));
+        let [_, _, back] = observer.axes();
+        let basis = camera.basis();
+        for axis in [basis.u, basis.v, basis.n] {
+            assert!(axis.dot(back).abs() < 18_f64.to_radians().cos() + 1e-9, "{step}: {axis} {back}");
         }
     }
-    assert!((2..12).contains(&moved), "it moves aside only where it must: {moved}");
-    let turned = Observer { azimuth: 10.0, ..kept };
+    let turned = Observer { azimuth: 10.0, ..request.seen_from().unwrap() };
     assert_eq!(request.fitted(&turned).unwrap().azimuth, 10.0, "what a hand has turned stays");
 }
 

@@ -86,18 +86,48 @@ pub(super) struct Framed {
     pub(super) aspect: f32,
 }
 
+/// The automatic arrangement of the frame before: it stays until another one is clearly better.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Found {
+    arrangement: Arrangement,
+    count: usize,
+    presenting: bool,
+}
+
+/// The automatic arrangement, from frame to frame.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Automatic(Option<Found>);
+
+impl Automatic {
+    /// The arrangement for a room. In a presentation, and while a panel comes or a window is drawn larger, pictures
+    /// keep their places.
+    pub(super) fn of(&mut self, room: Rect, pictures: &[Framed], presenting: bool) -> Arrangement {
+        let count = pictures.len();
+        let before = self.0.filter(|found| (found.count, found.presenting) == (count, presenting));
+        let best = best(room, pictures);
+        let stays = before.is_some_and(|found| {
+            presenting || used(room, pictures, best) <= MUCH_BETTER * used(room, pictures, found.arrangement)
+        });
+        let arrangement = before.filter(|_| stays).map_or(best, |found| found.arrangement);
+        self.0 = Some(Found { arrangement, count, presenting });
+        arrangement
+    }
+}
+
+/// The area of pictures in terms of that in the arrangement before, from which on they are rearranged.
+const MUCH_BETTER: f32 = 1.4;
+
 /// The pictures' places and the bars between them.
 pub(super) fn arrange(
     room: Rect,
     pictures: &[Framed],
-    wanted: Option<Arrangement>,
+    wanted: Arrangement,
     shares: &Shares,
 ) -> (Vec<(usize, Rect)>, Vec<Bar>) {
     let arrangement = match (wanted, pictures.len()) {
-        (None, _) => best(room, pictures),
-        (Some(Arrangement::Above), 0..=2) => Arrangement::Column,
-        (Some(Arrangement::Beside), 0..=2) => Arrangement::Row,
-        (Some(wanted), _) => wanted,
+        (Arrangement::Above, 0..=2) => Arrangement::Column,
+        (Arrangement::Beside, 0..=2) => Arrangement::Row,
+        (wanted, _) => wanted,
     };
     let (rects, bars) = lay_out(room, pictures.len(), arrangement, shares);
     (pictures.iter().map(|framed| framed.picture).zip(rects).collect(), bars)
@@ -132,10 +162,13 @@ fn lay_out(room: Rect, count: usize, arrangement: Arrangement, shares: &Shares) 
 
 /// The arrangement in which the pictures use most of a room.
 fn best(room: Rect, pictures: &[Framed]) -> Arrangement {
-    Arrangement::best(pictures.len(), |arrangement| {
-        let (panes, _) = lay_out(room, pictures.len(), arrangement, &Shares::default());
-        pictures.iter().zip(panes).map(|(picture, pane)| used_of(pane.size(), picture.aspect)).sum()
-    })
+    Arrangement::best(pictures.len(), |arrangement| used(room, pictures, arrangement))
+}
+
+/// The area that pictures use of a room in an arrangement; points².
+fn used(room: Rect, pictures: &[Framed], arrangement: Arrangement) -> f32 {
+    let (panes, _) = lay_out(room, pictures.len(), arrangement, &Shares::default());
+    pictures.iter().zip(panes).map(|(picture, pane)| used_of(pane.size(), picture.aspect)).sum()
 }
 
 /// The area of the largest picture of a shape (width by height) in a pane, below its title; points².
@@ -192,6 +225,21 @@ mod tests {
     }
 
     #[test]
+    fn pictures_keep_their_places_until_others_are_clearly_better_and_always_in_a_presentation() {
+        let mut automatic = Automatic::default();
+        let mut of = |width, height, presenting| automatic.of(room(width, height), &framed(3), presenting);
+        let wide = (1364.0, 330.0);
+        assert_eq!(of(684.0, 555.0, false), Arrangement::Above);
+        // A panel goes.
+        assert_ne!(best(room(900.0, 620.0), &framed(3)), Arrangement::Above);
+        assert_eq!(of(900.0, 620.0, false), Arrangement::Above);
+        assert_eq!(of(wide.0, wide.1, false), Arrangement::Row, "clearly better");
+        assert_eq!(of(684.0, 555.0, true), Arrangement::Above, "a presentation begins");
+        assert_eq!(of(wide.0, wide.1, true), Arrangement::Above);
+        assert_eq!(automatic.of(room(wide.0, wide.1), &framed(2), true), Arrangement::Row, "of two pictures");
+    }
+
+    #[test]
     fn a_picture_uses_what_its_shape_allows_of_a_pane() {
         assert_eq!(used_of(vec2(400.0, 300.0 + TITLE), 4.0 / 3.0), 120_000.0);
         assert_eq!(used_of(vec2(400.0, 1000.0), 2.0), 80_000.0);
@@ -209,8 +257,9 @@ mod tests {
     #[test]
     fn pictures_fill_the_room_without_overlap() {
         for size in [(1320.0, 950.0), (700.0, 600.0), (240.0, 800.0), (600.0, 240.0)] {
-            let wanted_ones = [None].into_iter().chain(Arrangement::ALL.map(Some));
-            for (count, wanted) in wanted_ones.flat_map(|wanted| [1, 2, 3].map(|count| (count, wanted))) {
+            for (count, wanted) in
+                Arrangement::ALL.into_iter().flat_map(|wanted| [1, 2, 3].map(|count| (count, wanted)))
+            {
                 let room = room(size.0, size.1);
                 let (panes, bars) = arrange(room, &framed(count), wanted, &Shares::default());
                 assert_eq!((panes.len(), bars.len()), (count, count - 1));
@@ -231,12 +280,12 @@ mod tests {
     fn a_bar_follows_the_pointer_and_stops_before_a_picture_vanishes() {
         let room = room(1320.0, 950.0);
         let mut shares = Shares::default();
-        let (_, bars) = arrange(room, &framed(3), Some(Arrangement::Row), &shares);
+        let (_, bars) = arrange(room, &framed(3), Arrangement::Row, &shares);
         shares.drag(&bars[0], pos2(10.0 + 660.0, 100.0));
-        let (panes, bars) = arrange(room, &framed(3), Some(Arrangement::Row), &shares);
+        let (panes, bars) = arrange(room, &framed(3), Arrangement::Row, &shares);
         assert_eq!(panes[0].1.right(), 10.0 + 660.0 - GAP / 2.0);
         shares.drag(&bars[0], pos2(-500.0, 100.0));
-        let (panes, bars) = arrange(room, &framed(3), Some(Arrangement::Row), &shares);
+        let (panes, bars) = arrange(room, &framed(3), Arrangement::Row, &shares);
         assert!(panes[0].1.width() > 190.0);
         shares.reset(&bars[0]);
         assert_eq!(shares, Shares::default());

@@ -6,6 +6,7 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `arrange` | the layout of the pictures in their space: the one that uses most of it, or the user's |
+//! | `auto_observer` | the observer of a picture that nobody has turned: it stays, and goes back where something would leave |
 //! | `card` | the card with the coordinates of the pinned probe: its place, and its buttons |
 //! | `followed` | dragging a point that is followed, in the world and in the image |
 //! | `held` | drags of the pointer: the observer of a picture, a handle of the camera, the gizmo of the selection |
@@ -28,6 +29,7 @@
 //! | `vertex_name` | the vertex at a point: its number and its object |
 
 mod arrange;
+mod auto_observer;
 mod card;
 mod followed;
 mod held;
@@ -57,11 +59,11 @@ use eframe::egui::{
     Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
 
-use self::arrange::{Axis, Framed, Shares, arrange};
+use self::arrange::{Automatic, Axis, Framed, Shares, arrange};
+use self::auto_observer::Auto;
 use self::held::Drag;
 use self::keyboard_probe::{ProbeStep, Probing};
 use self::long_work::LongWork;
-use self::orbit::Auto;
 use self::picking::{PickRequest, Picker};
 use self::rendering::{Missing, RenderJob, Rendering};
 use self::status::StatusAction;
@@ -88,6 +90,8 @@ use crate::views::{Hover, Look, MAX_PICTURES, Palette, Picture, Probe, Request, 
 
 /// Time that a frame waits for its pictures. Slower ones are shown when they are done.
 const PATIENCE: Duration = Duration::from_millis(30);
+/// In a room that is narrower, in points of a presentation, one picture is large instead of three being small.
+const ROOM_FOR_SEVERAL: f32 = 560.0;
 /// Interval between reports of long work.
 const TELL: Duration = Duration::from_millis(100);
 
@@ -99,6 +103,7 @@ pub struct Canvas {
     /// The pictures of the shot, as they are on the screen.
     pictures: Vec<ScreenPicture>,
     shares: Shares,
+    automatic: Automatic,
     /// The request of a title's button, and its picture.
     asked: Option<(usize, ObserverChange)>,
     /// The shot of this frame, and the additions of the pointer.
@@ -151,6 +156,7 @@ impl Default for Canvas {
             rendering: Rendering::default(),
             pictures: Vec::new(),
             shares: Shares::default(),
+            automatic: Automatic::default(),
             asked: None,
             shot: Shot::default(),
             hover: Hover::default(),
@@ -321,13 +327,24 @@ impl Canvas {
 
     /// Lays the pictures out, with their titles and the bars between them.
     fn panes(&mut self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) -> Vec<Pane> {
-        let visible = self.shot.pictures.iter().enumerate().filter(|(_, shown)| state.layout.is_shown(shown.kind));
+        let alone = (state.settings.presentation && room.width() < ROOM_FOR_SEVERAL).then(|| state.main_picture());
+        let is_visible = |view| {
+            state.layout.is_shown(view) && (state.layout.maximized.is_some() || alone.is_none_or(|only| only == view))
+        };
+        let visible = self.shot.pictures.iter().enumerate().filter(|(_, shown)| is_visible(shown.kind));
         let framed = |(picture, shown): (usize, &Picture)| Framed {
             picture,
             aspect: aspect_shown(shown.kind, state.document.figure().image),
         };
-        let framed: Vec<Framed> = visible.map(framed).collect();
-        let (rects, bars) = arrange(room, &framed, state.layout.arrangement, &self.shares);
+        let mut framed: Vec<Framed> = visible.map(framed).collect();
+        if state.shows_explanation(Explanation::Steps) {
+            // What moves has the largest place.
+            framed.sort_by_key(|framed| self.shot.pictures[framed.picture].kind != View::Canonical);
+        }
+        let presenting = state.settings.presentation;
+        let arrangement = state.layout.arrangement;
+        let arrangement = arrangement.unwrap_or_else(|| self.automatic.of(room, &framed, presenting));
+        let (rects, bars) = arrange(room, &framed, arrangement, &self.shares);
         for (i, bar) in bars.iter().enumerate() {
             let response = ui.interact(bar.rect, Id::unique(("between pictures", i)), Sense::CLICK | Sense::DRAG);
             let cursor = if bar.axis == Axis::X { CursorIcon::ResizeHorizontal } else { CursorIcon::ResizeVertical };
@@ -347,6 +364,11 @@ impl Canvas {
             let (title, below) = rect.split_top_bottom_at_y((rect.top() + height).min(rect.bottom()));
             let action = Title {
                 view,
+                name: if view == View::Canonical && state.is_on_the_way() {
+                    texts.on_the_way
+                } else {
+                    texts.view(view)
+                },
                 texts,
                 linked: state.layout.linked,
                 maximized: state.layout.maximized == Some(view),

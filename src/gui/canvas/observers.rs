@@ -2,9 +2,10 @@
 
 use eframe::egui::Ui;
 
+use super::auto_observer::Moment;
 use super::{Canvas, Pane, orbit};
 use crate::figure::Observer;
-use crate::gui::state::{ObserverChange, State};
+use crate::gui::state::{Message, ObserverChange, State};
 use crate::views::{View, observer_in};
 
 impl Canvas {
@@ -12,7 +13,12 @@ impl Canvas {
     pub(super) fn settle_observers(&mut self, ui: &Ui, state: &mut State, panes: &mut [Pane]) {
         let wanted = state.observer_change.take();
         let asked = self.asked.take();
-        let steady = ui.input(|i| i.pointer.any_down());
+        let moment = Moment {
+            now: ui.input(|input| input.time),
+            in_hand: self.drag.is_some(),
+            on_the_way: ui.input(|input| input.pointer.any_down()),
+            still: state.settings.reduce_motion,
+        };
         for pane in panes.iter_mut().filter(|pane| pane.view != View::Image) {
             let asked = asked.filter(|(of, _)| *of == pane.picture || state.layout.linked).map(|(_, change)| change);
             match wanted.or(asked) {
@@ -22,7 +28,14 @@ impl Canvas {
             let written = observer_in(&state.document.figure().observers, pane.view);
             let subject = state.scene_cache.subject();
             let auto = &mut self.pictures[pane.picture].auto;
-            let seen = written.or_else(|| auto.observer(&pane.request, subject, steady));
+            let found = if written.is_none() { auto.observer(&pane.request, subject, moment) } else { None };
+            if found.is_some_and(|found| found.glides) {
+                ui.request_repaint();
+            }
+            if found.is_some_and(|found| found.goes_back) {
+                state.say(Message::WentBack(pane.view));
+            }
+            let seen = written.or(found.map(|found| found.observer));
             self.shot.pictures[pane.picture].observer = seen;
             pane.request.observer = seen;
         }

@@ -30,6 +30,7 @@ pub(super) enum TitleAction {
 /// The content of a title.
 pub(super) struct Title<'a> {
     pub(super) view: View,
+    pub(super) name: &'a str,
     pub(super) texts: &'a CanvasTexts,
     pub(super) linked: bool,
     pub(super) maximized: bool,
@@ -59,9 +60,8 @@ impl Title<'_> {
     /// Draws the title in `rect`. The menu of viewpoints has its word where there is room.
     pub(super) fn show(&self, ui: &mut Ui, rect: Rect) -> Option<TitleAction> {
         let mut action = None;
-        let name = self.texts.view(self.view);
         let font = TextStyle::Button.resolve(ui.style());
-        let galley = WidgetText::from(name).into_galley(ui, Some(egui::TextWrapMode::Extend), f32::INFINITY, font);
+        let galley = WidgetText::from(self.name).into_galley(ui, Some(egui::TextWrapMode::Extend), f32::INFINITY, font);
         let side = ui.spacing().interact_size.y;
         let solid = matches!(self.view, View::World | View::Canonical);
         let word = self.menu_width(ui);

@@ -173,6 +173,34 @@ fn explained(freedom: Freedom, t: &Texts, convention: Convention) -> String {
     }
 }
 
+/// Sliders of angles stop at multiples of so many degrees.
+const SNAP: f64 = 5.0;
+
+/// Draws the springs that bring a knob back to the middle; `share` is its place, 0 … 1.
+fn springs(ui: &egui::Ui, place: egui::Rect, share: f32) {
+    let radius = place.height() / 3.0;
+    let rail = place.shrink2(egui::vec2(radius, 0.0));
+    let knob = egui::lerp(rail.left()..=rail.right(), share);
+    let stroke = egui::Stroke::new(1.0, ui.visuals().weak_text_color());
+    let high = 0.22 * place.height();
+    for (end, beside) in [(rail.left(), knob - radius), (rail.right(), knob + radius)] {
+        let at = |k: u8| {
+            let up = if k == 0 || k == COILS {
+                0.0
+            } else if k % 2 == 0 {
+                high
+            } else {
+                -high
+            };
+            egui::pos2(egui::lerp(end..=beside, f32::from(k) / f32::from(COILS)), place.center().y + up)
+        };
+        ui.painter().line((0..=COILS).map(at).collect(), stroke);
+    }
+}
+
+/// Corners of a spring.
+const COILS: u8 = 12;
+
 /// Pulls the camera from where it was taken; springs back when it is let go.
 fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
     let (range, grain) = match freedom.descriptor().amount {
@@ -181,14 +209,19 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
             let start = state.operations.scrub.as_ref().map_or(state.document.camera(), |s| &s.start);
             (start.distance(), 0.0)
         }
-        Amount::Angle => (180.0, 1.0),
+        Amount::Angle if ui.input(|input| input.modifiers.command) => (180.0, 0.0),
+        Amount::Angle => (180.0, SNAP),
     };
     let mut amount = state.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map_or(0.0, |s| s.amount);
     ui.spacing_mut().slider_width = ui.available_width().max(40.0);
+    // Springs take the place of the rail.
+    ui.spacing_mut().slider_rail_height = 0.0;
     theme::strengthen_rail(ui);
     let slider = Slider::new(&mut amount, -range..=range).show_value(false).step_by(grain);
     let response = ui.add(slider).explained(t.scrub_hint);
     let response = response.accessible_name(format!("{}: {}", name(freedom, t), t.scrub));
+    #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
+    springs(ui, response.rect, ((amount + range) / (2.0 * range)).clamp(0.0, 1.0) as f32);
     if response.drag_started() {
         state.operations.scrub = Some(Scrub { freedom, start: state.document.camera().clone(), amount: 0.0 });
     }

@@ -7,11 +7,14 @@ use crate::camera::CameraError;
 use crate::files::FileError;
 use crate::gui::export::ExportError;
 use crate::gui::session::{Keeping, News};
-use crate::i18n::{Lang, exercise_messages, explain_point, faults, messages, scenes, sessions, sharing, window};
+use crate::i18n::{
+    Lang, canvas, exercise_messages, explain_point, faults, messages, scenes, sessions, sharing, window,
+};
 use crate::limits::MAX_SESSIONS;
 use crate::pipeline::OverBudget;
 use crate::sanitize;
 use crate::scene::{Preset, SceneError};
+use crate::views::View;
 
 /// A message at the bottom of the window.
 #[derive(Debug)]
@@ -31,6 +34,8 @@ pub enum Message {
     FirstFigure,
     /// No figure after this one.
     LastFigure,
+    /// The observer of a picture went back, so that everything stays in it.
+    WentBack(View),
     /// A file has been opened.
     Opened(PathBuf),
     /// Of several files dropped at once, this one was opened.
@@ -116,6 +121,7 @@ impl Message {
             Self::AndMore(first, more) => (Error, exercise_messages::and_more(lang, &first.text(lang), *more)),
             Self::FirstFigure => (News, t.first_figure.to_owned()),
             Self::LastFigure => (News, t.last_figure.to_owned()),
+            Self::WentBack(view) => (News, canvas::went_back(lang, *view)),
             Self::Opened(path) => (News, about(t.opened, path)),
             Self::FirstOfDropped(path, count) => {
                 (News, sessions::first_of_dropped(lang, &sanitize::path(path), *count))

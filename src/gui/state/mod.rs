@@ -76,7 +76,7 @@ pub use message::{Message, NotExported};
 pub use notes::Notes;
 pub use numerics::Numerics;
 pub use operations::Operations;
-pub(super) use operations::{Motion, Scrub};
+pub(super) use operations::{DoneStep, Motion, Scrub};
 pub use order::{ListedCall, Order, Own};
 pub use recent::Recent;
 pub(super) use recent::merged;

@@ -1,6 +1,7 @@
 //! Steps, signs and the slider that is held.
 
 use crate::camera::{Amount, Camera, Convention, Freedom, OPERATIONS, Operation};
+use crate::views::Ghost;
 
 /// The state of the panel of operations.
 #[derive(Clone, Debug)]
@@ -12,6 +13,16 @@ pub struct Operations {
     pub(in crate::gui) scrub: Option<Scrub>,
     /// A step that is on its way.
     pub(in crate::gui) motion: Option<Motion>,
+    /// The step that was done last, while the world shows it.
+    pub(in crate::gui) done: Option<DoneStep>,
+}
+
+/// A step of a button that the world goes on showing: its axis, its arc, its angle.
+#[derive(Clone, Debug)]
+pub(in crate::gui) struct DoneStep {
+    pub(in crate::gui) ghost: Ghost,
+    /// When it was done, in seconds; `None`: with the next frame.
+    pub(in crate::gui) since: Option<f64>,
 }
 
 /// A slider that is being held.
@@ -53,6 +64,7 @@ impl Default for Operations {
             convention: Convention::default(),
             scrub: None,
             motion: None,
+            done: None,
         }
     }
 }

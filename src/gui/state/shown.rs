@@ -241,6 +241,28 @@ impl State {
         self.settings.panels().is_shown(Side::Explain) && self.explain.shown() == explanation
     }
 
+    /// The picture that is shown where there is room for one: the one that the open explanation is about.
+    #[must_use]
+    pub fn main_picture(&self) -> View {
+        let wanted = match self.explain.shown() {
+            _ if !self.settings.panels().is_shown(Side::Explain) => View::World,
+            Explanation::Steps | Explanation::Conventions => View::Canonical,
+            Explanation::Stages => self.layout.strip_of,
+            Explanation::Triangle | Explanation::HiddenSurfaces | Explanation::Depth => View::Image,
+            Explanation::Matrices
+            | Explanation::Point
+            | Explanation::Homogeneous
+            | Explanation::Order
+            | Explanation::Clipping
+            | Explanation::Dialects
+            | Explanation::Code
+            | Explanation::Exercises
+            | Explanation::Notes => View::World,
+        };
+        let is_shown = |view: &View| self.layout.is_shown(*view);
+        [wanted].into_iter().chain(View::ALL).find(is_shown).unwrap_or(wanted)
+    }
+
     /// Removes the explanation of a panel that has been closed since the last frame, and shows that of one that has
     /// been opened.
     pub(in crate::gui) fn follow_panels(&mut self) {

@@ -1,0 +1,258 @@
+//! The observer of a picture that nobody has turned: it stays where it is, so that a camera that moves is seen moving,
+//! and goes back, once, where something would leave the picture.
+
+use std::collections::VecDeque;
+
+use crate::camera::Camera;
+use crate::figure::observer::HALF_VIEW_ANGLE;
+use crate::figure::{Observer, Outside};
+use crate::views::observer::Viewpoint;
+use crate::views::{Request, SharedScene, Size};
+
+/// Seconds in which an observer goes back.
+const GLIDE: f64 = 0.35;
+/// The distance that an observer goes back, in terms of the one from which everything just fits: what goes on in the
+/// same direction stays in the picture for a while.
+const SPARE: f64 = 1.15;
+/// The number of cameras that are remembered.
+const REMEMBERED: usize = 64;
+
+/// The moment in which an observer is asked for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moment {
+    /// Time in seconds.
+    pub(super) now: f64,
+    /// The pointer holds something in a picture, which has to stay below it.
+    pub(super) in_hand: bool,
+    /// Some button of the pointer is down: the camera is on its way.
+    pub(super) on_the_way: bool,
+    /// Nothing glides.
+    pub(super) still: bool,
+}
+
+/// The observer of a figure that says nothing about it.
+#[derive(Debug, Default)]
+pub(super) struct Auto {
+    kept: Option<KeptObserver>,
+    /// What was seen before, and from where: a camera that comes back, as by undo, is seen as then.
+    before: VecDeque<((Camera, Outside), Observer)>,
+}
+
+/// An observer in a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct AutoObserver {
+    pub(super) observer: Observer,
+    /// It begins to go back: something would have left the picture.
+    pub(super) goes_back: bool,
+    /// It is going back.
+    pub(super) glides: bool,
+}
+
+#[derive(Debug)]
+struct KeptObserver {
+    observer: Observer,
+    camera: Camera,
+    scene: SharedScene,
+    subject: u64,
+    size: Size,
+    outside: Outside,
+    /// The camera was not on its way.
+    settled: bool,
+    /// From where it glides, since when.
+    glide: Option<(Observer, f64)>,
+}
+
+impl Auto {
+    /// The observer for a picture; `None` for the image. It looks in the same direction until there is another
+    /// `subject`: a scene that has nothing to do with the last one.
+    pub(super) fn observer(&mut self, request: &Request, subject: u64, moment: Moment) -> Option<AutoObserver> {
+        let outside = request.shot.look.reveal.outside;
+        let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
+            let observer = request.observer_from(Viewpoint::default())?;
+            self.before.clear();
+            self.kept = Some(KeptObserver {
+                observer,
+                camera: request.camera.clone(),
+                scene: request.scene.clone(),
+                subject,
+                size: request.size,
+                outside,
+                settled: !moment.on_the_way,
+                glide: None,
+            });
+            return Some(AutoObserver { observer, goes_back: false, glides: false });
+        };
+        // Gear and letters have sizes of their own, in pixels.
+        let resized = kept.size != request.size;
+        let changed = kept.camera != request.camera || kept.outside != outside;
+        if resized || kept.scene != request.scene {
+            self.before.clear();
+        } else if kept.settled && changed {
+            self.before.truncate(REMEMBERED - 1);
+            self.before.push_front(((kept.camera.clone(), kept.outside), kept.observer));
+        }
+        let returns = (changed || !kept.settled) && !moment.on_the_way;
+        let then =
+            self.before.iter().find(|((camera, shown), _)| returns && *camera == request.camera && *shown == outside);
+        // What was in hand is looked at when it is let go.
+        let is_new = resized || changed || kept.scene != request.scene || !kept.settled;
+        kept.settled = !moment.on_the_way;
+        let mut goes_back = false;
+        if let Some((_, observer)) = then {
+            (kept.observer, kept.glide) = (*observer, None);
+        } else if is_new && (resized || !moment.in_hand) {
+            let fitted = request.fitted(&kept.observer)?;
+            if resized {
+                (kept.observer, kept.glide) = (fitted, None);
+            } else if !holds(&kept.observer, &fitted) {
+                let from = kept.seen(moment.now);
+                kept.observer = Observer { distance: SPARE * fitted.distance, ..fitted };
+                kept.glide = (!moment.still).then_some((from, moment.now));
+                goes_back = true;
+            }
+        }
+        if !moment.in_hand {
+            (kept.size, kept.outside) = (request.size, outside);
+            kept.camera = request.camera.clone();
+            kept.scene = request.scene.clone();
+        }
+        let observer = kept.seen(moment.now);
+        Some(AutoObserver { observer, goes_back, glides: kept.glide.is_some() })
+    }
+
+    /// Fits again in the next frame.
+    pub(super) fn forget(&mut self) {
+        self.kept = None;
+        self.before.clear();
+    }
+}
+
+impl KeptObserver {
+    /// From where it is seen at a time.
+    fn seen(&mut self, now: f64) -> Observer {
+        let Some((from, since)) = self.glide else { return self.observer };
+        let share = (now - since) / GLIDE;
+        if !(0.0..1.0).contains(&share) {
+            self.glide = None;
+            return self.observer;
+        }
+        // Slow at both ends.
+        let share = share * share * (3.0 - 2.0 * share);
+        Observer {
+            target: from.target.lerp(self.observer.target, share),
+            distance: from.distance + share * (self.observer.distance - from.distance),
+            ..self.observer
+        }
+    }
+}
+
+/// Whether this observer's picture contains everything in the fitted one's, which looks in the same direction.
+fn holds(observer: &Observer, fitted: &Observer) -> bool {
+    let offset = observer.target.distance(fitted.target) / (2.0 * HALF_VIEW_ANGLE.tan());
+    fitted.distance + 2.0 * offset <= 1.08 * observer.distance
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::camera::{Convention, Operation, Parameters};
+    use crate::figure::Figure;
+    use crate::geometry::Angle;
+    use crate::i18n::{Lang, pictures::labels};
+    use crate::views::View;
+    use glam::DVec3;
+
+    fn observer() -> Observer {
+        let target = DVec3::new(1.0, 2.0, 3.0);
+        Observer { target, distance: 20.0, azimuth: 35.0, elevation: 25.0, roll: 0.0, parallel: false }
+    }
+
+    /// A picture of a figure without a scene, and what is seen of it.
+    struct Seen {
+        figure: Figure,
+        scene: SharedScene,
+        auto: Auto,
+    }
+
+    impl Seen {
+        fn new() -> Self {
+            Self { figure: Figure::default(), scene: SharedScene::default(), auto: Auto::default() }
+        }
+
+        fn of(&mut self, camera: &Camera, width: u32, moment: Moment) -> AutoObserver {
+            let size = Size { width, height: 300, scale: 1.0 };
+            let request = Request::of(&self.figure, View::World, camera, &self.scene, labels(Lang::En), size);
+            self.auto.observer(&request, 0, moment).unwrap()
+        }
+    }
+
+    const FREE: Moment = Moment { now: 0.0, in_hand: false, on_the_way: false, still: true };
+    const SLIDER: Moment = Moment { on_the_way: true, ..FREE };
+    const HANDLE: Moment = Moment { in_hand: true, on_the_way: true, ..FREE };
+
+    fn at(position: DVec3) -> Camera {
+        Camera::new(&Parameters { position, far: 12.0, ..Figure::default().camera }).unwrap()
+    }
+
+    #[test]
+    fn an_observer_stays_until_something_leaves_its_picture() {
+        let held = |fitted: Observer| holds(&observer(), &fitted);
+        assert!(held(observer()));
+        assert!(held(Observer { distance: 5.0, ..observer() }), "small things stay small");
+        assert!(held(Observer { distance: 21.0, ..observer() }));
+        assert!(!held(Observer { distance: 24.0, ..observer() }));
+        assert!(!held(Observer { target: DVec3::new(9.0, 2.0, 3.0), ..observer() }));
+    }
+
+    #[test]
+    fn turning_the_camera_turns_no_observer_and_a_camera_that_comes_back_is_seen_as_before() {
+        let mut seen = Seen::new();
+        let camera = Camera::new(&seen.figure.camera).unwrap();
+        let turned = |degrees| {
+            let by = Operation::Azimuth(Angle::from_degrees(degrees));
+            by.apply(&camera, Convention::RightHand).unwrap()
+        };
+        let first = seen.of(&camera, 400, FREE).observer;
+        for degrees in [20.0, 45.0, 65.0] {
+            assert_eq!(seen.of(&turned(degrees), 400, HANDLE).observer, first, "nothing moves in the hand");
+        }
+        let moved = seen.of(&turned(65.0), 400, FREE).observer;
+        assert_eq!((moved.azimuth, moved.elevation), (first.azimuth, first.elevation), "nor when it is let go");
+        assert_eq!(seen.of(&camera, 400, FREE).observer, first, "undone");
+        assert_eq!(seen.of(&turned(65.0), 400, FREE).observer, moved, "done again");
+    }
+
+    #[test]
+    fn what_leaves_the_picture_is_followed_once_and_only_outwards() {
+        let mut seen = Seen::new();
+        let near = DVec3::new(3.0, 4.0, 5.0);
+        let first = seen.of(&at(near), 400, FREE).observer;
+        assert_eq!(seen.of(&at(near * 1.02), 400, FREE).observer, first);
+        assert_eq!(seen.of(&at(near * 9.0), 400, HANDLE).observer, first, "it is in the hand");
+        let later = seen.of(&at(near * 9.0), 400, FREE);
+        assert!(later.goes_back && later.observer.distance > 2.0 * first.distance);
+        assert_eq!((later.observer.azimuth, later.observer.elevation), (first.azimuth, first.elevation));
+        let again = seen.of(&at(near * 9.0), 400, FREE);
+        assert!(!again.goes_back && again.observer == later.observer);
+        assert_eq!(seen.of(&at(near * 2.0), 400, FREE).observer, later.observer, "it does not come nearer by itself");
+        let narrow = seen.of(&at(near * 2.0), 150, HANDLE).observer;
+        assert_ne!(narrow, later.observer, "another shape is fitted at once");
+        assert_eq!(narrow.azimuth, first.azimuth);
+    }
+
+    #[test]
+    fn a_slider_is_followed_while_it_is_held_and_gliding_takes_its_time() {
+        let mut seen = Seen::new();
+        let near = DVec3::new(3.0, 4.0, 5.0);
+        let moving = Moment { still: false, ..SLIDER };
+        let first = seen.of(&at(near), 400, FREE).observer;
+        let begins = seen.of(&at(near * 4.0), 400, moving);
+        assert!(begins.goes_back && begins.glides && begins.observer == first);
+        let half = seen.of(&at(near * 4.0), 400, Moment { now: GLIDE / 2.0, ..moving });
+        let end = seen.of(&at(near * 4.0), 400, Moment { now: GLIDE, ..moving });
+        assert!(half.glides && !half.goes_back && !end.glides);
+        assert!(first.distance < half.observer.distance && half.observer.distance < end.observer.distance);
+    }
+}
