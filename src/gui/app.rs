@@ -18,6 +18,8 @@ use super::preferences::Preferences;
 use super::session::{Keeping, Sessions};
 use super::state::{AfterSave, PanelHover, Side, State};
 use super::tab_order::KeyOrder;
+#[cfg(not(target_arch = "wasm32"))]
+use super::window_size::Opening;
 use super::{context_help, dialogs, explain, menu, panels, presentation, sequence, text_field, theme, tooltip};
 use crate::appearance::Theme;
 use crate::i18n::window;
@@ -35,6 +37,8 @@ pub struct App {
     focus: Focus,
     key_order: KeyOrder,
     title: String,
+    #[cfg(not(target_arch = "wasm32"))]
+    opening: Opening,
 }
 
 /// The enlargement of a presentation.
@@ -58,6 +62,8 @@ impl App {
             focus: Focus::default(),
             key_order: KeyOrder::default(),
             title: String::new(),
+            #[cfg(not(target_arch = "wasm32"))]
+            opening: Opening::default(),
         };
         app.apply_settings(ctx);
         app
@@ -168,16 +174,20 @@ impl App {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
         }
         let t = window::texts(self.state.settings.lang);
-        let bar = (!self.state.settings.bare).then(|| {
+        let presenting = self.state.settings.presentation;
+        let bar = (!self.state.settings.bare && !presenting).then(|| {
             egui::Panel::top("menu").show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Bar, t.region_bar);
                 menu::bar(ui, &self.state)
             })
         });
         let bar = bar.and_then(|bar| bar.inner);
-        self.recovery(ui);
-        panels::session_news::bar(ui, &mut self.state);
-        panels::changed_file::bar(ui, &mut self.state);
+        // Notices wait until the presentation is over.
+        if !presenting {
+            self.recovery(ui);
+            panels::session_news::bar(ui, &mut self.state);
+            panels::changed_file::bar(ui, &mut self.state);
+        }
         panels::status::error(ui, &mut self.state);
         if self.state.numerics.shown {
             egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
@@ -220,6 +230,7 @@ impl App {
         let pictures = egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
         self.state.consult(&ctx);
         presentation::show(&ctx, &mut self.state, pictures.response.rect);
+        let bar = if presenting { presentation::bar(&ctx, &self.state) } else { bar };
         if let Some(command) = bar {
             self.perform(&ctx, command);
         }
@@ -363,6 +374,8 @@ fn drop_hint(ctx: &egui::Context, state: &State) {
 
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        #[cfg(not(target_arch = "wasm32"))]
+        self.opening.go_on(ui.ctx());
         self.show(ui);
     }
 

@@ -53,6 +53,7 @@
 //! | `tooltip` | tooltips: when, where, and with the titles of the notes that they cite |
 //! | `watch` | changes of the figure's file by another program |
 //! | `web/` | the window as a page of a browser |
+//! | `window_size` | the size in which the window opens |
 //! | `worker` | work beside the window's thread, or in slices in the frames |
 
 mod about;
@@ -107,6 +108,8 @@ mod tooltip;
 mod watch;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
+#[cfg(not(target_arch = "wasm32"))]
+mod window_size;
 mod worker;
 
 use crate::figure::Figure;

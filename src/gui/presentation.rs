@@ -8,6 +8,7 @@ use eframe::egui::{
 };
 
 use super::command::Command;
+use super::menu;
 use super::state::State;
 use crate::i18n::window;
 
@@ -44,6 +45,42 @@ pub(super) fn escape(ctx: &Context, state: &mut State) -> Option<Command> {
         return None;
     }
     Some(if state.annotations.any() { Command::ClearAnnotations } else { Command::Presentation })
+}
+
+/// The height at the upper border in which the pointer calls the bar, in points.
+const EDGE: f32 = 26.0;
+
+/// The bar of a presentation, over the pictures: it comes when the pointer goes to the upper border, and stays while
+/// one of its menus is open. The chosen command. News take its place meanwhile.
+pub(super) fn bar(ctx: &Context, state: &State) -> Option<Command> {
+    let id = Id::unique("bar of the presentation");
+    let was_shown = ctx.data(|data| data.get_temp::<bool>(id)).unwrap_or(false);
+    let at_edge = ctx.pointer_hover_pos().is_some_and(|pointer| pointer.y < if was_shown { 1.6 * EDGE } else { EDGE });
+    let held = ctx.input(|input| input.pointer.any_down()) && !was_shown;
+    let is_shown = state.file_flow.dialog.is_none()
+        && (at_edge && !held && !state.annotations.pen || was_shown && ctx.any_popup_open());
+    ctx.data_mut(|data| data.insert_temp(id, is_shown));
+    let area = Area::new(id).order(Order::Middle).fixed_pos(ctx.content_rect().min).constrain(false);
+    if !is_shown {
+        let message = state.message.as_ref().filter(|message| !message.is_error())?;
+        area.fixed_pos(ctx.content_rect().center_top() + vec2(0.0, 6.0)).pivot(egui::Align2::CENTER_TOP).show(
+            ctx,
+            |ui| {
+                let most = (ctx.content_rect().width() - 60.0).max(100.0);
+                egui::Frame::popup(ui.style()).show(ui, |ui| {
+                    ui.set_max_width(most);
+                    ui.label(message.text(state.settings.lang));
+                });
+            },
+        );
+        return None;
+    }
+    let shown = area.show(ctx, |ui| {
+        ui.set_width(ctx.content_rect().width());
+        let frame = egui::Frame::side_top_panel(ui.style()).fill(ui.visuals().panel_fill);
+        frame.show(ui, |ui| menu::bar(ui, state)).inner
+    });
+    shown.inner
 }
 
 /// The annotations over the pictures, which are in `room`.
@@ -89,8 +126,12 @@ fn pen(ctx: &Context, state: &mut State, room: Rect) {
     });
 }
 
-/// The keys of a presentation as long as they are to be seen, and how much of them.
+/// The keys of a presentation as long as they are to be seen, and how much of them. While Esc takes something away, that
+/// is said.
 pub(super) fn keys(ctx: &Context, state: &mut State) -> Option<(&'static str, f32)> {
+    if state.annotations.any() {
+        return Some((window::texts(state.settings.lang).escape_clears, 1.0));
+    }
     let since = state.annotations.keys_since.filter(|_| state.settings.presentation)?;
     let left = since + SHOWN - ctx.input(|input| input.time);
     let fading = if state.settings.reduce_motion { 0.0 } else { FADES };

@@ -67,12 +67,11 @@ pub(super) fn show(state: &mut State, document: Document) {
 
 fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) {
     let left = state.document.clone();
+    state.annotations.turn_page(source.clone(), source_of(&document).as_ref());
     state.take_over(document);
     if left.is_changed() {
         state.kept.push((source, left));
     }
-    state.annotations.strokes.clear();
-    state.annotations.blank = false;
 }
 
 /// Moves on to the next figure, or back to the one before. Files that cannot be opened are skipped, and reported.

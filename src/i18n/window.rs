@@ -138,6 +138,7 @@ texts! {
     unchanged_hint: "Everything is saved", "Tudo está salvo";
 
     panel_width: "Width of the panel", "Largura do painel";
+    escape_clears: "Esc: clear pen, spotlight, black and freeze · Esc again: leave", "Esc: limpar caneta, foco, preto e congelamento · Esc de novo: sair";
     presentation_keys: "Esc: leave · Page ↑ ↓: other figures · P: pen · S: spotlight · F: freeze · B: black · F8–F10: panels · F1: all keys", "Esc: sair · Page ↑ ↓: outras figuras · P: caneta · S: foco · F: congelar · B: preto · F8–F10: painéis · F1: todas as teclas";
 
     // The parameters.

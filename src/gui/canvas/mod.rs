@@ -226,7 +226,7 @@ impl Canvas {
         ui.take_available_space();
         ui.painter().rect_filled(room, 0.0, ui.visuals().panel_fill);
         let texts = words::texts(state.settings.lang);
-        let lines = status::height(ui, room.width());
+        let lines = status::height(ui, room.width(), state.settings.presentation);
         let (room, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
         let stages = if state.layout.strip { strip::height(ui, room.width()) } else { 0.0 };
         let (pictures, stages) = room.split_top_bottom_at_y((room.bottom() - stages).max(room.top()));
@@ -276,6 +276,7 @@ impl Canvas {
         self.say_why_empty(ui, state, &panes);
         status.coach = Brief::of(state);
         status.strip = state.layout.strip;
+        status.presenting = state.settings.presentation;
         status.keys = presentation::keys(&ctx, state);
         let loading = loading(state);
         if !loading.is_empty() {
@@ -372,6 +373,7 @@ impl Canvas {
                 texts,
                 linked: state.layout.linked,
                 maximized: state.layout.maximized == Some(view),
+                quiet: presenting,
                 can_hide: state.layout.maximized.is_none() && framed.len() > 1,
                 undistorted: undistorted(state).filter(|_| view == View::Image),
                 section: (view == View::World).then_some(state.document.figure().world.section),

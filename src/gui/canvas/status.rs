@@ -38,6 +38,8 @@ pub(super) enum StatusAction {
 pub(super) struct Status {
     /// The first line.
     pub(super) message: String,
+    /// It is a presentation.
+    pub(super) presenting: bool,
     /// For a while the keys of a presentation replace the message, with this opacity.
     pub(super) keys: Option<(&'static str, f32)>,
     /// Long work replaces both.
@@ -63,9 +65,12 @@ pub(super) struct Status {
 }
 
 /// Number of lines of cells. It depends on the space alone, so that nothing moves when the probe comes and goes.
-fn lines(ui: &Ui, width: f32) -> u8 {
+fn lines(ui: &Ui, width: f32, presenting: bool) -> u8 {
     let em = line_height(ui);
-    if width >= 120.0 * em {
+    if presenting {
+        // The room is for the pictures: the card has all coordinates of what is pinned.
+        1
+    } else if width >= 120.0 * em {
         1
     } else if width >= 46.0 * em {
         2
@@ -87,8 +92,8 @@ fn first_line_height(ui: &Ui) -> f32 {
 }
 
 /// The height of the lines under pictures that are so wide together.
-pub(super) fn height(ui: &Ui, width: f32) -> f32 {
-    first_line_height(ui) + f32::from(lines(ui, width)) * line_height(ui) + 4.0
+pub(super) fn height(ui: &Ui, width: f32, presenting: bool) -> f32 {
+    first_line_height(ui) + f32::from(lines(ui, width, presenting)) * line_height(ui) + 4.0
 }
 
 impl Status {
@@ -97,7 +102,7 @@ impl Status {
         let inner = rect.shrink2(vec2(6.0, 1.0));
         let first = Rect::from_min_size(inner.min, vec2(inner.width(), first_line_height(ui)));
         let action = self.first_line(ui, first, texts);
-        let lines = lines(ui, rect.width());
+        let lines = lines(ui, rect.width(), self.presenting);
         let cells = Rect::from_min_max(pos2(inner.left(), first.bottom()), inner.max);
         self.cells(ui, cells, lines);
         action

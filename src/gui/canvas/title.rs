@@ -34,6 +34,8 @@ pub(super) struct Title<'a> {
     pub(super) texts: &'a CanvasTexts,
     pub(super) linked: bool,
     pub(super) maximized: bool,
+    /// Only the name is shown, until the pointer is over the title: in a presentation.
+    pub(super) quiet: bool,
     /// False for the only picture that is left.
     pub(super) can_hide: bool,
     /// The image is shown as the eye would see it; `None` where that makes no difference.
@@ -83,12 +85,17 @@ impl Title<'_> {
         if bar.double_clicked() {
             action = Some(TitleAction::ToggleMaximized);
         }
+        let is_quiet = self.quiet && !ui.rect_contains_pointer(rect) && !ui.ctx().any_popup_open();
+        let width = if is_quiet { 0.0 } else { width };
         let room = Rect::from_min_max(egui::pos2(rect.right() - width, rect.top()), rect.max);
         let builder = UiBuilder::new()
             .id_salt(("title buttons", self.view))
             .max_rect(room)
             .layout(egui::Layout::left_to_right(egui::Align::Center));
         ui.scope_builder(builder, |ui| {
+            if is_quiet {
+                return;
+            }
             ui.spacing_mut().item_spacing.x = 1.0;
             if solid {
                 action = self.observer_menu(ui, worded).or(action);

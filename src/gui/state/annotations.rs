@@ -1,6 +1,8 @@
-//! Annotations of a lecturer over the pictures: they belong to the moment, not to the figure.
+//! Annotations of a lecturer over the pictures: no part of the figure. Strokes of the pen come back with their figure.
 
 use eframe::egui::Pos2;
+
+use crate::gui::gallery::Source;
 
 /// The annotations over the pictures.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -9,6 +11,8 @@ pub struct Annotations {
     pub pen: bool,
     /// The strokes of the pen, in points of the window.
     pub strokes: Vec<Vec<Pos2>>,
+    /// The strokes over other figures of a lecture, by where those come from.
+    others: Vec<(Option<Source>, Vec<Vec<Pos2>>)>,
     /// A spot shows where the pointer is.
     pub spot: bool,
     /// The pictures stay as they are while one edits.
@@ -26,8 +30,20 @@ impl Annotations {
         self.pen || self.spot || self.frozen || self.blank || !self.strokes.is_empty()
     }
 
-    /// Takes everything away; the keys that are shown stay.
+    /// Takes everything away from this figure; the keys that are shown stay.
     pub fn clear(&mut self) {
-        *self = Self { keys_since: self.keys_since, ..Self::default() };
+        *self = Self { keys_since: self.keys_since, others: std::mem::take(&mut self.others), ..Self::default() };
+    }
+
+    /// Goes from one figure to another: the strokes of each stay with it.
+    pub(in crate::gui) fn turn_page(&mut self, from: Option<Source>, to: Option<&Source>) {
+        let left = std::mem::take(&mut self.strokes);
+        if !left.is_empty() {
+            self.others.push((from, left));
+        }
+        if let Some(index) = self.others.iter().position(|(source, _)| source.as_ref() == to) {
+            self.strokes = self.others.swap_remove(index).1;
+        }
+        self.blank = false;
     }
 }
