@@ -115,7 +115,7 @@ pub(super) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
 /// The changes of a repair.
 fn change(state: &State, repair: &Repair) -> String {
     let figure = state.document.figure();
-    words::changes(&repair.changes(&figure.camera, &figure.style))
+    words::changes_in_symbols(state.settings.lang, &repair.changes(&figure.camera, &figure.style))
 }
 
 /// An action to take.
@@ -195,7 +195,7 @@ fn health(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) 
         let (name, level) = (words::quantity(lang, health.quantity), words::level(lang, health.level));
         ui.label(RichText::new(format!("{sign}{name}: {level}")).color(color));
         let figure = state.document.figure();
-        let change = |camera| words::changes(&changes(&figure.camera, camera));
+        let change = |camera| words::changes_in_symbols(lang, &changes(&figure.camera, camera));
         let button = health.repair.as_ref().map(|camera| (t.improve, change(camera)));
         if line(ui, &words::health(lang, health, &advice.camera), button) {
             *wish = health.repair.map(Wish::Camera);

@@ -344,6 +344,42 @@ pub fn changes(changes: &[(&'static str, Value)]) -> String {
     changes.iter().map(of).collect::<Vec<_>>().join(", ")
 }
 
+/// The changes of a repair as the panels write them: the notes' symbols, with the decimal mark of the language.
+#[must_use]
+pub fn changes_in_symbols(lang: Lang, changes: &[(&'static str, Value)]) -> String {
+    let n = |x: f64| lang.mark().number(x, 4);
+    let mark = lang.mark();
+    let symbol = |key: &'static str| match key {
+        "position" => "C",
+        "focal_point" => "PF",
+        "view_up" => "VUP",
+        "view_angle" => "θ",
+        "height" => "H",
+        "aspect" => "A",
+        "near" => "F",
+        "far" => "B",
+        "shading" => super::window::texts(lang).shading,
+        key => key,
+    };
+    let of = |(key, value): &(&'static str, Value)| match value {
+        Value::Number(x) if *key == "view_angle" => format!("θ = {}°", n(*x)),
+        Value::Number(x) => format!("{} = {}", symbol(key), n(*x)),
+        Value::Vector(v) => format!("{} = {}", symbol(key), mark.tuple(&v.to_array(), 4)),
+        Value::Window(w) => format!("l = {}, r = {}, b = {}, t = {}", n(w.left), n(w.right), n(w.bottom), n(w.top)),
+        Value::Word(word) => format!("{}: {}", symbol(key), shading_word(lang, word)),
+    };
+    changes.iter().map(of).collect::<Vec<_>>().join(" · ")
+}
+
+fn shading_word(lang: Lang, word: &'static str) -> &'static str {
+    let t = super::window::texts(lang);
+    match word {
+        "wireframe" => t.shading_wireframe,
+        "flat" => t.shading_flat,
+        word => word,
+    }
+}
+
 /// The share of the image that the scene covers.
 #[must_use]
 pub fn seen(lang: Lang, visible: u64, covered: f64) -> String {

@@ -14,6 +14,7 @@ texts! {
     error: "error", "erro";
     worst: "worst", "pior";
     bits: "bits off", "bits errados";
+    bits_hint: "How many of the last bits of a double (53 bits of precision) are wrong", "Quantos dos últimos bits de um double (53 bits de precisão) estão errados";
     nanos: "ns", "ns";
     // Buttons.
     measure: "Measure", "Medir";

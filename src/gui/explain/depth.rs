@@ -2,8 +2,8 @@
 //! buffers, and planes that contain the scene.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Color32, Grid, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
-use egui_plot::{Corner, Legend, Line, Plot, PlotPoints, VLine, uniform_grid_spacer};
+use eframe::egui::{Align2, Color32, Grid, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
+use egui_plot::{Line, Plot, PlotPoints, Text, VLine, uniform_grid_spacer};
 
 use crate::camera::{Camera, Ndc, Parameters, Projection};
 use crate::figure::Depth;
@@ -174,6 +174,22 @@ fn curves(t: &'static words::Texts, camera: &Camera, ndc: Ndc, across: impl Fn(f
     all.into_iter().filter_map(curve).collect()
 }
 
+/// For each curve the point at which it is farthest from the others, where its name is read without a legend.
+fn places_of_names(curves: &[Curve]) -> Vec<[f64; 2]> {
+    let apart = |curve: usize, k: usize| {
+        let own = curves[curve].1[k][1];
+        let others = curves.iter().enumerate().filter(|(other, _)| *other != curve);
+        others.map(|(_, (_, points, _))| (points[k][1] - own).abs()).fold(f64::INFINITY, f64::min)
+    };
+    // Not at the ends, where a name would leave the plot.
+    let within = |points: &[[f64; 2]]| points.len() / 8..points.len() - points.len() / 8;
+    let best = |(curve, (_, points, _)): (usize, &Curve)| {
+        let k = within(points).max_by(|a, b| apart(curve, *a).total_cmp(&apart(curve, *b)));
+        points[k.unwrap_or_default()]
+    };
+    curves.iter().enumerate().map(best).collect()
+}
+
 fn plot(ui: &mut Ui, t: &'static words::Texts, camera: &Camera, ndc: Ndc, probe: Option<f64>) {
     let (f, b) = (camera.near(), camera.far());
     let logarithmic = b / f > WIDE_RANGE;
@@ -181,11 +197,7 @@ fn plot(ui: &mut Ui, t: &'static words::Texts, camera: &Camera, ndc: Ndc, probe:
     let curves = curves(t, camera, ndc, across);
     let depths = curves.iter().flat_map(|(_, points, _)| points).map(|point| point[1]);
     let [low, high] = depths.fold([0.0, 0.0], |[low, high]: [f64; 2], z| [low.min(z), high.max(z)]);
-    let mut plot = still(Plot::new(("depth", logarithmic)))
-        .height(HEIGHT)
-        .x_axis_label(t.distance)
-        .y_axis_label("z_n")
-        .legend(Legend::default().position(Corner::RightBottom).follow_insertion_order(true));
+    let mut plot = still(Plot::new(("depth", logarithmic))).height(HEIGHT).x_axis_label(t.distance).y_axis_label("zₙ");
     if logarithmic {
         plot = plot.x_axis_formatter(decade).x_grid_spacer(uniform_grid_spacer(decades));
     }
@@ -193,6 +205,13 @@ fn plot(ui: &mut Ui, t: &'static words::Texts, camera: &Camera, ndc: Ndc, probe:
     let shown = plot.show(ui, |plot| {
         plot.set_plot_bounds_x(across(f)..=across(b));
         plot.set_plot_bounds_y(low - 0.05..=high + 0.05);
+        for (i, place) in places_of_names(&curves).into_iter().enumerate() {
+            // Above the curve at its left half, below it at its right half.
+            let is_left = place[0] < across(f).midpoint(across(b));
+            let anchor = if is_left { Align2::LEFT_BOTTOM } else { Align2::RIGHT_TOP };
+            let name = RichText::new(curves[i].0).color(color_of(Some(i), dark)).strong();
+            plot.text(Text::new(curves[i].0, place.into(), name).anchor(anchor));
+        }
         for (i, (name, points, is_own)) in curves.into_iter().enumerate() {
             let width = if is_own { 3.5 } else { 1.5 };
             plot.line(Line::new(name, PlotPoints::from(points)).color(color_of(Some(i), dark)).width(width));

@@ -26,6 +26,8 @@ pub struct Numerics {
     /// The effort of a run.
     pub effort: Effort,
     found: BTreeMap<&'static str, Findings>,
+    /// The study that was begun by itself last.
+    begun: Option<Study>,
     measured: Latest<(Study, Effort), Findings>,
 }
 
@@ -39,6 +41,7 @@ impl Default for Numerics {
             parameter: None,
             effort: Effort { seed: 1, seconds: 3.0, thorough: true },
             found: BTreeMap::new(),
+            begun: None,
             measured: Latest::new("numerics", || {
                 async |(study, effort): &(Study, Effort), progress: &Progress| {
                     numerics::run(*study, effort, progress).await
@@ -52,6 +55,14 @@ impl Numerics {
     /// Measures the study that is shown, beside the window's thread.
     pub fn measure(&mut self, ctx: &egui::Context) {
         self.measured.ask_again(ctx, (self.study, self.effort));
+    }
+
+    /// Begins the study that is shown, once, where it has not been measured.
+    pub(in crate::gui) fn begin(&mut self, ctx: &egui::Context) {
+        if self.begun != Some(self.study) && self.found(self.study).is_none() && self.measuring().is_none() {
+            self.begun = Some(self.study);
+            self.measure(ctx);
+        }
     }
 
     /// Cancels the running study.

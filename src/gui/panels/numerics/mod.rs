@@ -33,6 +33,7 @@ const TABLE: f32 = 380.0;
 /// Shows the panel's content.
 pub fn ui(ui: &mut Ui, state: &mut State) {
     state.numerics.take(Duration::ZERO);
+    state.numerics.begin(ui.ctx());
     if state.numerics.measuring().is_some() {
         ui.ctx().request_repaint_after(GLANCE);
     }
@@ -172,8 +173,11 @@ fn methods(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
     let mut opened = None;
     let colors = findings.methods();
     Grid::new("methods").num_columns(5).striped(true).show(ui, |ui| {
-        for head in [t.method, t.error, t.nanos, t.bits, ""] {
-            ui.label(RichText::new(head).strong());
+        for (head, hint) in [(t.method, ""), (t.error, ""), (t.nanos, ""), (t.bits, t.bits_hint), ("", "")] {
+            let head = ui.label(RichText::new(head).strong());
+            if !hint.is_empty() {
+                head.explained(hint);
+            }
         }
         ui.end_row();
         for row in rows.into_iter().filter(|row| row.parameter == parameter) {

@@ -1,10 +1,10 @@
 //! The chart of one case of a study. Its axes are logarithms.
 
 use eframe::egui::{self, Color32, Ui};
-use egui_plot::{Line, Plot, PlotPoint, PlotPoints, Points, uniform_grid_spacer};
+use egui_plot::{Line, LineStyle, Plot, PlotPoint, PlotPoints, Points, uniform_grid_spacer};
 
 use crate::appearance::Rgba;
-use crate::chart::{Chart, Look};
+use crate::chart::{Chart, Look, Series};
 use crate::export::plot::COLORS;
 use crate::gui::plotting::{decade, decades, still};
 use crate::i18n::{Lang, numerics as words};
@@ -66,7 +66,7 @@ pub(super) fn show(
 }
 
 fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
-    for series in &chart.series {
+    for (place, series) in chart.series.iter().enumerate() {
         let color = color_of(series.color, dark);
         let points = || -> PlotPoints<'_> { series.points.iter().map(|p| p.map(f64::log10)).collect() };
         let width = match series.look {
@@ -76,7 +76,14 @@ fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
             Look::Dots | Look::Shadow => None,
         };
         if let Some(width) = width {
-            plot_ui.line(Line::new(series.name.clone(), points()).color(color).width(width));
+            let line = Line::new(series.name.clone(), points()).color(color).width(width);
+            // Of curves that lie on one another each is seen between the dashes of the next.
+            let below = chart.series[..place].iter().filter(|other| lie_together(other, series)).count();
+            plot_ui.line(match below {
+                0 => line,
+                1 => line.style(LineStyle::Dashed { length: 9.0 }),
+                _ => line.style(LineStyle::Dotted { spacing: 7.0 }),
+            });
         }
         let radius = match series.look {
             Look::Curve => 3.0,
@@ -88,6 +95,16 @@ fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
         let color = if series.look == Look::Shadow { color.gamma_multiply(0.4) } else { color };
         plot_ui.points(Points::new(series.name.clone(), points()).color(color).radius(radius));
     }
+}
+
+/// Whether two curves cannot be told apart: at every point within a twentieth of a decade.
+fn lie_together(a: &Series, b: &Series) -> bool {
+    let is_curve = |series: &Series| matches!(series.look, Look::Curve | Look::BoldCurve);
+    let near = |[a, b]: [f64; 2]| (a.log10() - b.log10()).abs() < 0.05;
+    is_curve(a)
+        && is_curve(b)
+        && a.points.len() == b.points.len()
+        && a.points.iter().zip(&b.points).all(|(a, b)| near([a[0], b[0]]) && near([a[1], b[1]]))
 }
 
 /// The colours of the charts on paper, by their place, which the table shows too; on a dark ground the darkest are
