@@ -200,7 +200,10 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Ex
     });
     (export.times, export.on_paper) = size;
     let crowded = state.file_flow.preview.as_ref().and_then(|preview| preview.crowded);
-    let mut errors = if export.on_paper { paper(ui, t, export, crowded) } else { Vec::new() };
+    // Always there, so that nothing moves under the pointer.
+    let on_paper = export.on_paper;
+    let mut errors = ui.add_enabled_ui(on_paper, |ui| paper(ui, t, export, crowded)).inner;
+    errors.retain(|_| on_paper);
     export.fit_screen(state.picture_sizes, state.screen_scale);
     errors.extend(row(ui, "", t.export_pixels, "", |ui| {
         ui.add_enabled_ui(size == (None, false), |ui| pixels(ui, t, export)).inner

@@ -357,6 +357,7 @@ texts! {
     elevation: "Elevation", "Elevação";
     elevation_effect: "C, VUP about u through PF", "C, VUP em torno de u por PF";
     azimuth: "Azimuth", "Azimute";
+    azimuth_of_vtk: "As in the notes, about v: VUP turns too, and a camera that looks down leans. VTK turns about VUP", "Como nas notas, em torno de v: VUP gira junto, e uma câmera que olha para baixo se inclina. O VTK gira em torno de VUP";
     azimuth_effect: "C, VUP about v through PF", "C, VUP em torno de v por PF";
     roll: "Roll", "Rolagem";
     roll_effect: "VUP about n", "VUP em torno de n";

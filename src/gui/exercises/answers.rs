@@ -98,12 +98,22 @@ struct Typing {
     is_done: bool,
 }
 
+/// The height of a row of a typeset matrix, in lines of text.
+const ROW_OF_TABLE: f32 = 1.5;
+
 /// Shows feedback on an answer while it is typed, in the greatest space that earlier feedback needed: the content below
 /// does not jump with every key.
 fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     let id = ui.scope_id().with("room for what is said");
     let line = ui.text_style_height(&TextStyle::Body);
-    let least = if matches!(ask.kind, Kind::Choice(_) | Kind::Camera) { 0.0 } else { line };
+    let [rows, _] = ask.shape();
+    #[expect(clippy::cast_precision_loss, reason = "a few rows")]
+    let least = match ask.kind {
+        Kind::Choice(_) | Kind::Camera => 0.0,
+        // Before the first key there is room for what is going to be understood.
+        Kind::Matrix(..) => ROW_OF_TABLE * line * rows as f32,
+        Kind::Number | Kind::Vector(_) => line,
+    };
     let kept = ui.data(|data| data.get_temp(id)).unwrap_or(least);
     let needed = ui.scope(say).response.rect.height();
     if needed < kept {

@@ -2,7 +2,7 @@
 //! buffers, and planes that contain the scene.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Color32, Grid, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
+use eframe::egui::{self, Align2, Color32, Grid, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, Plot, PlotPoints, Text, VLine, uniform_grid_spacer};
 
 use crate::camera::{Camera, Ndc, Parameters, Projection};
@@ -12,6 +12,7 @@ use crate::gui::panels::numerics::color_of;
 use crate::gui::panels::{choice, row};
 use crate::gui::plotting::{decade, decades, still};
 use crate::gui::state::State;
+use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::{Lang, coach as words, window};
 use crate::numerics::health::{suggested_planes, with_planes};
@@ -56,7 +57,8 @@ fn of_camera(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Paramete
         Some(Probe::Window(_)) | None => None,
     };
     let space = camera.possible_clip_space(state.settings.conventions.ndc);
-    ui.label(words::depth_in(lang, space.ndc()));
+    let said = words::depth_in(lang, space.ndc());
+    theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().text_color());
     plot(ui, t, camera, space.ndc(), probe);
     let depth = probe.unwrap_or_else(|| camera.distance().clamp(near, far));
     let n = |x: f64| lang.mark().number(x, 3);

@@ -165,9 +165,12 @@ fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, for
 
 /// The effect of an operation, and the direction of a positive angle.
 fn explained(freedom: Freedom, t: &Texts, convention: Convention) -> String {
-    let effect = effect(freedom, t);
+    let effect = match freedom {
+        Freedom::Azimuth => format!("{}. {}", effect(freedom, t), t.azimuth_of_vtk),
+        _ => effect(freedom, t).to_owned(),
+    };
     match (freedom.descriptor().amount, convention) {
-        (Amount::Factor | Amount::Length, _) => effect.to_owned(),
+        (Amount::Factor | Amount::Length, _) => effect,
         (Amount::Angle, Convention::RightHand) => format!("{effect}. {}", t.sign_right_hand),
         (Amount::Angle, Convention::Vtk) => format!("{effect}. {}", t.sign_vtk),
     }

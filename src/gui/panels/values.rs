@@ -57,7 +57,8 @@ pub(in crate::gui) fn list(
         asked = show(ui, t, table, other.and_then(|(tables, _)| tables.get(i)), state.settings.digits).or(asked);
         // Said once, below M_p.
         if let Some((_, ndc)) = other.filter(|_| table.symbol.contains("M_p") && !table.symbol.contains("M_v")) {
-            ui.label(RichText::new(differences(t.lang, ndc_of(&report), *ndc)).small());
+            let said = differences(t.lang, ndc_of(&report), *ndc);
+            theme::wrapped(ui, &said, &egui::TextStyle::Small, ui.visuals().text_color());
         }
     }
     if let Some((matrix, entry)) = asked {
