@@ -116,6 +116,9 @@ impl Status {
                 ui,
                 |ui| self.message(ui),
                 |ui| {
+                    if self.presenting && !ui.rect_contains_pointer(rect.expand(4.0)) {
+                        return;
+                    }
                     if !self.hidden.is_empty() {
                         ui.add(Label::new(RichText::new(texts.hidden).small()).selectable(false));
                     }

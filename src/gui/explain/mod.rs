@@ -184,8 +184,9 @@ fn questions(ui: &mut Ui, t: &Texts, state: &mut State) {
     for two in QUESTIONS.chunks(2) {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = gap;
+            ui.spacing_mut().button_padding.x = 3.0;
             // The longer questions are on the left.
-            for (row, share) in two.iter().zip([0.55, 0.45]) {
+            for (row, share) in two.iter().zip([0.535, 0.465]) {
                 let size = vec2((room * share).floor(), height);
                 let (name, hint) = (row.words)(t);
                 let open = state.explain.question() == row.question;

@@ -108,7 +108,8 @@ fn matrices_of(
     for (place, (name, formulas, matrix, reading)) in shown.into_iter().flatten().enumerate() {
         ui.push_id(("step", place), |ui| {
             ui.label(RichText::new(&name).strong());
-            let values = matrix.transpose().to_cols_array_2d().map(|row| row.map(|x| x + 0.0));
+            let rows = matrix.transpose().to_cols_array_2d().map(|row| without_rests(&row, writing.digits));
+            let values = rows.map(|row| std::array::from_fn(|j| row[j] + 0.0));
             let cells = cells(state, writing, (&name, &formulas, reading), &values, |_| 0.0);
             let chosen = state.explain.steps.entry.filter(|(of, _)| *of == place).map(|(_, entry)| entry);
             let pointed =
