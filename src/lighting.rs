@@ -18,12 +18,13 @@ pub(crate) type Eight<S> = [f32x8<S>; 3];
 pub fn shade(lighting: &Lighting, normal: [f32; 3], position: [f32; 3], color: Rgba) -> Rgba {
     let lit = with_vectors!(simd => {
         let color = u32x8::splat(simd, packed(color));
-        shade_eight(simd, lighting, splat(simd, normal), splat(simd, position), color)[0]
+        shade_eight(simd, lighting, splat(simd, normal), splat(simd, position), color, f32x8::splat(simd, 255.0))[0]
     });
     unpacked(lit)
 }
 
-/// [`shade`] for eight points at once. Colours are [`packed`].
+/// [`shade`] for eight points at once. Colours are [`packed`]; `most` is the greatest value of their channels: 255, or
+/// the alpha of each where they are premultiplied by it.
 #[inline(always)]
 pub(crate) fn shade_eight<S: Simd>(
     simd: S,
@@ -31,6 +32,7 @@ pub(crate) fn shade_eight<S: Simd>(
     normals: Eight<S>,
     positions: Eight<S>,
     colors: u32x8<S>,
+    most: f32x8<S>,
 ) -> u32x8<S> {
     let zero = f32x8::splat(simd, 0.0);
     let mut n = unit(simd, normals);
@@ -58,10 +60,10 @@ pub(crate) fn shade_eight<S: Simd>(
         }
     }
     let share = diffuse * lighting.diffuse + lighting.ambient;
-    let white = specular * (255.0 * lighting.specular);
-    let red = channel(simd, colors, share, white);
-    let green = channel(simd, colors >> 8, share, white) << 8;
-    let blue = channel(simd, colors >> 16, share, white) << 16;
+    let white = specular * (most * lighting.specular);
+    let red = channel(simd, colors, share, white, most);
+    let green = channel(simd, colors >> 8, share, white, most) << 8;
+    let blue = channel(simd, colors >> 16, share, white, most) << 16;
     red | green | blue | (colors & 0xff00_0000)
 }
 
@@ -131,10 +133,9 @@ fn power<S: Simd>(simd: S, mut base: f32x8<S>, exponent: f32) -> f32x8<S> {
     result
 }
 
-/// The low bytes of `colors` under light, rounded to the nearest of 0 … 255; 0 for NaN.
+/// The low bytes of `colors` under light, rounded to the nearest of 0 … `most`; 0 for NaN.
 #[inline(always)]
-fn channel<S: Simd>(simd: S, colors: u32x8<S>, share: f32x8<S>, white: f32x8<S>) -> u32x8<S> {
-    let most = f32x8::splat(simd, 255.0);
+fn channel<S: Simd>(simd: S, colors: u32x8<S>, share: f32x8<S>, white: f32x8<S>, most: f32x8<S>) -> u32x8<S> {
     let value = at_least_zero(simd, (colors & 255).to_float::<f32x8<S>>() * share + white);
     round_bits(value.simd_lt(most).select(value, most), ROUND_F32) & 255
 }

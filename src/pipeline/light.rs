@@ -227,7 +227,8 @@ impl<'a> ObjectLight<'a> {
             if points(first + k * LANES, lit.len(), &mut some) {
                 let normals = times(&self.normal_matrix, eight(simd, some.normals));
                 let positions = times(&self.position_matrix, eight(simd, some.offsets));
-                let shaded = shade_eight(simd, &self.lighting, normals, positions, u32x8::simd_from(simd, some.colors));
+                let (colors, most) = (u32x8::simd_from(simd, some.colors), f32x8::splat(simd, 255.0));
+                let shaded = shade_eight(simd, &self.lighting, normals, positions, colors, most);
                 for (lit, &shaded) in lit.iter_mut().zip(shaded.as_slice()) {
                     *lit = unpacked(shaded);
                 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
-use camera_lab::drawing::{Drawing, Paint};
+use camera_lab::drawing::{Base, Drawing};
 use camera_lab::pipeline::{Options, Pipeline, Target, draw};
 use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, PointMark, Scene};
 use glam::{DMat4, DVec3};
@@ -83,7 +83,7 @@ fn a_cube_before_the_eye_shows_its_front_where_the_notes_say() {
     // Only the face towards the eye; the sides of a cube in the middle turn away.
     assert_eq!(triangles(&drawing), 2);
     let surface = &drawing.surfaces[0];
-    assert_eq!(surface.paint, Paint::Solid(CLAY), "no light, own colour");
+    assert_eq!(surface.base, Base::Solid(CLAY), "no light, own colour");
     let mut corners: Vec<_> =
         surface.triangles.iter().flatten().map(|&i| surface.positions[i as usize].map(f64::from)).collect();
     corners.sort_by(|a, b| a.partial_cmp(b).unwrap());
@@ -118,9 +118,9 @@ fn flat_light_follows_the_normal() {
     };
     let face = |scene: &Scene| match &draw(scene, &eye(Projection::Perspective), TARGET, &shading(Shading::Flat))
         .surfaces[0]
-        .paint
+        .base
     {
-        Paint::Faces(colors) => colors.clone(),
+        Base::Faces(colors) => colors.clone(),
         other => panic!("{other:?}"),
     };
     // The lamp is behind the eye: cosine 1, ambient + diffuse = 1, the colour itself.
