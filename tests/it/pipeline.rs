@@ -113,7 +113,7 @@ fn a_mirrored_cube_still_shows_its_front() {
 #[test]
 fn flat_light_follows_the_normal() {
     let scene = Scene {
-        lights: vec![Light::Directional { direction: DVec3::new(0.0, 0.0, -2.0) }],
+        lights: vec![Light::directional(DVec3::new(0.0, 0.0, -2.0))],
         ..only(object(cube(), DMat4::from_translation(DVec3::new(0.0, 0.0, -4.0))))
     };
     let face = |scene: &Scene| match &draw(scene, &eye(Projection::Perspective), TARGET, &shading(Shading::Flat))
@@ -126,10 +126,10 @@ fn flat_light_follows_the_normal() {
     // The lamp is behind the eye: cosine 1, ambient + diffuse = 1, the colour itself.
     assert_eq!(face(&scene), [CLAY, CLAY]);
     // From behind the cube: ambient only, 0.35 of it.
-    let behind = Scene { lights: vec![Light::Directional { direction: DVec3::Z }], ..scene.clone() };
+    let behind = Scene { lights: vec![Light::directional(DVec3::Z)], ..scene.clone() };
     assert_eq!(face(&behind), [Rgba::rgb(70, 35, 14); 2]);
     // A lamp on the axis at the eye, seen from the centroid (∓1/3, ±1/3, −3): cosine 3/√(9 + 2/9).
-    let lamp = Scene { lights: vec![Light::Point { position: DVec3::ZERO }], ..scene.clone() };
+    let lamp = Scene { lights: vec![Light::point(DVec3::ZERO)], ..scene.clone() };
     let share = 0.35 + 0.65 * 3.0 / (9.0_f64 + 2.0 / 9.0).sqrt();
     for color in face(&lamp) {
         assert!((f64::from(color.r) - 200.0 * share).abs() <= 0.5 && (f64::from(color.b) - 40.0 * share).abs() <= 0.5);
