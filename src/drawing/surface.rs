@@ -92,11 +92,11 @@ pub struct Lighting {
 
 /// One light, in view space.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ViewLight {
-    /// A unit vector **towards** the light.
-    Directional([f32; 3]),
-    /// The position of the light.
-    Point([f32; 3]),
+pub struct ViewLight {
+    /// Its position; of a distant light, the unit vector **towards** it.
+    pub vector: [f32; 3],
+    /// True where the light is at infinity (parallel light).
+    pub distant: bool,
 }
 
 impl Surface {
@@ -186,11 +186,25 @@ impl Surface {
     }
 }
 
+impl ViewLight {
+    /// Parallel light from where this unit vector points.
+    #[must_use]
+    pub const fn directional(to_light: [f32; 3]) -> Self {
+        Self { vector: to_light, distant: true }
+    }
+
+    /// A lamp at this position.
+    #[must_use]
+    pub const fn point(position: [f32; 3]) -> Self {
+        Self { vector: position, distant: false }
+    }
+}
+
 impl Lighting {
     /// True where the positions of the points matter.
     #[must_use]
     pub fn needs_positions(&self) -> bool {
         let viewer = !self.distant_viewer && (self.two_sided || self.specular > 0.0);
-        viewer || self.lights.iter().any(|light| matches!(light, ViewLight::Point(_)))
+        viewer || self.lights.iter().any(|light| !light.distant)
     }
 }

@@ -38,9 +38,9 @@ impl Lights {
         let in_view = |light: &Light| match light.kind {
             LightKind::Directional => {
                 let to_light = try_unit(-projector.view_vector(try_unit(light.vector)?))?;
-                Some(ViewLight::Directional(to_light.as_vec3().to_array()))
+                Some(ViewLight::directional(to_light.as_vec3().to_array()))
             }
-            LightKind::Point => Some(ViewLight::Point((projector.view(light.vector) * scale).as_vec3().to_array())),
+            LightKind::Point => Some(ViewLight::point((projector.view(light.vector) * scale).as_vec3().to_array())),
         };
         let shiny = matches!(shading, Shading::Gouraud | Shading::Phong);
         let lighting = Lighting {

@@ -132,7 +132,7 @@ fn light_at_each_pixel_is_the_formula_at_that_pixel_on_every_base() {
         shininess: 20.0,
         distant_viewer: false,
         two_sided: false,
-        lights: vec![ViewLight::Point([1.0, 2.0, 3.0])],
+        lights: vec![ViewLight::point([1.0, 2.0, 3.0])],
     };
     let color = Rgba::rgb(200, 120, 60);
     let (normals, positions) = (
