@@ -79,7 +79,7 @@ fn object(mesh: Arc<Mesh>, world_from_object: DMat4) -> Object {
 }
 
 fn scene(objects: Vec<Object>) -> Scene {
-    let light = Light::Directional { direction: DVec3::new(-1.0, -2.0, -1.5) };
+    let light = Light::directional(DVec3::new(-1.0, -2.0, -1.5));
     Scene { objects, lights: vec![light], ..Scene::default() }
 }
 

@@ -11,7 +11,7 @@
 use std::time::Instant;
 
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
-use camera_lab::drawing::{Anchor, Drawing, Label, Paint, StrokeSet, Surface};
+use camera_lab::drawing::{Anchor, Base, Drawing, Label, StrokeSet, Surface};
 use camera_lab::progress::at_once;
 use camera_lab::raster::Rasterizer;
 
@@ -49,12 +49,12 @@ fn mesh(width: u32, height: u32, triangles: usize, gouraud: bool) -> Surface {
             }
         }
     }
-    let paint = if gouraud {
-        Paint::Vertices(colors)
+    let base = if gouraud {
+        Base::Vertices(colors)
     } else {
-        Paint::Faces(list.iter().map(|t| colors[t[0] as usize]).collect())
+        Base::Faces(list.iter().map(|t| colors[t[0] as usize]).collect())
     };
-    Surface { positions, inverse_w, triangles: list, paint, translucent: false, depth_test: true }
+    Surface { inverse_w, base, ..Surface::solid(positions, list, Rgba::rgb(0, 0, 0)) }
 }
 
 fn main() {

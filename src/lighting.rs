@@ -1,7 +1,7 @@
 //! The reflection model of `[2]` and `[3]` §1.8, for faces, vertices and pixels alike: one point at a time, or eight.
 
 use crate::appearance::Rgba;
-use crate::drawing::{Lighting, ViewLight};
+use crate::drawing::Lighting;
 use crate::simd::prelude::*;
 use crate::simd::{ROUND_F32, Simd, f32x8, round_bits, u32x8, with_vectors};
 
@@ -18,12 +18,13 @@ pub(crate) type Eight<S> = [f32x8<S>; 3];
 pub fn shade(lighting: &Lighting, normal: [f32; 3], position: [f32; 3], color: Rgba) -> Rgba {
     let lit = with_vectors!(simd => {
         let color = u32x8::splat(simd, packed(color));
-        shade_eight(simd, lighting, splat(simd, normal), splat(simd, position), color)[0]
+        shade_eight(simd, lighting, splat(simd, normal), splat(simd, position), color, f32x8::splat(simd, 255.0))[0]
     });
     unpacked(lit)
 }
 
-/// [`shade`] for eight points at once. Colours are [`packed`].
+/// [`shade`] for eight points at once. Colours are [`packed`]; `most` is the greatest value of their channels: 255, or
+/// the alpha of each where they are premultiplied by it.
 #[inline(always)]
 pub(crate) fn shade_eight<S: Simd>(
     simd: S,
@@ -31,6 +32,7 @@ pub(crate) fn shade_eight<S: Simd>(
     normals: Eight<S>,
     positions: Eight<S>,
     colors: u32x8<S>,
+    most: f32x8<S>,
 ) -> u32x8<S> {
     let zero = f32x8::splat(simd, 0.0);
     let mut n = unit(simd, normals);
@@ -45,10 +47,8 @@ pub(crate) fn shade_eight<S: Simd>(
     }
     let (mut diffuse, mut specular) = (zero, zero);
     for light in &lighting.lights {
-        let to_light = match *light {
-            ViewLight::Directional(direction) => splat(simd, direction),
-            ViewLight::Point(place) => unit(simd, minus(splat(simd, place), positions)),
-        };
+        let vector = splat(simd, light.vector);
+        let to_light = if light.distant { vector } else { unit(simd, minus(vector, positions)) };
         let cosine = dot(n, to_light);
         diffuse += at_least_zero(simd, cosine);
         if lighting.specular > 0.0 {
@@ -58,10 +58,10 @@ pub(crate) fn shade_eight<S: Simd>(
         }
     }
     let share = diffuse * lighting.diffuse + lighting.ambient;
-    let white = specular * (255.0 * lighting.specular);
-    let red = channel(simd, colors, share, white);
-    let green = channel(simd, colors >> 8, share, white) << 8;
-    let blue = channel(simd, colors >> 16, share, white) << 16;
+    let white = specular * (most * lighting.specular);
+    let red = channel(simd, colors, share, white, most);
+    let green = channel(simd, colors >> 8, share, white, most) << 8;
+    let blue = channel(simd, colors >> 16, share, white, most) << 16;
     red | green | blue | (colors & 0xff00_0000)
 }
 
@@ -131,10 +131,9 @@ fn power<S: Simd>(simd: S, mut base: f32x8<S>, exponent: f32) -> f32x8<S> {
     result
 }
 
-/// The low bytes of `colors` under light, rounded to the nearest of 0 … 255; 0 for NaN.
+/// The low bytes of `colors` under light, rounded to the nearest of 0 … `most`; 0 for NaN.
 #[inline(always)]
-fn channel<S: Simd>(simd: S, colors: u32x8<S>, share: f32x8<S>, white: f32x8<S>) -> u32x8<S> {
-    let most = f32x8::splat(simd, 255.0);
+fn channel<S: Simd>(simd: S, colors: u32x8<S>, share: f32x8<S>, white: f32x8<S>, most: f32x8<S>) -> u32x8<S> {
     let value = at_least_zero(simd, (colors & 255).to_float::<f32x8<S>>() * share + white);
     round_bits(value.simd_lt(most).select(value, most), ROUND_F32) & 255
 }
@@ -142,6 +141,7 @@ fn channel<S: Simd>(simd: S, colors: u32x8<S>, share: f32x8<S>, white: f32x8<S>)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drawing::ViewLight;
 
     const CLAY: Rgba = Rgba::rgba(200, 100, 40, 128);
 
@@ -153,20 +153,20 @@ mod tests {
     fn diffuse_light_follows_the_cosine() {
         // 60° from the normal: share = 0.25 + 0.5 · 0.5 = 0.5
         let sine = 0.75_f32.sqrt();
-        let lighting = lamp(ViewLight::Directional([sine, 0.0, 0.5]));
+        let lighting = lamp(ViewLight::directional([sine, 0.0, 0.5]));
         assert_eq!(shade(&lighting, [0.0, 0.0, 3.0], [0.0, 0.0, -5.0], CLAY), Rgba::rgba(100, 50, 20, 128));
     }
 
     #[test]
     fn a_lamp_behind_the_face_leaves_the_ambient_share() {
-        let lighting = Lighting { specular: 1.0, shininess: 1.0, ..lamp(ViewLight::Point([0.0, 0.0, -9.0])) };
+        let lighting = Lighting { specular: 1.0, shininess: 1.0, ..lamp(ViewLight::point([0.0, 0.0, -9.0])) };
         assert_eq!(shade(&lighting, [0.0, 0.0, 1.0], [0.0, 0.0, -5.0], CLAY), Rgba::rgba(50, 25, 10, 128));
         assert_eq!(shade(&lighting, [0.0; 3], [0.0, 0.0, -5.0], CLAY), Rgba::rgba(50, 25, 10, 128));
     }
 
     #[test]
     fn two_sided_faces_are_lit_on_the_side_that_is_seen() {
-        let front = lamp(ViewLight::Directional([0.0, 0.0, 1.0]));
+        let front = lamp(ViewLight::directional([0.0, 0.0, 1.0]));
         let both = Lighting { two_sided: true, ..front.clone() };
         assert_eq!(shade(&both, [0.0, 0.0, -1.0], [0.0, 0.0, -5.0], CLAY), Rgba::rgba(150, 75, 30, 128));
         assert_eq!(shade(&front, [0.0, 0.0, -1.0], [0.0, 0.0, -5.0], CLAY), Rgba::rgba(50, 25, 10, 128));
@@ -174,14 +174,14 @@ mod tests {
 
     #[test]
     fn the_highlight_is_white_and_where_the_halfway_vector_meets_the_normal() {
-        let lighting = Lighting { specular: 0.2, shininess: 2.0, ..lamp(ViewLight::Directional([0.0, 0.0, 1.0])) };
+        let lighting = Lighting { specular: 0.2, shininess: 2.0, ..lamp(ViewLight::directional([0.0, 0.0, 1.0])) };
         // n·h = 1: 0.75 of the colour and 0.2 · 255 = 51 of white
         assert_eq!(shade(&lighting, [0.0, 0.0, 1.0], [0.0, 0.0, -5.0], CLAY), Rgba::rgba(201, 126, 81, 128));
     }
 
     #[test]
     fn numbers_that_are_none_give_a_colour_all_the_same() {
-        let lighting = lamp(ViewLight::Point([f32::INFINITY, f32::NAN, 0.0]));
+        let lighting = lamp(ViewLight::point([f32::INFINITY, f32::NAN, 0.0]));
         assert_eq!(shade(&lighting, [f32::NAN; 3], [f32::INFINITY; 3], CLAY).a, 128);
     }
 }

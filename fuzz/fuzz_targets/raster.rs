@@ -2,7 +2,7 @@
 #![no_main]
 
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
-use camera_lab::drawing::{Drawing, Paint, StrokeSet, Surface};
+use camera_lab::drawing::{Base, Drawing, StrokeSet, Surface};
 use camera_lab::raster::Rasterizer;
 use libfuzzer_sys::fuzz_target;
 
@@ -23,19 +23,14 @@ fuzz_target!(|bytes: &[u8]| {
         return;
     }
     let triangles: Vec<[u32; 3]> = (2..count).map(|i| [i - 2, i - 1, i]).collect();
-    let paint = if choices & 1 == 0 {
-        Paint::Solid(Rgba::rgba(200, 100, 50, alpha))
+    let base = if choices & 1 == 0 {
+        Base::Solid(Rgba::rgba(200, 100, 50, alpha))
     } else {
-        Paint::Vertices((0..count).map(|i| Rgba::rgba(i as u8, 90, 200, alpha)).collect())
+        Base::Vertices((0..count).map(|i| Rgba::rgba(i as u8, 90, 200, alpha)).collect())
     };
-    let surface = Surface {
-        positions: positions.clone(),
-        inverse_w: Vec::new(),
-        triangles,
-        paint,
-        translucent: alpha < 255,
-        depth_test: choices & 2 == 0,
-    };
+    let color = Rgba::rgba(0, 0, 0, alpha);
+    let surface =
+        Surface { base, depth_test: choices & 2 == 0, ..Surface::solid(positions.clone(), triangles, color) };
     let hidden = [HiddenLines::Dashed, HiddenLines::Hidden, HiddenLines::Shown][usize::from(choices >> 2) % 3];
     let style = LineStyle {
         color: Rgba::rgb(0, 0, 0),

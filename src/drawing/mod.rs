@@ -22,13 +22,15 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `order` | the rules by which depths are compared, the same for every output |
+//! | `surface` | surfaces: their triangles, their base colours, and the light on these |
 
 pub mod order;
+mod surface;
 
 use std::ops::Range;
-use std::sync::Arc;
 
-use crate::appearance::{LineStyle, MarkShape, Rgba, Texture};
+use crate::appearance::{LineStyle, MarkShape, Rgba};
+pub use surface::{Base, Lighting, PixelLight, Surface, SurfaceLight, ViewLight};
 
 /// A picture, ready for an output.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,97 +56,6 @@ pub struct Drawing {
     pub marks: Vec<Mark>,
     /// Texts.
     pub labels: Vec<Label>,
-}
-
-/// A set of triangles painted one way.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Surface {
-    /// x, y in pixels and depth, one per vertex; all inside the picture (clipping has been done).
-    pub positions: Vec<[f32; 3]>,
-    /// 1/w of each vertex for perspective-correct interpolation; empty where w is the same everywhere or nothing is
-    /// interpolated.
-    pub inverse_w: Vec<f32>,
-    /// Indices into `positions`; either winding (culling has been done).
-    pub triangles: Vec<[u32; 3]>,
-    /// The colours.
-    pub paint: Paint,
-    /// Drawn after all that is opaque, from back to front, with the alpha of its colours.
-    pub translucent: bool,
-    /// False: no depth test and no depth written (the plan has shown that no test can change the picture).
-    pub depth_test: bool,
-}
-
-/// The colours of a [`Surface`].
-#[derive(Clone, Debug, PartialEq)]
-pub enum Paint {
-    /// One colour for everything.
-    Solid(Rgba),
-    /// One colour for each triangle.
-    Faces(Vec<Rgba>),
-    /// One colour for each vertex, interpolated (Gouraud).
-    Vertices(Vec<Rgba>),
-    /// A normal for each vertex, interpolated; light at each pixel (Phong).
-    Phong(Phong),
-    /// A picture, stretched over the surface.
-    Texture {
-        /// The picture.
-        image: Arc<Texture>,
-        /// Texture coordinates of each vertex, 0 … 1, (0, 0) at the top left.
-        uv: Vec<[f32; 2]>,
-        /// 255 is opaque.
-        opacity: u8,
-    },
-}
-
-/// The inputs for lighting a pixel.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Phong {
-    /// Unit normals in view space, one per vertex.
-    pub normals: Vec<[f32; 3]>,
-    /// Positions in view space, one per vertex, in any unit of length that the lights share.
-    pub positions: Vec<[f32; 3]>,
-    /// The colour of the material.
-    pub color: Rgba,
-    /// The lights, in view space.
-    pub lighting: Lighting,
-}
-
-/// Lights in view space, in the simple model of `[2]` and `[3]`: ambient + diffuse + specular. The formula is that of
-/// [`lighting`](crate::lighting).
-#[derive(Clone, Debug, PartialEq, Default)]
-pub struct Lighting {
-    /// Ambient share of the colour, 0 … 1.
-    pub ambient: f32,
-    /// Share of the diffuse term, 0 … 1.
-    pub diffuse: f32,
-    /// Share of the specular term, 0 … 1.
-    pub specular: f32,
-    /// Exponent of the specular term, a whole number.
-    pub shininess: f32,
-    /// True where the viewer is at infinity (parallel projection).
-    pub distant_viewer: bool,
-    /// Light both sides of a face.
-    pub two_sided: bool,
-    /// The lights.
-    pub lights: Vec<ViewLight>,
-}
-
-impl Lighting {
-    /// True where the positions of the points matter.
-    #[must_use]
-    pub fn needs_positions(&self) -> bool {
-        let viewer = !self.distant_viewer && (self.two_sided || self.specular > 0.0);
-        viewer || self.lights.iter().any(|light| matches!(light, ViewLight::Point(_)))
-    }
-}
-
-/// One light, in view space.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ViewLight {
-    /// A unit vector **towards** the light.
-    Directional([f32; 3]),
-    /// The position of the light.
-    Point([f32; 3]),
 }
 
 /// A set of polylines that look the same.

@@ -3,7 +3,7 @@
 use super::{Depth, Explanation, Measure, Measured, Outside, StagePicture, TriangleStep, View, WindowSide};
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::camera::{Decomposition, Ndc, Projection};
-use crate::scene::{LightSpec, Preset, Shape};
+use crate::scene::{LightKind, Preset, Shape};
 use crate::stage::Stage;
 
 /// Names and their values, in the order in which they are offered.
@@ -44,8 +44,8 @@ pub const OUTSIDES: Words<Outside> = &[("cut", Outside::Cut), ("tinted", Outside
 /// `[[scene.objects]] shape`; those that have data are empty here.
 pub const SHAPES: Words<Shape> = Shape::NAMED;
 
-/// `[[scene.lights]] kind`; the vectors are the defaults of a light.
-pub const LIGHTS: Words<LightSpec> = LightSpec::NAMED;
+/// `[[scene.lights]] kind`
+pub const LIGHTS: Words<LightKind> = LightKind::NAMED;
 
 /// `[show] stage`
 pub const STAGES: Words<Stage> = {

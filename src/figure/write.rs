@@ -14,7 +14,7 @@ use super::{Depth, Figure, NamedPoint, Observer, Outside, Reveal, Show, WorldLoo
 use crate::appearance::Style;
 use crate::camera::{Parameters, Projection, Viewport};
 use crate::numbers;
-use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
+use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
 
 /// The figure file of `figure`, its keys in the order of the documentation.
 ///
@@ -144,12 +144,8 @@ fn object(object: &ObjectSpec) -> Table {
     table(keys)
 }
 
-fn light(light: &LightSpec) -> Table {
-    let place = match *light {
-        LightSpec::Directional(direction) => ("direction", vector(direction)),
-        LightSpec::Point(position) => ("position", vector(position)),
-    };
-    table([("kind", light.name().into()), place])
+fn light(light: &Light) -> Table {
+    table([("kind", light.kind.name().into()), (light.kind.vector().0, vector(light.vector))])
 }
 
 fn point(point: &NamedPoint) -> Table {

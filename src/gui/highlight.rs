@@ -9,7 +9,7 @@ use super::state::{Selected, State};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Aabb, try_unit};
 use crate::scene::edit::{descendants, placement};
-use crate::scene::{LightSpec, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
+use crate::scene::{Light, LightKind, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
 use crate::views::{Palette, SharedScene};
 
 /// The scene with the selection marked in it; made anew only when one of both has changed.
@@ -112,19 +112,19 @@ fn box_edges(bounds: &Aabb, world_from_object: &DMat4) -> impl Iterator<Item = [
 }
 
 /// A lamp has a mark; parallel light an arrow that ends in the middle of the scene.
-fn mark_light(scene: &mut Scene, light: LightSpec, bounds: Option<Aabb>, color: Rgba) {
-    match light {
-        LightSpec::Point(position) => {
+fn mark_light(scene: &mut Scene, light: Light, bounds: Option<Aabb>, color: Rgba) {
+    match light.kind {
+        LightKind::Point => {
             scene.marks.push(PointMark {
-                position,
+                position: light.vector,
                 shape: MarkShape::Diamond,
                 radius: 7.0,
                 color,
                 fade_if_hidden: false,
             });
         }
-        LightSpec::Directional(direction) => {
-            let Some(unit) = try_unit(direction) else { return };
+        LightKind::Directional => {
+            let Some(unit) = try_unit(light.vector) else { return };
             let around = bounds.unwrap_or(Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE });
             let (to, length) = (around.center(), 1.2 * around.radius().max(1e-3));
             let style = LineStyle { arrow: true, hidden: HiddenLines::Shown, ..style(color, 2.5) };

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use crate::camera::{Camera, Parameters};
 use crate::figure::{Figure, Observers, Show, ShownTriangle};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
-use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
+use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
 
 /// The number of a scene or of a document: equal numbers mean equal content, without a comparison of it, which can be
 /// large. Different numbers mean nothing.
@@ -200,7 +200,7 @@ fn bytes_of(scene: &SceneSpec) -> usize {
         let names = object.name.len() + object.parent.as_ref().map_or(0, String::len);
         size_of::<ObjectSpec>() + names + object.shape.as_ref().map_or(0, data_of)
     };
-    scene.objects.iter().map(object).sum::<usize>() + size_of_val(&scene.lights[..]) + size_of::<LightSpec>()
+    scene.objects.iter().map(object).sum::<usize>() + size_of_val(&scene.lights[..]) + size_of::<Light>()
 }
 
 fn data_of(shape: &Shape) -> usize {

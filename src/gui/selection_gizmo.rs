@@ -9,7 +9,7 @@ use crate::geometry::{Angle, try_unit};
 use crate::numbers::round_to;
 use crate::scene::edit::placement;
 use crate::scene::transform::{Transform, frame, transform, turned};
-use crate::scene::{LightSpec, SceneError, SceneSpec};
+use crate::scene::{Light, LightKind, SceneError, SceneSpec};
 use crate::views::transform_gizmo::Pull;
 use crate::views::{GizmoPart, TransformGizmo, Transforming};
 
@@ -78,18 +78,16 @@ impl Movable {
     }
 
     /// A lamp is moved, parallel light turned about `middle`.
-    fn light(index: usize, light: LightSpec, middle: DVec3) -> Self {
-        let (what, does, origin, place) = match light {
-            LightSpec::Point(place) => (MovedThing::Lamp(index), Transforming::Move, place, place),
-            LightSpec::Directional(direction) => {
-                (MovedThing::ParallelLight(index), Transforming::Turn, middle, direction)
-            }
+    fn light(index: usize, light: Light, middle: DVec3) -> Self {
+        let (what, does, origin) = match light.kind {
+            LightKind::Point => (MovedThing::Lamp(index), Transforming::Move, light.vector),
+            LightKind::Directional => (MovedThing::ParallelLight(index), Transforming::Turn, middle),
         };
         Self {
             what,
             gizmo: TransformGizmo { does, origin, axes: DVec3::AXES, hovered: None },
             units: [1.0; 3],
-            place,
+            place: light.vector,
             rotate: DVec3::ZERO,
             scale: DVec3::ONE,
         }
@@ -126,13 +124,13 @@ impl Movable {
             (MovedThing::Objects(names), change) => transform(&mut scene, names, change)?,
             (MovedThing::Lamp(index), Transform::Move(way)) => {
                 if let Some(light) = scene.lights.get_mut(*index) {
-                    *light = LightSpec::Point(self.place + way);
+                    light.vector = self.place + way;
                 }
                 true
             }
             (MovedThing::ParallelLight(index), Transform::Turn { axis, angle, .. }) => {
                 if let Some(light) = scene.lights.get_mut(*index) {
-                    *light = turned(self.place, axis, angle);
+                    light.vector = turned(self.place, axis, angle);
                 }
                 true
             }

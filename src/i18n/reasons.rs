@@ -88,8 +88,8 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
             Lang::PtBr => format!("uma cor para cada vértice de {}", objects(n)),
         },
         Reason::LitPixels { objects: n } => match lang {
-            Lang::En => format!("Phong: light is computed at each pixel of {}", objects(n)),
-            Lang::PtBr => format!("Phong: a luz é calculada em cada pixel de {}", objects(n)),
+            Lang::En => format!("light is computed at each pixel of {}", objects(n)),
+            Lang::PtBr => format!("a luz é calculada em cada pixel de {}", objects(n)),
         },
         Reason::LitVerticesAndPixels { vertices, pixels } => match lang {
             Lang::En => format!(

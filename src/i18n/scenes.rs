@@ -1,7 +1,7 @@
 //! The words of the scene: its tree, its objects and lights.
 
 use super::Lang;
-use crate::scene::{Beyond, LightSpec, Preset, Shape};
+use crate::scene::{Beyond, LightKind, Preset, Shape};
 
 texts! {
     drawing: "Drawing", "Desenho";
@@ -146,10 +146,10 @@ impl Texts {
 
     /// The name of a kind of light.
     #[must_use]
-    pub fn light(&self, light: LightSpec) -> &'static str {
-        match light {
-            LightSpec::Directional(_) => self.directional,
-            LightSpec::Point(_) => self.point,
+    pub fn light(&self, kind: LightKind) -> &'static str {
+        match kind {
+            LightKind::Directional => self.directional,
+            LightKind::Point => self.point,
         }
     }
 }

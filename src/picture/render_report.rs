@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::drawing::{Drawing, Paint, Surface};
+use crate::drawing::{Drawing, Surface};
 use crate::pipeline::{Frame, ObjectReport, OverBudget, Stage, StageReport};
 use crate::raster::Work;
 
@@ -55,9 +55,9 @@ fn complete(report: &mut StageReport, drawing: &Drawing, work: Work, on_window: 
         Stage::HiddenSurfaces if !drawing.painted_in_order => {
             report.counts = Some((count(work.covered), count(work.written)));
         }
-        Stage::Interpolate => report.counts = triangles(&|s| !matches!(s.paint, Paint::Solid(_) | Paint::Faces(_))),
+        Stage::Interpolate => report.counts = triangles(&Surface::varies),
         Stage::Texture => {
-            report.counts = triangles(&|s| matches!(s.paint, Paint::Texture { .. }));
+            report.counts = triangles(&Surface::is_textured);
             report.time = on_window;
         }
         Stage::Blend => report.counts = triangles(&|s| s.translucent),

@@ -31,9 +31,9 @@ pub(super) struct Ordered {
 }
 
 impl<'a> Unordered<'a> {
-    pub(super) fn add_layers(&mut self, object: &'a Object, layers: Vec<Layer>) {
-        self.layers.extend(layers);
-        self.of_object.resize(self.layers.len(), object);
+    pub(super) fn add_layer(&mut self, object: &'a Object, layer: Layer) {
+        self.layers.push(layer);
+        self.of_object.push(object);
     }
 
     /// Puts the faces in order, from back to front, where no depth buffer decides.

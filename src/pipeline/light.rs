@@ -10,7 +10,7 @@ use crate::appearance::{Rgba, Shading};
 use crate::drawing::{Lighting, ViewLight, single};
 use crate::geometry::try_unit;
 use crate::lighting::{Eight, packed, shade, shade_eight, unpacked};
-use crate::scene::{Light, Mesh};
+use crate::scene::{Light, LightKind, Mesh};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, u32x8, with_vectors};
 
@@ -35,14 +35,12 @@ impl Lights {
     /// The lights of a scene. Without any, the ambient share is all, and lit faces show their own colour.
     pub(super) fn new(lights: &[Light], projector: &Projector, shading: Shading) -> Self {
         let scale = 1.0 / projector.far;
-        let in_view = |light: &Light| match *light {
-            Light::Directional { direction } => {
-                let to_light = try_unit(-projector.view_vector(try_unit(direction)?))?;
-                Some(ViewLight::Directional(to_light.as_vec3().to_array()))
+        let in_view = |light: &Light| match light.kind {
+            LightKind::Directional => {
+                let to_light = try_unit(-projector.view_vector(try_unit(light.vector)?))?;
+                Some(ViewLight::directional(to_light.as_vec3().to_array()))
             }
-            Light::Point { position } => {
-                Some(ViewLight::Point((projector.view(position) * scale).as_vec3().to_array()))
-            }
+            LightKind::Point => Some(ViewLight::point((projector.view(light.vector) * scale).as_vec3().to_array())),
         };
         let shiny = matches!(shading, Shading::Gouraud | Shading::Phong);
         let lighting = Lighting {
@@ -227,7 +225,8 @@ impl<'a> ObjectLight<'a> {
             if points(first + k * LANES, lit.len(), &mut some) {
                 let normals = times(&self.normal_matrix, eight(simd, some.normals));
                 let positions = times(&self.position_matrix, eight(simd, some.offsets));
-                let shaded = shade_eight(simd, &self.lighting, normals, positions, u32x8::simd_from(simd, some.colors));
+                let (colors, most) = (u32x8::simd_from(simd, some.colors), f32x8::splat(simd, 255.0));
+                let shaded = shade_eight(simd, &self.lighting, normals, positions, colors, most);
                 for (lit, &shaded) in lit.iter_mut().zip(shaded.as_slice()) {
                     *lit = unpacked(shaded);
                 }

@@ -93,10 +93,12 @@ impl<'a> ObjectPass<'a> {
             depth_test: plan.depth || (faces.turned_over > 0 && plan.order == Visibility::DepthBuffer),
         };
         if plan.order == Visibility::DepthBuffer {
-            into.surfaces.extend(shaded.surfaces(faces, pool));
+            into.surfaces.extend(shaded.surface(faces, pool));
         } else {
             let never_hides_itself = mesh.convex && mesh.closed && self.culls_back(faces) && faces.turned_over == 0;
-            into.add_layers(self.object, shaded.layers(faces, pool, never_hides_itself));
+            if let Some(layer) = shaded.layer(faces, pool, never_hides_itself) {
+                into.add_layer(self.object, layer);
+            }
         }
     }
 

@@ -45,7 +45,7 @@ pub struct Options {
     /// Record the input and output of this stage in [`Frame::work`](super::Frame::work).
     pub shown: Option<Stage>,
     /// Report the place of this triangle (object, index in its mesh) in the drawing in
-    /// [`Frame::followed`](super::Frame::followed). Not where faces are sorted, or an object becomes several surfaces.
+    /// [`Frame::followed`](super::Frame::followed). Not where faces are sorted.
     pub followed: Option<(usize, u32)>,
     /// Gives the time since any moment, for the report; without it nothing is timed.
     pub clock: Option<fn() -> Duration>,
@@ -123,7 +123,7 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
         Shading::Wireframe if !force => LitAt::Nowhere,
         Shading::Wireframe | Shading::Flat => LitAt::Faces,
         Shading::Gouraud => LitAt::Vertices,
-        // An object lit at the pixels has one colour.
+        // Interpolated colours are lit where they are known.
         Shading::Phong if vertex_colors => LitAt::Vertices,
         Shading::Phong => LitAt::Pixels,
     };

@@ -1,7 +1,7 @@
 //! Reuse of the memory of returned drawings: fresh memory costs more than writing to it.
 
 use crate::appearance::Rgba;
-use crate::drawing::{Drawing, Paint};
+use crate::drawing::{Base, Drawing, SurfaceLight};
 
 use super::faces::Faces;
 
@@ -20,10 +20,13 @@ impl Pool {
     pub(super) fn keep(&mut self, drawing: Drawing) {
         *self = Self::default();
         for surface in drawing.surfaces.into_iter().rev() {
-            match surface.paint {
-                Paint::Faces(colors) | Paint::Vertices(colors) => self.colors.push(colors),
-                Paint::Phong(phong) => self.vectors.extend([phong.positions, phong.normals]),
-                Paint::Solid(_) | Paint::Texture { .. } => {}
+            match surface.base {
+                Base::Faces(colors) | Base::Vertices(colors) => self.colors.push(colors),
+                Base::Solid(_) | Base::Texture { .. } => {}
+            }
+            match surface.light {
+                SurfaceLight::PerPixel(light) => self.vectors.extend([light.positions, light.normals]),
+                SurfaceLight::InBase => {}
             }
             self.vectors.push(surface.positions);
             self.inverse_w.push(surface.inverse_w);

@@ -51,7 +51,7 @@ impl<'a> Recorder<'a> {
         self.meter.lap(Stage::CullFaces);
     }
 
-    /// `surface`: the place in the drawing of the first surface of this object.
+    /// `surface`: the place in the drawing of the surface of this object.
     pub(super) fn clipped(&mut self, pass: &ObjectPass, faces: &Faces, surface: usize) {
         let vertices = pass.vertices();
         if let Some(notes) = &mut self.notes {

@@ -1,14 +1,14 @@
 //! Attributes of the vertices that cutting makes: colours, normals, texture coordinates …
 //!
 //! Everything that has attributes by vertex or by face, and is made anew after a cut, comes through here. A new
-//! attribute of vertices is one more arm in [`object_paint`], [`paint_of`] or [`append`].
+//! attribute of vertices is one more arm in [`object_paint`], [`base_of`] or [`append`].
 
 use std::sync::Arc;
 
 use glam::DVec3;
 
 use crate::appearance::Rgba;
-use crate::drawing::{Paint, Phong};
+use crate::drawing::{Base, PixelLight, Surface, SurfaceLight};
 use crate::geometry::try_unit;
 use crate::scene::{Adjacency, Mesh, Object, ObjectPaint, SharedEdge};
 
@@ -131,12 +131,12 @@ pub(super) fn object_paint(
 }
 
 /// The colours of an object as they are, for the display list.
-pub(super) fn paint_of(paint: ObjectPaint) -> Paint {
+pub(super) fn base_of(paint: ObjectPaint) -> Base {
     match paint {
-        ObjectPaint::Solid(color) => Paint::Solid(color),
-        ObjectPaint::Faces(colors) => Paint::Faces(Arc::unwrap_or_clone(colors)),
-        ObjectPaint::Vertices(colors) => Paint::Vertices(Arc::unwrap_or_clone(colors)),
-        ObjectPaint::Texture { image, uv, opacity } => Paint::Texture { image, uv: Arc::unwrap_or_clone(uv), opacity },
+        ObjectPaint::Solid(color) => Base::Solid(color),
+        ObjectPaint::Faces(colors) => Base::Faces(Arc::unwrap_or_clone(colors)),
+        ObjectPaint::Vertices(colors) => Base::Vertices(Arc::unwrap_or_clone(colors)),
+        ObjectPaint::Texture { image, uv, opacity } => Base::Texture { image, uv: Arc::unwrap_or_clone(uv), opacity },
     }
 }
 
@@ -234,60 +234,59 @@ pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>, 
     Object { mesh: Arc::new(mesh), paint, ..object.clone() }
 }
 
-/// A paint for a surface that takes pieces of those painted with `old`; one colour becomes a colour for each face, so
-/// that surfaces of different objects can be one.
-pub(super) fn empty_like(old: &Paint) -> Paint {
-    match old {
-        Paint::Solid(_) | Paint::Faces(_) => Paint::Faces(Vec::new()),
-        Paint::Vertices(_) => Paint::Vertices(Vec::new()),
-        Paint::Phong(phong) => Paint::Phong(Phong {
+/// A surface without triangles that takes pieces of `old`; one colour becomes a colour for each face, so that surfaces
+/// of different objects can be one.
+pub(super) fn surface_like(old: &Surface) -> Surface {
+    let base = match &old.base {
+        Base::Solid(_) | Base::Faces(_) => Base::Faces(Vec::new()),
+        Base::Vertices(_) => Base::Vertices(Vec::new()),
+        Base::Texture { image, opacity, .. } => {
+            Base::Texture { image: image.clone(), uv: Vec::new(), opacity: *opacity }
+        }
+    };
+    let light = match &old.light {
+        SurfaceLight::InBase => SurfaceLight::InBase,
+        SurfaceLight::PerPixel(light) => SurfaceLight::PerPixel(PixelLight {
             normals: Vec::new(),
             positions: Vec::new(),
-            color: phong.color,
-            lighting: phong.lighting.clone(),
+            lighting: light.lighting.clone(),
         }),
-        Paint::Texture { image, opacity, .. } => {
-            Paint::Texture { image: image.clone(), uv: Vec::new(), opacity: *opacity }
-        }
-    }
+    };
+    let (positions, inverse_w, triangles) = (Vec::new(), Vec::new(), Vec::new());
+    Surface { positions, inverse_w, triangles, base, light, ..*old }
 }
 
-/// Adds to `paint` the attributes in `old` of vertices of these origins, and `faces` triangles that are parts of the
-/// old triangle `source`. Missing attributes are grey, or zero.
-pub(super) fn append(paint: &mut Paint, old: &Paint, origins: &[VertexOrigin], source: u32, faces: usize) {
+/// True where `last`, which was made by [`surface_like`] for another surface, can take pieces of `old` too.
+pub(super) fn takes(last: &Surface, old: &Surface) -> bool {
+    let alike = match (&last.base, &old.base) {
+        (Base::Faces(_), Base::Faces(_) | Base::Solid(_)) | (Base::Vertices(_), Base::Vertices(_)) => true,
+        (Base::Solid(_) | Base::Faces(_) | Base::Vertices(_) | Base::Texture { .. }, _) => false,
+    };
+    let lit_alike = matches!((&last.light, &old.light), (SurfaceLight::InBase, SurfaceLight::InBase));
+    let interpolated_alike = last.inverse_w.is_empty() == old.inverse_w.is_empty();
+    alike && lit_alike && interpolated_alike && last.translucent == old.translucent
+}
+
+/// Adds to `surface` the attributes in `old` of vertices of these origins, and the base colours of `faces` triangles
+/// that are parts of the old triangle `source`. Missing attributes are grey, or zero.
+pub(super) fn append(surface: &mut Surface, old: &Surface, origins: &[VertexOrigin], source: u32, faces: usize) {
     fn add<T: Attribute>(values: &mut Vec<T>, origins: &[VertexOrigin], at: impl Fn(u32) -> T) {
         values.extend(origins.iter().map(|origin| origin.of(&at)));
     }
     fn at<T: Copy + Default>(values: &[T], index: u32) -> T {
         values.get(index as usize).copied().unwrap_or_default()
     }
-    match paint {
-        // Made by `empty_like`, a paint is of the kind of the old one, and has no one colour.
-        Paint::Solid(_) => {}
-        Paint::Faces(colors) => {
-            let color = match old {
-                Paint::Solid(color) => *color,
-                Paint::Faces(old) => color_at(old, source),
-                Paint::Vertices(_) | Paint::Phong(_) | Paint::Texture { .. } => return,
-            };
-            colors.extend(std::iter::repeat_n(color, faces));
-        }
-        Paint::Vertices(colors) => {
-            if let Paint::Vertices(old) = old {
-                add(colors, origins, |i| color_at(old, i));
-            }
-        }
-        Paint::Phong(phong) => {
-            if let Paint::Phong(old) = old {
-                add(&mut phong.normals, origins, |i| at(&old.normals, i));
-                add(&mut phong.positions, origins, |i| at(&old.positions, i));
-            }
-        }
-        Paint::Texture { uv, .. } => {
-            if let Paint::Texture { uv: old, .. } = old {
-                add(uv, origins, |i| at(old, i));
-            }
-        }
+    match (&mut surface.base, &old.base) {
+        (Base::Faces(colors), Base::Solid(color)) => colors.extend(std::iter::repeat_n(*color, faces)),
+        (Base::Faces(colors), Base::Faces(old)) => colors.extend(std::iter::repeat_n(color_at(old, source), faces)),
+        (Base::Vertices(colors), Base::Vertices(old)) => add(colors, origins, |i| color_at(old, i)),
+        (Base::Texture { uv, .. }, Base::Texture { uv: old, .. }) => add(uv, origins, |i| at(old, i)),
+        // Made by `surface_like`, a base is of the kind of the old one, and has no one colour.
+        (Base::Solid(_) | Base::Faces(_) | Base::Vertices(_) | Base::Texture { .. }, _) => {}
+    }
+    if let (SurfaceLight::PerPixel(light), SurfaceLight::PerPixel(old)) = (&mut surface.light, &old.light) {
+        add(&mut light.normals, origins, |i| at(&old.normals, i));
+        add(&mut light.positions, origins, |i| at(&old.positions, i));
     }
 }
 
@@ -303,35 +302,59 @@ mod tests {
     /// Half way between the first two vertices.
     const MIDDLE: VertexOrigin = VertexOrigin::Between { of: [0, 1, 2], weights: [0.5, 0.5, 0.0] };
 
-    fn taken(old: &Paint, origins: &[VertexOrigin]) -> Paint {
-        let mut paint = empty_like(old);
-        append(&mut paint, old, origins, 1, 2);
-        paint
+    fn surface(base: Base, light: SurfaceLight) -> Surface {
+        Surface { base, light, ..Surface::solid(Vec::new(), Vec::new(), RED) }
+    }
+
+    fn taken(old: Base, origins: &[VertexOrigin]) -> Base {
+        let old = surface(old, SurfaceLight::InBase);
+        let mut new = surface_like(&old);
+        append(&mut new, &old, origins, 1, 2);
+        new.base
     }
 
     #[test]
-    fn what_a_piece_carries_is_what_its_face_carries_there() {
-        assert_eq!(taken(&Paint::Solid(RED), &[MIDDLE]), Paint::Faces(vec![RED; 2]));
-        assert_eq!(taken(&Paint::Faces(vec![RED, BLUE]), &[MIDDLE]), Paint::Faces(vec![BLUE; 2]));
-        let vertices = Paint::Vertices(vec![RED, BLUE, RED]);
+    fn a_piece_has_the_attributes_of_its_face() {
+        assert_eq!(taken(Base::Solid(RED), &[MIDDLE]), Base::Faces(vec![RED; 2]));
+        assert_eq!(taken(Base::Faces(vec![RED, BLUE]), &[MIDDLE]), Base::Faces(vec![BLUE; 2]));
+        let vertices = Base::Vertices(vec![RED, BLUE, RED]);
         assert_eq!(
-            taken(&vertices, &[MIDDLE, VertexOrigin::Vertex(1)]),
-            Paint::Vertices(vec![Rgba::rgb(128, 0, 128), BLUE])
+            taken(vertices, &[MIDDLE, VertexOrigin::Vertex(1)]),
+            Base::Vertices(vec![Rgba::rgb(128, 0, 128), BLUE])
         );
         let image = Arc::new(Texture { width: 1, height: 1, rgba: vec![0; 4] });
-        let texture = |uv| Paint::Texture { image: image.clone(), uv, opacity: 255 };
-        assert_eq!(taken(&texture(vec![[0.0, 0.0], [1.0, 0.5], [9.0, 9.0]]), &[MIDDLE]), texture(vec![[0.5, 0.25]]));
+        let texture = |uv| Base::Texture { image: image.clone(), uv, opacity: 255 };
+        assert_eq!(taken(texture(vec![[0.0, 0.0], [1.0, 0.5], [9.0, 9.0]]), &[MIDDLE]), texture(vec![[0.5, 0.25]]));
     }
 
     #[test]
-    fn a_paint_with_too_few_values_stops_nothing() {
+    fn missing_attributes_are_grey_or_zero() {
         let grey = Rgba::rgb(128, 128, 128);
         let vertex = [VertexOrigin::Vertex(7)];
-        assert_eq!(taken(&Paint::Faces(vec![RED]), &vertex), Paint::Faces(vec![grey; 2]));
-        assert_eq!(taken(&Paint::Vertices(vec![RED]), &vertex), Paint::Vertices(vec![grey]));
-        let phong =
-            |normals, positions| Paint::Phong(Phong { normals, positions, color: RED, lighting: Lighting::default() });
-        let zero = vec![[0.0; 3]];
-        assert_eq!(taken(&phong(Vec::new(), Vec::new()), &vertex), phong(zero.clone(), zero));
+        assert_eq!(taken(Base::Faces(vec![RED]), &vertex), Base::Faces(vec![grey; 2]));
+        assert_eq!(taken(Base::Vertices(vec![RED]), &vertex), Base::Vertices(vec![grey]));
+        let light = |normals, positions| {
+            SurfaceLight::PerPixel(PixelLight { normals, positions, lighting: Lighting::default() })
+        };
+        let old = surface(Base::Faces(vec![RED, BLUE]), light(Vec::new(), Vec::new()));
+        let mut new = surface_like(&old);
+        append(&mut new, &old, &vertex, 1, 1);
+        assert_eq!(new, surface(Base::Faces(vec![BLUE]), light(vec![[0.0; 3]], vec![[0.0; 3]])));
+    }
+
+    #[test]
+    fn faces_of_two_objects_are_one_surface_unless_pixels_are_lit() {
+        let lit = SurfaceLight::PerPixel(PixelLight {
+            normals: Vec::new(),
+            positions: Vec::new(),
+            lighting: Lighting::default(),
+        });
+        let [solid, vertices] = [Base::Solid(RED), Base::Vertices(Vec::new())];
+        let of = |base: &Base, light: &SurfaceLight| surface(base.clone(), light.clone());
+        let plain = of(&solid, &SurfaceLight::InBase);
+        assert!(takes(&surface_like(&plain), &plain));
+        assert!(!takes(&surface_like(&plain), &of(&vertices, &SurfaceLight::InBase)));
+        assert!(!takes(&surface_like(&plain), &of(&solid, &lit)));
+        assert!(!takes(&surface_like(&of(&solid, &lit)), &of(&solid, &lit)));
     }
 }

@@ -5,12 +5,12 @@ use glam::DVec3;
 use super::faces::Faces;
 use super::light::{Lights, ObjectLight};
 use super::pool::Pool;
-use super::resample::{VertexOrigin, color_at, mean_color, object_paint, paint_of};
+use super::resample::{VertexOrigin, base_of, color_at, face_color, object_paint};
 use super::stages::LitAt;
 use super::transform::{Vertices, each_chunk};
 use super::visibility::Layer;
 use crate::appearance::Rgba;
-use crate::drawing::{Paint, Phong, Surface};
+use crate::drawing::{Base, PixelLight, Surface, SurfaceLight};
 use crate::scene::{Object, ObjectPaint};
 
 /// One object's faces as its surfaces in the picture need them.
@@ -42,55 +42,36 @@ impl Shaded<'_> {
         lit == LitAt::Faces || matches!(object.paint, ObjectPaint::Faces(_))
     }
 
-    /// The surfaces of the object: one, or with Phong shading one for each colour of its faces. Takes the faces'
-    /// arrays.
-    pub(super) fn surfaces(&self, faces: &mut Faces, pool: &mut Pool) -> Vec<Surface> {
+    /// The surface of the object; takes the faces' arrays. `None` where it has no faces left.
+    pub(super) fn surface(&self, faces: &mut Faces, pool: &mut Pool) -> Option<Surface> {
         if faces.triangles.is_empty() {
-            return Vec::new();
+            return None;
         }
         let light = ObjectLight::new(self.lights, &self.object.mesh, self.vertices, self.both_sides);
-        let triangles = &self.object.mesh.triangles;
-        let on_faces = |pool: &mut Pool, color: &(dyn Fn(u32) -> Rgba + Sync)| {
-            Paint::Faces(light.faces(pool.colors(), faces.source.len(), |k| {
-                let face = faces.source[k];
-                (triangles[face as usize], color(face))
-            }))
+        let (base, light) = match (self.lit, &self.object.paint) {
+            (LitAt::Nowhere, _) => (self.own_base(faces), SurfaceLight::InBase),
+            (LitAt::Faces, _) => (self.lit_faces(faces, &light, pool.colors()), SurfaceLight::InBase),
+            (LitAt::Vertices, ObjectPaint::Faces(colors)) => return Some(self.unshared(faces, &light, colors)),
+            (LitAt::Vertices, _) => (self.lit_vertices(faces, &light, pool.colors()), SurfaceLight::InBase),
+            (LitAt::Pixels, _) => (self.own_base(faces), self.per_pixel(faces, &light, pool)),
         };
-        let paint = match (self.lit, &self.object.paint) {
-            (LitAt::Nowhere, _) | (_, ObjectPaint::Texture { .. }) => self.own_paint(faces),
-            (LitAt::Faces, ObjectPaint::Solid(color)) => on_faces(pool, &|_| *color),
-            (LitAt::Faces, ObjectPaint::Faces(colors)) => on_faces(pool, &|face| color_at(colors, face)),
-            (LitAt::Faces, ObjectPaint::Vertices(colors)) => {
-                on_faces(pool, &|face| mean_color(colors, triangles[face as usize]))
-            }
-            (LitAt::Vertices, ObjectPaint::Solid(color)) => {
-                self.lit_vertices(faces, &light, pool.colors(), &|_| *color)
-            }
-            (LitAt::Vertices | LitAt::Pixels, ObjectPaint::Vertices(colors)) => {
-                self.lit_vertices(faces, &light, pool.colors(), &|i| color_at(colors, i))
-            }
-            (LitAt::Pixels, ObjectPaint::Solid(color)) => self.phong(faces, &light, pool, *color),
-            (LitAt::Vertices, ObjectPaint::Faces(colors)) => return vec![self.unshared(faces, &light, colors)],
-            (LitAt::Pixels, ObjectPaint::Faces(colors)) => return self.surfaces_by_color(faces, &light, pool, colors),
-        };
-        vec![Surface {
+        Some(Surface {
             positions: std::mem::take(&mut faces.image.positions),
             inverse_w: std::mem::take(&mut faces.image.inverse_w),
             triangles: std::mem::take(&mut faces.triangles),
-            ..self.bare(paint)
-        }]
+            ..self.bare(base, light)
+        })
     }
 
-    /// The surfaces, with the data for sorting them.
-    pub(super) fn layers(&self, faces: &mut Faces, pool: &mut Pool, never_hides_itself: bool) -> Vec<Layer> {
+    /// The surface, with the data for sorting its faces.
+    pub(super) fn layer(&self, faces: &mut Faces, pool: &mut Pool, never_hides_itself: bool) -> Option<Layer> {
         let own = (0..self.vertex_count()).map(|i| self.vertices.view(i));
         let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view(i)));
         let mut view: Vec<DVec3> = own.chain(cuts).collect();
         if self.shares_no_vertex() {
             view = faces.triangles.iter().flatten().map(|&i| view[i as usize]).collect();
         }
-        let layer = |surface| Layer { surface, view: view.clone(), never_hides_itself };
-        self.surfaces(faces, pool).into_iter().map(layer).collect()
+        Some(Layer { surface: self.surface(faces, pool)?, view, never_hides_itself })
     }
 
     /// True where [`unshared`](Self::unshared) makes the surface.
@@ -99,39 +80,49 @@ impl Shaded<'_> {
     }
 
     /// A surface without faces.
-    fn bare(&self, paint: Paint) -> Surface {
+    fn bare(&self, base: Base, light: SurfaceLight) -> Surface {
         Surface {
             positions: Vec::new(),
             inverse_w: Vec::new(),
             triangles: Vec::new(),
-            paint,
+            base,
+            light,
             translucent: self.object.paint.is_translucent(),
             depth_test: self.depth_test,
         }
     }
 
     /// The object's colours as they are.
-    fn own_paint(&self, faces: &Faces) -> Paint {
+    fn own_base(&self, faces: &Faces) -> Base {
         let own = (0..self.vertex_count()).map(VertexOrigin::Vertex);
-        paint_of(object_paint(&self.object.paint, own.chain(faces.cuts.iter().copied()), &faces.source))
+        base_of(object_paint(&self.object.paint, own.chain(faces.cuts.iter().copied()), &faces.source))
+    }
+
+    /// Light at each face.
+    fn lit_faces(&self, faces: &Faces, light: &ObjectLight, colors: Vec<Rgba>) -> Base {
+        let (triangles, paint) = (&self.object.mesh.triangles, &self.object.paint);
+        Base::Faces(light.faces(colors, faces.source.len(), |k| {
+            let (face, triangle) = (faces.source[k], triangles[faces.source[k] as usize]);
+            (triangle, face_color(paint, face, triangle))
+        }))
     }
 
     /// Light at each vertex; cuts interpolate between their neighbours.
-    fn lit_vertices(
-        &self,
-        faces: &Faces,
-        light: &ObjectLight,
-        colors: Vec<Rgba>,
-        color: &(dyn Fn(u32) -> Rgba + Sync),
-    ) -> Paint {
-        let mut colors = light.vertices(colors, &faces.used, color);
+    fn lit_vertices(&self, faces: &Faces, light: &ObjectLight, colors: Vec<Rgba>) -> Base {
+        let mut colors = match &self.object.paint {
+            ObjectPaint::Solid(color) => light.vertices(colors, &faces.used, |_| *color),
+            ObjectPaint::Vertices(own) => light.vertices(colors, &faces.used, |i| color_at(own, i)),
+            // Faces go through `unshared`, and a picture has no colour at a vertex.
+            ObjectPaint::Faces(_) | ObjectPaint::Texture { .. } => return self.own_base(faces),
+        };
         for cut in &faces.cuts {
             colors.push(cut.of(|i| colors[i as usize]));
         }
-        Paint::Vertices(colors)
+        Base::Vertices(colors)
     }
 
-    fn phong(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool, color: Rgba) -> Paint {
+    /// Light at each pixel, from what is interpolated between the vertices.
+    fn per_pixel(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool) -> SurfaceLight {
         let (normal, view) = (|i| light.unit_normal(i), |i| self.vertices.view(i));
         let mut normals = pool.vectors.pop().unwrap_or_default();
         let mut positions = pool.vectors.pop().unwrap_or_default();
@@ -141,7 +132,7 @@ impl Shaded<'_> {
             normals.push(cut.of(normal).as_vec3().to_array());
             positions.push(self.lights.position(cut.of(view)));
         }
-        Paint::Phong(Phong { normals, positions, color, lighting: light.lighting.clone() })
+        SurfaceLight::PerPixel(PixelLight { normals, positions, lighting: light.lighting.clone() })
     }
 
     /// Fills an array, whatever was in it, with an attribute of every vertex of the mesh.
@@ -172,28 +163,8 @@ impl Shaded<'_> {
             positions: corners().map(|i| faces.image.positions[i]).collect(),
             inverse_w: corners().filter_map(|i| faces.image.inverse_w.get(i).copied()).collect(),
             triangles: (0..count).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect(),
-            ..self.bare(Paint::Vertices(paint))
+            ..self.bare(Base::Vertices(paint), SurfaceLight::InBase)
         }
-    }
-
-    /// Phong shading of faces that have colours of their own: one surface for each colour, in the order in which they
-    /// occur.
-    fn surfaces_by_color(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool, colors: &[Rgba]) -> Vec<Surface> {
-        let mut surfaces: Vec<(Rgba, Surface)> = Vec::new();
-        for (triangle, &face) in faces.triangles.iter().zip(&faces.source) {
-            let color = color_at(colors, face);
-            let at = surfaces.iter().position(|(c, _)| *c == color).unwrap_or_else(|| {
-                let surface = Surface {
-                    positions: faces.image.positions.clone(),
-                    inverse_w: faces.image.inverse_w.clone(),
-                    ..self.bare(self.phong(faces, light, pool, color))
-                };
-                surfaces.push((color, surface));
-                surfaces.len() - 1
-            });
-            surfaces[at].1.triangles.push(*triangle);
-        }
-        surfaces.into_iter().map(|(_, surface)| surface).collect()
     }
 
     fn vertex_count(&self) -> u32 {

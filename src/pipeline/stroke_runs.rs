@@ -373,7 +373,7 @@ mod tests {
 
     use super::*;
     use crate::appearance::{Dash, Rgba};
-    use crate::drawing::{Paint, Surface};
+    use crate::drawing::Surface;
 
     const WALL: [[f32; 3]; 4] = [[20.0, 10.0, 0.5], [60.0, 10.0, 0.5], [60.0, 50.0, 0.5], [20.0, 50.0, 0.5]];
 
@@ -386,14 +386,7 @@ mod tests {
             background: Rgba::rgb(255, 255, 255),
             antialias: 1,
             painted_in_order: false,
-            surfaces: vec![Surface {
-                positions: WALL.to_vec(),
-                inverse_w: Vec::new(),
-                triangles: vec![[0, 1, 2], [0, 2, 3]],
-                paint: Paint::Solid(Rgba::rgb(200, 200, 200)),
-                translucent: false,
-                depth_test: true,
-            }],
+            surfaces: vec![Surface::solid(WALL.to_vec(), vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(200, 200, 200))],
             strokes: vec![StrokeSet { points: points.to_vec(), polylines: std::iter::once(0..end).collect(), style }],
             areas: Vec::new(),
             marks: Vec::new(),

@@ -9,9 +9,9 @@ use glam::DVec3;
 
 use super::cut::{Origin, cut};
 use super::projector::Projector;
-use super::resample::{VertexOrigin, append, empty_like};
+use super::resample::{VertexOrigin, append, surface_like, takes};
 use super::transform::{Screen, on_grid};
-use crate::drawing::{Paint, Surface};
+use crate::drawing::Surface;
 use crate::limits::MAX_PIECE_BYTES;
 use crate::progress::{Activity, Progress};
 
@@ -405,7 +405,7 @@ impl Painter<'_> {
         let of = old.triangles[piece.triangle as usize];
         let same_layer = self.last_layer == piece.layer;
         self.last_layer = piece.layer;
-        if !self.surfaces.last().is_some_and(|last| takes(last, old, same_layer)) {
+        if !self.surfaces.last().is_some_and(|last| same_layer || takes(last, old)) {
             self.surfaces.push(surface_like(old));
         }
         let Some(surface) = self.surfaces.last_mut() else { return };
@@ -430,30 +430,7 @@ impl Painter<'_> {
         let last = first + u32::try_from(corners.len()).unwrap_or(0);
         let before = surface.triangles.len();
         surface.triangles.extend((first + 1..last.saturating_sub(1)).map(|k| [first, k, k + 1]));
-        append(&mut surface.paint, &old.paint, &origins, piece.triangle, surface.triangles.len() - before);
+        let pieces = surface.triangles.len() - before;
+        append(surface, old, &origins, piece.triangle, pieces);
     }
-}
-
-/// A surface without triangles that takes the pieces of `old`.
-fn surface_like(old: &Surface) -> Surface {
-    Surface {
-        positions: Vec::new(),
-        inverse_w: Vec::new(),
-        triangles: Vec::new(),
-        paint: empty_like(&old.paint),
-        translucent: old.translucent,
-        depth_test: old.depth_test,
-    }
-}
-
-/// True where `last` can take pieces of `old`.
-fn takes(last: &Surface, old: &Surface, same_layer: bool) -> bool {
-    let alike = match (&last.paint, &old.paint) {
-        (Paint::Faces(_), Paint::Faces(_) | Paint::Solid(_)) => true,
-        (Paint::Vertices(_), Paint::Vertices(_)) => true,
-        (Paint::Solid(_) | Paint::Faces(_) | Paint::Vertices(_) | Paint::Phong(_) | Paint::Texture { .. }, _) => {
-            same_layer
-        }
-    };
-    alike && last.translucent == old.translucent && last.inverse_w.is_empty() == old.inverse_w.is_empty()
 }

@@ -9,7 +9,7 @@
 
 use std::ops::Range;
 
-use crate::drawing::{Paint, Surface};
+use crate::drawing::{Base, Surface, SurfaceLight};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x4, f32x8, f64x4, i32x8, mask32x8, u32x4, u32x8};
 
@@ -75,18 +75,18 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
         let corners = corners(surface, triangles);
         let [x, y, z] = gather_points(simd, &surface.positions, &corners);
         let batch = Batch::new(simd, &x, &y, S > 1, band.size);
-        match &surface.paint {
-            Paint::Solid(_) | Paint::Faces(_) => {
+        match (&surface.base, &surface.light) {
+            (Base::Solid(_) | Base::Faces(_), SurfaceLight::InBase) => {
                 eight::<K, S, FlatColors<K>>(simd, band, surface, triangles, &corners, &batch, &z);
             }
-            Paint::Vertices(_) if !surface.translucent => {
+            (Base::Vertices(_), SurfaceLight::InBase) if !surface.translucent => {
                 eight::<K, S, GouraudColors<K>>(simd, band, surface, triangles, &corners, &batch, &z);
             }
-            Paint::Vertices(_) | Paint::Phong(_) | Paint::Texture { .. } => {
-                for l in 0..triangles.len() {
+            (Base::Vertices(_) | Base::Texture { .. }, SurfaceLight::InBase) | (_, SurfaceLight::PerPixel(_)) => {
+                for (l, &index) in triangles.iter().enumerate() {
                     let corners = corners_at(&corners, l);
                     if let Some(triangle) = batch.alone(l, &surface.positions, corners)
-                        && let Some(shader) = PerPixel::new(simd, surface, &triangle, corners)
+                        && let Some(shader) = PerPixel::new(simd, surface, &triangle, index, corners)
                     {
                         let z = triangle.plane([z[0][l], z[1][l], z[2][l]]);
                         let painter = Painter::<K, S, _>::new(simd, triangle.origin, z, band, surface, shader);

@@ -3,8 +3,8 @@
 //! Attributes are interpolated with regard to perspective: a / w and 1 / w are affine on the picture, so the share of
 //! each vertex in a pixel is found first, and every attribute is the sum of the three values with these shares.
 
-use crate::appearance::Texture;
-use crate::drawing::{Paint, Phong, Surface};
+use crate::appearance::{Rgba, Texture};
+use crate::drawing::{Base, Lighting, Surface, SurfaceLight};
 use crate::lighting::{packed, shade_eight};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, mask32x8, u32x8};
@@ -21,19 +21,17 @@ pub(super) struct PerPixel<'a, K: Simd> {
     weights: Weights,
     x: f32x8<K>,
     y: f32x8<K>,
-    attributes: Attributes<'a>,
+    base: TriangleBase<'a>,
+    light: Option<TriangleLight<'a>>,
     translucent: bool,
 }
 
-/// The attributes interpolated between the vertices, in the order of the corners.
-enum Attributes<'a> {
-    /// Premultiplied colours.
-    Colors([Channels; 3]),
-    Phong {
-        normals: [[f32; 3]; 3],
-        positions: [[f32; 3]; 3],
-        phong: &'a Phong,
-    },
+/// The base colours of a triangle; attributes of its vertices are in the order of the corners.
+enum TriangleBase<'a> {
+    /// Not premultiplied.
+    One(Rgba),
+    /// Premultiplied.
+    Vertices([Channels; 3]),
     Texture {
         uv: [[f32; 2]; 3],
         image: &'a Texture,
@@ -41,12 +39,34 @@ enum Attributes<'a> {
     },
 }
 
+/// The inputs for the light at the pixels of a triangle.
+struct TriangleLight<'a> {
+    normals: [[f32; 3]; 3],
+    positions: [[f32; 3]; 3],
+    lighting: &'a Lighting,
+}
+
 impl<'a, K: Simd> PerPixel<'a, K> {
     /// `None` where the surface's arrays have nothing for this triangle.
-    pub(super) fn new(simd: K, surface: &'a Surface, triangle: &Triangle, corners: [usize; 3]) -> Option<Self> {
-        let (weights, attributes) = weights_and_attributes(surface, triangle, corners)?;
+    pub(super) fn new(
+        simd: K,
+        surface: &'a Surface,
+        triangle: &Triangle,
+        index: u32,
+        corners: [usize; 3],
+    ) -> Option<Self> {
+        let base = TriangleBase::new(surface, index, corners)?;
+        let light = match &surface.light {
+            SurfaceLight::InBase => None,
+            SurfaceLight::PerPixel(light) => Some(TriangleLight {
+                normals: pick(&light.normals, corners)?,
+                positions: pick(&light.positions, corners)?,
+                lighting: &light.lighting,
+            }),
+        };
+        let weights = Weights::new(triangle, inverse_w(surface, corners)?);
         let zero = f32x8::splat(simd, 0.0);
-        Some(Self { weights, x: zero, y: zero, attributes, translucent: surface.translucent })
+        Some(Self { weights, x: zero, y: zero, base, light, translucent: surface.translucent })
     }
 }
 
@@ -65,14 +85,10 @@ impl<K: Simd> Shader<K> for PerPixel<'_, K> {
     fn colors(&self, wanted: mask32x8<K>) -> u32x8<K> {
         let simd = wanted.witness();
         let w = self.weights.at(self.x, self.y);
-        let colors = match &self.attributes {
-            Attributes::Colors(colors) => bytes(mix(w, colors)),
-            Attributes::Phong { normals, positions, phong } => {
-                let color = u32x8::splat(simd, packed(phong.color));
-                let lit = shade_eight(simd, &phong.lighting, mix(w, normals), mix(w, positions), color);
-                if self.translucent { premultiply_eight(lit, phong.color.a) } else { lit }
-            }
-            Attributes::Texture { uv, image, opacity } => {
+        let own = match &self.base {
+            TriangleBase::One(color) => u32x8::splat(simd, packed(*color)),
+            TriangleBase::Vertices(colors) => bytes(mix(w, colors)),
+            TriangleBase::Texture { uv, image, opacity } => {
                 // Texels lie anywhere in memory: each pixel asks for its own.
                 let [s, t] = mix(w, uv);
                 let mut colors = u32x8::splat(simd, 0);
@@ -82,29 +98,32 @@ impl<K: Simd> Shader<K> for PerPixel<'_, K> {
                 colors
             }
         };
-        // The alpha of opaque surfaces does not count.
-        if self.translucent { colors } else { colors | 0xff00_0000 }
+        let lit = self.light.as_ref().map_or(own, |light| {
+            let most = match &self.base {
+                TriangleBase::One(_) => f32x8::splat(simd, 255.0),
+                TriangleBase::Vertices(_) | TriangleBase::Texture { .. } => (own >> 24).to_float(),
+            };
+            shade_eight(simd, light.lighting, mix(w, &light.normals), mix(w, &light.positions), own, most)
+        });
+        match &self.base {
+            // The alpha of opaque surfaces does not count.
+            _ if !self.translucent => lit | 0xff00_0000,
+            TriangleBase::One(color) => premultiply_eight(lit, color.a),
+            TriangleBase::Vertices(_) | TriangleBase::Texture { .. } => lit,
+        }
     }
 }
 
-fn weights_and_attributes<'a>(
-    surface: &'a Surface,
-    triangle: &Triangle,
-    corners: [usize; 3],
-) -> Option<(Weights, Attributes<'a>)> {
-    let attributes = match &surface.paint {
-        Paint::Solid(_) | Paint::Faces(_) => return None,
-        Paint::Vertices(colors) => Attributes::Colors(pick(colors, corners)?.map(|c| channels(premultiply(c)))),
-        Paint::Phong(phong) => Attributes::Phong {
-            normals: pick(&phong.normals, corners)?,
-            positions: pick(&phong.positions, corners)?,
-            phong,
-        },
-        Paint::Texture { image, uv, opacity } => {
-            Attributes::Texture { uv: pick(uv, corners)?, image, opacity: f32::from(*opacity) / 255.0 }
-        }
-    };
-    Some((Weights::new(triangle, inverse_w(surface, corners)?), attributes))
+impl<'a> TriangleBase<'a> {
+    fn new(surface: &'a Surface, index: u32, corners: [usize; 3]) -> Option<Self> {
+        Some(match &surface.base {
+            Base::Solid(_) | Base::Faces(_) => Self::One(surface.face_color(index as usize)?),
+            Base::Vertices(colors) => Self::Vertices(pick(colors, corners)?.map(|c| channels(premultiply(c)))),
+            Base::Texture { image, uv, opacity } => {
+                Self::Texture { uv: pick(uv, corners)?, image, opacity: f32::from(*opacity) / 255.0 }
+            }
+        })
+    }
 }
 
 /// The share of each vertex in the points of a triangle, perspective-correct.

@@ -1,7 +1,7 @@
 //! The colours of triangles' pixels, eight at a time.
 
 use crate::appearance::Rgba;
-use crate::drawing::{Paint, Surface};
+use crate::drawing::{Base, Surface};
 use crate::simd::prelude::*;
 use crate::simd::{ROUND_F32, Simd, f32x8, mask32x8, round_bits, u32x8};
 
@@ -78,11 +78,7 @@ pub(super) struct FlatColors<K: Simd> {
 /// The colour of a face; the alpha of opaque surfaces does not count.
 #[inline(always)]
 fn face_color(surface: &Surface, triangle: u32) -> Option<Pixel> {
-    let color = match &surface.paint {
-        Paint::Solid(color) => *color,
-        Paint::Faces(colors) => *colors.get(triangle as usize)?,
-        Paint::Vertices(_) | Paint::Phong(_) | Paint::Texture { .. } => return None,
-    };
+    let color = surface.face_color(triangle as usize)?;
     Some(if surface.translucent { premultiply(color) } else { u32::from_le_bytes([color.r, color.g, color.b, 255]) })
 }
 
@@ -344,9 +340,9 @@ fn gouraud_alone(
 }
 
 fn vertex_colors(surface: &Surface) -> &[Rgba] {
-    match &surface.paint {
-        Paint::Vertices(colors) => colors,
-        Paint::Solid(_) | Paint::Faces(_) | Paint::Phong(_) | Paint::Texture { .. } => &[],
+    match &surface.base {
+        Base::Vertices(colors) => colors,
+        Base::Solid(_) | Base::Faces(_) | Base::Texture { .. } => &[],
     }
 }
 

@@ -62,7 +62,7 @@ pub use mesh_error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjF
 pub use presets::{Beyond, objects as preset_objects};
 pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, is_loop, no_files, system_kind, system_words};
 pub use resolve::{DEFAULT_LIGHT, check};
-pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape, ShapeData};
+pub use spec::{Light, LightKind, ObjectSpec, Preset, SceneSpec, Shape, ShapeData};
 
 /// A scene, flat: every transform has been multiplied out.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -200,21 +200,6 @@ impl ObjectPaint {
             Self::Texture { opacity, .. } => *opacity < 255,
         }
     }
-}
-
-/// A source of light.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Light {
-    /// Parallel light that travels along `direction` (world, any length but 0).
-    Directional {
-        /// The direction in which light travels.
-        direction: DVec3,
-    },
-    /// Light from a point (world).
-    Point {
-        /// The position of the lamp.
-        position: DVec3,
-    },
 }
 
 /// A polyline in the world.

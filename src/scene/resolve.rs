@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::{DMat3, DMat4, DVec3};
 
 use super::palette::SceneColors;
-use super::{Light, LightSpec, ObjectSpec, SceneError, SceneSpec, Shape, presets};
+use super::{Light, LightKind, ObjectSpec, SceneError, SceneSpec, Shape, presets};
 use crate::appearance::{Rgba, Theme};
 use crate::geometry::{Angle, try_unit};
 use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MIN_SEGMENTS};
@@ -138,23 +138,21 @@ pub(super) fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Resul
 }
 
 /// The lights of a scene; the default one where there is none.
-pub(super) fn lights(specs: &[LightSpec]) -> Result<Vec<Light>, SceneError> {
+pub(super) fn lights(specs: &[Light]) -> Result<Vec<Light>, SceneError> {
     if specs.is_empty() {
-        return Ok(vec![Light::Directional { direction: DEFAULT_LIGHT }]);
+        return Ok(vec![Light::directional(DEFAULT_LIGHT)]);
     }
     if specs.len() > MAX_LIGHTS {
         return Err(SceneError::TooManyLights { found: specs.len() });
     }
-    specs
-        .iter()
-        .enumerate()
-        .map(|(index, spec)| match *spec {
-            LightSpec::Directional(direction) if try_unit(direction).is_some() => Ok(Light::Directional { direction }),
-            LightSpec::Directional(_) => Err(SceneError::Light { index, key: "direction" }),
-            LightSpec::Point(position) if position.is_finite() => Ok(Light::Point { position }),
-            LightSpec::Point(_) => Err(SceneError::Light { index, key: "position" }),
-        })
-        .collect()
+    let is_right = |light: &Light| match light.kind {
+        LightKind::Directional => try_unit(light.vector).is_some(),
+        LightKind::Point => light.vector.is_finite(),
+    };
+    match specs.iter().enumerate().find(|(_, light)| !is_right(light)) {
+        Some((index, light)) => Err(SceneError::Light { index, key: light.kind.vector().0 }),
+        None => Ok(specs.to_vec()),
+    }
 }
 
 #[cfg(test)]

@@ -294,19 +294,53 @@ impl ObjectSpec {
     }
 }
 
-/// One entry of `[[scene.lights]]`.
+/// A source of light, one entry of `[[scene.lights]]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum LightSpec {
-    /// Parallel light that travels along this vector.
-    Directional(DVec3),
-    /// A lamp at this point.
-    Point(DVec3),
+pub struct Light {
+    /// Its kind.
+    pub kind: LightKind,
+    /// The direction in which parallel light travels, of any length but 0, or the position of a lamp; in the world.
+    pub vector: DVec3,
 }
 
-named! { LightSpec {
-    "directional": Self::Directional(_), Self::Directional(DVec3::new(-1.0, -2.0, -1.0));
-    "point": Self::Point(_), Self::Point(DVec3::new(0.0, 5.0, 0.0));
+/// The kind of a light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LightKind {
+    /// Parallel light.
+    Directional,
+    /// Light from a point.
+    Point,
+}
+
+named! { LightKind {
+    "directional": Self::Directional, Self::Directional;
+    "point": Self::Point, Self::Point;
 } }
+
+impl LightKind {
+    /// The key of a light's vector in a figure file, and the vector of one without.
+    #[must_use]
+    pub const fn vector(self) -> (&'static str, DVec3) {
+        match self {
+            Self::Directional => ("direction", DVec3::new(-1.0, -2.0, -1.0)),
+            Self::Point => ("position", DVec3::new(0.0, 5.0, 0.0)),
+        }
+    }
+}
+
+impl Light {
+    /// Parallel light that travels along this vector.
+    #[must_use]
+    pub const fn directional(direction: DVec3) -> Self {
+        Self { kind: LightKind::Directional, vector: direction }
+    }
+
+    /// A lamp at this point.
+    #[must_use]
+    pub const fn point(position: DVec3) -> Self {
+        Self { kind: LightKind::Point, vector: position }
+    }
+}
 
 /// The `[scene]` section.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -316,5 +350,5 @@ pub struct SceneSpec {
     /// The tree, parents by name.
     pub objects: Vec<ObjectSpec>,
     /// Lights; empty: the default light.
-    pub lights: Vec<LightSpec>,
+    pub lights: Vec<Light>,
 }

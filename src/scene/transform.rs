@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use glam::{DMat4, DQuat, DVec3};
 
 use super::edit::{descendants, free_name, placements, put, tidy};
-use super::{LightSpec, ObjectSpec, SceneError, SceneSpec};
+use super::{ObjectSpec, SceneError, SceneSpec};
 use crate::geometry::{Angle, try_unit};
 
 /// Number of descendants of these objects that are not among them.
@@ -126,8 +126,8 @@ pub fn transform(spec: &mut SceneSpec, names: &BTreeSet<String>, transform: Tran
 
 /// The direction of parallel light after a turn.
 #[must_use]
-pub fn turned(direction: DVec3, axis: DVec3, angle: Angle) -> LightSpec {
-    LightSpec::Directional(tidy(DQuat::from_axis_angle(axis, angle.radians()) * direction))
+pub fn turned(direction: DVec3, axis: DVec3, angle: Angle) -> DVec3 {
+    tidy(DQuat::from_axis_angle(axis, angle.radians()) * direction)
 }
 
 /// Copies a figure's objects with all their descendants, each group after its original; children of a copied object

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::drawing::{Drawing, Paint};
+use crate::drawing::Drawing;
 
 /// Number of cells along the shorter side of a picture.
 const CELLS: u32 = 90;
@@ -33,8 +33,8 @@ impl Solids {
         for surface in surfaces {
             let positions: Vec<DVec2> =
                 surface.positions.iter().map(|p| DVec2::new(f64::from(p[0]), f64::from(p[1])) / cell).collect();
-            let opaque = surface.triangles.iter().enumerate().filter(|(i, t)| is_opaque(&surface.paint, *i, t[0]));
-            for (_, triangle) in opaque {
+            let is_opaque = |i: usize| surface.alpha_of(i).is_some_and(|alpha| alpha >= OPAQUE);
+            for (_, triangle) in surface.triangles.iter().enumerate().filter(|(i, _)| is_opaque(*i)) {
                 let corners = triangle.map(|i| positions.get(i as usize).copied().unwrap_or(DVec2::NAN));
                 cover(&mut covered, columns, rows, corners);
             }
@@ -56,18 +56,6 @@ impl Solids {
     fn extent(&self) -> DVec2 {
         DVec2::new(self.columns as f64, self.rows as f64)
     }
-}
-
-/// Whether a triangle hides anything behind it; `first`: the first of its vertices.
-fn is_opaque(paint: &Paint, triangle: usize, first: u32) -> bool {
-    let alpha = match paint {
-        Paint::Solid(color) => Some(color.a),
-        Paint::Faces(colors) => colors.get(triangle).map(|color| color.a),
-        Paint::Vertices(colors) => colors.get(first as usize).map(|color| color.a),
-        Paint::Phong(phong) => Some(phong.color.a),
-        Paint::Texture { opacity, .. } => Some(*opacity),
-    };
-    alpha.is_some_and(|alpha| alpha >= OPAQUE)
 }
 
 /// Marks the cells whose middle is in a triangle (in cells), and those of its corners.
@@ -122,14 +110,11 @@ mod tests {
             background: Rgba::rgb(255, 255, 255),
             antialias: 1,
             painted_in_order: false,
-            surfaces: vec![Surface {
-                positions: vec![[0.0, 0.0, 0.5], [0.0, 100.0, 0.5], [100.0, 100.0, 0.5]],
-                inverse_w: Vec::new(),
-                triangles: vec![[0, 1, 2]],
-                paint: Paint::Solid(Rgba::rgb(1, 2, 3).with_alpha(alpha)),
-                translucent: alpha < 255,
-                depth_test: true,
-            }],
+            surfaces: vec![Surface::solid(
+                vec![[0.0, 0.0, 0.5], [0.0, 100.0, 0.5], [100.0, 100.0, 0.5]],
+                vec![[0, 1, 2]],
+                Rgba::rgb(1, 2, 3).with_alpha(alpha),
+            )],
             strokes: Vec::new(),
             areas: Vec::new(),
             marks: Vec::new(),

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::{Camera, Projected, Projection};
-use crate::drawing::{Drawing, Paint, Surface};
+use crate::drawing::{Base, Drawing, Surface};
 use crate::figure::Depth;
 use crate::pipeline::depths::DepthScale;
 use crate::pipeline::divide_before_clip::divided_first;
@@ -71,7 +71,7 @@ impl DepthTest {
         drawing.surfaces.iter_mut().for_each(|surface| {
             surface.depth_test = true;
             // Only their depths matter.
-            surface.paint = Paint::Solid(Rgba::rgb(0, 0, 0));
+            surface.repaint(Base::Solid(Rgba::rgb(0, 0, 0)));
         });
         let own = drawing.surfaces.get(followed.surface)?;
         let is_translucent = own.translucent;
@@ -162,7 +162,8 @@ impl Greys {
                 Some(_) => Vec::new(),
                 None => depths().map(|depth| self.inverse_w(depth)).collect(),
             };
-            surface.paint = Paint::Vertices(depths().map(|depth| grey(self.level(depth))).collect());
+            let greys = depths().map(|depth| grey(self.level(depth))).collect();
+            surface.repaint(Base::Vertices(greys));
         }
         drawing.strokes.clear();
         drawing.labels.clear();

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use glam::DVec2;
 
 use crate::appearance::{Dash, HiddenLines, Rgba, Style, Visibility};
-use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
+use crate::drawing::{Drawing, StrokeSet, Surface};
 use crate::pipeline::depths::DepthScale;
 use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
 use crate::scene::Scene;
@@ -155,12 +155,7 @@ fn shifted([x, y, z]: [f32; 3], rect: PixelRect) -> [f32; 3] {
 
 /// A rectangle behind everything.
 fn sheet_of_paper([x, y, w, h]: [f32; 4], color: Rgba) -> Surface {
-    Surface {
-        positions: vec![[x, y, 0.0], [x + w, y, 0.0], [x + w, y + h, 0.0], [x, y + h, 0.0]],
-        inverse_w: Vec::new(),
-        triangles: vec![[0, 1, 2], [0, 2, 3]],
-        paint: Paint::Solid(color),
-        translucent: false,
-        depth_test: false,
-    }
+    let corners = vec![[x, y, 0.0], [x + w, y, 0.0], [x + w, y + h, 0.0], [x, y + h, 0.0]];
+    let plain = Surface::solid(corners, vec![[0, 1, 2], [0, 2, 3]], color);
+    Surface { translucent: false, depth_test: false, ..plain }
 }

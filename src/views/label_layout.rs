@@ -303,7 +303,7 @@ pub(super) fn half_size(text: &str, size: f32) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Paint, Surface};
+    use crate::drawing::Surface;
 
     const RULES: Rules<'_> = Rules { background: &[], reserved: None, first: &[], dispensable: None, leader: None };
 
@@ -434,14 +434,8 @@ mod tests {
 
     /// A body that fills all but the right 60 px.
     fn body() -> Surface {
-        Surface {
-            positions: vec![[0.0, 0.0, 0.5], [140.0, 0.0, 0.5], [140.0, 100.0, 0.5], [0.0, 100.0, 0.5]],
-            inverse_w: Vec::new(),
-            triangles: vec![[0, 1, 2], [0, 2, 3]],
-            paint: Paint::Solid(Rgba::rgb(90, 90, 90)),
-            translucent: false,
-            depth_test: true,
-        }
+        let corners = vec![[0.0, 0.0, 0.5], [140.0, 0.0, 0.5], [140.0, 100.0, 0.5], [0.0, 100.0, 0.5]];
+        Surface::solid(corners, vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(90, 90, 90))
     }
 
     #[test]

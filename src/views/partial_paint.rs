@@ -1,6 +1,6 @@
 //! A picture that is begun: only the first of its triangles are painted, in the order in which they are painted.
 
-use crate::drawing::{Drawing, Paint, Surface};
+use crate::drawing::Drawing;
 
 /// Keeps the first share (0 … 1) of the triangles, and returns their number, and that of all. Strokes and marks are
 /// left out: the faces that hide them may not be there yet.
@@ -21,17 +21,10 @@ pub(super) fn first(drawing: &mut Drawing, share: f64) -> [usize; 2] {
         let surface = &mut drawing.surfaces[i];
         let kept = left.min(surface.triangles.len());
         left -= kept;
-        keep(surface, kept);
+        surface.truncate(kept);
     }
     drawing.surfaces.retain(|surface| !surface.triangles.is_empty());
     drawing.strokes.clear();
     drawing.marks.clear();
     [count, all]
-}
-
-fn keep(surface: &mut Surface, count: usize) {
-    surface.triangles.truncate(count);
-    if let Paint::Faces(colors) = &mut surface.paint {
-        colors.truncate(count);
-    }
 }

@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Style, Visibility};
-use crate::drawing::{Anchor, Area, Drawing, Label, Mark, Paint, StrokeSet, Surface};
+use crate::drawing::{Anchor, Area, Base, Drawing, Label, Mark, StrokeSet, Surface};
 use crate::pipeline::{Containment, Frame, Scenes, Stage, StageWork, VertexWork};
 use crate::sanitize;
 use crate::stage::WorksOn;
@@ -69,16 +69,14 @@ fn before(
             let marks = values.take(MOST_MARKS).map(|(position, color)| mark(position, color, 2.5, request));
             before.marks = marks.collect();
             before.strokes.clear();
-            before.surfaces.retain(|surface| matches!(surface.paint, Paint::Solid(_) | Paint::Faces(_)));
+            before.surfaces.retain(|surface| !surface.varies());
         }
         Stage::Texture => {
-            for surface in &mut before.surfaces {
-                if matches!(surface.paint, Paint::Texture { .. }) {
-                    surface.paint = Paint::Solid(palette.body);
-                }
+            for surface in before.surfaces.iter_mut().filter(|surface| surface.is_textured()) {
+                surface.base = Base::Solid(palette.body);
             }
         }
-        Stage::Blend => before.surfaces.iter_mut().filter(|s| s.translucent).for_each(opaque),
+        Stage::Blend => before.surfaces.iter_mut().filter(|s| s.translucent).for_each(Surface::make_opaque),
         Stage::Antialias => before.antialias = 1,
         Stage::Lines => {
             before.strokes.clear();
@@ -98,28 +96,14 @@ fn stroke_of(color: Rgba, request: &Request) -> LineStyle {
     stroke(color, 1.2 * request.size.scale, Dash::Solid, HiddenLines::Shown)
 }
 
-/// A translucent surface made opaque.
-fn opaque(surface: &mut Surface) {
-    surface.translucent = false;
-    let full = |color: &mut Rgba| color.a = 255;
-    match &mut surface.paint {
-        Paint::Solid(color) => full(color),
-        Paint::Faces(colors) | Paint::Vertices(colors) => colors.iter_mut().for_each(full),
-        Paint::Phong(phong) => full(&mut phong.color),
-        Paint::Texture { opacity, .. } => *opacity = 255,
-    }
-}
-
 /// The values at the vertices of a surface before interpolation, as colours.
 fn values_at_vertices(surface: &Surface) -> Vec<([f32; 3], Rgba)> {
-    let used = surface.triangles.iter().flatten().map(|&i| i as usize);
-    let color = |i: usize| match &surface.paint {
-        Paint::Solid(_) | Paint::Faces(_) => None,
-        Paint::Vertices(colors) => colors.get(i).copied(),
-        Paint::Phong(phong) => Some(phong.color),
-        Paint::Texture { .. } => Some(Rgba::rgb(128, 128, 128)),
+    let triangles = surface.triangles.iter().enumerate().filter(|_| surface.varies());
+    let corners = triangles.flat_map(|(triangle, corners)| corners.map(|i| (triangle, i)));
+    let value = |(triangle, i): (usize, u32)| {
+        Some((*surface.positions.get(i as usize)?, surface.color_at_vertex(triangle, i)?))
     };
-    used.filter_map(|i| Some((*surface.positions.get(i)?, color(i)?))).collect()
+    corners.filter_map(value).collect()
 }
 
 /// The sides of triangles.
@@ -156,14 +140,8 @@ fn mark(position: [f32; 3], color: Rgba, radius: f32, request: &Request) -> Mark
 /// A face that the stage drops, as glass.
 fn dropped_face(polygon: &[[f32; 3]], palette: Palette) -> Surface {
     let corners = u32::try_from(polygon.len()).unwrap_or(0);
-    Surface {
-        positions: polygon.to_vec(),
-        inverse_w: Vec::new(),
-        triangles: (2..corners).map(|i| [0, i - 1, i]).collect(),
-        paint: Paint::Solid(palette.back.with_alpha(GLASS)),
-        translucent: true,
-        depth_test: false,
-    }
+    let triangles = (2..corners).map(|i| [0, i - 1, i]).collect();
+    Surface { depth_test: false, ..Surface::solid(polygon.to_vec(), triangles, palette.back.with_alpha(GLASS)) }
 }
 
 /// The input dashed, the output over it.

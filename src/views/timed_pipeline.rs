@@ -87,8 +87,7 @@ impl TimedPipeline {
         if frame.work.is_some() {
             let options = Options { shown: None, clock: None, ..options };
             let again = |scenes: Scenes, style: &Style| {
-                let Frame { mut drawing, depths, .. } =
-                    Pipeline::default().frame(scenes, camera, target, style, options);
+                let Frame { mut drawing, depths, .. } = self.stages.frame(scenes, camera, target, style, options);
                 repaint(&mut drawing, depths);
                 drawing
             };

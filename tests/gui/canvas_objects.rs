@@ -4,7 +4,7 @@
 
 use camera_lab::gui::State;
 use camera_lab::gui::state::Selected;
-use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
+use camera_lab::scene::{Light, LightKind, ObjectSpec, Preset, Shape};
 use camera_lab::views::transform_gizmo::part_at;
 use camera_lab::views::{GizmoPart, Hover, Request, TransformGizmo, Transforming, pick};
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
@@ -22,7 +22,7 @@ fn with_cone(state: &mut State) {
             ObjectSpec::group("group").at(1.0, 0.0, 1.0).turned(0.0, 90.0, 0.0).scaled(2.0, 2.0, 2.0),
             ObjectSpec::new("cone", Shape::Cone).at(0.5, 0.5, 0.25).under("group"),
         ];
-        figure.scene.lights = vec![LightSpec::Point(DVec3::new(0.0, 3.0, 0.0))];
+        figure.scene.lights = vec![Light::point(DVec3::new(0.0, 3.0, 0.0))];
     });
     state.tree.select(Some(Selected::Object("cone".to_owned())));
 }
@@ -84,13 +84,17 @@ fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
     let arrows = gizmo(Transforming::Move, DVec3::Y * 3.0, DVec3::AXES);
     let from = on_axis(&h, arrows, 0);
     drag(&mut h, from, vec2(25.0, 0.0), PointerButton::Primary, Modifiers::NONE);
-    let LightSpec::Point(lamp) = h.state().state.document.figure().scene.lights[0] else { panic!("a lamp") };
+    let Light { kind: LightKind::Point, vector: lamp } = h.state().state.document.figure().scene.lights[0] else {
+        panic!("a lamp")
+    };
     assert!(lamp.x != 0.0 && lamp.y == 3.0 && lamp.z == 0.0, "{lamp}");
     // Selecting is no change of the figure.
     h.state_mut().state.document.undo();
     h.state_mut().state.tree.select(None);
     h.run();
-    let LightSpec::Point(lamp) = h.state().state.document.figure().scene.lights[0] else { panic!("a lamp") };
+    let Light { kind: LightKind::Point, vector: lamp } = h.state().state.document.figure().scene.lights[0] else {
+        panic!("a lamp")
+    };
     assert_eq!(lamp, DVec3::Y * 3.0);
 }
 
@@ -196,13 +200,15 @@ fn objects_that_are_selected_together_go_together() {
 fn parallel_light_is_turned_by_rings() {
     let mut h = stage(|state| {
         with_cone(state);
-        state.document.edit(|figure| figure.scene.lights = vec![LightSpec::Directional(DVec3::new(0.0, -1.0, 0.0))]);
+        state.document.edit(|figure| figure.scene.lights = vec![Light::directional(DVec3::new(0.0, -1.0, 0.0))]);
         state.tree.select(Some(Selected::Light(0)));
     });
     let middle = h.state().state.scene_cache.scene().bounds().unwrap().center();
     let from = on_axis(&h, gizmo(Transforming::Turn, middle, DVec3::AXES), 0);
     drag(&mut h, from, vec2(30.0, 20.0), PointerButton::Primary, Modifiers::COMMAND);
-    let LightSpec::Directional(d) = h.state().state.document.figure().scene.lights[0] else { panic!("parallel") };
+    let Light { kind: LightKind::Directional, vector: d } = h.state().state.document.figure().scene.lights[0] else {
+        panic!("parallel")
+    };
     let angle = d.y.atan2(d.z).to_degrees();
     assert!(d.x.abs() < 1e-12 && d != DVec3::NEG_Y && (angle / 15.0 - (angle / 15.0).round()).abs() < 1e-9, "{d}");
     assert!((d.length() - 1.0).abs() < 1e-11);

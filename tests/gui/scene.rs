@@ -3,7 +3,7 @@
 use camera_lab::figure::read::parse;
 use camera_lab::gui::state::Selected;
 use camera_lab::i18n::Lang;
-use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
+use camera_lab::scene::{Light, LightKind, ObjectSpec, Preset, Shape};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, vec2};
 use egui_kittest::kittest::Queryable;
@@ -177,7 +177,7 @@ fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
     assert_eq!(&figure, window.state().document.figure());
     assert_eq!(figure.scene.objects[1].parent.as_deref(), Some("base"));
     assert_eq!(figure.scene.objects[1].translate.y, 1.5);
-    assert!(matches!(figure.scene.lights[..], [LightSpec::Point(p)] if p.y == 4.0));
+    assert!(matches!(figure.scene.lights[..], [Light { kind: LightKind::Point, vector }] if vector.y == 4.0));
 }
 
 #[test]
@@ -219,7 +219,9 @@ fn what_is_impossible_is_said_beside_the_field_and_the_last_good_scene_stays() {
     }
     assert!(window.says("the direction must not be 0"));
     window.enter("direction y", "-1");
-    assert!(matches!(window.state().document.figure().scene.lights[..], [LightSpec::Directional(d)] if d == -DVec3::Y));
+    assert!(
+        matches!(window.state().document.figure().scene.lights[..], [light] if light == Light::directional(-DVec3::Y))
+    );
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use camera_lab::appearance::{Dash, Texture};
 use camera_lab::camera::{Camera, Convention, Operation, Projection};
-use camera_lab::drawing::{Anchor, Drawing, Label, Paint};
+use camera_lab::drawing::{Anchor, Base, Drawing, Label};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::figure::{Measure, Measured};
 use camera_lab::files::{FigureFiles, FileAccess, open_figure};
@@ -352,8 +352,8 @@ fn the_painted_window_fades_where_it_would_hide_the_scene_and_as_the_figure_says
         let request = world(figure, &scene, (480, 400));
         let image = Arc::new(Texture { width: 2, height: 2, rgba: vec![255; 16] });
         let frame = views::frame(&request, Some(&image), &mut TimedPipeline::default());
-        frame.drawing.surfaces.iter().find_map(|s| match &s.paint {
-            Paint::Texture { opacity, .. } => Some(*opacity),
+        frame.drawing.surfaces.iter().find_map(|s| match &s.base {
+            Base::Texture { opacity, .. } => Some(*opacity),
             _ => None,
         })
     };

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
-use camera_lab::drawing::{Drawing, Paint};
+use camera_lab::drawing::{Base, Drawing};
 use camera_lab::pipeline::{Options, Pipeline, Target, draw};
 use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, PointMark, Scene};
 use glam::{DMat4, DVec3};
@@ -83,7 +83,7 @@ fn a_cube_before_the_eye_shows_its_front_where_the_notes_say() {
     // Only the face towards the eye; the sides of a cube in the middle turn away.
     assert_eq!(triangles(&drawing), 2);
     let surface = &drawing.surfaces[0];
-    assert_eq!(surface.paint, Paint::Solid(CLAY), "no light, own colour");
+    assert_eq!(surface.base, Base::Solid(CLAY), "no light, own colour");
     let mut corners: Vec<_> =
         surface.triangles.iter().flatten().map(|&i| surface.positions[i as usize].map(f64::from)).collect();
     corners.sort_by(|a, b| a.partial_cmp(b).unwrap());
@@ -113,23 +113,23 @@ fn a_mirrored_cube_still_shows_its_front() {
 #[test]
 fn flat_light_follows_the_normal() {
     let scene = Scene {
-        lights: vec![Light::Directional { direction: DVec3::new(0.0, 0.0, -2.0) }],
+        lights: vec![Light::directional(DVec3::new(0.0, 0.0, -2.0))],
         ..only(object(cube(), DMat4::from_translation(DVec3::new(0.0, 0.0, -4.0))))
     };
     let face = |scene: &Scene| match &draw(scene, &eye(Projection::Perspective), TARGET, &shading(Shading::Flat))
         .surfaces[0]
-        .paint
+        .base
     {
-        Paint::Faces(colors) => colors.clone(),
+        Base::Faces(colors) => colors.clone(),
         other => panic!("{other:?}"),
     };
     // The lamp is behind the eye: cosine 1, ambient + diffuse = 1, the colour itself.
     assert_eq!(face(&scene), [CLAY, CLAY]);
     // From behind the cube: ambient only, 0.35 of it.
-    let behind = Scene { lights: vec![Light::Directional { direction: DVec3::Z }], ..scene.clone() };
+    let behind = Scene { lights: vec![Light::directional(DVec3::Z)], ..scene.clone() };
     assert_eq!(face(&behind), [Rgba::rgb(70, 35, 14); 2]);
     // A lamp on the axis at the eye, seen from the centroid (∓1/3, ±1/3, −3): cosine 3/√(9 + 2/9).
-    let lamp = Scene { lights: vec![Light::Point { position: DVec3::ZERO }], ..scene.clone() };
+    let lamp = Scene { lights: vec![Light::point(DVec3::ZERO)], ..scene.clone() };
     let share = 0.35 + 0.65 * 3.0 / (9.0_f64 + 2.0 / 9.0).sqrt();
     for color in face(&lamp) {
         assert!((f64::from(color.r) - 200.0 * share).abs() <= 0.5 && (f64::from(color.b) - 40.0 * share).abs() <= 0.5);

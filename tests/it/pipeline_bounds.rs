@@ -37,7 +37,7 @@ fn field(side: u32, mesh: &Arc<Mesh>) -> Scene {
         let place = DMat4::from_translation(at) * DMat4::from_scale(DVec3::splat(0.25));
         Object { mesh: mesh.clone(), ..object(Mesh { closed: true, ..Mesh::default() }, place) }
     };
-    let light = Light::Directional { direction: DVec3::NEG_ONE };
+    let light = Light::directional(DVec3::NEG_ONE);
     Scene { objects: (0..side * side).map(cube).collect(), lights: vec![light], ..Scene::default() }
 }
 

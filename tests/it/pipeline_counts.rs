@@ -14,7 +14,7 @@ fn cubes() -> Scene {
     let line = Line { points: vec![DVec3::new(50.0, 0.0, -4.0), DVec3::new(60.0, 0.0, -4.0)], style: STROKE };
     Scene {
         objects: vec![Object { edges: Some(STROKE), ..at(0.0, -4.0) }, at(-8.0, -4.0), at(0.0, 4.0)],
-        lights: vec![Light::Directional { direction: DVec3::NEG_ONE }],
+        lights: vec![Light::directional(DVec3::NEG_ONE)],
         lines: vec![line],
         ..Scene::default()
     }

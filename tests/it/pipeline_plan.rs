@@ -42,10 +42,7 @@ fn reason(frame: &Frame, stage: Stage) -> (bool, Reason) {
 #[test]
 fn a_cube_alone_needs_little() {
     let half = DMat4::from_scale(DVec3::splat(0.5));
-    let scene = Scene {
-        lights: vec![Light::Directional { direction: DVec3::NEG_ONE }],
-        ..only(object(cube(), at(-4.0) * half))
-    };
+    let scene = Scene { lights: vec![Light::directional(DVec3::NEG_ONE)], ..only(object(cube(), at(-4.0) * half)) };
     let style = Style { antialias: 1, ..Style::default() };
     let frame = frame(&scene, &eye(Projection::Parallel), &style);
     assert_eq!(reason(&frame, Stage::Clip), (false, Reason::AllInside { objects: 1 }));
@@ -162,7 +159,7 @@ fn a_stage_that_was_left_with_no_face_says_so() {
     };
     let mut scene = only(object(mesh, DMat4::IDENTITY));
     scene.objects[0].two_sided = true;
-    scene.lights.push(Light::Directional { direction: DVec3::NEG_Z });
+    scene.lights.push(Light::directional(DVec3::NEG_Z));
     let frame = frame(&scene, &eye(Projection::Perspective), &Style::default());
     assert!(
         matches!(frame.objects[0].containment, Containment::Crosses(planes) if planes != 0),
@@ -178,7 +175,7 @@ fn a_stage_that_was_left_with_no_face_says_so() {
 #[test]
 fn light_at_vertices_and_at_pixels_are_told_apart() {
     let mut scene = only(object(cube(), at(-4.0)));
-    scene.lights.push(Light::Directional { direction: DVec3::NEG_Z });
+    scene.lights.push(Light::directional(DVec3::NEG_Z));
     let colors = vec![CLAY; scene.objects[0].mesh.positions.len()];
     scene.objects.push(Object { paint: ObjectPaint::Vertices(Arc::new(colors)), ..object(cube(), at(-7.0)) });
     let style = Style { shading: Shading::Phong, ..Style::default() };
@@ -273,10 +270,7 @@ pub(crate) fn any_object() -> impl Strategy<Value = Object> {
 }
 
 pub(crate) fn any_scene() -> impl Strategy<Value = Scene> {
-    let light = prop_oneof![
-        any_vec(1.0).prop_map(|direction| Light::Directional { direction }),
-        any_vec(5.0).prop_map(|position| Light::Point { position }),
-    ];
+    let light = prop_oneof![any_vec(1.0).prop_map(Light::directional), any_vec(5.0).prop_map(Light::point),];
     let line = (proptest::collection::vec(any_vec(6.0), 2..5), any_line_style())
         .prop_map(|(points, style)| Line { points, style });
     let mark = any_vec(4.0).prop_map(|position| PointMark {
@@ -375,7 +369,7 @@ fn the_number_of_threads_changes_nothing() {
     let ball = object(primitives::sphere(200), at(-3.2) * DMat4::from_scale(DVec3::splat(2.3)));
     let colors = (0..ball.mesh.triangles.len()).map(|i| Rgba::rgb(u8::try_from(i % 251).unwrap(), 90, 200));
     let patches = ObjectPaint::Faces(Arc::new(colors.collect()));
-    let lights = vec![Light::Point { position: DVec3::new(2.0, 3.0, 1.0) }];
+    let lights = vec![Light::point(DVec3::new(2.0, 3.0, 1.0))];
     let threads = |n| rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap();
     let (one, three) = (threads(1), threads(3));
     for paint in [ball.paint.clone(), patches] {

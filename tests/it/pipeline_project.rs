@@ -110,7 +110,7 @@ fn colours_are_those_of_the_world() {
     let camera = eye(Projection::Parallel);
     let lit = |shading| {
         let mut scene = only(object(cube(), at(0.0, 0.0, -4.0)));
-        scene.lights = vec![Light::Directional { direction: DVec3::NEG_Z }];
+        scene.lights = vec![Light::directional(DVec3::NEG_Z)];
         clipped_scene(&scene, &camera, shading).objects[0].paint.clone()
     };
     let dark = Rgba::rgb(70, 35, 14);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use camera_lab::appearance::{Rgba, Texture};
-use camera_lab::drawing::{Drawing, Lighting, Paint, Phong, Surface};
+use camera_lab::drawing::{Base, Drawing, Lighting, PixelLight, Surface, SurfaceLight};
 use camera_lab::limits::MAX_SIDE;
 use camera_lab::progress::at_once;
 use camera_lab::raster::Rasterizer;
@@ -51,8 +51,8 @@ pub(super) fn drawing(width: u32, height: u32, antialias: u8, surfaces: Vec<Surf
     }
 }
 
-pub(super) fn surface(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, paint: Paint) -> Surface {
-    Surface { positions, inverse_w: Vec::new(), triangles, paint, translucent: false, depth_test: true }
+pub(super) fn surface(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, base: Base) -> Surface {
+    Surface { base, ..Surface::solid(positions, triangles, BLACK) }
 }
 
 pub(super) fn paint(drawing: &Drawing) -> Pixmap {
@@ -100,7 +100,7 @@ fn owns_point(triangle: [[f32; 3]; 3], p: [i128; 2]) -> bool {
 
 #[track_caller]
 fn check_coverage(width: u32, height: u32, triangle: [[f32; 3]; 3]) -> usize {
-    let s = surface(triangle.to_vec(), vec![[0, 1, 2]], Paint::Solid(BLACK));
+    let s = surface(triangle.to_vec(), vec![[0, 1, 2]], Base::Solid(BLACK));
     let pixmap = paint(&drawing(width, height, 1, vec![s]));
     let mut covered = 0;
     for y in 0..height {
@@ -193,7 +193,7 @@ fn a_triangle_covers_exactly_the_samples_it_owns() {
                 let [a, b, _] = triangle;
                 triangle[2] = [0.5 * (a[0] + b[0]) + random.unit(), 0.5 * (a[1] + b[1]) + random.unit(), 0.5];
             }
-            let s = surface(triangle.to_vec(), vec![[0, 1, 2]], Paint::Solid(BLACK));
+            let s = surface(triangle.to_vec(), vec![[0, 1, 2]], Base::Solid(BLACK));
             let pixmap = paint(&drawing(90, 40, antialias, vec![s]));
             let samples = side * side;
             for (k, pixel) in (0..).zip(pixmap.pixels()) {
@@ -251,7 +251,7 @@ fn every_pixel_of_a_closed_mesh_has_as_many_fronts_as_backs() {
             };
             let coats = |front: bool| {
                 let chosen = triangles.iter().copied().filter(|t| (area(t) > 0) == front).collect();
-                let mut s = surface(positions.clone(), chosen, Paint::Solid(Rgba::rgba(0, 0, 0, 128)));
+                let mut s = surface(positions.clone(), chosen, Base::Solid(Rgba::rgba(0, 0, 0, 128)));
                 s.translucent = true;
                 paint(&drawing(side, side, 1, vec![s]))
             };
@@ -314,7 +314,7 @@ fn triangles_with_common_edges_cover_each_sample_exactly_once() {
     let mut random = Random(5);
     for (cells, antialias) in [(3, 1), (9, 1), (48, 1), (90, 1), (9, 4), (60, 4), (5, 16), (30, 16)] {
         let (positions, triangles) = carpet(48, cells, &mut random);
-        let mut s = surface(positions, triangles, Paint::Solid(Rgba::rgba(0, 0, 0, 128)));
+        let mut s = surface(positions, triangles, Base::Solid(Rgba::rgba(0, 0, 0, 128)));
         s.translucent = true;
         let pixmap = paint(&drawing(48, 48, antialias, vec![s]));
         // White under one coat is 127; no coat would be 255, two 63.
@@ -340,7 +340,7 @@ fn depth_is_that_of_exact_arithmetic_within_its_bound() {
             triangle[2][1] = 0.5 * (triangle[0][1] + triangle[1][1]);
         }
         let mut rasterizer = Rasterizer::default();
-        let s = surface(triangle.to_vec(), vec![[0, 1, 2]], Paint::Solid(BLACK));
+        let s = surface(triangle.to_vec(), vec![[0, 1, 2]], Base::Solid(BLACK));
         rasterizer.paint(&drawing(60, 40, 1, vec![s])).expect("a picture");
         // In f64: exact but for some 1e-13 of the terms.
         let v = triangle.map(|p| [grid(p[0]) as f64 / 256.0, grid(p[1]) as f64 / 256.0, f64::from(p[2])]);
@@ -381,11 +381,11 @@ fn the_number_of_threads_changes_no_byte() {
     let (positions, triangles) = carpet(300, 60, &mut random);
     let colors = positions.iter().map(|_| Rgba::rgb(random.next() as u8, random.next() as u8, random.next() as u8));
     let colors: Vec<Rgba> = colors.collect();
-    let mut opaque = surface(positions.clone(), triangles.clone(), Paint::Vertices(colors));
+    let mut opaque = surface(positions.clone(), triangles.clone(), Base::Vertices(colors));
     opaque.inverse_w = positions.iter().map(|_| 0.2 + random.unit()).collect();
     let faces = triangles.iter().map(|_| Rgba::rgba(random.next() as u8, 90, random.next() as u8, 60)).collect();
     let mut clear =
-        surface(positions.iter().map(|p| [p[1], p[0], 1.0 - p[2]]).collect(), triangles, Paint::Faces(faces));
+        surface(positions.iter().map(|p| [p[1], p[0], 1.0 - p[2]]).collect(), triangles, Base::Faces(faces));
     clear.translucent = true;
     for antialias in [1, 4] {
         let d = drawing(300, 300, antialias, vec![opaque.clone(), clear.clone()]);
@@ -420,12 +420,12 @@ fn what_is_counted_is_what_happens() {
         let (mut positions, triangles) = carpet(67, cells, &mut random);
         let near: Vec<_> = positions.iter().map(|p| [p[0], p[1], 0.9]).collect();
         positions.extend([[-9.0, 5.0, 1.0], [-5.0, 5.0, 1.0], [-5.0, 9.0, 1.0]]);
-        let mut back = surface(positions, triangles.clone(), Paint::Solid(BLACK));
+        let mut back = surface(positions, triangles.clone(), Base::Solid(BLACK));
         back.positions.iter_mut().for_each(|p| p[2] = 0.1);
         let last = u32::try_from(back.positions.len()).expect("few");
         back.triangles.push([last - 3, last - 2, last - 1]);
         let number = 2 * triangles.len() + 1;
-        let d = drawing(67, 67, antialias, vec![surface(near, triangles, Paint::Solid(WHITE)), back]);
+        let d = drawing(67, 67, antialias, vec![surface(near, triangles, Base::Solid(WHITE)), back]);
         let mut rasterizer = measuring();
         rasterizer.paint(&d).expect("a picture");
         let work = rasterizer.work();
@@ -442,9 +442,9 @@ fn what_is_counted_is_what_happens() {
 fn buffers_keep_nothing_of_the_picture_before() {
     let mut random = Random(8);
     let (positions, triangles) = carpet(40, 6, &mut random);
-    let full = drawing(40, 40, 1, vec![surface(positions, triangles, Paint::Solid(BLACK))]);
+    let full = drawing(40, 40, 1, vec![surface(positions, triangles, Base::Solid(BLACK))]);
     let corners = vec![[5.0, 5.0, 0.1], [20.0, 6.0, 0.1], [8.0, 18.0, 0.1]];
-    let small = drawing(30, 40, 4, vec![surface(corners, vec![[0, 1, 2]], Paint::Solid(Rgba::rgb(9, 8, 7)))]);
+    let small = drawing(30, 40, 4, vec![surface(corners, vec![[0, 1, 2]], Base::Solid(Rgba::rgb(9, 8, 7)))]);
     let mut rasterizer = Rasterizer::default();
     let mut pixmap = Pixmap::new(1, 1).expect("a pixmap");
     for d in [&full, &small, &full, &drawing(40, 40, 1, Vec::new()), &small] {
@@ -465,7 +465,7 @@ fn upright_and_level_edges_have_as_many_shades_as_samples() {
             let upright = vec![[0.0, 0.0, 0.5], [edge, 0.0, 0.5], [edge, 6.0, 0.5], [0.0, 6.0, 0.5]];
             let level = upright.iter().map(|p| [p[1], p[0], p[2]]).collect();
             for (positions, at) in [(upright, (2, 3)), (level, (3, 2))] {
-                let s = surface(positions, vec![[0, 1, 2], [0, 2, 3]], Paint::Solid(BLACK));
+                let s = surface(positions, vec![[0, 1, 2], [0, 2, 3]], Base::Solid(BLACK));
                 let found = rgb(&paint(&drawing(6, 6, antialias, vec![s])), at.0, at.1)[0];
                 let expected = (255.0 * (1.0 - f64::from(k) / f64::from(samples)) + 0.5).floor() as u8;
                 assert_eq!(found, expected, "{k}/{samples} covered");
@@ -478,7 +478,7 @@ fn upright_and_level_edges_have_as_many_shades_as_samples() {
 fn of_equal_depths_the_first_stays_and_a_nearer_one_wins() {
     let square = |z: f32, color: Rgba| {
         let corners = vec![[0.0, 0.0, z], [4.0, 0.0, z], [4.0, 4.0, z], [0.0, 4.0, z]];
-        surface(corners, vec![[0, 1, 2], [0, 2, 3]], Paint::Solid(color))
+        surface(corners, vec![[0, 1, 2], [0, 2, 3]], Base::Solid(color))
     };
     let red = Rgba::rgb(255, 0, 0);
     let middle = |surfaces: Vec<Surface>| rgb(&paint(&drawing(4, 4, 1, surfaces)), 2, 1);
@@ -509,30 +509,33 @@ fn a_missing_size_is_none() {
 #[test]
 fn nonsense_is_left_out_without_harm() {
     let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30, -1e30, f32::MAX, 30_000.0, -5000.0];
-    let paints = [
-        Paint::Solid(BLACK),
-        Paint::Faces(Vec::new()),
-        Paint::Vertices(vec![BLACK; 2]),
-        Paint::Phong(Phong { normals: Vec::new(), positions: Vec::new(), color: BLACK, lighting: Lighting::default() }),
-        Paint::Texture {
+    let bases = [
+        Base::Solid(BLACK),
+        Base::Faces(Vec::new()),
+        Base::Vertices(vec![BLACK; 2]),
+        Base::Texture {
             image: Arc::new(Texture { width: 0, height: 7, rgba: Vec::new() }),
             uv: Vec::new(),
             opacity: 9,
         },
-        Paint::Texture {
+        Base::Texture {
             image: Arc::new(Texture { width: 9, height: 9, rgba: vec![1; 5] }),
             uv: vec![[f32::NAN, 1e30]; 4],
             opacity: 255,
         },
     ];
-    for paint_ in paints {
+    let lit = PixelLight { normals: Vec::new(), positions: Vec::new(), lighting: Lighting::default() };
+    let long = PixelLight { normals: vec![[f32::NAN; 3]; 4], positions: vec![[1e30; 3]; 4], ..lit.clone() };
+    let lights = [SurfaceLight::InBase, SurfaceLight::PerPixel(lit), SurfaceLight::PerPixel(long)];
+    for (base, light) in bases.iter().flat_map(|base| lights.iter().map(move |light| (base, light))) {
         for value in bad {
             for slot in 0..3 {
                 for translucent in [false, true] {
                     let mut positions = vec![[1.0, 1.0, 0.5], [9.0, 1.0, 0.5], [1.0, 9.0, 0.5], [4.0, 4.0, 0.5]];
                     positions[1][slot] = value;
                     let triangles = vec![[0, 1, 2], [0, 2, 3], [0, 1, 77], [u32::MAX; 3], [3, 3, 3]];
-                    let mut s = surface(positions, triangles, paint_.clone());
+                    let mut s = surface(positions, triangles, base.clone());
+                    s.light = light.clone();
                     s.translucent = translucent;
                     s.inverse_w = vec![1.0, value, 0.0, -1.0];
                     for antialias in [1, 4, 255] {

@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
-use camera_lab::drawing::{Drawing, Paint, StrokeSet, Surface};
+use camera_lab::drawing::{Drawing, StrokeSet, Surface};
 use camera_lab::raster::Rasterizer;
 use tiny_skia::Pixmap;
 
@@ -109,14 +109,7 @@ fn draw(
         edges.dedup();
     }
     all.retain(|e| !front.contains(e));
-    let surface = Surface {
-        positions: points.to_vec(),
-        inverse_w: Vec::new(),
-        triangles,
-        paint: Paint::Solid(Rgba::rgb(180, 200, 230)),
-        translucent: false,
-        depth_test: true,
-    };
+    let surface = Surface::solid(points.to_vec(), triangles, Rgba::rgb(180, 200, 230));
     let drawing = Drawing {
         width: SIDE,
         height: SIDE,
@@ -227,14 +220,7 @@ fn a_line_one_percent_behind_a_face_is_hidden_and_one_before_it_is_seen() {
     let positions =
         vec![wall(10.0, 10.0, 1.0), wall(140.0, 10.0, 1.0), wall(140.0, 140.0, 1.0), wall(10.0, 140.0, 1.0)];
     for antialias in [1, 4, 16] {
-        let surface = Surface {
-            positions: positions.clone(),
-            inverse_w: Vec::new(),
-            triangles: vec![[0, 1, 2], [0, 2, 3]],
-            paint: Paint::Solid(Rgba::rgb(180, 200, 230)),
-            translucent: false,
-            depth_test: true,
-        };
+        let surface = Surface::solid(positions.clone(), vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(180, 200, 230));
         let drawing = Drawing {
             width: SIDE,
             height: SIDE,
@@ -287,14 +273,7 @@ fn strokes_that_are_nonsense_are_left_out_without_harm() {
                 let style = LineStyle { color: INK, width, dash, hidden: HiddenLines::Dashed, arrow: true };
                 let polylines = vec![0..3, 1..2, 2..2, 2..99, Range { start: 7, end: 3 }];
                 let square = vec![[20.0, 20.0, 0.5], [80.0, 20.0, 0.5], [80.0, 80.0, 0.5]];
-                let surface = Surface {
-                    positions: square,
-                    inverse_w: Vec::new(),
-                    triangles: vec![[0, 1, 2]],
-                    paint: Paint::Solid(INK),
-                    translucent: false,
-                    depth_test: true,
-                };
+                let surface = Surface::solid(square, vec![[0, 1, 2]], INK);
                 let drawing = Drawing {
                     width: 100,
                     height: 80,

@@ -1,7 +1,7 @@
 //! The rules of depth and order of a drawing, frozen in small pictures.
 
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
-use camera_lab::drawing::{Anchor, Area, Drawing, Label, Paint, StrokeSet, Surface};
+use camera_lab::drawing::{Anchor, Area, Drawing, Label, StrokeSet, Surface};
 use camera_lab::raster::Rasterizer;
 
 use crate::common::picture::assert_picture;
@@ -27,14 +27,7 @@ fn drawing(width: u32, height: u32) -> Drawing {
 }
 
 fn surface(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, color: Rgba) -> Surface {
-    Surface {
-        positions,
-        inverse_w: Vec::new(),
-        triangles,
-        paint: Paint::Solid(color),
-        translucent: !color.is_opaque(),
-        depth_test: true,
-    }
+    Surface::solid(positions, triangles, color)
 }
 
 fn stroke(points: Vec<[f32; 3]>, hidden: HiddenLines, arrow: bool) -> StrokeSet {

@@ -1,7 +1,7 @@
 //! Colours on slivers: what nearly cancels in a gradient must not show.
 
 use camera_lab::appearance::Rgba;
-use camera_lab::drawing::{Drawing, Paint, Surface};
+use camera_lab::drawing::{Base, Drawing, Surface};
 use camera_lab::raster::Rasterizer;
 
 /// Numbers without a pattern, the same in every run.
@@ -46,13 +46,9 @@ fn colours_on_slivers_are_those_of_exact_arithmetic() {
             antialias: 1,
             painted_in_order: false,
             surfaces: vec![Surface {
-                positions,
-                inverse_w: Vec::new(),
+                base: Base::Vertices(colors),
                 // So many that they are set up together, as those of a mesh are.
-                triangles: vec![[0, 1, 2]; 8],
-                paint: Paint::Vertices(colors),
-                translucent: false,
-                depth_test: true,
+                ..Surface::solid(positions, vec![[0, 1, 2]; 8], Rgba::rgb(0, 0, 0))
             }],
             strokes: Vec::new(),
             areas: Vec::new(),

@@ -11,7 +11,7 @@ use camera_lab::figure::{Figure, read, recommended_camera};
 use camera_lab::files::{FigureFiles, FileAccess, open_figure};
 use camera_lab::geometry::Aabb;
 use camera_lab::scene::{
-    Light, LightSpec, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError, SceneSpec, Shape, Wanted,
+    Light, LightKind, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError, SceneSpec, Shape, Wanted,
     build, no_files, primitives,
 };
 use glam::{DMat4, DQuat, DVec3};
@@ -295,11 +295,13 @@ fn a_tree_of_ten_thousand_generations_is_built() {
 fn lights_are_the_figures_or_one_from_above() {
     let lit =
         |lights| build(&SceneSpec { preset: Preset::Empty, objects: vec![], lights }, &Style::default(), &mut no_files);
-    let [Light::Directional { direction }] = lit(vec![]).unwrap().lights[..] else { panic!("one directional light") };
+    let [Light { kind: LightKind::Directional, vector: direction }] = lit(vec![]).unwrap().lights[..] else {
+        panic!("one directional light")
+    };
     assert!(direction.y < 0.0 && direction.dot(DVec3::new(3.0, 4.0, 5.0)) < 0.0, "from above, from the viewer's side");
     let lamp = DVec3::new(1.0, 2.0, 3.0);
-    assert_eq!(lit(vec![LightSpec::Point(lamp)]).unwrap().lights, [Light::Point { position: lamp }]);
-    let dark = lit(vec![LightSpec::Point(lamp), LightSpec::Directional(DVec3::ZERO)]);
+    assert_eq!(lit(vec![Light::point(lamp)]).unwrap().lights, [Light::point(lamp)]);
+    let dark = lit(vec![Light::point(lamp), Light::directional(DVec3::ZERO)]);
     assert_eq!(dark.unwrap_err(), SceneError::Light { index: 1, key: "direction" });
 }
 

@@ -10,7 +10,7 @@ use crate::figure::{
 };
 use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
-use crate::scene::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
+use crate::scene::{Light, ObjectSpec, Preset, SceneSpec, Shape};
 use crate::stage::Stage;
 use glam::{DMat4, DVec3};
 use proptest::prelude::*;
@@ -58,7 +58,7 @@ fn shape() -> impl Strategy<Value = Option<Shape>> {
 fn scene() -> impl Strategy<Value = SceneSpec> {
     let object = (shape(), point(), point(), any::<Option<[u8; 4]>>(), 3_u32..=512, any::<bool>());
     let light = (any::<bool>(), point()).prop_map(|(directional, p)| {
-        if directional { LightSpec::Directional(p + DVec3::new(0.5, 0.5, 0.25)) } else { LightSpec::Point(p) }
+        if directional { Light::directional(p + DVec3::new(0.5, 0.5, 0.25)) } else { Light::point(p) }
     });
     let lights = proptest::collection::vec(light, 0..3);
     (proptest::sample::select(PRESETS), proptest::collection::vec(object, 0..5), lights).prop_map(
@@ -78,7 +78,7 @@ fn scene() -> impl Strategy<Value = SceneSpec> {
                     segments,
                 })
                 .collect(),
-            lights: lights.into_iter().filter(|l| *l != LightSpec::Directional(DVec3::ZERO)).collect(),
+            lights: lights.into_iter().filter(|l| *l != Light::directional(DVec3::ZERO)).collect(),
         },
     )
 }
@@ -400,13 +400,12 @@ fn one_of_very_many_objects_is_edited_in_the_time_of_reading_them() {
     let mut moved = figure.clone();
     moved.scene.objects[4000].translate.x = 1.0;
     let mut lights = figure.clone();
-    lights.scene.lights = (1..=MAX_LIGHTS)
-        .map(|i| LightSpec::Point(DVec3::new(f64::from(u32::try_from(i).unwrap()), 0.0, 0.0)))
-        .collect();
+    lights.scene.lights =
+        (1..=MAX_LIGHTS).map(|i| Light::point(DVec3::new(f64::from(u32::try_from(i).unwrap()), 0.0, 0.0))).collect();
     let lit = to_toml(&lights);
     let mut relit = lights.clone();
     relit.scene.lights.reverse();
-    relit.scene.lights.iter_mut().for_each(|light| *light = LightSpec::Point(DVec3::Y));
+    relit.scene.lights.iter_mut().for_each(|light| *light = Light::point(DVec3::Y));
     // One moved; all renamed; all lights, which have no names, others.
     for (text, figure) in [(&text, &moved), (&text, &named("thing ")), (&lit, &relit)] {
         let begin = std::time::Instant::now();

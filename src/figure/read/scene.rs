@@ -11,7 +11,7 @@ use crate::figure::near;
 use crate::figure::words::{self, LIGHTS, PRESETS, SHAPES};
 use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::scene::palette::SceneColors;
-use crate::scene::{LightSpec, ObjectSpec, Preset, SceneError, SceneSpec, Shape, check, preset_objects};
+use crate::scene::{Light, LightKind, ObjectSpec, Preset, SceneError, SceneSpec, Shape, check, preset_objects};
 
 /// Reads `[scene]`. Where no preset is named it is the default one, unless objects are listed: then these alone are the
 /// scene.
@@ -135,30 +135,24 @@ fn read_shape(section: &mut Section<'_>) -> Option<Shape> {
     })
 }
 
-fn read_light(mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fault>) -> Option<LightSpec> {
+fn read_light(mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fault>) -> Option<Light> {
     if !section.is_present("kind") {
         section.missing("kind", Allowed::Word { words: words::names(LIGHTS), near: None });
     }
-    let light = section.choice("kind", LIGHTS).map(|kind| match kind {
-        LightSpec::Directional(default) => {
-            let direction = section.vector("direction", default);
-            if direction == DVec3::ZERO {
-                section.refuse("direction", Allowed::NonZeroVector);
-            }
-            LightSpec::Directional(direction)
+    let light = section.choice("kind", LIGHTS).map(|kind| {
+        let (key, default) = kind.vector();
+        let vector = section.vector(key, default);
+        if kind == LightKind::Directional && vector == DVec3::ZERO {
+            section.refuse(key, Allowed::NonZeroVector);
         }
-        LightSpec::Point(default) => LightSpec::Point(section.vector("position", default)),
-    });
-    if let Some(light) = light {
-        let key = match light {
-            LightSpec::Directional(_) => "direction",
-            LightSpec::Point(_) => "position",
-        };
         places.lights.push(section.place(key).unwrap_or(section.start()));
-    } else {
+        Light { kind, vector }
+    });
+    if light.is_none() {
         // The keys of this kind are not known; the kind is the fault to report.
-        section.vector("direction", DVec3::ZERO);
-        section.vector("position", DVec3::ZERO);
+        for (_, kind) in LIGHTS {
+            section.vector(kind.vector().0, DVec3::ZERO);
+        }
     }
     faults.extend(section.finish());
     light

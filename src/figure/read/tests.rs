@@ -1,7 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use super::*;
-use crate::scene::{LightSpec, Preset, SceneError, Shape};
+use crate::scene::{Light, Preset, SceneError, Shape};
 
 /// The error of `text` as line, key and problem.
 fn error(text: &str) -> (usize, String, Problem) {
@@ -118,7 +118,7 @@ fn every_key_is_read() {
     assert_eq!(figure.scene.objects[0].segments, 3);
     assert_eq!(figure.scene.objects[1].shape, None);
     assert_eq!(figure.scene.objects[2].shape, Some(Shape::Segments(vec![[DVec3::ZERO, DVec3::X]])));
-    assert_eq!(figure.scene.lights, [LightSpec::Point(DVec3::new(1.0, 2.0, 3.0))]);
+    assert_eq!(figure.scene.lights, [Light::point(DVec3::new(1.0, 2.0, 3.0))]);
     let points: Vec<_> = figure.points.iter().map(|p| (p.name.as_str(), p.position)).collect();
     assert_eq!(points, [("P", DVec3::new(0.5_f64.sqrt(), 2.0, -1.0)), ("Q", DVec3::ZERO)]);
     assert_eq!(figure.style.antialias, 16);

@@ -20,7 +20,7 @@ use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
 use crate::pipeline::light::{AMBIENT, DIFFUSE, SHININESS, SPECULAR};
 use crate::progress::pause;
 use crate::scene::primitives::{self, TORUS_RADIUS, TORUS_TUBE};
-use crate::scene::{Light, LightSpec, Mesh, ObjectSpec, Preset, Scene, SceneSpec, Shape};
+use crate::scene::{Light, Mesh, ObjectSpec, Preset, Scene, SceneSpec, Shape};
 
 const SEGMENTS: [u32; 7] = [8, 16, 32, 64, 128, 256, 512];
 const SIZE: [u32; 2] = [80, 60];
@@ -168,7 +168,7 @@ impl Setup {
 
     fn scene(&self, segments: u32) -> Scene {
         let objects = vec![object(self.solid.mesh(segments), COLOR)];
-        Scene { objects, lights: vec![Light::Directional { direction: LIGHT }], ..Scene::default() }
+        Scene { objects, lights: vec![Light::directional(LIGHT)], ..Scene::default() }
     }
 
     fn painted(&self, segments: u32, shading: Shading, trial: &mut Trial, watch: &Watch) -> Vec<Rgba> {
@@ -206,7 +206,7 @@ impl Setup {
 
     fn figure(&self, segments: u32) -> String {
         let solid = ObjectSpec::new(self.solid.cases()[0], self.solid.shape()).colored(COLOR).with_segments(segments);
-        let lights = vec![LightSpec::Directional(LIGHT)];
+        let lights = vec![Light::directional(LIGHT)];
         let scene = SceneSpec { preset: Preset::Empty, objects: vec![solid], lights };
         write::to_toml(&Figure { camera: self.parameters, scene, ..Figure::default() })
     }

@@ -9,7 +9,7 @@ use crate::gui::state::{MeshFor, Purpose, Selected, State, free_place, rounded};
 use crate::gui::tooltip::Explained;
 use crate::i18n::scenes::Texts;
 use crate::numbers;
-use crate::scene::{LightSpec, ObjectSpec, Shape};
+use crate::scene::{DEFAULT_LIGHT, Light, LightKind, ObjectSpec, Shape};
 
 /// The menu of objects and lights to add.
 pub(super) fn menu(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
@@ -50,10 +50,9 @@ fn entries(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
         add(state, ObjectSpec { scale: DVec3::ONE, ..ObjectSpec::group(t.group) });
     }
     ui.separator();
-    for (name, light) in [
-        (t.directional_light, LightSpec::Directional(crate::scene::DEFAULT_LIGHT)),
-        (t.point_light, LightSpec::Point(DVec3::ZERO)),
-    ] {
+    for (name, light) in
+        [(t.directional_light, Light::directional(DEFAULT_LIGHT)), (t.point_light, Light::point(DVec3::ZERO))]
+    {
         if chosen(ui, name) {
             add_light(state, light);
         }
@@ -82,14 +81,14 @@ fn add(state: &mut State, object: ObjectSpec) {
     state.insert(object);
 }
 
-fn add_light(state: &mut State, light: LightSpec) {
+fn add_light(state: &mut State, light: Light) {
     let camera = state.document.camera();
-    let light = match light {
-        LightSpec::Directional(_) => light,
+    let light = match light.kind {
+        LightKind::Directional => light,
         // Above the focal point, as a lamp hangs.
-        LightSpec::Point(_) => {
+        LightKind::Point => {
             let size = size_in(camera);
-            LightSpec::Point(rounded(camera.focal_point() + DVec3::new(size, 4.0 * size, size), size / 10.0))
+            Light::point(rounded(camera.focal_point() + DVec3::new(size, 4.0 * size, size), size / 10.0))
         }
     };
     let index = state.document.figure().scene.lights.len();

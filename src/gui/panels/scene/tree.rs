@@ -16,7 +16,7 @@ use crate::gui::tooltip::Explained;
 use crate::i18n::scenes::{Texts, preset_object};
 use crate::sanitize::escaped;
 use crate::scene::edit::descendants;
-use crate::scene::{LightSpec, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec};
+use crate::scene::{LightKind, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec};
 
 /// Width of a step of the tree, in points.
 const INDENT: f32 = 13.0;
@@ -310,7 +310,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
         what: Some(Selected::Light(i)),
         name: format!("{} {}", t.light, i + 1),
         shown: format!("{} {}", t.light, i + 1),
-        kind: t.light(*light),
+        kind: t.light(light.kind),
         depth: 0,
         open: None,
         color: None,
@@ -321,7 +321,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
             what: None,
             name: t.default_light.to_owned(),
             shown: t.default_light.to_owned(),
-            kind: t.light(LightSpec::Directional(glam::DVec3::Y)),
+            kind: t.light(LightKind::Directional),
             depth: 0,
             open: None,
             color: None,

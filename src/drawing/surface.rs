@@ -1,0 +1,210 @@
+//! Surfaces of the display list: triangles, their base colours, and the light on these.
+//!
+//! A [`Base`] and a [`SurfaceLight`] are independent, and any two go together. What the rest of the program asks of
+//! either is answered here, so that a new base or a new light is an arm in each method of [`Surface`], in the one
+//! function of the pipeline that makes it (`pipeline/shade.rs`), in `pipeline/resample.rs`, which cuts it, and in
+//! `raster/per_pixel.rs`, which paints it.
+
+use std::sync::Arc;
+
+use crate::appearance::{Rgba, Texture};
+
+/// A set of triangles painted one way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// x, y in pixels and depth, one per vertex; all inside the picture (clipping has been done).
+    pub positions: Vec<[f32; 3]>,
+    /// 1/w of each vertex for perspective-correct interpolation; empty where w is the same everywhere or nothing is
+    /// interpolated.
+    pub inverse_w: Vec<f32>,
+    /// Indices into `positions`; either winding (culling has been done).
+    pub triangles: Vec<[u32; 3]>,
+    /// The colours before light, or with it where `light` says so.
+    pub base: Base,
+    /// The light on them.
+    pub light: SurfaceLight,
+    /// Drawn after all that is opaque, from back to front, with the alpha of its colours.
+    pub translucent: bool,
+    /// False: no depth test and no depth written (the plan has shown that no test can change the picture).
+    pub depth_test: bool,
+}
+
+/// The base colours of a [`Surface`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Base {
+    /// One colour for everything.
+    Solid(Rgba),
+    /// One colour for each triangle.
+    Faces(Vec<Rgba>),
+    /// One colour for each vertex, interpolated.
+    Vertices(Vec<Rgba>),
+    /// A picture, stretched over the surface.
+    Texture {
+        /// The picture.
+        image: Arc<Texture>,
+        /// Texture coordinates of each vertex, 0 … 1, (0, 0) at the top left.
+        uv: Vec<[f32; 2]>,
+        /// 255 is opaque.
+        opacity: u8,
+    },
+}
+
+/// The light on the base colours of a [`Surface`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum SurfaceLight {
+    /// The base colours are final: they take no light, or hold it already, from their faces (flat) or their vertices
+    /// (Gouraud).
+    InBase,
+    /// Light at each pixel, on the base colour there (Phong).
+    PerPixel(PixelLight),
+}
+
+/// The inputs for lighting a pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PixelLight {
+    /// Unit normals in view space, one per vertex, interpolated.
+    pub normals: Vec<[f32; 3]>,
+    /// Positions in view space, one per vertex, in any unit of length that the lights share.
+    pub positions: Vec<[f32; 3]>,
+    /// The lights, in view space.
+    pub lighting: Lighting,
+}
+
+/// Lights in view space, in the simple model of `[2]` and `[3]`: ambient + diffuse + specular. The formula is that of
+/// [`lighting`](crate::lighting).
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Lighting {
+    /// Ambient share of the colour, 0 … 1.
+    pub ambient: f32,
+    /// Share of the diffuse term, 0 … 1.
+    pub diffuse: f32,
+    /// Share of the specular term, 0 … 1.
+    pub specular: f32,
+    /// Exponent of the specular term, a whole number.
+    pub shininess: f32,
+    /// True where the viewer is at infinity (parallel projection).
+    pub distant_viewer: bool,
+    /// Light both sides of a face.
+    pub two_sided: bool,
+    /// The lights.
+    pub lights: Vec<ViewLight>,
+}
+
+/// One light, in view space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ViewLight {
+    /// Its position; of a distant light, the unit vector **towards** it.
+    pub vector: [f32; 3],
+    /// True where the light is at infinity (parallel light).
+    pub distant: bool,
+}
+
+impl Surface {
+    /// Triangles of one final colour, depth-tested, and translucent if the colour is.
+    #[must_use]
+    pub fn solid(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, color: Rgba) -> Self {
+        Self {
+            positions,
+            inverse_w: Vec::new(),
+            triangles,
+            base: Base::Solid(color),
+            light: SurfaceLight::InBase,
+            translucent: !color.is_opaque(),
+            depth_test: true,
+        }
+    }
+
+    /// True where the colour of a triangle varies over it, so that something is interpolated between its vertices.
+    #[must_use]
+    pub fn varies(&self) -> bool {
+        match (&self.base, &self.light) {
+            (Base::Solid(_) | Base::Faces(_), SurfaceLight::InBase) => false,
+            (Base::Vertices(_) | Base::Texture { .. }, SurfaceLight::InBase) | (_, SurfaceLight::PerPixel(_)) => true,
+        }
+    }
+
+    /// True where it has a picture on it.
+    #[must_use]
+    pub fn is_textured(&self) -> bool {
+        matches!(self.base, Base::Texture { .. })
+    }
+
+    /// The base colour of a triangle; `None` where the list has none, and where it varies over the triangle.
+    #[inline]
+    #[must_use]
+    pub fn face_color(&self, triangle: usize) -> Option<Rgba> {
+        match &self.base {
+            Base::Solid(color) => Some(*color),
+            Base::Faces(colors) => colors.get(triangle).copied(),
+            Base::Vertices(_) | Base::Texture { .. } => None,
+        }
+    }
+
+    /// The base colour of a triangle at one of its vertices; grey under a picture. `None` where the list has none.
+    #[must_use]
+    pub fn color_at_vertex(&self, triangle: usize, vertex: u32) -> Option<Rgba> {
+        match &self.base {
+            Base::Solid(_) | Base::Faces(_) => self.face_color(triangle),
+            Base::Vertices(colors) => colors.get(vertex as usize).copied(),
+            Base::Texture { .. } => Some(Rgba::rgb(128, 128, 128)),
+        }
+    }
+
+    /// The opacity of a triangle at its first vertex. `None` where the list has none.
+    #[must_use]
+    pub fn alpha_of(&self, triangle: usize) -> Option<u8> {
+        match &self.base {
+            Base::Solid(_) | Base::Faces(_) | Base::Vertices(_) => {
+                let first = self.triangles.get(triangle)?[0];
+                self.color_at_vertex(triangle, first).map(|color| color.a)
+            }
+            Base::Texture { opacity, .. } => Some(*opacity),
+        }
+    }
+
+    /// Gives it other colours, which are final.
+    pub fn repaint(&mut self, base: Base) {
+        (self.base, self.light) = (base, SurfaceLight::InBase);
+    }
+
+    /// Makes all colours opaque.
+    pub fn make_opaque(&mut self) {
+        self.translucent = false;
+        match &mut self.base {
+            Base::Solid(color) => color.a = 255,
+            Base::Faces(colors) | Base::Vertices(colors) => colors.iter_mut().for_each(|color| color.a = 255),
+            Base::Texture { opacity, .. } => *opacity = 255,
+        }
+    }
+
+    /// Keeps only the first triangles.
+    pub fn truncate(&mut self, count: usize) {
+        self.triangles.truncate(count);
+        if let Base::Faces(colors) = &mut self.base {
+            colors.truncate(count);
+        }
+    }
+}
+
+impl ViewLight {
+    /// Parallel light from where this unit vector points.
+    #[must_use]
+    pub const fn directional(to_light: [f32; 3]) -> Self {
+        Self { vector: to_light, distant: true }
+    }
+
+    /// A lamp at this position.
+    #[must_use]
+    pub const fn point(position: [f32; 3]) -> Self {
+        Self { vector: position, distant: false }
+    }
+}
+
+impl Lighting {
+    /// True where the positions of the points matter.
+    #[must_use]
+    pub fn needs_positions(&self) -> bool {
+        let viewer = !self.distant_viewer && (self.two_sided || self.specular > 0.0);
+        viewer || self.lights.iter().any(|light| !light.distant)
+    }
+}
