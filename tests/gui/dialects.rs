@@ -20,7 +20,7 @@ fn window(lang: Lang, shown: Explanation) -> Window {
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
     state.layout.maximized = Some(View::Image);
     // So high that nothing has to be scrolled.
-    let mut window = Window::with_state(state, [1100.0, 1500.0]);
+    let mut window = Window::with_state(state, [1100.0, 1900.0]);
     window.explain(shown);
     window
 }

@@ -11,19 +11,22 @@ use egui_kittest::kittest::Queryable;
 
 use super::window::Window;
 
-/// A window with the panel, which tries little.
-fn window(lang: Lang) -> Window {
+/// A window with the panel, which tries so much.
+fn window_with(lang: Lang, effort: Effort) -> Window {
     let mut window = Window::new(lang);
+    window.app_mut().state.numerics.effort = effort;
     window.command_key(Key::Num9);
     window.run();
-    let numerics = &mut window.app_mut().state.numerics;
-    assert!(numerics.shown);
-    numerics.effort = Effort { seed: 1, seconds: 0.0, thorough: false };
+    assert!(window.state().numerics.shown);
     window
 }
 
-fn measured(window: &mut Window, button: &str) {
-    window.click(button);
+fn window(lang: Lang) -> Window {
+    window_with(lang, Effort { seed: 1, seconds: 0.0, thorough: false })
+}
+
+/// Waits for the study that the panel has begun by itself.
+fn measured(window: &mut Window) {
     window.app_mut().state.numerics.take(Duration::from_secs(120));
     window.run();
     assert!(window.state().numerics.measuring().is_none());
@@ -34,9 +37,7 @@ fn a_study_is_measured_and_its_worst_cameras_open_with_what_was_open_kept() {
     let mut window = window(Lang::En);
     window.click("Clipping through w = 0");
     assert_eq!(window.state().numerics.study, Study::Clipping);
-    assert!(window.harness.query_by_label_contains("Not measured yet").is_some());
-    measured(&mut window, "Measure");
-    assert!(window.harness.query_by_label_contains("Not measured yet").is_none());
+    measured(&mut window);
     assert!(window.harness.query_by_label_contains("f64 before the divide").is_some());
 
     // Something is changed; the figure of a row is opened over it.
@@ -59,7 +60,7 @@ fn a_study_is_measured_and_its_worst_cameras_open_with_what_was_open_kept() {
 fn the_panel_speaks_portuguese_and_goes_away_again() {
     let mut window = window(Lang::PtBr);
     window.click("Recorte por w = 0");
-    measured(&mut window, "Medir");
+    measured(&mut window);
     for text in ["erro contra parâmetro", "erro contra tempo", "f64 depois da divisão"] {
         assert!(window.harness.query_by_label_contains(text).is_some(), "{text}");
     }
@@ -72,9 +73,7 @@ fn the_panel_speaks_portuguese_and_goes_away_again() {
 
 #[test]
 fn what_is_cancelled_is_not_shown_as_measured() {
-    let mut window = window(Lang::En);
-    window.app_mut().state.numerics.effort = Effort { seed: 1, seconds: 600.0, thorough: true };
-    window.click("Measure");
+    let mut window = window_with(Lang::En, Effort { seed: 1, seconds: 600.0, thorough: true });
     window.click("Cancel");
     window.app_mut().state.numerics.take(Duration::from_secs(120));
     window.run();

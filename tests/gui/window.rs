@@ -53,8 +53,10 @@ impl Window {
             self.run();
         }
         for name in names(self.state().settings.lang, explanation) {
-            // The bar may have a switch of the same name, before the panel.
-            self.harness.get_all_by_label(name).last().expect("a question and its answer").click();
+            // The bar and the line under the pictures have switches of the same names.
+            let named = self.harness.get_all_by_label(name).filter(|node| node.rect().top() > 26.0);
+            let at_right = named.max_by(|a, b| a.rect().left().total_cmp(&b.rect().left()));
+            at_right.expect("a question and its answer").click();
             self.run();
         }
         assert!(self.state().shows_explanation(explanation));

@@ -91,25 +91,25 @@ pub(super) struct Framed {
 struct Found {
     arrangement: Arrangement,
     count: usize,
-    presenting: bool,
 }
 
-/// The automatic arrangement, from frame to frame.
+/// The automatic arrangement from frame to frame, in the window and in a presentation.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Automatic(Option<Found>);
+pub(super) struct Automatic([Option<Found>; 2]);
 
 impl Automatic {
     /// The arrangement for a room. In a presentation, and while a panel comes or a window is drawn larger, pictures
     /// keep their places.
     pub(super) fn of(&mut self, room: Rect, pictures: &[Framed], presenting: bool) -> Arrangement {
         let count = pictures.len();
-        let before = self.0.filter(|found| (found.count, found.presenting) == (count, presenting));
+        let kept = &mut self.0[usize::from(presenting)];
+        let before = kept.filter(|found| found.count == count);
         let best = best(room, pictures);
         let stays = before.is_some_and(|found| {
             presenting || used(room, pictures, best) <= MUCH_BETTER * used(room, pictures, found.arrangement)
         });
         let arrangement = before.filter(|_| stays).map_or(best, |found| found.arrangement);
-        self.0 = Some(Found { arrangement, count, presenting });
+        *kept = Some(Found { arrangement, count });
         arrangement
     }
 }

@@ -57,9 +57,9 @@ impl Numerics {
         self.measured.ask_again(ctx, (self.study, self.effort));
     }
 
-    /// Begins the study that is shown, once, where it has not been measured.
+    /// Begins the study that is shown, once, where it has not been measured; one that runs makes room for it.
     pub(in crate::gui) fn begin(&mut self, ctx: &egui::Context) {
-        if self.begun != Some(self.study) && self.found(self.study).is_none() && self.measuring().is_none() {
+        if self.begun != Some(self.study) && self.found(self.study).is_none() {
             self.begun = Some(self.study);
             self.measure(ctx);
         }
