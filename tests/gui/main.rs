@@ -36,6 +36,8 @@ mod reveal;
 mod same_pixels;
 mod scene;
 mod sessions;
+#[path = "../common/shot.rs"]
+mod shot;
 mod stages;
 mod strip;
 mod text_fields;

@@ -197,7 +197,7 @@ impl Canvas {
 
     /// A picture of the shot with what the pointer adds to it.
     fn request(&self, state: &State, picture: &Picture, size: Size) -> Request {
-        let (camera, scene) = (state.document.drawn_camera(), state.scene_cache.scene());
+        let (camera, scene) = (state.document.camera(), state.scene_cache.scene());
         let request = Request::of_picture(&self.shot, picture, camera, scene, labels(state.settings.lang), size);
         Request { hover: self.hover.seen_in(picture.kind), ..request }
     }
@@ -392,7 +392,7 @@ impl Canvas {
             let Pane { picture, view, ref mut request, .. } = *pane;
             // What pointer and keys have changed in this frame.
             let shown = &self.shot.pictures[picture];
-            request.camera = shown.camera.as_ref().unwrap_or(state.document.drawn_camera()).clone();
+            request.camera = shown.camera.as_ref().unwrap_or(state.document.camera()).rounded();
             (request.observer, request.hover) = (shown.observer, self.hover.seen_in(view));
             if pane.rect.size.width == 0 || pane.rect.size.height == 0 {
                 continue;

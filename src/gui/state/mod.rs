@@ -404,10 +404,10 @@ impl State {
         self.settings.panels().is_shown(Side::Explain) && self.explain.tab == ExplainTab::Exercises
     }
 
-    /// The camera that an answer describes, while it is shown.
+    /// The camera that an answer describes, while it is shown; as a file can hold it.
     pub(in crate::gui) fn answered_camera(&self) -> Option<Camera> {
         let described = self.exercises.described.as_ref().filter(|_| self.shows_exercises())?;
-        described.camera.as_deref().ok().cloned()
+        described.camera.as_deref().ok().map(Camera::rounded)
     }
 
     /// Puts the figure of an exercise into the pictures, as one step that can be undone. The user's own stays in its

@@ -80,7 +80,7 @@ impl State {
             let [width, height] = self.picture_sizes[view.index()];
             let size = Size { width, height, scale: self.screen_scale };
             let labels = labels(self.settings.lang);
-            let (camera, scene) = (self.document.drawn_camera(), self.scene_cache.scene());
+            let (camera, scene) = (self.document.camera(), self.scene_cache.scene());
             let own = Request::new(&shot, view, camera, scene, labels, size).observer_from(Viewpoint::default());
             *observer = seen.filter(|seen| Some(*seen) != own);
         }
