@@ -63,8 +63,8 @@ pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, he
         PictureError::TooLarge | PictureError::Composite(NoComposite::TooLarge) => {
             Failure::BadInput(texts::too_large(lang, width, height))
         }
-        PictureError::Composite(NoComposite::NoRoom { gap }) => {
-            Failure::BadInput(texts::no_room(lang, width, height, gap))
+        PictureError::Composite(NoComposite::NoRoom { count, gap }) => {
+            Failure::BadInput(texts::no_room(lang, count, [width, height], gap))
         }
         // Nobody cancels it: whoever wants to ends the program.
         PictureError::Cancelled => Failure::Failed(format!("{name}: {error}")),

@@ -35,6 +35,23 @@ pub struct Document {
     aside: Option<DetachedFile>,
 }
 
+/// From where a figure is seen, and what is explained in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seen {
+    /// From where.
+    pub observers: Observers,
+    /// What is explained.
+    pub show: Show,
+}
+
+impl Seen {
+    /// As a figure itself says.
+    #[must_use]
+    pub fn of(figure: &Figure) -> Self {
+        Self { observers: figure.observers, show: figure.show.clone() }
+    }
+}
+
 /// A file whose figure was left for another one, in the same document.
 #[derive(Clone, Debug)]
 struct DetachedFile {
@@ -390,6 +407,13 @@ impl Document {
     pub fn forget_file(&mut self) {
         self.path = None;
         self.note_change();
+    }
+
+    /// Whether something else is explained than in the file. The convention of NDC does not count: it is the window's.
+    #[must_use]
+    pub fn explains_other(&self, show: &Show) -> bool {
+        let own = |show: &Show| Show { ndc: None, ..show.clone() };
+        own(show) != own(&self.saved.show)
     }
 
     /// Whether closing would lose something. Observers do not count, nor do explanations.

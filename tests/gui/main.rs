@@ -20,6 +20,7 @@ mod explained;
 mod files;
 mod gallery;
 mod guide_pictures;
+mod heavy;
 mod homogeneous;
 mod keyboard;
 mod language;

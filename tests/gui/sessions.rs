@@ -4,7 +4,10 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
+use camera_lab::camera::{Convention, Operation};
+use camera_lab::figure::{Measure, Measured};
 use camera_lab::files::FileError;
+use camera_lab::geometry::Angle;
 use camera_lab::gui::state::Message;
 use camera_lab::gui::{self, LaunchOptions, Start, State};
 use camera_lab::i18n::Lang;
@@ -18,7 +21,7 @@ use super::window::Window;
 const MINE: &str = "# Mine.\n[camera]\nfar = 50.0\n\n[scene]\npreset = \"empty\"\n";
 
 /// What the sessions in this folder hold.
-fn written(folder: &Path) -> String {
+pub(crate) fn written(folder: &Path) -> String {
     let files = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     files
         .filter(|path| path.extension().is_some_and(|e| e == "json"))
@@ -59,6 +62,39 @@ fn a_crashed_session_is_back_at_the_next_start() {
     assert_eq!(window.state().document.draft().position.x, 1.25);
     assert!(window.says("The last session, which had not been saved"));
     assert!(window.state().document.is_changed());
+}
+
+#[test]
+fn what_was_seen_is_back_although_the_figure_has_not_changed() {
+    let folder = Folder::new("seen");
+    let begin = || {
+        let mut window = Window::new(Lang::En);
+        window.app_mut().state.layout.maximized = Some(View::World);
+        window.app_mut().keep_session(&folder.0, true);
+        window.run();
+        window
+    };
+    let mut window = begin();
+    let near = vec![Measured::Dimension(Measure::Near)];
+    window.app_mut().state.document.show_mut().measure = near.clone();
+    window.run();
+    assert!(!window.state().document.is_changed());
+    window.crash(&folder.0, "measure");
+    let mut window = begin();
+    assert_eq!(window.state().shown().measure, near);
+    assert!(!window.state().document.is_changed(), "nothing else is");
+    // Nobody has turned the picture: it stays where it is while the camera turns.
+    let before = window.state().seen.world;
+    for _ in 0..3 {
+        let document = &mut window.app_mut().state.document;
+        document.operate(Operation::Azimuth(Angle::from_degrees(20.0)), Convention::default()).expect("a camera");
+    }
+    window.run();
+    assert_eq!((window.state().seen.world, window.state().document.figure().observers.world), (before, None));
+    window.crash(&folder.0, "observers.world");
+    let window = begin();
+    assert_eq!(window.state().seen.world, before);
+    assert_eq!(window.state().shown().measure, near);
 }
 
 #[test]

@@ -4,11 +4,11 @@ use super::matrices::Matrices;
 use super::notes::Notes;
 use super::order::Order;
 use super::steps::Steps;
+use super::triangle::TriangleNumbers;
 use crate::camera::{CameraError, MatrixKind};
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{CameraNumber, Vocabulary};
 use crate::figure::TransformPreview;
-use crate::picture::FollowedTriangle;
 use crate::pipeline::StageReport;
 
 /// A tab of the side of explanations.
@@ -38,7 +38,7 @@ pub enum ExplainTab {
 }
 
 /// The explanations. Their visibility is in [`Panels`](super::Panels).
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Explain {
     /// The tab that is shown.
     pub tab: ExplainTab,
@@ -55,7 +55,7 @@ pub struct Explain {
     /// The position of a point along a segment whose image is shown, 0 … 1.
     pub share: f64,
     /// The numbers of the triangle that is followed step by step.
-    pub triangle: FollowedTriangle,
+    pub triangle: TriangleNumbers,
     /// The report of the strip's picture, stage by stage; written by the pictures while the tab of stages is shown.
     pub reports: Vec<StageReport>,
     /// The target of the code.
@@ -93,7 +93,7 @@ impl Default for Explain {
             order: Order::default(),
             notes: Notes::default(),
             share: 0.5,
-            triangle: FollowedTriangle::default(),
+            triangle: TriangleNumbers::default(),
             reports: Vec::new(),
             code: CodeTarget::default(),
             refused: None,

@@ -21,6 +21,7 @@
 //! | `scene_tree` | the state of the tree: selection, folding, typed texts |
 //! | `shown` | explanations in the pictures: the `[show]` of the figure, its changes by panels |
 //! | `steps` | the tab of steps: the decomposition, and its playback |
+//! | `triangle` | the triangle that is followed: its pixels are found beside the window's thread in heavy scenes |
 //! | `view_history` | earlier viewpoints of the pictures |
 
 mod annotations;
@@ -42,6 +43,7 @@ mod recent;
 mod scene_tree;
 mod shown;
 mod steps;
+mod triangle;
 mod view_history;
 
 use glam::DVec3;
@@ -80,15 +82,18 @@ pub use recent::Recent;
 pub(super) use recent::merged;
 pub(super) use scene_tree::{Draft, Typing, preset_objects};
 pub use scene_tree::{SceneTree, Selected};
-use shown::OpenPanels;
 pub use shown::PanelHover;
+use shown::{OpenPanels, SeenBy};
 pub use steps::{Steps, count, end_of, step_at, time_of};
+pub(in crate::gui) use triangle::Covered;
+pub use triangle::TriangleNumbers;
 pub use view_history::ViewHistory;
 
 use super::Start;
 use super::document::Document;
 use super::export::Export;
 use super::gallery::{Gallery, Source};
+use super::memo::Memo;
 use super::scene_cache::SceneCache;
 
 /// Duration of news, in seconds: time to read two lines.
@@ -189,6 +194,8 @@ pub struct State {
     pub hover: PanelHover,
     /// The last observers of the pictures; `None`: they have not been shown.
     pub seen: Observers,
+    /// What [`as_seen`](Self::as_seen) has found last.
+    observers_shown: Memo<SeenBy, Observers>,
     /// The panels that were open in the last frame, of those that explain something in the pictures.
     pub(in crate::gui) open_panels: OpenPanels,
     /// The target of the pointer; written by the pictures, shown by the panel.
@@ -276,6 +283,7 @@ impl State {
             problem_out_of_sight: false,
             hover: PanelHover::default(),
             seen: Observers::default(),
+            observers_shown: Memo::default(),
             open_panels: OpenPanels::default(),
             probe: None,
             recent: Recent::default(),
