@@ -213,9 +213,9 @@ fn a_card_goes_with_the_window_until_it_is_moved() {
     h.hover_at(from);
     h.run();
     h.drag_at(from);
-    h.run();
+    h.run_steps(2);
     h.hover_at(from + vec2(90.0, -120.0));
-    h.run();
+    h.run_steps(2);
     h.drop_at(from + vec2(90.0, -120.0));
     h.run();
     let moved = card(&h);

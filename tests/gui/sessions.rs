@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use camera_lab::camera::{Convention, Operation};
+use camera_lab::camera::{Convention, Operation, Parameters};
 use camera_lab::figure::{Measure, Measured};
 use camera_lab::files::FileError;
 use camera_lab::geometry::Angle;
@@ -64,37 +64,45 @@ fn a_crashed_session_is_back_at_the_next_start() {
     assert!(window.state().document.is_changed());
 }
 
+/// A window with a figure file, and the world in it.
+fn world(folder: &Folder, restore: bool) -> Window {
+    fs::write(folder.file("mine.toml"), MINE).expect("written");
+    let mut window = Window::opened(&folder.file("mine.toml"));
+    window.app_mut().state.layout.maximized = Some(View::World);
+    window.app_mut().keep_session(&folder.file("sessions"), restore);
+    window.run();
+    window
+}
+
 #[test]
-fn what_was_seen_is_back_although_the_figure_has_not_changed() {
-    let folder = Folder::new("seen");
-    let begin = || {
-        let mut window = Window::new(Lang::En);
-        window.app_mut().state.layout.maximized = Some(View::World);
-        window.app_mut().keep_session(&folder.0, true);
-        window.run();
-        window
-    };
-    let mut window = begin();
+fn what_was_explained_is_back_although_the_figure_has_not_changed() {
+    let folder = Folder::new("explained");
+    let mut window = world(&folder, false);
     let near = vec![Measured::Dimension(Measure::Near)];
     window.app_mut().state.document.show_mut().measure = near.clone();
     window.run();
     assert!(!window.state().document.is_changed());
-    window.crash(&folder.0, "measure");
-    let mut window = begin();
+    window.crash(&folder.file("sessions"), "measure");
+    let window = world(&folder, true);
+    assert!(window.says("The last session, which had not been saved"));
     assert_eq!(window.state().shown().measure, near);
     assert!(!window.state().document.is_changed(), "nothing else is");
-    // Nobody has turned the picture: it stays where it is while the camera turns.
-    let before = window.state().seen.world;
-    for _ in 0..3 {
-        let document = &mut window.app_mut().state.document;
-        document.operate(Operation::Azimuth(Angle::from_degrees(20.0)), Convention::default()).expect("a camera");
-    }
+}
+
+#[test]
+fn a_session_is_seen_from_where_it_was_also_where_nobody_had_turned_the_picture() {
+    let folder = Folder::new("seen");
+    let mut window = world(&folder, false);
+    // The picture stays where it is while the camera turns.
+    let operation = Operation::Azimuth(Angle::from_degrees(6.0));
+    window.app_mut().state.document.operate(operation, Convention::default()).expect("a camera");
     window.run();
-    assert_eq!((window.state().seen.world, window.state().document.figure().observers.world), (before, None));
-    window.crash(&folder.0, "observers.world");
-    let window = begin();
-    assert_eq!(window.state().seen.world, before);
-    assert_eq!(window.state().shown().measure, near);
+    let seen = window.state().seen.world.expect("it is shown");
+    assert_eq!(window.state().document.figure().observers.world, None);
+    window.crash(&folder.file("sessions"), &seen.distance.to_string());
+    let window = world(&folder, true);
+    assert_ne!(window.state().document.draft().position, Parameters::default().position);
+    assert_eq!(window.state().seen.world, Some(seen));
 }
 
 #[test]
