@@ -40,7 +40,7 @@ pub struct Document {
 pub struct Seen {
     /// From where.
     pub observers: Observers,
-    /// What is explained.
+    /// The explanations.
     pub show: Show,
 }
 

@@ -160,8 +160,8 @@ fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, paper: Opti
     request
 }
 
-/// Gives several pictures the letters of the paper, as far as they fit into the smallest; returns the message where they
-/// hardly do.
+/// Gives several pictures the letters of the paper, as far as they fit into the smallest; returns the message where
+/// they hardly do.
 fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
     let room_of = |size: &Size| {
         let [wide, high] = ROOM_IN_LETTERS;

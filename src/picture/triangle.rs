@@ -140,7 +140,7 @@ impl FollowedTriangle {
         Some((kept.steps.clone(), pixels))
     }
 
-    /// What is known of the triangle of a request, and the place of its object in the scene.
+    /// The triangle of a request, as far as it is known, and the place of its object in the scene.
     fn of(&mut self, request: &Request) -> Option<(&mut Kept, usize)> {
         let ShownTriangle { object, index, .. } = request.shot.show.triangle.as_ref()?;
         let place = request.scene.place_of(object)?;

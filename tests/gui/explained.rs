@@ -83,8 +83,8 @@ fn the_convention_of_a_file_is_that_of_the_window_and_is_saved_again() {
     assert_eq!(window.state().figure_to_save().show.ndc.map(|ndc| ndc.name()), Some("direct3d"));
 }
 
-/// An object may be called as the part of another one is: a click knows them apart, and what only a name can tell is not
-/// told wrongly.
+/// An object may be called as the part of another one is: a click knows them apart, and chooses no triangle that its
+/// name cannot tell from another.
 #[test]
 fn an_object_and_a_part_of_another_that_is_called_alike_are_told_apart() {
     let folder = Folder::new("explained-names");

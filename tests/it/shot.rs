@@ -11,7 +11,7 @@ use camera_lab::progress::at_once;
 use camera_lab::share;
 use camera_lab::stage::Stage;
 use camera_lab::views::observer::Viewpoint;
-use camera_lab::views::{Picture, Request, Shot, Size, Views};
+use camera_lab::views::{Picture, Request, SharedScene, Shot, Size, Views};
 use proptest::prelude::*;
 
 use crate::cli::pixels;
@@ -24,9 +24,12 @@ fn picture(figure: &Figure, view: View, renderer: &mut Renderer) -> Pixels {
 
 /// A picture of a figure whose camera may know more than its parameters.
 fn picture_by(camera: &Camera, figure: &Figure, view: View, renderer: &mut Renderer) -> Pixels {
+    renderer.pixels(&request(camera, figure, view, &scene(figure))).unwrap()
+}
+
+fn request(camera: &Camera, figure: &Figure, view: View, scene: &SharedScene) -> Request {
     let size = Size { width: 96, height: 72, scale: 1.0 };
-    let request = Request::of(figure, view, camera, &scene(figure), labels(Lang::En), size);
-    renderer.pixels(&request).unwrap()
+    Request::of(figure, view, camera, scene, labels(Lang::En), size)
 }
 
 /// The camera after operations, as far as they can be done.
@@ -85,7 +88,10 @@ proptest! {
         prop_assert_eq!(&again, &figure);
         prop_assert_eq!(Shot::of(&again), Shot::of(&figure));
         for view in View::ALL {
-            // What the operations know beyond the file makes no difference.
+            // What the operations know beyond the file makes no difference, however little of it pixels could show.
+            let scene = scene(&figure);
+            let of_file = request(&Camera::new(&again.camera).unwrap(), &again, view, &scene);
+            prop_assert!(request(&camera, &figure, view, &scene) == of_file, "{view:?}");
             let one = picture_by(&camera, &figure, view, &mut Renderer::default());
             // Whatever a renderer has drawn before.
             let mut used = Renderer::default();

@@ -125,8 +125,7 @@ impl Sessions {
         }
     }
 
-    /// Saves changes, and what is explained, as it is seen; nothing where nothing would be lost. Call it when no pointer
-    /// or key is held.
+    /// Saves changes and explanations; nothing where nothing would be lost. Call it when no pointer or key is held.
     pub fn keep(&mut self, ctx: &egui::Context, (document, seen): (&Document, &Seen)) {
         let now = clock::now();
         match self.own.as_mut().and_then(Writer::take) {

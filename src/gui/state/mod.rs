@@ -194,7 +194,7 @@ pub struct State {
     pub hover: PanelHover,
     /// The last observers of the pictures; `None`: they have not been shown.
     pub seen: Observers,
-    /// What [`as_seen`](Self::as_seen) has found last.
+    /// The observers that [`as_seen`](Self::as_seen) found last.
     observers_shown: Memo<SeenBy, Observers>,
     /// The panels that were open in the last frame, of those that explain something in the pictures.
     pub(in crate::gui) open_panels: OpenPanels,

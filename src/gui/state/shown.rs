@@ -32,7 +32,7 @@ pub(in crate::gui) struct OpenPanels {
     order: bool,
 }
 
-/// What the observers of the screen depend on.
+/// The state that the observers of the screen depend on.
 pub(super) type SeenBy = ((Revision, [Observers; 2], [bool; View::COUNT], [[u32; 2]; View::COUNT]), Ndc);
 
 impl State {
