@@ -192,6 +192,14 @@ impl Camera {
         &self.parameters
     }
 
+    /// The camera of its parameters alone, as a file can hold them: without the rest beyond their `f64`s, which
+    /// operations retain.
+    #[must_use]
+    pub fn rounded(&self) -> Self {
+        // No operation gives parameters that are not a camera.
+        Self::new(&self.parameters).unwrap_or_else(|_| self.clone())
+    }
+
     /// C.
     #[must_use]
     pub fn position(&self) -> DVec3 {

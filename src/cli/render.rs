@@ -3,7 +3,7 @@
 use super::args::RenderArgs;
 use super::words::LangArg;
 use super::{Failure, open, progress, say, scene};
-use crate::camera::{Camera, ImageSize};
+use crate::camera::ImageSize;
 use crate::export::format::PictureFormat;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
@@ -36,8 +36,6 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     };
     let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
     let shot = Shot::of(figure);
-    // As the window and the figure in the file: with the camera that its parameters give.
-    let camera = Camera::new(&opened.figure.camera).unwrap_or(camera);
     let request = Request::new(&shot, View::Image, &camera, &scene, labels, size);
     let finish = Finish { transparent: args.transparent, ..Finish::default() };
     let request = Request { force_all_stages: args.force_all_stages, finish, ..request };
@@ -65,8 +63,8 @@ pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, he
         PictureError::TooLarge | PictureError::Composite(NoComposite::TooLarge) => {
             Failure::BadInput(texts::too_large(lang, width, height))
         }
-        PictureError::Composite(NoComposite::NoRoom { gap }) => {
-            Failure::BadInput(texts::no_room(lang, width, height, gap))
+        PictureError::Composite(NoComposite::NoRoom { count, gap }) => {
+            Failure::BadInput(texts::no_room(lang, count, [width, height], gap))
         }
         // Nobody cancels it: whoever wants to ends the program.
         PictureError::Cancelled => Failure::Failed(format!("{name}: {error}")),

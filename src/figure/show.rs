@@ -120,6 +120,12 @@ impl TriangleStep {
     /// All, in order.
     pub const ALL: [Self; 8] =
         [Self::View, Self::Facing, Self::Outcodes, Self::Cuts, Self::Divide, Self::Viewport, Self::Pixels, Self::Depth];
+
+    /// Whether it is about the pixels that the triangle covers.
+    #[must_use]
+    pub const fn needs_pixels(self) -> bool {
+        matches!(self, Self::Pixels | Self::Depth)
+    }
 }
 
 /// The target of the probe.

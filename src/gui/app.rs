@@ -225,6 +225,12 @@ impl App {
         }
         tooltip::beside_nothing(&ctx);
         motion::show_done(&ctx, &mut self.state);
+        if let Some(document) = self.state.file_flow.instead.take() {
+            self.leave(&ctx, |state| {
+                sequence::show(state, document);
+                true
+            });
+        }
         self.state.follow_panels();
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         let pictures = egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
@@ -251,7 +257,8 @@ impl App {
                 ctx.request_repaint_after(Duration::from_secs_f64(left));
             }
             if let Some(sessions) = &mut self.sessions {
-                sessions.keep(&ctx, &self.state.document);
+                let seen = self.state.as_seen();
+                sessions.keep(&ctx, (&self.state.document, &seen));
             }
             if let Some(preferences) = &mut self.preferences {
                 preferences.keep(&ctx, &mut self.state);
@@ -312,15 +319,22 @@ impl App {
 
     /// Shows the next figure, or the one before. Changes of this one are kept, and stay stored.
     fn step(&mut self, ctx: &egui::Context, forwards: bool) {
+        if self.leave(ctx, |state| sequence::step(state, forwards))
+            && let Some(sessions) = &mut self.sessions
+        {
+            sessions.come_back(sequence::source_of(&self.state.document).as_ref());
+        }
+    }
+
+    /// Goes on to another figure, as `go` does where it returns true; the changes of this one stay stored.
+    fn leave(&mut self, ctx: &egui::Context, go: impl FnOnce(&mut State) -> bool) -> bool {
         let (left, document) = (sequence::source_of(&self.state.document), self.state.document.clone());
-        if !sequence::step(&mut self.state, forwards) {
-            return;
+        let seen = self.state.as_seen();
+        let goes = go(&mut self.state);
+        if let Some(sessions) = self.sessions.as_mut().filter(|_| goes && document.is_changed()) {
+            sessions.leave(ctx, left, (&document, &seen));
         }
-        let Some(sessions) = &mut self.sessions else { return };
-        if document.is_changed() {
-            sessions.leave(ctx, left, &document);
-        }
-        sessions.come_back(sequence::source_of(&self.state.document).as_ref());
+        goes
     }
 
     /// The name of the figure in the title of the window.

@@ -12,8 +12,6 @@ use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
 pub struct Document {
     figure: Figure,
     camera: Camera,
-    /// The camera of the figure's parameters, without the rest that operations retain.
-    drawn: Camera,
     draft: Parameters,
     problem: Option<CameraError>,
     path: Option<PathBuf>,
@@ -35,6 +33,23 @@ pub struct Document {
     history: History,
     /// The file that stays alone while another figure is shown.
     aside: Option<DetachedFile>,
+}
+
+/// From where a figure is seen, and what is explained in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seen {
+    /// From where.
+    pub observers: Observers,
+    /// The explanations.
+    pub show: Show,
+}
+
+impl Seen {
+    /// As a figure itself says.
+    #[must_use]
+    pub fn of(figure: &Figure) -> Self {
+        Self { observers: figure.observers, show: figure.show.clone() }
+    }
 }
 
 /// A file whose figure was left for another one, in the same document.
@@ -77,7 +92,6 @@ impl Document {
             version: Revision::new(),
             committed: None,
             is_changed: false,
-            drawn: camera.clone(),
             camera,
             draft: figure.camera,
             problem: None,
@@ -110,23 +124,11 @@ impl Document {
         &self.figure
     }
 
-    /// The camera of [`Self::figure`].
+    /// The camera of [`Self::figure`], with the rest beyond the `f64`s of its parameters. Pictures are drawn without
+    /// it, see [`Camera::rounded`].
     #[must_use]
     pub fn camera(&self) -> &Camera {
         &self.camera
-    }
-
-    /// The camera that pictures are drawn with: that of the figure's parameters, as a file can hold them, so that a
-    /// picture that is exported, or drawn from the file or a link, is that on the screen.
-    #[must_use]
-    pub fn drawn_camera(&self) -> &Camera {
-        &self.drawn
-    }
-
-    /// Takes a camera over with its parameters, or, where rounding has left no camera of these, as it is.
-    fn put_camera(&mut self, camera: Camera) {
-        self.drawn = Camera::new(camera.parameters()).unwrap_or_else(|_| camera.clone());
-        self.camera = camera;
     }
 
     /// The parameters as the fields show them; may be nonsense.
@@ -151,7 +153,7 @@ impl Document {
         match Camera::new(&parameters) {
             Ok(camera) => {
                 self.figure.camera = parameters;
-                self.put_camera(camera);
+                self.camera = camera;
                 self.problem = None;
             }
             Err(error) => self.problem = Some(error),
@@ -207,7 +209,7 @@ impl Document {
     fn restore(&mut self, moment: Option<Moment>) {
         let Some(Moment { figure, revision, camera, draft }) = moment else { return };
         (self.figure, self.draft) = (figure, draft);
-        self.put_camera(camera);
+        self.camera = camera;
         self.has_scene(revision);
         self.problem = Camera::new(&self.draft).err();
         self.follow_file();
@@ -268,7 +270,7 @@ impl Document {
         let camera = Camera::new(&figure.camera)?;
         self.commit();
         self.draft = figure.camera;
-        self.put_camera(camera);
+        self.camera = camera;
         let before = std::mem::replace(&mut self.figure, figure);
         self.problem = None;
         self.has_scene(Revision::new());
@@ -309,7 +311,7 @@ impl Document {
     pub fn set_camera(&mut self, camera: Camera) {
         self.draft = *camera.parameters();
         self.figure.camera = self.draft;
-        self.put_camera(camera);
+        self.camera = camera;
         self.problem = None;
         self.note_change();
     }
@@ -405,6 +407,13 @@ impl Document {
     pub fn forget_file(&mut self) {
         self.path = None;
         self.note_change();
+    }
+
+    /// Whether something else is explained than in the file. The convention of NDC does not count: it is the window's.
+    #[must_use]
+    pub fn explains_other(&self, show: &Show) -> bool {
+        let own = |show: &Show| Show { ndc: None, ..show.clone() };
+        own(show) != own(&self.saved.show)
     }
 
     /// Whether closing would lose something. Observers do not count, nor do explanations.

@@ -209,7 +209,9 @@ impl ExportError {
             Self::Picture(PictureError::TooLarge | PictureError::Composite(NoComposite::TooLarge)) => {
                 t.picture_too_large.to_owned()
             }
-            Self::Picture(PictureError::Composite(NoComposite::NoRoom { .. })) => t.picture_no_room.to_owned(),
+            Self::Picture(PictureError::Composite(NoComposite::NoRoom { count, .. })) => {
+                format!("{count} {}", t.picture_no_room)
+            }
             Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
             Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, format.name(), why),
             Self::Picture(PictureError::Animate { format, why }) => messages::encoder(lang, format.name(), why),

@@ -8,6 +8,9 @@ use super::worker::{Running, Worker};
 use crate::clock;
 use crate::progress::Progress;
 
+/// Time that a frame waits for an answer without which it can do.
+pub(super) const PATIENCE: Duration = Duration::from_millis(4);
+
 /// A value, with what it was made from. It is made anew only from something else.
 #[derive(Debug)]
 pub(super) struct Memo<K, V> {

@@ -24,7 +24,7 @@ pub struct Preview {
     /// The last request.
     asked: Option<Export>,
     texture: Option<TextureHandle>,
-    /// The message where three pictures have little space on their paper.
+    /// The message where several pictures have little space on their paper.
     pub(super) crowded: Option<Crowded>,
     /// Why there is no picture.
     pub(super) fault: Option<ExportError>,

@@ -17,8 +17,16 @@ use crate::clock;
 use crate::files::{FigureFiles, FileAccess};
 use crate::progress::Progress;
 use crate::scene::import::{Imported, read};
-use crate::scene::{self, MeshError, MeshFiles, Preset, ReadError, SceneError, SceneSpec, Shape};
+use crate::scene::{self, MeshError, MeshFiles, Preset, ReadError, Scene, SceneError, SceneSpec, Shape};
 use crate::views::SharedScene;
+
+/// More vertices and triangles than this take longer to look through than a frame has.
+const HEAVY: usize = 60_000;
+
+/// Whether a scene takes longer to look through than a frame has: what does is done beside the window's thread then.
+pub(in crate::gui) fn is_heavy(scene: &Scene) -> bool {
+    scene.objects.iter().map(|o| o.mesh.positions.len() + o.mesh.triangles.len()).sum::<usize>() > HEAVY
+}
 
 /// The scene of the figure, or the last one that could be made.
 #[derive(Debug, Default)]

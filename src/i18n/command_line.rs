@@ -353,15 +353,15 @@ pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, m
     }
 }
 
-/// A sheet on which three pictures have no room beside the gaps between them.
+/// A sheet on which so many pictures have no room beside the gaps between them.
 #[must_use]
-pub fn no_room(lang: Lang, width: u64, height: u64, gap: u32) -> String {
+pub fn no_room(lang: Lang, count: usize, [width, height]: [u64; 2], gap: u32) -> String {
     match lang {
         Lang::En => format!(
-            "three pictures with gaps of {gap} pixels do not fit into {width} × {height} pixels; the gaps grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters"
+            "{count} pictures with gaps of {gap} pixels do not fit into {width} × {height} pixels; the gaps grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters"
         ),
         Lang::PtBr => format!(
-            "três imagens com intervalos de {gap} pixels não cabem em {width} × {height} pixels; os intervalos crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores"
+            "{count} imagens com intervalos de {gap} pixels não cabem em {width} × {height} pixels; os intervalos crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores"
         ),
     }
 }

@@ -33,6 +33,7 @@ texts! {
     covers: "pixels covered", "pixels cobertos";
     rows: "rows", "linhas";
     too_large: "Nothing to show: the object is not drawn, or the image is larger than 4 million pixels.", "Nada a mostrar: o objeto não é desenhado, ou a imagem tem mais de 4 milhões de pixels.";
+    being_found: "Its pixels are being found…", "Os seus pixels estão sendo determinados…";
     covers_none: "It covers the centre of no pixel.", "Não cobre o centro de nenhum pixel.";
     pixel: "pixel (i, j), from the top left", "pixel (i, j), do canto superior esquerdo";
     pixel_hint: "Type it, or click a pixel of the triangle in the image", "Digite-o, ou clique num pixel do triângulo na imagem";

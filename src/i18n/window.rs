@@ -313,7 +313,7 @@ texts! {
     close_now: "Close without it", "Fechar sem ela";
     export_cancelled: "Cancelled; nothing was written to", "Cancelado; nada foi gravado em";
     picture_failed: "A bug in this program kept the picture from being written:", "Um defeito deste programa impediu que a imagem fosse gravada:";
-    picture_no_room: "Three pictures do not fit on a sheet of this size; allowed: a larger one, or smaller letters.", "Três imagens não cabem numa folha deste tamanho; permitido: uma maior, ou letras menores.";
+    picture_no_room: "pictures do not fit on a sheet of this size; allowed: a larger one, or smaller letters.", "imagens não cabem numa folha deste tamanho; permitido: uma maior, ou letras menores.";
     picture_too_large: "There is not enough memory for a picture of this size.", "Não há memória suficiente para uma imagem deste tamanho.";
     export_heading: "Export pictures", "Exportar imagens";
     export_what: "pictures", "imagens";

@@ -19,12 +19,12 @@ const LEAST_LETTERS: f64 = 6.0;
 pub struct OnPaper {
     /// Pixels per inch.
     pub dpi: f64,
-    /// Height of the letters of names in points; `None`: by the scale of the picture. Where there are three pictures,
+    /// Height of the letters of names in points; `None`: by the scale of the picture. Where there are several pictures,
     /// they are smaller, as long as they can be read, if they would cover their objects: see [`Composite::crowded`].
     pub letters: Option<f64>,
     /// Width of the edges of solids in points, and other strokes in proportion; `None`: in proportion to the letters.
     pub lines: Option<f64>,
-    /// Three pictures are arranged so that they become as large as the shape of the paper allows; otherwise they are
+    /// Several pictures are arranged so that they become as large as the shape of the paper allows; otherwise they are
     /// side by side.
     pub arranged: bool,
 }
@@ -53,7 +53,7 @@ impl OnPaper {
     }
 }
 
-/// Three pictures with less room on paper than their letters want.
+/// Several pictures with less room on paper than their letters want.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crowded {
     /// Width and height of the smallest picture in centimetres.
@@ -73,8 +73,10 @@ pub enum NoComposite {
     #[error("there is not enough memory for a picture of this size")]
     TooLarge,
     /// All pictures do not fit on it.
-    #[error("three pictures with gaps of {gap} pixels do not fit on a sheet of this size")]
+    #[error("{count} pictures with gaps of {gap} pixels do not fit on a sheet of this size")]
     NoRoom {
+        /// Number of pictures.
+        count: usize,
         /// Pixels between two of them.
         gap: u32,
     },
@@ -91,7 +93,7 @@ pub struct Composite {
     pub(super) gap: u32,
     /// The background between them.
     pub(super) ground: Rgba,
-    /// The message where three pictures have little space on their paper.
+    /// The message where several pictures have little space on their paper.
     pub crowded: Option<Crowded>,
 }
 
@@ -119,7 +121,7 @@ impl Composite {
         if views == Views::All {
             // Gaps alone are no pictures.
             let fit = |all: &Vec<Size>| all.iter().all(|s| s.width > 0 && s.height > 0);
-            let no_room = NoComposite::NoRoom { gap: gap(whole.scale) };
+            let no_room = NoComposite::NoRoom { count: pictures.len(), gap: gap(whole.scale) };
             sizes = sizes_of(pictures.len(), arrangement, whole).filter(fit).ok_or(no_room)?;
             crowded = paper.and_then(|paper| lettered(&mut sizes, paper));
         }
@@ -158,8 +160,8 @@ fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, paper: Opti
     request
 }
 
-/// Gives three pictures the letters of the paper, as far as they fit into the smallest; returns the message where they
-/// hardly do.
+/// Gives several pictures the letters of the paper, as far as they fit into the smallest; returns the message where
+/// they hardly do.
 fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
     let room_of = |size: &Size| {
         let [wide, high] = ROOM_IN_LETTERS;

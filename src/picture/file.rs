@@ -27,7 +27,7 @@ pub enum PictureError {
     Encode {
         /// The format.
         format: PictureFormat,
-        /// The message of the encoder.
+        /// The message of the encoder: its own error belongs to another crate, and can be neither cloned nor compared.
         why: String,
     },
     /// An error of an animation.
@@ -35,7 +35,7 @@ pub enum PictureError {
     Animate {
         /// The format.
         format: AnimationFormat,
-        /// The message of the encoder.
+        /// The message of the encoder, as for [`Encode`](Self::Encode).
         why: String,
     },
     /// An error of PNG.

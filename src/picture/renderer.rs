@@ -128,7 +128,8 @@ impl Renderer {
             }
             View::Canonical | View::Image => (None, None),
         };
-        let followed = self.triangle.overlay(request).map(|found| Request { triangle: Some(found), ..request.clone() });
+        let overlay = self.triangle.overlay(request).await;
+        let followed = overlay.map(|found| Request { triangle: Some(found), ..request.clone() });
         let request = followed.as_ref().unwrap_or(request);
         let pipeline = &mut self.pipelines[request.view.index()];
         pipeline.clock = self.clock;

@@ -3,12 +3,15 @@
 
 use std::sync::Arc;
 
+use tiny_skia::Pixmap;
+
 use crate::appearance::Rgba;
 use crate::camera::Camera;
-use crate::figure::{ShownTriangle, TriangleStep};
+use crate::figure::ShownTriangle;
 use crate::limits::MAX_STEPPED_PIXELS;
 use crate::pipeline::Target;
 use crate::pipeline::one_triangle::{TriangleSteps, one_triangle};
+use crate::progress::pause;
 use crate::raster::{DepthBuffer, Rasterizer};
 use crate::views::depth::DepthTest;
 use crate::views::{Look, Request, SharedScene, TriangleOverlay};
@@ -36,19 +39,23 @@ pub struct Tested {
 
 impl TrianglePixels {
     /// Of a triangle (object of the scene, index in its mesh). `None` where its object is not drawn, and for images of
-    /// more than [`MAX_STEPPED_PIXELS`].
-    #[must_use]
-    pub fn of(request: &Request, object: usize, triangle: u32) -> Option<Self> {
+    /// more than [`MAX_STEPPED_PIXELS`]. Pauses on the way, which leads past all faces of the scene.
+    pub async fn of(request: &Request, object: usize, triangle: u32) -> Option<Self> {
         let image = request.shot.look.image;
         if u64::from(image.width) * u64::from(image.height) > MAX_STEPPED_PIXELS {
             return None;
         }
         let test = DepthTest::of(request, object, triangle)?;
-        let mut rasterizer = Rasterizer::default();
-        rasterizer.paint(&test.alone)?;
-        let alone = rasterizer.depth().clone();
-        rasterizer.paint(&test.before)?;
-        let before = rasterizer.depth().clone();
+        pause().await;
+        let (mut rasterizer, mut pixmap) = (Rasterizer::default(), Pixmap::new(1, 1)?);
+        let [mut alone, mut before] = [DepthBuffer::default(), DepthBuffer::default()];
+        for (drawing, depth) in [(&test.alone, &mut alone), (&test.before, &mut before)] {
+            if !rasterizer.paint_into(drawing, &mut pixmap).await {
+                return None;
+            }
+            depth.clone_from(rasterizer.depth());
+            pause().await;
+        }
         let mut rows: Vec<[u32; 3]> = Vec::new();
         for y in 0..image.height {
             // A triangle is convex: its pixels in a row are in one piece.
@@ -113,10 +120,29 @@ struct Kept {
 }
 
 impl FollowedTriangle {
-    /// The steps of the triangle that a request shows, and in the steps that need them its pixels. `None` where none is
-    /// shown, or there is no such triangle.
-    pub fn found(&mut self, request: &Request) -> Option<(TriangleSteps, Option<Arc<TrianglePixels>>)> {
-        let ShownTriangle { object, index, step, .. } = request.shot.show.triangle.as_ref()?;
+    /// The steps of the triangle that a request shows. `None` where none is shown, or there is no such triangle.
+    pub fn steps(&mut self, request: &Request) -> Option<TriangleSteps> {
+        self.of(request).map(|(kept, _)| kept.steps.clone())
+    }
+
+    /// Its steps, and in the steps that need them its pixels. `None` as for [`steps`](Self::steps).
+    pub async fn found(&mut self, request: &Request) -> Option<(TriangleSteps, Option<Arc<TrianglePixels>>)> {
+        let ShownTriangle { index, step, .. } = request.shot.show.triangle.as_ref()?;
+        let (kept, place) = self.of(request)?;
+        let pixels = match (step.needs_pixels(), &kept.pixels) {
+            (false, _) => None,
+            (true, Some(pixels)) => pixels.clone(),
+            (true, None) => {
+                let pixels = TrianglePixels::of(request, place, *index).await.map(Arc::new);
+                kept.pixels.insert(pixels).clone()
+            }
+        };
+        Some((kept.steps.clone(), pixels))
+    }
+
+    /// The triangle of a request, as far as it is known, and the place of its object in the scene.
+    fn of(&mut self, request: &Request) -> Option<(&mut Kept, usize)> {
+        let ShownTriangle { object, index, .. } = request.shot.show.triangle.as_ref()?;
         let place = request.scene.place_of(object)?;
         let (camera, scene) = (request.camera.clone(), request.scene.clone());
         let key = Key { camera, scene, look: request.shot.look, object: place, index: *index };
@@ -127,17 +153,12 @@ impl FollowedTriangle {
             let steps = one_triangle(&request.scene.objects[place], *index as usize, &request.camera, target)?;
             self.kept = Some((key, Kept { steps, pixels: None }));
         }
-        let (_, kept) = self.kept.as_mut()?;
-        let wants_pixels = matches!(step, TriangleStep::Pixels | TriangleStep::Depth);
-        if wants_pixels && kept.pixels.is_none() {
-            kept.pixels = Some(TrianglePixels::of(request, place, *index).map(Arc::new));
-        }
-        Some((kept.steps.clone(), kept.pixels.clone().flatten().filter(|_| wants_pixels)))
+        self.kept.as_mut().map(|(_, kept)| (kept, place))
     }
 
     /// Its display in the pictures.
-    pub fn overlay(&mut self, request: &Request) -> Option<Arc<TriangleOverlay>> {
-        let (steps, pixels) = self.found(request)?;
+    pub async fn overlay(&mut self, request: &Request) -> Option<Arc<TriangleOverlay>> {
+        let (steps, pixels) = self.found(request).await?;
         let shown = request.shot.show.triangle.as_ref()?;
         Some(Arc::new(TriangleOverlay {
             step: shown.step,

@@ -52,8 +52,8 @@ pub struct Finish {
 }
 
 impl Request {
-    /// A picture of a figure, without hover. The camera is the figure's, or that after operations; the scene is
-    /// [`scene_of`](super::scene_of) the figure.
+    /// A picture of a figure, without hover. The camera is the figure's, or that after operations, as in
+    /// [`of_picture`](Self::of_picture); the scene is [`scene_of`](super::scene_of) the figure.
     #[must_use]
     pub fn of(
         figure: &Figure,
@@ -80,6 +80,7 @@ impl Request {
     }
 
     /// A picture of a shot, with nothing pointed at. The camera is the figure's; the picture may have one of its own.
+    /// It is [rounded](Camera::rounded), so that a picture is the same before its figure is saved and after.
     #[must_use]
     pub fn of_picture(
         shot: &Shot,
@@ -92,7 +93,7 @@ impl Request {
         Self {
             view: picture.kind,
             observer: picture.observer.filter(|_| picture.kind != View::Image),
-            camera: picture.camera.as_ref().unwrap_or(camera).clone(),
+            camera: picture.camera.as_ref().unwrap_or(camera).rounded(),
             shot: Arc::new(shot.seen_in(picture.kind)),
             scene: scene.clone(),
             hover: Hover::default(),

@@ -27,7 +27,7 @@ pub struct Shot {
     pub pictures: Vec<Picture>,
     /// Explanations in the pictures.
     pub show: Show,
-    /// The second camera of `show`, which may know more than its parameters.
+    /// The second camera of `show`.
     pub answered: Option<Camera>,
     /// The transform of the object that `show` measures.
     pub measured_object: Option<ObjectTransform>,

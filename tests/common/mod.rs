@@ -3,3 +3,4 @@
 pub(crate) mod camera;
 pub(crate) mod picture;
 pub(crate) mod program;
+pub(crate) mod shot;

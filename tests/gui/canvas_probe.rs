@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests; places on a small screen")]
 
 use camera_lab::camera::{Parameters, Projection};
-use camera_lab::figure::Observer;
+use camera_lab::figure::{Observer, ShownProbe};
 use camera_lab::scene::{ObjectSpec, Preset, Shape};
 use camera_lab::views::{Probe, View, image_frame};
 use eframe::egui::{Key, Rect, vec2};
@@ -188,4 +188,39 @@ fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
     h.get_by_label("Release (Esc)").click();
     h.run();
     assert!(!says(&h, "Release (Esc)"));
+}
+
+/// A card that nobody has moved is where it is in a window that has always been as large.
+#[test]
+fn a_card_goes_with_the_window_until_it_is_moved() {
+    let open = |size: [f32; 2]| {
+        let mut h = stage(|state| state.document.show_mut().probe = Some(ShownProbe::World(DVec3::ONE)));
+        h.set_size(size.into());
+        h.run();
+        h
+    };
+    let card = |h: &Harness<Stage>| h.get_by_label("Release (Esc)").rect().center();
+    let [small, large] = [[700.0, 300.0], [1400.0, 900.0]];
+    let expected = [small, large].map(|size| card(&open(size)));
+    assert_ne!(expected[0], expected[1]);
+    let mut h = open(small);
+    assert_eq!(card(&h), expected[0]);
+    h.set_size(large.into());
+    h.run();
+    assert_eq!(card(&h), expected[1]);
+    // By hand.
+    let from = card(&h) + vec2(30.0, -40.0);
+    h.hover_at(from);
+    h.run();
+    h.drag_at(from);
+    h.run_steps(2);
+    h.hover_at(from + vec2(90.0, -120.0));
+    h.run_steps(2);
+    h.drop_at(from + vec2(90.0, -120.0));
+    h.run();
+    let moved = card(&h);
+    assert_ne!(moved, expected[1]);
+    h.set_size([1390.0, 890.0].into());
+    h.run();
+    assert_eq!(card(&h), moved);
 }

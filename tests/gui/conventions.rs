@@ -149,7 +149,7 @@ fn an_exported_canonical_volume_is_in_the_convention_and_names_it() {
         let mut window = canonical(ndc);
         let path = folder.file(name);
         let [width, height] = window.state().picture_sizes[View::Canonical.index()];
-        let on_screen = window.textures.only([width as usize, height as usize]);
+        let on_screen = window.pixels([width as usize, height as usize]);
         window.command_key(Key::E);
         let Some(Dialog::Export(mut export)) = window.state().file_flow.dialog.clone() else { panic!("no dialog") };
         let (sizes, unit) = (window.state().picture_sizes, window.state().screen_scale);

@@ -93,7 +93,7 @@ fn the_export_dialog_shows_the_picture_as_it_will_be() {
         assert!(since.elapsed() < Duration::from_secs(60), "{shown:?}");
         shown = preview(&mut window, Some(shown.0));
     }
-    let pixels = |window: &Window| window.textures.only([320, 200]);
+    let pixels = |window: &Window| window.pixels([320, 200]);
     let print = pixels(&window);
     assert!(print.chunks_exact(4).all(|pixel| pixel[3] == 255));
     window.quick_choice("theme", "dark");

@@ -4,7 +4,7 @@
 
 use camera_lab::camera::Parameters;
 use camera_lab::exercises::{Ask, Entry, Exercise, Expected, Free, Stage, entry};
-use camera_lab::figure::Explanation;
+use camera_lab::figure::{Explanation, ShownProbe};
 use camera_lab::gui::state::Chosen;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::{Lang, exercise_messages, exercise_window, exercises as said};
@@ -13,6 +13,7 @@ use camera_lab::views::View;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use glam::DVec2;
 
 use super::files::Folder;
 use super::window::Window;
@@ -108,9 +109,12 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     let right_camera = exercise.subject.camera().unwrap();
     assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera, "the right one is set");
     assert!(described.position().distance(right_camera.position()) > 0.1);
+    window.app_mut().state.document.show_mut().probe = Some(ShownProbe::Window(DVec2::ZERO));
+    window.run();
     window.key(Key::Escape);
+    assert!(window.state().exercises.described.is_none() && window.state().pinned().is_some(), "one after the other");
     window.key(Key::Escape);
-    assert!(window.state().exercises.described.is_none());
+    assert!(window.state().pinned().is_none());
     window.command_key(Key::Z);
     assert_eq!(window.state().document.figure(), &own, "one step leads back to the own figure");
 

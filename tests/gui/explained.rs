@@ -5,7 +5,12 @@ use std::fs;
 use camera_lab::camera::Decomposition;
 use camera_lab::figure::Explanation;
 use camera_lab::figure::{Measure, Measured, ShownTriangle, TriangleStep};
-use eframe::egui::Key;
+use camera_lab::gui::state::{Selected, Side, Tab};
+use camera_lab::views::{Size, image_frame};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, vec2};
+use egui_kittest::kittest::Queryable as _;
+use glam::DVec3;
 
 use super::files::Folder;
 use super::window::Window;
@@ -77,4 +82,57 @@ fn the_convention_of_a_file_is_that_of_the_window_and_is_saved_again() {
     let window = window("explained-ndc", "ndc = \"direct3d\"");
     assert_eq!(window.state().settings.conventions.ndc.name(), "direct3d");
     assert_eq!(window.state().figure_to_save().show.ndc.map(|ndc| ndc.name()), Some("direct3d"));
+}
+
+/// An object may be called as the part of another one is: a click knows them apart, and chooses no triangle that its
+/// name cannot tell from another.
+#[test]
+fn an_object_and_a_part_of_another_that_is_called_alike_are_told_apart() {
+    let folder = Folder::new("explained-names");
+    let corner = |x: f64, y: f64| format!("v {} {y} 0\nv {x} {} 0\nv {x} {y} 1\n", x + 1.0, y + 1.0);
+    let mesh = format!("o block\n{}f 1 2 3\no lid\n{}f 4 5 6\n", corner(-1.5, 0.0), corner(-1.5, 1.2));
+    fs::write(folder.file("engine.obj"), mesh).expect("written");
+    let engine = "[[scene.objects]]\nname = \"engine\"\nshape = \"mesh\"\npath = \"engine.obj\"\n";
+    let block = "[[scene.objects]]\nname = \"engine/block\"\nshape = \"box\"\ntranslate = [1.2, 0, 0]\n";
+    let path = folder.file("figure.toml");
+    let figure = format!("[scene]\npreset = \"empty\"\n{engine}{block}[style]\nantialias = 1\n");
+    fs::write(&path, figure).expect("written");
+    let mut window = Window::opened(&path);
+    window.wait(|window| window.state().scene_cache.scene().objects.len() == 3);
+    let named = |name: &str| window.state().scene_cache.scene().objects.iter().filter(|o| o.name == name).count();
+    assert_eq!((named("engine/block"), named("engine/lid")), (2, 1));
+    let [part, lid, own] = [[-1.5, 0.0], [-1.5, 1.2], [1.2, 0.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+    let third = DVec3::splat(1.0 / 3.0);
+    let click = |window: &mut Window, p: DVec3| {
+        let camera = window.state().document.camera().clone();
+        let clip = camera.clip_point(p);
+        let place = window.harness.get_by_role(Role::Image).rect();
+        let size = Size { width: place.width() as u32, height: place.height() as u32, scale: 1.0 };
+        let frame = image_frame(size, 4.0 / 3.0);
+        let [x, y] = [
+            f64::from(frame.x) + f64::from(frame.width) * (0.5 + 0.5 * clip.x / clip.w),
+            f64::from(frame.y) + f64::from(frame.height) * (0.5 - 0.5 * clip.y / clip.w),
+        ];
+        let at = place.min + vec2(x as f32, y as f32);
+        window.harness.hover_at(at);
+        window.run();
+        window.harness.drag_at(at);
+        window.harness.drop_at(at);
+        window.run();
+    };
+    window.app_mut().state.settings.tab = Tab::Scene;
+    window.run();
+    for (place, name) in [(part + third, "engine"), (own, "engine/block"), (lid + third, "engine")] {
+        click(&mut window, place);
+        let state = window.state();
+        let selected = state.tree.selected(&state.document.figure().scene);
+        assert_eq!(selected, Some(&Selected::Object(name.to_owned())), "{place}");
+    }
+    window.app_mut().state.settings.panels.show(Side::Explain);
+    window.app_mut().state.explain.show(Explanation::Triangle);
+    window.run();
+    for (place, name) in [(part + third, None), (own, Some("engine/block")), (lid + third, Some("engine/lid"))] {
+        click(&mut window, place);
+        assert_eq!(window.state().shown().triangle.as_ref().map(|shown| shown.object.as_str()), name, "{place}");
+    }
 }

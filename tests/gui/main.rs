@@ -20,6 +20,7 @@ mod explained;
 mod files;
 mod gallery;
 mod guide_pictures;
+mod heavy;
 mod homogeneous;
 mod keyboard;
 mod language;
@@ -36,6 +37,8 @@ mod reveal;
 mod same_pixels;
 mod scene;
 mod sessions;
+#[path = "../common/shot.rs"]
+mod shot;
 mod stages;
 mod strip;
 mod text_fields;

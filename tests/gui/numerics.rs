@@ -9,6 +9,8 @@ use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 
+use super::files::Folder;
+use super::sessions::written;
 use super::window::Window;
 
 /// A window with the panel, which tries so much.
@@ -34,7 +36,8 @@ fn measured(window: &mut Window) {
 
 #[test]
 fn a_study_is_measured_and_its_worst_cameras_open_with_what_was_open_kept() {
-    let mut window = window(Lang::En);
+    let (folder, mut window) = (Folder::new("study"), window(Lang::En));
+    window.app_mut().keep_session(&folder.0, false);
     window.click("Clipping through w = 0");
     assert_eq!(window.state().numerics.study, Study::Clipping);
     measured(&mut window);
@@ -42,6 +45,7 @@ fn a_study_is_measured_and_its_worst_cameras_open_with_what_was_open_kept() {
 
     // Something is changed; the figure of a row is opened over it.
     window.app_mut().state.document.edit(|figure| figure.style.antialias = 16);
+    window.wait(|_| written(&folder.0).contains("antialias = 16"));
     let row =
         window.state().numerics.found(Study::Clipping).expect("found").rows.iter().rfind(|r| r.method == OWN).cloned();
     let wanted = camera_lab::figure::read::parse(&row.and_then(|r| r.figure).expect("a figure")).expect("a figure");
@@ -54,6 +58,10 @@ fn a_study_is_measured_and_its_worst_cameras_open_with_what_was_open_kept() {
     assert_eq!(window.state().document.figure().camera, wanted.camera);
     assert!(Camera::new(&wanted.camera).is_ok());
     assert_eq!(window.state().kept.len(), 1, "what was changed is kept");
+    // Also where the window does not close.
+    window.app_mut().state.document.edit(|figure| figure.image.width = 777);
+    window.wait(|_| written(&folder.0).contains("777"));
+    assert!(written(&folder.0).contains("antialias = 16"));
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! colours are blended in gamma space, as egui's own renderers do.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use eframe::egui::epaint::{ClippedPrimitive, Primitive, Vertex};
@@ -35,10 +35,15 @@ impl Painter {
 }
 
 impl Textures {
-    /// The pixels (premultiplied RGBA) of the only texture of this size.
-    pub(crate) fn only(&self, size: [usize; 2]) -> Vec<u8> {
+    /// The pixels (premultiplied RGBA) of the only texture of this size in a frame.
+    pub(crate) fn only(&self, size: [usize; 2], frame: &egui::FullOutput) -> Vec<u8> {
         let textures = self.0.borrow();
-        let found: Vec<&Texture> = textures.values().filter(|texture| texture.size == size).collect();
+        let painted: HashSet<TextureId> = frame.shapes.iter().map(|clipped| clipped.shape.texture_id()).collect();
+        let found: Vec<&Texture> = textures
+            .iter()
+            .filter(|(id, texture)| texture.size == size && painted.contains(*id))
+            .map(|(_, texture)| texture)
+            .collect();
         let [texture] = found[..] else { panic!("{} textures of {size:?}", found.len()) };
         texture.pixels.iter().flat_map(Color32::to_array).collect()
     }

@@ -1,6 +1,8 @@
 //! The picture on the screen, the one that is exported and the one that `render` writes are the same, byte for byte.
 
 use std::fs;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use camera_lab::camera::{Convention, Operation};
@@ -12,9 +14,12 @@ use camera_lab::gui::file_flow::text_as_shown;
 use camera_lab::gui::state::{Dialog, Panels};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
+use camera_lab::share;
 use camera_lab::views::{View, Views};
+use proptest::prelude::*;
 
 use super::files::Folder;
+use super::shot::{observers, operations, shows};
 use super::window::Window;
 
 const FIGURE: &str = "[camera]\nposition = [2.5, 3, 5]\nnear = 2\nfar = 12\n[scene]\npreset = \"house\"\n\
@@ -33,68 +38,114 @@ fn pixels(png: &[u8]) -> ([usize; 2], Vec<u8>) {
 /// What is done in the window before its picture is taken.
 type Act = fn(&mut Window);
 
-fn assert_same_everywhere(view: View, scale: f32, figure: &str, act: Option<Act>) {
-    let folder = Folder::new(&format!("same-{}-{scale}-{}-{}", view.name(), figure.len(), act.is_some()));
-    let path = folder.file("figure.toml");
-    fs::write(&path, figure).expect("written");
-    let opened = open_figure(&path).expect("a figure");
-    let (figure, file) = opened.at(&path);
-    let mut state =
-        State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false }).expect("a possible camera");
-    state.file_flow.native = false;
-    state.layout.maximized = Some(view);
-    state.settings.panels = Panels::default();
-    let mut window = Window::at_scale(state, [480.0, 400.0], scale);
-    if let Some(act) = act {
-        act(&mut window);
-        window.harness.remove_cursor();
+/// A window with a figure file of its own.
+struct Opened {
+    window: Window,
+    folder: Folder,
+    path: PathBuf,
+    scale: f32,
+}
+
+impl Opened {
+    fn new(view: View, scale: f32, figure: &str) -> Self {
+        static COUNT: AtomicUsize = AtomicUsize::new(0);
+        let folder = Folder::new(&format!("same-{}", COUNT.fetch_add(1, Ordering::Relaxed)));
+        let path = folder.file("figure.toml");
+        fs::write(&path, figure).expect("written");
+        let opened = open_figure(&path).expect("a figure");
+        let (figure, file) = opened.at(&path);
+        let mut state = State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false })
+            .expect("a possible camera");
+        state.file_flow.native = false;
+        state.layout.maximized = Some(view);
+        state.settings.panels = Panels::default();
+        let window = Window::at_scale(state, [480.0, 400.0], scale);
+        Self { window, folder, path, scale }
+    }
+
+    fn on_screen(&self, view: View) -> ([usize; 2], Vec<u8>) {
+        let size = self.window.state().picture_sizes[view.index()].map(|side| side as usize);
+        (size, self.window.pixels(size))
+    }
+
+    /// The file that the window exports.
+    fn exported(&mut self, view: View) -> Vec<u8> {
+        let Self { window, folder, .. } = self;
+        let path = folder.file(&format!("exported-{}.png", view.name()));
+        let (sizes, unit) = (window.state().picture_sizes, window.state().screen_scale);
+        let mut export = Export::new(sizes, unit);
+        (export.what, export.times, export.theme) = (Views::One(view), Some(1), window.state().settings.theme);
+        export.fit_screen(sizes, unit);
+        window.app_mut().state.file_flow.dialog = Some(Dialog::Export(export));
         window.run();
+        window.click("Export…");
+        window.choose(&path);
+        let since = Instant::now();
+        while !path.exists() {
+            assert!(since.elapsed() < Duration::from_secs(60), "{:?}", window.state().message);
+            std::thread::sleep(Duration::from_millis(5));
+            window.run();
+        }
+        fs::read(path).expect("exported")
+    }
+
+    /// The file that `render` writes of a figure file or of a link, in the size of the screen.
+    fn rendered(&self, figure: &str, view: View) -> Vec<u8> {
+        let ([width, height], _) = self.on_screen(view);
+        let scale = self.scale as usize;
+        assert_eq!((width % scale, height % scale), (0, 0), "a size that the command line can be asked for");
+        let size = format!("{}x{}", width / scale, height / scale);
+        let path = self.folder.file("rendered.png");
+        let [out, scale] = [path.display().to_string(), scale.to_string()];
+        let arguments =
+            ["camera-lab", "render", figure, "--view", view.name(), "--size", &size, "--scale", &scale, "-o", &out];
+        let _ = camera_lab::cli::run(arguments.into_iter().map(Into::into));
+        let rendered = fs::read(&path).expect("rendered");
+        fs::remove_file(path).expect("a new one each time");
+        rendered
+    }
+
+    /// The screen, the export, `render` of what the window shows now, and its link, followed.
+    fn assert_same(&mut self, view: View) {
+        let what = format!("{} at scale {}", view.name(), self.scale);
+        self.window.harness.remove_cursor();
+        self.window.run();
+        let (size, on_screen) = self.on_screen(view);
+        let exported = pixels(&self.exported(view));
         // What the window shows now is in no file but the picture that it exports, and in its link.
-        fs::write(&path, text_as_shown(window.state())).expect("written");
+        let text = text_as_shown(self.window.state());
+        fs::write(&self.path, &text).expect("written");
+        let (rendered_size, rendered) = pixels(&self.rendered(&self.path.display().to_string(), view));
+        assert_eq!(rendered_size, size, "{what}");
+        let differ = rendered.chunks(4).zip(on_screen.chunks(4)).filter(|(a, b)| a != b).count();
+        assert_eq!(differ, 0, "{what}: pixels on the screen are not the rendered ones of\n{text}");
+        assert!(exported == (size, rendered), "{what}: the exported picture is not the rendered one of\n{text}");
+        let link = share::link("https://example.org/", &text).expect("short enough");
+        assert!(pixels(&self.rendered(&link, view)) == exported, "{what}: the link leads elsewhere: {link}");
     }
-    let [width, height] = window.state().picture_sizes[view.index()];
-    let on_screen = window.textures.only([width as usize, height as usize]);
+}
 
-    let exported = folder.file("exported.png");
-    let (sizes, unit) = (window.state().picture_sizes, window.state().screen_scale);
-    let mut export = Export::new(sizes, unit);
-    (export.what, export.times, export.theme) = (Views::One(view), Some(1), window.state().settings.theme);
-    export.fit_screen(sizes, unit);
-    window.app_mut().state.file_flow.dialog = Some(Dialog::Export(export));
-    window.run();
-    window.click("Export…");
-    window.choose(&exported);
-    let since = Instant::now();
-    while !exported.exists() {
-        assert!(since.elapsed() < Duration::from_secs(60), "{:?}", window.state().message);
-        std::thread::sleep(Duration::from_millis(20));
-        window.run();
-    }
+fn assert_same_after(view: View, figure: &str, act: Act) {
+    let mut opened = Opened::new(view, 1.0, figure);
+    act(&mut opened.window);
+    opened.assert_same(view);
+}
 
-    let rendered = folder.file("rendered.png");
-    assert_eq!((width % scale as u32, height % scale as u32), (0, 0), "a size that the command line can be asked for");
-    let size = format!("{}x{}", width / scale as u32, height / scale as u32);
-    let [path, out, scale] = [path.display().to_string(), rendered.display().to_string(), scale.to_string()];
-    let arguments =
-        ["camera-lab", "render", &path, "--view", view.name(), "--size", &size, "--scale", &scale, "-o", &out];
-    let _ = camera_lab::cli::run(arguments.into_iter().map(Into::into));
-
-    let what = format!("{} at scale {scale}", view.name());
-    let (exported, rendered) = (fs::read(exported).expect("exported"), fs::read(rendered).expect("rendered"));
-    if act.is_none() {
-        assert!(exported == rendered, "{what}: the exported file is not the rendered one");
-    }
-    assert!(pixels(&exported) == pixels(&rendered), "{what}: the exported picture is not the rendered one");
-    let (size, pixels) = pixels(&rendered);
-    assert_eq!(size, [width as usize, height as usize], "{what}");
-    let differ = pixels.chunks(4).zip(on_screen.chunks(4)).filter(|(a, b)| a != b).count();
-    assert_eq!(differ, 0, "{what}: pixels on the screen are not the rendered ones");
+/// What nobody has touched: also the files are the same, with the figures in them.
+fn assert_same_untouched(view: View, scale: f32, figure: &str) {
+    let mut opened = Opened::new(view, scale, figure);
+    let exported = opened.exported(view);
+    let rendered = opened.rendered(&opened.path.display().to_string(), view);
+    assert!(exported == rendered, "{} at scale {scale}: the exported file is not the rendered one", view.name());
+    opened.window.harness.remove_cursor();
+    opened.window.run();
+    assert!(opened.on_screen(view) == pixels(&rendered), "{} at scale {scale}", view.name());
 }
 
 /// At scale 1 the figure as it is; at scale 2, with `more` in it: each is a window, and windows take their time.
 fn assert_same_at_both_scales(view: View, more: &str) {
-    assert_same_everywhere(view, 1.0, FIGURE, None);
-    assert_same_everywhere(view, 2.0, &format!("{FIGURE}{more}"), None);
+    assert_same_untouched(view, 1.0, FIGURE);
+    assert_same_untouched(view, 2.0, &format!("{FIGURE}{more}"));
 }
 
 #[test]
@@ -126,7 +177,7 @@ fn turn(window: &mut Window) {
 #[test]
 fn after_a_hundred_operations_they_agree_too_from_where_the_window_shows_it() {
     for view in View::ALL {
-        assert_same_everywhere(view, 1.0, FIGURE, Some(turn));
+        assert_same_after(view, FIGURE, turn);
     }
 }
 
@@ -180,6 +231,31 @@ fn they_agree_on_every_kind_of_explanation() {
         (View::Image, probe),
         (View::World, probe),
     ] {
-        assert_same_everywhere(view, 1.0, FIGURE, Some(act));
+        assert_same_after(view, FIGURE, act);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { max_shrink_iters: 40, ..ProptestConfig::with_cases(12) })]
+
+    /// Whatever is shown, from wherever it is seen, after whatever operations: the camera of the window keeps what its
+    /// parameters cannot hold.
+    #[test]
+    fn they_agree_on_every_shot(show in shows(), observers in observers(), operations in operations()) {
+        let mut opened = Opened::new(View::World, 1.0, &FIGURE.replace("antialias = 4", "antialias = 1"));
+        let document = &mut opened.window.app_mut().state.document;
+        (*document.observers_mut(), *document.show_mut()) = (observers, show);
+        let half = operations.len() / 2;
+        for operations in [&operations[..half], &operations[half..]] {
+            for operation in operations {
+                // One that has no result changes nothing.
+                let _ = opened.window.app_mut().state.document.operate(*operation, Convention::default());
+            }
+            opened.window.run();
+        }
+        for view in View::ALL {
+            opened.window.app_mut().state.layout.maximized = Some(view);
+            opened.assert_same(view);
+        }
     }
 }

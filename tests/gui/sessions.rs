@@ -4,7 +4,10 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
+use camera_lab::camera::{Convention, Operation, Parameters};
+use camera_lab::figure::{Measure, Measured};
 use camera_lab::files::FileError;
+use camera_lab::geometry::Angle;
 use camera_lab::gui::state::Message;
 use camera_lab::gui::{self, LaunchOptions, Start, State};
 use camera_lab::i18n::Lang;
@@ -18,7 +21,7 @@ use super::window::Window;
 const MINE: &str = "# Mine.\n[camera]\nfar = 50.0\n\n[scene]\npreset = \"empty\"\n";
 
 /// What the sessions in this folder hold.
-fn written(folder: &Path) -> String {
+pub(crate) fn written(folder: &Path) -> String {
     let files = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     files
         .filter(|path| path.extension().is_some_and(|e| e == "json"))
@@ -59,6 +62,47 @@ fn a_crashed_session_is_back_at_the_next_start() {
     assert_eq!(window.state().document.draft().position.x, 1.25);
     assert!(window.says("The last session, which had not been saved"));
     assert!(window.state().document.is_changed());
+}
+
+/// A window with a figure file, and the world in it.
+fn world(folder: &Folder, restore: bool) -> Window {
+    fs::write(folder.file("mine.toml"), MINE).expect("written");
+    let mut window = Window::opened(&folder.file("mine.toml"));
+    window.app_mut().state.layout.maximized = Some(View::World);
+    window.app_mut().keep_session(&folder.file("sessions"), restore);
+    window.run();
+    window
+}
+
+#[test]
+fn what_was_explained_is_back_although_the_figure_has_not_changed() {
+    let folder = Folder::new("explained");
+    let mut window = world(&folder, false);
+    let near = vec![Measured::Dimension(Measure::Near)];
+    window.app_mut().state.document.show_mut().measure = near.clone();
+    window.run();
+    assert!(!window.state().document.is_changed());
+    window.crash(&folder.file("sessions"), "measure");
+    let window = world(&folder, true);
+    assert!(window.says("The last session, which had not been saved"));
+    assert_eq!(window.state().shown().measure, near);
+    assert!(!window.state().document.is_changed(), "nothing else is");
+}
+
+#[test]
+fn a_session_is_seen_from_where_it_was_also_where_nobody_had_turned_the_picture() {
+    let folder = Folder::new("seen");
+    let mut window = world(&folder, false);
+    // The picture stays where it is while the camera turns.
+    let operation = Operation::Azimuth(Angle::from_degrees(6.0));
+    window.app_mut().state.document.operate(operation, Convention::default()).expect("a camera");
+    window.run();
+    let seen = window.state().seen.world.expect("it is shown");
+    assert_eq!(window.state().document.figure().observers.world, None);
+    window.crash(&folder.file("sessions"), &seen.distance.to_string());
+    let window = world(&folder, true);
+    assert_ne!(window.state().document.draft().position, Parameters::default().position);
+    assert_eq!(window.state().seen.world, Some(seen));
 }
 
 #[test]

@@ -8,6 +8,7 @@ use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::triangle::{step, texts};
 use camera_lab::picture::FollowedTriangle;
+use camera_lab::progress::at_once;
 use camera_lab::scene::Preset;
 use camera_lab::views::{Request, Size, TriangleOverlay, View};
 use eframe::egui::{Key, accesskit::Role};
@@ -34,7 +35,7 @@ fn overlay(window: &Window) -> TriangleOverlay {
     let labels = camera_lab::i18n::pictures::labels(Lang::En);
     let (figure, camera) = (state.document.figure(), state.document.camera());
     let request = Request::of(figure, View::Image, camera, state.scene_cache.scene(), labels, size);
-    FollowedTriangle::default().overlay(&request).unwrap().as_ref().clone()
+    at_once(FollowedTriangle::default().overlay(&request)).unwrap().as_ref().clone()
 }
 
 /// The object and the index of the triangle that is followed.

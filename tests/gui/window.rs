@@ -20,7 +20,7 @@ pub(crate) struct Window {
     /// The harness.
     pub(crate) harness: Harness<'static, Option<App>>,
     /// What egui draws with.
-    pub(crate) textures: Textures,
+    textures: Textures,
 }
 
 /// The names of an explanation's question and of itself in the window.
@@ -134,6 +134,11 @@ impl Window {
     /// The program itself.
     pub(crate) fn app_mut(&mut self) -> &mut App {
         self.harness.state_mut().as_mut().expect("it has been shown")
+    }
+
+    /// The pixels (premultiplied RGBA) of the only texture of this size that is on the screen.
+    pub(crate) fn pixels(&self, size: [usize; 2]) -> Vec<u8> {
+        self.textures.only(size, self.harness.output())
     }
 
     /// Frames until nothing changes any more.

@@ -12,6 +12,7 @@ use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::TrianglePixels;
 use camera_lab::pipeline::Target;
 use camera_lab::pipeline::one_triangle::one_triangle;
+use camera_lab::progress::at_once;
 use camera_lab::scene::{Mesh, Object, ObjectPaint, Scene};
 use camera_lab::views::{Request, SharedScene, Size, View};
 use glam::{DMat4, DVec3};
@@ -101,7 +102,7 @@ fn request(objects: Vec<Object>) -> Request {
 fn it_covers_the_pixels_whose_centres_lie_in_it() {
     let triangle = [[-1.5, -1.2, -2.0], [1.3, -0.9, -2.0], [0.2, 1.7, -2.0]];
     let request = request(vec![object("t", &[triangle], DMat4::IDENTITY)]);
-    let pixels = TrianglePixels::of(&request, 0, 0).unwrap();
+    let pixels = at_once(TrianglePixels::of(&request, 0, 0)).unwrap();
     let image = triangle.map(|[x, y, _]| [32.0 + 32.0 * x / 2.0, 32.0 - 32.0 * y / 2.0]);
     let side = |a: [f64; 2], b: [f64; 2], p: [f64; 2]| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
     let mut count = 0;
@@ -130,7 +131,7 @@ fn the_nearer_one_is_kept_and_the_buffer_holds_what_was_drawn_before() {
     // (5.25) with F = 1, B = 9: z_n = (B + F)/(B − F) − 2FB/((B − F) d).
     let z = |d: f64| low + (high - low) * (10.0 / 8.0 - 18.0 / (8.0 * d) + 1.0) / 2.0;
     for (object, d, before) in [(0, 2.0, None), (1, 4.0, Some(2.0)), (2, 3.0, Some(2.0))] {
-        let tested = TrianglePixels::of(&request, object, 0).unwrap().test([32, 40]).unwrap();
+        let tested = at_once(TrianglePixels::of(&request, object, 0)).unwrap().test([32, 40]).unwrap();
         assert!((tested.z - z(d)).abs() < 1e-6, "{tested:?} {}", z(d));
         assert_eq!(tested.before.map(|z| (z * 1e5).round()), before.map(|d| (z(d) * 1e5).round()));
         assert_eq!(tested.kept, before.is_none(), "{d}");
@@ -142,7 +143,7 @@ fn within_an_object_the_triangles_before_it_count() {
     let at = |d: f64| [[-d, -d, -d], [d, -d, -d], [0.0, d, -d]];
     let both = object("both", &[at(4.0), at(2.0), at(3.0)], DMat4::IDENTITY);
     let request = request(vec![both]);
-    let tested = |i| TrianglePixels::of(&request, 0, i).unwrap().test([32, 40]).unwrap();
+    let tested = |i| at_once(TrianglePixels::of(&request, 0, i)).unwrap().test([32, 40]).unwrap();
     assert_eq!(tested(0).before, None);
     assert!(tested(1).kept && tested(1).before == Some(tested(0).z));
     assert!(!tested(2).kept && tested(2).before == Some(tested(1).z));

@@ -2,85 +2,70 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::camera::{Camera, Convention, Decomposition, Ndc, Operation, Parameters};
-use camera_lab::figure::words::MEASURES;
-use camera_lab::figure::{
-    Figure, Measured, Observers, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TriangleStep, View, read,
-    show_with, write,
-};
+use camera_lab::camera::{Camera, Convention, Operation, Parameters};
+use camera_lab::figure::{Figure, Observers, Show, View, read, show_with, write};
 use camera_lab::geometry::Angle;
 use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::{Composite, Pixels, Renderer};
 use camera_lab::progress::at_once;
-use camera_lab::scene::{Preset, no_files};
 use camera_lab::share;
 use camera_lab::stage::Stage;
 use camera_lab::views::observer::Viewpoint;
-use camera_lab::views::{Picture, Request, SharedScene, Shot, Size, Views, scene_of};
-use glam::DVec3;
+use camera_lab::views::{Picture, Request, SharedScene, Shot, Size, Views};
 use proptest::prelude::*;
-use proptest::sample::select;
 
 use crate::cli::pixels;
 use crate::common::program::Bench;
-
-fn figure(show: Show) -> Figure {
-    Figure { show, ..Figure::of_preset(Preset::House) }
-}
-
-fn scene(figure: &Figure) -> SharedScene {
-    SharedScene::new(scene_of(figure, &mut no_files, &Default::default()).unwrap())
-}
+use crate::common::shot::{house, observers, operations, scene, shows};
 
 fn picture(figure: &Figure, view: View, renderer: &mut Renderer) -> Pixels {
-    let camera = Camera::new(&figure.camera).unwrap();
-    let size = Size { width: 96, height: 72, scale: 1.0 };
-    let request = Request::of(figure, view, &camera, &scene(figure), labels(Lang::En), size);
-    renderer.pixels(&request).unwrap()
+    picture_by(&Camera::new(&figure.camera).unwrap(), figure, view, renderer)
 }
 
-/// What may be shown of the house.
-fn shows() -> impl Strategy<Value = Show> {
-    let stage = (proptest::option::of(select(&Stage::ALL[..])), select(&View::ALL[..]));
-    let step = (select(&Decomposition::ALL[..]), proptest::option::of(0.0..5.0_f64));
-    let triangle = (0..8_u32, select(&TriangleStep::ALL[..]), proptest::option::of([0..64_u32, 0..48_u32]));
-    let measures: Vec<Measured> = MEASURES.iter().map(|(_, measured)| *measured).collect();
-    let probe = prop_oneof![
-        [-2.0..2.0, 0.0..3.0, -2.0..2.0].prop_map(|p: [f64; 3]| ShownProbe::World(DVec3::from_array(p))),
-        (0..1024_i64, 0..768_i64).prop_map(|(i, j)| ShownProbe::Pixel([i, j])),
-        [-1.0..1.0, -1.0..1.0].prop_map(|p: [f64; 2]| ShownProbe::Window(p.into())),
-    ];
-    (
-        stage,
-        proptest::option::of(0.0..1.0_f64),
-        proptest::option::of(step),
-        proptest::option::of(triangle),
-        proptest::collection::vec(select(measures), 0..3),
-        proptest::option::of(probe),
-        (any::<bool>(), proptest::option::of(select(&Ndc::ALL[..]))),
-    )
-        .prop_map(|((stage, of), painted, step, triangle, measure, probe, (answered, ndc))| {
-            let name = scene(&Figure::of_preset(Preset::House)).objects[0].name.clone();
-            Show {
-                stage,
-                stage_of: if stage.is_some() { StagePicture(of) } else { StagePicture::default() },
-                painted: painted.filter(|_| stage.is_none()),
-                step: step.map(|(way, at)| ShownStep { way, at }),
-                triangle: triangle.map(|(index, step, pixel)| ShownTriangle {
-                    object: name.clone(),
-                    index,
-                    step,
-                    pixel,
-                }),
-                measure,
-                measure_of: Some(name),
-                probe,
-                moved: Vec::new(),
-                ndc,
-                answer: answered
-                    .then(|| Parameters { position: DVec3::new(4.0, 3.0, 2.0), ..Figure::default().camera }),
-            }
-        })
+/// A picture of a figure whose camera may know more than its parameters.
+fn picture_by(camera: &Camera, figure: &Figure, view: View, renderer: &mut Renderer) -> Pixels {
+    renderer.pixels(&request(camera, figure, view, &scene(figure))).unwrap()
+}
+
+fn request(camera: &Camera, figure: &Figure, view: View, scene: &SharedScene) -> Request {
+    let size = Size { width: 96, height: 72, scale: 1.0 };
+    Request::of(figure, view, camera, scene, labels(Lang::En), size)
+}
+
+/// The camera after operations, as far as they can be done.
+fn operated(mut camera: Camera, operations: &[Operation]) -> Camera {
+    for operation in operations {
+        camera = operation.apply(&camera, Convention::default()).unwrap_or(camera);
+    }
+    camera
+}
+
+/// `show`, with all that does not belong to a picture as in `other`.
+fn with_others(show: &Show, view: View, other: &Show) -> Show {
+    let mut mixed = show.clone();
+    if view != View::World {
+        (mixed.measure, mixed.measure_of) = (other.measure.clone(), other.measure_of.clone());
+        (mixed.moved, mixed.answer) = (other.moved.clone(), other.answer);
+    }
+    if view != View::Canonical {
+        mixed.step = other.step;
+    }
+    if view != View::Canonical || mixed.step.is_some() {
+        // Steps end in a convention of their own.
+        mixed.ndc = other.ndc;
+    }
+    if view != View::Image {
+        mixed.painted = other.painted;
+    }
+    // What is culled and clipped in the image is seen in the pictures beside it.
+    let is_beside = |stage| matches!(stage, Stage::CullObjects | Stage::CullFaces | Stage::Clip);
+    let belongs = |show: &Show| {
+        show.stage.is_some_and(|stage| show.stage_of.0 == view || show.stage_of.0 == View::Image && is_beside(stage))
+    };
+    if !belongs(show) && !belongs(other) {
+        (mixed.stage, mixed.stage_of) = (other.stage, other.stage_of);
+    }
+    mixed
 }
 
 proptest! {
@@ -88,8 +73,14 @@ proptest! {
 
     /// The shot of a figure, of its text read again, and of its link followed.
     #[test]
-    fn a_file_and_a_link_draw_the_same_pixels_as_the_figure(show in shows()) {
-        let figure = figure(show);
+    fn a_file_and_a_link_draw_the_same_pixels_as_the_figure(
+        show in shows(),
+        observers in observers(),
+        operations in operations(),
+    ) {
+        let figure = Figure { observers, ..house(show) };
+        let camera = operated(Camera::new(&figure.camera).unwrap(), &operations);
+        let figure = Figure { camera: *camera.parameters(), ..figure };
         let text = write::to_toml(&figure);
         let link = share::link("https://example.org/", &text).unwrap();
         let followed = share::text_in(&link).unwrap().unwrap();
@@ -97,7 +88,11 @@ proptest! {
         prop_assert_eq!(&again, &figure);
         prop_assert_eq!(Shot::of(&again), Shot::of(&figure));
         for view in View::ALL {
-            let one = picture(&figure, view, &mut Renderer::default());
+            // What the operations know beyond the file makes no difference, however little of it pixels could show.
+            let scene = scene(&figure);
+            let of_file = request(&Camera::new(&again.camera).unwrap(), &again, view, &scene);
+            prop_assert!(request(&camera, &figure, view, &scene) == of_file, "{view:?}");
+            let one = picture_by(&camera, &figure, view, &mut Renderer::default());
             // Whatever a renderer has drawn before.
             let mut used = Renderer::default();
             picture(&Figure { show: Show::default(), ..figure.clone() }, view, &mut used);
@@ -105,13 +100,16 @@ proptest! {
         }
     }
 
-    /// What is seen in a picture is seen in it again: what belongs to the others is gone.
     #[test]
-    fn what_belongs_to_other_pictures_changes_nothing_in_this_one(show in shows()) {
-        let shot = Shot::of(&figure(show));
+    fn what_belongs_to_other_pictures_changes_nothing_in_this_one(show in shows(), other in shows()) {
+        let mut renderer = Renderer::default();
         for view in View::ALL {
-            let seen = shot.seen_in(view);
+            let mixed = with_others(&show, view, &other);
+            let [one, beside] = [&show, &mixed].map(|show| house(show.clone()));
+            let [seen, again] = [&one, &beside].map(|figure| Shot::of(figure).seen_in(view));
             prop_assert_eq!(seen.seen_in(view), seen);
+            prop_assert_eq!(again.seen_in(view), again);
+            prop_assert!(picture(&one, view, &mut renderer) == picture(&beside, view, &mut renderer), "{view:?}: {mixed:?}");
         }
     }
 }
@@ -123,7 +121,7 @@ fn each_key_shows_where_it_belongs() {
     let everywhere = [true; 3];
     let bare = Show::default();
     let mut renderer = Renderer::default();
-    let plain = View::ALL.map(|view| picture(&figure(bare.clone()), view, &mut renderer));
+    let plain = View::ALL.map(|view| picture(&house(bare.clone()), view, &mut renderer));
     for (key, value, shows) in [
         ("stage", "transform", image),
         ("painted", "0.4", image),
@@ -138,7 +136,7 @@ fn each_key_shows_where_it_belongs() {
         let show = show_with(&bare, key, value).unwrap();
         assert_ne!(show, bare, "{key}");
         for ((view, plain), shows) in View::ALL.into_iter().zip(&plain).zip(shows) {
-            let drawn = picture(&figure(show.clone()), view, &mut renderer);
+            let drawn = picture(&house(show.clone()), view, &mut renderer);
             assert_eq!(drawn != *plain, shows, "{key} = {value} in {view:?}");
         }
         assert_eq!(show_with(&show, key, "").unwrap(), bare, "{key}");
@@ -224,23 +222,35 @@ fn arguments_that_cannot_be_shown_are_told() {
 /// and file.
 #[test]
 fn after_a_hundred_operations_the_file_draws_the_same_pixels() {
-    let mut camera = Camera::new(&figure(Show::default()).camera).unwrap();
-    for k in 0..100 {
-        let turn = Angle::from_degrees(7.3);
-        let operation = if k % 2 == 0 { Operation::Azimuth(turn) } else { Operation::Elevation(turn) };
-        camera = operation.apply(&camera, Convention::default()).unwrap();
-    }
-    let figure = Figure { camera: *camera.parameters(), ..figure(Show::default()) };
-    let again = read::parse(&write::to_toml(&figure)).unwrap();
+    let bench = Bench::new("shot-operations");
+    let begun = house(Show::default());
+    let turn = Angle::from_degrees(7.3);
+    let operations: Vec<Operation> =
+        (0..100).map(|k| if k % 2 == 0 { Operation::Azimuth(turn) } else { Operation::Elevation(turn) }).collect();
+    let camera = operated(Camera::new(&begun.camera).unwrap(), &operations);
+    assert_ne!(camera, camera.rounded(), "it knows more than its parameters");
+    let figure = Figure { camera: *camera.parameters(), ..begun.clone() };
+    bench.write("begun.toml", write::to_toml(&begun));
+    bench.write("saved.toml", write::to_toml(&figure));
+    let operations: Vec<String> = operations.iter().flat_map(|each| ["--op".to_owned(), each.to_string()]).collect();
+    let operations: Vec<&str> = operations.iter().map(String::as_str).collect();
     for view in View::ALL {
-        let [one, other] = [&figure, &again].map(|figure| picture(figure, view, &mut Renderer::default()));
-        assert!(one == other, "{view:?}");
+        let render = |arguments: &[&str]| {
+            let size = ["--view", view.name(), "--size", "96x72", "--scale", "1", "--lang", "en", "-o", "a.png"];
+            bench.run(&[&["render"], arguments, &size].concat()).done();
+            pixels(&bench.read("a.png"))
+        };
+        let drawn = picture_by(&camera, &figure, view, &mut Renderer::default());
+        let saved = render(&["saved.toml"]);
+        let opaque: Vec<u8> = drawn.rgba().chunks(4).flat_map(|pixel| &pixel[..3]).copied().collect();
+        assert!((96, 72, opaque) == saved, "{view:?}");
+        assert!(render(&[&["begun.toml"], &operations[..]].concat()) == saved, "{view:?}");
     }
 }
 
 #[test]
 fn pictures_are_a_list_a_second_observer_and_a_stereo_pair_are_entries_of_it() {
-    let figure = figure(Show::default());
+    let figure = house(Show::default());
     let (camera, scene) = (Camera::new(&figure.camera).unwrap(), scene(&figure));
     let beside = |x: f64| {
         let aside = camera.basis().u * x;

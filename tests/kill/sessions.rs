@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use camera_lab::camera::Parameters;
 use camera_lab::gui;
-use camera_lab::gui::document::Document;
+use camera_lab::gui::document::{Document, Seen};
 use camera_lab::gui::session::{News, Sessions};
 use eframe::egui;
 
@@ -26,7 +26,8 @@ pub(crate) fn keep_for_ever(folder: &Path) {
     let ctx = egui::Context::default();
     let (mut sessions, _) = Sessions::begin(folder, false);
     for number in 0_u32.. {
-        sessions.keep(&ctx, &with_far(fresh(), 100.0 + f64::from(number)));
+        let document = with_far(fresh(), 100.0 + f64::from(number));
+        sessions.keep(&ctx, (&document, &Seen::of(document.figure())));
         std::thread::sleep(Duration::from_micros(200));
     }
 }
@@ -69,7 +70,7 @@ fn on_a_full_disk_it_is_said_and_tried_again() {
     let mut news = Vec::new();
     while news.is_empty() {
         assert!(since.elapsed() < Duration::from_secs(60));
-        sessions.keep(&ctx, &document);
+        sessions.keep(&ctx, (&document, &Seen::of(document.figure())));
         news = sessions.news();
         std::thread::sleep(Duration::from_millis(5));
     }
@@ -78,7 +79,7 @@ fn on_a_full_disk_it_is_said_and_tried_again() {
     fs::remove_file(filler).expect("removed");
     while !folder.join("session-0.json").exists() {
         assert!(since.elapsed() < Duration::from_secs(60));
-        sessions.keep(&ctx, &document);
+        sessions.keep(&ctx, (&document, &Seen::of(document.figure())));
         assert!(sessions.news().is_empty(), "it is said once");
         std::thread::sleep(Duration::from_millis(5));
     }

@@ -82,26 +82,27 @@ impl Canvas {
         texts: &'static CanvasTexts,
     ) {
         let ctx = ui.ctx();
+        self.card.follow(ctx, state.pinned(), room);
         let Some(probe) = state.probe else {
-            (status.note, self.on_card) = (texts.probe_hint, None);
+            status.note = texts.probe_hint;
             return;
         };
         // The result does not depend on the size.
         let size = Size { width: 1, height: 1, scale: 1.0 };
-        let request = self.request(state, &self.shot.picture(View::Image), size);
-        let request = Request { hover: Hover::default(), ..request };
+        let of_frame = panes.iter().find(|pane| pane.view == View::Image).map(|pane| pane.request.clone());
+        let request = of_frame.unwrap_or_else(|| self.request(state, &self.shot.picture(View::Image), size));
+        let request = Request { hover: Hover::default(), size, ..request };
         let digits = state.settings.digits;
         let asks = matches!(probe, Probe::Window(_)) && request.shot.look.reveal.depth != Depth::Off;
-        let is_new = state.pinned().is_some() && (state.pinned() != self.on_card || self.card_settles > 0);
-        let at = (asks || is_new).then(|| {
+        let at = (asks || self.card.is_placed_anew()).then(|| {
             let pick = PickRequest { request: request.clone(), what: PickQuery::At(probe) };
             self.probe_picker.ask(ctx, pick)
         });
         let (depths, point) = at.map_or((None, None), |at| (at.depths, at.point));
-        let place = self.place_of_card(ctx, state, panes, point, room);
+        let place = self.card.place(ctx, panes, point);
         let (mark, scene) = (texts.lang.mark(), state.scene_cache.scene());
         let vertex = match probe {
-            Probe::Point(p) => self.vertex_names.at(p, scene, &state.document.figure().scene),
+            Probe::Point(p) => self.vertex_names.at(ctx, p, scene, &state.document.figure().scene),
             Probe::Window(_) => None,
         };
         let vertex: Vec<_> = vertex.iter().map(|name| readout::vertex_cell(name, texts)).collect();
@@ -141,29 +142,59 @@ impl Canvas {
             };
         }
     }
+}
 
-    /// The position of a new probe card: in the corner of the pictures that is farthest from all their marks of the
-    /// probe. `None` for a probe that has its card.
-    pub(super) fn place_of_card(
-        &mut self,
-        ctx: &Context,
-        state: &State,
-        panes: &[Pane],
-        point: Option<DVec3>,
-        room: Rect,
-    ) -> Option<Pos2> {
+/// The place of the card.
+#[derive(Debug)]
+pub(super) struct CardPlace {
+    /// The probe on it.
+    probe: Option<Probe>,
+    /// The room of the pictures.
+    room: Rect,
+    /// Its upper left corner in the frame before, once it has been shown.
+    at: Option<Pos2>,
+    /// By hand.
+    is_moved: bool,
+    /// Number of frames until it has settled.
+    settles: u8,
+}
+
+impl Default for CardPlace {
+    fn default() -> Self {
+        Self { probe: None, room: Rect::NOTHING, at: None, is_moved: false, settles: 0 }
+    }
+}
+
+impl CardPlace {
+    /// Places the card anew for another probe, and in another room, where nobody has moved it.
+    fn follow(&mut self, ctx: &Context, probe: Option<Probe>, room: Rect) {
         /// In its first frame a card does not know its size yet.
         const FRAMES: u8 = 3;
-        if state.pinned() != self.on_card {
-            (self.on_card, self.card_settles) = (state.pinned(), FRAMES);
+        let at = ctx.memory(|memory| memory.area_rect(id())).map(|rect| rect.min);
+        if probe != self.probe {
+            (self.probe, self.is_moved) = (probe, false);
+            self.settles = if probe.is_some() { FRAMES } else { 0 };
+        } else if room != self.room && !self.is_moved && probe.is_some() {
+            self.settles = FRAMES;
+        } else if !self.is_placed_anew() {
+            self.is_moved |= at != self.at;
         }
-        // In a heavy scene the point is not known at once.
-        let point = point.filter(|_| self.card_settles > 0)?;
-        self.card_settles -= 1;
+        (self.room, self.at) = (room, at);
+    }
+
+    fn is_placed_anew(&self) -> bool {
+        self.settles > 0
+    }
+
+    /// The new position: in the corner of the pictures that is farthest from all their marks of the probe. `None` where
+    /// it has its place, and while the point of the probe is not known, as in a heavy scene.
+    fn place(&mut self, ctx: &Context, panes: &[Pane], point: Option<DVec3>) -> Option<Pos2> {
+        let point = point.filter(|_| self.is_placed_anew())?;
+        self.settles -= 1;
         ctx.request_repaint();
         let shown: Vec<Pos2> = panes.iter().filter_map(|pane| place_on_screen(pane, point)).collect();
         let size = ctx.memory(|memory| memory.area_rect(id())).map_or(USUAL, |rect| rect.size());
-        Some(farthest_corner(room, size, &shown))
+        Some(farthest_corner(self.room, size, &shown))
     }
 }
 

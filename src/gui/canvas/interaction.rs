@@ -7,13 +7,13 @@ use super::held::{GIZMO_REACH, gizmo_lines, tooltip};
 use super::keyboard_probe::{ProbeStep, Probing};
 use super::picking::{self, PickQuery, PickRequest};
 use super::pixel::pixel_of;
+use super::probe_steps::Click;
 use super::status::Status;
 use super::{Canvas, Pane, followed, orbit, readout, toggle_maximized};
 use crate::camera::{Convention, Operation};
-use crate::figure::Explanation;
 use crate::geometry::Angle;
-use crate::gui::state::{ObserverChange, Selected, Side, State, Tab};
-use crate::gui::{explain, handle_drag};
+use crate::gui::handle_drag;
+use crate::gui::state::{ObserverChange, State};
 use crate::i18n::canvas::CanvasTexts;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
@@ -98,36 +98,10 @@ impl Canvas {
                 Some(pick) => self.clicked_pick = Some(pick),
                 None => state.pin(hovered),
             }
-            let beside = response.ctx.input(|i| i.modifiers.command);
-            self.select(state, pane, beside);
-            if self.choose_triangle(state, pane) {
-                state.pin(None);
-            }
+            self.clicked = Click::in_picture(state, pane);
         }
         if response.clicked() || response.drag_started() {
             response.request_focus();
-        }
-    }
-
-    /// While a triangle is explained, a triangle of the image is chosen, or a pixel of it; true where there is one.
-    fn choose_triangle(&self, state: &mut State, pane: &Pane) -> bool {
-        let shows = state.shows_explanation(Explanation::Triangle) && pane.view == View::Image;
-        let Some(pointer) = pane.response.interact_pointer_pos().filter(|_| shows) else { return false };
-        pane.response.ctx.request_repaint();
-        explain::clicked(state, &pane.request, pane.rect.pixel(pointer))
-    }
-
-    /// While the tree of the scene is open, selects the clicked object; with `beside`, in addition to the selection.
-    fn select(&self, state: &mut State, pane: &Pane, beside: bool) {
-        let is_open = state.settings.tab == Tab::Scene && state.settings.panels().is_shown(Side::Left);
-        let is_there = pane.view != View::Canonical || !state.is_on_the_way();
-        let Some(pointer) = pane.response.interact_pointer_pos().filter(|_| is_open && is_there) else { return };
-        let pointer = pane.rect.pixel(pointer);
-        let selected = pick::object(&pane.request, pointer)
-            .and_then(|name| Selected::of_object(&state.document.figure().scene, &name));
-        if selected.is_some() {
-            state.select(selected, beside);
-            pane.response.ctx.request_repaint();
         }
     }
 

@@ -18,7 +18,7 @@
 //! | `orbit` | the observers of the two three-dimensional pictures, and their changes by pointer and keys |
 //! | `picking` | the target of the pointer, found beside the window's thread in heavy scenes |
 //! | `pixel` | pixels of the figure's image, from points of the view window and back |
-//! | `probe_steps` | searches that take a while in a heavy scene, and pin their results: steps of the keys, and clicks |
+//! | `probe_steps` | searches that take a while in a heavy scene, and what is done with their results: steps of the keys, and clicks |
 //! | `readout` | the coordinates of the target of the pointer, in every space |
 //! | `rendering` | has pictures drawn beside the window's thread, each only when something that made it has changed |
 //! | `status` | the lines under the pictures: hints and position of the pointer, and the coordinates of the probe |
@@ -61,10 +61,12 @@ use eframe::egui::{
 
 use self::arrange::{Automatic, Axis, Framed, Shares, arrange};
 use self::auto_observer::Auto;
+use self::card::CardPlace;
 use self::held::Drag;
 use self::keyboard_probe::{ProbeStep, Probing};
 use self::long_work::LongWork;
 use self::picking::{PickRequest, Picker};
+use self::probe_steps::Click;
 use self::rendering::{Missing, RenderJob, Rendering};
 use self::status::StatusAction;
 use self::strip::{Strip, StripAction};
@@ -115,10 +117,7 @@ pub struct Canvas {
     probe_picker: Picker,
     key_picker: Picker,
     drag: Option<Drag>,
-    /// The probe on the card.
-    on_card: Option<Probe>,
-    /// Number of frames until the card has settled in its place.
-    card_settles: u8,
+    card: CardPlace,
     vertex_names: VertexNames,
     /// For a double-click, whose first click was not meant to pin.
     pinned_before: Option<Probe>,
@@ -129,6 +128,9 @@ pub struct Canvas {
     /// The search at the pointer, and one whose result is to be pinned.
     hover_pick: Option<PickRequest>,
     clicked_pick: Option<PickRequest>,
+    /// A click on something that has not been found yet, and its picker.
+    clicked: Option<Click>,
+    click_picker: Picker,
 }
 
 /// A picture on the screen, and what is kept of it from one frame to the next.
@@ -165,14 +167,15 @@ impl Default for Canvas {
             probe_picker: Picker::default(),
             key_picker: Picker::default(),
             drag: None,
-            on_card: None,
-            card_settles: 0,
+            card: CardPlace::default(),
             vertex_names: VertexNames::default(),
             pinned_before: None,
             probing: None,
             probe_steps: VecDeque::new(),
             hover_pick: None,
             clicked_pick: None,
+            clicked: None,
+            click_picker: Picker::default(),
         }
     }
 }
@@ -203,7 +206,7 @@ impl Canvas {
 
     /// A picture of the shot with what the pointer adds to it.
     fn request(&self, state: &State, picture: &Picture, size: Size) -> Request {
-        let (camera, scene) = (state.document.drawn_camera(), state.scene_cache.scene());
+        let (camera, scene) = (state.document.camera(), state.scene_cache.scene());
         let request = Request::of_picture(&self.shot, picture, camera, scene, labels(state.settings.lang), size);
         Request { hover: self.hover.seen_in(picture.kind), ..request }
     }
@@ -260,6 +263,7 @@ impl Canvas {
         self.settle_observers(ui, state, &mut panes);
         let mut status = self.interact(ui, state, &panes, texts);
         self.pin_clicked(&ctx, state);
+        self.take_click(&ctx, state);
         self.take_probe_steps(&ctx, state, &panes);
         state.probe = state.pinned().or(self.hover.probe);
         state.seen = Picture::observers(&self.shot.pictures);
@@ -416,7 +420,7 @@ impl Canvas {
             let Pane { picture, view, ref mut request, .. } = *pane;
             // What pointer and keys have changed in this frame.
             let shown = &self.shot.pictures[picture];
-            request.camera = shown.camera.as_ref().unwrap_or(state.document.drawn_camera()).clone();
+            request.camera = shown.camera.as_ref().unwrap_or(state.document.camera()).rounded();
             (request.observer, request.hover) = (shown.observer, self.hover.seen_in(view));
             if pane.rect.size.width == 0 || pane.rect.size.height == 0 {
                 continue;

@@ -1,8 +1,6 @@
 //! Finds the target of the pointer: immediately in a light scene, beside the window's thread in a heavy one, so that
 //! neither the pointer nor the pictures wait for a walk through a million triangles.
 
-use std::time::Duration;
-
 use eframe::egui;
 use glam::{DVec2, DVec3};
 
@@ -10,19 +8,14 @@ use super::keyboard_probe::ProbeStep;
 use super::pixel::{center_of, pixel_of};
 
 use crate::figure::Depth;
-use crate::gui::memo::Latest;
-use crate::progress::Progress;
+use crate::gui::memo::{Latest, PATIENCE};
+use crate::gui::scene_cache::is_heavy;
+use crate::progress::{Progress, at_once, pause};
 use crate::views::depth::{self, DepthReading};
 use crate::views::{Probe, Request, View, pick};
 
 /// Distance within which the pointer catches a vertex, in points.
 pub(super) const REACH: f32 = 7.0;
-
-/// More vertices and triangles than this take longer to look through than a frame has.
-const HEAVY: usize = 60_000;
-
-/// Time that a frame waits for the result.
-const PATIENCE: Duration = Duration::from_millis(4);
 
 /// A query about a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +26,8 @@ pub(super) enum PickQuery {
     At(Probe),
     /// Where a key moves the probe.
     Step(ProbeStep),
+    /// The object, and the triangle of the image, at a place (pixels), where they are wanted.
+    Click { pointer: DVec2, object: bool, triangle: bool },
 }
 
 /// A pick, with all that its answer depends on.
@@ -54,11 +49,10 @@ impl PickRequest {
     }
 
     pub(super) fn is_heavy(&self) -> bool {
-        let scene = &self.request.scene;
-        scene.objects.iter().map(|o| o.mesh.positions.len() + o.mesh.triangles.len()).sum::<usize>() > HEAVY
+        is_heavy(&self.request.scene)
     }
 
-    fn find(&self) -> PickResult {
+    async fn find(&self) -> PickResult {
         match self.what {
             PickQuery::Under { pointer, reach } => {
                 PickResult { probe: probe_at(&self.request, pointer, reach), ..PickResult::default() }
@@ -67,19 +61,30 @@ impl PickRequest {
                 probe: None,
                 depths: depths(probe, &self.request),
                 point: Some(pick::point_of(&self.request, probe)),
+                ..PickResult::default()
             },
             PickQuery::Step(step) => PickResult { probe: step.taken(&self.request), ..PickResult::default() },
+            PickQuery::Click { pointer, object, triangle } => {
+                let object = object.then(|| pick::object(&self.request, pointer)).flatten();
+                pause().await;
+                let triangle = triangle.then(|| pick::triangle_in_image(&self.request, pointer)).flatten();
+                PickResult { object, triangle, ..PickResult::default() }
+            }
         }
     }
 }
 
 /// The result of a query.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct PickResult {
     pub(super) probe: Option<Probe>,
     pub(super) depths: Option<Depths>,
     /// The point of the world that the probe marks.
     pub(super) point: Option<DVec3>,
+    /// The name of the figure's object.
+    pub(super) object: Option<String>,
+    /// The object of the scene, and the index in its mesh.
+    pub(super) triangle: Option<(usize, u32)>,
 }
 
 /// The content of the depth buffer at a pixel, if any.
@@ -112,7 +117,7 @@ pub(super) struct Picker {
 
 impl Default for Picker {
     fn default() -> Self {
-        Self { found: Latest::new("pointer", || async |pick: &PickRequest, _: &Progress| pick.find()) }
+        Self { found: Latest::new("pointer", || async |pick: &PickRequest, _: &Progress| pick.find().await) }
     }
 }
 
@@ -124,7 +129,7 @@ impl Picker {
             return found;
         }
         let near = self.found.newest().filter(|(last, _)| last.is_near(&pick));
-        near.map_or_else(PickResult::default, |(_, found)| *found)
+        near.map_or_else(PickResult::default, |(_, found)| found.clone())
     }
 
     /// True while an answer may still come.
@@ -135,17 +140,19 @@ impl Picker {
     /// The result; `None` during the search.
     pub(super) fn found(&mut self, ctx: &egui::Context, pick: &PickRequest) -> Option<PickResult> {
         if !pick.is_heavy() {
-            return Some(pick.find());
+            return Some(at_once(pick.find()));
         }
         self.found.ask(ctx, pick.clone());
         self.found.poll(PATIENCE);
-        self.found.newest().filter(|(last, _)| *last == pick).map(|(_, found)| *found)
+        self.found.newest().filter(|(last, _)| *last == pick).map(|(_, found)| found.clone())
     }
 }
 
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use std::time::Duration;
 
     use super::*;
     use crate::appearance::Style;
@@ -173,11 +180,11 @@ mod tests {
         let mut picker = Picker::default();
         let light = pick(16, DVec2::new(200.0, 150.0));
         assert!(!light.is_heavy());
-        assert_eq!(picker.ask(&ctx, light.clone()), light.find());
+        assert_eq!(picker.ask(&ctx, light.clone()), at_once(light.find()));
         assert!(picker.found.waiting().is_none(), "at once");
         let heavy = pick(256, DVec2::new(200.0, 150.0));
         assert!(heavy.is_heavy());
-        let wanted = heavy.find();
+        let wanted = at_once(heavy.find());
         assert!(wanted.probe.is_some());
         let start = clock::now();
         while picker.ask(&ctx, heavy.clone()) != wanted {

@@ -1,4 +1,5 @@
-//! Searches that take a while in a heavy scene, and pin their results: steps of the keys, and clicks.
+//! Searches that take a while in a heavy scene, and what is done with their results: steps of the keys are pinned, and
+//! so are clicks, which also select an object or choose a triangle.
 
 use eframe::egui::Context;
 use glam::DVec2;
@@ -6,20 +7,73 @@ use glam::DVec2;
 use super::keyboard_probe::ProbeStep;
 use super::picking::{PickQuery, PickRequest};
 use super::{Canvas, Pane};
-use crate::gui::state::State;
+use crate::figure::Explanation;
+use crate::gui::explain;
+use crate::gui::state::{Selected, Side, State, Tab};
 use crate::views::{Hover, Request, View};
+
+/// A click on an object or on a triangle.
+pub(super) struct Click {
+    pick: PickRequest,
+    pointer: DVec2,
+    /// The object is selected in addition to those that are.
+    beside: bool,
+}
+
+/// Whether clicks select: the tree of the scene is open.
+fn selects(state: &State) -> bool {
+    state.settings.tab == Tab::Scene && state.settings.panels().is_shown(Side::Left)
+}
+
+impl Click {
+    /// The click that a picture has got, where it selects or chooses anything: objects while the tree of the scene is
+    /// open, triangles of the image while the tab of stages is.
+    pub(super) fn in_picture(state: &State, pane: &Pane) -> Option<Self> {
+        let object = selects(state) && (pane.view != View::Canonical || !state.is_on_the_way());
+        let triangle = state.shows_explanation(Explanation::Triangle) && pane.view == View::Image;
+        let pointer = pane.rect.pixel(pane.response.interact_pointer_pos().filter(|_| object || triangle)?);
+        let request = Request { hover: Hover::default(), ..pane.request.clone() };
+        let pick = PickRequest { request, what: PickQuery::Click { pointer, object, triangle } };
+        Some(Self { pick, pointer, beside: pane.response.ctx.input(|i| i.modifiers.command) })
+    }
+}
 
 impl Canvas {
     /// True while the keys move the probe, or it is on its way.
     pub(super) fn is_probing(&self) -> bool {
-        self.probing.is_some() || !self.probe_steps.is_empty() || self.clicked_pick.is_some()
+        self.probing.is_some() || !self.probe_steps.is_empty() || self.clicked_pick.is_some() || self.clicked.is_some()
     }
 
     /// Ends the probing by keys, with the steps that have not been taken yet.
     pub(super) fn stop_probing(&mut self) {
         self.probing = None;
         self.probe_steps.clear();
-        self.clicked_pick = None;
+        (self.clicked_pick, self.clicked) = (None, None);
+    }
+
+    /// Selects the object and chooses the triangle of a click, once they have been found.
+    pub(super) fn take_click(&mut self, ctx: &Context, state: &mut State) {
+        let Some(click) = self.clicked.take() else { return };
+        // A pixel of the triangle that is followed, or another triangle?
+        let waits = state.shows_explanation(Explanation::Triangle) && state.explain.triangle.is_searched();
+        let Some(found) = self.click_picker.found(ctx, &click.pick).filter(|_| !waits) else {
+            self.clicked = Some(click).filter(|_| waits || self.click_picker.is_waiting());
+            return;
+        };
+        let Click { pick: PickRequest { request, .. }, pointer, beside } = click;
+        let scene = &state.document.figure().scene;
+        let selected = found.object.filter(|_| selects(state)).and_then(|name| Selected::of_object(scene, &name));
+        if selected.is_some() {
+            state.select(selected, beside);
+            ctx.request_repaint();
+        }
+        let is_of_image = request.view == View::Image && state.shows_explanation(Explanation::Triangle);
+        if is_of_image && explain::clicked((ctx, state), &request, pointer, found.triangle) {
+            // It is what was meant.
+            self.clicked_pick = None;
+            state.pin(None);
+            ctx.request_repaint();
+        }
     }
 
     /// Pins the result of a click in a heavy scene, once it has been found.

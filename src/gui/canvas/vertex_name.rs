@@ -1,9 +1,12 @@
 //! The vertex at a point: its number and its object.
 
+use eframe::egui;
 use glam::DVec3;
 
-use crate::gui::memo::Memo;
+use crate::gui::memo::{Latest, Memo, PATIENCE};
+use crate::gui::scene_cache::is_heavy;
 use crate::gui::state::{Selected, preset_objects};
+use crate::progress::Progress;
 use crate::scene::edit::placements;
 use crate::scene::{Scene, SceneSpec, ShapeData};
 use crate::views::SharedScene;
@@ -19,23 +22,70 @@ pub(super) struct VertexName {
     pub(super) number: usize,
 }
 
-/// The name of the point requested last: in a scene of millions of vertices it takes a while to find.
-#[derive(Debug, Default)]
+/// A point of a scene.
+type Place = (SharedScene, DVec3);
+
+/// The name of the point requested last.
+#[derive(Debug)]
 pub(super) struct VertexNames {
-    last: Memo<(SharedScene, DVec3), Option<VertexName>>,
+    last: Memo<Place, Option<VertexName>>,
+    /// Searches among many vertices.
+    search: Latest<Place, Option<OfMesh>>,
 }
 
-impl VertexNames {
-    /// The vertex at a point of the world, if one is exactly there.
-    pub(super) fn at(&mut self, p: DVec3, scene: &SharedScene, spec: &SceneSpec) -> Option<VertexName> {
-        self.last.of((scene.clone(), p), |_| of_mesh(p, scene, spec).or_else(|| of_list(p, spec))).clone()
+impl Default for VertexNames {
+    fn default() -> Self {
+        let search = Latest::new("vertex names", || async |(scene, p): &Place, _: &Progress| OfMesh::at(*p, scene));
+        Self { last: Memo::default(), search }
     }
 }
 
-fn of_mesh(p: DVec3, scene: &Scene, spec: &SceneSpec) -> Option<VertexName> {
-    let vertex = scene.vertices().find(|vertex| vertex.p_world == p)?;
-    let of_preset = !matches!(Selected::of_object(spec, vertex.owner), Some(Selected::Object(_)));
-    Some(VertexName { object: vertex.object.to_owned(), of_preset, number: vertex.index + 1 })
+/// A vertex of a mesh.
+#[derive(Clone, Debug)]
+struct OfMesh {
+    /// The name of the scene's object.
+    object: String,
+    /// The name of the figure's object.
+    owner: String,
+    /// Its place among the object's vertices, from 1.
+    number: usize,
+}
+
+impl VertexNames {
+    /// The vertex at a point of the world, if one is exactly there. In a heavy scene it is found beside the window's
+    /// thread; a frame is requested of `ctx` then.
+    pub(super) fn at(
+        &mut self,
+        ctx: &egui::Context,
+        p: DVec3,
+        scene: &SharedScene,
+        spec: &SceneSpec,
+    ) -> Option<VertexName> {
+        let place = (scene.clone(), p);
+        let mut searched = None;
+        if is_heavy(scene) {
+            self.search.ask(ctx, place.clone());
+            self.search.poll(PATIENCE);
+            searched = Some(self.search.answer()?.clone());
+        }
+        let name = |(scene, p): &Place| {
+            let of_mesh = searched.unwrap_or_else(|| OfMesh::at(*p, scene));
+            of_mesh.map(|vertex| vertex.name(spec)).or_else(|| of_list(*p, spec))
+        };
+        self.last.of(place, name).clone()
+    }
+}
+
+impl OfMesh {
+    fn at(p: DVec3, scene: &Scene) -> Option<Self> {
+        let vertex = scene.vertices().find(|vertex| vertex.p_world == p)?;
+        Some(Self { object: vertex.object.to_owned(), owner: vertex.owner.to_owned(), number: vertex.index + 1 })
+    }
+
+    fn name(self, spec: &SceneSpec) -> VertexName {
+        let of_preset = !matches!(Selected::of_object(spec, &self.owner), Some(Selected::Object(_)));
+        VertexName { object: self.object, of_preset, number: self.number }
+    }
 }
 
 /// Points and segments are no objects of the built scene.

@@ -88,7 +88,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         return progress::ui(ui, t, state);
     };
     let sheet = Sheet { t, entry: &entry, exercise: &exercise };
-    if state.exercises.described.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
+    // One thing after the other: what is pinned in the pictures is released by the next one.
+    if state.exercises.described.is_some() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
         state.exercises.described = None;
     }
     let all_wanted = ui.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::Enter));

@@ -8,7 +8,7 @@ use crate::figure::{ShownTriangle, TriangleStep, View};
 use crate::gui::context_help::{help_topic, help_topic_row};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::complaint;
-use crate::gui::state::State;
+use crate::gui::state::{Covered, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::notes;
 use crate::i18n::pictures::labels;
@@ -18,6 +18,7 @@ use crate::numbers::DecimalMark;
 use crate::picture::TrianglePixels;
 use crate::pipeline::Stage;
 use crate::pipeline::one_triangle::TriangleSteps;
+use crate::views::pick::image_pixel;
 use crate::views::{Labels, Request, Size};
 
 /// The context in which a step is written.
@@ -48,18 +49,21 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.settings.lang);
     ui.label(RichText::new(t.heading).strong());
     ui.label(RichText::new(t.hint).weak());
-    let size = Size { width: 1, height: 1, scale: 1.0 };
-    let scene = state.scene_cache.scene().clone();
     let labels = labels(state.settings.lang);
-    let document = &state.document;
-    let request = Request::of(document.figure(), View::Image, document.camera(), &scene, labels, size);
-    chooser(ui, t, state, &request);
-    let Some((steps, pixels)) = state.explain.triangle.found(&request) else { return };
+    chooser(ui, t, state);
+    let Some((steps, covered)) = found(ui.ctx(), state) else { return };
     let Some(mut shown) = state.shown().triangle.clone() else { return };
     choose_step(ui, t, &mut shown.step);
     let page = Page { t, labels, mark: state.settings.lang.mark(), digits: state.settings.digits };
     let step = shown.step;
     let top = ui.cursor().min;
+    let pixels = match covered {
+        Covered::Found(pixels) => pixels,
+        Covered::Searched => {
+            ui.label(RichText::new(t.being_found).weak());
+            return follow(ui, state, shown);
+        }
+    };
     match step {
         TriangleStep::View => page.spaces(ui, &steps),
         TriangleStep::Facing => page.facing(ui, &steps),
@@ -72,10 +76,24 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     }
     let row = egui::Rect::from_min_max(top, egui::pos2(ui.max_rect().right(), ui.cursor().min.y));
     help_topic_row(ui, row, notes::of_stage(stage_of(step)));
+    follow(ui, state, shown);
+}
+
+/// Goes on with the chosen step, or pixel.
+fn follow(ui: &Ui, state: &mut State, shown: ShownTriangle) {
     if state.shown().triangle.as_ref() != Some(&shown) {
         state.document.show_mut().triangle = Some(shown);
         ui.ctx().request_repaint();
     }
+}
+
+/// The numbers of the triangle that the image shows.
+fn found(ctx: &egui::Context, state: &mut State) -> Option<(TriangleSteps, Covered)> {
+    // They do not depend on the size.
+    let size = Size { width: 1, height: 1, scale: 1.0 };
+    let (document, scene, labels) = (&state.document, state.scene_cache.scene(), labels(state.settings.lang));
+    let request = Request::of(document.figure(), View::Image, document.camera(), scene, labels, size);
+    state.explain.triangle.found(ctx, &request)
 }
 
 /// The stage that does a step.
@@ -91,9 +109,9 @@ fn stage_of(step: TriangleStep) -> Stage {
     }
 }
 
-fn chooser(ui: &mut Ui, t: &Texts, state: &mut State, request: &Request) {
-    let objects: Vec<(&str, usize)> = request
-        .scene
+fn chooser(ui: &mut Ui, t: &Texts, state: &mut State) {
+    let scene = state.scene_cache.scene().clone();
+    let objects: Vec<(&str, usize)> = scene
         .objects
         .iter()
         .filter(|object| object.faces && !object.mesh.triangles.is_empty())
@@ -314,18 +332,31 @@ impl Page<'_> {
     }
 }
 
-/// Handles a click in the image while the tab is shown: at the depth test it chooses a pixel of the triangle, else a
-/// triangle. Returns false where there is neither.
-pub(in crate::gui) fn clicked(state: &mut State, request: &Request, pointer: glam::DVec2) -> bool {
-    use crate::views::pick::{image_pixel, triangle_in_image};
+/// Handles a click in the image while the tab is shown, at a place (pixels) where it has found a triangle, or none: at
+/// the depth test it chooses a pixel of the triangle that is followed, else the one it has found. Returns false where
+/// there is neither.
+pub(in crate::gui) fn clicked(
+    (ctx, state): (&egui::Context, &mut State),
+    request: &Request,
+    pointer: glam::DVec2,
+    triangle: Option<(usize, u32)>,
+) -> bool {
     let pixel = image_pixel(request, pointer);
     let shown = state.shown().triangle.clone();
     let at_depth = shown.filter(|shown| shown.step == TriangleStep::Depth);
-    let found = at_depth.and_then(|shown| Some((shown, state.explain.triangle.found(request)?.1?)));
-    if let Some((shown, _)) = found.filter(|(_, pixels)| pixel.is_some_and(|pixel| pixels.covers(pixel))) {
+    let covered = at_depth.and_then(|shown| match found(ctx, state)?.1 {
+        Covered::Found(Some(pixels)) if pixel.is_some_and(|pixel| pixels.covers(pixel)) => Some(shown),
+        Covered::Found(_) | Covered::Searched => None,
+    });
+    if let Some(shown) = covered {
         state.document.show_mut().triangle = Some(ShownTriangle { pixel, ..shown });
-    } else if let Some((object, index)) = triangle_in_image(request, pointer) {
-        choose(state, Some((request.scene.objects[object].name.clone(), index)));
+    } else if let Some((object, index)) = triangle {
+        let name = &request.scene.objects[object].name;
+        if request.scene.place_of(name) != Some(object) {
+            // The name is that of another object: nothing can say which one is meant.
+            return false;
+        }
+        choose(state, Some((name.clone(), index)));
     } else {
         return false;
     }

@@ -21,7 +21,7 @@ use std::time::{Duration, SystemTime};
 
 use eframe::egui;
 
-use super::document::Document;
+use super::document::{Document, Seen};
 use super::gallery::Source;
 use crate::clock;
 use crate::files::disk::{self, Lock};
@@ -29,7 +29,7 @@ use crate::files::{self, FileError, Overwrite};
 use crate::limits::{MAX_SESSION_BYTES, MAX_SESSIONS};
 pub use news::{Keeping, News, NewsList, NotKept};
 use session_file::{Restored, SessionFile};
-use writer::Writer;
+use writer::{Writer, is_worth_keeping};
 
 /// A figure that the window has shown for so long does not keep the program from starting.
 const SURVIVED: Duration = if cfg!(target_arch = "wasm32") {
@@ -125,8 +125,8 @@ impl Sessions {
         }
     }
 
-    /// Saves changes; nothing where nothing would be lost. Call it when no pointer or key is held.
-    pub fn keep(&mut self, ctx: &egui::Context, document: &Document) {
+    /// Saves changes and explanations; nothing where nothing would be lost. Call it when no pointer or key is held.
+    pub fn keep(&mut self, ctx: &egui::Context, (document, seen): (&Document, &Seen)) {
         let now = clock::now();
         match self.own.as_mut().and_then(Writer::take) {
             Some(Ok(())) => (self.failed_at, self.told) = (None, false),
@@ -134,7 +134,7 @@ impl Sessions {
             None => {}
         }
         let due = self.failed_at.is_none_or(|failed| now.saturating_sub(failed) >= RETRY);
-        if self.own.is_none() && due && document.is_changed() {
+        if self.own.is_none() && due && is_worth_keeping(document, seen) {
             self.take_slot();
         }
         if self.restored_at.is_some_and(|at| now.saturating_sub(at) >= SURVIVED) {
@@ -142,21 +142,21 @@ impl Sessions {
         }
         let restoring = self.restored_at.is_some();
         if let Some(own) = &mut self.own
-            && (!own.is_up_to_date(document, restoring) || (self.failed_at.is_some() && due))
+            && (!own.is_up_to_date((document, seen), restoring) || (self.failed_at.is_some() && due))
         {
             self.failed_at = None;
-            own.ask(ctx, document, restoring);
+            own.ask(ctx, (document, seen), restoring);
         }
         // Nothing else may request the frame in which it is time.
         for (since, length) in [(self.restored_at, SURVIVED), (self.failed_at, RETRY)] {
-            if let Some(since) = since.filter(|_| document.is_changed()) {
+            if let Some(since) = since.filter(|_| is_worth_keeping(document, seen)) {
                 ctx.request_repaint_after(length.saturating_sub(now.saturating_sub(since)));
             }
         }
     }
 
     /// Leaves the stored session of a figure as it is, while the window shows another one.
-    pub fn leave(&mut self, ctx: &egui::Context, source: Option<Source>, document: &Document) {
+    pub fn leave(&mut self, ctx: &egui::Context, source: Option<Source>, document: (&Document, &Seen)) {
         self.keep(ctx, document);
         self.others.extend(self.own.take().map(|own| (source, own)));
     }

@@ -51,11 +51,11 @@ impl Sessions {
     /// Writes the document down and waits for it.
     fn write(&mut self, document: &Document) {
         let ctx = egui::Context::default();
-        self.keep(&ctx, document);
+        self.keep(&ctx, (document, &Seen::of(document.figure())));
         if let Some(own) = &self.own {
             own.wait();
         }
-        self.keep(&ctx, document);
+        self.keep(&ctx, (document, &Seen::of(document.figure())));
     }
 }
 
@@ -346,8 +346,8 @@ fn a_figure_that_was_left_stays_written_down_and_goes_on_where_one_comes_back() 
     let source = Source::Shipped("house");
     let (one, two) = (changed(40.0), changed(50.0));
     let (mut sessions, _) = Sessions::begin(&folder.0, false);
-    sessions.leave(&egui::Context::default(), Some(source.clone()), &one);
-    sessions.keep(&egui::Context::default(), &two);
+    sessions.leave(&egui::Context::default(), Some(source.clone()), (&one, &Seen::of(one.figure())));
+    sessions.keep(&egui::Context::default(), (&two, &Seen::of(two.figure())));
     for writer in sessions.others.iter().map(|(_, writer)| writer).chain(&sessions.own) {
         writer.wait();
     }

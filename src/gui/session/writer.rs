@@ -11,7 +11,7 @@ use crate::clock;
 use crate::figure::Figure;
 use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError, Overwrite};
-use crate::gui::document::Document;
+use crate::gui::document::{Document, Seen};
 use crate::gui::history::Revision;
 use crate::gui::worker::Worker;
 use crate::progress::Progress;
@@ -39,10 +39,9 @@ impl Note {
             && (self.revision == document.revision() || self.figure.scene == figure.scene)
     }
 
-    /// Whether it has the observers of a document, and what is shown in it.
-    fn is_seen_as(&self, document: &Document) -> bool {
-        let figure = document.figure();
-        (self.figure.observers, &self.figure.show) == (figure.observers, &figure.show)
+    /// Whether it has these observers, and what is shown.
+    fn is_seen_as(&self, seen: &Seen) -> bool {
+        (self.figure.observers, &self.figure.show) == (seen.observers, &seen.show)
     }
 }
 
@@ -65,9 +64,11 @@ impl WriteJob {
     }
 }
 
-/// Whether work would be lost: changes, and in a browser, which reads no file again by itself, also an opened figure.
-fn is_worth_keeping(document: &Document) -> bool {
+/// Whether work would be lost: changes, explanations, and in a browser, which reads no file again by itself, also an
+/// opened figure.
+pub(super) fn is_worth_keeping(document: &Document, seen: &Seen) -> bool {
     document.is_changed()
+        || document.explains_other(&seen.show)
         || (cfg!(target_arch = "wasm32") && (document.name().is_some() || !document.source().is_empty()))
 }
 
@@ -90,13 +91,13 @@ impl Writer {
     }
 
     /// True where what was asked for last is still what is wanted.
-    pub(super) fn is_up_to_date(&mut self, document: &Document, restoring: bool) -> bool {
+    pub(super) fn is_up_to_date(&mut self, (document, seen): (&Document, &Seen), restoring: bool) -> bool {
         match &self.asked {
             Some(Some(note)) => {
                 let version = Some(document.version());
-                let is_same = is_worth_keeping(document)
+                let is_same = is_worth_keeping(document, seen)
                     && note.restoring == restoring
-                    && note.is_seen_as(document)
+                    && note.is_seen_as(seen)
                     && (self.version == version || note.is_of(document));
                 if is_same {
                     // Another number may have come to the same document.
@@ -104,18 +105,19 @@ impl Writer {
                 }
                 is_same
             }
-            Some(None) => !is_worth_keeping(document),
+            Some(None) => !is_worth_keeping(document, seen),
             None => false,
         }
     }
 
     /// Saves the document; where nothing would be lost with it, deletes the stored one.
-    pub(super) fn ask(&mut self, ctx: &egui::Context, document: &Document, restoring: bool) {
-        let note = is_worth_keeping(document).then(|| {
+    pub(super) fn ask(&mut self, ctx: &egui::Context, (document, seen): (&Document, &Seen), restoring: bool) {
+        let note = is_worth_keeping(document, seen).then(|| {
+            let Seen { observers, show } = seen.clone();
             Arc::new(Note {
                 place: SessionPlace::of(document),
                 source: document.source().to_owned(),
-                figure: document.figure().clone(),
+                figure: Figure { observers, show, ..document.figure().clone() },
                 revision: document.revision(),
                 restoring,
             })

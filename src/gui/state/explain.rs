@@ -4,11 +4,11 @@ use super::matrices::Matrices;
 use super::notes::Notes;
 use super::order::Order;
 use super::steps::Steps;
+use super::triangle::TriangleNumbers;
 use crate::camera::{CameraError, MatrixKind};
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{CameraNumber, Vocabulary};
 use crate::figure::{Explanation, TransformPreview};
-use crate::picture::FollowedTriangle;
 use crate::pipeline::StageReport;
 
 /// A question that the side of explanations answers.
@@ -47,7 +47,7 @@ impl Question {
 }
 
 /// The explanations. Their visibility is in [`Panels`](super::Panels).
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Explain {
     question: Question,
     /// The explanation that each question showed last, in the order of [`Question::ALL`].
@@ -65,7 +65,7 @@ pub struct Explain {
     /// The position of a point along a segment whose image is shown, 0 … 1.
     pub share: f64,
     /// The numbers of the triangle that is followed step by step.
-    pub triangle: FollowedTriangle,
+    pub triangle: TriangleNumbers,
     /// The report of the strip's picture, stage by stage; written by the pictures while the tab of stages is shown.
     pub reports: Vec<StageReport>,
     /// The target of the code.
@@ -134,7 +134,7 @@ impl Default for Explain {
             order: Order::default(),
             notes: Notes::default(),
             share: 0.5,
-            triangle: FollowedTriangle::default(),
+            triangle: TriangleNumbers::default(),
             reports: Vec::new(),
             code: CodeTarget::default(),
             refused: None,

@@ -7,6 +7,7 @@ use super::Message;
 use crate::camera::Decomposition;
 use crate::files::Overwrite;
 use crate::gui::comparison::Comparison;
+use crate::gui::document::Document;
 use crate::gui::export::{Export, Exported, Exporting};
 use crate::gui::native::OpenFileDialog;
 use crate::gui::preview::Preview;
@@ -154,6 +155,8 @@ pub struct FileFlow {
     pub(in crate::gui) decided: Option<Theirs>,
     /// The session in this slot is to be restored now.
     pub(in crate::gui) restore: Option<usize>,
+    /// A figure that takes the place of the open one in this frame.
+    pub(in crate::gui) instead: Option<Document>,
     /// The figure's file is to be looked at in the next frame.
     pub(in crate::gui) look: bool,
     pub(in crate::gui) watch: Watch,

@@ -22,6 +22,7 @@
 //! | `search` | the search for anything in the window |
 //! | `shown` | explanations in the pictures: the `[show]` of the figure, its changes by panels |
 //! | `steps` | the tab of steps: the decomposition, and its playback |
+//! | `triangle` | the triangle that is followed: its pixels are found beside the window's thread in heavy scenes |
 //! | `view_history` | earlier viewpoints of the pictures |
 
 mod annotations;
@@ -44,6 +45,7 @@ mod scene_tree;
 mod search;
 mod shown;
 mod steps;
+mod triangle;
 mod view_history;
 
 use glam::DVec3;
@@ -83,15 +85,18 @@ pub(super) use recent::merged;
 pub(super) use scene_tree::{Draft, Typing, preset_objects};
 pub use scene_tree::{SceneTree, Selected};
 pub use search::Search;
-use shown::OpenPanels;
 pub use shown::PanelHover;
+use shown::{OpenPanels, SeenBy};
 pub use steps::{Steps, count, end_of, step_at, time_of};
+pub(in crate::gui) use triangle::Covered;
+pub use triangle::TriangleNumbers;
 pub use view_history::ViewHistory;
 
 use super::Start;
 use super::document::Document;
 use super::export::Export;
 use super::gallery::{Gallery, Source};
+use super::memo::Memo;
 use super::scene_cache::SceneCache;
 
 /// Duration of news, in seconds: time to read two lines.
@@ -192,6 +197,8 @@ pub struct State {
     pub hover: PanelHover,
     /// The last observers of the pictures; `None`: they have not been shown.
     pub seen: Observers,
+    /// The observers that [`as_seen`](Self::as_seen) found last.
+    observers_shown: Memo<SeenBy, Observers>,
     /// The panels that were open in the last frame, of those that explain something in the pictures.
     pub(in crate::gui) open_panels: OpenPanels,
     /// The target of the pointer; written by the pictures, shown by the panel.
@@ -281,6 +288,7 @@ impl State {
             problem_out_of_sight: false,
             hover: PanelHover::default(),
             seen: Observers::default(),
+            observers_shown: Memo::default(),
             open_panels: OpenPanels::default(),
             probe: None,
             recent: Recent::default(),
@@ -410,10 +418,10 @@ impl State {
         self.shows_explanation(Explanation::Exercises)
     }
 
-    /// The camera that an answer describes, while it is shown.
+    /// The camera that an answer describes, while it is shown; as a file can hold it.
     pub(in crate::gui) fn answered_camera(&self) -> Option<Camera> {
         let described = self.exercises.described.as_ref().filter(|_| self.shows_exercises())?;
-        described.camera.as_deref().ok().cloned()
+        described.camera.as_deref().ok().map(Camera::rounded)
     }
 
     /// Puts the figure of an exercise into the pictures, as one step that can be undone. The user's own stays in its

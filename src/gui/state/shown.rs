@@ -4,6 +4,8 @@ use super::{Side, State, steps};
 use crate::camera::Ndc;
 use crate::explain::Symbol;
 use crate::figure::{Explanation, Figure, Measured, Observers, Show, ShownProbe, ShownStep, StagePicture, View};
+use crate::gui::document::Seen;
+use crate::gui::history::Revision;
 use crate::i18n::pictures::labels;
 use crate::stage::Stage;
 use crate::views::observer::Viewpoint;
@@ -30,6 +32,9 @@ pub(in crate::gui) struct OpenPanels {
     order: bool,
 }
 
+/// The state that the observers of the screen depend on.
+pub(super) type SeenBy = ((Revision, [Observers; 2], [bool; View::COUNT], [[u32; 2]; View::COUNT]), Ndc);
+
 impl State {
     /// All that `pictures` show in this frame.
     #[must_use]
@@ -37,9 +42,7 @@ impl State {
         let shot = Shot::of(self.document.figure());
         let look = Look { style: self.style(), ..shot.look };
         let mut show = shot.show;
-        if let Some(step) = show.step.as_mut().filter(|_| self.settings.reduce_motion && self.explain.steps.plays()) {
-            step.at = step.at.map(f64::floor);
-        }
+        show.step = self.step_as_shown();
         show.moved.extend_from_slice(&self.explain.placed);
         Shot {
             look,
@@ -80,11 +83,30 @@ impl State {
             let [width, height] = self.picture_sizes[view.index()];
             let size = Size { width, height, scale: self.screen_scale };
             let labels = labels(self.settings.lang);
-            let (camera, scene) = (self.document.drawn_camera(), self.scene_cache.scene());
+            let (camera, scene) = (self.document.camera(), self.scene_cache.scene());
             let own = Request::new(&shot, view, camera, scene, labels, size).observer_from(Viewpoint::default());
             *observer = seen.filter(|seen| Some(*seen) != own);
         }
         observers
+    }
+
+    /// As [`figure_as_shown`](Self::figure_as_shown), without the figure.
+    pub(in crate::gui) fn as_seen(&mut self) -> Seen {
+        let (document, figure) = (&self.document, self.document.figure());
+        let shown = View::ALL.map(|view| self.layout.is_shown(view));
+        let key = (document.version(), [figure.observers, self.seen], shown, self.picture_sizes);
+        // Framing a picture takes too long for each frame.
+        let mut kept = std::mem::take(&mut self.observers_shown);
+        let observers = *kept.of((key, self.settings.conventions.ndc), |_| self.observers_as_shown());
+        self.observers_shown = kept;
+        Seen { observers, show: self.show_as_saved() }
+    }
+
+    /// The step that is shown. Where motion is to be reduced, one after the other is played, and nothing between.
+    fn step_as_shown(&self) -> Option<ShownStep> {
+        let step = self.shown().step?;
+        let jumps = self.settings.reduce_motion && self.explain.steps.plays();
+        Some(ShownStep { at: step.at.map(|at| if jumps { at.floor() } else { at }), ..step })
     }
 
     fn show_as_saved(&self) -> Show {
@@ -92,7 +114,7 @@ impl State {
         let answered = self.answered_camera().map(|camera| *camera.parameters());
         let ndc = Some(self.settings.conventions.ndc).filter(|ndc| *ndc != Ndc::default());
         let moved = show.moved.iter().chain(&self.explain.placed).cloned().collect();
-        Show { answer: answered.or(show.answer), ndc, moved, ..show.clone() }
+        Show { answer: answered.or(show.answer), ndc, moved, step: self.step_as_shown(), ..show.clone() }
     }
 
     /// Forgets a triangle that has gone from the scene; not one of an object whose file cannot be read now.
@@ -299,6 +321,29 @@ impl State {
         }
         if let Some(step) = show.step {
             self.explain.steps.way = step.way;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::camera::Decomposition;
+    use crate::gui::Start;
+
+    #[test]
+    fn a_step_that_is_played_without_motion_is_the_same_on_the_screen_and_in_a_file() {
+        let mut state = State::new(Start::default()).unwrap();
+        let step = ShownStep { way: Decomposition::Notes, at: Some(1.6) };
+        let step = state.explain.steps.play_or_hold(step, 0.0);
+        state.document.show_mut().step = Some(step);
+        for (reduce_motion, at) in [(false, 1.6), (true, 1.0)] {
+            state.settings.reduce_motion = reduce_motion;
+            let shown = Some(ShownStep { at: Some(at), ..step });
+            assert_eq!(state.shot(Vec::new()).show.step, shown);
+            assert_eq!((state.figure_as_shown().show.step, state.figure_to_save().show.step), (shown, shown));
         }
     }
 }

@@ -16,7 +16,6 @@ use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
 use crate::figure::read;
 use crate::gui::document::Document;
 use crate::gui::focus::keep_in_sight;
-use crate::gui::sequence;
 use crate::gui::state::{Message, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::numerics as words;
@@ -205,7 +204,7 @@ fn open(state: &mut State, text: &str) {
     // The program wrote it, of a camera that it had measured: a test opens every one.
     let Ok(figure) = read::parse(text) else { return };
     match Document::new(figure, None) {
-        Ok(document) => sequence::show(state, document),
+        Ok(document) => state.file_flow.instead = Some(document),
         Err(error) => state.say(Message::Camera(error)),
     }
 }
