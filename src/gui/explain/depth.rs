@@ -88,7 +88,7 @@ fn of_camera(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Paramete
 fn formats(ui: &mut Ui, lang: Lang, resolutions: &[Resolution]) {
     let t = words::texts(lang);
     let colors = Planes::of(ui);
-    Grid::new("formats").num_columns(4).spacing([18.0, 2.0]).show(ui, |ui| {
+    Grid::new("formats").num_columns(4).spacing([9.0, 2.0]).show(ui, |ui| {
         for head in [t.format, t.step_here] {
             ui.label(RichText::new(head).small().weak());
         }
@@ -176,20 +176,30 @@ fn curves(t: &'static words::Texts, camera: &Camera, ndc: Ndc, across: impl Fn(f
     all.into_iter().filter_map(curve).collect()
 }
 
-/// For each curve the point at which it is farthest from the others, where its name is read without a legend.
-fn places_of_names(curves: &[Curve]) -> Vec<[f64; 2]> {
-    let apart = |curve: usize, k: usize| {
-        let own = curves[curve].1[k][1];
-        let others = curves.iter().enumerate().filter(|(other, _)| *other != curve);
-        others.map(|(_, (_, points, _))| (points[k][1] - own).abs()).fold(f64::INFINITY, f64::min)
+/// For each curve the point at which it is farthest from the others, and the corner of its name that goes there: the
+/// name lies beside the curve, on the side where no other is.
+fn places_of_names(curves: &[Curve]) -> Vec<([f64; 2], Align2)> {
+    let height = |curve: usize, k: usize| curves[curve].1[k][1];
+    let others = |curve: usize, k: usize| {
+        (0..curves.len()).filter(move |other| *other != curve).map(move |other| height(other, k) - height(curve, k))
     };
-    // Not at the ends, where a name would leave the plot.
-    let within = |points: &[[f64; 2]]| points.len() / 8..points.len() - points.len() / 8;
-    let best = |(curve, (_, points, _)): (usize, &Curve)| {
-        let k = within(points).max_by(|a, b| apart(curve, *a).total_cmp(&apart(curve, *b)));
-        points[k.unwrap_or_default()]
+    let apart = |curve: usize, k: usize| others(curve, k).map(f64::abs).fold(f64::INFINITY, f64::min);
+    let best = |curve: usize| {
+        let points = &curves[curve].1;
+        // Not at the ends, where a name would leave the plot.
+        let within = points.len() / 4..points.len() - points.len() / 4;
+        let k = within.max_by(|a, b| apart(curve, *a).total_cmp(&apart(curve, *b))).unwrap_or_default();
+        let rises = height(curve, (k + 1).min(points.len() - 1)) > height(curve, k);
+        let is_above = others(curve, k).filter(|above| *above > 0.0).count() < curves.len() / 2;
+        let anchor = match (is_above, rises) {
+            (true, true) => Align2::RIGHT_BOTTOM,
+            (true, false) => Align2::LEFT_BOTTOM,
+            (false, true) => Align2::LEFT_TOP,
+            (false, false) => Align2::RIGHT_TOP,
+        };
+        (points[k], anchor)
     };
-    curves.iter().enumerate().map(best).collect()
+    (0..curves.len()).map(best).collect()
 }
 
 fn plot(ui: &mut Ui, t: &'static words::Texts, camera: &Camera, ndc: Ndc, probe: Option<f64>) {
@@ -207,10 +217,7 @@ fn plot(ui: &mut Ui, t: &'static words::Texts, camera: &Camera, ndc: Ndc, probe:
     let shown = plot.show(ui, |plot| {
         plot.set_plot_bounds_x(across(f)..=across(b));
         plot.set_plot_bounds_y(low - 0.05..=high + 0.05);
-        for (i, place) in places_of_names(&curves).into_iter().enumerate() {
-            // Above the curve at its left half, below it at its right half.
-            let is_left = place[0] < across(f).midpoint(across(b));
-            let anchor = if is_left { Align2::LEFT_BOTTOM } else { Align2::RIGHT_TOP };
+        for (i, (place, anchor)) in places_of_names(&curves).into_iter().enumerate() {
             let name = RichText::new(curves[i].0).color(color_of(Some(i), dark)).strong();
             plot.text(Text::new(curves[i].0, place.into(), name).anchor(anchor));
         }
