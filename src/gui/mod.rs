@@ -13,7 +13,7 @@
 //! | `dialogs` | the questions in the window |
 //! | `document` | the edited figure: the last valid one, the draft, its file, undo and redo |
 //! | `elide` | texts longer than their space, shortened between words |
-//! | `exercises/` | the tab of exercises: list, statement, answers, verdict, solution |
+//! | `exercises/` | the exercises in the window: list, statement, answers, verdict, solution |
 //! | `explain/` | the explanations: a file for each tab |
 //! | `export` | exports, in the same way as `camera-lab render`, byte for byte |
 //! | `export_dialog` | the export dialog, with a preview |

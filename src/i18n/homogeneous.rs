@@ -1,4 +1,4 @@
-//! The tab of w.
+//! The explanation of w.
 
 texts! {
     plane_title: "Points in xᵣ and wᵣ", "Pontos em xᵣ e wᵣ";

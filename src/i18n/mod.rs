@@ -21,12 +21,12 @@
 //! | `figure_files` | faults of figure files, in both languages |
 //! | `files` | faults of files and links |
 //! | `gallery` | the words of the gallery: its parts, and a name and a sentence for each figure of the program |
-//! | `homogeneous` | the words of the tab of w |
+//! | `homogeneous` | the words of the explanation of w |
 //! | `meshes` | faults of a mesh file, in both languages |
 //! | `messages` | errors and warnings, in both languages, for both shells |
 //! | `notes` | the notes, read from `assets/notes` |
 //! | `numerics` | the words of the studies: titles, parameters, cases, methods, units |
-//! | `order` | the words of the tab of order |
+//! | `order` | the words of the explanation of order |
 //! | `pictures` | the words in the three pictures |
 //! | `pipeline` | the stages of the pipeline: names, purposes, reports |
 //! | `progress` | long work, and work over budget |
@@ -37,7 +37,7 @@
 //! | `sessions` | messages about windows that did not close, in both languages |
 //! | `sharing` | links to figures, and the differences in a page of a browser, in both languages |
 //! | `sources` | the notes that texts cite as `[0]` … `[4]` |
-//! | `stages` | the words of the tab of stages |
+//! | `stages` | the words of the explanation of stages |
 //! | `toml_complaints` | complaints of the TOML parser |
 //! | `triangle` | the words of one triangle step by step |
 //! | `unreadable` | reasons why a file cannot be read, in both languages |

@@ -1,4 +1,4 @@
-//! The tab of the order of transforms.
+//! The explanation of the order of transforms.
 
 use super::Lang;
 use crate::explain::order::{Call, Reading, Unbalanced};

@@ -1,4 +1,4 @@
-//! One triangle step by step, in the tab of stages.
+//! One triangle step by step, among the explanations.
 
 use crate::figure::TriangleStep;
 

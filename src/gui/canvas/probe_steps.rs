@@ -27,7 +27,7 @@ fn selects(state: &State) -> bool {
 
 impl Click {
     /// The click that a picture has got, where it selects or chooses anything: objects while the tree of the scene is
-    /// open, triangles of the image while the tab of stages is.
+    /// open, triangles of the image while one is explained.
     pub(super) fn in_picture(state: &State, pane: &Pane) -> Option<Self> {
         let object = selects(state) && (pane.view != View::Canonical || !state.is_on_the_way());
         let triangle = state.shows_explanation(Explanation::Triangle) && pane.view == View::Image;

@@ -1,5 +1,5 @@
-//! The tab of exercises: the list, and the exercise that is worked on with its statement, answers, verdicts and the way
-//! to them.
+//! The exercises in the window: the list, and the exercise that is worked on with its statement, answers, verdicts and
+//! the way to them.
 //!
 //! | file | purpose |
 //! | --- | --- |

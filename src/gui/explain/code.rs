@@ -1,4 +1,4 @@
-//! The tab of code: the camera for other libraries.
+//! The explanation as code: the camera for other libraries.
 
 use eframe::egui::{self, FontId, TextStyle};
 

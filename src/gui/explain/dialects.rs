@@ -1,5 +1,5 @@
-//! The tab of other vocabularies: the camera in the words of other sources, whose numbers are controls, and a pasted
-//! matrix → its camera.
+//! The explanation of other vocabularies: the camera in the words of other sources, whose numbers are controls, and a
+//! pasted matrix → its camera.
 
 use eframe::egui::{self, RichText};
 use glam::DMat4;

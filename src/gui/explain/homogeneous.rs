@@ -1,4 +1,4 @@
-//! The tab of w: points in (x_r, w_r), where a middle goes, and a floor with and without w.
+//! The explanation of w: points in (x_r, w_r), where a middle goes, and a floor with and without w.
 
 use eframe::egui::{self, Align2, Color32, FontId, Pos2, Rect, RichText, Sense, Shape, Stroke, TextStyle, vec2};
 use glam::{DVec2, DVec3, DVec4};

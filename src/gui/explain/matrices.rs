@@ -1,4 +1,4 @@
-//! The tab of matrices: each entry of each matrix with its formula, its numbers and its value.
+//! The explanation of matrices: each entry of each matrix with its formula, its numbers and its value.
 
 use std::time::Duration;
 

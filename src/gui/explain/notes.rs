@@ -1,4 +1,4 @@
-//! The tab of notes: a short text for each symbol, operation, equation, step and stage, found by words or by F1 on the
+//! The notes: a short text for each symbol, operation, equation, step and stage, found by words or by F1 on the
 //! thing itself.
 
 use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, TextStyle, Ui, WidgetInfo, vec2};

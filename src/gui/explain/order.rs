@@ -1,4 +1,5 @@
-//! The tab of order: a list of transforms on an object, read from either end, and the same list in another order.
+//! The explanation of order: a list of transforms on an object, read from either end, and the same list in another
+//! order.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! The list of the tab of order: calls with their numbers, moved by dragging their dots and by keyboard.
+//! The list of the explanation of order: calls with their numbers, moved by dragging their dots and by keyboard.
 
 use eframe::egui::{
     self, CursorIcon, Key, Modifiers, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,

@@ -1,5 +1,5 @@
-//! The tab of steps: the view volume becomes the canonical one, step by step, in the picture of the canonical volume;
-//! here its factors.
+//! The explanation of steps: the view volume becomes the canonical one, step by step, in the picture of the canonical
+//! volume; here its factors.
 
 use std::time::Duration;
 

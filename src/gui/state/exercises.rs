@@ -1,4 +1,4 @@
-//! The tab of exercises: the choice, typed answers, and verdicts.
+//! The exercises in the window: the choice, typed answers, and verdicts.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -121,7 +121,7 @@ pub struct OwnFolder {
     pub found: Result<OwnExercises, FileError>,
 }
 
-/// The tab of exercises.
+/// The exercises in the window.
 #[derive(Clone, Debug, Default)]
 pub struct Exercises {
     /// The search text of the list.

@@ -52,21 +52,21 @@ pub struct Explain {
     question: Question,
     /// The explanation that each question showed last, in the order of [`Question::ALL`].
     last: [Explanation; 4],
-    /// Objects where the tab of order puts them in this frame.
+    /// Objects where the explanation of order puts them in this frame.
     pub placed: Vec<TransformPreview>,
-    /// The tab of matrices.
+    /// The explanation of matrices.
     pub matrices: Matrices,
-    /// The tab of steps.
+    /// The explanation of steps.
     pub steps: Steps,
-    /// The tab of order.
+    /// The explanation of order.
     pub order: Order,
-    /// The tab of notes.
+    /// The notes.
     pub notes: Notes,
     /// The position of a point along a segment whose image is shown, 0 … 1.
     pub share: f64,
     /// The numbers of the triangle that is followed step by step.
     pub triangle: TriangleNumbers,
-    /// The report of the strip's picture, stage by stage; written by the pictures while the tab of stages is shown.
+    /// The report of the strip's picture, stage by stage; written by the pictures while the stages are explained.
     pub reports: Vec<StageReport>,
     /// The target of the code.
     pub code: CodeTarget,

@@ -1,4 +1,4 @@
-//! The tab of matrices: its content, and the effect of the last change.
+//! The explanation of matrices: its content, and the effect of the last change.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ pub enum Reading {
     Values,
 }
 
-/// The tab of matrices.
+/// The explanation of matrices.
 #[derive(Clone, Debug)]
 pub struct Matrices {
     /// The matrix; never an inverse.

@@ -5,23 +5,23 @@
 //! | `annotations` | annotations of a lecturer over the pictures |
 //! | `coach` | the coach's findings about the figure |
 //! | `conventions` | the display of matrices, and the convention of NDC |
-//! | `exercises` | the tab of exercises: the choice, typed answers, and verdicts |
+//! | `exercises` | the exercises in the window: the choice, typed answers, and verdicts |
 //! | `explain` | the content of the explanations |
 //! | `files` | questions about files, and pending work with them |
 //! | `follow` | the followed point, and the text being typed for it |
 //! | `insert` | objects that are put into the scene |
 //! | `layout` | the layout of the window, and requests to the pictures |
-//! | `matrices` | the tab of matrices: its content, and the effect of the last change |
+//! | `matrices` | the explanation of matrices: its content, and the effect of the last change |
 //! | `message` | messages at the bottom of the window, as values |
-//! | `notes` | the tab of notes: search text, and the note that is read |
+//! | `notes` | the notes: search text, and the note that is read |
 //! | `numerics` | the studies of error against run time: the one shown, the results, and the thread that measures |
 //! | `operations` | steps, signs and the slider that is held |
-//! | `order` | the tab of order: the list of transforms, and its reading |
+//! | `order` | the explanation of order: the list of transforms, and its reading |
 //! | `recent` | the files that were opened or saved last |
 //! | `scene_tree` | the state of the tree: selection, folding, typed texts |
 //! | `search` | the search for anything in the window |
 //! | `shown` | explanations in the pictures: the `[show]` of the figure, its changes by panels |
-//! | `steps` | the tab of steps: the decomposition, and its playback |
+//! | `steps` | the explanation of steps: the decomposition, and its playback |
 //! | `triangle` | the triangle that is followed: its pixels are found beside the window's thread in heavy scenes |
 //! | `view_history` | earlier viewpoints of the pictures |
 

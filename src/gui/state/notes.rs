@@ -1,4 +1,4 @@
-//! The tab of notes of the side of explanations.
+//! The notes in the window.
 
 /// The search text, and the note that is read.
 #[derive(Clone, Debug, Default)]

@@ -1,4 +1,4 @@
-//! The tab of order of the side of explanations: the list of transforms, and how it is read.
+//! The explanation of order: the list of transforms, and how it is read.
 
 use crate::explain::order::{Call, Reading, calls_of, exchanged, product, same};
 use crate::scene::transform::Trs;
@@ -21,7 +21,7 @@ pub struct Own {
     pub trs: Trs,
 }
 
-/// The tab of order.
+/// The explanation of order.
 #[derive(Clone, Debug, Default)]
 pub struct Order {
     /// The list, from left to right.

@@ -1,4 +1,4 @@
-//! The tab of steps of the side of explanations: whose steps are shown next, and whether they are played. How far they
+//! The explanation of the steps: whose steps are shown next, and whether they are played. How far they
 //! have come is in the figure's `[show]`.
 
 use crate::camera::{Camera, Decomposition};
@@ -10,7 +10,7 @@ const STEP_SECONDS: f64 = 2.0;
 /// After a longer pause between two frames, playing goes on where it was.
 const LONGEST_FRAME: f64 = 0.5;
 
-/// The tab of steps.
+/// The explanation of steps.
 #[derive(Clone, Debug, Default)]
 pub struct Steps {
     /// Whose steps.
