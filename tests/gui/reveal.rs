@@ -84,7 +84,7 @@ fn the_depth_buffer_is_shown_with_its_numbers_and_undone() {
     window.harness.hover_at(at);
     window.run();
     assert!(window.says("Depth Z = 0.666667") && window.says("−z_c = 4"));
-    window.harness.hover_at(at + eframe::egui::vec2(-100.0, -200.0));
+    window.harness.hover_at(at + eframe::egui::vec2(-150.0, -110.0));
     window.run();
     assert!(window.says("Depth nothing here"));
     window.command_key(Key::Z);

@@ -3,7 +3,7 @@
 
 use std::collections::VecDeque;
 
-use crate::camera::Camera;
+use crate::camera::{Camera, Ndc};
 use crate::figure::observer::HALF_VIEW_ANGLE;
 use crate::figure::{Observer, Outside};
 use crate::views::observer::Viewpoint;
@@ -30,12 +30,16 @@ pub(super) struct Moment {
     pub(super) still: bool,
 }
 
+/// What makes a picture larger or smaller besides the camera and the scene: the parts outside the volume that are
+/// shown, and the convention of NDC.
+type Extent = (Outside, Ndc);
+
 /// The observer of a figure that says nothing about it.
 #[derive(Debug, Default)]
 pub(super) struct Auto {
     kept: Option<KeptObserver>,
     /// What was seen before, and from where: a camera that comes back, as by undo, is seen as then.
-    before: VecDeque<((Camera, Outside), Observer)>,
+    before: VecDeque<((Camera, Extent), Observer)>,
 }
 
 /// An observer in a frame.
@@ -55,7 +59,7 @@ struct KeptObserver {
     scene: SharedScene,
     subject: u64,
     size: Size,
-    outside: Outside,
+    extent: Extent,
     /// The camera was not on its way.
     settled: bool,
     /// From where it glides, since when.
@@ -66,7 +70,7 @@ impl Auto {
     /// The observer for a picture; `None` for the image. It looks in the same direction until there is another
     /// `subject`: a scene that has nothing to do with the last one.
     pub(super) fn observer(&mut self, request: &Request, subject: u64, moment: Moment) -> Option<AutoObserver> {
-        let outside = request.shot.look.reveal.outside;
+        let extent = (request.shot.look.reveal.outside, request.shot.ndc);
         let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
             let observer = request.observer_from(Viewpoint::default())?;
             self.before.clear();
@@ -76,7 +80,7 @@ impl Auto {
                 scene: request.scene.clone(),
                 subject,
                 size: request.size,
-                outside,
+                extent,
                 settled: !moment.on_the_way,
                 glide: None,
             });
@@ -84,18 +88,18 @@ impl Auto {
         };
         // Gear and letters have sizes of their own, in pixels.
         let resized = kept.size != request.size;
-        let changed = kept.camera != request.camera || kept.outside != outside;
+        let changed = kept.camera != request.camera || kept.extent != extent;
         if resized || kept.scene != request.scene {
             self.before.clear();
         } else if kept.settled && changed {
             self.before.truncate(REMEMBERED - 1);
-            self.before.push_front(((kept.camera.clone(), kept.outside), kept.observer));
+            self.before.push_front(((kept.camera.clone(), kept.extent), kept.observer));
         }
         let returns = (changed || !kept.settled) && !moment.on_the_way;
         let then =
-            self.before.iter().find(|((camera, shown), _)| returns && *camera == request.camera && *shown == outside);
-        // What was in hand is looked at when it is let go.
-        let is_new = resized || changed || kept.scene != request.scene || !kept.settled;
+            self.before.iter().find(|((camera, shown), _)| returns && *camera == request.camera && *shown == extent);
+        // What was in hand has changed when it is let go.
+        let is_new = resized || changed || kept.scene != request.scene;
         kept.settled = !moment.on_the_way;
         let mut goes_back = false;
         if let Some((_, observer)) = then {
@@ -112,7 +116,7 @@ impl Auto {
             }
         }
         if !moment.in_hand {
-            (kept.size, kept.outside) = (request.size, outside);
+            (kept.size, kept.extent) = (request.size, extent);
             kept.camera = request.camera.clone();
             kept.scene = request.scene.clone();
         }
