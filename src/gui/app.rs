@@ -240,8 +240,7 @@ impl App {
         if let Some(command) = bar {
             self.perform(&ctx, command);
         }
-        dialogs::show(&ctx, &mut self.state);
-        if let Some(command) = self.state.search.command.take() {
+        if let Some(command) = dialogs::show(&ctx, &mut self.state) {
             self.perform(&ctx, command);
             ctx.request_repaint();
         }

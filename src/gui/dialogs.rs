@@ -8,7 +8,7 @@ use eframe::egui::{self, Id, Key, Modal, RichText};
 
 use super::about;
 use super::coach;
-use super::command::MENUS;
+use super::command::{Command, MENUS};
 use super::comparison::{Comparison, Whose};
 use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::export_dialog;
@@ -29,14 +29,15 @@ use crate::limits::MAX_TYPED;
 use crate::sanitize;
 use crate::scene::edit::Children;
 
-/// Shows the question that is open, if any, and acts on the answer.
-pub fn show(ctx: &egui::Context, state: &mut State) {
+/// Shows the question that is open, if any, and acts on the answer; gives a command that is to be done.
+pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     let shown = Id::unique("dialog shown");
     let Some(dialog) = state.file_flow.dialog.take() else {
         ctx.data_mut(|data| data.remove::<Option<Discriminant<Dialog>>>(shown));
         state.file_flow.preview = None;
-        return;
+        return None;
     };
+    let mut wanted = None;
     let kind = Some(discriminant(&dialog));
     let first = ctx.data_mut(|data| data.get_temp(shown)) != Some(kind);
     ctx.data_mut(|data| data.insert_temp(shown, kind));
@@ -101,7 +102,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             Dialog::About => about::show(ui, t, state, first),
             Dialog::Link => link_dialog::show(ui, t, state, first),
             Dialog::Coach => coach::show(ui, t, state, first),
-            Dialog::Search => search::show(ui, state, first),
+            Dialog::Search => wanted = search::show(ui, state, first),
             Dialog::Gallery => {
                 state.file_flow.dialog = Some(Dialog::Gallery);
                 if first {
@@ -143,6 +144,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
     if !matches!(state.file_flow.dialog, Some(Dialog::Export(_))) {
         state.file_flow.preview = None;
     }
+    wanted
 }
 
 fn text(ui: &mut egui::Ui, title: &str, text: &str) {

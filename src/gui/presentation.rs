@@ -126,8 +126,8 @@ fn pen(ctx: &Context, state: &mut State, room: Rect) {
     });
 }
 
-/// The keys of a presentation as long as they are to be seen, and how much of them. While Esc takes something away, that
-/// is said.
+/// The keys of a presentation as long as they are to be seen, and how much of them. While Esc takes something away,
+/// that is said.
 pub(super) fn keys(ctx: &Context, state: &mut State) -> Option<(&'static str, f32)> {
     if state.annotations.any() {
         return Some((window::texts(state.settings.lang).escape_clears, 1.0));

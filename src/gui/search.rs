@@ -160,8 +160,9 @@ fn found(state: &State) -> Vec<Entry> {
     ranked.into_iter().take(MOST).map(|(_, entry)| entry).collect()
 }
 
-/// Shows the field and the results; goes to the one that is chosen. `first`: it has just been opened.
-pub(super) fn show(ui: &mut Ui, state: &mut State, first: bool) {
+/// Shows the field and the results; goes to the one that is chosen, or gives its command. `first`: it has just been
+/// opened.
+pub(super) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Option<Command> {
     state.file_flow.dialog = Some(Dialog::Search);
     let lang = state.settings.lang;
     let t = words::texts(lang);
@@ -210,10 +211,13 @@ pub(super) fn show(ui: &mut Ui, state: &mut State, first: bool) {
         chosen = 0;
     }
     state.search.chosen = chosen;
-    if let Some(target) = wanted {
-        state.file_flow.dialog = None;
-        go_to(ui.ctx(), state, target);
+    let target = wanted?;
+    state.file_flow.dialog = None;
+    if let Target::Command(command) = target {
+        return Some(command).filter(|command| command.is_enabled(state));
     }
+    go_to(ui.ctx(), state, target);
+    None
 }
 
 /// A result: its title, its kind, and the keys of a command.
@@ -234,7 +238,8 @@ fn row(ui: &mut Ui, state: &State, entry: &Entry, chosen: bool) -> egui::Respons
 
 fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
     match target {
-        Target::Command(command) => state.search.command = Some(command).filter(|command| command.is_enabled(state)),
+        // Its caller does it.
+        Target::Command(_) => {}
         Target::Parameter(tab, field) => {
             state.settings.tab = tab;
             state.settings.panels_mut().show(Side::Left);

@@ -114,7 +114,7 @@ pub fn has_words(text: &str, wanted: &str) -> bool {
     folded(wanted).split_whitespace().all(|word| text.contains(word))
 }
 
-/// What was typed, folded, and the same in the other names of the field.
+/// The typed words, folded, and the same in the other names of the field.
 #[must_use]
 pub fn also_called(wanted: &str) -> Vec<String> {
     let wanted = folded(wanted).split_whitespace().collect::<Vec<_>>().join(" ");

@@ -45,6 +45,16 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
 }
 
 fn framing(request: &Request, direction: Direction) -> Observer {
+    enclosing(&points(request), direction, request.size)
+}
+
+/// Whether an observer has the box, and what is shown around it, in its picture.
+pub(super) fn holds(request: &Request, observer: &Observer) -> bool {
+    super::observer::holds(observer, &points(request), request.size)
+}
+
+/// The corners of the box, as far as parts outside are shown around it, and the tips of its axes.
+fn points(request: &Request) -> Vec<DVec3> {
     let canonical = CanonicalBox::of(request);
     let tips = canonical.axes().map(|axis| axis * (AXIS + 0.05));
     let beyond = match request.shot.look.reveal.outside {
@@ -53,8 +63,7 @@ fn framing(request: &Request, direction: Direction) -> Observer {
     };
     let bounds = canonical.bounds();
     let middle = bounds.center();
-    let points: Vec<_> = bounds.corners().map(|p| middle + (p - middle) * beyond).into_iter().chain(tips).collect();
-    enclosing(&points, direction, request.size)
+    bounds.corners().map(|p| middle + (p - middle) * beyond).into_iter().chain(tips).collect()
 }
 
 /// The observer's camera and its pixels; `None` for an observer that is not a camera.

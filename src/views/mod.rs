@@ -174,6 +174,16 @@ impl Request {
         }
     }
 
+    /// Whether an observer has everything of interest in its picture; the image has none.
+    #[must_use]
+    pub fn holds(&self, observer: &Observer) -> bool {
+        match self.view {
+            View::World => world_framing::holds(self, observer),
+            View::Canonical => canonical::holds(self, observer),
+            View::Image => true,
+        }
+    }
+
     /// The observer that looks in the same direction as `observer` and has everything of interest in the picture;
     /// `None` for the image.
     #[must_use]

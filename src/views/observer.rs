@@ -158,6 +158,16 @@ pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> O
     Observer { target, distance, azimuth, elevation, roll, parallel }
 }
 
+/// Whether an observer has all `points` in its picture, to the very border. Points that are not finite do not count.
+pub(super) fn holds(observer: &Observer, points: &[DVec3], size: Size) -> bool {
+    let [right, up, back] = observer.axes();
+    let tan = HALF_VIEW_ANGLE.tan();
+    points.iter().filter(|p| p.is_finite()).map(|&p| p - observer.target).all(|d| {
+        let depth = observer.distance - if observer.parallel { 0.0 } else { back.dot(d) };
+        right.dot(d).abs() <= tan * size.aspect() * depth && up.dot(d).abs() <= tan * depth
+    })
+}
+
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
@@ -193,6 +203,10 @@ mod tests {
                 let slack = (least_x - margins, least_y - over);
                 assert!(slack.0.min(slack.1).abs() < 1e-9 && slack.0.max(slack.1) > -1e-9, "{viewpoint:?} {slack:?}");
                 assert!(points.iter().all(|p| p.z.abs() < 1.0), "{viewpoint:?}: inside the clipping planes");
+                assert!(holds(&o, &cloud(), size), "with margins");
+                // The margins are a tenth at least; a fifth nearer, something is outside.
+                let nearer = Observer { distance: 0.5 * o.distance, ..o };
+                assert!(!holds(&nearer, &cloud(), size), "{viewpoint:?}");
             }
         }
     }

@@ -37,17 +37,30 @@ fn framing(request: &Request, direction: Direction) -> Observer {
     let mut observer = enclosing(&content.of_interest, direction, request.size);
     for _ in 0..3 {
         let Some(screen) = screen_of(request, &observer, &content) else { break };
-        let mut points = content.of_interest.clone();
-        let gear = Gear::new(&screen, &request.camera);
-        points.extend(gear.room(&request.camera));
-        if request.shot.look.world.dimensions {
-            let below = request.camera.basis().v * (-dimensions::LOWEST * gear.axis);
-            let ahead = request.camera.direction_of_projection() * content.volume.end;
-            points.extend([request.camera.position() + below, request.camera.position() + ahead + below]);
-        }
+        let points = points(request, &content, &screen);
         observer = enclosing(&points, direction, request.size);
     }
     observer
+}
+
+/// Whether an observer has everything of interest in its picture.
+pub(super) fn holds(request: &Request, observer: &Observer) -> bool {
+    let content = Content::of(request);
+    let screen = screen_of(request, observer, &content);
+    screen.is_some_and(|screen| super::observer::holds(observer, &points(request, &content, &screen), request.size))
+}
+
+/// The points of interest, those of the camera's gear and of the dimensions among them.
+fn points(request: &Request, content: &Content, screen: &Screen) -> Vec<DVec3> {
+    let mut points = content.of_interest.clone();
+    let gear = Gear::new(screen, &request.camera);
+    points.extend(gear.room(&request.camera));
+    if request.shot.look.world.dimensions {
+        let below = request.camera.basis().v * (-dimensions::LOWEST * gear.axis);
+        let ahead = request.camera.direction_of_projection() * content.volume.end;
+        points.extend([request.camera.position() + below, request.camera.position() + ahead + below]);
+    }
+    points
 }
 
 /// The observer of the world.

@@ -94,6 +94,8 @@ fn texts_say_what_the_glossary_says() {
         .into_iter()
         .chain([("docs", ".en.md"), ("docs", ".pt-BR.md"), ("src/cli", "args.rs"), ("", "README.md")])
         .flat_map(|(folder, ends)| files(folder, ends))
+        // The words of other books are what the search is for.
+        .filter(|path| !path.ends_with("i18n/search.rs"))
         .map(|path| (path.clone(), fs::read_to_string(path).unwrap().to_lowercase()))
         .collect();
     let mut wrong = Vec::new();

@@ -4,7 +4,6 @@
 use std::collections::VecDeque;
 
 use crate::camera::{Camera, Ndc};
-use crate::figure::observer::HALF_VIEW_ANGLE;
 use crate::figure::{Observer, Outside};
 use crate::views::observer::Viewpoint;
 use crate::views::{Request, SharedScene, Size};
@@ -38,7 +37,7 @@ type Extent = (Outside, Ndc);
 #[derive(Debug, Default)]
 pub(super) struct Auto {
     kept: Option<KeptObserver>,
-    /// What was seen before, and from where: a camera that comes back, as by undo, is seen as then.
+    /// Earlier cameras, and from where they were seen: a camera that comes back, as by undo, is seen as then.
     before: VecDeque<((Camera, Extent), Observer)>,
 }
 
@@ -105,10 +104,10 @@ impl Auto {
         if let Some((_, observer)) = then {
             (kept.observer, kept.glide) = (*observer, None);
         } else if is_new && (resized || !moment.in_hand) {
-            let fitted = request.fitted(&kept.observer)?;
             if resized {
-                (kept.observer, kept.glide) = (fitted, None);
-            } else if !holds(&kept.observer, &fitted) {
+                (kept.observer, kept.glide) = (request.fitted(&kept.observer)?, None);
+            } else if !request.holds(&kept.observer) {
+                let fitted = request.fitted(&kept.observer)?;
                 let from = kept.seen(moment.now);
                 kept.observer = Observer { distance: SPARE * fitted.distance, ..fitted };
                 kept.glide = (!moment.still).then_some((from, moment.now));
@@ -150,12 +149,6 @@ impl KeptObserver {
     }
 }
 
-/// Whether this observer's picture contains everything in the fitted one's, which looks in the same direction.
-fn holds(observer: &Observer, fitted: &Observer) -> bool {
-    let offset = observer.target.distance(fitted.target) / (2.0 * HALF_VIEW_ANGLE.tan());
-    fitted.distance + 2.0 * offset <= 1.08 * observer.distance
-}
-
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "tests")]
@@ -167,11 +160,6 @@ mod tests {
     use crate::i18n::{Lang, pictures::labels};
     use crate::views::View;
     use glam::DVec3;
-
-    fn observer() -> Observer {
-        let target = DVec3::new(1.0, 2.0, 3.0);
-        Observer { target, distance: 20.0, azimuth: 35.0, elevation: 25.0, roll: 0.0, parallel: false }
-    }
 
     /// A picture of a figure without a scene, and what is seen of it.
     struct Seen {
@@ -198,16 +186,6 @@ mod tests {
 
     fn at(position: DVec3) -> Camera {
         Camera::new(&Parameters { position, far: 12.0, ..Figure::default().camera }).unwrap()
-    }
-
-    #[test]
-    fn an_observer_stays_until_something_leaves_its_picture() {
-        let held = |fitted: Observer| holds(&observer(), &fitted);
-        assert!(held(observer()));
-        assert!(held(Observer { distance: 5.0, ..observer() }), "small things stay small");
-        assert!(held(Observer { distance: 21.0, ..observer() }));
-        assert!(!held(Observer { distance: 24.0, ..observer() }));
-        assert!(!held(Observer { target: DVec3::new(9.0, 2.0, 3.0), ..observer() }));
     }
 
     #[test]

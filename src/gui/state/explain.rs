@@ -14,14 +14,14 @@ use crate::pipeline::StageReport;
 /// A question that the side of explanations answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Question {
-    /// Where does this number come from?
+    /// The origin of each number.
     #[default]
     Where,
-    /// What happens, in which order?
+    /// The work of the pipeline, in its order.
     Happens,
-    /// What is it called elsewhere?
+    /// The names in other sources.
     Called,
-    /// Can I do it?
+    /// Exercises and reading.
     Able,
 }
 
