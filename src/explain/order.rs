@@ -6,6 +6,7 @@
 
 use glam::{DMat4, DVec3};
 
+use super::{EntryFormula, Formula, Function, Named};
 use crate::geometry::{Angle, Ray, try_unit};
 use crate::scene::transform::Trs;
 
@@ -76,6 +77,36 @@ impl Call {
             Self::Scale(s) => Some(DMat4::from_scale(s)),
             Self::Push | Self::Pop => None,
         }
+    }
+
+    /// The formulas of its matrix, by rows; `None`: it acts on the stack.
+    ///
+    /// *Guarantees*: each gives the entry of [`matrix`](Self::matrix).
+    #[must_use]
+    pub fn entries(self) -> Option<EntryFormula> {
+        let cell = |i: usize, j: usize| Formula::Number(if i == j { 1.0 } else { 0.0 });
+        let mut rows: EntryFormula = std::array::from_fn(|i| std::array::from_fn(|j| cell(i, j)));
+        let named = |text, value, is_angle| Named { text, latex: text, value, is_angle };
+        let (vector, names) = match self {
+            Self::Translate(t) => (t.to_array(), ["t_x", "t_y", "t_z"]),
+            Self::Scale(s) => (s.to_array(), ["s_x", "s_y", "s_z"]),
+            Self::RotateX(degrees) | Self::RotateY(degrees) | Self::RotateZ(degrees) => {
+                let axis =
+                    usize::from(!matches!(self, Self::RotateX(_))) + usize::from(matches!(self, Self::RotateZ(_)));
+                let angle = || Formula::Named(Named { latex: r"\alpha", ..named("α", degrees, true) });
+                let of = |function| Formula::Of(function, Box::new(angle()));
+                let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+                (rows[a][a], rows[b][b]) = (of(Function::Cosine), of(Function::Cosine));
+                (rows[a][b], rows[b][a]) = (-of(Function::Sine), of(Function::Sine));
+                return Some(rows);
+            }
+            Self::Push | Self::Pop => return None,
+        };
+        for (i, (value, name)) in vector.into_iter().zip(names).enumerate() {
+            let column = if matches!(self, Self::Scale(_)) { i } else { 3 };
+            rows[i][column] = named(name, value, false).into();
+        }
+        Some(rows)
     }
 
     /// The axis of a rotation, in the space that it acts in.

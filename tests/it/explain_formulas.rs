@@ -344,3 +344,22 @@ fn the_first_step_moves_the_eye_to_the_origin() {
     let [x, ..] = factor_entries(camera_lab::camera::Step::ToEye, &setting);
     assert_eq!(x[3], -Formula::Symbol(Symbol::Position(Component::X)));
 }
+
+#[test]
+fn every_call_of_a_list_has_formulas() {
+    use camera_lab::explain::order::Call;
+    let camera = camera(|_| ());
+    let setting = Setting::new(camera.possible_clip_space(Ndc::default()), IMAGE, None);
+    let (t, s) = (DVec3::new(1.0, -2.0, 0.5), DVec3::new(2.0, 0.5, -1.5));
+    let calls = [Call::Translate(t), Call::RotateX(30.0), Call::RotateY(-45.0), Call::RotateZ(70.0), Call::Scale(s)];
+    for call in calls {
+        let (matrix, entries) = (call.matrix().unwrap(), call.entries().unwrap());
+        for (i, row) in entries.iter().enumerate() {
+            for (j, formula) in row.iter().enumerate() {
+                let (value, expected) = (formula.value(&setting), matrix.row(i)[j]);
+                assert!((value - expected).abs() < 1e-15, "{call:?} [{i}][{j}]: {value}, not {expected}");
+            }
+        }
+    }
+    assert!(Call::Push.entries().is_none() && Call::Pop.entries().is_none());
+}

@@ -6,10 +6,12 @@ use std::collections::BTreeSet;
 use eframe::egui::{self, RichText, Slider, Ui};
 use glam::{DMat4, DVec3};
 
+use super::answer::Writing;
 use super::steps::numbers;
+use super::subject::ExplainedSetting;
 use super::{order_list, subject};
-use crate::explain::Placement;
 use crate::explain::order::{Call, Link, Reading, Stage, Unbalanced, chain, exchanged, in_force, read, same};
+use crate::explain::{Formula, Placement};
 use crate::figure::TransformPreview;
 use crate::geometry::{Ray, try_unit};
 use crate::gui::mathematics;
@@ -174,11 +176,19 @@ fn part(ui: &mut Ui, state: &State, t: &'static Texts, (reading, calls): (Readin
     if let Some(matrix) = call.matrix() {
         ui.label(RichText::new(t.this_step).weak());
         equation(ui, "", &[call]);
-        numbers(ui, &matrix, &number);
+        let subject = ExplainedSetting::of(state);
+        let setting = subject.setting(state);
+        let writing = Writing { setting: &setting, lang: t.lang, digits: state.settings.digits.min(5) };
+        let entries = call.entries();
+        numbers(ui, &matrix, &number, |i, j| {
+            let formula = &entries.as_ref()?[i][j];
+            let said = [writing.formula(formula).text, writing.numbers(formula).text, number(matrix.row(i)[j] + 0.0)];
+            (!matches!(formula, Formula::Number(_))).then(|| said.join(" = "))
+        });
     }
     ui.label(RichText::new(t.so_far).weak());
     equation(ui, "M = ", &factors(reading, calls, stages));
-    numbers(ui, &stage.matrix, &number);
+    numbers(ui, &stage.matrix, &number, |_, _| None);
 }
 
 /// A number with few digits: a matrix has to fit.
@@ -268,7 +278,7 @@ fn other(
     let matters = !same(&end.matrix, &other_end.matrix);
     let now = same(&stages[done(order, stages)].matrix, &other[k].matrix);
     equation(ui, "M' = ", &factors(order.reading, &other_calls, &other[..=k]));
-    numbers(ui, &other[k].matrix, writer(state));
+    numbers(ui, &other[k].matrix, writer(state), |_, _| None);
     let verdict = match (matters, now) {
         (false, _) => t.same,
         (true, true) => t.so_far_same,

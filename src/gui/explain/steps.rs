@@ -266,17 +266,25 @@ fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], (steps, sh
     }
 }
 
-/// A matrix as numbers.
-pub(super) fn numbers(ui: &mut Ui, matrix: &DMat4, number: impl Fn(f64) -> String) {
+/// A matrix as numbers; `why` explains an entry, by row and column from 0.
+pub(super) fn numbers(
+    ui: &mut Ui,
+    matrix: &DMat4,
+    number: impl Fn(f64) -> String,
+    why: impl Fn(usize, usize) -> Option<String>,
+) {
     let rows = matrix.transpose().to_cols_array_2d();
     let frame = egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 2));
     let place = frame.show(ui, |ui| {
         ui.spacing_mut().interact_size.y = 15.0;
         let id = ui.next_auto_id();
         egui::Grid::new(("matrix", id)).spacing([12.0, 2.0]).show(ui, |ui| {
-            for row in rows {
-                for value in without_rests(&row, 5) {
-                    ui.monospace(number(value + 0.0));
+            for (i, row) in rows.iter().enumerate() {
+                for (j, value) in without_rests(row, 5).into_iter().enumerate() {
+                    let entry = ui.monospace(number(value + 0.0));
+                    if let Some(why) = why(i, j) {
+                        entry.explained(why);
+                    }
                 }
                 ui.end_row();
             }
