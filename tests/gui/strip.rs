@@ -90,7 +90,7 @@ fn the_strip_is_of_the_picture_that_is_chosen_and_a_hidden_one_costs_nothing() {
     assert_eq!(window.state().layout.strip_of, View::World);
     assert!(window.says("Esta imagem está escondida") && !window.stage("escrita"));
     assert_eq!(window.app_mut().canvas.drawn(), drawn);
-    window.click("Esconder o pipeline (F10)");
+    window.click("Esconder as etapas (F10)");
     assert!(!window.state().layout.strip);
 }
 
