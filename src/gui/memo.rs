@@ -9,7 +9,7 @@ use crate::clock;
 use crate::progress::Progress;
 
 /// A value, with what it was made from. It is made anew only from something else.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Memo<K, V> {
     last: Option<(K, V)>,
 }
