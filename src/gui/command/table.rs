@@ -368,7 +368,10 @@ fn toggle_language(state: &mut State) {
 }
 
 fn toggle_presentation(state: &mut State, ctx: &Context) {
+    // What the figure wants to be explained is open in the presentation too, where it is open now.
+    let explained = state.document.figure().screen.panel.flatten().filter(|panel| state.shows_explanation(*panel));
     state.settings.presentation ^= true;
+    explained.into_iter().for_each(|panel| state.show_explanation(panel));
     ctx.send_viewport_cmd(ViewportCommand::Fullscreen(state.settings.presentation));
     state.message = None;
     state.annotations.keys_since = Some(ctx.input(|input| input.time));

@@ -157,7 +157,10 @@ fn draw(
     let mut files = FigureFiles::new(source.folder().unwrap_or(Path::new("")), reach);
     let scene = scene_of(&figure, &mut |wanted| files.read(wanted), progress);
     let scene = SharedScene::new(scene.map_err(|error| messages::scene(lang, &error))?);
-    let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(lang), SIZE);
+    let shown = figure.screen.pictures.unwrap_or([true; View::COUNT]);
+    // The image, or the last picture of a figure that is shown without it.
+    let view = View::ALL.into_iter().rev().find(|view| shown[view.index()]).unwrap_or(View::Image);
+    let request = Request::of(&figure, view, &camera, &scene, pictures::labels(lang), SIZE);
     renderer.pixels(&request).ok_or_else(|| window::texts(lang).picture_too_large.to_owned())
 }
 

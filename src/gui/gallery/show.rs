@@ -182,7 +182,8 @@ fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source]) -> O
                 paint(ui, t, gallery, source, (rect, &response));
                 if index == next && focus {
                     response.request_focus();
-                    response.scroll_to_me(None);
+                    // With its heading.
+                    ui.scroll_to_rect(rect.expand2(vec2(0.0, 3.0 * GAP)), None);
                 }
                 if response.gained_focus() {
                     gallery.chosen[part as usize] = Some(source.clone());
