@@ -297,11 +297,13 @@ fn the_layout_is_saved_where_that_is_wanted_and_comes_back() {
     window.explain(Explanation::Depth);
     window.command_key(Key::Num2);
     window.command_key(Key::S);
-    let screen = "[screen]\npictures = [\"world\", \"image\"]\narrangement = \"auto\"\npanel = \"depth\"\n";
+    let screen = "[screen]\npictures = [\"canonical\", \"image\"]\narrangement = \"auto\"\npanel = \"depth\"\n";
     assert!(text().starts_with("# Ours.\n") && text().ends_with(screen), "{}", text());
     // Another window shows it so, and saves it as it is then.
     let mut window = Window::opened(&path);
-    assert_eq!(window.state().layout.shown, [true, false, true]);
+    window.app_mut().state.layout.maximized = None;
+    window.run();
+    assert_eq!(window.state().layout.shown, [false, true, true]);
     assert!(window.state().shows_explanation(Explanation::Depth) && !window.state().document.is_changed());
     window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
     window.run();

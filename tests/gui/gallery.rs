@@ -186,6 +186,9 @@ fn files_used_last_are_offered_and_those_that_are_gone_are_said_to_be() {
     window.wait_for("gone.toml no longer exists");
     let top = |label: &str| window.harness.get_by_label_contains(label).rect().left();
     assert!(top("here: ") < top("gone: "), "what is there comes first, although it was used before");
+    // The frame stands on the one that is open.
+    assert!(window.harness.get_by_label_contains("gone: ").is_focused());
+    window.key(Key::ArrowLeft);
     window.key(Key::Enter);
     assert_eq!(window.state().document.path(), Some(&here));
 }

@@ -45,6 +45,10 @@ fn a_presentation_says_title_and_caption_and_shows_each_figure_as_it_wants() {
     window.key(Key::PageUp);
     window.command_key(Key::L);
     assert!(window.says("Uma casa") && window.says("À beira-mar."));
+    // What a figure wants to be explained stays open where a presentation begins with it.
+    let mut window = Window::opened(&folder.file("2.toml"));
+    window.key(Key::F11);
+    assert!(window.state().settings.presentation && window.state().shows_explanation(Explanation::Depth));
 }
 
 #[test]
