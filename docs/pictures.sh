@@ -7,7 +7,7 @@ program=$(realpath "$program")
 cd "$(dirname "$0")"
 
 draw() { # FIGURE PICTURE [OPTION]...
-    figure=figures/pipeline-$1.toml picture=images/pipeline-$2.png
+    figure=../assets/figures/pipeline/$1.toml picture=images/pipeline-$2.png
     shift 2
     "$program" render "$figure" "$@" -o "$picture"
 }
@@ -15,9 +15,9 @@ draw() { # FIGURE PICTURE [OPTION]...
 for name in wireframe flat gouraud phong painter bsp; do
     draw $name $name
 done
-sed 's/^divide_first = true/divide_first = false/' figures/pipeline-divide-first.toml >figures/pipeline-right.toml
-draw right divide-right
-rm figures/pipeline-right.toml
+sed 's/^divide_first = true/divide_first = false/' ../assets/figures/pipeline/divide-first.toml >figures/right.toml
+"$program" render figures/right.toml -o images/pipeline-divide-right.png
+rm figures/right.toml
 for lang in en pt-BR; do
     "$program" render figures/points.toml --view all --size 960x320 --lang $lang -o images/points.$lang.png
     draw depth depth.$lang --lang $lang

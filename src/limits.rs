@@ -63,6 +63,12 @@ pub const MAX_LIGHTS: usize = 1024;
 /// The most named points of a figure: more names and rays can hardly be distinguished in a picture.
 pub const MAX_NAMED_POINTS: usize = 32;
 
+/// The longest title of a figure in characters: a line of a slide.
+pub const MAX_TITLE: usize = 120;
+
+/// The longest caption of a figure in characters: a paragraph under a picture.
+pub const MAX_CAPTION: usize = 600;
+
 /// The most objects whose place by a list of transforms a figure shows (`[[show.moved]]`): more axes can hardly be
 /// distinguished.
 pub const MAX_SHOWN_OBJECTS: usize = 32;

@@ -46,7 +46,7 @@ pub use answer::{Answer, AnswerError, read_answer, uses_names};
 pub use exercise::{Ask, Compute, Conditions, Exercise, Expected, Fact, Kind, Reading, TOLERANCE, Unit};
 pub use judge::{Diagnosis, Judged, judge, judge_answer};
 pub use mistake::{Mistake, Slip, Slips};
-pub use own_texts::{Bilingual, ExpectedAnswer, OwnMistake, OwnTexts};
+pub use own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
 pub use progress::{Made, Next, Progress, ProgressError, Stage, Tried, Why};
 pub use subject::Subject;
 pub use value::Table;

@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use super::exercise::{Ask, Exercise, Expected, Kind, Unit};
 use super::mistake::Mistake;
-use super::own_texts::{Bilingual, ExpectedAnswer, OwnMistake, OwnTexts};
+use super::own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
 use super::statement_facts::about;
 use super::subject::Subject;
 use super::value::Table;
 use super::{Entry, Make};
+use crate::figure::Bilingual;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{self, Fault, Section};
 use crate::figure::words::Words;

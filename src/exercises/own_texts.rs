@@ -4,21 +4,7 @@ use std::collections::BTreeMap;
 
 use super::mistake::Mistake;
 use super::value::Table;
-
-/// A text in both languages.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Bilingual {
-    /// In English.
-    pub en: String,
-    /// In Portuguese.
-    pub pt_br: String,
-}
-
-impl From<[String; 2]> for Bilingual {
-    fn from([en, pt_br]: [String; 2]) -> Self {
-        Self { en, pt_br }
-    }
-}
+use crate::figure::Bilingual;
 
 /// The texts of an exercise.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -150,6 +150,11 @@ pub enum Allowed {
     Matrix,
     /// A text, or one for each language.
     Bilingual,
+    /// A text, or one for each language, of one line each.
+    BilingualLine {
+        /// The longest in characters.
+        limit: usize,
+    },
     /// A list of such texts.
     ToldList,
     /// A list of texts.

@@ -3,6 +3,7 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `bilingual` | a text of a file in both languages |
 //! | `edit/` | a change of a figure → the change of its text, with comments and order kept |
 //! | `error` | why a text is not a figure |
 //! | `near` | the key that was probably meant |
@@ -11,13 +12,14 @@
 //! | `read/` | the text of a figure file → `Figure` |
 //! | `recommended` | the viewpoint from which each preset is worth seeing |
 //! | `reveal` | the inner work of the pipeline that pictures show: the `[reveal]` section of a figure |
-//! | `screen` | the explanations that a window can show beside the pictures, by name |
+//! | `screen` | the display of a figure in a window: the `[screen]` section of a figure |
 //! | `show` | the explanations that pictures show: the `[show]` section of a figure |
 //! | `view` | the three pictures, by name |
 //! | `words` | the words of a figure file: each name as it is written there, with its value |
 //! | `world_look` | the content of the world picture besides scene and camera: the `[world]` section of a figure |
 //! | `write` | `Figure` → the text of a figure file |
 
+mod bilingual;
 mod edit;
 pub mod error;
 mod near;
@@ -36,13 +38,14 @@ pub mod write;
 use crate::appearance::Style;
 use crate::camera::{ImageSize, Parameters, Viewport};
 use crate::scene::{Preset, SceneSpec};
+pub use bilingual::Bilingual;
 pub use edit::{show_with, update};
 pub use error::FigureError;
 pub use observer::Observer;
 pub use points::NamedPoint;
 pub use recommended::recommended_camera;
 pub use reveal::{Depth, Outside, Reveal};
-pub use screen::Explanation;
+pub use screen::{Arrangement, Explanation, Screen};
 pub use show::{
     Measure, Measured, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep,
     WindowSide,
@@ -53,6 +56,10 @@ pub use world_look::WorldLook;
 /// Everything that a picture depends on.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
+    /// `title`, of at most [`MAX_TITLE`](crate::limits::MAX_TITLE) characters.
+    pub title: Option<Bilingual>,
+    /// `caption`, of at most [`MAX_CAPTION`](crate::limits::MAX_CAPTION) characters.
+    pub caption: Option<Bilingual>,
     /// `[camera]`
     pub camera: Parameters,
     /// `[image]`
@@ -77,6 +84,8 @@ pub struct Figure {
     pub observers: Observers,
     /// `[show]`: explanations in the pictures.
     pub show: Show,
+    /// `[screen]`: how a window shows the figure.
+    pub screen: Screen,
 }
 
 impl Figure {
@@ -91,6 +100,8 @@ impl Figure {
     #[must_use]
     pub fn without_scene(&self) -> Self {
         let Self {
+            title,
+            caption,
             camera,
             image,
             undistorted,
@@ -102,8 +113,11 @@ impl Figure {
             world,
             observers: _,
             show: _,
+            screen,
         } = self;
         Self {
+            title: title.clone(),
+            caption: caption.clone(),
             camera: *camera,
             image: *image,
             undistorted: *undistorted,
@@ -115,6 +129,7 @@ impl Figure {
             world: *world,
             observers: Observers::default(),
             show: Show::default(),
+            screen: *screen,
         }
     }
 }

@@ -73,6 +73,13 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("cam", "camera"),
     ("cube", "box"),
     ("ball", "sphere"),
+    ("name", "title"),
+    ("heading", "title"),
+    ("description", "caption"),
+    ("views", "pictures"),
+    ("layout", "arrangement"),
+    ("explanation", "panel"),
+    ("tab", "panel"),
     ("donut", "torus"),
 ];
 
@@ -106,6 +113,9 @@ const HOMES: &[(&str, &str)] = &[
     ("divide_first", "reveal"),
     ("culled", "reveal"),
     ("vanishing", "reveal"),
+    ("pictures", "screen"),
+    ("arrangement", "screen"),
+    ("panel", "screen"),
 ];
 
 /// The one of `known` that `word` probably means, or the section where the key belongs.

@@ -1,4 +1,37 @@
-//! The explanations that a window can show beside the pictures, by name.
+//! The display of a figure in a window: the `[screen]` section of a figure. The explanations that a window can show
+//! beside the pictures, by name.
+
+use super::View;
+
+/// The `[screen]` section: how a window shows the figure. No picture depends on it. What it does not say stays as it is
+/// in the window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Screen {
+    /// The visible pictures, in the order of [`View::ALL`]; at least one is true.
+    pub pictures: Option<[bool; View::COUNT]>,
+    /// The arrangement of several pictures; `Some(None)`: automatic.
+    pub arrangement: Option<Option<Arrangement>>,
+    /// The explanation at the side; `Some(None)`: none.
+    pub panel: Option<Option<Explanation>>,
+}
+
+/// An arrangement of several pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Arrangement {
+    /// Side by side.
+    Row,
+    /// One above the other.
+    Column,
+    /// The first above the others.
+    Above,
+    /// The first to the left of the others.
+    Beside,
+}
+
+impl Arrangement {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Row, Self::Column, Self::Above, Self::Beside];
+}
 
 /// An explanation at the side of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -1,6 +1,8 @@
 //! The words of a figure file: each name as it is written there, with its value.
 
-use super::{Depth, Explanation, Measure, Measured, Outside, StagePicture, TriangleStep, View, WindowSide};
+use super::{
+    Arrangement, Depth, Explanation, Measure, Measured, Outside, StagePicture, TriangleStep, View, WindowSide,
+};
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::camera::{Decomposition, Ndc, Projection};
 use crate::scene::{LightKind, Preset, Shape};
@@ -82,6 +84,30 @@ pub const NDCS: Words<Ndc> = &{
     let mut i = 0;
     while i < all.len() {
         all[i] = (Ndc::ALL[i].name(), Ndc::ALL[i]);
+        i += 1;
+    }
+    all
+};
+
+/// `[screen] pictures`
+pub const PICTURES: Words<View> =
+    &[(View::World.name(), View::World), (View::Canonical.name(), View::Canonical), (View::Image.name(), View::Image)];
+
+/// `[screen] arrangement`; `None`: automatic.
+pub const ARRANGEMENTS: Words<Option<Arrangement>> = &[
+    ("auto", None),
+    ("row", Some(Arrangement::Row)),
+    ("column", Some(Arrangement::Column)),
+    ("above", Some(Arrangement::Above)),
+    ("beside", Some(Arrangement::Beside)),
+];
+
+/// `[screen] panel`: [`EXPLANATIONS`], or none.
+pub const PANELS: Words<Option<Explanation>> = &{
+    let mut all = [("none", None); EXPLANATIONS.len() + 1];
+    let mut i = 0;
+    while i < EXPLANATIONS.len() {
+        all[i] = (EXPLANATIONS[i].0, Some(EXPLANATIONS[i].1));
         i += 1;
     }
     all

@@ -9,8 +9,10 @@ mod show;
 use glam::DVec3;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
-use super::words::{self, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
-use super::{Depth, Figure, NamedPoint, Observer, Outside, Reveal, Show, WorldLook};
+use super::words::{
+    self, ARRANGEMENTS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES,
+};
+use super::{Bilingual, Depth, Figure, NamedPoint, Observer, Outside, Reveal, Screen, Show, View, WorldLook};
 use crate::appearance::Style;
 use crate::camera::{Parameters, Projection, Viewport};
 use crate::numbers;
@@ -28,6 +30,11 @@ pub fn to_toml(figure: &Figure) -> String {
 /// The figure file as a document.
 pub(super) fn document(figure: &Figure) -> DocumentMut {
     let mut document = DocumentMut::new();
+    for (key, text) in [("title", &figure.title), ("caption", &figure.caption)] {
+        if let Some(text) = text {
+            document.insert(key, Item::Value(told(text)));
+        }
+    }
     let mut put = |key: &str, section: Table| document.insert(key, Item::Table(section));
     put("camera", camera(&figure.camera));
     let size = figure.image;
@@ -61,6 +68,9 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     }
     if figure.show != Show::default() {
         put("show", show::show(&figure.show));
+    }
+    if figure.screen != Screen::default() {
+        put("screen", screen(figure.screen));
     }
     let points: ArrayOfTables = figure.points.iter().map(point).collect();
     if !points.is_empty() {
@@ -203,6 +213,26 @@ fn observer(o: Observer) -> Table {
     }
     keys.push(("projection", words::name(PROJECTIONS, projection).into()));
     table(keys)
+}
+
+fn screen(screen: Screen) -> Table {
+    let mut keys: Vec<(&str, Value)> = Vec::new();
+    if let Some(pictures) = screen.pictures {
+        let shown = View::ALL.into_iter().filter(|view| pictures[view.index()]);
+        keys.push(("pictures", shown.map(View::name).collect::<Array>().into()));
+    }
+    keys.extend(screen.arrangement.map(|arrangement| ("arrangement", words::name(ARRANGEMENTS, arrangement).into())));
+    keys.extend(screen.panel.map(|panel| ("panel", words::name(PANELS, panel).into())));
+    table(keys)
+}
+
+/// A text that is the same in both languages, or one for each.
+fn told(text: &Bilingual) -> Value {
+    let Bilingual { en, pt_br } = text;
+    if en == pt_br {
+        return quoted(en);
+    }
+    [("en", quoted(en)), ("pt-BR", quoted(pt_br))].into_iter().collect::<InlineTable>().into()
 }
 
 fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {

@@ -41,7 +41,7 @@ pub use mesh_paths::{for_folder, named_in_figure};
 pub use own_exercises::{BadExercise, OwnExercises, read_exercises};
 #[cfg(not(target_arch = "wasm32"))]
 pub use save::{is_read_only, remove_left_over, save};
-pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure};
+pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure, Topic};
 
 /// A reason why a file cannot be used. Displayed, it follows the name of the file.
 #[derive(Debug, thiserror::Error)]

@@ -2,43 +2,64 @@
 
 use std::borrow::Cow;
 use std::path::Path;
+use std::sync::LazyLock;
+
+use crate::figure::read::parse;
+use crate::figure::{Bilingual, Figure};
 
 /// The prefix of a built-in mesh in a figure: `camera-lab:teapot.obj`.
 pub const SHIPPED: &str = "camera-lab:";
+
+/// A heading in the gallery.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Topic {
+    /// The camera, and scenes to look at.
+    Camera,
+    /// Projection, and the canonical volume.
+    Cube,
+    /// Clipping, and dividing by w.
+    Clipping,
+    /// Hidden surfaces and depth.
+    Hidden,
+    /// Light and shading.
+    Light,
+    /// The exercises of the notes.
+    Exercises,
+    /// Cameras at the limits of numbers.
+    Limits,
+}
 
 /// A figure that is part of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ShippedFigure {
     /// Its name, without an ending.
     pub name: &'static str,
+    /// The heading under which the gallery has it.
+    pub topic: Topic,
     text: &'static str,
 }
 
 macro_rules! shipped {
-    ($($folder:literal: $($name:literal),*;)*) => {
+    ($($topic:ident $folder:literal: $($name:literal),*;)*) => {
         [$($(ShippedFigure {
             name: $name,
+            topic: Topic::$topic,
             text: include_str!(concat!("../../assets/figures/", $folder, $name, ".toml")),
         },)*)*]
     };
 }
 
 /// All of them, in the order in which they are shown: every named scene is among them.
-pub const SHIPPED_FIGURES: [ShippedFigure; 26] = shipped![
-    "":
-    "primitives",
-    "house",
-    "corridor",
-    "teapot",
-    "arm",
-    "cube",
-    "ndc-cube",
-    "pyramid",
-    "exercise-5.1",
-    "exercise-5.2",
-    "exercise-5.3",
-    "empty";
-    "extreme/":
+pub const SHIPPED_FIGURES: [ShippedFigure; 40] = shipped![
+    Camera "": "primitives", "house", "corridor", "teapot", "arm", "cube", "empty";
+    Camera "pipeline/": "look-at";
+    Cube "pipeline/": "frustum-to-cube";
+    Cube "": "ndc-cube";
+    Clipping "pipeline/": "clipping", "divide-first", "culled";
+    Hidden "pipeline/": "painter", "bsp", "depth", "depth-linear", "z-fighting";
+    Light "pipeline/": "wireframe", "flat", "gouraud", "phong";
+    Exercises "": "pyramid", "exercise-5.1", "exercise-5.2", "exercise-5.3";
+    Limits "extreme/":
     "far-plane",
     "far-near",
     "thin-volume",
@@ -55,11 +76,25 @@ pub const SHIPPED_FIGURES: [ShippedFigure; 26] = shipped![
     "solar";
 ];
 
+/// The figures, read when the first is asked for what it says.
+static FIGURES: LazyLock<Vec<Figure>> =
+    LazyLock::new(|| SHIPPED_FIGURES.iter().map(|figure| parse(&figure.text()).unwrap_or_default()).collect());
+
 impl ShippedFigure {
     /// The figure with this name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         SHIPPED_FIGURES.into_iter().find(|figure| figure.name == name)
+    }
+
+    /// Its title and its caption.
+    #[must_use]
+    pub fn told(self) -> [Bilingual; 2] {
+        let place = SHIPPED_FIGURES.iter().position(|figure| figure.name == self.name);
+        let figure = place.and_then(|place| FIGURES.get(place));
+        figure
+            .map(|figure| [&figure.title, &figure.caption].map(|text| text.clone().unwrap_or_default()))
+            .unwrap_or_default()
     }
 
     /// The text of its figure file. Its meshes are those of the program, so that it means the same in every folder.
@@ -90,7 +125,6 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
-    use crate::figure::read::parse;
     use crate::files::{FigureFiles, FileAccess};
     use crate::progress::{Progress, at_once};
     use crate::scene::Preset;
@@ -99,8 +133,9 @@ mod tests {
     #[test]
     fn every_figure_of_the_program_is_shipped_and_every_named_scene_among_them() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/figures");
-        let entries =
-            [folder.join("extreme"), folder].into_iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
+        let entries = [folder.join("extreme"), folder.join("pipeline"), folder]
+            .into_iter()
+            .flat_map(|folder| std::fs::read_dir(folder).unwrap());
         let paths = entries.map(|entry| entry.unwrap().path()).filter(|path| path.is_file());
         let mut files: Vec<String> = paths.map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
         let mut names: Vec<&str> = SHIPPED_FIGURES.iter().map(|figure| figure.name).collect();
@@ -112,6 +147,27 @@ mod tests {
         for (name, preset) in Preset::NAMED {
             assert!(presets.contains(preset), "{name}");
         }
+    }
+
+    #[test]
+    fn every_figure_of_the_program_has_a_title_and_a_caption_in_both_languages() {
+        for figure in SHIPPED_FIGURES {
+            let [title, caption] = figure.told();
+            assert!(!title.en.is_empty() && !title.pt_br.is_empty() && caption.en != caption.pt_br, "{}", figure.name);
+            for sentence in [caption.en, caption.pt_br] {
+                assert!(sentence.ends_with(['.', '?']) && sentence.chars().count() < 110, "{sentence}");
+            }
+        }
+    }
+
+    #[test]
+    fn figures_of_one_topic_stand_together() {
+        let topics: Vec<Topic> = SHIPPED_FIGURES.map(|figure| figure.topic).to_vec();
+        let mut runs: Vec<Topic> = topics.chunk_by(|a, b| a == b).map(|run| run[0]).collect();
+        let count = runs.len();
+        runs.sort_by_key(|topic| *topic as usize);
+        runs.dedup();
+        assert_eq!(runs.len(), count);
     }
 
     #[test]

@@ -189,6 +189,9 @@ impl App {
             panels::changed_file::bar(ui, &mut self.state);
         }
         panels::status::error(ui, &mut self.state);
+        if presenting {
+            presentation::caption(ui, &self.state);
+        }
         if self.state.numerics.shown {
             egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numerics, t.numerics);

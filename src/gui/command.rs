@@ -35,6 +35,7 @@ pub enum Command {
     Theme,
     ReduceMotion,
     SaveExplained,
+    SaveLayout,
     Presentation,
     NextFigure,
     PreviousFigure,

@@ -20,6 +20,7 @@ use super::menu;
 use super::native::Wanted;
 use super::panels::{complaint, scene};
 use super::search;
+use super::sequence::source_of;
 use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use super::text_field::TextField;
 use crate::gui::tooltip::Explained;
@@ -107,7 +108,8 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 state.file_flow.dialog = Some(Dialog::Gallery);
                 if first {
                     let beside = state.document.folder().map(Path::to_owned);
-                    state.gallery.begin(&state.recent.files, beside.as_deref());
+                    let here = source_of(&state.document);
+                    state.gallery.begin(&state.recent.files, beside.as_deref(), here.as_ref());
                 }
                 let style = (state.settings.theme, state.settings.lang);
                 let next = match gallery::show(ui, &mut state.gallery, style, first) {

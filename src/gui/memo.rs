@@ -12,7 +12,7 @@ use crate::progress::Progress;
 pub(super) const PATIENCE: Duration = Duration::from_millis(4);
 
 /// A value, with what it was made from. It is made anew only from something else.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Memo<K, V> {
     last: Option<(K, V)>,
 }

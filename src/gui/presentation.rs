@@ -3,14 +3,14 @@
 use std::time::Duration;
 
 use eframe::egui::{
-    self, Area, Color32, Context, CursorIcon, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Pos2, Rect, Sense,
-    Shape, Stroke, TextStyle, vec2,
+    self, Area, Color32, Context, CursorIcon, FontId, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Pos2, Rect,
+    Sense, Shape, Stroke, TextStyle, Ui, text::LayoutJob, vec2,
 };
 
 use super::command::Command;
 use super::menu;
 use super::state::State;
-use crate::i18n::window;
+use crate::i18n::{told, window};
 
 /// Duration of the display of the keys, in seconds, and of its fading.
 const SHOWN: f64 = 8.0;
@@ -81,6 +81,31 @@ pub(super) fn bar(ctx: &Context, state: &State) -> Option<Command> {
         frame.show(ui, |ui| menu::bar(ui, state)).inner
     });
     shown.inner
+}
+
+/// Lines of a caption, at most.
+const CAPTION_ROWS: usize = 2;
+
+/// The title and the caption of the figure, large, above the pictures; nothing where it has none.
+pub(super) fn caption(ui: &mut Ui, state: &State) {
+    let figure = state.document.figure();
+    if figure.title.is_none() && figure.caption.is_none() {
+        return;
+    }
+    let lang = state.settings.lang;
+    egui::Panel::top("caption").show(ui, |ui| {
+        let body = TextStyle::Body.resolve(ui.style());
+        let rows = [
+            (&figure.title, TextStyle::Heading.resolve(ui.style()), ui.visuals().strong_text_color(), 1),
+            (&figure.caption, FontId::new(1.15 * body.size, body.family), ui.visuals().text_color(), CAPTION_ROWS),
+        ];
+        for (text, font, color, rows) in rows {
+            let Some(text) = text else { continue };
+            let mut job = LayoutJob::simple(told(lang, text).to_owned(), font, color, ui.available_width());
+            job.wrap.max_rows = rows;
+            ui.label(job);
+        }
+    });
 }
 
 /// The annotations over the pictures, which are in `room`.

@@ -18,7 +18,7 @@ use crate::figure::Explanation;
 use crate::files::SHIPPED_FIGURES;
 use crate::i18n::search::{self as words, also_called, folded, has_words};
 use crate::i18n::window;
-use crate::i18n::{exercises as exercise_words, explain as explain_words, gallery, notes};
+use crate::i18n::{exercises as exercise_words, explain as explain_words, notes, told};
 use crate::limits::MAX_TYPED_NAME;
 
 /// The width of the dialog.
@@ -107,7 +107,7 @@ fn entries(state: &State) -> Vec<Entry> {
         all.push(Entry { target: Target::Matrix(matrix), kind, title: title.into(), about: about.into() });
     }
     for figure in &SHIPPED_FIGURES {
-        let (title, about) = gallery::shipped(lang, figure.name);
+        let [title, about] = figure.told().map(|text| told(lang, &text).to_owned());
         all.push(Entry {
             target: Target::Figure(figure.name),
             kind: t.figure,

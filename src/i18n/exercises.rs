@@ -1,10 +1,9 @@
 //! The texts of exercises, in both languages. In the texts `{name}` stands for a fact of the exercise.
 
 use super::exercise_texts::texts;
-use super::{Lang, figure_files, messages};
+use super::{Lang, figure_files, messages, told};
 use crate::exercises::{
-    Answer, AnswerError, Ask, Bilingual, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table,
-    Unit, Worked,
+    Answer, AnswerError, Ask, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table, Unit, Worked,
 };
 use crate::explain::{Notation, Style};
 use crate::expression::marked;
@@ -33,14 +32,6 @@ fn title_of<'a>(lang: Lang, id: &str, own: Option<&'a OwnTexts>) -> &'a str {
     match own {
         Some(own) => told(lang, &own.title),
         None => texts(lang).exercises.get(id).map_or("", |statement| statement.title),
-    }
-}
-
-/// A text of a lecturer's own.
-fn told(lang: Lang, told: &Bilingual) -> &str {
-    match lang {
-        Lang::En => &told.en,
-        Lang::PtBr => &told.pt_br,
     }
 }
 

@@ -249,9 +249,12 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             Lang::En => "[[…], […], […], […]], four rows of four numbers".to_owned(),
             Lang::PtBr => "[[…], […], […], […]], quatro linhas de quatro números".to_owned(),
         },
-        Allowed::Bilingual | Allowed::ToldList | Allowed::Texts | Allowed::Name { .. } | Allowed::FreeName => {
-            allowed_text(lang, allowed)
-        }
+        Allowed::Bilingual
+        | Allowed::BilingualLine { .. }
+        | Allowed::ToldList
+        | Allowed::Texts
+        | Allowed::Name { .. }
+        | Allowed::FreeName => allowed_text(lang, allowed),
         Allowed::Operations => match lang {
             Lang::En => {
                 "a list of operations that this camera can perform, such as [\"azimuth=30\", \"zoom=2\"]".to_owned()
@@ -307,6 +310,13 @@ fn quoted(words: &[&str]) -> String {
 /// The allowed forms of a text.
 fn allowed_text(lang: Lang, allowed: &Allowed) -> String {
     match (lang, allowed) {
+        (_, Allowed::BilingualLine { limit }) => {
+            let longest = match lang {
+                Lang::En => format!(", of at most {limit} characters on one line"),
+                Lang::PtBr => format!(", de no máximo {limit} caracteres em uma linha"),
+            };
+            allowed_text(lang, &Allowed::Bilingual) + &longest
+        }
         (Lang::En, Allowed::ToldList) => {
             "a list of texts, each as \"…\" or { en = \"…\", \"pt-BR\" = \"…\" }".to_owned()
         }

@@ -20,7 +20,7 @@
 //! | `faults` | errors and warnings beside the window's fields |
 //! | `figure_files` | faults of figure files, in both languages |
 //! | `files` | faults of files and links |
-//! | `gallery` | the words of the gallery: its parts, and a name and a sentence for each figure of the program |
+//! | `gallery` | the words of the gallery: its parts, and the headings of the figures of the program |
 //! | `homogeneous` | the words of the explanation of w |
 //! | `meshes` | faults of a mesh file, in both languages |
 //! | `messages` | errors and warnings, in both languages, for both shells |
@@ -119,7 +119,17 @@ mod unreadable;
 pub mod window;
 mod wording;
 
+use crate::figure::Bilingual;
 use crate::numbers::DecimalMark;
+
+/// A text of a file, in a language.
+#[must_use]
+pub fn told(lang: Lang, text: &Bilingual) -> &str {
+    match lang {
+        Lang::En => &text.en,
+        Lang::PtBr => &text.pt_br,
+    }
+}
 
 /// A language of the interface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

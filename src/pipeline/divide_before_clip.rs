@@ -28,6 +28,15 @@ pub struct DividedFirst {
     pub wrong: Scene,
 }
 
+impl DividedFirst {
+    /// True where nothing of the scene is wrong.
+    #[must_use]
+    pub fn is_right(&self) -> bool {
+        let Scene { objects, lines, marks, .. } = &self.wrong;
+        objects.is_empty() && lines.is_empty() && marks.is_empty()
+    }
+}
+
 /// Divides each point of `scene` by its own w, and clips the result to the cube of `reach` times the size of the
 /// canonical volume. A point with w = 0 removes the face or stroke it belongs to.
 #[must_use]

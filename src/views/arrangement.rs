@@ -2,24 +2,9 @@
 
 use super::View;
 use crate::camera::ImageSize;
-
-/// An arrangement of several pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Arrangement {
-    /// Side by side.
-    Row,
-    /// One above the other.
-    Column,
-    /// The first above the others.
-    Above,
-    /// The first to the left of the others.
-    Beside,
-}
+pub use crate::figure::Arrangement;
 
 impl Arrangement {
-    /// All.
-    pub const ALL: [Self; 4] = [Self::Row, Self::Column, Self::Above, Self::Beside];
-
     /// The default share of the first of three pictures; the two others have the same.
     #[must_use]
     pub const fn share_of_first(self) -> f32 {

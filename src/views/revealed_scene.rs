@@ -243,13 +243,13 @@ fn divide_first(request: &Request, reach: f64, palette: Palette) -> Option<(Divi
         return None;
     }
     let mut divided = divided_first(&request.scene, &request.camera, reach);
-    let Scene { objects, lines, marks, .. } = &mut divided.wrong;
     let (labels, edges_only) = (request.labels, request.shot.look.style.shading == Shading::Wireframe);
-    let row = if objects.is_empty() && lines.is_empty() && marks.is_empty() {
+    let row = if divided.is_right() {
         LegendRow::Title(format!("{}: {}", labels.divided_first, labels.no_difference), palette.ink)
     } else {
         LegendRow::Warning(palette.wrong, format!("{}: {}", labels.divided_first, labels.wrong))
     };
+    let Scene { objects, lines, marks, .. } = &mut divided.wrong;
     for object in objects {
         let tinted = |colors: &[Rgba]| Arc::new(colors.iter().map(|c| mixed(*c, palette.wrong)).collect());
         object.paint = match &object.paint {

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use camera_lab::export::png;
+use camera_lab::figure::Explanation;
 use camera_lab::gui::state::Dialog;
 use camera_lab::i18n::Lang;
 use camera_lab::progress::{Progress, at_once};
@@ -280,4 +281,36 @@ fn a_dropped_file_is_opened_after_the_question_about_changes() {
     window.click("Don't save");
     assert_eq!(window.state().document.draft().far, 61.0);
     assert_eq!(window.state().document.name().as_deref(), Some("dropped.toml"));
+}
+
+#[test]
+fn the_layout_is_saved_where_that_is_wanted_and_comes_back() {
+    let folder = Folder::new("layout");
+    let path = folder.file("house.toml");
+    fs::write(&path, "# Ours.\n[scene]\npreset = \"house\"\n").expect("written");
+    let text = || fs::read_to_string(&path).expect("there");
+    let mut window = Window::opened(&path);
+    window.enter("B", "75");
+    window.command_key(Key::S);
+    assert!(!text().contains("[screen]"), "{}", text());
+    window.menu("File", "Save the layout");
+    window.explain(Explanation::Depth);
+    window.command_key(Key::Num2);
+    window.command_key(Key::S);
+    let screen = "[screen]\npictures = [\"canonical\", \"image\"]\narrangement = \"auto\"\npanel = \"depth\"\n";
+    assert!(text().starts_with("# Ours.\n") && text().ends_with(screen), "{}", text());
+    // Another window shows it so, and saves it as it is then.
+    let mut window = Window::opened(&path);
+    window.app_mut().state.layout.maximized = None;
+    window.run();
+    assert_eq!(window.state().layout.shown, [false, true, true]);
+    assert!(window.state().shows_explanation(Explanation::Depth) && !window.state().document.is_changed());
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
+    window.run();
+    window.command_key(Key::S);
+    assert!(text().ends_with(&screen.replace("depth", "none")), "{}", text());
+    window.menu("File", "Save the layout");
+    assert!(window.state().document.is_changed());
+    window.command_key(Key::S);
+    assert!(!text().contains("[screen]"), "{}", text());
 }

@@ -3,10 +3,12 @@
 use std::fs;
 use std::time::{Duration, Instant};
 
+use camera_lab::figure::Explanation;
 use camera_lab::gui::gallery::Part;
 use camera_lab::gui::state::Dialog;
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 
@@ -39,6 +41,17 @@ impl Window {
     }
 }
 
+impl Window {
+    /// Types words of cards in the place of others.
+    fn search_cards(&mut self, wanted: &str) {
+        self.harness.get_by_role_and_label(Role::TextInput, "Search the cards").focus();
+        self.run();
+        self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        self.harness.event(Event::Text(wanted.to_owned()));
+        self.run();
+    }
+}
+
 #[test]
 fn figures_of_the_program_are_chosen_with_the_keys_and_opened() {
     let mut window = Window::new(Lang::PtBr);
@@ -57,6 +70,83 @@ fn figures_of_the_program_are_chosen_with_the_keys_and_opened() {
     assert_eq!((document.name().as_deref(), document.path()), (Some("house.toml"), None));
     assert_eq!(document.figure().scene.preset, Preset::House);
     assert!(!document.is_changed() && window.state().file_flow.dialog.is_none());
+}
+
+#[test]
+fn a_card_is_found_by_other_words_and_opens_its_state() {
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::G);
+    for heading in ["The camera", "Hidden surfaces and depth", "Limits of numbers"] {
+        assert!(window.says(heading), "{heading}");
+    }
+    window.wait_for("The painter's failure: Three bars");
+    window.search_cards("depth sort");
+    window.run();
+    assert!(window.says("The painter's failure: ") && !window.says("Teapot: ") && !window.says("Limits of numbers"));
+    window.search_cards("xyzzy");
+    window.run();
+    assert!(window.says("No card has these words."));
+    window.search_cards("painter failure");
+    window.key(Key::Enter);
+    let state = window.state();
+    assert_eq!(state.document.shipped_name(), Some("painter"));
+    assert_eq!((state.layout.shown, state.explain.shown()), ([false, false, true], Explanation::HiddenSurfaces));
+    assert!(state.shows_explanation(Explanation::HiddenSurfaces) && !state.document.is_changed());
+    // What the next one does not say stays as it is.
+    window.command_key(Key::G);
+    window.wait_for("House: ");
+    window.search_cards("mirror image");
+    window.run();
+    window.key(Key::ArrowDown);
+    window.key(Key::Enter);
+    let state = window.state();
+    assert_eq!(state.document.shipped_name(), Some("house"));
+    assert!(state.layout.shown == [false, false, true] && state.shows_explanation(Explanation::HiddenSurfaces));
+    // The frame stands on the figure that is open, also after paging.
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::PageDown);
+    window.run();
+    assert_eq!(window.state().document.shipped_name(), Some("corridor"));
+    window.command_key(Key::G);
+    window.wait_for("Corridor: ");
+    assert!(window.harness.get_by_label_contains("Corridor: ").is_focused());
+}
+
+#[test]
+fn the_frame_in_a_folder_follows_the_figure_that_is_open() {
+    let folder = Folder::new("frame");
+    for name in ["a.toml", "b.toml", "c.toml"] {
+        fs::write(folder.file(name), "title = \"One\"\n[scene]\npreset = \"empty\"\n").expect("written");
+    }
+    let mut window = Window::opened(&folder.file("a.toml"));
+    window.command_key(Key::G);
+    for _ in 0..2 {
+        window.harness.key_press_modifiers(Modifiers::CTRL, Key::Tab);
+        window.run();
+    }
+    window.wait_for("One (a): ");
+    window.wait_for("One (b): ");
+    window.key(Key::ArrowRight);
+    window.key(Key::Enter);
+    assert_eq!(window.state().document.path(), Some(&folder.file("b.toml")));
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::PageDown);
+    window.run();
+    window.command_key(Key::G);
+    window.wait_for("One (c): ");
+    assert!(window.harness.get_by_label_contains("One (c): ").is_focused());
+}
+
+#[test]
+fn where_dividing_first_does_no_harm_the_card_that_shows_it_is_offered() {
+    let mut window = Window::new(Lang::En);
+    window.explain(Explanation::Clipping);
+    assert!(!window.says("Open the figure that shows it:"));
+    window.click("Divide before clipping");
+    window.click("Open the figure that shows it: Dividing before clipping");
+    assert!(window.says("Save the changes?"));
+    window.click("Don't save");
+    let state = window.state();
+    assert_eq!(state.document.shipped_name(), Some("divide-first"));
+    assert!(state.shows_explanation(Explanation::Clipping) && !window.says("Open the figure that shows it:"));
 }
 
 #[test]
@@ -96,6 +186,9 @@ fn files_used_last_are_offered_and_those_that_are_gone_are_said_to_be() {
     window.wait_for("gone.toml no longer exists");
     let top = |label: &str| window.harness.get_by_label_contains(label).rect().left();
     assert!(top("here: ") < top("gone: "), "what is there comes first, although it was used before");
+    // The frame stands on the one that is open.
+    assert!(window.harness.get_by_label_contains("gone: ").is_focused());
+    window.key(Key::ArrowLeft);
     window.key(Key::Enter);
     assert_eq!(window.state().document.path(), Some(&here));
 }

@@ -3,6 +3,7 @@
 
 use std::fs;
 
+use camera_lab::figure::Explanation;
 use camera_lab::i18n::Lang;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, vec2};
@@ -21,6 +22,33 @@ fn lecture(folder: &Folder) -> Window {
 
 fn name(window: &Window) -> String {
     window.state().document.name().unwrap_or_default()
+}
+
+#[test]
+fn a_presentation_says_title_and_caption_and_shows_each_figure_as_it_wants() {
+    let folder = Folder::new("captions");
+    let told = "title = { en = \"A house\", pt-BR = \"Uma casa\" }\ncaption = { en = \"By the sea.\", pt-BR = \"À beira-mar.\" }\n";
+    fs::write(folder.file("1.toml"), format!("{told}[scene]\npreset = \"house\"\n[screen]\npictures = [\"image\"]\n"))
+        .expect("written");
+    fs::write(folder.file("2.toml"), "[scene]\npreset = \"empty\"\n[screen]\npanel = \"depth\"\n").expect("written");
+    fs::write(folder.file("3.toml"), "[scene]\npreset = \"empty\"\n").expect("written");
+    let mut window = Window::opened(&folder.file("1.toml"));
+    assert!(!window.says("By the sea."));
+    window.key(Key::F11);
+    assert!(window.says("A house") && window.says("By the sea."));
+    window.key(Key::PageDown);
+    assert!(!window.says("By the sea.") && window.state().shows_explanation(Explanation::Depth));
+    window.key(Key::PageDown);
+    let state = window.state();
+    assert!(state.shows_explanation(Explanation::Depth) && state.layout.shown == [false, false, true]);
+    window.key(Key::PageUp);
+    window.key(Key::PageUp);
+    window.command_key(Key::L);
+    assert!(window.says("Uma casa") && window.says("À beira-mar."));
+    // What a figure wants to be explained stays open where a presentation begins with it.
+    let mut window = Window::opened(&folder.file("2.toml"));
+    window.key(Key::F11);
+    assert!(window.state().settings.presentation && window.state().shows_explanation(Explanation::Depth));
 }
 
 #[test]

@@ -25,7 +25,7 @@ const SIZES: [(u32, u32); 4] = [(420, 500), (640, 360), (960, 540), (1024, 768)]
 
 /// The shipped figures with their scenes.
 fn shipped() -> Vec<(String, Figure, SharedScene)> {
-    let mut paths: Vec<PathBuf> = ["assets/figures", "docs/figures"]
+    let mut paths: Vec<PathBuf> = ["assets/figures", "assets/figures/pipeline", "docs/figures"]
         .into_iter()
         .flat_map(|folder| std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap())
         .map(|entry| entry.unwrap().path())

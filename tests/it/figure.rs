@@ -86,7 +86,8 @@ fn a_lamp_hangs_on_the_table_of_the_primitives() {
 
 #[test]
 fn figures_in_the_assets_and_in_the_texts_can_be_read() {
-    for path in files("assets/figures", "toml") {
+    let folders = ["assets/figures", "assets/figures/pipeline", "assets/figures/extreme"];
+    for path in folders.into_iter().flat_map(|folder| files(folder, "toml")) {
         let read = read::parse(&fs::read_to_string(&path).unwrap());
         assert!(read.is_ok(), "{}: {}", path.display(), read.unwrap_err());
     }

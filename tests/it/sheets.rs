@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 
-use camera_lab::exercises::{Bilingual, Exercise, Free, OwnTexts, entries, own};
+use camera_lab::exercises::{Exercise, Free, OwnTexts, entries, own};
+use camera_lab::figure::Bilingual;
 use camera_lab::formula;
 use camera_lab::i18n::notes::{Piece, notes};
 use camera_lab::i18n::{Lang, exercise_sheet as sheet, exercises as texts};

@@ -3,10 +3,10 @@
 use super::*;
 use crate::appearance::{HiddenLines, Rgba, Style, Theme};
 use crate::camera::{Decomposition, ImageSize, Ndc, Parameters, Projection, ViewWindow, Viewport};
-use crate::figure::words::{MEASURES, PRESETS, SHADINGS, VISIBILITIES};
+use crate::figure::words::{ARRANGEMENTS, MEASURES, PANELS, PRESETS, SHADINGS, VISIBILITIES};
 use crate::figure::{
-    Depth, Measured, NamedPoint, Observer, Observers, Outside, Reveal, Show, ShownProbe, ShownStep, ShownTriangle,
-    StagePicture, TransformPreview, TriangleStep, View, WorldLook,
+    Bilingual, Depth, Measured, NamedPoint, Observer, Observers, Outside, Reveal, Screen, Show, ShownProbe, ShownStep,
+    ShownTriangle, StagePicture, TransformPreview, TriangleStep, View, WorldLook,
 };
 use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
@@ -123,8 +123,21 @@ fn figure() -> impl Strategy<Value = Figure> {
     );
     let points = proptest::collection::vec(point(), 0..4);
     let seen = (observer(), observer());
-    (parameters(), 1_u32..=16_384, viewport, scene(), (style, points), reveal, seen, show()).prop_map(
-        |(camera, width, viewport, scene, (style, points), (reveal, undistorted), (world, canonical), show)| Figure {
+    let texts = proptest::array::uniform3("\\PC{0,9}");
+    let show = (show(), screen(), texts);
+    (parameters(), 1_u32..=16_384, viewport, scene(), (style, points), reveal, seen, show).prop_map(
+        |(
+            camera,
+            width,
+            viewport,
+            scene,
+            (style, points),
+            (reveal, undistorted),
+            (world, canonical),
+            (show, screen, texts),
+        )| Figure {
+            title: told(&texts[0], &texts[0]),
+            caption: told(&texts[1], &texts[2]),
             camera,
             image: ImageSize { width, height: 16_385 - width },
             undistorted,
@@ -144,8 +157,27 @@ fn figure() -> impl Strategy<Value = Figure> {
             },
             observers: Observers { world, canonical },
             show,
+            screen,
         },
     )
+}
+
+/// A text in both languages; `None` where one is empty.
+fn told(en: &str, pt_br: &str) -> Option<Bilingual> {
+    let is_there = |text: &str| !text.trim().is_empty();
+    (is_there(en) && is_there(pt_br)).then(|| [en.to_owned(), pt_br.to_owned()].into())
+}
+
+/// Any state of a window.
+fn screen() -> impl Strategy<Value = Screen> {
+    let pictures = any::<[bool; 3]>().prop_map(|shown| Some(shown).filter(|shown| *shown != [false; View::COUNT]));
+    let arrangement = proptest::option::of(proptest::sample::select(ARRANGEMENTS));
+    let panel = proptest::option::of(proptest::sample::select(PANELS));
+    (pictures, arrangement, panel).prop_map(|(pictures, arrangement, panel)| Screen {
+        pictures,
+        arrangement: arrangement.map(|(_, arrangement)| arrangement),
+        panel: panel.map(|(_, panel)| panel),
+    })
 }
 
 /// Any combination of explanations in the pictures.
@@ -250,6 +282,18 @@ proptest! {
             prop_assert_eq!(back.as_ref(), Ok(&after), "{}", edited);
         }
     }
+}
+
+#[test]
+fn a_layout_is_written_beside_comments_and_taken_out_again() {
+    let text = "# What it is.\ntitle = \"Ours\" # short\n\n[screen] # as in class\npanel = \"depth\"   # at the side\n";
+    let mut figure = read::parse(text).unwrap();
+    figure.screen.panel = Some(None);
+    figure.screen.pictures = Some([true, false, false]);
+    let edited = update(text, &figure);
+    assert_eq!(edited, text.replace("\"depth\" ", "\"none\" ") + "pictures = [\"world\"]\n");
+    figure.screen = Screen::default();
+    assert_eq!(update(text, &figure), "# What it is.\ntitle = \"Ours\" # short\n");
 }
 
 #[test]

@@ -4,12 +4,14 @@
 //! | --- | --- |
 //! | `points` | the `[[points]]` of a figure file |
 //! | `scene` | the `[scene]` section: a preset, a tree of objects, lights |
+//! | `screen` | the `title`, the `caption` and the `[screen]` of a figure file |
 //! | `section` | one section of a figure file, whose keys are read one by one; the keys left over are unknown |
 //! | `show` | the `[show]` of a figure file |
 //! | `syntax` | a text that is not TOML: which line, which key, and why |
 
 mod points;
 mod scene;
+mod screen;
 mod section;
 mod show;
 mod syntax;
@@ -119,14 +121,17 @@ pub(crate) fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         label => format!("[{}.{key}]", label.trim_matches(['[', ']', ' '])),
     };
     // Asked for in the order of the documentation, in which a message lists them.
+    let [title, caption] = screen::told(&mut root);
     let [camera_section, image_section, viewport_section, scene_section] =
         ["camera", "image", "viewport", "scene"].map(|key| root.section(key, &inside(&root, key)));
     let point_sections = root.sections("points", &format!("[{}]", inside(&root, "points")));
-    let [style_section, reveal_section, world_section, observers_section, show_section] =
-        ["style", "reveal", "world", "observers", "show"].map(|key| root.section(key, &inside(&root, key)));
+    let [style_section, reveal_section, world_section, observers_section, show_section, screen_section] =
+        ["style", "reveal", "world", "observers", "show", "screen"].map(|key| root.section(key, &inside(&root, key)));
     faults.extend(root.finish());
     let (image, undistorted) = image(image_section, faults);
     Figure {
+        title,
+        caption,
         camera: camera(camera_section, faults),
         image,
         undistorted,
@@ -138,6 +143,7 @@ pub(crate) fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         world: world(world_section, faults),
         observers: observers(observers_section, faults),
         show: show::show(show_section, faults),
+        screen: screen::screen(screen_section, faults),
     }
 }
 

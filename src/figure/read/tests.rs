@@ -1,6 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use super::*;
+use crate::figure::{Arrangement, Screen};
 use crate::scene::{Light, Preset, SceneError, Shape};
 
 /// The error of `text` as line, key and problem.
@@ -32,6 +33,8 @@ fn the_empty_file_is_the_default_figure() {
 fn every_key_is_read() {
     let figure = parse(
         r##"
+        title = "A house"
+        caption = { en = "By the sea.", "pt-BR" = "À beira-mar." }
         [camera]
         position = [1, -2.5, 3e150]
         focal_point = [0.5, 0, 0]
@@ -101,6 +104,10 @@ fn every_key_is_read() {
         azimuth = -400
         elevation = 90
         projection = "parallel"
+        [screen]
+        pictures = ["image", "world"]
+        arrangement = "beside"
+        panel = "none"
         "##,
     )
     .unwrap();
@@ -134,6 +141,27 @@ fn every_key_is_read() {
     let world = figure.observers.world.unwrap();
     assert_eq!((world.distance, world.azimuth, world.parallel), (7.0, -400.0, true));
     assert_eq!(figure.observers.canonical, None);
+    assert_eq!(figure.title.unwrap().pt_br, "A house");
+    assert_eq!(figure.caption, Some(["By the sea.", "À beira-mar."].map(str::to_owned).into()));
+    let arrangement = Some(Some(Arrangement::Beside));
+    assert_eq!(figure.screen, Screen { pictures: Some([true, false, true]), arrangement, panel: Some(None) });
+}
+
+#[test]
+fn titles_and_screens_are_refused_with_their_line() {
+    for (text, at, key) in [
+        ("\ntitle = 3".to_owned(), 2, "title"),
+        (format!("title = \"{}\"", "é".repeat(121)), 1, "title"),
+        (format!("title = \"{}\"\ncaption = {{ en = \"{}\" }}", "é".repeat(120), "a".repeat(601)), 2, "caption"),
+        ("caption = \"two\\nlines\"".to_owned(), 1, "caption"),
+        ("caption = { en = \"a\", fr = \"b\" }".to_owned(), 1, "caption"),
+        ("[screen]\npictures = []".to_owned(), 2, "[screen] pictures"),
+        ("[screen]\n\npictures = [\"wrold\"]".to_owned(), 3, "[screen] pictures"),
+        ("[screen]\narrangement = \"rows\"".to_owned(), 2, "[screen] arrangement"),
+        ("[screen]\npanel = true".to_owned(), 2, "[screen] panel"),
+    ] {
+        assert_eq!(place(&text), (at, key.to_owned()), "{text}");
+    }
 }
 
 #[test]
@@ -253,6 +281,9 @@ fn unknown_keys_lead_to_the_near_one() {
     assert_eq!(near("[camera]\nprojection = \"orthographic\"").as_deref(), Some("parallel"));
     assert_eq!(near("[reveal]\nculling = true").as_deref(), Some("culled"));
     assert_eq!(near("[style]\ndivide_first = true").as_deref(), Some("[reveal] divide_first"));
+    assert_eq!(near("[screen]\npanel = \"depht\"").as_deref(), Some("depth"));
+    assert_eq!(near("[screen]\nlayout = \"row\"").as_deref(), Some("arrangement"));
+    assert_eq!(near("panel = \"depth\"").as_deref(), Some("[screen] panel"));
     assert_eq!(near("[camera]\nbanana = 1"), None);
 }
 

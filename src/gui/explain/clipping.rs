@@ -1,13 +1,16 @@
 //! Clipping: the parts of the scene outside the view volume, the vertices that the planes make, and the division before
 //! clipping.
 
-use eframe::egui::Ui;
+use eframe::egui::{Button, Ui};
 
 use crate::figure::{Explanation, Outside};
+use crate::files::ShippedFigure;
+use crate::gui::file_flow;
 use crate::gui::panels::{choice, row};
-use crate::gui::state::State;
+use crate::gui::state::{AfterSave, State};
 use crate::gui::tooltip::Explained;
-use crate::i18n::{explain, window};
+use crate::i18n::{explain, gallery, told, window};
+use crate::pipeline::divide_before_clip::divided_first;
 
 /// Shows it.
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
@@ -33,8 +36,29 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     if reveal != old {
         state.document.edit(|figure| figure.reveal = reveal);
     }
+    dead_end(ui, state);
     let words = explain::texts(state.settings.lang);
     if ui.link(words.one_triangle).explained(words.triangle_hint).clicked() {
         state.show_explanation(Explanation::Triangle);
+    }
+}
+
+/// The figure of the program in which dividing before clipping goes wrong.
+const SHOWS_IT: &str = "divide-first";
+
+/// Where dividing before clipping does no harm to the scene, offers a figure in which it does.
+fn dead_end(ui: &mut Ui, state: &mut State) {
+    if !state.document.figure().reveal.divide_first {
+        return;
+    }
+    let camera = state.document.camera();
+    let key = (state.scene_cache.scene().clone(), *camera.parameters());
+    let is_right = *state.explain.divides_right.of(key, |(scene, _)| divided_first(scene, camera, 1.0).is_right());
+    let Some(figure) = ShippedFigure::named(SHOWS_IT).filter(|_| is_right) else { return };
+    let lang = state.settings.lang;
+    let [title, caption] = figure.told();
+    let text = format!("{} {}", gallery::texts(lang).shows, told(lang, &title));
+    if ui.add(Button::new(text).wrap()).explained(told(lang, &caption)).clicked() {
+        file_flow::begin(ui.ctx(), state, AfterSave::Shipped(figure.name));
     }
 }

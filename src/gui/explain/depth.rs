@@ -2,7 +2,7 @@
 //! buffers, and planes that contain the scene.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{self, Align2, Color32, Grid, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
+use eframe::egui::{self, Align2, Color32, Grid, Label, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, Plot, PlotPoints, Text, VLine, uniform_grid_spacer};
 
 use crate::camera::{Camera, Ndc, Parameters, Projection};
@@ -88,7 +88,8 @@ fn of_camera(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Paramete
 fn formats(ui: &mut Ui, lang: Lang, resolutions: &[Resolution]) {
     let t = words::texts(lang);
     let colors = Planes::of(ui);
-    Grid::new("formats").num_columns(4).spacing([9.0, 2.0]).show(ui, |ui| {
+    let right = ui.max_rect().right();
+    Grid::new("formats").num_columns(3).spacing([18.0, 2.0]).show(ui, |ui| {
         for head in [t.format, t.step_here] {
             ui.label(RichText::new(head).small().weak());
         }
@@ -102,12 +103,14 @@ fn formats(ui: &mut Ui, lang: Lang, resolutions: &[Resolution]) {
             ui.label(&name);
             ui.label(lang.mark().number(*step, 3));
             let said = words::two_planes(lang, planes.share_through());
-            picture(ui, planes, &colors, &format!("{name}: {said}"));
-            if planes.share_through() > 0.0 {
-                ui.label(RichText::new(format!("⚠ {said}")).color(ui.visuals().warn_fg_color));
-            } else {
-                ui.label(said);
-            }
+            ui.vertical(|ui| {
+                ui.set_max_width((right - ui.cursor().left()).max(TwoPlanes::WIDTH as f32));
+                picture(ui, planes, &colors, &format!("{name}: {said}"));
+                let flickers = planes.share_through() > 0.0;
+                let color = if flickers { ui.visuals().warn_fg_color } else { ui.visuals().text_color() };
+                let said = if flickers { format!("⚠ {said}") } else { said };
+                ui.add(Label::new(RichText::new(said).small().color(color)).wrap());
+            });
             ui.end_row();
         }
     });

@@ -1,5 +1,6 @@
 //! A figure in the gallery: its source, and its display. It is read and drawn beside the window's thread.
 
+use std::borrow::Cow;
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{HashMap, HashSet};
 use std::hash::{Hash as _, Hasher as _};
@@ -8,8 +9,9 @@ use std::path::{Path, PathBuf};
 use crate::appearance::Theme;
 use crate::camera::Camera;
 use crate::export::png::figure_bytes;
+use crate::figure::Bilingual;
 use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
-use crate::i18n::{Lang, gallery, messages, pictures, window};
+use crate::i18n::{Lang, messages, pictures, told, window};
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;
 use crate::picture::{Pixels, Renderer};
@@ -38,7 +40,7 @@ pub(super) enum CardJob {
     List(PathBuf),
     /// Which of these files exist.
     Sort(Vec<PathBuf>),
-    /// The sentences of these figures: they are there long before their pictures.
+    /// The titles and sentences of these figures: they are there long before their pictures.
     Read(Vec<Source>, Lang),
     /// A small picture of a figure.
     Draw { source: Source, theme: Theme, lang: Lang },
@@ -50,10 +52,17 @@ pub(super) enum CardOutcome {
     Listed(PathBuf, Result<Vec<PathBuf>, FileError>),
     /// These files, those that are there first, and those that are gone.
     Sorted(Vec<PathBuf>, HashSet<PathBuf>),
-    /// The sentences of figures; empty where there is none, or the figure cannot be read.
-    Read(Vec<(Source, String)>),
+    /// The titles of figures, and their sentences: empty where there is none, or the figure cannot be read.
+    Read(Vec<(Source, Told)>),
     /// A small picture of a figure, or why there is none.
     Drawn(Source, Drawn),
+}
+
+/// What a figure says of itself.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Told {
+    pub(super) title: String,
+    pub(super) sentence: String,
 }
 
 /// A small picture, or why there is none.
@@ -76,8 +85,8 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
         }
         CardJob::Read(sources, lang) => {
             let of = |source: Source| {
-                let sentence = if progress.is_cancelled() { String::new() } else { sentence(&source, lang) };
-                (source, sentence)
+                let told = if progress.is_cancelled() { Told::default() } else { said_by(&source, lang) };
+                (source, told)
             };
             CardOutcome::Read(sources.into_iter().map(of).collect())
         }
@@ -92,7 +101,7 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
             renderer.watch(progress);
             let drawn = match text.and_then(|bytes| figure_from(&bytes)) {
                 Ok(opened) => draw(&mut renderer, &source, opened, (theme, lang), progress),
-                Err(error) => Err(messages::file(lang, &source.title(lang), &error)),
+                Err(error) => Err(messages::file(lang, &source.name(), &error)),
             };
             if kept.len() >= MOST_KEPT {
                 kept.clear();
@@ -106,11 +115,11 @@ pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
 }
 
 impl Source {
-    /// Its title.
-    pub(super) fn title(&self, lang: Lang) -> String {
+    /// Its name as long as it has not been read: that of its file.
+    pub(super) fn name(&self) -> Cow<'_, str> {
         match self {
-            Self::Shipped(name) => gallery::shipped(lang, name).0.to_owned(),
-            Self::File(path) => path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+            Self::Shipped(name) => (*name).into(),
+            Self::File(path) => path.file_stem().unwrap_or_default().to_string_lossy(),
         }
     }
 
@@ -148,18 +157,35 @@ fn draw(
     let mut files = FigureFiles::new(source.folder().unwrap_or(Path::new("")), reach);
     let scene = scene_of(&figure, &mut |wanted| files.read(wanted), progress);
     let scene = SharedScene::new(scene.map_err(|error| messages::scene(lang, &error))?);
-    let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(lang), SIZE);
+    let shown = figure.screen.pictures.unwrap_or([true; View::COUNT]);
+    // The image, or the last picture of a figure that is shown without it.
+    let view = View::ALL.into_iter().rev().find(|view| shown[view.index()]).unwrap_or(View::Image);
+    let request = Request::of(&figure, view, &camera, &scene, pictures::labels(lang), SIZE);
     renderer.pixels(&request).ok_or_else(|| window::texts(lang).picture_too_large.to_owned())
 }
 
-/// The sentence of a figure, also of one that cannot be drawn.
-fn sentence(source: &Source, lang: Lang) -> String {
-    if let Source::Shipped(name) = source {
-        return gallery::shipped(lang, name).1.to_owned();
+/// What a figure says of itself, also one that cannot be drawn. A file without a title has its name, a file without a
+/// caption its first comment.
+fn said_by(source: &Source, lang: Lang) -> Told {
+    let in_lang = |text: &Bilingual| told(lang, text).to_owned();
+    match source {
+        Source::Shipped(name) => {
+            let texts = ShippedFigure::named(name).map(ShippedFigure::told).unwrap_or_default();
+            let [title, sentence] = texts.map(|text| in_lang(&text));
+            Told { title, sentence }
+        }
+        Source::File(_) => {
+            let bytes = read(source).unwrap_or_default();
+            let figure = figure_from(&bytes).map(|opened| opened.figure).unwrap_or_default();
+            let text = figure_bytes(&bytes, MAX_FIGURE_BYTES).unwrap_or_default();
+            let title = match &figure.title {
+                Some(title) => format!("{} ({})", in_lang(title), source.name()),
+                None => source.name().into_owned(),
+            };
+            let comment = || first_comment(&String::from_utf8_lossy(&text));
+            Told { title, sentence: figure.caption.as_ref().map_or_else(comment, in_lang) }
+        }
     }
-    let bytes = read(source).unwrap_or_default();
-    let text = figure_bytes(&bytes, MAX_FIGURE_BYTES).unwrap_or_default();
-    first_comment(&String::from_utf8_lossy(&text))
 }
 
 /// The comment with which a figure file begins, on one line.

@@ -14,11 +14,12 @@ use std::time::Duration;
 
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 
-use self::card::{CardJob, CardOutcome, work};
+use self::card::{CardJob, CardOutcome, Told, work};
 use super::worker::Worker;
 use crate::appearance::Theme;
 use crate::clock;
 use crate::files::SHIPPED_FIGURES;
+use crate::i18n::search::{folded, has_words};
 use crate::i18n::{Lang, messages};
 pub use card::{Source, figures_in};
 pub(super) use show::{Chosen, show};
@@ -50,8 +51,10 @@ pub struct Gallery {
     pub part: Part,
     /// There are no files to show, as in a page of a browser.
     pub examples_alone: bool,
-    /// The figure that is chosen, by its place in each part.
-    chosen: [usize; 3],
+    /// The figure that is chosen in each part; `None`, or one that is not there: the first.
+    chosen: [Option<Source>; 3],
+    /// The words that cards are searched for.
+    wanted: String,
     /// The chosen card gets the keyboard once there are cards.
     wants_focus: bool,
     /// The files that were used last, and which of them are gone.
@@ -71,8 +74,8 @@ pub struct Gallery {
 #[derive(Default)]
 struct Card {
     texture: Option<TextureHandle>,
-    /// Its sentence; `None`: not read yet.
-    sentence: Option<String>,
+    /// What it says of itself; `None`: not read yet.
+    told: Option<Told>,
     /// Why it cannot be drawn; empty where it can, or has not been tried.
     fault: String,
     /// False: it may have changed since, and is looked at again.
@@ -81,7 +84,7 @@ struct Card {
 
 impl std::fmt::Debug for Card {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Card").field("sentence", &self.sentence).finish_non_exhaustive()
+        f.debug_struct("Card").field("told", &self.told).finish_non_exhaustive()
     }
 }
 
@@ -90,7 +93,8 @@ impl Default for Gallery {
         Self {
             part: Part::default(),
             examples_alone: cfg!(target_arch = "wasm32"),
-            chosen: [0; 3],
+            chosen: [None, None, None],
+            wanted: String::new(),
             wants_focus: false,
             recent: Vec::new(),
             gone: HashSet::new(),
@@ -105,12 +109,16 @@ impl Default for Gallery {
 }
 
 impl Gallery {
-    /// Collects the figures anew. `beside`: the folder of the open figure.
-    pub(super) fn begin(&mut self, recent: &[PathBuf], beside: Option<&Path>) {
+    /// Collects the figures anew. `beside`: the folder of the open figure, which is `here` and chosen wherever it is.
+    pub(super) fn begin(&mut self, recent: &[PathBuf], beside: Option<&Path>, here: Option<&Source>) {
+        if here.is_some() {
+            self.chosen.fill(here.cloned());
+        }
+        self.wanted.clear();
         self.recent = recent.to_vec();
         self.folder = self.folder.take().or_else(|| beside.map(Path::to_owned));
         for card in self.cards.values_mut() {
-            (card.fresh, card.sentence) = (false, None);
+            (card.fresh, card.told) = (false, None);
         }
         self.waiting = vec![CardJob::Sort(self.recent.clone())];
         self.waiting.extend(self.folder.clone().map(CardJob::List));
@@ -129,7 +137,7 @@ impl Gallery {
     /// Shows the figures of this folder from now on.
     pub(super) fn look_into(&mut self, folder: PathBuf) {
         self.part = Part::Folder;
-        self.chosen[Part::Folder as usize] = 0;
+        self.chosen[Part::Folder as usize] = None;
         self.wants_focus = true;
         self.files = Ok(Vec::new());
         self.waiting.push(CardJob::List(folder.clone()));
@@ -154,11 +162,19 @@ impl Gallery {
         }
     }
 
+    /// Whether a figure has the words that are wanted, or their other names, in its title or its sentence.
+    fn is_wanted(&self, source: &Source, called: &[String]) -> bool {
+        let told = self.cards.get(source).and_then(|card| card.told.as_ref());
+        let text =
+            told.map_or_else(|| folded(&source.name()), |told| folded(&format!("{} {}", told.title, told.sentence)));
+        called.iter().any(|name| has_words(&text, name))
+    }
+
     /// Takes the results, and starts the next request.
     fn go_on(&mut self, ctx: &Context, style: (Theme, Lang), sources: &[Source]) {
         if self.style != style {
             self.style = style;
-            self.cards.values_mut().for_each(|card| (card.fresh, card.sentence) = (false, None));
+            self.cards.values_mut().for_each(|card| (card.fresh, card.told) = (false, None));
         }
         let [done] = self.worker.take(Duration::ZERO);
         if let Some(outcome) = done.and_then(|done| done.outcome) {
@@ -168,7 +184,7 @@ impl Gallery {
             return;
         }
         let (theme, lang) = style;
-        let unread = |source: &&Source| self.cards.get(source).is_none_or(|card| card.sentence.is_none());
+        let unread = |source: &&Source| self.cards.get(source).is_none_or(|card| card.told.is_none());
         let unread: Vec<Source> = sources.iter().filter(unread).cloned().collect();
         let read = (!unread.is_empty()).then_some(CardJob::Read(unread, lang));
         let is_stale = |source: &&Source| !self.cards.get(source).is_some_and(|card| card.fresh);
@@ -192,9 +208,9 @@ impl Gallery {
                 self.files = files.map_err(|error| messages::file(self.style.1, &name, &error));
             }
             CardOutcome::Listed(..) => {}
-            CardOutcome::Read(sentences) => {
-                for (source, sentence) in sentences {
-                    self.cards.entry(source).or_default().sentence = Some(sentence);
+            CardOutcome::Read(all) => {
+                for (source, told) in all {
+                    self.cards.entry(source).or_default().told = Some(told);
                 }
             }
             CardOutcome::Drawn(source, drawn) => {

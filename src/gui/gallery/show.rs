@@ -1,5 +1,7 @@
 //! The gallery on the screen.
 
+use std::ops::Range;
+
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, Align2, Color32, EventFilter, FontSelection, Id, Key, Layout, Modifiers, Rect, Response, RichText,
@@ -9,9 +11,13 @@ use eframe::egui::{
 use super::card::SIZE;
 use super::{Gallery, Part, Source};
 use crate::appearance::Theme;
+use crate::files::{ShippedFigure, Topic};
+use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::Lang;
 use crate::i18n::gallery::{self as words, Texts};
+use crate::i18n::search::also_called;
+use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
 
 /// An action after a frame.
@@ -52,7 +58,9 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
         // A page in a browser has no folders.
         if !gallery.examples_alone {
             parts(ui, t, &mut gallery.part);
+            ui.add_space(12.0);
         }
+        asked = search(ui, t, gallery);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if gallery.part == Part::Folder && ui.button(t.choose).clicked() {
                 asked = Some(Chosen::Folder);
@@ -62,17 +70,22 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
             }
         });
     });
-    let (sources, more) = gallery.sources();
+    let (mut sources, more) = gallery.sources();
     gallery.go_on(ui.ctx(), style, &sources);
+    let is_searched = !gallery.wanted.trim().is_empty();
+    if is_searched {
+        let called = also_called(&gallery.wanted);
+        sources.retain(|source| gallery.is_wanted(source, &called));
+    }
     ui.add_space(6.0);
     let height = (ui.ctx().content_rect().height() - 130.0).max(120.0);
     let area = ScrollArea::vertical().id_salt(gallery.part).max_height(height).min_scrolled_height(height);
     gallery.wants_focus |= first || before != gallery.part;
     area.auto_shrink(false).show(ui, |ui| {
-        if let Some(source) = cards(ui, t, gallery, &sources, style.1) {
+        if let Some(source) = cards(ui, t, gallery, &sources) {
             asked = Some(Chosen::Open(source));
         }
-        if more > 0 {
+        if more > 0 && !is_searched {
             ui.label(format!("{} {more}", t.more));
         }
     });
@@ -102,10 +115,30 @@ fn parts(ui: &mut Ui, t: &Texts, part: &mut Part) {
     }
 }
 
-/// The cards in rows; the figure of the one that was pressed.
-fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], lang: Lang) -> Option<Source> {
+/// The field for words of cards: Enter opens the first card that has them, ↓ goes to it.
+fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
+    let id = Id::unique("gallery search");
+    let goes_down = ui.memory(|memory| memory.has_focus(id))
+        && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::ArrowDown));
+    let before = gallery.wanted.clone();
+    let field = TextField::line(&mut gallery.wanted, MAX_TYPED_NAME);
+    let field = field.with(|edit| edit.id(id).hint_text(t.wanted).desired_width(190.0));
+    let response = field.show(ui, t.lang).accessible_name(t.wanted);
+    if gallery.wanted != before {
+        gallery.chosen[gallery.part as usize] = None;
+    }
+    gallery.wants_focus |= goes_down;
+    let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    let called = also_called(&gallery.wanted);
+    let first = || gallery.sources().0.into_iter().find(|source| gallery.is_wanted(source, &called));
+    if entered { first().map(Chosen::Open) } else { None }
+}
+
+/// The cards in rows, under their headings; the figure of the one that was pressed.
+fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source]) -> Option<Source> {
     if sources.is_empty() {
         let text = match (gallery.part, &gallery.files) {
+            _ if !gallery.wanted.trim().is_empty() => t.nothing,
             (Part::Folder, Err(why)) => why.as_str(),
             (Part::Folder, Ok(_)) if gallery.folder.is_some() => t.empty_folder,
             (Part::Folder, Ok(_)) => t.no_folder,
@@ -119,34 +152,46 @@ fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], lang
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful of columns")]
     let columns = (((ui.available_width() + GAP) / (card.x + GAP)) as usize).max(1);
     let part = gallery.part;
-    let chosen = gallery.chosen[part as usize].min(sources.len() - 1);
-    let id = |index: usize| Id::unique(("gallery card", part, index));
+    let rows = rows(sources, columns);
+    let is_chosen = |source: &Source| gallery.chosen[part as usize].as_ref() == Some(source);
+    let chosen = sources.iter().position(is_chosen).unwrap_or(0);
+    let id = |source: &Source| Id::unique(("gallery card", part, source));
     let mut next = chosen;
-    if ui.memory(|memory| memory.has_focus(id(chosen))) {
-        next = moved(ui, chosen, columns, sources.len());
+    if ui.memory(|memory| memory.has_focus(id(&sources[chosen]))) {
+        next = moved(ui, chosen, &rows);
         focus |= next != chosen;
     }
-    gallery.chosen[part as usize] = next;
+    if next != chosen {
+        gallery.chosen[part as usize] = Some(sources[next].clone());
+    }
     let mut open = None;
     ui.spacing_mut().item_spacing = vec2(GAP, GAP);
-    for (row, line) in sources.chunks(columns).enumerate() {
+    let mut heading = None;
+    for row in rows {
+        let topic = topic(&sources[row.start]);
+        if topic != std::mem::replace(&mut heading, topic)
+            && let Some(topic) = topic
+        {
+            ui.label(RichText::new(words::heading(t.lang, topic)).strong());
+        }
         ui.horizontal(|ui| {
-            for (column, source) in line.iter().enumerate() {
-                let index = row * columns + column;
+            for index in row {
+                let source = &sources[index];
                 let (_, rect) = ui.allocate_space(card);
-                let response = ui.interact(rect, id(index), Sense::click());
-                paint(ui, t, gallery, source, (rect, &response, lang));
+                let response = ui.interact(rect, id(source), Sense::click());
+                paint(ui, t, gallery, source, (rect, &response));
                 if index == next && focus {
                     response.request_focus();
-                    response.scroll_to_me(None);
+                    // With its heading.
+                    ui.scroll_to_rect(rect.expand2(vec2(0.0, 3.0 * GAP)), None);
                 }
                 if response.gained_focus() {
-                    gallery.chosen[part as usize] = index;
+                    gallery.chosen[part as usize] = Some(source.clone());
                 }
                 if response.has_focus() {
                     let arrows =
                         EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
-                    ui.memory_mut(|memory| memory.set_focus_lock_filter(id(index), arrows));
+                    ui.memory_mut(|memory| memory.set_focus_lock_filter(id(source), arrows));
                 }
                 if response.clicked() {
                     open = Some(source.clone());
@@ -157,31 +202,57 @@ fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], lang
     open
 }
 
+/// The topic of a figure of the program.
+fn topic(source: &Source) -> Option<Topic> {
+    match source {
+        Source::Shipped(name) => ShippedFigure::named(name).map(|figure| figure.topic),
+        Source::File(_) => None,
+    }
+}
+
+/// The rows of cards; each topic begins one.
+fn rows(sources: &[Source], columns: usize) -> Vec<Range<usize>> {
+    let mut rows = Vec::new();
+    let mut start = 0;
+    for group in sources.chunk_by(|a, b| topic(a) == topic(b)) {
+        let end = start + group.len();
+        rows.extend((start..end).step_by(columns).map(|first| first..end.min(first + columns)));
+        start = end;
+    }
+    rows
+}
+
 /// The card that the arrow keys lead to.
-fn moved(ui: &Ui, from: usize, columns: usize, count: usize) -> usize {
-    let last = count - 1;
+fn moved(ui: &Ui, from: usize, rows: &[Range<usize>]) -> usize {
+    let last = rows.last().map_or(0, |row| row.end - 1);
+    let in_row = |at: usize, down: bool| {
+        let row = rows.iter().position(|row| row.contains(&at)).unwrap_or(0);
+        let to = if down { rows.get(row + 1) } else { row.checked_sub(1).map(|row| &rows[row]) };
+        to.map_or(at, |to| (to.start + at - rows[row].start).min(to.end - 1))
+    };
     ui.input(|input| {
         let mut at = from;
-        for (key, step) in [(Key::ArrowRight, 1), (Key::ArrowDown, columns)] {
-            at = if input.key_pressed(key) { (at + step).min(last) } else { at };
+        for (key, to) in [
+            (Key::ArrowRight, (at + 1).min(last)),
+            (Key::ArrowLeft, at.saturating_sub(1)),
+            (Key::ArrowDown, in_row(at, true)),
+            (Key::ArrowUp, in_row(at, false)),
+            (Key::Home, 0),
+            (Key::End, last),
+        ] {
+            at = if input.key_pressed(key) { to } else { at };
         }
-        for (key, step) in [(Key::ArrowLeft, 1), (Key::ArrowUp, columns)] {
-            at = if input.key_pressed(key) { at.checked_sub(step).unwrap_or(at) } else { at };
-        }
-        match (input.key_pressed(Key::Home), input.key_pressed(Key::End)) {
-            (true, _) => 0,
-            (_, true) => last,
-            (false, false) => at,
-        }
+        at
     })
 }
 
-fn paint(ui: &Ui, t: &Texts, gallery: &Gallery, source: &Source, (rect, response, lang): (Rect, &Response, Lang)) {
-    let title = sanitize::escaped(&source.title(lang));
+fn paint(ui: &Ui, t: &Texts, gallery: &Gallery, source: &Source, (rect, response): (Rect, &Response)) {
     let card = gallery.cards.get(source);
+    let told = card.and_then(|card| card.told.as_ref());
+    let title = sanitize::escaped(&told.map_or(source.name(), |told| told.title.as_str().into()));
     let gone = matches!(source, Source::File(path) if gallery.part == Part::Recent && gallery.gone.contains(path));
     let fault = card.map_or("", |card| &card.fault);
-    let own = card.and_then(|card| card.sentence.as_deref());
+    let own = told.map(|told| told.sentence.as_str());
     let sentence = match (source, own) {
         (Source::File(path), _) if gone => format!("{} {}", sanitize::path(path), t.gone),
         (_, Some(own)) if !fault.is_empty() => format!("{fault} {own}").trim_end().to_owned(),

@@ -26,20 +26,11 @@ use super::launch_options::LANGUAGES;
 use super::state::State;
 use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
 use crate::export::format::PictureFormat;
-use crate::figure::words::{self, EXPLANATIONS, THEMES, Words};
+use crate::figure::words::{self, ARRANGEMENTS, EXPLANATIONS, THEMES, Words};
 use crate::limits::{PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
-use crate::views::{Arrangement, View, Views};
+use crate::views::{View, Views};
 pub use store::Preferences;
-
-/// Layouts of several pictures.
-const LAYOUTS: Words<Option<Arrangement>> = &[
-    ("auto", None),
-    ("row", Some(Arrangement::Row)),
-    ("column", Some(Arrangement::Column)),
-    ("above", Some(Arrangement::Above)),
-    ("beside", Some(Arrangement::Beside)),
-];
 
 /// Whose signs the rotations have, by the names that `--convention` has for them.
 const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
@@ -111,7 +102,7 @@ const KEYS: [Key; 34] = [
             state.explain.show(shown);
         },
     },
-    key!("layout", one of LAYOUTS, layout.arrangement),
+    key!("layout", one of ARRANGEMENTS, layout.arrangement),
     Key {
         name: "pictures",
         of: |state| View::ALL.into_iter().filter(|view| state.layout.shown[view.index()]).map(View::name).collect(),
@@ -294,6 +285,7 @@ mod tests {
     use crate::gui::export::{Export, Paper};
     use crate::gui::state::Conventions;
     use crate::i18n::Lang;
+    use crate::views::Arrangement;
 
     fn state() -> State {
         State::new(Start::default()).unwrap()

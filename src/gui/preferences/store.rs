@@ -88,6 +88,8 @@ impl Preferences {
             apply(document, state);
         }
         let kept_before = content.unwrap_or_default();
+        // The figure that the window opens with may say how it is shown; that is no preference.
+        state.show_screen(state.document.figure().screen);
         asked.apply(state);
         let progress = KeptProgress::begin(folder, state, &kept_before);
         let has_answers = answers::read(&kept_before).next().is_some();

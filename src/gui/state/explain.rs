@@ -5,11 +5,13 @@ use super::notes::Notes;
 use super::order::Order;
 use super::steps::Steps;
 use super::triangle::TriangleNumbers;
-use crate::camera::{CameraError, MatrixKind};
+use crate::camera::{CameraError, MatrixKind, Parameters};
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{CameraNumber, Vocabulary};
 use crate::figure::{Explanation, TransformPreview};
+use crate::gui::memo::Memo;
 use crate::pipeline::StageReport;
+use crate::views::SharedScene;
 
 /// A question that the side of explanations answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -74,6 +76,8 @@ pub struct Explain {
     pub refused: Option<(Vocabulary, CameraNumber, f64, CameraError)>,
     /// A pasted matrix.
     pub pasted: Pasted,
+    /// Whether dividing before clipping does no harm to a scene.
+    pub(in crate::gui) divides_right: Memo<(SharedScene, Parameters), bool>,
 }
 
 /// A matrix as text, and its kind.
@@ -139,6 +143,7 @@ impl Default for Explain {
             code: CodeTarget::default(),
             refused: None,
             pasted: Pasted::default(),
+            divides_right: Memo::default(),
         }
     }
 }

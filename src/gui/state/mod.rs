@@ -253,7 +253,8 @@ impl State {
         if start.allow_files {
             document.allow_files();
         }
-        Ok(Self {
+        let screen = document.figure().screen;
+        let mut state = Self {
             document,
             scene_cache: SceneCache::default(),
             settings: Settings {
@@ -303,7 +304,9 @@ impl State {
             exercises: Exercises::default(),
             follow: Follow::default(),
             coach: Coach::default(),
-        })
+        };
+        state.show_screen(screen);
+        Ok(state)
     }
 
     /// Goes on with another document; nothing of the one before stays.
@@ -319,6 +322,8 @@ impl State {
         self.tree = SceneTree::default();
         self.follow = Follow::default();
         self.views.reset(self.document.figure().observers);
+        let screen = self.document.figure().screen;
+        self.show_screen(screen);
         self.probe = None;
         self.message = None;
     }

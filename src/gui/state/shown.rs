@@ -3,7 +3,9 @@
 use super::{Side, State, steps};
 use crate::camera::Ndc;
 use crate::explain::Symbol;
-use crate::figure::{Explanation, Figure, Measured, Observers, Show, ShownProbe, ShownStep, StagePicture, View};
+use crate::figure::{
+    Explanation, Figure, Measured, Observers, Screen, Show, ShownProbe, ShownStep, StagePicture, View,
+};
 use crate::gui::document::Seen;
 use crate::gui::history::Revision;
 use crate::i18n::pictures::labels;
@@ -57,7 +59,8 @@ impl State {
     /// The figure that shows in any program the present screen: with explanations, and with the observers.
     #[must_use]
     pub fn figure_as_shown(&self) -> Figure {
-        Figure { observers: self.observers_as_shown(), show: self.show_as_saved(), ..self.document.figure().clone() }
+        let (observers, show) = (self.observers_as_shown(), self.show_as_saved());
+        Figure { observers, show, screen: self.screen_to_save(), ..self.document.figure().clone() }
     }
 
     /// The figure that is saved. From where nobody has turned a picture, nothing is written: whoever opens the file
@@ -65,7 +68,59 @@ impl State {
     #[must_use]
     pub fn figure_to_save(&self) -> Figure {
         let show = if self.settings.saves_explained { self.show_as_saved() } else { Show::default() };
-        Figure { show, ..self.document.figure().clone() }
+        Figure { show, screen: self.screen_to_save(), ..self.document.figure().clone() }
+    }
+
+    /// The layout of the window, where it is to be saved.
+    fn screen_to_save(&self) -> Screen {
+        if self.saves_layout() { self.screen() } else { Screen::default() }
+    }
+
+    /// True where the layout of the window is saved with the figure: where its file, or the user, wants that.
+    pub(in crate::gui) fn saves_layout(&self) -> bool {
+        self.document.figure().screen != Screen::default()
+    }
+
+    /// Saves the layout of the window with the figure from now on, or no longer.
+    pub(in crate::gui) fn toggle_saved_layout(&mut self) {
+        let screen = if self.saves_layout() { Screen::default() } else { self.screen() };
+        self.document.edit(|figure| figure.screen = screen);
+    }
+
+    /// The layout of the window.
+    fn screen(&self) -> Screen {
+        let is_open = self.settings.panels().wanted[Side::Explain as usize];
+        Screen {
+            pictures: Some(View::ALL.map(|view| self.layout.is_shown(view))),
+            arrangement: Some(self.layout.arrangement),
+            panel: Some(is_open.then(|| self.explain.shown())),
+        }
+    }
+
+    /// Puts the window into the state that a figure asks for.
+    pub(in crate::gui) fn show_screen(&mut self, screen: Screen) {
+        let Screen { pictures, arrangement, panel } = screen;
+        if let Some(pictures) = pictures {
+            (self.layout.shown, self.layout.maximized) = (pictures, None);
+        }
+        if let Some(arrangement) = arrangement {
+            self.layout.arrangement = arrangement;
+        }
+        // A page that shows the pictures alone has no room for a side.
+        match panel.filter(|_| !self.settings.bare) {
+            Some(Some(explanation)) => self.show_explanation(explanation),
+            Some(None) => self.settings.panels_mut().wanted[Side::Explain as usize] = false,
+            None => {}
+        }
+        // What the figure shows is its own: an explanation that it closes takes nothing of it away.
+        let (before, now) = (self.open_panels, self.panels_now());
+        self.open_panels = OpenPanels {
+            stages: before.stages && now.stages,
+            painting: before.painting && now.painting,
+            triangle: before.triangle && now.triangle,
+            steps: before.steps && now.steps,
+            order: before.order && now.order,
+        };
     }
 
     /// The observers of the pictures, where they are not the default ones: an observer that nobody has turned stays in
@@ -285,6 +340,16 @@ impl State {
         [wanted].into_iter().chain(View::ALL).find(is_shown).unwrap_or(wanted)
     }
 
+    fn panels_now(&self) -> OpenPanels {
+        OpenPanels {
+            stages: self.accounts_for_stages(),
+            painting: self.shows_explanation(Explanation::HiddenSurfaces),
+            triangle: self.shows_explanation(Explanation::Triangle),
+            steps: self.shows_explanation(Explanation::Steps),
+            order: self.shows_explanation(Explanation::Order),
+        }
+    }
+
     /// Removes the explanation of a panel that has been closed since the last frame, and shows that of one that has
     /// been opened.
     pub(in crate::gui) fn follow_panels(&mut self) {
@@ -292,13 +357,7 @@ impl State {
             // A file's convention is that of the window from now on.
             self.settings.conventions.ndc = ndc;
         }
-        let now = OpenPanels {
-            stages: self.accounts_for_stages(),
-            painting: self.shows_explanation(Explanation::HiddenSurfaces),
-            triangle: self.shows_explanation(Explanation::Triangle),
-            steps: self.shows_explanation(Explanation::Steps),
-            order: self.shows_explanation(Explanation::Order),
-        };
+        let now = self.panels_now();
         let before = std::mem::replace(&mut self.open_panels, now);
         if before.stages && !now.stages {
             self.release_stage();

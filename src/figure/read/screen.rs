@@ -1,0 +1,37 @@
+//! The `title`, the `caption` and the `[screen]` of a figure file.
+
+use super::section::{Fault, Section};
+use crate::figure::error::Allowed;
+use crate::figure::words::{self, ARRANGEMENTS, PANELS, PICTURES};
+use crate::figure::{Bilingual, Screen, View};
+use crate::limits::{MAX_CAPTION, MAX_TITLE};
+
+/// Reads `title` and `caption`.
+pub(super) fn told(root: &mut Section<'_>) -> [Option<Bilingual>; 2] {
+    [("title", MAX_TITLE), ("caption", MAX_CAPTION)].map(|(key, limit)| {
+        let texts = root.told(key)?;
+        let is_short = |text: &String| text.chars().count() <= limit && !text.contains(char::is_control);
+        if !texts.iter().all(is_short) {
+            root.refuse(key, Allowed::BilingualLine { limit });
+            return None;
+        }
+        Some(texts.into())
+    })
+}
+
+/// Reads the section; a faulty key changes nothing in the window.
+pub(super) fn screen(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Screen {
+    let views = section.words("pictures", PICTURES);
+    let pictures = View::ALL.map(|view| views.contains(&view));
+    let shows_none = section.faults.is_empty() && pictures == [false; View::COUNT];
+    if shows_none && section.is_present("pictures") {
+        section.refuse("pictures", Allowed::Words(words::names(PICTURES)));
+    }
+    let screen = Screen {
+        pictures: Some(pictures).filter(|pictures| *pictures != [false; View::COUNT]),
+        arrangement: section.choice("arrangement", ARRANGEMENTS),
+        panel: section.choice("panel", PANELS),
+    };
+    faults.extend(section.finish());
+    screen
+}
