@@ -3,6 +3,7 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `comparison` | the same figure in another way, shown beside it: the `[compare]` section of a figure |
 //! | `edit/` | a change of a figure → the change of its text, with comments and order kept |
 //! | `error` | why a text is not a figure |
 //! | `near` | the key that was probably meant |
@@ -18,6 +19,7 @@
 //! | `world_look` | the content of the world picture besides scene and camera: the `[world]` section of a figure |
 //! | `write` | `Figure` → the text of a figure file |
 
+mod comparison;
 mod edit;
 pub mod error;
 mod near;
@@ -36,7 +38,8 @@ pub mod write;
 use crate::appearance::Style;
 use crate::camera::{ImageSize, Parameters, Viewport};
 use crate::scene::{Preset, SceneSpec};
-pub use edit::{show_with, update};
+pub use comparison::{Comparison, OtherSide};
+pub use edit::{show_with, update, varied};
 pub use error::FigureError;
 pub use observer::Observer;
 pub use points::NamedPoint;
@@ -77,6 +80,8 @@ pub struct Figure {
     pub observers: Observers,
     /// `[show]`: explanations in the pictures.
     pub show: Show,
+    /// `[compare]`: the same figure in another way, beside it.
+    pub compare: Option<Comparison>,
 }
 
 impl Figure {
@@ -102,6 +107,7 @@ impl Figure {
             world,
             observers: _,
             show: _,
+            compare,
         } = self;
         Self {
             camera: *camera,
@@ -115,6 +121,7 @@ impl Figure {
             world: *world,
             observers: Observers::default(),
             show: Show::default(),
+            compare: compare.clone(),
         }
     }
 }

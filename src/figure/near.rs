@@ -100,12 +100,15 @@ const HOMES: &[(&str, &str)] = &[
     ("hidden_lines", "style"),
     ("antialias", "style"),
     ("theme", "style"),
+    ("depth_format", "style"),
     ("depth", "reveal"),
     ("outside", "reveal"),
     ("clipping", "reveal"),
     ("divide_first", "reveal"),
     ("culled", "reveal"),
     ("vanishing", "reveal"),
+    ("wiper", "compare"),
+    ("differences", "compare"),
 ];
 
 /// The one of `known` that `word` probably means, or the section where the key belongs.

@@ -56,6 +56,7 @@ pub enum Command {
     ViewForward,
     Section,
     Dimensions,
+    Compare,
     LinkOrbits,
     Pipeline,
     Numerics,

@@ -45,6 +45,13 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
 }
 
 fn framing(request: &Request, direction: Direction) -> Observer {
+    let sides = request.each_side();
+    let points: Vec<_> = sides.iter().flat_map(framed).collect();
+    enclosing(&points, direction, sides.first().unwrap_or(request).size)
+}
+
+/// Corners and tips of axes, which are to be in the picture.
+fn framed(request: &Request) -> Vec<DVec3> {
     let canonical = CanonicalBox::of(request);
     let tips = canonical.axes().map(|axis| axis * (AXIS + 0.05));
     let beyond = match request.shot.look.reveal.outside {
@@ -53,8 +60,7 @@ fn framing(request: &Request, direction: Direction) -> Observer {
     };
     let bounds = canonical.bounds();
     let middle = bounds.center();
-    let points: Vec<_> = bounds.corners().map(|p| middle + (p - middle) * beyond).into_iter().chain(tips).collect();
-    enclosing(&points, direction, request.size)
+    bounds.corners().map(|p| middle + (p - middle) * beyond).into_iter().chain(tips).collect()
 }
 
 /// The observer's camera and its pixels; `None` for an observer that is not a camera.
