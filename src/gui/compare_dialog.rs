@@ -96,7 +96,7 @@ fn pairs(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
         keys == [key] && compared.is_some_and(|comparison| comparison.values(figure).contains(&value.to_owned()))
     };
     let mut chosen = None;
-    let mut offer =
+    let offer =
         |ui: &mut Ui, on: bool, name: &str| ui.add(Button::selectable(on, name).frame_when_inactive(true)).clicked();
     ui.horizontal_wrapped(|ui| {
         if offer(ui, compared.is_none(), words.nothing) {
@@ -179,7 +179,7 @@ fn operation(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) 
                 chosen = Some(Figure { compare: Some(comparison), ..in_window(state) });
             }
             Ok(_) => {}
-            Err(error) => why = Some(crate::i18n::messages::operation(words.lang, &error)),
+            Err(error) => why = Some(messages::operation(words.lang, &error)),
         }
     });
     if let Some(why) = why {

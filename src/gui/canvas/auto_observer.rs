@@ -3,7 +3,7 @@
 
 use std::collections::VecDeque;
 
-use crate::camera::Camera;
+use crate::camera::{Camera, Ndc};
 use crate::figure::observer::HALF_VIEW_ANGLE;
 use crate::figure::{Observer, Outside};
 use crate::views::observer::Viewpoint;
@@ -35,7 +35,28 @@ pub(super) struct Moment {
 pub(super) struct Auto {
     kept: Option<KeptObserver>,
     /// What was seen before, and from where: a camera that comes back, as by undo, is seen as then.
-    before: VecDeque<((Camera, Outside), Observer)>,
+    before: VecDeque<(Subject, Observer)>,
+}
+
+/// What a picture is framed for, besides its scene and its size.
+#[derive(Clone, Debug, PartialEq)]
+struct Subject {
+    camera: Camera,
+    outside: Outside,
+    /// The camera, if it is another one, and the convention of the other side of a comparison, and whether there are
+    /// two halves.
+    compared: Option<(Option<Camera>, Ndc, bool)>,
+}
+
+impl Subject {
+    fn of(request: &Request) -> Self {
+        let compared = request.shot.compared.as_ref();
+        Self {
+            camera: request.camera.clone(),
+            outside: request.shot.look.reveal.outside,
+            compared: compared.map(|other| (other.camera.clone(), other.shot.ndc, other.comparison.beside)),
+        }
+    }
 }
 
 /// An observer in a frame.
@@ -51,11 +72,10 @@ pub(super) struct AutoObserver {
 #[derive(Debug)]
 struct KeptObserver {
     observer: Observer,
-    camera: Camera,
+    framed: Subject,
     scene: SharedScene,
     subject: u64,
     size: Size,
-    outside: Outside,
     /// The camera was not on its way.
     settled: bool,
     /// From where it glides, since when.
@@ -66,17 +86,16 @@ impl Auto {
     /// The observer for a picture; `None` for the image. It looks in the same direction until there is another
     /// `subject`: a scene that has nothing to do with the last one.
     pub(super) fn observer(&mut self, request: &Request, subject: u64, moment: Moment) -> Option<AutoObserver> {
-        let outside = request.shot.look.reveal.outside;
+        let framed = Subject::of(request);
         let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
             let observer = request.observer_from(Viewpoint::default())?;
             self.before.clear();
             self.kept = Some(KeptObserver {
                 observer,
-                camera: request.camera.clone(),
+                framed,
                 scene: request.scene.clone(),
                 subject,
                 size: request.size,
-                outside,
                 settled: !moment.on_the_way,
                 glide: None,
             });
@@ -84,16 +103,15 @@ impl Auto {
         };
         // Gear and letters have sizes of their own, in pixels.
         let resized = kept.size != request.size;
-        let changed = kept.camera != request.camera || kept.outside != outside;
+        let changed = kept.framed != framed;
         if resized || kept.scene != request.scene {
             self.before.clear();
         } else if kept.settled && changed {
             self.before.truncate(REMEMBERED - 1);
-            self.before.push_front(((kept.camera.clone(), kept.outside), kept.observer));
+            self.before.push_front((kept.framed.clone(), kept.observer));
         }
         let returns = (changed || !kept.settled) && !moment.on_the_way;
-        let then =
-            self.before.iter().find(|((camera, shown), _)| returns && *camera == request.camera && *shown == outside);
+        let then = self.before.iter().find(|(before, _)| returns && *before == framed);
         // What was in hand is looked at when it is let go.
         let is_new = resized || changed || kept.scene != request.scene || !kept.settled;
         kept.settled = !moment.on_the_way;
@@ -112,8 +130,7 @@ impl Auto {
             }
         }
         if !moment.in_hand {
-            (kept.size, kept.outside) = (request.size, outside);
-            kept.camera = request.camera.clone();
+            (kept.size, kept.framed) = (request.size, framed);
             kept.scene = request.scene.clone();
         }
         let observer = kept.seen(moment.now);
