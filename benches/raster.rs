@@ -90,6 +90,7 @@ fn main() {
 fn empty(width: u32, height: u32, antialias: u8) -> Drawing {
     Drawing {
         painted_in_order: false,
+        depth_format: Default::default(),
         width,
         height,
         background: Rgba::rgb(255, 255, 255),

@@ -150,6 +150,30 @@ pub enum HiddenLines {
     Shown,
 }
 
+/// The format in which the image stores depths (`[style] depth_format`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum DepthFormat {
+    /// Whole numbers of 16 bits.
+    Fixed16,
+    /// Whole numbers of 24 bits.
+    Fixed24,
+    /// Single precision, 1 at the front plane and 0 at the back plane.
+    #[default]
+    Float,
+}
+
+impl DepthFormat {
+    /// The greatest stored number, which stands for the depth 1; `None`: depths are stored as they are.
+    #[must_use]
+    pub const fn greatest(self) -> Option<f32> {
+        match self {
+            Self::Fixed16 => Some(65_535.0),
+            Self::Fixed24 => Some(16_777_215.0),
+            Self::Float => None,
+        }
+    }
+}
+
 /// The ground and the contrast of all pictures (`[style] theme`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Theme {
@@ -175,6 +199,8 @@ pub struct Style {
     pub antialias: u8,
     /// The ground and the contrast.
     pub theme: Theme,
+    /// The format in which the image stores depths.
+    pub depth_format: DepthFormat,
 }
 
 impl Default for Style {
@@ -185,6 +211,7 @@ impl Default for Style {
             hidden_lines: HiddenLines::default(),
             antialias: 4,
             theme: Theme::default(),
+            depth_format: DepthFormat::default(),
         }
     }
 }

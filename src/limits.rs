@@ -73,6 +73,9 @@ pub const MAX_CAPTION: usize = 600;
 /// distinguished.
 pub const MAX_SHOWN_OBJECTS: usize = 32;
 
+/// The most keys and operations of a comparison: its headings name them all.
+pub const MAX_COMPARED_KEYS: usize = 8;
+
 /// The most steps of a way to the canonical volume that can be requested; no way has more than eight.
 pub const MAX_STEPS: f64 = 100.0;
 

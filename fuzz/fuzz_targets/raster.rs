@@ -48,6 +48,7 @@ fuzz_target!(|bytes: &[u8]| {
         background: Rgba::rgb(255, 255, 255),
         antialias: [1, 4, 16][usize::from(choices >> 6) % 3],
         painted_in_order: choices & 32 != 0,
+        depth_format: Default::default(),
         surfaces: vec![surface],
         strokes: vec![StrokeSet { polylines: vec![0..count], points, style }],
         areas: Vec::new(),

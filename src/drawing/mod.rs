@@ -29,7 +29,7 @@ mod surface;
 
 use std::ops::Range;
 
-use crate::appearance::{LineStyle, MarkShape, Rgba};
+use crate::appearance::{DepthFormat, LineStyle, MarkShape, Rgba};
 pub use surface::{Base, Lighting, PixelLight, Surface, SurfaceLight, ViewLight};
 
 /// A picture, ready for an output.
@@ -46,6 +46,8 @@ pub struct Drawing {
     /// The surfaces are listed from back to front: each triangle, opaque or translucent, is painted over those before
     /// it, whatever their depths. The last opaque one painted still leaves its depth, for strokes and labels.
     pub painted_in_order: bool,
+    /// The format in which the depths of surfaces are stored and compared.
+    pub depth_format: DepthFormat,
     /// Faces.
     pub surfaces: Vec<Surface>,
     /// Lines.

@@ -4,6 +4,7 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `bilingual` | a text of a file in both languages |
+//! | `comparison` | the same figure in another way, shown beside it: the `[compare]` section of a figure |
 //! | `edit/` | a change of a figure → the change of its text, with comments and order kept |
 //! | `error` | why a text is not a figure |
 //! | `near` | the key that was probably meant |
@@ -20,6 +21,7 @@
 //! | `write` | `Figure` → the text of a figure file |
 
 mod bilingual;
+mod comparison;
 mod edit;
 pub mod error;
 mod near;
@@ -39,7 +41,8 @@ use crate::appearance::Style;
 use crate::camera::{ImageSize, Parameters, Viewport};
 use crate::scene::{Preset, SceneSpec};
 pub use bilingual::Bilingual;
-pub use edit::{show_with, update};
+pub use comparison::{Comparison, OtherSide};
+pub use edit::{show_with, update, varied};
 pub use error::FigureError;
 pub use observer::Observer;
 pub use points::NamedPoint;
@@ -86,6 +89,8 @@ pub struct Figure {
     pub show: Show,
     /// `[screen]`: how a window shows the figure.
     pub screen: Screen,
+    /// `[compare]`: the same figure in another way, beside it.
+    pub compare: Option<Comparison>,
 }
 
 impl Figure {
@@ -114,6 +119,7 @@ impl Figure {
             observers: _,
             show: _,
             screen,
+            compare,
         } = self;
         Self {
             title: title.clone(),
@@ -130,6 +136,7 @@ impl Figure {
             observers: Observers::default(),
             show: Show::default(),
             screen: *screen,
+            compare: compare.clone(),
         }
     }
 }

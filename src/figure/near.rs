@@ -107,6 +107,7 @@ const HOMES: &[(&str, &str)] = &[
     ("hidden_lines", "style"),
     ("antialias", "style"),
     ("theme", "style"),
+    ("depth_format", "style"),
     ("depth", "reveal"),
     ("outside", "reveal"),
     ("clipping", "reveal"),
@@ -116,6 +117,8 @@ const HOMES: &[(&str, &str)] = &[
     ("pictures", "screen"),
     ("arrangement", "screen"),
     ("panel", "screen"),
+    ("wiper", "compare"),
+    ("differences", "compare"),
 ];
 
 /// The one of `known` that `word` probably means, or the section where the key belongs.

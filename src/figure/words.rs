@@ -3,7 +3,7 @@
 use super::{
     Arrangement, Depth, Explanation, Measure, Measured, Outside, StagePicture, TriangleStep, View, WindowSide,
 };
-use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
+use crate::appearance::{DepthFormat, HiddenLines, Shading, Theme, Visibility};
 use crate::camera::{Decomposition, Ndc, Projection};
 use crate::scene::{LightKind, Preset, Shape};
 use crate::stage::Stage;
@@ -36,6 +36,10 @@ pub const HIDDEN_LINES: Words<HiddenLines> =
 
 /// `[style] theme`
 pub const THEMES: Words<Theme> = &[("light", Theme::Light), ("dark", Theme::Dark), ("print", Theme::Print)];
+
+/// `[style] depth_format`
+pub const DEPTH_FORMATS: Words<DepthFormat> =
+    &[("fixed-16", DepthFormat::Fixed16), ("fixed-24", DepthFormat::Fixed24), ("f32", DepthFormat::Float)];
 
 /// `[reveal] depth`, besides `true` and `false`
 pub const DEPTHS: Words<Depth> = &[("linear", Depth::Linear)];

@@ -10,10 +10,11 @@ use glam::DVec3;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
 use super::words::{
-    self, ARRANGEMENTS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES,
+    self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PROJECTIONS, SHADINGS, THEMES,
+    VISIBILITIES,
 };
 use super::{Bilingual, Depth, Figure, NamedPoint, Observer, Outside, Reveal, Screen, Show, View, WorldLook};
-use crate::appearance::Style;
+use crate::appearance::{DepthFormat, Style};
 use crate::camera::{Parameters, Projection, Viewport};
 use crate::numbers;
 use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
@@ -71,6 +72,9 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     }
     if figure.screen != Screen::default() {
         put("screen", screen(figure.screen));
+    }
+    if let Some(comparison) = &figure.compare {
+        put("compare", comparison.written());
     }
     let points: ArrayOfTables = figure.points.iter().map(point).collect();
     if !points.is_empty() {
@@ -163,13 +167,17 @@ fn point(point: &NamedPoint) -> Table {
 }
 
 fn style(style: &Style) -> Table {
-    table([
+    let mut section = table([
         ("shading", words::name(SHADINGS, style.shading).into()),
         ("visibility", words::name(VISIBILITIES, style.visibility).into()),
         ("hidden_lines", words::name(HIDDEN_LINES, style.hidden_lines).into()),
         ("antialias", i64::from(style.antialias).into()),
         ("theme", words::name(THEMES, style.theme).into()),
-    ])
+    ]);
+    if style.depth_format != DepthFormat::default() {
+        section.insert("depth_format", Item::Value(words::name(DEPTH_FORMATS, style.depth_format).into()));
+    }
+    section
 }
 
 fn reveal(reveal: Reveal) -> Table {
@@ -235,7 +243,7 @@ fn told(text: &Bilingual) -> Value {
     [("en", quoted(en)), ("pt-BR", quoted(pt_br))].into_iter().collect::<InlineTable>().into()
 }
 
-fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {
+pub(super) fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {
     let mut table = Table::new();
     for (key, value) in keys {
         table.insert(key, Item::Value(value));
@@ -245,7 +253,7 @@ fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {
 
 /// A text in double quotes on one line, where the library would take several lines for one with a line end: those
 /// change with the line ends of the file. (JSON escapes the same characters as TOML, but for DEL.)
-fn quoted(text: &str) -> Value {
+pub(super) fn quoted(text: &str) -> Value {
     let quoted = serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007F");
     let mut value = quoted.parse().unwrap_or_else(|_| Value::from(text));
     value.decor_mut().clear();
@@ -254,7 +262,7 @@ fn quoted(text: &str) -> Value {
 
 /// The shortest decimal number that reads back as the same `f64`; as a float of Rust is written, since that of the
 /// library has hundreds of zeros where it is very large or small.
-fn number(x: f64) -> Value {
+pub(super) fn number(x: f64) -> Value {
     let mut value = numbers::exact(x).parse().unwrap_or_else(|_| Value::from(x));
     // Spaces around it are those of its place.
     value.decor_mut().clear();

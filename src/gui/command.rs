@@ -57,6 +57,7 @@ pub enum Command {
     ViewForward,
     Section,
     Dimensions,
+    Compare,
     LinkOrbits,
     Pipeline,
     Numerics,

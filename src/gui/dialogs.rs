@@ -9,6 +9,7 @@ use eframe::egui::{self, Id, Key, Modal, RichText};
 use super::about;
 use super::coach;
 use super::command::{Command, MENUS};
+use super::compare_dialog;
 use super::comparison::{Comparison, Whose};
 use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::export_dialog;
@@ -50,6 +51,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,
             Dialog::Gallery => 1110.0,
             Dialog::Coach => coach::WIDTH,
+            Dialog::Compare(_) => 460.0,
             Dialog::Search => search::WIDTH,
             Dialog::Export(_) => export_dialog::WIDTH,
             Dialog::Changed(_) => 480.0,
@@ -103,6 +105,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::About => about::show(ui, t, state, first),
             Dialog::Link => link_dialog::show(ui, t, state, first),
             Dialog::Coach => coach::show(ui, t, state, first),
+            Dialog::Compare(form) => compare_dialog::show(ui, t, state, form, first),
             Dialog::Search => wanted = search::show(ui, state, first),
             Dialog::Gallery => {
                 state.file_flow.dialog = Some(Dialog::Gallery);

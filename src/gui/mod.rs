@@ -7,6 +7,7 @@
 //! | `canvas/` | the three pictures in the middle of the window |
 //! | `coach` | the coach: why an image is empty, health of the camera, repairs |
 //! | `command` | the commands: label, tooltip and shortcut of each one |
+//! | `compare_dialog` | the dialog that compares the figure with itself in another way |
 //! | `comparison` | the lines in which two texts differ |
 //! | `context_help` | context help: widgets report the note on them, and F1 opens it |
 //! | `dialog_buttons` | the buttons below a question |
@@ -61,6 +62,7 @@ pub mod app;
 pub mod canvas;
 mod coach;
 pub mod command;
+pub mod compare_dialog;
 pub mod comparison;
 mod context_help;
 mod dialog_buttons;

@@ -7,6 +7,7 @@
 //! | `coach` | the words of the coach: the health of a camera, and the reasons why a picture is empty |
 //! | `code` | texts in and about code that sets up a camera |
 //! | `command_line` | the words of the command line, in both languages |
+//! | `compare` | the words of the dialog that compares a figure with itself in another way, and of the wiper, in both languages |
 //! | `conventions` | the words of conventions: whose NDC, rows or columns, left or right hand |
 //! | `dialects` | the words of other vocabularies, and of a pasted matrix |
 //! | `exercise_messages` | the words of the command line about exercises, besides the exercises themselves |
@@ -82,6 +83,7 @@ pub mod canvas;
 pub mod coach;
 pub mod code;
 pub mod command_line;
+pub mod compare;
 pub mod conventions;
 pub mod dialects;
 pub mod exercise_messages;

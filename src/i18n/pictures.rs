@@ -1,6 +1,6 @@
 //! The words in the three pictures.
 
-use super::Lang;
+use super::{Lang, window};
 use crate::picture::Crowded;
 use crate::views::Labels;
 
@@ -46,6 +46,16 @@ texts! {
     behind_eye: "behind the eye", "atrás do olho";
     horizon: "horizon", "horizonte";
     world: "world", "mundo";
+    // The sides of a comparison.
+    differ: "pixels that differ", "pixels que diferem";
+    fixed_16: "depth: 16 bits", "profundidade: 16 bits";
+    fixed_24: "depth: 24 bits", "profundidade: 24 bits";
+    float: "depth: f32", "profundidade: f32";
+    hidden_dashed: "hidden lines: dashed", "linhas ocultas: tracejadas";
+    hidden_hidden: "hidden lines: not drawn", "linhas ocultas: não desenhadas";
+    hidden_shown: "hidden lines: drawn", "linhas ocultas: desenhadas";
+    perspective: "perspective", "perspectiva";
+    parallel: "parallel", "paralela";
     // The steps from the world to the canonical volume.
     to_eye: "T(−C): the eye moves to the origin", "T(−C): o olho vai à origem";
     turn: "R: u, v, n turn onto x, y, z (5.7)", "R: u, v, n giram sobre x, y, z (5.7)";
@@ -95,6 +105,7 @@ pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
 }
 
 const fn of(t: &Texts) -> Labels {
+    let style = window::texts(t.lang);
     Labels {
         mark: t.lang.mark(),
         window: t.window,
@@ -131,6 +142,12 @@ const fn of(t: &Texts) -> Labels {
         behind_eye: t.behind_eye,
         horizon: t.horizon,
         world: t.world,
+        differ: t.differ,
+        shadings: [style.shading_wireframe, style.shading_flat, style.shading_gouraud, style.shading_phong],
+        visibilities: [style.visibility_depth_buffer, style.visibility_painter, style.visibility_bsp],
+        hidden_lines: [t.hidden_dashed, t.hidden_hidden, t.hidden_shown],
+        depth_formats: [t.fixed_16, t.fixed_24, t.float],
+        projections: [t.perspective, t.parallel],
         steps: [
             t.to_eye,
             t.turn,

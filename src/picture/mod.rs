@@ -4,6 +4,7 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `animation` | the way from the world to the canonical volume: as a strip of stills, and as an animation |
+//! | `compared` | the pictures of both sides of a comparison, put together |
 //! | `composite` | one picture, or all three on a sheet |
 //! | `file` | pictures as files, in the requested format |
 //! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
@@ -11,6 +12,7 @@
 //! | `triangle` | one triangle: its pixels, and its depth tests |
 
 mod animation;
+mod compared;
 mod composite;
 mod file;
 mod render_report;

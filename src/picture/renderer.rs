@@ -3,14 +3,16 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use tiny_skia::Pixmap;
+use tiny_skia::{Pixmap, PixmapPaint, Transform};
 
+use super::compared::joined;
 use super::{Composite, FollowedTriangle, Pixels, RenderReport};
-use crate::appearance::Texture;
+use crate::appearance::{HiddenLines, Texture};
 use crate::pipeline::{Frame, OverBudget};
 use crate::progress::{Progress, at_once};
 use crate::raster::Rasterizer;
-use crate::views::{self, Request, TimedPipeline, View};
+use crate::scene::Scene;
+use crate::views::{self, Palette, Request, SharedScene, Size, TimedPipeline, View, overlay};
 
 /// Makes pictures; keeps its buffers, and the image on the view window, from one to the next.
 ///
@@ -24,6 +26,10 @@ pub struct Renderer {
     rasterizer: Rasterizer,
     on_window: Option<(Request, Arc<Texture>)>,
     triangle: FollowedTriangle,
+    /// The buffer of the other side of a comparison.
+    other_side: Pixels,
+    /// The scene of such a side where its hidden lines are drawn in another way.
+    hidden_lines: Option<(SharedScene, [HiddenLines; 2], SharedScene)>,
     clock: Option<fn() -> Duration>,
     progress: Progress,
 }
@@ -56,8 +62,51 @@ impl Renderer {
     }
 
     /// A picture as [`pixels`](Self::pixels) gives it, over another one, and how it came about. Where the result is
-    /// `None`, the other one is lost too. It pauses where [`Rasterizer::paint_into`] does.
+    /// `None`, the other one is lost too. It pauses where [`Rasterizer::paint_into`] does. Where the figure is compared,
+    /// the report is that of the figure as it is, with the shortfall of either side.
     pub async fn pixels_into(&mut self, request: &Request, picture: &mut Pixels) -> Option<RenderReport> {
+        let Some(sides) = request.sides() else { return self.one_into(request, picture).await };
+        let mut pictures = [Pixels::default(), std::mem::take(&mut self.other_side)];
+        let other = self.with_hidden_lines(&sides[1].request, request);
+        let of_other = self.one_into(&other, &mut pictures[1]).await?;
+        let mut account = self.one_into(&sides[0].request, &mut pictures[0]).await?;
+        account.too_much = account.too_much.or(of_other.too_much);
+        let Size { width, height, scale } = request.size;
+        let mut whole = Pixels::from(Pixmap::new(width, height)?);
+        let compared = request.shot.compared.as_ref();
+        let marked = compared.is_some_and(|compared| compared.comparison.differences);
+        let mark = marked.then(|| Palette::of(request.shot.look.style.theme).differing);
+        let differ = joined(&mut whole, &sides, &pictures, mark, scale);
+        let over = self.rasterizer.paint(&overlay(request, &sides, differ)?)?;
+        let mut pixmap = whole.take_pixmap()?;
+        pixmap.draw_pixmap(0, 0, over.as_ref(), &PixmapPaint::default(), Transform::identity(), None);
+        *picture = pixmap.into();
+        let [_, other] = pictures;
+        self.other_side = other;
+        Some(account)
+    }
+
+    /// The other side of a comparison, whose scene has hidden lines in its style; made once for all its pictures.
+    fn with_hidden_lines(&mut self, other: &Request, own: &Request) -> Request {
+        let [from, to] = [own, other].map(|request| request.shot.look.style.hidden_lines);
+        if from == to {
+            return other.clone();
+        }
+        let made = match &self.hidden_lines {
+            Some((of, how, made)) if *of == other.scene && *how == [from, to] => made.clone(),
+            _ => {
+                let mut scene = Scene::clone(&other.scene);
+                let edges = scene.objects.iter_mut().flat_map(|object| [&mut object.edges, &mut object.outline]);
+                let edges = edges.flatten().chain(scene.lines.iter_mut().map(|line| &mut line.style));
+                edges.filter(|style| style.hidden == from).for_each(|style| style.hidden = to);
+                other.scene.marked(scene)
+            }
+        };
+        self.hidden_lines = Some((other.scene.clone(), [from, to], made.clone()));
+        Request { scene: made, ..other.clone() }
+    }
+
+    async fn one_into(&mut self, request: &Request, picture: &mut Pixels) -> Option<RenderReport> {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
         let (frame, on_window) = self.timed_drawing(request).await?;
@@ -232,6 +281,32 @@ mod tests {
             let mut picture = Pixels::default();
             let account = at_once(Renderer::default().pixels_into(&split, &mut picture)).unwrap();
             assert_eq!(account.too_much, None);
+        }
+    }
+
+    #[test]
+    fn the_shortfall_of_either_side_of_a_comparison_is_told() {
+        let compared = |visibility: &str| {
+            let request = request(View::Image, visibility);
+            let figure = parse(&format!(
+                "[style]\nvisibility = \"{visibility}\"\n[compare]\nwith = {{ \"style.visibility\" = \"painter\" }}\n"
+            ));
+            request.with_shot(|shot| shot.compared = Shot::of(figure.as_ref().unwrap()).compared)
+        };
+        let mut other = compared("bsp");
+        // The side that is not the figure's own is sorted.
+        other = other.with_shot(|shot| {
+            let style = &mut shot.look.style;
+            style.visibility = match style.visibility {
+                crate::appearance::Visibility::Bsp => crate::appearance::Visibility::Painter,
+                _ => crate::appearance::Visibility::Bsp,
+            };
+        });
+        for request in [compared("bsp"), other] {
+            let mut picture = Pixels::default();
+            assert!(request.sides().is_some());
+            let account = at_once(with_few_pieces().pixels_into(&request, &mut picture)).unwrap();
+            assert!(account.too_much.is_some());
         }
     }
 

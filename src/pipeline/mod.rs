@@ -98,7 +98,7 @@ pub mod stroke_runs;
 mod transform;
 mod visibility;
 
-use crate::appearance::{Rgba, Shading, Style, Visibility};
+use crate::appearance::{DepthFormat, Rgba, Shading, Style, Visibility};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
@@ -253,6 +253,7 @@ impl Pipeline {
             // Without faces any order is right.
             painted_in_order: ordered.given_up.is_none()
                 && (plan.order != Visibility::DepthBuffer || options.output == Output::Vectors),
+            depth_format: DepthFormat::default(),
             surfaces: ordered.surfaces,
             strokes: strokes.sets,
             areas: Vec::new(),

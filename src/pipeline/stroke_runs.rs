@@ -386,6 +386,7 @@ mod tests {
             background: Rgba::rgb(255, 255, 255),
             antialias: 1,
             painted_in_order: false,
+            depth_format: Default::default(),
             surfaces: vec![Surface::solid(WALL.to_vec(), vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(200, 200, 200))],
             strokes: vec![StrokeSet { points: points.to_vec(), polylines: std::iter::once(0..end).collect(), style }],
             areas: Vec::new(),

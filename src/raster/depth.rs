@@ -16,6 +16,8 @@ pub struct DepthBuffer {
     rows_log: u32,
     pitch: usize,
     bands: Vec<BandDepth>,
+    /// From one stored depth to the next, where they are whole numbers; else 0.
+    pub(super) step: f32,
 }
 
 /// The part of a depth buffer that belongs to one band of rows.
@@ -81,6 +83,7 @@ impl DepthBuffer {
     /// belongs to the faces on both of its sides, and the border of a face between two pixels is not known. So anything
     /// hidden by less than two pixels is seen. Faces' planes are followed from the points where their depths were
     /// taken, so that a steep face does not hide the lines on it, in the corner of a room as little as on an edge.
+    /// Depths in whole numbers are known to a step.
     pub(super) fn shows(&self, p: [f32; 3]) -> bool {
         let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
         let (i, j) = (floor(x), floor(y));
@@ -91,7 +94,7 @@ impl DepthBuffer {
                 continue;
             }
             let Some((depth, [dx, dy])) = self.value(column, row) else { return true };
-            if depth + dx * (x - i as f32) + dy * (y - j as f32) <= p[2] + on_a_face(p[2], [dx, dy]) {
+            if depth + dx * (x - i as f32) + dy * (y - j as f32) <= p[2] + on_a_face(p[2], [dx, dy]) + self.step {
                 return true;
             }
             inside = true;

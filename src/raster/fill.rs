@@ -17,7 +17,7 @@ use super::batch::{BATCH, Batch, Corners, Planes, SetUp, corners, corners_at, ga
 use super::depth::pack_slope;
 use super::per_pixel::PerPixel;
 use super::pixel::{self, Pixel};
-use super::setup::{AffineValue, Borders, ROWS, STEPS, Size};
+use super::setup::{AffineValue, Borders, ROWS, Size, any, in_pixels, stored, stored_alone};
 use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader};
 
 /// Some rows of a picture: colour and depth of each sample, in one plane for each place of a sample.
@@ -37,6 +37,8 @@ pub(super) struct Band<'a> {
     pub(super) slopes: &'a mut [u32],
     /// Each triangle is painted over those before it, whatever their depths.
     pub(super) in_order: bool,
+    /// The greatest number of the format of the depths; 0: they are stored as they are.
+    pub(super) greatest: f32,
     /// If anybody wants to know.
     pub(super) counts: Option<&'a mut Counts>,
 }
@@ -249,6 +251,7 @@ impl Band<'_> {
         if surface.depth_test
             && let Some(old) = self.depths.get_mut(start)
         {
+            let depth = stored_alone(depth, self.greatest);
             // Not `<=`: a depth that is not a number is behind everything, as it does in `Painter`.
             if !(depth > *old || self.in_order) {
                 return;
@@ -265,19 +268,6 @@ impl Band<'_> {
         }
         *pixel = if surface.translucent { pixel::over(color, *pixel) } else { color };
     }
-}
-
-#[inline(always)]
-fn any<K: Simd>(masks: &[mask32x8<K>]) -> bool {
-    let mut all = masks[0];
-    for mask in &masks[1..] {
-        all |= *mask;
-    }
-    all.any_true()
-}
-
-fn in_pixels(steps: i32) -> f32 {
-    steps as f32 / STEPS as f32
 }
 
 /// Columns of a tile that is not `SQUARE`.
@@ -382,6 +372,7 @@ struct Painter<K: Simd, const S: usize, P> {
     depth_steps: [f32; S],
     depth_test: bool,
     in_order: bool,
+    greatest: f32,
     translucent: bool,
     shader: P,
 }
@@ -395,8 +386,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
             *step = z.dx * in_pixels(sample[0]) + z.dy * in_pixels(sample[1]);
         }
         let depth_test = surface.depth_test && !band.depths.is_empty();
-        let (in_order, translucent) = (band.in_order, surface.translucent);
-        Self { simd, origin, z, depth_steps, depth_test, in_order, translucent, shader }
+        let (in_order, greatest, translucent) = (band.in_order, band.greatest, surface.translucent);
+        Self { simd, origin, z, depth_steps, depth_test, in_order, greatest, translucent, shader }
     }
 
     /// Fills a triangle by its edge functions: for each its change to the right, its change down, and its value at the
@@ -542,7 +533,10 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         if self.depth_test {
             for (s, (covered, &step)) in (0..).zip(covered.iter_mut().zip(&self.depth_steps)) {
                 let z = if S == 1 { center } else { center + step };
-                let z = z.max(self.z.low).min(self.z.high);
+                let mut z = z.max(self.z.low).min(self.z.high);
+                if self.greatest > 0.0 {
+                    z = stored(z, self.greatest);
+                }
                 let place = place.plane(s * band.plane);
                 let Some(old) = place.load::<K, f32x4<K>, SQUARE>(self.simd, band.depths) else { return };
                 if !self.in_order {

@@ -6,7 +6,7 @@
 //! the triangle below it) or a left edge owns its points, the others do not.
 
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, f64x4, round_bits_f64, round_bits_of_one};
+use crate::simd::{Simd, f32x8, f64x4, mask32x8, round_bits_f64, round_bits_of_one};
 
 /// Steps of the snapping grid per pixel.
 pub(super) const STEPS: i32 = 256;
@@ -210,6 +210,45 @@ impl AffineValue {
     pub(super) fn at<K: Simd>(&self, x: f32x8<K>, y: f32x8<K>) -> f32x8<K> {
         (x * self.dx + (y * self.dy + self.value)).max(self.low).min(self.high)
     }
+}
+
+/// Above this number of a format, 2²³, single precision has whole numbers only; added and taken away, it rounds the
+/// numbers below.
+const WHOLE: f32 = 8_388_608.0;
+
+/// Depths as a format whose greatest number is `greatest` stores them.
+#[inline(always)]
+pub(super) fn stored<K: Simd>(z: f32x8<K>, greatest: f32) -> f32x8<K> {
+    let steps = z * greatest;
+    let whole = steps.simd_lt(WHOLE).select((steps + WHOLE) - WHOLE, steps);
+    whole * (1.0 / greatest)
+}
+
+/// One depth, as [`stored`] stores it; 0: as it is.
+#[inline(always)]
+pub(super) fn stored_alone(z: f32, greatest: f32) -> f32 {
+    if greatest > 0.0 {
+        let steps = z * greatest;
+        let whole = if steps < WHOLE { (steps + WHOLE) - WHOLE } else { steps };
+        whole * (1.0 / greatest)
+    } else {
+        z
+    }
+}
+
+/// True where a pixel of any of the masks is set.
+#[inline(always)]
+pub(super) fn any<K: Simd>(masks: &[mask32x8<K>]) -> bool {
+    let mut all = masks[0];
+    for mask in &masks[1..] {
+        all |= *mask;
+    }
+    all.any_true()
+}
+
+/// Steps between places of samples in pixels.
+pub(super) fn in_pixels(steps: i32) -> f32 {
+    steps as f32 / STEPS as f32
 }
 
 /// The greater of two numbers; one machine instruction, where `f64::max` takes four for the sake of NaN.

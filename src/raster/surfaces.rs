@@ -86,6 +86,7 @@ impl Surfaces {
         // A tile may reach eight pixels to the right of its first.
         let pitch = width.next_multiple_of(LANES) + LANES;
         depth.reset([width, height], samples(per_pixel)[0], rows, pitch);
+        depth.step = drawing.depth_format.greatest().map_or(0.0, f32::recip);
         let frame = SharedByBands {
             drawing,
             bins: &self.bins,
@@ -183,6 +184,7 @@ impl Scratch {
                 depths: depths.get_mut(set).unwrap_or_default(),
                 slopes: if k == 0 { slopes } else { &mut [] },
                 in_order: drawing.painted_in_order,
+                greatest: drawing.depth_format.greatest().unwrap_or(0.0),
                 counts: frame.want_counts.then_some(&mut self.counts),
             };
             for (surface, triangles) in frame.bins.band(job.band) {

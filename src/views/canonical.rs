@@ -45,12 +45,14 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
 }
 
 fn framing(request: &Request, direction: Direction) -> Observer {
-    enclosing(&points(request), direction, request.size)
+    let sides = request.each_side();
+    let points: Vec<_> = sides.iter().flat_map(points).collect();
+    enclosing(&points, direction, sides.first().unwrap_or(request).size)
 }
 
-/// Whether an observer has the box, and what is shown around it, in its picture.
+/// Whether an observer has the box, and what is shown around it, in its picture; of a comparison, both boxes.
 pub(super) fn holds(request: &Request, observer: &Observer) -> bool {
-    super::observer::holds(observer, &points(request), request.size)
+    request.each_side().iter().all(|side| super::observer::holds(observer, &points(side), side.size))
 }
 
 /// The corners of the box, as far as parts outside are shown around it, and the tips of its axes.

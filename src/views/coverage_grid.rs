@@ -110,6 +110,7 @@ mod tests {
             background: Rgba::rgb(255, 255, 255),
             antialias: 1,
             painted_in_order: false,
+            depth_format: Default::default(),
             surfaces: vec![Surface::solid(
                 vec![[0.0, 0.0, 0.5], [0.0, 100.0, 0.5], [100.0, 100.0, 0.5]],
                 vec![[0, 1, 2]],

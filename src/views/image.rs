@@ -61,6 +61,9 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         }
     };
     let mut drawn = pipeline.repainted(request, scenes, &request.camera, target, &style, repaint);
+    for drawing in std::iter::once(&mut drawn.drawing).chain(&mut drawn.before) {
+        drawing.depth_format = style.depth_format;
+    }
     // Where nothing is behind the eye, dividing first makes no difference, and clipping worked as ever.
     let wrong = wrong.filter(|wrong| *wrong != Scene { lights: wrong.lights.clone(), ..Scene::default() });
     if let Some((wrong, front)) = wrong.zip(revealed_scene::front()) {

@@ -329,6 +329,7 @@ mod tests {
             background: Rgba::rgb(255, 255, 255),
             antialias: 1,
             painted_in_order: false,
+            depth_format: Default::default(),
             surfaces: Vec::new(),
             strokes: Vec::new(),
             areas: Vec::new(),

@@ -79,6 +79,18 @@ pub struct Labels {
     pub horizon: &'static str,
     /// Before the first step of the way to the canonical volume.
     pub world: &'static str,
+    /// How much two sides of a comparison differ.
+    pub differ: &'static str,
+    /// The values of `[style] shading`, in the order of their words.
+    pub shadings: [&'static str; 4],
+    /// The values of `[style] visibility`.
+    pub visibilities: [&'static str; 3],
+    /// The values of `[style] hidden_lines`.
+    pub hidden_lines: [&'static str; 3],
+    /// The values of `[style] depth_format`.
+    pub depth_formats: [&'static str; 3],
+    /// The values of `[camera] projection`.
+    pub projections: [&'static str; 2],
     /// The effect of each step, in the order of [`Step`].
     pub steps: [&'static str; 15],
 }

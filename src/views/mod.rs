@@ -16,6 +16,7 @@
 //! | `camera_gizmo` | the sizes of the camera's gear in the world |
 //! | `canonical` | the canonical volume: the scene after clipping and projection |
 //! | `canonical_box` | the canonical volume of a convention of NDC, as placed in the picture |
+//! | `compared` | a picture in two ways: the request of each side, and the line and the words over both |
 //! | `components` | measures of matrix entries in the world |
 //! | `coverage_grid` | the parts of a picture that bodies cover: a text there would hide the subject of the picture |
 //! | `depth` | the image as depths: the content of the depth buffer, as grey levels and as numbers |
@@ -60,6 +61,7 @@ mod arrangement;
 mod camera_gizmo;
 mod canonical;
 mod canonical_box;
+mod compared;
 mod components;
 mod coverage_grid;
 pub mod depth;
@@ -110,6 +112,7 @@ use crate::pipeline::Frame;
 use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use arrangement::{Arrangement, aspect_shown, used_area};
+pub use compared::{Compared, Side, overlay};
 pub use hover::{
     Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, TransformGizmo, Transforming, TriangleOverlay,
 };

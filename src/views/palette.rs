@@ -47,6 +47,8 @@ pub struct Palette {
     pub cut: Rgba,
     /// Parts wrong on purpose.
     pub wrong: Rgba,
+    /// Pixels in which two sides of a comparison differ.
+    pub differing: Rgba,
 }
 
 const fn hex(rgb: u32) -> Rgba {
@@ -75,6 +77,7 @@ const LIGHT: Palette = Palette {
     back: hex(0xb3_9d_f0),
     cut: hex(0xb0_00_5e),
     wrong: hex(0xc4_1e_1e),
+    differing: hex(0xd6_00_7f),
 };
 
 const DARK: Palette = Palette {
@@ -98,6 +101,7 @@ const DARK: Palette = Palette {
     back: hex(0xb9_a2_ff),
     cut: hex(0xff_7a_c6),
     wrong: hex(0xff_6b_60),
+    differing: hex(0xff_4f_c3),
 };
 
 const PRINT: Palette = Palette {
@@ -121,6 +125,7 @@ const PRINT: Palette = Palette {
     back: hex(0xdd_d4_ff),
     cut: hex(0x90_00_50),
     wrong: hex(0xb0_10_10),
+    differing: hex(0x00_00_00),
 };
 
 impl Palette {

@@ -106,11 +106,14 @@ impl Request {
         }
     }
 
-    /// The same picture with another shot, of which the part seen in it counts.
+    /// The same picture with another shot, of which the part seen in it counts; where it is compared, on both sides.
     #[must_use]
-    pub fn with_shot(self, change: impl FnOnce(&mut Shot)) -> Self {
+    pub fn with_shot(self, change: impl Fn(&mut Shot)) -> Self {
         let mut shot = Shot::clone(&self.shot);
         change(&mut shot);
+        if let Some(compared) = &mut shot.compared {
+            change(&mut Arc::make_mut(compared).shot);
+        }
         Self { shot: Arc::new(shot.seen_in(self.view)), ..self }
     }
 

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use glam::DMat4;
 
-use super::{ObjectTransform, Picture, View};
-use crate::appearance::Style;
+use super::{Compared, ObjectTransform, Picture, View};
+use crate::appearance::{DepthFormat, Style};
 use crate::camera::{Camera, ImageSize, Ndc, Viewport};
 use crate::figure::{Figure, NamedPoint, Outside, Reveal, Show, StagePicture, WorldLook};
 use crate::scene::SceneSpec;
@@ -31,6 +31,8 @@ pub struct Shot {
     pub answered: Option<Camera>,
     /// The transform of the object that `show` measures.
     pub measured_object: Option<ObjectTransform>,
+    /// The same in another way, beside it.
+    pub compared: Option<Arc<Compared>>,
 }
 
 /// The three pictures of a figure, with nothing explained in them.
@@ -44,6 +46,13 @@ impl Shot {
     /// The shot of a figure.
     #[must_use]
     pub fn of(figure: &Figure) -> Self {
+        let compared = Compared::of(figure, &figure.scene).map(Arc::new);
+        Self { compared, ..Self::of_one(figure, &figure.scene) }
+    }
+
+    /// The shot of a figure, whose scene may be elsewhere, in one way.
+    #[must_use]
+    pub fn of_one(figure: &Figure, scene: &SceneSpec) -> Self {
         let show = figure.show.clone();
         let measures_object = show.measure.iter().any(|measured| measured.is_of_object());
         let object = show.measure_of.as_deref().filter(|_| measures_object);
@@ -53,8 +62,9 @@ impl Shot {
             ndc: show.ndc.unwrap_or_default(),
             pictures: Picture::of_figure(&figure.observers),
             answered: show.answer.and_then(|parameters| Camera::new(&parameters).ok()),
-            measured_object: object.and_then(|name| transform_of(&figure.scene, name)),
+            measured_object: object.and_then(|name| transform_of(scene, name)),
             show,
+            compared: None,
         }
     }
 
@@ -78,7 +88,11 @@ impl Shot {
             probe: show.probe,
             ..Show::default()
         };
-        let look = Look { reveal: self.revealed_in(view), ..self.look };
+        let mut look = Look { reveal: self.revealed_in(view), ..self.look };
+        if view == View::Canonical {
+            // Depths are stored for the image, which the world shows on the window.
+            look.style.depth_format = DepthFormat::default();
+        }
         let seen = Self {
             look,
             points: Arc::clone(&self.points),
@@ -87,8 +101,9 @@ impl Shot {
             show: everywhere,
             answered: None,
             measured_object: None,
+            compared: None,
         };
-        match view {
+        let seen = match view {
             View::World => Self {
                 show: Show { measure: show.measure.clone(), moved: show.moved.clone(), ..seen.show },
                 answered: self.answered.clone(),
@@ -102,7 +117,9 @@ impl Shot {
                 ..seen
             },
             View::Image => Self { show: Show { painted: show.painted, ..seen.show }, ..seen },
-        }
+        };
+        let compared = self.compared.as_ref().and_then(|compared| compared.seen_in(view, &seen));
+        Self { compared: compared.map(Arc::new), ..seen }
     }
 
     /// The inner work of the pipeline in a picture: the requested part, and while a stage of the image is shown, its

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::gizmos::{self, SceneChange};
 use super::{Request, SharedScene, View, depth, stage_overlay};
-use crate::appearance::Style;
+use crate::appearance::{DepthFormat, Style};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::pipeline::depths::DepthScale;
@@ -76,7 +76,9 @@ impl TimedPipeline {
             force_all_stages: request.force_all_stages,
             output: request.output,
             // Faces divided first are put into the image, with depths from F to B.
-            depth_of_volume: request.view == View::Image && request.shot.look.reveal.divide_first,
+            // And whole numbers of a format are shares of that range.
+            depth_of_volume: request.view == View::Image
+                && (request.shot.look.reveal.divide_first || style.depth_format != DepthFormat::Float),
             shown: request.shot.show.stage,
             followed: None,
             clock: self.clock,

@@ -129,7 +129,7 @@ mod tests {
             parallel: false,
         };
         let request = Request::of(&figure, View::World, &camera, scene, pictures::labels(Lang::En), size)
-            .with_shot(|shot| shot.show.moved = moved)
+            .with_shot(|shot| shot.show.moved = moved.clone())
             .seen_by(Some(observer));
         frame(&request, None, &mut TimedPipeline::default()).drawing
     }

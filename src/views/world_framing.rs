@@ -33,34 +33,45 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
 /// Frames the content; the camera's gear has a size in pixels, so its extent is known after a framing only, and each
 /// next one knows it better.
 fn framing(request: &Request, direction: Direction) -> Observer {
-    let content = Content::of(request);
-    let mut observer = enclosing(&content.of_interest, direction, request.size);
+    let sides = request.each_side();
+    let sides: Vec<(&Request, Content)> = sides.iter().map(|side| (side, Content::of(side))).collect();
+    let size = sides.first().map_or(request.size, |(side, _)| side.size);
+    let of_interest: Vec<DVec3> = sides.iter().flat_map(|(_, content)| &content.of_interest).copied().collect();
+    let mut observer = enclosing(&of_interest, direction, size);
     for _ in 0..3 {
-        let Some(screen) = screen_of(request, &observer, &content) else { break };
-        let points = points(request, &content, &screen);
-        observer = enclosing(&points, direction, request.size);
+        let mut points = of_interest.clone();
+        for (side, content) in &sides {
+            let Some(gear) = gear_points(side, &observer, content) else { return observer };
+            points.extend(gear);
+        }
+        observer = enclosing(&points, direction, size);
     }
     observer
 }
 
-/// Whether an observer has everything of interest in its picture.
+/// Whether an observer has everything of interest in its picture; of a comparison, that of both sides.
 pub(super) fn holds(request: &Request, observer: &Observer) -> bool {
-    let content = Content::of(request);
-    let screen = screen_of(request, observer, &content);
-    screen.is_some_and(|screen| super::observer::holds(observer, &points(request, &content, &screen), request.size))
+    request.each_side().iter().all(|side| {
+        let content = Content::of(side);
+        let gear = gear_points(side, observer, &content);
+        gear.is_some_and(|gear| {
+            super::observer::holds(observer, &content.of_interest, side.size)
+                && super::observer::holds(observer, &gear, side.size)
+        })
+    })
 }
 
-/// The points of interest, those of the camera's gear and of the dimensions among them.
-fn points(request: &Request, content: &Content, screen: &Screen) -> Vec<DVec3> {
-    let mut points = content.of_interest.clone();
-    let gear = Gear::new(screen, &request.camera);
-    points.extend(gear.room(&request.camera));
+/// The points around the camera's gear, as large as it is for an observer; `None` for one that is not a camera.
+fn gear_points(request: &Request, observer: &Observer, content: &Content) -> Option<Vec<DVec3>> {
+    let screen = screen_of(request, observer, content)?;
+    let gear = Gear::new(&screen, &request.camera);
+    let mut points: Vec<DVec3> = gear.room(&request.camera).into_iter().collect();
     if request.shot.look.world.dimensions {
         let below = request.camera.basis().v * (-dimensions::LOWEST * gear.axis);
         let ahead = request.camera.direction_of_projection() * content.volume.end;
         points.extend([request.camera.position() + below, request.camera.position() + ahead + below]);
     }
-    points
+    Some(points)
 }
 
 /// The observer of the world.

@@ -9,6 +9,7 @@ mod canvas_objects;
 mod canvas_probe;
 mod coach;
 mod commands;
+mod compare;
 mod conventions;
 mod dialects;
 mod dialogs;

@@ -163,6 +163,33 @@ fn the_screen_the_export_and_render_agree_on_the_image() {
     assert_same_at_both_scales(View::Image, "[reveal]\ndepth = \"linear\"\nclipping = true\n");
 }
 
+#[test]
+fn they_agree_on_a_comparison() {
+    let by = |keys: &str| format!("[compare]\n{keys}");
+    let painter = by("with = { \"style.visibility\" = \"painter\" }\nwiper = 0.4\ndifferences = true\n");
+    let angle = by("with = { \"camera.view_angle\" = 80 }\n");
+    let convention = by("with = { \"show.ndc\" = \"direct3d\" }\nlayout = \"beside\"\n");
+    for (view, scale, compare) in [
+        (View::Image, 2.0, &painter),
+        (View::World, 1.0, &angle),
+        (View::Canonical, 1.0, &convention),
+        (View::Canonical, 2.0, &angle),
+    ] {
+        assert_same_untouched(view, scale, &format!("{FIGURE}{compare}"));
+    }
+    // Also of what no file says: the convention of the window, and what is shown.
+    let convention: Act = |window| {
+        let state = &mut window.app_mut().state;
+        state.settings.conventions.ndc =
+            camera_lab::camera::Ndc::ALL.into_iter().find(|ndc| ndc.name() == "direct3d").expect("a convention");
+        state.document.show_mut().stage = Some(camera_lab::stage::Stage::Clip);
+        window.run();
+    };
+    assert_same_after(View::Canonical, &format!("{FIGURE}{angle}"), convention);
+    assert_same_after(View::Image, &format!("{FIGURE}{painter}"), convention);
+    assert_same_after(View::World, &format!("{FIGURE}{angle}"), turn);
+}
+
 /// Turns the camera in a hundred steps, which leave their rests in it: the observers stay where they were as long as
 /// all is in sight.
 fn turn(window: &mut Window) {

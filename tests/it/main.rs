@@ -13,6 +13,7 @@ mod camera_pixels;
 mod camera_properties;
 mod cli;
 mod code;
+mod compare;
 mod composition;
 mod contract;
 mod depth_in_view;

@@ -43,6 +43,7 @@ pub(super) fn drawing(width: u32, height: u32, antialias: u8, surfaces: Vec<Surf
         background: WHITE,
         antialias,
         painted_in_order: false,
+        depth_format: Default::default(),
         surfaces,
         strokes: Vec::new(),
         areas: Vec::new(),

@@ -18,6 +18,7 @@ fn drawing(width: u32, height: u32) -> Drawing {
         background: WHITE,
         antialias: 4,
         painted_in_order: false,
+        depth_format: Default::default(),
         surfaces: Vec::new(),
         strokes: Vec::new(),
         areas: Vec::new(),

@@ -45,6 +45,7 @@ fn colours_on_slivers_are_those_of_exact_arithmetic() {
             background: Rgba::rgb(1, 2, 3),
             antialias: 1,
             painted_in_order: false,
+            depth_format: Default::default(),
             surfaces: vec![Surface {
                 base: Base::Vertices(colors),
                 // So many that they are set up together, as those of a mesh are.

@@ -2,9 +2,9 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
-//! | `show` | one key of `[show]`, set from outside of a file |
+//! | `vary` | one key of a figure, set from outside of its file |
 
-mod show;
+mod vary;
 
 use std::collections::{HashMap, VecDeque};
 
@@ -14,7 +14,8 @@ use super::Figure;
 use super::read;
 use super::write::{document, to_toml};
 
-pub use show::show_with;
+pub(super) use vary::{parsed, value_of, varied_whole};
+pub use vary::{show_with, varied};
 
 /// The figure file of `figure`, made from an earlier text by changing only the parts that differ: comments, order and
 /// the notation of numbers stay. A text that is not a figure file is replaced.

@@ -2,11 +2,11 @@
 
 use super::*;
 use crate::appearance::{HiddenLines, Rgba, Style, Theme};
-use crate::camera::{Decomposition, ImageSize, Ndc, Parameters, Projection, ViewWindow, Viewport};
-use crate::figure::words::{ARRANGEMENTS, MEASURES, PANELS, PRESETS, SHADINGS, VISIBILITIES};
+use crate::camera::{Decomposition, ImageSize, Ndc, Operation, Parameters, Projection, ViewWindow, Viewport};
+use crate::figure::words::{ARRANGEMENTS, DEPTH_FORMATS, MEASURES, PANELS, PRESETS, SHADINGS, VISIBILITIES};
 use crate::figure::{
-    Bilingual, Depth, Measured, NamedPoint, Observer, Observers, Outside, Reveal, Screen, Show, ShownProbe, ShownStep,
-    ShownTriangle, StagePicture, TransformPreview, TriangleStep, View, WorldLook,
+    Bilingual, Comparison, Depth, Measured, NamedPoint, Observer, Observers, Outside, Reveal, Screen, Show, ShownProbe,
+    ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep, View, WorldLook,
 };
 use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
@@ -87,15 +87,19 @@ fn figure() -> impl Strategy<Value = Figure> {
     let viewport = proptest::option::of((-100..100, 1_u32..=16_384, 0.0..=1.0, 0.0..=1.0).prop_map(
         |(x, width, depth_near, depth_far)| Viewport { x, y: -x, width, height: width, depth_near, depth_far },
     ));
-    let style = (proptest::sample::select(SHADINGS), proptest::sample::select(VISIBILITIES)).prop_map(
-        |((_, shading), (_, visibility))| Style {
-            shading,
-            visibility,
-            hidden_lines: HiddenLines::Shown,
-            antialias: 16,
-            theme: Theme::Dark,
-        },
+    let style = (
+        proptest::sample::select(SHADINGS),
+        proptest::sample::select(VISIBILITIES),
+        proptest::sample::select(DEPTH_FORMATS),
     );
+    let style = style.prop_map(|((_, shading), (_, visibility), (_, depth_format))| Style {
+        shading,
+        visibility,
+        hidden_lines: HiddenLines::Shown,
+        antialias: 16,
+        theme: Theme::Dark,
+        depth_format,
+    });
     let observer = || {
         proptest::option::of((point(), 0.1..1e4, -90.0..=90.0, any::<bool>()).prop_map(
             |(target, distance, elevation, parallel)| Observer {
@@ -125,6 +129,16 @@ fn figure() -> impl Strategy<Value = Figure> {
     let seen = (observer(), observer());
     let texts = proptest::array::uniform3("\\PC{0,9}");
     let show = (show(), screen(), texts);
+    let compare = proptest::option::of((0.0..=1.0, 0..3_usize, any::<[bool; 2]>()).prop_map(
+        |(wiper, keys, [beside, differences])| {
+            let other = [("style.shading", "\"phong\""), ("camera.near", "1e-3"), ("show.step", "{ way = \"notes\" }")];
+            let with = other[keys..].iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
+            let ops = vec![Operation::Zoom(1.5), Operation::Pan { dx: 1.0, dy: -0.25 }];
+            let wiper = if beside { 0.5 } else { wiper };
+            Comparison { with, ops, wiper, beside, differences }
+        },
+    ));
+    let seen = (seen, compare);
     (parameters(), 1_u32..=16_384, viewport, scene(), (style, points), reveal, seen, show).prop_map(
         |(
             camera,
@@ -133,7 +147,7 @@ fn figure() -> impl Strategy<Value = Figure> {
             scene,
             (style, points),
             (reveal, undistorted),
-            (world, canonical),
+            ((world, canonical), compare),
             (show, screen, texts),
         )| Figure {
             title: told(&texts[0], &texts[0]),
@@ -158,6 +172,7 @@ fn figure() -> impl Strategy<Value = Figure> {
             observers: Observers { world, canonical },
             show,
             screen,
+            compare,
         },
     )
 }

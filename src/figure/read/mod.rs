@@ -21,8 +21,9 @@ use std::ops::Range;
 use glam::DVec3;
 use toml_edit::{Document, TableLike};
 
+use super::comparison;
 use super::error::{Allowed, FigureError, Problem};
-use super::words::{DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
+use super::words::{DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
 use super::{Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
@@ -125,8 +126,10 @@ pub(crate) fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
     let [camera_section, image_section, viewport_section, scene_section] =
         ["camera", "image", "viewport", "scene"].map(|key| root.section(key, &inside(&root, key)));
     let point_sections = root.sections("points", &format!("[{}]", inside(&root, "points")));
-    let [style_section, reveal_section, world_section, observers_section, show_section, screen_section] =
-        ["style", "reveal", "world", "observers", "show", "screen"].map(|key| root.section(key, &inside(&root, key)));
+    let [style_section, reveal_section, world_section, observers_section] =
+        ["style", "reveal", "world", "observers"].map(|key| root.section(key, &inside(&root, key)));
+    let [show_section, screen_section, compare_section] =
+        ["show", "screen", "compare"].map(|key| root.section(key, &inside(&root, key)));
     faults.extend(root.finish());
     let (image, undistorted) = image(image_section, faults);
     Figure {
@@ -144,6 +147,7 @@ pub(crate) fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         observers: observers(observers_section, faults),
         show: show::show(show_section, faults),
         screen: screen::screen(screen_section, faults),
+        compare: comparison::read(compare_section, faults),
     }
 }
 
@@ -225,6 +229,7 @@ fn style(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Style {
         hidden_lines: section.word("hidden_lines", HIDDEN_LINES, default.hidden_lines),
         antialias: section.integer_of("antialias", &[1, 4, 16], default.antialias),
         theme: section.word("theme", THEMES, default.theme),
+        depth_format: section.word("depth_format", DEPTH_FORMATS, default.depth_format),
     };
     faults.extend(section.finish());
     style

@@ -380,6 +380,26 @@ impl<'a> Section<'a> {
         tables.into_iter().map(|(t, at)| Self::new(self.text, Some(t), label, at.unwrap_or(here))).collect()
     }
 
+    /// The entries of a table in this section, each with its value as it is written and its place in the text; of
+    /// tables in it, their entries, by the path `table.key`.
+    pub(crate) fn entries(&mut self, key: &'static str) -> Vec<(String, String, usize)> {
+        let Some(item) = self.ask(key) else { return Vec::new() };
+        let Some(table) = item.as_table_like() else {
+            self.refuse(key, Allowed::Section);
+            return Vec::new();
+        };
+        let place = |item: &Item| item.span().map_or(self.at, |span| span.start);
+        let written =
+            |item: &Item| item.span().and_then(|span| self.text.get(span)).unwrap_or_default().trim().to_owned();
+        let entry = |path: String, item: &Item| (path, written(item), place(item));
+        let entries =
+            table.iter().flat_map(|(name, item)| match item.as_table_like().filter(|_| !name.contains('.')) {
+                Some(inner) => inner.iter().map(|(key, item)| entry(format!("{name}.{key}"), item)).collect(),
+                None => vec![entry(name.to_owned(), item)],
+            });
+        entries.collect()
+    }
+
     /// The faults of the section, those of unknown keys included.
     pub(crate) fn finish(mut self) -> Vec<Fault> {
         let unknown: Vec<String> = self

@@ -37,8 +37,29 @@ type Extent = (Outside, Ndc);
 #[derive(Debug, Default)]
 pub(super) struct Auto {
     kept: Option<KeptObserver>,
-    /// Earlier cameras, and from where they were seen: a camera that comes back, as by undo, is seen as then.
-    before: VecDeque<((Camera, Extent), Observer)>,
+    /// Earlier subjects, and from where they were seen: a camera that comes back, as by undo, is seen as then.
+    before: VecDeque<(Subject, Observer)>,
+}
+
+/// What a picture is framed for, besides its scene and its size.
+#[derive(Clone, Debug, PartialEq)]
+struct Subject {
+    camera: Camera,
+    extent: Extent,
+    /// The camera, if it is another one, and the convention of the other side of a comparison, and whether there are
+    /// two halves.
+    compared: Option<(Option<Camera>, Ndc, bool)>,
+}
+
+impl Subject {
+    fn of(request: &Request) -> Self {
+        let compared = request.shot.compared.as_ref();
+        Self {
+            camera: request.camera.clone(),
+            extent: (request.shot.look.reveal.outside, request.shot.ndc),
+            compared: compared.map(|other| (other.camera.clone(), other.shot.ndc, other.comparison.beside)),
+        }
+    }
 }
 
 /// An observer in a frame.
@@ -54,11 +75,10 @@ pub(super) struct AutoObserver {
 #[derive(Debug)]
 struct KeptObserver {
     observer: Observer,
-    camera: Camera,
+    framed: Subject,
     scene: SharedScene,
     subject: u64,
     size: Size,
-    extent: Extent,
     /// The camera was not on its way.
     settled: bool,
     /// From where it glides, since when.
@@ -69,17 +89,16 @@ impl Auto {
     /// The observer for a picture; `None` for the image. It looks in the same direction until there is another
     /// `subject`: a scene that has nothing to do with the last one.
     pub(super) fn observer(&mut self, request: &Request, subject: u64, moment: Moment) -> Option<AutoObserver> {
-        let extent = (request.shot.look.reveal.outside, request.shot.ndc);
+        let framed = Subject::of(request);
         let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
             let observer = request.observer_from(Viewpoint::default())?;
             self.before.clear();
             self.kept = Some(KeptObserver {
                 observer,
-                camera: request.camera.clone(),
+                framed,
                 scene: request.scene.clone(),
                 subject,
                 size: request.size,
-                extent,
                 settled: !moment.on_the_way,
                 glide: None,
             });
@@ -87,16 +106,15 @@ impl Auto {
         };
         // Gear and letters have sizes of their own, in pixels.
         let resized = kept.size != request.size;
-        let changed = kept.camera != request.camera || kept.extent != extent;
+        let changed = kept.framed != framed;
         if resized || kept.scene != request.scene {
             self.before.clear();
         } else if kept.settled && changed {
             self.before.truncate(REMEMBERED - 1);
-            self.before.push_front(((kept.camera.clone(), kept.extent), kept.observer));
+            self.before.push_front((kept.framed.clone(), kept.observer));
         }
         let returns = (changed || !kept.settled) && !moment.on_the_way;
-        let then =
-            self.before.iter().find(|((camera, shown), _)| returns && *camera == request.camera && *shown == extent);
+        let then = self.before.iter().find(|(before, _)| returns && *before == framed);
         // What was in hand has changed when it is let go.
         let is_new = resized || changed || kept.scene != request.scene;
         kept.settled = !moment.on_the_way;
@@ -115,8 +133,7 @@ impl Auto {
             }
         }
         if !moment.in_hand {
-            (kept.size, kept.extent) = (request.size, extent);
-            kept.camera = request.camera.clone();
+            (kept.size, kept.framed) = (request.size, framed);
             kept.scene = request.scene.clone();
         }
         let observer = kept.seen(moment.now);

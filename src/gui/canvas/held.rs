@@ -89,10 +89,11 @@ impl Canvas {
         let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
         let from = pane.rect.pixel(origin);
         let point = || PointDrag::taken(request.clone(), from, pane);
+        let is_own = pane.is_own(origin);
         if *view == View::Image {
-            return primary.then(point)?.map(|held| Drag::Point(picture, Box::new(held)));
+            return (primary && is_own).then(point)?.map(|held| Drag::Point(picture, Box::new(held)));
         }
-        if *view == View::World && primary {
+        if *view == View::World && primary && is_own {
             if let Some(handle) = handle_at(request, from, pane.rect.pixels(handle_drag::REACH)) {
                 let held = HandleDrag::new(handle, request.clone(), from, modifiers);
                 return Some(Drag::Handle(picture, Box::new(held)));

@@ -132,11 +132,13 @@ impl Canvas {
         status: &mut Status,
         texts: &'static CanvasTexts,
     ) -> Option<Probe> {
-        let pointer = pane.rect.pixel(pane.response.hover_pos()?);
-        let request = &pane.request;
+        let place = pane.response.hover_pos()?;
+        let (ref request, pointer) = pane.under(place);
+        let is_own = pane.is_own(place);
         let (camera, digits) = (state.document.camera(), state.settings.digits.min(6));
         status.aside = format!("{} × {} px", pane.rect.size.width, pane.rect.size.height);
         if pane.view == View::World
+            && is_own
             && let Some(handle) = handle_at(request, pointer, pane.rect.pixels(handle_drag::REACH))
         {
             let lines =
@@ -148,6 +150,7 @@ impl Canvas {
             return probed(handle, state);
         }
         if pane.view == View::World
+            && is_own
             && let Some(part) = part_at(request, pointer, pane.rect.pixels(GIZMO_REACH))
         {
             let lines = gizmo_lines(state, digits);

@@ -27,6 +27,7 @@
 //! | `title` | the title of a picture, with its buttons |
 //! | `touch` | two fingers on a picture: pan and zoom |
 //! | `vertex_name` | the vertex at a point: its number and its object |
+//! | `wiper` | the wiper between the two sides of a picture that is compared, and what is under the pointer on either side |
 
 mod arrange;
 mod auto_observer;
@@ -50,6 +51,7 @@ mod texture;
 mod title;
 mod touch;
 mod vertex_name;
+mod wiper;
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -261,6 +263,7 @@ impl Canvas {
             state.screen_scale = pane.rect.size.scale;
         }
         self.settle_observers(ui, state, &mut panes);
+        Self::wipers(ui, state, &panes);
         let mut status = self.interact(ui, state, &panes, texts);
         self.pin_clicked(&ctx, state);
         self.take_click(&ctx, state);

@@ -31,8 +31,9 @@ impl Click {
     pub(super) fn in_picture(state: &State, pane: &Pane) -> Option<Self> {
         let object = selects(state) && (pane.view != View::Canonical || !state.is_on_the_way());
         let triangle = state.shows_explanation(Explanation::Triangle) && pane.view == View::Image;
-        let pointer = pane.rect.pixel(pane.response.interact_pointer_pos().filter(|_| object || triangle)?);
-        let request = Request { hover: Hover::default(), ..pane.request.clone() };
+        let place = pane.response.interact_pointer_pos().filter(|_| object || triangle)?;
+        let (request, pointer) = pane.under(place);
+        let request = Request { hover: Hover::default(), ..request };
         let pick = PickRequest { request, what: PickQuery::Click { pointer, object, triangle } };
         Some(Self { pick, pointer, beside: pane.response.ctx.input(|i| i.modifiers.command) })
     }

@@ -6,12 +6,13 @@ use super::Command::{self, *};
 use super::{InBrowser, Menu, Row, Run};
 use crate::appearance;
 use crate::figure::{Explanation, Observers};
+use crate::gui::compare_dialog::CompareForm;
 use crate::gui::file_flow;
 use crate::gui::gallery::Part;
 use crate::gui::number_tables;
 use crate::gui::state::{self, AfterSave, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory};
 use crate::i18n::window::Texts;
-use crate::i18n::{Lang, canvas, sharing};
+use crate::i18n::{Lang, canvas, compare, sharing};
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 
@@ -127,6 +128,7 @@ pub const MENUS: &[Menu] = &[
                     .on(|s| s.document.figure().world.dimensions)
                     .enabled(|s| !s.document.figure().world.section)
                     .disabled_because(|t| t.dimensions_in_section),
+                Row::new(Compare, ctrl_shift(Key::D), compare_words, |s, _| show_compare(s)),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch layout.linked),
             ],
         ],
@@ -292,6 +294,16 @@ impl Row {
 fn link_words(t: &Texts) -> (&'static str, &'static str) {
     let t = sharing::texts(t.lang);
     (t.copy_link, t.copy_link_hint)
+}
+
+fn compare_words(t: &Texts) -> (&'static str, &'static str) {
+    let t = compare::texts(t.lang);
+    (t.command, t.command_hint)
+}
+
+fn show_compare(state: &mut State) {
+    let form = CompareForm::of(state.document.figure());
+    show_dialog(state, Dialog::Compare(form));
 }
 
 fn show_dialog(state: &mut State, dialog: Dialog) {

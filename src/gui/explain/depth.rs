@@ -5,8 +5,10 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Align2, Color32, Grid, Label, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
 use egui_plot::{Line, Plot, PlotPoints, Text, VLine, uniform_grid_spacer};
 
+use crate::appearance::DepthFormat;
 use crate::camera::{Camera, Ndc, Parameters, Projection};
 use crate::figure::Depth;
+use crate::gui::compare_dialog;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::numerics::color_of;
 use crate::gui::panels::{choice, row};
@@ -14,7 +16,7 @@ use crate::gui::plotting::{decade, decades, still};
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
-use crate::i18n::{Lang, coach as words, window};
+use crate::i18n::{Lang, coach as words, compare, window};
 use crate::numerics::health::{suggested_planes, with_planes};
 use crate::numerics::{Resolution, Seen, TwoPlanes, resolutions};
 use crate::views::Probe;
@@ -45,6 +47,15 @@ fn depth_view(ui: &mut Ui, state: &mut State) {
     if depth != old {
         state.document.edit(|figure| figure.reveal.depth = depth);
     }
+    let t = compare::texts(state.settings.lang);
+    let old = state.document.figure().style.depth_format;
+    let mut format = old;
+    let formats = [(DepthFormat::Fixed16, "16 bits"), (DepthFormat::Fixed24, "24 bits"), (DepthFormat::Float, "f32")];
+    row(ui, "", t.format, t.format_hint, |ui| choice(ui, t.format, t.format_hint, &mut format, &formats));
+    if format != old {
+        state.document.edit(|figure| figure.style.depth_format = format);
+    }
+    compare_dialog::button(ui, state);
 }
 
 /// Shows what follows from a camera; gives one with other planes where that is wanted.

@@ -5,6 +5,7 @@ use eframe::egui::{self, RichText, Slider, Ui};
 
 use crate::appearance::Visibility;
 use crate::figure::{Depth, Reveal};
+use crate::gui::compare_dialog;
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
@@ -42,6 +43,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     if ui.checkbox(&mut depth, t.depth).explained(t.depth_hint).changed() {
         reveal = Reveal { depth: if depth { Depth::Stored } else { Depth::Off }, ..reveal };
     }
+    compare_dialog::button(ui, state);
     let words = window::texts(state.settings.lang);
     ui.checkbox(&mut reveal.culled, words.culled_view).explained(words.culled_view_hint);
     let figure = state.document.figure();

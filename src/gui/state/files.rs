@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::Message;
 use crate::camera::Decomposition;
 use crate::files::Overwrite;
+use crate::gui::compare_dialog::CompareForm;
 use crate::gui::comparison::Comparison;
 use crate::gui::document::Document;
 use crate::gui::export::{Export, Exported, Exporting};
@@ -121,6 +122,8 @@ pub enum Dialog {
     Coach,
     /// The gallery of figures.
     Gallery,
+    /// The figure in two ways.
+    Compare(CompareForm),
     /// The search for anything in the window.
     Search,
     /// The treatment of the children of objects that are to be deleted.

@@ -1,5 +1,7 @@
 //! Explanations in the pictures: the `[show]` of the figure, its changes by panels, and the shot made of it.
 
+use std::sync::Arc;
+
 use super::{Side, State, steps};
 use crate::camera::Ndc;
 use crate::explain::Symbol;
@@ -11,7 +13,7 @@ use crate::gui::history::Revision;
 use crate::i18n::pictures::labels;
 use crate::stage::Stage;
 use crate::views::observer::Viewpoint;
-use crate::views::{Ghost, Look, Normalizing, Picture, Probe, Request, Shot, Size};
+use crate::views::{Compared, Ghost, Look, Normalizing, Picture, Probe, Request, Shot, Size};
 
 /// Things that panels point at in a frame; each frame begins without any.
 #[derive(Clone, Debug, Default)]
@@ -41,7 +43,8 @@ impl State {
     /// All that `pictures` show in this frame.
     #[must_use]
     pub fn shot(&self, pictures: Vec<Picture>) -> Shot {
-        let shot = Shot::of(self.document.figure());
+        let figure = self.document.figure();
+        let shot = Shot::of_one(figure, &figure.scene);
         let look = Look { style: self.style(), ..shot.look };
         let mut show = shot.show;
         show.step = self.step_as_shown();
@@ -52,8 +55,18 @@ impl State {
             pictures,
             answered: self.answered_camera().or(shot.answered),
             show,
+            compared: self.compared().map(Arc::new),
             ..shot
         }
+    }
+
+    /// The other side of the pictures of this frame; `None` where nothing is compared, or it is impossible.
+    #[must_use]
+    pub fn compared(&self) -> Option<Compared> {
+        let figure = self.document.figure();
+        figure.compare.as_ref()?;
+        let shown = Figure { style: self.style(), show: self.show_as_saved(), ..figure.without_scene() };
+        Compared::of(&shown, &figure.scene)
     }
 
     /// The figure that shows in any program the present screen: with explanations, and with the observers.
@@ -127,7 +140,12 @@ impl State {
     /// place while the camera moves.
     fn observers_as_shown(&self) -> Observers {
         let mut observers = self.document.figure().observers;
-        let shot = Shot { ndc: self.settings.conventions.ndc, ..Shot::of(self.document.figure()) };
+        let figure = self.document.figure();
+        let shot = Shot {
+            ndc: self.settings.conventions.ndc,
+            compared: self.compared().map(Arc::new),
+            ..Shot::of_one(figure, &figure.scene)
+        };
         for (view, observer, seen) in [
             (View::World, &mut observers.world, self.seen.world),
             (View::Canonical, &mut observers.canonical, self.seen.canonical),

@@ -53,7 +53,7 @@ impl TriangleNumbers {
         }
         // The same for each step that needs them.
         let triangle = ShownTriangle { step: TriangleStep::Pixels, pixel: None, ..triangle.clone() };
-        self.search.ask(ctx, request.clone().with_shot(|shot| shot.show.triangle = Some(triangle)));
+        self.search.ask(ctx, request.clone().with_shot(|shot| shot.show.triangle = Some(triangle.clone())));
         self.search.poll(PATIENCE);
         let covered = match self.search.answer() {
             Some(pixels) => Covered::Found(pixels.clone()),

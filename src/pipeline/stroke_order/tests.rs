@@ -25,6 +25,7 @@ fn drawing(strokes: &[(&[[f32; 3]], LineStyle)]) -> Drawing {
         background: Rgba::rgb(255, 255, 255),
         antialias: 1,
         painted_in_order: true,
+        depth_format: Default::default(),
         surfaces: Vec::new(),
         strokes: sets.collect(),
         areas: Vec::new(),

@@ -1,0 +1,84 @@
+//! One key of a figure, set from outside of its file.
+
+use toml_edit::{DocumentMut, InlineTable, Item, TableLike, Value};
+
+use crate::figure::error::{Allowed, Problem};
+use crate::figure::write::document;
+use crate::figure::{Figure, FigureError, Show, read};
+use crate::scene::SceneSpec;
+
+/// The figure with one key set to a TOML value: `style.shading`, `"flat"`, or a part of one, `show.step.at`, `2.5`. A
+/// value that is a plain word may lack its quotes; an empty one removes the key.
+///
+/// # Errors
+/// [`FigureError`]: the key is not known, or the value is not among the allowed ones; its line is meaningless.
+pub fn varied(figure: &Figure, key: &str, value: &str) -> Result<Figure, FigureError> {
+    // A scene can be large, and most keys are elsewhere.
+    let is_of_scene = key.split('.').next().is_some_and(|section| section.trim() == "scene");
+    let scene = if is_of_scene { figure.scene.clone() } else { SceneSpec::default() };
+    let (observers, show) = (figure.observers, figure.show.clone());
+    let varied = varied_whole(&Figure { scene, observers, show, ..figure.without_scene() }, key, value)?;
+    Ok(if is_of_scene { varied } else { Figure { scene: figure.scene.clone(), ..varied } })
+}
+
+/// As [`varied`], for a figure with a small scene.
+pub(in crate::figure) fn varied_whole(figure: &Figure, key: &str, value: &str) -> Result<Figure, FigureError> {
+    let mut document = document(figure);
+    let path: Vec<&str> = key.split('.').map(str::trim).collect();
+    set(&mut document, &path, parsed(key, value)?);
+    read::parse(&document.to_string())
+}
+
+/// The `[show]` section with one key set, as [`varied`] sets it: `stage`, `"clip"`.
+///
+/// # Errors
+/// As for [`varied`].
+pub fn show_with(show: &Show, key: &str, value: &str) -> Result<Show, FigureError> {
+    let figure = Figure { show: show.clone(), ..Figure::default() };
+    Ok(varied_whole(&figure, &format!("show.{key}"), value)?.show)
+}
+
+/// The value of a key in the text of a figure; `None` where none is written there.
+pub(in crate::figure) fn value_of(document: &DocumentMut, key: &str) -> Option<Value> {
+    let mut item = document.as_item();
+    for name in key.split('.') {
+        item = item.as_table_like()?.get(name.trim())?;
+    }
+    item.as_value().cloned()
+}
+
+pub(in crate::figure) fn parsed(key: &str, value: &str) -> Result<Option<Value>, FigureError> {
+    let value = value.trim();
+    let is_word = |text: &str| text.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_' | '/' | ' '));
+    match value.parse::<Value>() {
+        _ if value.is_empty() => Ok(None),
+        Ok(value) => Ok(Some(value)),
+        Err(_) if is_word(value) => Ok(Some(value.into())),
+        Err(_) => {
+            let problem = Problem::Value { found: crate::sanitize::escaped(value), allowed: Allowed::TomlValue };
+            let key = key.split_once('.').map_or_else(|| key.to_owned(), |(section, key)| format!("[{section}] {key}"));
+            Err(FigureError { line: 1, key, problem })
+        }
+    }
+}
+
+/// Puts a value where a path leads, through tables that are made where they are missing.
+fn set(document: &mut DocumentMut, path: &[&str], value: Option<Value>) {
+    let Some((last, tables)) = path.split_last() else { return };
+    let mut table: &mut dyn TableLike = document.as_table_mut();
+    for (depth, name) in tables.iter().enumerate() {
+        let missing = || if depth == 0 { toml_edit::table() } else { Item::Value(InlineTable::new().into()) };
+        let item = table.entry(name).or_insert_with(missing);
+        if item.as_table_like().is_none() {
+            *item = missing();
+        }
+        match item.as_table_like_mut() {
+            Some(next) => table = next,
+            None => return,
+        }
+    }
+    match value {
+        Some(value) => drop(table.insert(last, Item::Value(value))),
+        None => drop(table.remove(last)),
+    }
+}

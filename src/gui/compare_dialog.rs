@@ -1,0 +1,208 @@
+//! The dialog that compares the figure with itself in another way. What is chosen is seen at once.
+
+use eframe::egui::{Button, Ui};
+
+use super::dialog_buttons::{CANCEL, Pressed, buttons};
+use super::number_field::NumberField;
+use super::panels::complaint;
+use super::state::{Dialog, State};
+use super::text_field::TextField;
+use super::tooltip::Explained;
+use crate::camera::{Operation, Projection};
+use crate::figure::{Comparison, Figure};
+use crate::i18n::compare::{self as words, Texts as Words};
+use crate::i18n::messages;
+use crate::i18n::window::Texts;
+use crate::limits::MAX_TYPED_NAME;
+
+/// The values of the dialog that no figure has yet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CompareForm {
+    /// θ of the other side, degrees.
+    pub angle: f64,
+    /// An operation as it is typed.
+    pub operation: String,
+}
+
+impl CompareForm {
+    /// The values of the figure's comparison, else those that are offered.
+    pub(super) fn of(figure: &Figure) -> Self {
+        let operation = figure.compare.as_ref().and_then(|comparison| comparison.ops.first());
+        Self {
+            angle: if figure.camera.view_angle < 45.0 { 60.0 } else { 30.0 },
+            operation: operation.map_or_else(|| "azimuth=30".to_owned(), ToString::to_string),
+        }
+    }
+}
+
+/// A button that opens the dialog.
+pub(super) fn button(ui: &mut Ui, state: &mut State) {
+    let words = words::texts(state.settings.lang);
+    if ui.button(words.command).explained(words.command_hint).clicked() {
+        state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.document.figure())));
+    }
+}
+
+/// Shows the dialog; `first`: it has just been opened.
+pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm, first: bool) {
+    let words = words::texts(state.settings.lang);
+    ui.heading(words.title);
+    ui.add_space(4.0);
+    ui.label(words.text);
+    ui.add_space(6.0);
+    let mut chosen = pairs(ui, words, state);
+    chosen = angle(ui, t, words, state, &mut form).or(chosen);
+    chosen = operation(ui, words, state, &mut form).or(chosen);
+    ui.separator();
+    chosen = options(ui, words, state).or(chosen);
+    if let Some(figure) = chosen {
+        take(state, figure);
+        ui.request_repaint();
+    }
+    let figure = state.document.figure();
+    if let Some(Err(error)) = figure.compare.as_ref().map(|comparison| comparison.other_side(figure)) {
+        complaint(ui, &format!("{} {}", words.impossible, messages::without_line(state.settings.lang, &error)));
+    }
+    ui.add_space(8.0);
+    let closed = !matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing);
+    state.file_flow.dialog = (!closed).then_some(Dialog::Compare(form));
+}
+
+/// The figure with the convention of the window, which is not in it.
+fn in_window(state: &State) -> Figure {
+    let mut figure = state.document.figure().clone();
+    figure.show.ndc = Some(state.settings.conventions.ndc);
+    figure
+}
+
+/// Makes a figure that differs in its comparison and in what belongs to it that of the window.
+fn take(state: &mut State, figure: Figure) {
+    let Figure { camera, undistorted, viewport, style, reveal, world, show, compare, .. } = figure;
+    state.document.set_parameters(camera);
+    state.document.edit(|figure| {
+        (figure.undistorted, figure.viewport, figure.style) = (undistorted, viewport, style);
+        (figure.reveal, figure.world, figure.compare) = (reveal, world, compare);
+    });
+    *state.document.show_mut() = show;
+}
+
+/// The ready pairs, and nothing.
+fn pairs(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
+    let figure = state.document.figure();
+    let compared = figure.compare.as_ref();
+    let keys: Vec<&str> =
+        compared.iter().flat_map(|comparison| &comparison.with).map(|(key, _)| key.as_str()).collect();
+    let is_of = |key: &str, value: &str| {
+        keys == [key] && compared.is_some_and(|comparison| comparison.values(figure).contains(&value.to_owned()))
+    };
+    let mut chosen = None;
+    let offer =
+        |ui: &mut Ui, on: bool, name: &str| ui.add(Button::selectable(on, name).frame_when_inactive(true)).clicked();
+    ui.horizontal_wrapped(|ui| {
+        if offer(ui, compared.is_none(), words.nothing) {
+            chosen = Some(Figure { compare: None, ..figure.clone() });
+        }
+        for (name, key, pair, differences) in [
+            (words.visibility_painter, "style.visibility", ["painter", "depth-buffer"], true),
+            (words.visibility_bsp, "style.visibility", ["bsp", "depth-buffer"], true),
+            (words.shading, "style.shading", ["flat", "phong"], false),
+            (words.projection, "camera.projection", ["parallel", "perspective"], false),
+            (words.convention, "show.ndc", ["opengl", "direct3d"], false),
+            (words.depth, "style.depth_format", ["fixed-16", "f32"], true),
+        ] {
+            if offer(ui, is_of(key, pair[0]), name) {
+                let mut figure = in_window(state);
+                if key == "camera.projection" {
+                    give_other_projection(state, &mut figure);
+                }
+                let before = figure.compare.take().unwrap_or_default();
+                let pair = Comparison { beside: before.beside, wiper: before.wiper, differences, ..before }
+                    .of_pair(&figure, key, pair);
+                chosen = pair.or(chosen.take());
+            }
+        }
+    });
+    chosen
+}
+
+/// The height or the angle with which the other projection shows as much as this one does.
+fn give_other_projection(state: &State, figure: &mut Figure) {
+    let other = match figure.camera.projection {
+        Projection::Perspective => Projection::Parallel,
+        Projection::Parallel => Projection::Perspective,
+    };
+    if let Ok(camera) = state.document.camera().with_projection(other) {
+        let (height, view_angle) = (camera.parameters().height, camera.parameters().view_angle);
+        (figure.camera.height, figure.camera.view_angle) = (height, view_angle);
+    }
+}
+
+/// θ now and another one.
+fn angle(ui: &mut Ui, t: &Texts, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
+    let figure = state.document.figure();
+    let has_angle = figure.camera.projection == Projection::Perspective && figure.camera.window.is_none();
+    let on = figure.compare.as_ref().is_some_and(|c| c.with.iter().any(|(key, _)| key == "camera.view_angle"));
+    ui.horizontal(|ui| {
+        let now = t.lang.mark().number(figure.camera.view_angle, 4);
+        let button = Button::selectable(on, format!("θ = {now}° | θ")).frame_when_inactive(true);
+        let button = ui.add_enabled(has_angle, button).explained(words.angle_hint).explained_disabled(words.angle_none);
+        let old = form.angle;
+        NumberField::angle(words.angle_hint, 5.0).within(1e-6..=179.9).width(80.0).show(ui, t, &mut form.angle);
+        let is_changed = old.to_bits() != form.angle.to_bits() && on;
+        let comparison = || {
+            let before = figure.compare.clone().unwrap_or_default();
+            let other = Comparison::of_key("camera.view_angle", &crate::numbers::exact(form.angle));
+            Comparison { with: other.with, ops: Vec::new(), ..before }
+        };
+        (has_angle && (button.clicked() || is_changed))
+            .then(|| Figure { compare: Some(comparison()), ..in_window(state) })
+    })
+    .inner
+}
+
+/// Before and after an operation.
+fn operation(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
+    let compared = state.document.figure().compare.as_ref();
+    let on = compared.is_some_and(|comparison| !comparison.ops.is_empty());
+    let mut chosen = None;
+    let mut why = None;
+    ui.horizontal(|ui| {
+        let button = Button::selectable(on, words.operation).frame_when_inactive(true);
+        let clicked = ui.add(button).explained(words.operation_hint).clicked();
+        let field = TextField::line(&mut form.operation, MAX_TYPED_NAME);
+        let typed = field.with(|edit| edit.desired_width(160.0)).show(ui, words.lang).explained(words.operation_hint);
+        let changed = typed.accessible_name(words.operation_hint).changed();
+        match form.operation.parse::<Operation>() {
+            Ok(operation) if clicked || changed && on => {
+                let before = compared.cloned().unwrap_or_default();
+                let comparison = Comparison { with: Vec::new(), ops: vec![operation], ..before };
+                chosen = Some(Figure { compare: Some(comparison), ..in_window(state) });
+            }
+            Ok(_) => {}
+            Err(error) => why = Some(messages::operation(words.lang, &error)),
+        }
+    });
+    if let Some(why) = why {
+        complaint(ui, &why);
+    }
+    chosen
+}
+
+/// How it is compared.
+fn options(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
+    let compared = state.document.figure().compare.clone();
+    let old = compared.clone().unwrap_or_default();
+    let mut new = old.clone();
+    let mut swapped = None;
+    ui.add_enabled_ui(compared.is_some(), |ui| {
+        ui.horizontal_wrapped(|ui| {
+            ui.checkbox(&mut new.differences, words.differences).explained(words.differences_hint);
+            ui.checkbox(&mut new.beside, words.beside).explained(words.beside_hint);
+            let figure = in_window(state);
+            let other = compared.as_ref().and_then(|comparison| comparison.swapped(&figure));
+            let button = ui.add_enabled(other.is_some(), Button::new(words.swap)).explained(words.swap_hint);
+            swapped = other.filter(|_| button.clicked());
+        });
+    });
+    swapped.or_else(|| (new != old).then(|| Figure { compare: Some(new), ..in_window(state) }))
+}

@@ -1,0 +1,248 @@
+//! A picture in two ways: the request of each side, and the line and the words over both.
+
+use super::gizmos::SMALL_TYPE;
+use super::label_layout::half_size;
+use super::{Labels, Palette, Request, Shot, Size, View};
+use crate::appearance::{Dash, HiddenLines, Rgba};
+use crate::camera::{Camera, Ndc};
+use crate::drawing::{Anchor, Area, Drawing, Label, StrokeSet, single};
+use crate::figure::words::{self, DEPTH_FORMATS, HIDDEN_LINES, NDCS, PROJECTIONS, SHADINGS, VISIBILITIES};
+use crate::figure::{Comparison, Depth, Figure, OtherSide};
+use crate::sanitize;
+use crate::scene::SceneSpec;
+
+/// Room between two halves, in pixels at scale 1.
+const GAP: f32 = 4.0;
+/// The longest heading in characters.
+const LONGEST: usize = 60;
+
+/// The other side of a shot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// The shot of the figure in the other way.
+    pub shot: Shot,
+    /// Its camera, where it is another one.
+    pub camera: Option<Camera>,
+    /// What is compared, and where the sides are.
+    pub comparison: Comparison,
+    /// The keys that are compared, with the values of both sides.
+    pub values: Vec<(String, [Option<String>; 2])>,
+}
+
+impl Compared {
+    /// The other side of a figure; `None` where nothing is compared, or the other side is impossible.
+    #[must_use]
+    pub fn of(figure: &Figure, scene: &SceneSpec) -> Option<Self> {
+        let comparison = figure.compare.clone()?;
+        let OtherSide { figure: other, camera, values } = comparison.other_side(figure).ok()?;
+        let camera = camera.map(|camera| camera.rounded());
+        Some(Self { shot: Shot::of_one(&other, scene), camera, comparison, values })
+    }
+
+    /// The part that is seen in a picture of a kind; `None` where it looks like `own` there.
+    #[must_use]
+    pub(super) fn seen_in(&self, view: View, own: &Shot) -> Option<Self> {
+        let shot = self.shot.seen_in(view);
+        let in_ndc = match view {
+            View::World => false,
+            View::Canonical => true,
+            View::Image => [own, &shot].iter().any(|shot| shot.look.reveal.depth != Depth::Off),
+        };
+        let alike = if in_ndc { shot == *own } else { Shot { ndc: own.ndc, ..shot.clone() } == *own };
+        (self.camera.is_some() || !alike).then(|| Self { shot, ..self.clone() })
+    }
+
+    /// The heading of a side, 0 or 1.
+    fn heading(&self, side: usize, labels: &Labels) -> String {
+        let mut parts: Vec<String> =
+            self.values.iter().map(|(key, values)| said(key, values[side].as_deref(), labels)).collect();
+        match (self.comparison.ops.is_empty(), side) {
+            (true, _) => {}
+            (false, 0) => parts.push(labels.before.to_owned()),
+            (false, _) => parts.extend(self.comparison.ops.iter().map(ToString::to_string)),
+        }
+        sanitize::within(&parts.join(", "), LONGEST)
+    }
+}
+
+/// A value of a key in the words of the pictures, else as it is written.
+fn said(key: &str, value: Option<&str>, labels: &Labels) -> String {
+    fn word<T: Copy>(list: words::Words<T>, said: &[&'static str], value: &str) -> Option<&'static str> {
+        said.get(list.iter().position(|(word, _)| *word == value)?).copied()
+    }
+    let known = match (key, value) {
+        ("style.visibility", Some(value)) => word(VISIBILITIES, &labels.visibilities, value).map(str::to_owned),
+        ("style.shading", Some(value)) => word(SHADINGS, &labels.shadings, value).map(str::to_owned),
+        ("style.hidden_lines", Some(value)) => word(HIDDEN_LINES, &labels.hidden_lines, value).map(str::to_owned),
+        ("camera.projection", Some(value)) => word(PROJECTIONS, &labels.projections, value).map(str::to_owned),
+        ("style.depth_format", value) => {
+            word(DEPTH_FORMATS, &labels.depth_formats, value.unwrap_or("f32")).map(str::to_owned)
+        }
+        ("show.ndc", value) => {
+            let ndc = value.map_or(Some(Ndc::default()), |value| words::value(NDCS, value));
+            ndc.map(|ndc| labels.ndc_title(ndc))
+        }
+        ("camera.view_angle", Some(value)) => {
+            Some(format!("θ = {}°", labels.mark.printed(value.trim_end_matches(".0"))))
+        }
+        _ => None,
+    };
+    known.unwrap_or_else(|| {
+        let name = key.rsplit('.').next().unwrap_or(key).replace('_', " ");
+        let value = value.map_or_else(|| "–".to_owned(), |value| sanitize::escaped(value).replace('_', " "));
+        format!("{name} = {value}")
+    })
+}
+
+/// A side of a compared picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Side {
+    /// The picture, in which nothing is compared.
+    pub request: Request,
+    /// The column of the whole picture in which this one begins.
+    pub left: u32,
+    /// The columns of the whole picture that show this one.
+    pub columns: std::ops::Range<u32>,
+}
+
+impl Request {
+    /// The sides of a picture: the figure as it is, and in the other way, seen by one observer. `None` where nothing is
+    /// compared.
+    #[must_use]
+    pub fn sides(&self) -> Option<[Side; 2]> {
+        let compared = self.shot.compared.as_ref()?;
+        let requests = self.each_side();
+        let [own, other] = <[Self; 2]>::try_from(requests).ok()?;
+        let observer = self.seen_from();
+        let width = self.size.width;
+        let [lefts, columns] = if compared.comparison.beside {
+            let second = width - other.size.width;
+            [[0, second], [own.size.width, second]]
+        } else {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of the width")]
+            let at = (f64::from(width) * compared.comparison.wiper.clamp(0.0, 1.0)).round() as u32;
+            [[0, 0], [at, at]]
+        };
+        let side = |request: Self, left, columns| Side { request: request.seen_by(observer), left, columns };
+        Some([side(own, lefts[0], 0..columns[0]), side(other, lefts[1], columns[1]..width)])
+    }
+
+    /// The side of a compared picture at a column; `None` where nothing is compared.
+    #[must_use]
+    pub fn side_at(&self, x: f64) -> Option<Side> {
+        let [own, other] = self.sides()?;
+        Some(if x < f64::from(other.columns.start) { own } else { other })
+    }
+
+    /// Its sides with their sizes, whose observers are not one yet; itself where nothing is compared.
+    pub(super) fn each_side(&self) -> Vec<Self> {
+        let Some(compared) = &self.shot.compared else { return vec![self.clone()] };
+        let size = if compared.comparison.beside { half(self.size) } else { self.size };
+        let alone = Shot { compared: None, ..Shot::clone(&self.shot) };
+        let own = Self { shot: alone.into(), size, ..self.clone() };
+        let other = Self {
+            shot: compared.shot.clone().into(),
+            camera: compared.camera.as_ref().unwrap_or(&self.camera).clone(),
+            ..own.clone()
+        };
+        vec![own, other]
+    }
+}
+
+/// The size of one of two halves.
+fn half(size: Size) -> Size {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
+    let gap = (GAP * size.scale).round().clamp(1.0, 100.0) as u32;
+    Size { width: size.width.saturating_sub(gap) / 2, ..size }
+}
+
+/// The line between the sides, a heading on each, and how many pixels differ, on a clear ground.
+#[must_use]
+pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>) -> Option<Drawing> {
+    let compared = request.shot.compared.as_ref()?;
+    let Size { width, height, scale } = request.size;
+    let palette = Palette::of(request.shot.look.style.theme);
+    let mut drawing = Drawing {
+        width,
+        height,
+        background: palette.paper.with_alpha(0),
+        antialias: 1,
+        painted_in_order: true,
+        depth_format: Default::default(),
+        surfaces: Vec::new(),
+        strokes: Vec::new(),
+        areas: Vec::new(),
+        marks: Vec::new(),
+        labels: Vec::new(),
+    };
+    #[expect(clippy::cast_precision_loss, reason = "pixels")]
+    let [wide, high] = [width, height].map(|side| side as f32);
+    #[expect(clippy::cast_precision_loss, reason = "pixels")]
+    let [left, right] = [own.columns.end, other.columns.start].map(|column| column as f32);
+    let beside = compared.comparison.beside;
+    if beside {
+        let size = [right - left, high];
+        drawing.areas.push(Area { corner: [left, 0.0], size, radius: 0.0, fill: palette.surround });
+    } else {
+        for (color, stroke) in [(palette.paper, 3.0), (palette.ink, 1.2)] {
+            drawing.strokes.push(StrokeSet {
+                points: vec![[left, 0.0, 1.0], [left, high, 1.0]],
+                polylines: std::iter::once(0..2).collect(),
+                style: super::gizmos::stroke(color, stroke * scale, Dash::Solid, HiddenLines::Shown),
+            });
+        }
+    }
+    if request.finish.bare {
+        return Some(drawing);
+    }
+    let em = SMALL_TYPE * scale;
+    for (side, room, anchor) in [(0, [0.0, left], Anchor::Right), (1, [right, wide], Anchor::Left)] {
+        let text = compared.heading(side, request.labels);
+        let at = match (beside, anchor) {
+            (true, _) => ((room[0] + room[1]) / 2.0, Anchor::Center),
+            (false, Anchor::Right) => (room[1] - em, anchor),
+            (false, _) => (room[0] + em, anchor),
+        };
+        plate(&mut drawing, &text, (at.0, 1.2 * em, at.1), room, em, palette);
+    }
+    if let Some(share) = differ {
+        let text = format!("{}: {} %", request.labels.differ, request.labels.mark.number(100.0 * share, 3));
+        plate(&mut drawing, &text, (wide - em, high - 1.2 * em, Anchor::Right), [0.0, wide], em, palette);
+    }
+    Some(drawing)
+}
+
+/// A text on a plate, where its room, from column to column, has place for it.
+fn plate(
+    drawing: &mut Drawing,
+    text: &str,
+    (x, y, anchor): (f32, f32, Anchor),
+    room: [f32; 2],
+    em: f32,
+    palette: Palette,
+) {
+    let half = half_size(text, f64::from(em) as f32);
+    let (half_width, half_height) = (single(half.x), single(half.y));
+    let middle = match anchor {
+        Anchor::Left => x + half_width,
+        Anchor::Center => x,
+        Anchor::Right => x - half_width,
+    };
+    let pad = 0.35 * em;
+    let corner = [middle - half_width - pad, y - half_height - pad];
+    if text.is_empty() || corner[0] < room[0] || middle + half_width + pad > room[1] {
+        return;
+    }
+    let size = [2.0 * (half_width + pad), 2.0 * (half_height + pad)];
+    drawing.areas.push(Area { corner, size, radius: pad, fill: Rgba { a: 235, ..palette.paper } });
+    drawing.labels.push(Label {
+        position: [x, y, 1.0],
+        offset: [0.0; 2],
+        text: text.to_owned(),
+        size: em,
+        color: palette.ink,
+        halo: palette.paper,
+        anchor,
+        fade_if_hidden: false,
+    });
+}

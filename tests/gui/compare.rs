@@ -1,0 +1,113 @@
+//! The figure in two ways: the dialog, the wiper, undo.
+
+use camera_lab::appearance::{DepthFormat, Shading, Visibility};
+use camera_lab::camera::Projection;
+use camera_lab::figure::Comparison;
+use camera_lab::gui::state::Dialog;
+use camera_lab::gui::{Start, State};
+use camera_lab::i18n::Lang;
+use camera_lab::views::View;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, Rect, vec2};
+use egui_kittest::kittest::Queryable;
+
+use super::window::Window;
+
+/// The house, its image alone.
+fn house(lang: Lang) -> Window {
+    let text = "[camera]\nposition = [2.5, 3, 5]\n[scene]\npreset = \"house\"\n[style]\nantialias = 1\n";
+    let figure = camera_lab::figure::read::parse(text).expect("a figure");
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).expect("a possible camera");
+    state.file_flow.native = false;
+    state.layout.maximized = Some(View::Image);
+    Window::with_state(state, [1280.0, 800.0])
+}
+
+impl Window {
+    fn compared(&self) -> Option<&Comparison> {
+        self.state().document.figure().compare.as_ref()
+    }
+
+    fn compare(&mut self) {
+        self.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::D);
+        self.run();
+        assert!(matches!(self.state().file_flow.dialog, Some(Dialog::Compare(_))));
+    }
+
+    fn wiper(&self) -> Rect {
+        self.harness.get_by_role_and_label(Role::Slider, "wiper between the two sides").rect()
+    }
+}
+
+#[test]
+fn a_pair_is_chosen_the_wiper_is_dragged_and_both_are_undone() {
+    let mut window = house(Lang::En);
+    window.compare();
+    window.click("flat | Phong");
+    assert_eq!(window.compared().expect("a comparison").with, [("style.shading".to_owned(), "\"phong\"".to_owned())]);
+    window.click("mark differences");
+    assert!(window.compared().expect("a comparison").differences);
+    window.click("Close");
+    let (place, from) = (window.state().picture_sizes[View::Image.index()], window.wiper().center());
+    window.drag(from, vec2(-100.0, 0.0), |_| {});
+    let wiper = window.compared().expect("a comparison").wiper;
+    assert!((wiper - (0.5 - 100.0 / f64::from(place[0]))).abs() < 0.01, "{wiper}");
+    assert!((window.wiper().center().x - (from.x - 100.0)).abs() < 2.0);
+    // The keys move it on, and Home takes it to the border.
+    window.key(Key::ArrowRight);
+    let moved = window.compared().expect("a comparison").wiper;
+    assert!((moved - wiper - 0.02).abs() < 1e-9, "{moved}");
+    window.key(Key::Home);
+    assert_eq!(window.compared().expect("a comparison").wiper, 0.0);
+    for expected in [Some(moved), Some(wiper), Some(0.5)] {
+        window.command_key(Key::Z);
+        assert_eq!(window.compared().map(|comparison| comparison.wiper), expected);
+    }
+    while window.state().document.can_undo() {
+        window.command_key(Key::Z);
+    }
+    assert_eq!(window.compared(), None);
+    assert!(window.harness.query_by_role(Role::Slider).is_none());
+}
+
+#[test]
+fn each_ready_pair_compares_and_is_swapped() {
+    let mut window = house(Lang::En);
+    window.compare();
+    for (pair, key) in [
+        ("painter | depth buffer", "style.visibility"),
+        ("BSP | depth buffer", "style.visibility"),
+        ("parallel | perspective", "camera.projection"),
+        ("OpenGL | Direct3D", "show.ndc"),
+        ("depth of 16 bits | f32", "style.depth_format"),
+    ] {
+        window.click(pair);
+        assert_eq!(window.compared().expect("a comparison").with[0].0, key, "{pair}");
+        assert!(window.state().compared().is_some(), "{pair}");
+    }
+    window.click("Swap sides");
+    assert_eq!(window.state().document.figure().style.depth_format, DepthFormat::Fixed16);
+    assert_eq!(window.compared().expect("a comparison").with[0].1, "\"f32\"");
+    window.click("Swap sides");
+    window.click("parallel | perspective");
+    window.click("Swap sides");
+    assert_eq!(window.state().document.figure().camera.projection, Projection::Parallel);
+    window.click("before | after");
+    assert_eq!(window.compared().expect("a comparison").ops.len(), 1);
+    window.click("two whole pictures");
+    assert!(window.compared().expect("a comparison").beside);
+    window.click("nothing");
+    assert_eq!(window.compared(), None);
+    let style = window.state().document.figure().style;
+    assert_eq!((style.shading, style.visibility), (Shading::Flat, Visibility::DepthBuffer));
+}
+
+#[test]
+fn the_convention_of_the_window_is_the_side_that_is_swapped() {
+    let mut window = house(Lang::En);
+    window.compare();
+    window.click("OpenGL | Direct3D");
+    window.click("Swap sides");
+    assert_eq!(window.state().settings.conventions.ndc.name(), "direct3d");
+    assert_eq!(window.compared().expect("a comparison").with[0].1, "\"opengl\"");
+}

@@ -1,0 +1,204 @@
+//! One figure in two ways in one picture: what each side shows, and the formats of depths, which are worth comparing.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use camera_lab::camera::Camera;
+use camera_lab::figure::{Comparison, Figure, Show, View, read, varied, write};
+use camera_lab::i18n::{Lang, pictures::labels};
+use camera_lab::picture::{Pixels, Renderer};
+use camera_lab::share;
+use camera_lab::views::{Request, Size};
+
+use crate::cli::pixels;
+use crate::common::program::Bench;
+use crate::common::shot::{house, scene};
+
+const SIZE: Size = Size { width: 240, height: 180, scale: 1.0 };
+/// Rows from the top without headings, and columns beside the wiper without its line.
+const BELOW_HEADINGS: usize = 40;
+const BESIDE_LINE: usize = 4;
+
+fn compared(comparison: Comparison) -> Figure {
+    Figure { compare: Some(comparison), ..house(Show::default()) }
+}
+
+fn request(figure: &Figure, view: View) -> Request {
+    let camera = Camera::new(&figure.camera).unwrap();
+    Request::of(figure, view, &camera, &scene(figure), labels(Lang::En), SIZE)
+}
+
+fn drawn(request: &Request) -> Pixels {
+    Renderer::default().pixels(request).unwrap()
+}
+
+/// The columns of a picture, below the headings and above the count.
+fn columns(picture: &Pixels, columns: std::ops::Range<usize>) -> Vec<u8> {
+    let rows = picture.rgba().chunks_exact(4 * picture.width() as usize);
+    let rows = rows.skip(BELOW_HEADINGS).take(100);
+    rows.flat_map(|row| &row[4 * columns.start..4 * columns.end]).copied().collect()
+}
+
+#[test]
+fn left_of_the_wiper_is_one_picture_and_right_of_it_the_other() {
+    let mut renderer = Renderer::default();
+    for (key, value) in [
+        ("style.visibility", "\"painter\""),
+        ("style.hidden_lines", "\"shown\""),
+        ("camera.projection", "\"parallel\""),
+        ("camera.view_angle", "80"),
+    ] {
+        for wiper in [0.0, 0.25, 0.5, 1.0] {
+            let figure = compared(Comparison { wiper, ..Comparison::of_key(key, value) });
+            for view in View::ALL {
+                let whole = request(&figure, view);
+                let [own, other] = whole.sides().unwrap();
+                assert_eq!(own.request.observer, other.request.observer, "one observer");
+                let joined = renderer.pixels(&whole).unwrap();
+                let varied = Figure { compare: None, ..varied(&figure, key, value).unwrap() };
+                let right = drawn(&request(&varied, view).seen_by(other.request.observer));
+                let left = drawn(&own.request);
+                let at = own.columns.end as usize;
+                let (before, after) = (0..at.saturating_sub(BESIDE_LINE), (at + BESIDE_LINE).min(240)..240);
+                assert!(columns(&joined, before.clone()) == columns(&left, before), "{key} {view:?} {wiper}");
+                assert!(columns(&joined, after.clone()) == columns(&right, after), "{key} {view:?} {wiper}");
+            }
+        }
+    }
+}
+
+#[test]
+fn each_side_is_the_picture_of_a_figure_with_the_other_value() {
+    let other = compared(Comparison::of_key("camera.view_angle", "80"));
+    let angled = varied(&house(Show::default()), "camera.view_angle", "80").unwrap();
+    let [own, beside] = request(&other, View::Image).sides().unwrap();
+    assert!(drawn(&own.request) == drawn(&request(&house(Show::default()), View::Image)));
+    assert!(drawn(&beside.request) == drawn(&request(&angled, View::Image)));
+    // Operations are done on the camera.
+    let operated = Comparison { ops: vec!["azimuth=30".parse().unwrap()], ..Comparison::default() };
+    let [_, after] = request(&compared(operated), View::Image).sides().unwrap();
+    let turned = camera_lab::camera::Operation::Azimuth(camera_lab::geometry::Angle::from_degrees(30.0));
+    let camera = Camera::new(&house(Show::default()).camera).unwrap();
+    let camera = turned.apply(&camera, Default::default()).unwrap();
+    assert_eq!(after.request.camera, camera.rounded());
+}
+
+#[test]
+fn two_halves_have_a_whole_picture_each() {
+    let figure = compared(Comparison { beside: true, ..Comparison::of_key("style.shading", "\"phong\"") });
+    for view in View::ALL {
+        let whole = request(&figure, view);
+        let [own, other] = whole.sides().unwrap();
+        assert_eq!([own.request.size.width, other.request.size.width, other.left], [118, 118, 122]);
+        let joined = drawn(&whole);
+        assert!(columns(&joined, 0..118) == columns(&drawn(&own.request), 0..118), "{view:?}");
+        assert!(columns(&joined, 122..240) == columns(&drawn(&other.request), 0..118), "{view:?}");
+    }
+}
+
+#[test]
+fn both_boxes_of_two_conventions_are_in_the_picture_and_what_looks_alike_is_not_compared() {
+    let figure = compared(Comparison::of_key("show.ndc", "\"direct3d\""));
+    assert!(request(&figure, View::World).sides().is_none() && request(&figure, View::Image).sides().is_none());
+    let [own, other] = request(&figure, View::Canonical).sides().unwrap();
+    assert_ne!(own.request.shot.ndc, other.request.shot.ndc);
+    let alone = request(&house(Show::default()), View::Canonical).seen_from().unwrap();
+    let both = own.request.observer.unwrap();
+    let direct3d = compared(Comparison::default());
+    let direct3d = Figure { compare: None, show: other.request.shot.show.clone(), ..direct3d };
+    let direct3d = Figure { show: Show { ndc: Some(other.request.shot.ndc), ..Show::default() }, ..direct3d };
+    let third = request(&direct3d, View::Canonical).seen_from().unwrap();
+    assert!(both.distance >= alone.distance.max(third.distance) - 1e-9, "{both:?} {alone:?} {third:?}");
+    // A value that the figure has already.
+    let same = compared(Comparison::of_key("style.shading", "\"flat\""));
+    assert!(View::ALL.into_iter().all(|view| request(&same, view).sides().is_none()));
+    assert!(drawn(&request(&same, View::Image)) == drawn(&request(&house(Show::default()), View::Image)));
+}
+
+#[test]
+fn pixels_that_differ_are_marked_and_no_others() {
+    let plain = Comparison { wiper: 1.0, ..Comparison::of_key("style.shading", "\"wireframe\"") };
+    let marked = compared(Comparison { differences: true, ..plain.clone() });
+    let [own, other] = request(&marked, View::Image).sides().unwrap();
+    let [left, right] = [own, other].map(|side| columns(&drawn(&side.request), 0..230));
+    let [unmarked, marked] =
+        [&compared(plain), &marked].map(|figure| columns(&drawn(&request(figure, View::Image)), 0..230));
+    assert!(unmarked == left);
+    let mut differing = 0;
+    let both = left.chunks(4).zip(right.chunks(4));
+    for ((one, other), (before, after)) in both.zip(unmarked.chunks(4).zip(marked.chunks(4))) {
+        let differs = one.iter().zip(other).any(|(a, b)| a.abs_diff(*b) > 8);
+        assert_eq!(before != after, differs, "{one:?} {other:?} {after:?}");
+        differing += usize::from(differs);
+    }
+    assert!(differing > 500, "{differing}");
+}
+
+#[test]
+fn a_file_a_link_and_render_draw_the_same_comparison() {
+    let bench = Bench::new("compare");
+    let wiped = Comparison { wiper: 0.3, differences: true, ..Comparison::of_key("style.visibility", "\"painter\"") };
+    let beside = Comparison { beside: true, ops: vec!["zoom=2".parse().unwrap()], ..Comparison::default() };
+    for comparison in [wiped, beside] {
+        let figure = compared(comparison);
+        let text = write::to_toml(&figure);
+        assert_eq!(read::parse(&text).unwrap(), figure);
+        bench.write("figure.toml", &text);
+        let link = share::link("", &text).unwrap();
+        for view in View::ALL {
+            let own = drawn(&request(&figure, view));
+            let opaque: Vec<u8> = own.rgba().chunks(4).flat_map(|pixel| &pixel[..3]).copied().collect();
+            for source in ["figure.toml", &link] {
+                let arguments = ["render", source, "--view", view.name(), "--size", "240x180", "--scale", "1"];
+                bench.run(&[&arguments[..], &["--lang", "en", "-o", "a.png"]].concat()).done();
+                assert!((240, 180, opaque.clone()) == pixels(&bench.read("a.png")), "{view:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_comparison_that_is_impossible_is_no_picture_less() {
+    let figure = compared(Comparison::of_key("camera.near", "1e9"));
+    assert!(drawn(&request(&figure, View::Image)) == drawn(&request(&house(Show::default()), View::Image)));
+}
+
+/// Two boxes, of which one is 0.05 nearer, seen with a near plane that is far too near.
+fn fighting(format: &str) -> Figure {
+    let object = |name: &str, color: &str, z: f64| {
+        format!("[[scene.objects]]\nname = \"{name}\"\nshape = \"box\"\ncolor = \"{color}\"\ntranslate = [0, 0, {z}]\n")
+    };
+    let text = format!(
+        "[camera]\nposition = [3, 2, 10]\nnear = 0.01\nfar = 1000\n{}{}[style]\nantialias = 1\n\
+         depth_format = \"{format}\"\n",
+        object("one", "#cc2222", 0.0),
+        object("two", "#2222cc", 0.05),
+    );
+    read::parse(&text).unwrap()
+}
+
+fn differing(one: &Pixels, other: &Pixels) -> usize {
+    one.rgba().chunks(4).zip(other.rgba().chunks(4)).filter(|(a, b)| a != b).count()
+}
+
+#[test]
+fn planes_fight_in_the_image_where_depths_have_few_bits() {
+    let image = |format| request(&fighting(format), View::Image);
+    let [fixed_16, fixed_24, float] = ["fixed-16", "fixed-24", "f32"].map(|format| drawn(&image(format)));
+    let (coarse, fine) = (differing(&fixed_16, &float), differing(&fixed_24, &float));
+    assert!(coarse > 300 && fine * 5 < coarse, "{coarse} {fine}");
+    for format in ["fixed-16", "f32"] {
+        let forced = Request { force_all_stages: true, ..image(format) };
+        assert!(drawn(&forced) == drawn(&image(format)), "{format}");
+        for antialias in [4, 16] {
+            let of = |format| drawn(&image(format).with_shot(|shot| shot.look.style.antialias = antialias));
+            assert!(differing(&of("fixed-16"), &of("f32")) > 300);
+        }
+    }
+    // The canonical volume has no depth buffer of its own; the world has the image on its window.
+    assert!(
+        drawn(&request(&fighting("fixed-16"), View::Canonical)) == drawn(&request(&fighting("f32"), View::Canonical))
+    );
+    let both = Figure { compare: Some(Comparison::of_key("style.depth_format", "\"fixed-16\"")), ..fighting("f32") };
+    let [own, other] = request(&both, View::Image).sides().unwrap();
+    assert!(drawn(&own.request) == float && drawn(&other.request) == fixed_16);
+}
