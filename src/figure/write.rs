@@ -2,8 +2,10 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `comparison` | `Comparison` → the `[compare]` of a figure file |
 //! | `show` | `Show` → the `[show]` of a figure file |
 
+mod comparison;
 mod show;
 
 use glam::DVec3;
@@ -63,7 +65,7 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
         put("show", show::show(&figure.show));
     }
     if let Some(comparison) = &figure.compare {
-        put("compare", comparison.written());
+        put("compare", comparison::comparison(comparison));
     }
     let points: ArrayOfTables = figure.points.iter().map(point).collect();
     if !points.is_empty() {
@@ -212,7 +214,7 @@ fn observer(o: Observer) -> Table {
     table(keys)
 }
 
-pub(super) fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {
+fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {
     let mut table = Table::new();
     for (key, value) in keys {
         table.insert(key, Item::Value(value));
@@ -231,7 +233,7 @@ pub(super) fn quoted(text: &str) -> Value {
 
 /// The shortest decimal number that reads back as the same `f64`; as a float of Rust is written, since that of the
 /// library has hundreds of zeros where it is very large or small.
-pub(super) fn number(x: f64) -> Value {
+fn number(x: f64) -> Value {
     let mut value = numbers::exact(x).parse().unwrap_or_else(|_| Value::from(x));
     // Spaces around it are those of its place.
     value.decor_mut().clear();
