@@ -9,6 +9,7 @@
 //! | `error` | why a text is not a figure |
 //! | `near` | the key that was probably meant |
 //! | `observer` | the observer of a three-dimensional picture, and the camera equivalent to it |
+//! | `other_side` | the figure on the other side of a comparison, and the figures that a comparison makes |
 //! | `points` | `[[points]]`: points of the world that are followed, each with a name |
 //! | `read/` | the text of a figure file → `Figure` |
 //! | `recommended` | the viewpoint from which each preset is worth seeing |
@@ -26,6 +27,7 @@ mod edit;
 pub mod error;
 mod near;
 pub mod observer;
+mod other_side;
 pub mod points;
 pub mod read;
 mod recommended;
@@ -41,10 +43,11 @@ use crate::appearance::Style;
 use crate::camera::{ImageSize, Parameters, Viewport};
 use crate::scene::{Preset, SceneSpec};
 pub use bilingual::Bilingual;
-pub use comparison::{Comparison, OtherSide};
+pub use comparison::Comparison;
 pub use edit::{show_with, update, varied};
 pub use error::FigureError;
 pub use observer::Observer;
+pub use other_side::OtherSide;
 pub use points::NamedPoint;
 pub use recommended::recommended_camera;
 pub use reveal::{Depth, Outside, Reveal};

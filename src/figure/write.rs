@@ -2,8 +2,10 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `comparison` | `Comparison` → the `[compare]` of a figure file |
 //! | `show` | `Show` → the `[show]` of a figure file |
 
+mod comparison;
 mod show;
 
 use glam::DVec3;
@@ -74,7 +76,7 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
         put("screen", screen(figure.screen));
     }
     if let Some(comparison) = &figure.compare {
-        put("compare", comparison.written());
+        put("compare", comparison::comparison(comparison));
     }
     let points: ArrayOfTables = figure.points.iter().map(point).collect();
     if !points.is_empty() {
@@ -243,7 +245,7 @@ fn told(text: &Bilingual) -> Value {
     [("en", quoted(en)), ("pt-BR", quoted(pt_br))].into_iter().collect::<InlineTable>().into()
 }
 
-pub(super) fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {
+fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {
     let mut table = Table::new();
     for (key, value) in keys {
         table.insert(key, Item::Value(value));
@@ -262,7 +264,7 @@ pub(super) fn quoted(text: &str) -> Value {
 
 /// The shortest decimal number that reads back as the same `f64`; as a float of Rust is written, since that of the
 /// library has hundreds of zeros where it is very large or small.
-pub(super) fn number(x: f64) -> Value {
+fn number(x: f64) -> Value {
     let mut value = numbers::exact(x).parse().unwrap_or_else(|_| Value::from(x));
     // Spaces around it are those of its place.
     value.decor_mut().clear();

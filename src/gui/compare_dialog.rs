@@ -5,7 +5,7 @@ use eframe::egui::{Button, Ui};
 use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::number_field::NumberField;
 use super::panels::complaint;
-use super::state::{Dialog, State};
+use super::state::{CompareForm, Dialog, State};
 use super::text_field::TextField;
 use super::tooltip::Explained;
 use crate::camera::{Operation, Projection};
@@ -14,26 +14,6 @@ use crate::i18n::compare::{self as words, Texts as Words};
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
 use crate::limits::MAX_TYPED_NAME;
-
-/// The values of the dialog that no figure has yet.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CompareForm {
-    /// θ of the other side, degrees.
-    pub angle: f64,
-    /// An operation as it is typed.
-    pub operation: String,
-}
-
-impl CompareForm {
-    /// The values of the figure's comparison, else those that are offered.
-    pub(super) fn of(figure: &Figure) -> Self {
-        let operation = figure.compare.as_ref().and_then(|comparison| comparison.ops.first());
-        Self {
-            angle: if figure.camera.view_angle < 45.0 { 60.0 } else { 30.0 },
-            operation: operation.map_or_else(|| "azimuth=30".to_owned(), ToString::to_string),
-        }
-    }
-}
 
 /// A button that opens the dialog.
 pub(super) fn button(ui: &mut Ui, state: &mut State) {
@@ -116,9 +96,9 @@ fn pairs(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
                     give_other_projection(state, &mut figure);
                 }
                 let before = figure.compare.take().unwrap_or_default();
-                let pair = Comparison { beside: before.beside, wiper: before.wiper, differences, ..before }
-                    .of_pair(&figure, key, pair);
-                chosen = pair.or(chosen.take());
+                // Of two boxes each is to be seen whole.
+                let beside = key == "show.ndc";
+                chosen = Comparison { beside, differences, ..before }.of_pair(&figure, key, pair);
             }
         }
     });

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
-use eframe::egui::{self, Id, Key, Modal, RichText};
+use eframe::egui::{self, Align2, Id, Key, Modal, RichText};
 
 use super::about;
 use super::coach;
@@ -45,7 +45,14 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     ctx.data_mut(|data| data.insert_temp(shown, kind));
     let t = window::texts(state.settings.lang);
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
-    let modal = Modal::new(Id::unique("dialog").with(kind)).frame(frame).show(ctx, |ui| {
+    let id = Id::unique("dialog").with(kind);
+    let mut modal = Modal::new(id).frame(frame);
+    if matches!(dialog, Dialog::Compare(_)) {
+        // The pictures show what is chosen.
+        let area = Modal::default_area(id).anchor(Align2::LEFT_BOTTOM, egui::vec2(8.0, -8.0));
+        modal = modal.area(area).backdrop_color(egui::Color32::TRANSPARENT);
+    }
+    let modal = modal.show(ctx, |ui| {
         let width = match &dialog {
             Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress | Dialog::Link => 520.0,
             Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,

@@ -62,8 +62,8 @@ impl Renderer {
     }
 
     /// A picture as [`pixels`](Self::pixels) gives it, over another one, and how it came about. Where the result is
-    /// `None`, the other one is lost too. It pauses where [`Rasterizer::paint_into`] does. Where the figure is compared,
-    /// the report is that of the figure as it is, with the shortfall of either side.
+    /// `None`, the other one is lost too. It pauses where [`Rasterizer::paint_into`] does. Where the figure is
+    /// compared, the report is that of the figure as it is, with the shortfall of either side.
     pub async fn pixels_into(&mut self, request: &Request, picture: &mut Pixels) -> Option<RenderReport> {
         let Some(sides) = request.sides() else { return self.one_into(request, picture).await };
         let mut pictures = [Pixels::default(), std::mem::take(&mut self.other_side)];

@@ -2,67 +2,28 @@
 
 use super::gizmos::SMALL_TYPE;
 use super::label_layout::half_size;
-use super::{Labels, Palette, Request, Shot, Size, View};
+use super::{Compared, Labels, Palette, Request, Shot, Size};
 use crate::appearance::{Dash, HiddenLines, Rgba};
-use crate::camera::{Camera, Ndc};
+use crate::camera::Ndc;
 use crate::drawing::{Anchor, Area, Drawing, Label, StrokeSet, single};
 use crate::figure::words::{self, DEPTH_FORMATS, HIDDEN_LINES, NDCS, PROJECTIONS, SHADINGS, VISIBILITIES};
-use crate::figure::{Comparison, Depth, Figure, OtherSide};
 use crate::sanitize;
-use crate::scene::SceneSpec;
 
 /// Room between two halves, in pixels at scale 1.
 const GAP: f32 = 4.0;
 /// The longest heading in characters.
 const LONGEST: usize = 60;
 
-/// The other side of a shot.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Compared {
-    /// The shot of the figure in the other way.
-    pub shot: Shot,
-    /// Its camera, where it is another one.
-    pub camera: Option<Camera>,
-    /// What is compared, and where the sides are.
-    pub comparison: Comparison,
-    /// The keys that are compared, with the values of both sides.
-    pub values: Vec<(String, [Option<String>; 2])>,
-}
-
-impl Compared {
-    /// The other side of a figure; `None` where nothing is compared, or the other side is impossible.
-    #[must_use]
-    pub fn of(figure: &Figure, scene: &SceneSpec) -> Option<Self> {
-        let comparison = figure.compare.clone()?;
-        let OtherSide { figure: other, camera, values } = comparison.other_side(figure).ok()?;
-        let camera = camera.map(|camera| camera.rounded());
-        Some(Self { shot: Shot::of_one(&other, scene), camera, comparison, values })
+/// The heading of a side, 0 or 1.
+fn heading(compared: &Compared, side: usize, labels: &Labels) -> String {
+    let mut parts: Vec<String> =
+        compared.values.iter().map(|(key, values)| said(key, values[side].as_deref(), labels)).collect();
+    match (compared.comparison.ops.is_empty(), side) {
+        (true, _) => {}
+        (false, 0) => parts.push(labels.before.to_owned()),
+        (false, _) => parts.extend(compared.comparison.ops.iter().map(ToString::to_string)),
     }
-
-    /// The part that is seen in a picture of a kind; `None` where it looks like `own` there.
-    #[must_use]
-    pub(super) fn seen_in(&self, view: View, own: &Shot) -> Option<Self> {
-        let shot = self.shot.seen_in(view);
-        let in_ndc = match view {
-            View::World => false,
-            View::Canonical => true,
-            View::Image => [own, &shot].iter().any(|shot| shot.look.reveal.depth != Depth::Off),
-        };
-        let alike = if in_ndc { shot == *own } else { Shot { ndc: own.ndc, ..shot.clone() } == *own };
-        (self.camera.is_some() || !alike).then(|| Self { shot, ..self.clone() })
-    }
-
-    /// The heading of a side, 0 or 1.
-    fn heading(&self, side: usize, labels: &Labels) -> String {
-        let mut parts: Vec<String> =
-            self.values.iter().map(|(key, values)| said(key, values[side].as_deref(), labels)).collect();
-        match (self.comparison.ops.is_empty(), side) {
-            (true, _) => {}
-            (false, 0) => parts.push(labels.before.to_owned()),
-            (false, _) => parts.extend(self.comparison.ops.iter().map(ToString::to_string)),
-        }
-        sanitize::within(&parts.join(", "), LONGEST)
-    }
+    sanitize::within(&parts.join(", "), LONGEST)
 }
 
 /// A value of a key in the words of the pictures, else as it is written.
@@ -197,7 +158,7 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
     }
     let em = SMALL_TYPE * scale;
     for (side, room, anchor) in [(0, [0.0, left], Anchor::Right), (1, [right, wide], Anchor::Left)] {
-        let text = compared.heading(side, request.labels);
+        let text = heading(compared, side, request.labels);
         let at = match (beside, anchor) {
             (true, _) => ((room[0] + room[1]) / 2.0, Anchor::Center),
             (false, Anchor::Right) => (room[1] - em, anchor),

@@ -112,7 +112,7 @@ use crate::pipeline::Frame;
 use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use arrangement::{Arrangement, aspect_shown, used_area};
-pub use compared::{Compared, Side, overlay};
+pub use compared::{Side, overlay};
 pub use hover::{
     Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, TransformGizmo, Transforming, TriangleOverlay,
 };
@@ -122,7 +122,7 @@ pub use palette::Palette;
 pub use picture::{MAX_PICTURES, Picture, observer_in};
 pub use pixels::{PixelRect, Size, image_frame};
 pub use request::{Finish, Normalizing, Request, SharedScene};
-pub use shot::{Look, Shot};
+pub use shot::{Compared, Look, Shot};
 pub use timed_pipeline::TimedPipeline;
 
 /// Draws a picture, and reports. `on_window` is the image that the view window of the world shows:

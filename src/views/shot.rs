@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use glam::DMat4;
 
-use super::{Compared, ObjectTransform, Picture, View};
+use super::{ObjectTransform, Picture, View};
 use crate::appearance::{DepthFormat, Style};
 use crate::camera::{Camera, ImageSize, Ndc, Viewport};
-use crate::figure::{Figure, NamedPoint, Outside, Reveal, Show, StagePicture, WorldLook};
+use crate::figure::{Comparison, Depth, Figure, NamedPoint, OtherSide, Outside, Reveal, Show, StagePicture, WorldLook};
 use crate::scene::SceneSpec;
 use crate::scene::edit::{object_named, placements};
 use crate::scene::transform::Trs;
@@ -33,6 +33,43 @@ pub struct Shot {
     pub measured_object: Option<ObjectTransform>,
     /// The same in another way, beside it.
     pub compared: Option<Arc<Compared>>,
+}
+
+/// The other side of a shot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// The shot of the figure in the other way.
+    pub shot: Shot,
+    /// Its camera, where it is another one.
+    pub camera: Option<Camera>,
+    /// What is compared, and where the sides are.
+    pub comparison: Comparison,
+    /// The keys that are compared, with the values of both sides.
+    pub values: Vec<(String, [Option<String>; 2])>,
+}
+
+impl Compared {
+    /// The other side of a figure; `None` where nothing is compared, or the other side is impossible.
+    #[must_use]
+    pub fn of(figure: &Figure, scene: &SceneSpec) -> Option<Self> {
+        let comparison = figure.compare.clone()?;
+        let OtherSide { figure: other, camera, values } = comparison.other_side(figure).ok()?;
+        let camera = camera.map(|camera| camera.rounded());
+        Some(Self { shot: Shot::of_one(&other, scene), camera, comparison, values })
+    }
+
+    /// The part that is seen in a picture of a kind; `None` where it looks like `own` there.
+    #[must_use]
+    pub(super) fn seen_in(&self, view: View, own: &Shot) -> Option<Self> {
+        let shot = self.shot.seen_in(view);
+        let in_ndc = match view {
+            View::World => false,
+            View::Canonical => true,
+            View::Image => [own, &shot].iter().any(|shot| shot.look.reveal.depth != Depth::Off),
+        };
+        let alike = if in_ndc { shot == *own } else { Shot { ndc: own.ndc, ..shot.clone() } == *own };
+        (self.camera.is_some() || !alike).then(|| Self { shot, ..self.clone() })
+    }
 }
 
 /// The three pictures of a figure, with nothing explained in them.

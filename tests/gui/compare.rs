@@ -67,7 +67,7 @@ fn a_pair_is_chosen_the_wiper_is_dragged_and_both_are_undone() {
         window.command_key(Key::Z);
     }
     assert_eq!(window.compared(), None);
-    assert!(window.harness.query_by_role(Role::Slider).is_none());
+    assert!(window.harness.query_by_label("wiper between the two sides").is_none());
 }
 
 #[test]

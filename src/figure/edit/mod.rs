@@ -14,8 +14,8 @@ use super::Figure;
 use super::read;
 use super::write::{document, to_toml};
 
-pub(super) use vary::{parsed, value_of, varied_whole};
 pub use vary::{show_with, varied};
+pub(super) use vary::{value_of, varied_whole};
 
 /// The figure file of `figure`, made from an earlier text by changing only the parts that differ: comments, order and
 /// the notation of numbers stay. A text that is not a figure file is replaced.

@@ -47,7 +47,7 @@ pub(in crate::figure) fn value_of(document: &DocumentMut, key: &str) -> Option<V
     item.as_value().cloned()
 }
 
-pub(in crate::figure) fn parsed(key: &str, value: &str) -> Result<Option<Value>, FigureError> {
+fn parsed(key: &str, value: &str) -> Result<Option<Value>, FigureError> {
     let value = value.trim();
     let is_word = |text: &str| text.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_' | '/' | ' '));
     match value.parse::<Value>() {

@@ -2,6 +2,7 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `comparison` | the `[compare]` of a figure file |
 //! | `points` | the `[[points]]` of a figure file |
 //! | `scene` | the `[scene]` section: a preset, a tree of objects, lights |
 //! | `screen` | the `title`, the `caption` and the `[screen]` of a figure file |
@@ -9,6 +10,7 @@
 //! | `show` | the `[show]` of a figure file |
 //! | `syntax` | a text that is not TOML: which line, which key, and why |
 
+mod comparison;
 mod points;
 mod scene;
 mod screen;
@@ -21,7 +23,6 @@ use std::ops::Range;
 use glam::DVec3;
 use toml_edit::{Document, TableLike};
 
-use super::comparison;
 use super::error::{Allowed, FigureError, Problem};
 use super::words::{DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
 use super::{Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook};
@@ -147,7 +148,7 @@ pub(crate) fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         observers: observers(observers_section, faults),
         show: show::show(show_section, faults),
         screen: screen::screen(screen_section, faults),
-        compare: comparison::read(compare_section, faults),
+        compare: comparison::comparison(compare_section, faults),
     }
 }
 

@@ -41,7 +41,7 @@ pub(super) struct Auto {
     before: VecDeque<(Subject, Observer)>,
 }
 
-/// What a picture is framed for, besides its scene and its size.
+/// The subject of a framing, besides the scene and the size of the picture.
 #[derive(Clone, Debug, PartialEq)]
 struct Subject {
     camera: Camera,

@@ -263,7 +263,6 @@ impl Canvas {
             state.screen_scale = pane.rect.size.scale;
         }
         self.settle_observers(ui, state, &mut panes);
-        Self::wipers(ui, state, &panes);
         let mut status = self.interact(ui, state, &panes, texts);
         self.pin_clicked(&ctx, state);
         self.take_click(&ctx, state);
@@ -272,6 +271,7 @@ impl Canvas {
         state.seen = Picture::observers(&self.shot.pictures);
         self.draw(ui, state, &mut panes);
         self.decorate(ui, state, &panes, texts);
+        Self::wipers(ui, state, &panes);
 
         if state.layout.strip {
             self.strip(ui, stages, state, texts);

@@ -6,11 +6,12 @@ use super::Command::{self, *};
 use super::{InBrowser, Menu, Row, Run};
 use crate::appearance;
 use crate::figure::{Explanation, Observers};
-use crate::gui::compare_dialog::CompareForm;
 use crate::gui::file_flow;
 use crate::gui::gallery::Part;
 use crate::gui::number_tables;
-use crate::gui::state::{self, AfterSave, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory};
+use crate::gui::state::{
+    self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory,
+};
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, canvas, compare, sharing};
 use crate::views::observer::Viewpoint;

@@ -3,10 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::Message;
+use super::{CompareForm, Message};
 use crate::camera::Decomposition;
 use crate::files::Overwrite;
-use crate::gui::compare_dialog::CompareForm;
 use crate::gui::comparison::Comparison;
 use crate::gui::document::Document;
 use crate::gui::export::{Export, Exported, Exporting};

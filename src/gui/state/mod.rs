@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | `annotations` | annotations of a lecturer over the pictures |
 //! | `coach` | the coach's findings about the figure |
+//! | `compare` | the state of the dialog that compares the figure with itself in another way |
 //! | `conventions` | the display of matrices, and the convention of NDC |
 //! | `exercises` | the exercises in the window: the choice, typed answers, and verdicts |
 //! | `explain` | the content of the explanations |
@@ -27,6 +28,7 @@
 
 mod annotations;
 mod coach;
+mod compare;
 mod conventions;
 mod exercises;
 mod explain;
@@ -62,6 +64,7 @@ use crate::views::Probe;
 use crate::views::View;
 pub use annotations::Annotations;
 pub use coach::{Advice, Coach};
+pub use compare::CompareForm;
 pub use conventions::Conventions;
 pub(in crate::gui) use exercises::Done;
 pub use exercises::{Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Typed, is_whole, joined};

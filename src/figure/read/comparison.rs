@@ -1,0 +1,66 @@
+//! The `[compare]` of a figure file.
+
+use super::parse;
+use super::section::{Fault, Section};
+use crate::camera::Operation;
+use crate::figure::Comparison;
+use crate::figure::error::{Allowed, FigureError, Problem};
+use crate::figure::near;
+use crate::limits::MAX_COMPARED_KEYS;
+
+/// The sections whose keys can be compared. The scene, its points and the observers are the same on both sides.
+const SECTIONS: [&str; 7] = ["camera", "image", "viewport", "style", "reveal", "world", "show"];
+
+/// Reads the section; `None` where there is none, or nothing to compare.
+pub(super) fn comparison(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Comparison> {
+    let is_there = section.is_table();
+    let entries = section.entries("with");
+    let mut with: Vec<(String, String)> = Vec::new();
+    for (key, value, at) in entries {
+        match checked(&key, &value) {
+            Ok(()) => {
+                with.retain(|(other, _)| *other != key);
+                with.push((key, value));
+            }
+            Err(problem) => {
+                let key = section.name_of(&format!("with.{}", crate::sanitize::escaped(&key)));
+                section.faults.push(Fault { at, key, problem });
+            }
+        }
+    }
+    let ops: Vec<Operation> = section.list("ops", Allowed::Operations, |text| text.parse().ok());
+    let wiper = section.number_in("wiper", 0.0, 1.0, 0.5);
+    let beside = section.word("layout", &[("wiper", false), ("beside", true)], false);
+    let differences = section.switch("differences");
+    let count = with.len() + ops.len();
+    if is_there && count == 0 && section.faults.is_empty() {
+        section.missing("with", Allowed::Section);
+    } else if count > MAX_COMPARED_KEYS {
+        section.fault("with", Problem::TooMany { count, limit: MAX_COMPARED_KEYS });
+    }
+    let found = section.finish();
+    let is_good = found.iter().all(Fault::is_unknown_key);
+    faults.extend(found);
+    (is_there && is_good && count > 0).then_some(Comparison { with, ops, wiper, beside, differences })
+}
+
+/// Whether a key can be compared and has this value in some figure. Whether it is possible together with the values of
+/// this figure is another question: they change, and a file can still be read then.
+fn checked(key: &str, value: &str) -> Result<(), Problem> {
+    let section = key.split('.').next().unwrap_or_default().trim();
+    let is_plain = key.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '-'));
+    if !SECTIONS.contains(&section) || !key.contains('.') || !is_plain {
+        return Err(Problem::UnknownKey { near: near::word(section, &SECTIONS), known: SECTIONS.to_vec() });
+    }
+    if key == "style.theme" {
+        // Both sides are of one scene, whose colours are those of a theme.
+        let known = vec!["shading", "visibility", "hidden_lines", "antialias", "depth_format"];
+        return Err(Problem::UnknownKey { near: None, known });
+    }
+    // The sections are tables, and so `show.step.at` is a key of `[show]`.
+    match parse(&format!("{key} = {value}\n")) {
+        Ok(_) => Ok(()),
+        Err(FigureError { problem: Problem::Camera(_) | Problem::Missing { .. }, .. }) => Ok(()),
+        Err(FigureError { problem, .. }) => Err(problem),
+    }
+}
