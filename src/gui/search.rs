@@ -67,7 +67,10 @@ const PARAMETERS: [Parameter; 11] = [
     (Tab::Camera, "", |t| t.viewport),
 ];
 
-const MATRICES: [(Matrix, fn(&window::Texts) -> &'static str); 3] = [
+/// A matrix and its name among the texts of the window.
+type NamedMatrix = (Matrix, fn(&window::Texts) -> &'static str);
+
+const MATRICES: [NamedMatrix; 3] = [
     (Matrix::View, |t| t.view_name),
     (Matrix::Projection, |t| t.projection_name),
     (Matrix::ViewProjection, |t| t.product_name),
@@ -271,7 +274,8 @@ mod tests {
 
     /// The first results for some words, by title.
     fn titles(lang: Lang, wanted: &str) -> Vec<String> {
-        let mut state = State::new(crate::gui::Start { lang, ..crate::gui::Start::default() }).unwrap();
+        let mut state =
+            State::new(crate::gui::Start { lang, ..crate::gui::Start::default() }).expect("nothing is opened");
         state.search.wanted = wanted.to_owned();
         found(&state).into_iter().take(3).map(|entry| entry.title.into_owned()).collect()
     }

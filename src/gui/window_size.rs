@@ -5,7 +5,7 @@ use eframe::egui::{Context, Pos2, ViewportCommand, vec2};
 /// Screens up to this size, in points, have the window in the size that suits them.
 const SMALL: [f32; 2] = [1280.0, 720.0];
 /// Time for which a window manager is waited for, in seconds.
-const PATIENCE: f64 = 1.0;
+const PATIENCE: f32 = 1.0;
 
 /// The opening of the window, from its first frame on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -29,11 +29,11 @@ impl Opening {
         match (*self, screen) {
             (Self::Begins, Some(screen)) if screen.x > SMALL[0] || screen.y > SMALL[1] => {
                 ctx.send_viewport_cmd(ViewportCommand::Maximized(true));
-                ctx.request_repaint_after_secs(PATIENCE as f32 + 0.1);
+                ctx.request_repaint_after_secs(PATIENCE + 0.1);
                 *self = Self::Asked(now);
             }
             (Self::Begins, Some(_)) => *self = Self::Done,
-            (Self::Asked(since), Some(screen)) if now - since > PATIENCE => {
+            (Self::Asked(since), Some(screen)) if now - since > f64::from(PATIENCE) => {
                 let is_large = inner.is_some_and(|inner| inner.width() > 0.9 * screen.x);
                 if maximized != Some(true) && !is_large {
                     // There is no window manager, and so nothing else on the screen.

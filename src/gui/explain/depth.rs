@@ -24,6 +24,8 @@ use crate::views::Probe;
 /// Height of the plot in points.
 const HEIGHT: f32 = 150.0;
 const SAMPLES: u32 = 200;
+/// The widest head of a column of formats, in points: in a presentation the table has little room.
+const HEAD: f32 = 76.0;
 /// Where B/F is more, depths are shown by their logarithms: all else would be at the left border.
 const WIDE_RANGE: f64 = 50.0;
 
@@ -100,11 +102,14 @@ fn formats(ui: &mut Ui, lang: Lang, resolutions: &[Resolution]) {
     let t = words::texts(lang);
     let colors = Planes::of(ui);
     let right = ui.max_rect().right();
-    Grid::new("formats").num_columns(3).spacing([18.0, 2.0]).show(ui, |ui| {
+    Grid::new("formats").num_columns(3).spacing([10.0, 2.0]).show(ui, |ui| {
         for head in [t.format, t.step_here] {
-            ui.label(RichText::new(head).small().weak());
+            ui.vertical(|ui| {
+                ui.set_max_width(HEAD);
+                ui.add(Label::new(RichText::new(head).small().weak()).wrap());
+            });
         }
-        ui.horizontal(|ui| {
+        ui.vertical(|ui| {
             ui.label(RichText::new(t.nearer).small().strong().color(colors.nearer));
             ui.label(RichText::new(t.farther).small().strong().color(colors.farther));
         });

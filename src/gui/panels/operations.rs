@@ -190,7 +190,7 @@ fn springs(ui: &egui::Ui, place: egui::Rect, share: f32) {
         let at = |k: u8| {
             let up = if k == 0 || k == COILS {
                 0.0
-            } else if k % 2 == 0 {
+            } else if k.is_multiple_of(2) {
                 high
             } else {
                 -high
