@@ -2,7 +2,10 @@
 
 use crate::appearance::Rgba;
 use crate::limits::MAX_PIXELS;
-use crate::views::{Arrangement, Palette, Picture, Request, Shot, Size, Views, aspect_shown, used_area};
+use crate::views::{
+    Arrangement, Palette, Picture, Request, Shot, Size, Views, aspect_shown, best_arrangement, share_of_first,
+    used_area,
+};
 
 /// Room between two pictures on a sheet, in pixels at scale 1.
 const GAP: f32 = 4.0;
@@ -191,7 +194,7 @@ fn best(pictures: &[Picture], request: &Request) -> Arrangement {
     let aspects = || pictures.iter().map(|picture| aspect_shown(picture.kind, request.shot.look.image));
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let used = |(size, aspect): (Size, f32)| used_area(size.width as f32, size.height as f32, aspect);
-    Arrangement::best(pictures.len(), |arrangement| {
+    best_arrangement(pictures.len(), |arrangement| {
         let sizes = sizes_of(pictures.len(), arrangement, request.size);
         sizes.map_or(0.0, |sizes| sizes.into_iter().zip(aspects()).map(used).sum())
     })
@@ -229,7 +232,7 @@ fn parts(count: usize, length: u32, gap: u32) -> Option<impl Iterator<Item = u32
 fn first_and_rest(length: u32, gap: u32, arrangement: Arrangement) -> Option<[u32; 2]> {
     let room = length.checked_sub(gap)?;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of the room")]
-    let first = (f64::from(room) * f64::from(arrangement.share_of_first())).round() as u32;
+    let first = (f64::from(room) * f64::from(share_of_first(arrangement))).round() as u32;
     Some([first, room - first])
 }
 

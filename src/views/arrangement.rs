@@ -4,25 +4,27 @@ use super::View;
 use crate::camera::ImageSize;
 pub use crate::figure::Arrangement;
 
-impl Arrangement {
-    /// The default share of the first of three pictures; the two others have the same.
-    #[must_use]
-    pub const fn share_of_first(self) -> f32 {
-        match self {
-            Self::Row | Self::Column => 1.0 / 3.0,
-            Self::Above => 0.54,
-            Self::Beside => 0.56,
-        }
+/// The default share of the first of three pictures; the two others have the same.
+#[must_use]
+pub const fn share_of_first(arrangement: Arrangement) -> f32 {
+    match arrangement {
+        Arrangement::Row | Arrangement::Column => 1.0 / 3.0,
+        Arrangement::Above => 0.54,
+        Arrangement::Beside => 0.56,
     }
+}
 
-    /// The arrangement in which `count` pictures use most of a room; where two are about as good, the first one.
-    /// `used`: the area that they use, in any unit.
-    #[must_use]
-    pub fn best(count: usize, used: impl Fn(Self) -> f32) -> Self {
-        let candidates: &[Self] = if count < 3 { &[Self::Column] } else { &[Self::Above, Self::Beside, Self::Column] };
-        let better = |best, next: &Self| if used(*next) > 1.05 * used(best) { *next } else { best };
-        candidates.iter().fold(Self::Row, better)
-    }
+/// The arrangement in which `count` pictures use most of a room; where two are about as good, the first one. `used`: the
+/// area that they use, in any unit.
+#[must_use]
+pub fn best_arrangement(count: usize, used: impl Fn(Arrangement) -> f32) -> Arrangement {
+    let candidates: &[Arrangement] = if count < 3 {
+        &[Arrangement::Column]
+    } else {
+        &[Arrangement::Above, Arrangement::Beside, Arrangement::Column]
+    };
+    let better = |best, next: &Arrangement| if used(*next) > 1.05 * used(best) { *next } else { best };
+    candidates.iter().fold(Arrangement::Row, better)
 }
 
 /// Width by height of a picture's content; very long images count as less so, because their place cannot follow them.

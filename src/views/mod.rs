@@ -111,7 +111,7 @@ pub use crate::figure::{View, Views};
 use crate::pipeline::Frame;
 use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
-pub use arrangement::{Arrangement, aspect_shown, used_area};
+pub use arrangement::{Arrangement, aspect_shown, best_arrangement, share_of_first, used_area};
 pub use compared::{Side, overlay};
 pub use hover::{
     Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, TransformGizmo, Transforming, TriangleOverlay,

@@ -42,7 +42,7 @@ pub struct Compared {
     pub shot: Shot,
     /// Its camera, where it is another one.
     pub camera: Option<Camera>,
-    /// What is compared, and where the sides are.
+    /// The comparison, with the place of its sides.
     pub comparison: Comparison,
     /// The keys that are compared, with the values of both sides.
     pub values: Vec<(String, [Option<String>; 2])>,

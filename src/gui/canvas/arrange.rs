@@ -2,7 +2,7 @@
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
-use crate::views::{Arrangement, used_area};
+use crate::views::{Arrangement, best_arrangement, share_of_first, used_area};
 
 /// Room between two pictures, in points: the bar that is dragged.
 pub(super) const GAP: f32 = 5.0;
@@ -43,7 +43,7 @@ impl Default for Shares {
     fn default() -> Self {
         let mut shares = [[0.5, 0.5]; 8];
         for arrangement in Arrangement::ALL {
-            shares[Self::place(arrangement, 3)][0] = arrangement.share_of_first();
+            shares[Self::place(arrangement, 3)][0] = share_of_first(arrangement);
         }
         Self(shares)
     }
@@ -162,7 +162,7 @@ fn lay_out(room: Rect, count: usize, arrangement: Arrangement, shares: &Shares) 
 
 /// The arrangement in which the pictures use most of a room.
 fn best(room: Rect, pictures: &[Framed]) -> Arrangement {
-    Arrangement::best(pictures.len(), |arrangement| used(room, pictures, arrangement))
+    best_arrangement(pictures.len(), |arrangement| used(room, pictures, arrangement))
 }
 
 /// The area that pictures use of a room in an arrangement; points².

@@ -29,8 +29,8 @@ pub(super) struct Moment {
     pub(super) still: bool,
 }
 
-/// What makes a picture larger or smaller besides the camera and the scene: the parts outside the volume that are
-/// shown, and the convention of NDC.
+/// Settings that make a picture larger or smaller besides the camera and the scene: the parts outside the volume that
+/// are shown, and the convention of NDC.
 type Extent = (Outside, Ndc);
 
 /// The observer of a figure that says nothing about it.

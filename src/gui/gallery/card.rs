@@ -58,7 +58,7 @@ pub(super) enum CardOutcome {
     Drawn(Source, Drawn),
 }
 
-/// What a figure says of itself.
+/// The words of a figure about itself.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Told {
     pub(super) title: String,
@@ -164,7 +164,7 @@ fn draw(
     renderer.pixels(&request).ok_or_else(|| window::texts(lang).picture_too_large.to_owned())
 }
 
-/// What a figure says of itself, also one that cannot be drawn. A file without a title has its name, a file without a
+/// Reads the words of a figure about itself, also of one that cannot be drawn. A file without a title has its name, a file without a
 /// caption its first comment.
 fn said_by(source: &Source, lang: Lang) -> Told {
     let in_lang = |text: &Bilingual| told(lang, text).to_owned();

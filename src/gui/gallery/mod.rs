@@ -74,7 +74,7 @@ pub struct Gallery {
 #[derive(Default)]
 struct Card {
     texture: Option<TextureHandle>,
-    /// What it says of itself; `None`: not read yet.
+    /// Its words about itself; `None`: not read yet.
     told: Option<Told>,
     /// Why it cannot be drawn; empty where it can, or has not been tried.
     fault: String,
