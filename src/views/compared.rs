@@ -182,7 +182,7 @@ fn plate(
     em: f32,
     palette: Palette,
 ) {
-    let half = half_size(text, f64::from(em) as f32);
+    let half = half_size(text, em);
     let (half_width, half_height) = (single(half.x), single(half.y));
     let middle = match anchor {
         Anchor::Left => x + half_width,
