@@ -39,6 +39,8 @@ impl Opening {
                     // There is no window manager, and so nothing else on the screen.
                     ctx.send_viewport_cmd(ViewportCommand::OuterPosition(Pos2::ZERO));
                     ctx.send_viewport_cmd(ViewportCommand::InnerSize(vec2(screen.x, screen.y)));
+                    // Without a window manager the new size may come after the frame that it asks for.
+                    ctx.request_repaint_after_secs(0.2);
                 }
                 *self = Self::Done;
             }

@@ -14,8 +14,8 @@ pub const fn share_of_first(arrangement: Arrangement) -> f32 {
     }
 }
 
-/// The arrangement in which `count` pictures use most of a room; where two are about as good, the first one. `used`: the
-/// area that they use, in any unit.
+/// The arrangement in which `count` pictures use most of a room; where two are about as good, the first one.
+/// `used`: the area that they use, in any unit.
 #[must_use]
 pub fn best_arrangement(count: usize, used: impl Fn(Arrangement) -> f32) -> Arrangement {
     let candidates: &[Arrangement] = if count < 3 {

@@ -284,8 +284,8 @@ fn candidates(label: &Label, leaders: bool) -> impl Iterator<Item = Candidate> +
             let d = DVec2::from_angle(angle.to_radians()).rotate(direction);
             let reach = gap + more * em + (d.abs() * half).element_sum();
             // On the other side of its point and not close to it, a text would be read as the name of something else.
-            let leads = leads || leaders && angle.abs() > 80.0 && more > 0.0;
             let dislike = angle.abs() / 90.0 + if leads { 2.5 + more } else { 1.5 * more };
+            let leads = leads || leaders && angle.abs() > 80.0 && more > 0.0;
             Candidate { place: Box2 { center: at + d * reach, half }, at, em, dislike, leads }
         })
     })

@@ -8,7 +8,7 @@ mod vary;
 
 use std::collections::{HashMap, VecDeque};
 
-use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
+use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use super::Figure;
 use super::read;
@@ -102,10 +102,29 @@ fn merge_item(table: &mut dyn TableLike, key: &str, old: Option<&Item>, new: &It
             if let (Some(mine), Some(new)) = (mine.as_table_like_mut(), new.as_table_like()) {
                 merge(mine, old.and_then(Item::as_table_like).unwrap_or(&nothing), new);
             }
+            if let Item::Value(Value::InlineTable(new)) = new {
+                order_as(mine, new);
+            }
         }
         _ => {
             table.insert(key, new.clone());
         }
+    }
+}
+
+/// Brings the keys of a table into the order of `new`, where the order says something: the first key of a comparison
+/// names it.
+fn order_as(mine: &mut Item, new: &InlineTable) {
+    let place = |key: &str| new.iter().position(|(other, _)| other == key);
+    let is_ordered = |table: &dyn TableLike| table.iter().map(|(key, _)| place(key)).is_sorted();
+    match mine {
+        Item::Table(table) if !is_ordered(table) => {
+            table.sort_values_by(|a, _, b, _| place(a.get()).cmp(&place(b.get())));
+        }
+        Item::Value(Value::InlineTable(table)) if !is_ordered(table) => {
+            table.sort_values_by(|a, _, b, _| place(a.get()).cmp(&place(b.get())));
+        }
+        _ => {}
     }
 }
 

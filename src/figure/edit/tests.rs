@@ -312,6 +312,17 @@ fn a_layout_is_written_beside_comments_and_taken_out_again() {
 }
 
 #[test]
+fn the_first_key_of_a_comparison_is_written_first() {
+    let text = "[compare]\nwiper = 0.25 # left\n[compare.with]\n\"camera.near\" = 0.5 # near\n";
+    let mut figure = read::parse(text).unwrap();
+    let compare = figure.compare.as_mut().unwrap();
+    compare.with.insert(0, ("style.shading".to_owned(), "\"flat\"".to_owned()));
+    let edited = edit(text, &figure).unwrap();
+    assert_eq!(read::parse(&edited).as_ref(), Ok(&figure));
+    assert!(edited.contains("# left") && edited.contains("# near"), "{edited}");
+}
+
+#[test]
 fn a_figure_that_did_not_change_leaves_the_text_alone() {
     for text in OTHER_FORMS {
         assert_eq!(update(text, &read::parse(text).unwrap()), text);

@@ -164,8 +164,8 @@ fn draw(
     renderer.pixels(&request).ok_or_else(|| window::texts(lang).picture_too_large.to_owned())
 }
 
-/// Reads the words of a figure about itself, also of one that cannot be drawn. A file without a title has its name, a file without a
-/// caption its first comment.
+/// Reads the words of a figure about itself, also of one that cannot be drawn. A file without a title has its name, a
+/// file without a caption its first comment.
 fn said_by(source: &Source, lang: Lang) -> Told {
     let in_lang = |text: &Bilingual| told(lang, text).to_owned();
     match source {
