@@ -93,7 +93,7 @@ fn own_value(figure: &Figure, key: &str) -> Option<String> {
 /// The value of a key that is not written in a figure, where there is one.
 fn unwritten(key: &str) -> Option<String> {
     Some(match key {
-        "style.depth_format" => "\"f32\"".to_owned(),
+        "style.depth_format" => "\"f32-reversed\"".to_owned(),
         "show.ndc" => format!("\"{}\"", Ndc::default().name()),
         "reveal.outside" => return None,
         _ if key.starts_with("reveal.") || key == "image.undistorted" => "false".to_owned(),

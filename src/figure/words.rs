@@ -39,7 +39,7 @@ pub const THEMES: Words<Theme> = &[("light", Theme::Light), ("dark", Theme::Dark
 
 /// `[style] depth_format`
 pub const DEPTH_FORMATS: Words<DepthFormat> =
-    &[("fixed-16", DepthFormat::Fixed16), ("fixed-24", DepthFormat::Fixed24), ("f32", DepthFormat::Float)];
+    &[("fixed-16", DepthFormat::Fixed16), ("fixed-24", DepthFormat::Fixed24), ("f32-reversed", DepthFormat::Float)];
 
 /// `[reveal] depth`, besides `true` and `false`
 pub const DEPTHS: Words<Depth> = &[("linear", Depth::Linear)];

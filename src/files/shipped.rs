@@ -50,10 +50,10 @@ macro_rules! shipped {
 }
 
 /// All of them, in the order in which they are shown: every named scene is among them.
-pub const SHIPPED_FIGURES: [ShippedFigure; 40] = shipped![
+pub const SHIPPED_FIGURES: [ShippedFigure; 43] = shipped![
     Camera "": "primitives", "house", "corridor", "teapot", "arm", "cube", "empty";
     Camera "pipeline/": "look-at";
-    Cube "pipeline/": "frustum-to-cube";
+    Cube "pipeline/": "frustum-to-cube", "parallel-perspective", "view-angles", "opengl-direct3d";
     Cube "": "ndc-cube";
     Clipping "pipeline/": "clipping", "divide-first", "culled";
     Hidden "pipeline/": "painter", "bsp", "depth", "depth-linear", "z-fighting";

@@ -88,7 +88,7 @@ fn pairs(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
             (words.shading, "style.shading", ["flat", "phong"], false),
             (words.projection, "camera.projection", ["parallel", "perspective"], false),
             (words.convention, "show.ndc", ["opengl", "direct3d"], false),
-            (words.depth, "style.depth_format", ["fixed-16", "f32"], true),
+            (words.depth, "style.depth_format", ["fixed-16", "f32-reversed"], true),
         ] {
             if offer(ui, is_of(key, pair[0]), name) {
                 let mut figure = in_window(state);

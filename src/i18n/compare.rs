@@ -11,7 +11,7 @@ texts! {
     shading: "flat | Phong", "plano | Phong";
     projection: "parallel | perspective", "paralela | perspectiva";
     convention: "OpenGL | Direct3D", "OpenGL | Direct3D";
-    depth: "depth of 16 bits | f32", "profundidade de 16 bits | f32";
+    depth: "depth of 16 bits | f32 reversed", "profundidade de 16 bits | f32 invertido";
     angle: "θ", "θ";
     angle_hint: "The view angle of the other side", "O ângulo de vista do outro lado";
     angle_none: "A parallel camera or one with a free window has no θ", "Uma câmera paralela ou de janela livre não tem θ";

@@ -50,7 +50,7 @@ texts! {
     differ: "pixels that differ", "pixels que diferem";
     fixed_16: "depth: 16 bits", "profundidade: 16 bits";
     fixed_24: "depth: 24 bits", "profundidade: 24 bits";
-    float: "depth: f32", "profundidade: f32";
+    float: "depth: f32 reversed", "profundidade: f32 invertido";
     hidden_dashed: "hidden lines: dashed", "linhas ocultas: tracejadas";
     hidden_hidden: "hidden lines: not drawn", "linhas ocultas: não desenhadas";
     hidden_shown: "hidden lines: drawn", "linhas ocultas: desenhadas";

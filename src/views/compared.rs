@@ -14,6 +14,15 @@ const GAP: f32 = 4.0;
 /// The longest heading in characters.
 const LONGEST: usize = 60;
 
+/// Parameters of the camera with their symbols in the notes, and their units.
+const SYMBOLS: [(&str, &str, &str); 5] = [
+    ("camera.view_angle", "θ", "°"),
+    ("camera.height", "H", ""),
+    ("camera.aspect", "A", ""),
+    ("camera.near", "F", ""),
+    ("camera.far", "B", ""),
+];
+
 /// The heading of a side, 0 or 1.
 fn heading(compared: &Compared, side: usize, labels: &Labels) -> String {
     let mut parts: Vec<String> =
@@ -37,14 +46,16 @@ fn said(key: &str, value: Option<&str>, labels: &Labels) -> String {
         ("style.hidden_lines", Some(value)) => word(HIDDEN_LINES, &labels.hidden_lines, value).map(str::to_owned),
         ("camera.projection", Some(value)) => word(PROJECTIONS, &labels.projections, value).map(str::to_owned),
         ("style.depth_format", value) => {
-            word(DEPTH_FORMATS, &labels.depth_formats, value.unwrap_or("f32")).map(str::to_owned)
+            word(DEPTH_FORMATS, &labels.depth_formats, value.unwrap_or("f32-reversed")).map(str::to_owned)
         }
         ("show.ndc", value) => {
             let ndc = value.map_or(Some(Ndc::default()), |value| words::value(NDCS, value));
             ndc.map(|ndc| labels.ndc_title(ndc))
         }
-        ("camera.view_angle", Some(value)) => {
-            Some(format!("θ = {}°", labels.mark.printed(value.trim_end_matches(".0"))))
+        (key, Some(value)) => {
+            let symbol = SYMBOLS.iter().find(|(known, ..)| *known == key);
+            let number = labels.mark.printed(value.trim_end_matches(".0"));
+            symbol.map(|(_, symbol, unit)| format!("{symbol} = {number}{unit}"))
         }
         _ => None,
     };

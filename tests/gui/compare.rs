@@ -79,7 +79,7 @@ fn each_ready_pair_compares_and_is_swapped() {
         ("BSP | depth buffer", "style.visibility"),
         ("parallel | perspective", "camera.projection"),
         ("OpenGL | Direct3D", "show.ndc"),
-        ("depth of 16 bits | f32", "style.depth_format"),
+        ("depth of 16 bits | f32 reversed", "style.depth_format"),
     ] {
         window.click(pair);
         assert_eq!(window.compared().expect("a comparison").with[0].0, key, "{pair}");
@@ -87,7 +87,7 @@ fn each_ready_pair_compares_and_is_swapped() {
     }
     window.click("Swap sides");
     assert_eq!(window.state().document.figure().style.depth_format, DepthFormat::Fixed16);
-    assert_eq!(window.compared().expect("a comparison").with[0].1, "\"f32\"");
+    assert_eq!(window.compared().expect("a comparison").with[0].1, "\"f32-reversed\"");
     window.click("Swap sides");
     window.click("parallel | perspective");
     window.click("Swap sides");

@@ -7,7 +7,7 @@ use camera_lab::figure::{Comparison, Figure, Show, View, read, varied, write};
 use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::share;
-use camera_lab::views::{Request, Size};
+use camera_lab::views::{Request, Size, overlay};
 
 use crate::cli::pixels;
 use crate::common::program::Bench;
@@ -80,6 +80,23 @@ fn each_side_is_the_picture_of_a_figure_with_the_other_value() {
     let camera = Camera::new(&house(Show::default()).camera).unwrap();
     let camera = turned.apply(&camera, Default::default()).unwrap();
     assert_eq!(after.request.camera, camera.rounded());
+}
+
+#[test]
+fn sides_are_headed_by_words_and_by_the_symbols_of_the_notes() {
+    for (key, value, headings) in [
+        ("style.visibility", "\"painter\"", ["depth buffer", "painter"]),
+        ("style.depth_format", "\"fixed-24\"", ["profundidade: f32 invertido", "profundidade: 24 bits"]),
+        ("camera.near", "0.5", ["F = 3", "F = 0,5"]),
+        ("camera.view_angle", "60.0", ["θ = 38°", "θ = 60°"]),
+    ] {
+        let lang = if headings[0].contains("buffer") { Lang::En } else { Lang::PtBr };
+        let figure = compared(Comparison::of_key(key, value));
+        let camera = Camera::new(&figure.camera).unwrap();
+        let request = Request::of(&figure, View::Image, &camera, &scene(&figure), labels(lang), SIZE);
+        let over = overlay(&request, &request.sides().unwrap(), None).unwrap();
+        assert_eq!(over.labels.iter().map(|label| &*label.text).collect::<Vec<_>>(), headings);
+    }
 }
 
 #[test]
@@ -183,22 +200,24 @@ fn differing(one: &Pixels, other: &Pixels) -> usize {
 #[test]
 fn planes_fight_in_the_image_where_depths_have_few_bits() {
     let image = |format| request(&fighting(format), View::Image);
-    let [fixed_16, fixed_24, float] = ["fixed-16", "fixed-24", "f32"].map(|format| drawn(&image(format)));
+    let [fixed_16, fixed_24, float] = ["fixed-16", "fixed-24", "f32-reversed"].map(|format| drawn(&image(format)));
     let (coarse, fine) = (differing(&fixed_16, &float), differing(&fixed_24, &float));
     assert!(coarse > 300 && fine * 5 < coarse, "{coarse} {fine}");
-    for format in ["fixed-16", "f32"] {
+    for format in ["fixed-16", "f32-reversed"] {
         let forced = Request { force_all_stages: true, ..image(format) };
         assert!(drawn(&forced) == drawn(&image(format)), "{format}");
         for antialias in [4, 16] {
             let of = |format| drawn(&image(format).with_shot(|shot| shot.look.style.antialias = antialias));
-            assert!(differing(&of("fixed-16"), &of("f32")) > 300);
+            assert!(differing(&of("fixed-16"), &of("f32-reversed")) > 300);
         }
     }
     // The canonical volume has no depth buffer of its own; the world has the image on its window.
     assert!(
-        drawn(&request(&fighting("fixed-16"), View::Canonical)) == drawn(&request(&fighting("f32"), View::Canonical))
+        drawn(&request(&fighting("fixed-16"), View::Canonical))
+            == drawn(&request(&fighting("f32-reversed"), View::Canonical))
     );
-    let both = Figure { compare: Some(Comparison::of_key("style.depth_format", "\"fixed-16\"")), ..fighting("f32") };
+    let both =
+        Figure { compare: Some(Comparison::of_key("style.depth_format", "\"fixed-16\"")), ..fighting("f32-reversed") };
     let [own, other] = request(&both, View::Image).sides().unwrap();
     assert!(drawn(&own.request) == float && drawn(&other.request) == fixed_16);
 }

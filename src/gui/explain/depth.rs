@@ -52,8 +52,11 @@ fn depth_view(ui: &mut Ui, state: &mut State) {
     let t = compare::texts(state.settings.lang);
     let old = state.document.figure().style.depth_format;
     let mut format = old;
-    let formats = [(DepthFormat::Fixed16, "16 bits"), (DepthFormat::Fixed24, "24 bits"), (DepthFormat::Float, "f32")];
-    row(ui, "", t.format, t.format_hint, |ui| choice(ui, t.format, t.format_hint, &mut format, &formats));
+    let formats =
+        [(DepthFormat::Fixed16, "fixed 16"), (DepthFormat::Fixed24, "fixed 24"), (DepthFormat::Float, "f32 reversed")];
+    let names = formats.map(|(_, name)| crate::i18n::numerics::name(state.settings.lang, name));
+    let choices: Vec<_> = formats.iter().zip(&names).map(|((format, _), name)| (*format, &**name)).collect();
+    row(ui, "", t.format, t.format_hint, |ui| choice(ui, t.format, t.format_hint, &mut format, &choices));
     if format != old {
         state.document.edit(|figure| figure.style.depth_format = format);
     }
