@@ -43,8 +43,8 @@ texts! {
     scene_units: "scene units", "unidades da cena";
     nearer: "nearer", "o mais próximo";
     farther: "farther", "o mais distante";
-    at_probe: "at the depth of the probe,", "na profundidade da sonda,";
-    at_focus: "at PF,", "em PF,";
+    at_probe: "at the distance of the probe,", "na distância da sonda,";
+    at_focus: "at the distance of PF,", "na distância de PF,";
     suggested: "F and B that hold the scene:", "F e B que contêm a cena:";
     use_them: "Use them", "Usar";
     good: "good", "boa";

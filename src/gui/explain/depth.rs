@@ -3,7 +3,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Align2, Color32, Grid, Label, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
-use egui_plot::{Line, Plot, PlotPoints, Text, VLine, uniform_grid_spacer};
+use egui_plot::{Line, Plot, PlotPoints, Text, VLine};
 
 use crate::appearance::DepthFormat;
 use crate::camera::{Camera, Ndc, Parameters, Projection};
@@ -12,7 +12,7 @@ use crate::gui::compare_dialog;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::numerics::color_of;
 use crate::gui::panels::{choice, row};
-use crate::gui::plotting::{decade, decades, still};
+use crate::gui::plotting::{logarithmic_x, still};
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
@@ -26,6 +26,8 @@ const HEIGHT: f32 = 150.0;
 const SAMPLES: u32 = 200;
 /// The widest head of a column of formats, in points: in a presentation the table has little room.
 const HEAD: f32 = 76.0;
+/// The share of the plot's height that a name takes.
+const NAME: f64 = 0.15;
 /// Where B/F is more, depths are shown by their logarithms: all else would be at the left border.
 const WIDE_RANGE: f64 = 50.0;
 
@@ -75,7 +77,7 @@ fn of_camera(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Paramete
     let space = camera.possible_clip_space(state.settings.conventions.ndc);
     let said = words::depth_in(lang, space.ndc());
     theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().text_color());
-    plot(ui, t, camera, space.ndc(), probe);
+    plot(ui, lang, camera, space.ndc(), probe);
     let depth = probe.unwrap_or_else(|| camera.distance().clamp(near, far));
     let n = |x: f64| lang.mark().number(x, 3);
     ui.horizontal_wrapped(|ui| {
@@ -86,7 +88,7 @@ fn of_camera(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Paramete
         field.hint(t.two_planes_hint).show(ui, texts, &mut gap);
         state.coach.gap = gap;
         let place = if probe.is_some() { t.at_probe } else { t.at_focus };
-        ui.label(format!("{}; {place} −z_c = {}", t.scene_units, n(depth)));
+        ui.label(format!("{}; {place} {}", t.scene_units, n(depth)));
     });
     formats(ui, lang, &resolutions(&space, depth, state.coach.gap));
     let planes = suggested_planes(camera, state.scene_cache.scene().bounds()?)?;
@@ -200,7 +202,7 @@ fn curves(t: &'static words::Texts, camera: &Camera, ndc: Ndc, across: impl Fn(f
 
 /// For each curve the point at which it is farthest from the others, and the corner of its name that goes there: the
 /// name lies beside the curve, on the side where no other is.
-fn places_of_names(curves: &[Curve]) -> Vec<([f64; 2], Align2)> {
+fn places_of_names(curves: &[Curve], [low, high]: [f64; 2]) -> Vec<([f64; 2], Align2)> {
     let height = |curve: usize, k: usize| curves[curve].1[k][1];
     let others = |curve: usize, k: usize| {
         (0..curves.len()).filter(move |other| *other != curve).map(move |other| height(other, k) - height(curve, k))
@@ -212,7 +214,11 @@ fn places_of_names(curves: &[Curve]) -> Vec<([f64; 2], Align2)> {
         let within = points.len() / 4..points.len() - points.len() / 4;
         let k = within.max_by(|a, b| apart(curve, *a).total_cmp(&apart(curve, *b))).unwrap_or_default();
         let rises = height(curve, (k + 1).min(points.len() - 1)) > height(curve, k);
-        let is_above = others(curve, k).filter(|above| *above > 0.0).count() < curves.len() / 2;
+        let y = height(curve, k);
+        let has_room_above = high - y > NAME * (high - low);
+        let has_room_below = y - low > NAME * (high - low);
+        let is_free_above = others(curve, k).filter(|above| *above > 0.0).count() < curves.len() / 2;
+        let is_above = has_room_above && (is_free_above || !has_room_below);
         let anchor = match (is_above, rises) {
             (true, true) => Align2::RIGHT_BOTTOM,
             (true, false) => Align2::LEFT_BOTTOM,
@@ -224,22 +230,22 @@ fn places_of_names(curves: &[Curve]) -> Vec<([f64; 2], Align2)> {
     (0..curves.len()).map(best).collect()
 }
 
-fn plot(ui: &mut Ui, t: &'static words::Texts, camera: &Camera, ndc: Ndc, probe: Option<f64>) {
+fn plot(ui: &mut Ui, lang: Lang, camera: &Camera, ndc: Ndc, probe: Option<f64>) {
+    let t = words::texts(lang);
     let (f, b) = (camera.near(), camera.far());
     let logarithmic = b / f > WIDE_RANGE;
     let across = move |d: f64| if logarithmic { d.log10() } else { d };
     let curves = curves(t, camera, ndc, across);
     let depths = curves.iter().flat_map(|(_, points, _)| points).map(|point| point[1]);
     let [low, high] = depths.fold([0.0, 0.0], |[low, high]: [f64; 2], z| [low.min(z), high.max(z)]);
-    let mut plot = still(Plot::new(("depth", logarithmic))).height(HEIGHT).x_axis_label(t.distance).y_axis_label("zₙ");
-    if logarithmic {
-        plot = plot.x_axis_formatter(decade).x_grid_spacer(uniform_grid_spacer(decades));
-    }
+    let plot = still(Plot::new(("depth", logarithmic))).height(HEIGHT).y_axis_label("zₙ");
+    let plot = plot.y_axis_formatter(move |mark, _| lang.mark().number(mark.value, 3));
+    let plot = if logarithmic { logarithmic_x(plot, ui, t.distance) } else { plot.x_axis_label(t.distance) };
     let dark = ui.visuals().dark_mode;
     let shown = plot.show(ui, |plot| {
         plot.set_plot_bounds_x(across(f)..=across(b));
         plot.set_plot_bounds_y(low - 0.05..=high + 0.05);
-        for (i, (place, anchor)) in places_of_names(&curves).into_iter().enumerate() {
+        for (i, (place, anchor)) in places_of_names(&curves, [low, high]).into_iter().enumerate() {
             let name = RichText::new(curves[i].0).color(color_of(Some(i), dark)).strong();
             plot.text(Text::new(curves[i].0, place.into(), name).anchor(anchor));
         }

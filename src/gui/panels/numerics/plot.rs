@@ -1,12 +1,12 @@
 //! The chart of one case of a study. Its axes are logarithms.
 
 use eframe::egui::{self, Color32, Ui};
-use egui_plot::{Line, LineStyle, Plot, PlotPoint, PlotPoints, Points, uniform_grid_spacer};
+use egui_plot::{Line, LineStyle, Plot, PlotPoint, PlotPoints, Points};
 
 use crate::appearance::Rgba;
 use crate::chart::{Chart, Look, Series};
 use crate::export::plot::COLORS;
-use crate::gui::plotting::{decade, decades, still};
+use crate::gui::plotting::{logarithmic_x, logarithmic_y, still};
 use crate::i18n::{Lang, numerics as words};
 use crate::numbers::significant;
 use crate::numerics::charts::Pair;
@@ -33,13 +33,8 @@ pub(super) fn show(
         .height(height)
         .default_x_bounds(x[0], x[1])
         .default_y_bounds(y[0], y[1])
-        .x_axis_label(&chart.x_label)
-        .y_axis_label(&chart.y_label)
-        .x_axis_formatter(decade)
-        .y_axis_formatter(decade)
-        .x_grid_spacer(uniform_grid_spacer(decades))
-        .y_grid_spacer(uniform_grid_spacer(decades))
         .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.5));
+    let plot = logarithmic_y(logarithmic_x(plot, ui, &chart.x_label), ui, &chart.y_label);
     let point = |row: &Row| {
         let error = if row.error > 0.0 { row.error } else { pair.floor };
         let across = if over_time { row.nanos } else { row.parameter };
