@@ -399,6 +399,12 @@ pub enum CameraError {
 }
 
 impl CameraError {
+    /// True where one value is impossible by itself, whatever the other parameters are.
+    #[must_use]
+    pub const fn is_of_one_value(&self) -> bool {
+        matches!(self, Self::OutOfRange { .. } | Self::ViewUpZero)
+    }
+
     /// The parameters that the error is about, the most likely culprit first; none for an operation with an impossible
     /// value.
     #[must_use]

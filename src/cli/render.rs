@@ -7,7 +7,7 @@ use crate::camera::ImageSize;
 use crate::export::format::PictureFormat;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
-use crate::i18n::{Lang, command_line as texts, messages, pictures};
+use crate::i18n::{Lang, command_line as texts, compare, messages, pictures};
 use crate::picture::{self, Composite, FileOptions, NoComposite, OnPaper, PictureError, PictureFile, gap};
 use crate::progress::at_once;
 use crate::sanitize;
@@ -48,6 +48,9 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
     if let Some(too_much) = too_much {
         say(&format!("{}: {}", messages::opened(lang, &args.figure), messages::too_much(lang, &too_much)));
+    }
+    if let Some(Err(error)) = figure.compare.as_ref().map(|comparison| comparison.other_side(figure)) {
+        say(&format!("{}: {}", messages::opened(lang, &args.figure), compare::impossible(lang, &error)));
     }
     if let Some(crowded) = &sheet.crowded {
         say(&format!("{name}: {}", pictures::crowded(lang, crowded)));

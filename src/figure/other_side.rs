@@ -2,7 +2,7 @@
 
 use toml_edit::Value;
 
-use super::edit::{value_of, varied, varied_whole};
+use super::edit::{value_of, varied_whole};
 use super::error::{FigureError, Problem};
 use super::write::{document, quoted};
 use super::{Comparison, Figure};
@@ -22,15 +22,13 @@ pub struct OtherSide {
 
 impl Comparison {
     /// A figure that is compared as this says in one key: where it has the first of two values, with the second; else
-    /// with the first, and where it has neither, it gets the second. `None` where that is impossible.
+    /// with the first.
     #[must_use]
-    pub fn of_pair(self, figure: &Figure, key: &str, pair: [&str; 2]) -> Option<Figure> {
-        let own = own_value(figure, key);
-        let has = |value: &str| own.as_deref() == Some(value);
-        let figure = if pair.into_iter().any(has) { figure.clone() } else { varied(figure, key, pair[1]).ok()? };
-        let other = quoted(if has(pair[0]) { pair[1] } else { pair[0] }).to_string();
+    pub fn of_pair(self, figure: &Figure, key: &str, pair: [&str; 2]) -> Figure {
+        let has_first = own_value(figure, key).as_deref() == Some(pair[0]);
+        let other = quoted(if has_first { pair[1] } else { pair[0] }).to_string();
         let compare = Some(Self { with: vec![(key.to_owned(), other)], ops: Vec::new(), ..self });
-        Some(Figure { compare, ..figure })
+        Figure { compare, ..figure.clone() }
     }
 
     /// The values of the first key on both sides, as they are written without quotes.
@@ -49,8 +47,7 @@ impl Comparison {
     pub fn other_side(&self, figure: &Figure) -> Result<OtherSide, FigureError> {
         let bare =
             Figure { observers: figure.observers, show: figure.show.clone(), compare: None, ..figure.without_scene() };
-        let set = |figure: Figure, (key, value): &(String, String)| varied_whole(&figure, key, value);
-        let mut other = self.with.iter().try_fold(bare.clone(), set)?;
+        let mut other = varied_whole(&bare, self.with.iter().map(|(key, value)| (&**key, &**value)))?;
         let refused = |error| FigureError { line: 1, key: "[camera]".to_owned(), problem: Problem::Camera(error) };
         let mut camera = Camera::new(&other.camera).map_err(refused)?;
         for operation in &self.ops {
@@ -61,7 +58,11 @@ impl Comparison {
         let values = self.with.iter().map(|(key, _)| {
             let written =
                 |value: Value| value.as_str().map_or_else(|| value.to_string().trim().to_owned(), str::to_owned);
-            (key.clone(), documents.each_ref().map(|document| value_of(document, key).map(written)))
+            let value = |document| {
+                let value = value_of(document, key).map(written);
+                value.or_else(|| unwritten(key).map(|value| value.trim_matches('"').to_owned()))
+            };
+            (key.clone(), documents.each_ref().map(value))
         });
         let (values, is_another) = (values.collect(), other.camera != bare.camera);
         Ok(OtherSide { figure: other, camera: is_another.then_some(camera), values })
@@ -147,6 +148,9 @@ mod tests {
             ("with = { \"style.visibility\" = \"paint\" }", &["line 2", "\"paint\"", "\"painter\""]),
             ("with = { \"style.theme\" = \"dark\" }", &["style.theme", "shading"]),
             ("with = { \"scene.preset\" = \"house\" }", &["scene.preset", "camera"]),
+            ("with = { style = \"dark\" }", &["[compare] with.style", "\"dark\"", "section"]),
+            ("with = { \"camera.near\" = 0 }", &["line 2", "near is 0", "greater than 0"]),
+            ("with = { \"camera.view_up\" = [0, 0, 0] }", &["line 2", "view_up"]),
             ("with = 3", &["[compare] with"]),
             ("", &["[compare] with"]),
             ("ops = [\"azimut=3\"]", &["[compare] ops"]),
@@ -174,7 +178,13 @@ mod tests {
         assert_eq!((other.camera.is_some(), other.figure.compare.clone()), (true, None));
         let text = |text: &str| Some(text.to_owned());
         assert_eq!(other.values[0].1, [text("depth-buffer"), text("painter")]);
-        assert_eq!(other.values[1].1, [None, text("true")]);
+        assert_eq!(other.values[1].1, [text("false"), text("true")]);
+        // Near passes the old back plane, and both orders of the keys mean the same.
+        for keys in ["\"camera.near\" = 50, \"camera.far\" = 200", "\"camera.far\" = 200, \"camera.near\" = 50"] {
+            let figure = parse(&format!("[compare]\nwith = {{ {keys} }}\n")).unwrap();
+            let other = figure.compare.as_ref().unwrap().other_side(&figure).unwrap();
+            assert_eq!([other.figure.camera.near, other.figure.camera.far], [50.0, 200.0]);
+        }
         let far = parse("[compare]\nwith = { \"camera.near\" = 1e9 }\n").unwrap();
         assert!(far.compare.as_ref().unwrap().other_side(&far).is_err());
     }

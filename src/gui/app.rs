@@ -148,7 +148,7 @@ impl App {
         if ctx.input(|input| self.held_key.follow(input)) {
             self.state.document.commit();
         }
-        self.focus.begin(&ctx, self.state.file_flow.dialog.is_some());
+        self.focus.begin(&ctx, self.state.file_flow.is_asking());
         file_flow::poll(&ctx, &mut self.state);
         self.canvas.listen_for_cancel(&ctx, &mut self.state);
         if !self.canvas.holds_something(&self.state)
@@ -157,7 +157,7 @@ impl App {
             self.perform(&ctx, command);
         }
         // Each key press acts, in its turn. What comes after one that opens a dialog is for the dialog.
-        while self.state.file_flow.dialog.is_none()
+        while !self.state.file_flow.is_asking()
             && let Some(command) = self.keyboard(&ctx)
         {
             match context_help::asked(&ctx).filter(|_| command == Command::Help) {
@@ -217,23 +217,17 @@ impl App {
         }
         if sides.is_shown(Side::Explain) {
             // In a presentation the pictures keep more than half of the width.
-            let share = if self.state.settings.presentation { 0.45 } else { 1.0 };
+            let (id, share) = if presenting { ("explain in a presentation", 0.45) } else { ("explain", 1.0) };
             let most = (share * ctx.content_rect().width()).clamp(320.0, 620.0);
-            egui::Panel::right("explain").default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
+            egui::Panel::right(id).default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
                 tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
                 explain::ui(ui, &mut self.state);
             });
-            name_handle(ui, "explain", t.panel_width);
+            name_handle(ui, id, t.panel_width);
         }
         tooltip::beside_nothing(&ctx);
         motion::show_done(&ctx, &mut self.state);
-        if let Some(document) = self.state.file_flow.instead.take() {
-            self.leave(&ctx, |state| {
-                sequence::show(state, document);
-                true
-            });
-        }
         self.state.follow_panels();
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         let pictures = egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
@@ -361,8 +355,9 @@ impl App {
             ctx.set_theme(theme);
             ctx.request_repaint();
         }
-        let presentation = if self.state.settings.presentation { PRESENTATION_ZOOM } else { 1.0 };
-        let zoom = self.state.settings.zoom * presentation;
+        let zoom = self.state.settings.zoom;
+        // Whoever has made everything large already needs nothing larger.
+        let zoom = if self.state.settings.presentation { PRESENTATION_ZOOM.max(zoom) } else { zoom };
         if ctx.zoom_factor() != zoom {
             ctx.set_zoom_factor(zoom);
         }

@@ -1,19 +1,18 @@
 //! The dialog that compares the figure with itself in another way. What is chosen is seen at once.
 
-use eframe::egui::{Button, Ui};
+use eframe::egui::{Align2, Button, Context, Id, Key, Modifiers, Ui, Window, vec2};
 
-use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::number_field::NumberField;
 use super::panels::complaint;
 use super::state::{CompareForm, Dialog, State};
 use super::text_field::TextField;
 use super::tooltip::Explained;
 use crate::camera::{Operation, Projection};
-use crate::figure::{Comparison, Figure};
+use crate::figure::{Comparison, Figure, read};
 use crate::i18n::compare::{self as words, Texts as Words};
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
-use crate::limits::MAX_TYPED_NAME;
+use crate::limits::{MAX_EXPRESSION, MAX_TYPED_NAME};
 
 /// A button that opens the dialog.
 pub(super) fn button(ui: &mut Ui, state: &mut State) {
@@ -23,29 +22,45 @@ pub(super) fn button(ui: &mut Ui, state: &mut State) {
     }
 }
 
-/// Shows the dialog; `first`: it has just been opened.
-pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm, first: bool) {
+/// Shows the dialog in a window of its own, which can be moved: the pictures beside it show what is chosen, and can be
+/// used.
+pub(super) fn show(ctx: &Context, t: &Texts, state: &mut State, form: CompareForm) {
     let words = words::texts(state.settings.lang);
-    ui.heading(words.title);
-    ui.add_space(4.0);
+    let mut open = true;
+    let corner = ctx.content_rect().left_bottom() + vec2(8.0, -8.0);
+    let mut kept = Some(form);
+    let window = Window::new(words.title).id(Id::unique("compare")).open(&mut open).collapsible(true).resizable(false);
+    window.pivot(Align2::LEFT_BOTTOM).default_pos(corner).constrain(true).show(ctx, |ui| {
+        ui.set_width(440.0_f32.min(ctx.content_rect().width() - 60.0));
+        kept = kept.take().and_then(|form| content(ui, t, state, form));
+    });
+    let is_left = ctx.input_mut(|input| !state.annotations.any() && input.consume_key(Modifiers::NONE, Key::Escape));
+    // A command may have opened another one meanwhile.
+    if state.file_flow.dialog.is_none() {
+        state.file_flow.dialog = kept.filter(|_| open && !is_left).map(Dialog::Compare);
+    }
+}
+
+/// The content of the window; the form, until it is closed.
+fn content(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm) -> Option<CompareForm> {
+    let words = words::texts(state.settings.lang);
     ui.label(words.text);
     ui.add_space(6.0);
     let mut chosen = pairs(ui, words, state);
     chosen = angle(ui, t, words, state, &mut form).or(chosen);
     chosen = operation(ui, words, state, &mut form).or(chosen);
+    chosen = key(ui, words, state, &mut form).or(chosen);
     ui.separator();
     chosen = options(ui, words, state).or(chosen);
     if let Some(figure) = chosen {
         take(state, figure);
         ui.request_repaint();
     }
-    let figure = state.document.figure();
-    if let Some(Err(error)) = figure.compare.as_ref().map(|comparison| comparison.other_side(figure)) {
-        complaint(ui, &format!("{} {}", words.impossible, messages::without_line(state.settings.lang, &error)));
+    if let Some(why) = state.impossible_side() {
+        complaint(ui, &why);
     }
     ui.add_space(8.0);
-    let closed = !matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing);
-    state.file_flow.dialog = (!closed).then_some(Dialog::Compare(form));
+    (!ui.button(t.close).clicked()).then_some(form)
 }
 
 /// The figure with the convention of the window, which is not in it.
@@ -57,11 +72,14 @@ fn in_window(state: &State) -> Figure {
 
 /// Makes a figure that differs in its comparison and in what belongs to it that of the window.
 fn take(state: &mut State, figure: Figure) {
-    let Figure { camera, undistorted, viewport, style, reveal, world, show, compare, .. } = figure;
-    state.document.set_parameters(camera);
+    let Figure { camera, image, undistorted, viewport, style, reveal, world, show, compare, .. } = figure;
+    if camera != state.document.figure().camera {
+        // Only then: what is being typed stays.
+        state.document.set_parameters(camera);
+    }
     state.document.edit(|figure| {
-        (figure.undistorted, figure.viewport, figure.style) = (undistorted, viewport, style);
-        (figure.reveal, figure.world, figure.compare) = (reveal, world, compare);
+        (figure.image, figure.undistorted, figure.viewport) = (image, undistorted, viewport);
+        (figure.style, figure.reveal, figure.world, figure.compare) = (style, reveal, world, compare);
     });
     *state.document.show_mut() = show;
 }
@@ -88,7 +106,7 @@ fn pairs(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
             (words.shading, "style.shading", ["flat", "phong"], false),
             (words.projection, "camera.projection", ["parallel", "perspective"], false),
             (words.convention, "show.ndc", ["opengl", "direct3d"], false),
-            (words.depth, "style.depth_format", ["fixed-16", "f32-reversed"], true),
+            (words.depth, "style.depth_format", ["fixed-16", "f32-reversed"], false),
         ] {
             if offer(ui, is_of(key, pair[0]), name) {
                 let mut figure = in_window(state);
@@ -98,7 +116,7 @@ fn pairs(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
                 let before = figure.compare.take().unwrap_or_default();
                 // Of two boxes each is to be seen whole.
                 let beside = key == "show.ndc";
-                chosen = Comparison { beside, differences, ..before }.of_pair(&figure, key, pair);
+                chosen = Some(Comparison { beside, differences, ..before }.of_pair(&figure, key, pair));
             }
         }
     });
@@ -132,7 +150,7 @@ fn angle(ui: &mut Ui, t: &Texts, words: &Words, state: &State, form: &mut Compar
         let comparison = || {
             let before = figure.compare.clone().unwrap_or_default();
             let other = Comparison::of_key("camera.view_angle", &crate::numbers::exact(form.angle));
-            Comparison { with: other.with, ops: Vec::new(), ..before }
+            Comparison { with: other.with, ops: Vec::new(), differences: false, ..before }
         };
         (has_angle && (button.clicked() || is_changed))
             .then(|| Figure { compare: Some(comparison()), ..in_window(state) })
@@ -145,25 +163,51 @@ fn operation(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) 
     let compared = state.document.figure().compare.as_ref();
     let on = compared.is_some_and(|comparison| !comparison.ops.is_empty());
     let mut chosen = None;
-    let mut why = None;
+    let (mut why, mut is_typed) = (None, false);
     ui.horizontal(|ui| {
         let button = Button::selectable(on, words.operation).frame_when_inactive(true);
         let clicked = ui.add(button).explained(words.operation_hint).clicked();
         let field = TextField::line(&mut form.operation, MAX_TYPED_NAME);
         let typed = field.with(|edit| edit.desired_width(160.0)).show(ui, words.lang).explained(words.operation_hint);
+        is_typed = typed.has_focus();
         let changed = typed.accessible_name(words.operation_hint).changed();
         match form.operation.parse::<Operation>() {
             Ok(operation) if clicked || changed && on => {
                 let before = compared.cloned().unwrap_or_default();
-                let comparison = Comparison { with: Vec::new(), ops: vec![operation], ..before };
+                let comparison = Comparison { with: Vec::new(), ops: vec![operation], differences: false, ..before };
                 chosen = Some(Figure { compare: Some(comparison), ..in_window(state) });
             }
             Ok(_) => {}
             Err(error) => why = Some(messages::operation(words.lang, &error)),
         }
     });
-    if let Some(why) = why {
+    if let Some(why) = why.filter(|_| on || is_typed) {
         complaint(ui, &why);
+    }
+    chosen
+}
+
+/// Any key and another value of it.
+fn key(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
+    let compared = state.document.figure().compare.as_ref();
+    let typed = read::typed_comparison(&form.key);
+    let on = matches!((&typed, compared), (Ok(typed), Some(compared)) if typed.with == compared.with);
+    let mut chosen = None;
+    ui.horizontal(|ui| {
+        let button = Button::selectable(on, words.key).frame_when_inactive(true);
+        let clicked = ui.add(button).explained(words.key_hint).clicked();
+        let field = TextField::line(&mut form.key, MAX_EXPRESSION.0);
+        let field = field.with(|edit| edit.desired_width(260.0)).show(ui, words.lang).explained(words.key_hint);
+        let field = field.accessible_name(words.key_hint);
+        let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        if let (Ok(typed), true) = (&typed, clicked || entered) {
+            let before = compared.cloned().unwrap_or_default();
+            let comparison = Comparison { with: typed.with.clone(), ops: Vec::new(), ..before };
+            chosen = Some(Figure { compare: Some(comparison), ..in_window(state) });
+        }
+    });
+    if let Err(error) = typed {
+        complaint(ui, &messages::without_line(words.lang, &error));
     }
     chosen
 }

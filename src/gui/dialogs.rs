@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
-use eframe::egui::{self, Align2, Id, Key, Modal, RichText};
+use eframe::egui::{self, Id, Key, Modal, RichText};
 
 use super::about;
 use super::coach;
@@ -46,25 +46,25 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     let t = window::texts(state.settings.lang);
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
     let id = Id::unique("dialog").with(kind);
-    let mut modal = Modal::new(id).frame(frame);
-    if matches!(dialog, Dialog::Compare(_)) {
-        // The pictures show what is chosen.
-        let area = Modal::default_area(id).anchor(Align2::LEFT_BOTTOM, egui::vec2(8.0, -8.0));
-        modal = modal.area(area).backdrop_color(egui::Color32::TRANSPARENT);
+    if let Dialog::Compare(form) = dialog {
+        compare_dialog::show(ctx, t, state, form);
+        return None;
     }
-    let modal = modal.show(ctx, |ui| {
+    let modal = Modal::new(id).frame(frame).show(ctx, |ui| {
         let width = match &dialog {
             Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress | Dialog::Link => 520.0,
             Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,
             Dialog::Gallery => 1110.0,
             Dialog::Coach => coach::WIDTH,
-            Dialog::Compare(_) => 460.0,
             Dialog::Search => search::WIDTH,
             Dialog::Export(_) => export_dialog::WIDTH,
             Dialog::Changed(_) => 480.0,
-            Dialog::Unsaved(_) | Dialog::Path(..) | Dialog::Overwrite(..) | Dialog::ReadOnly(..) | Dialog::Closing => {
-                380.0_f32
-            }
+            Dialog::Unsaved(_)
+            | Dialog::Path(..)
+            | Dialog::Overwrite(..)
+            | Dialog::ReadOnly(..)
+            | Dialog::Closing
+            | Dialog::Compare(_) => 380.0_f32,
         };
         ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
         match dialog {
@@ -112,7 +112,8 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::About => about::show(ui, t, state, first),
             Dialog::Link => link_dialog::show(ui, t, state, first),
             Dialog::Coach => coach::show(ui, t, state, first),
-            Dialog::Compare(form) => compare_dialog::show(ui, t, state, form, first),
+            // It has a window of its own.
+            Dialog::Compare(_) => {}
             Dialog::Search => wanted = search::show(ui, state, first),
             Dialog::Gallery => {
                 state.file_flow.dialog = Some(Dialog::Gallery);

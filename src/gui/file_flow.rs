@@ -19,7 +19,7 @@ use super::state::{
     AfterSave, Agreed, Changed, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State, Tab, Theirs,
 };
 use crate::export::format::PictureFormat;
-use crate::figure::{Figure, update};
+use crate::figure::{Figure, read, update};
 use crate::files::{self, FileChange, Overwrite, disk};
 use crate::scene::Shape;
 use crate::share;
@@ -45,6 +45,12 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
         AfterSave::Open => ask(ctx, state, Purpose::Open),
         AfterSave::OpenPath(path) => open(state, &path),
         AfterSave::Shipped(name) => open_shipped(state, name),
+        AfterSave::Text(text) => match read::parse(&text).map(|figure| Document::new(figure, None)) {
+            Ok(Ok(document)) => state.take_over(document),
+            Ok(Err(error)) => state.say(Message::Camera(error)),
+            // The program wrote it, of a camera that it had measured: a test opens every one.
+            Err(_) => {}
+        },
         AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
         AfterSave::Quit if !state.kept.is_empty() => {
             if let Some((_, document)) = state.kept.pop() {

@@ -21,6 +21,12 @@ pub(super) fn logarithmic_x<'a>(plot: Plot<'a>, ui: &Ui, label: &str) -> Plot<'a
     plot.custom_x_axes(vec![axis(Axis::X, label)]).x_grid_spacer(decades(ROOM[0] * type_size(ui)))
 }
 
+/// A plot with an even axis across, marked as closely as there is room.
+pub(super) fn linear_x<'a>(plot: Plot<'a>, ui: &Ui, label: &str) -> Plot<'a> {
+    let room = 2.2 * type_size(ui);
+    plot.custom_x_axes(vec![AxisHints::new_x().label(label).label_spacing(room..=1.2 * room)])
+}
+
 /// A plot with an axis of logarithms upwards, marked at as many powers of ten as have room.
 pub(super) fn logarithmic_y<'a>(plot: Plot<'a>, ui: &Ui, label: &str) -> Plot<'a> {
     plot.custom_y_axes(vec![axis(Axis::Y, label)]).y_grid_spacer(decades(ROOM[1] * type_size(ui)))

@@ -57,22 +57,21 @@ pub(super) fn bar(ctx: &Context, state: &State) -> Option<Command> {
     let was_shown = ctx.data(|data| data.get_temp::<bool>(id)).unwrap_or(false);
     let at_edge = ctx.pointer_hover_pos().is_some_and(|pointer| pointer.y < if was_shown { 1.6 * EDGE } else { EDGE });
     let held = ctx.input(|input| input.pointer.any_down()) && !was_shown;
-    let is_shown = state.file_flow.dialog.is_none()
+    let is_shown = !state.file_flow.is_asking()
         && (at_edge && !held && !state.annotations.pen || was_shown && ctx.any_popup_open());
     ctx.data_mut(|data| data.insert_temp(id, is_shown));
     let area = Area::new(id).order(Order::Middle).fixed_pos(ctx.content_rect().min).constrain(false);
     if !is_shown {
         let message = state.message.as_ref().filter(|message| !message.is_error())?;
-        area.fixed_pos(ctx.content_rect().center_top() + vec2(0.0, 6.0)).pivot(egui::Align2::CENTER_TOP).show(
-            ctx,
-            |ui| {
-                let most = (ctx.content_rect().width() - 60.0).max(100.0);
-                egui::Frame::popup(ui.style()).show(ui, |ui| {
-                    ui.set_max_width(most);
-                    ui.label(message.text(state.settings.lang));
-                });
-            },
-        );
+        // At the foot of the pictures: above them are the title and the caption.
+        let foot = ctx.content_rect().center_bottom() - vec2(0.0, 4.0 * EDGE);
+        area.fixed_pos(foot).pivot(egui::Align2::CENTER_BOTTOM).show(ctx, |ui| {
+            let most = (ctx.content_rect().width() - 60.0).max(100.0);
+            egui::Frame::popup(ui.style()).show(ui, |ui| {
+                ui.set_max_width(most);
+                ui.label(message.text(state.settings.lang));
+            });
+        });
         return None;
     }
     let shown = area.show(ctx, |ui| {

@@ -58,13 +58,6 @@ fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Bo
     }
 }
 
-/// Shows another document. The open one is kept with its changes, as on the way to the next figure.
-pub(super) fn show(state: &mut State, document: Document) {
-    state.document.commit();
-    let source = source_of(&state.document);
-    keep_and_show(state, source, document);
-}
-
 fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) {
     let left = state.document.clone();
     state.annotations.turn_page(source.clone(), source_of(&document).as_ref());
@@ -127,7 +120,7 @@ mod tests {
         let mut state = State::new(Start::default()).unwrap();
         let (figure, file) =
             figure_from(b"[camera]\nnear = 0.5\n").unwrap().at(Path::new("/no/such/folder/saved.toml"));
-        show(&mut state, Document::new(figure, Some(file)).unwrap());
+        state.take_over(Document::new(figure, Some(file)).unwrap());
         assert!(step(&mut state, true));
         assert_eq!(state.document.shipped_name(), Some(SHIPPED_FIGURES[0].name));
         assert!(step(&mut state, true));

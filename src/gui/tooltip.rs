@@ -47,8 +47,7 @@ impl Explained for Response {
     fn explained(self, text: impl AsRef<str>) -> Self {
         let text = with_titles(text.as_ref());
         describe(&self, &text);
-        show(&self, Tooltip::for_enabled(&self), |ui| drop(ui.label(text)));
-        self
+        self.explained_by(|ui| drop(ui.label(text)))
     }
 
     fn explained_disabled(self, text: impl AsRef<str>) -> Self {
@@ -57,7 +56,10 @@ impl Explained for Response {
     }
 
     fn explained_by(self, content: impl FnOnce(&mut Ui)) -> Self {
-        show(&self, Tooltip::for_enabled(&self), content);
+        // While something is dragged, its effect is watched.
+        if self.ctx.dragged_id().is_none() {
+            show(&self, Tooltip::for_enabled(&self), content);
+        }
         self
     }
 }

@@ -1,5 +1,8 @@
 //! The words of the dialog that compares a figure with itself in another way, and of the wiper, in both languages.
 
+use super::{Lang, messages};
+use crate::figure::FigureError;
+
 texts! {
     command: "Compare…", "Comparar…";
     command_hint: "The figure in two ways in one picture, with a wiper between them", "A figura de dois modos em uma só imagem, com um divisor entre eles";
@@ -17,6 +20,8 @@ texts! {
     angle_none: "A parallel camera or one with a free window has no θ", "Uma câmera paralela ou de janela livre não tem θ";
     operation: "before | after", "antes | depois";
     operation_hint: "An operation as on the command line: azimuth=30, zoom=2, pan=1,-0.5", "Uma operação como na linha de comando: azimuth=30, zoom=2, pan=1,-0.5";
+    key: "key = value", "chave = valor";
+    key_hint: "A key of figure files, and its value on the other side: camera.near = 0.5, style.antialias = 1, reveal.depth = \"linear\"", "Uma chave dos arquivos de figura, e seu valor no outro lado: camera.near = 0.5, style.antialias = 1, reveal.depth = \"linear\"";
     differences: "mark differences", "marcar diferenças";
     differences_hint: "Hatches the pixels in which the two sides differ, and counts them", "Hachura os pixels em que os dois lados diferem, e os conta";
     beside: "two whole pictures", "duas imagens inteiras";
@@ -27,4 +32,10 @@ texts! {
     wiper: "wiper between the two sides", "divisor entre os dois lados";
     format: "depth format", "formato de profundidade";
     format_hint: "The numbers in which the image stores depths. With few bits, planes that are close together fight for pixels, far from the eye first", "Os números em que a imagem guarda profundidades. Com poucos bits, planos próximos disputam pixels, primeiro longe do olho";
+}
+
+/// Why there is no other side.
+#[must_use]
+pub fn impossible(lang: Lang, error: &FigureError) -> String {
+    format!("{} {}", texts(lang).impossible, messages::without_line(lang, error))
 }

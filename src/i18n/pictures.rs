@@ -48,6 +48,11 @@ texts! {
     world: "world", "mundo";
     // The sides of a comparison.
     differ: "pixels that differ", "pixels que diferem";
+    pan: "Pan", "Deslocamento";
+    section: "Section along u", "Corte ao longo de u";
+    undistorted: "Undistorted", "Sem distorção";
+    yes: "yes", "sim";
+    no: "no", "não";
     fixed_16: "depth: 16 bits", "profundidade: 16 bits";
     fixed_24: "depth: 24 bits", "profundidade: 24 bits";
     float: "depth: f32 reversed", "profundidade: f32 invertido";
@@ -60,7 +65,7 @@ texts! {
     to_eye: "T(−C): the eye moves to the origin", "T(−C): o olho vai à origem";
     turn: "R: u, v, n turn onto x, y, z (5.7)", "R: u, v, n giram sobre x, y, z (5.7)";
     turn_left_handed: "M_{rot} (1-3): u, v, DOP turn onto x, y, z", "M_rot (1-3): u, v, DOP giram sobre x, y, z";
-    clip_rows: "M_p: clip coordinates (5.8), not yet divided", "M_p: coordenadas de recorte (5.8), ainda sem dividir";
+    clip_rows: "M_p, rows x, y, z: clip coordinates (5.8), not yet divided", "M_p, linhas x, y, z: coordenadas de recorte (5.8), ainda sem dividir";
     divide: "÷ w_r (5.6): what is far becomes small", "÷ w_r (5.6): o que está longe fica pequeno";
     to_box: "P: the frustum becomes a box", "P: o tronco de pirâmide vira uma caixa";
     centre: "T: the middle of the box moves to the origin", "T: o meio da caixa vai à origem";
@@ -143,6 +148,26 @@ const fn of(t: &Texts) -> Labels {
         horizon: t.horizon,
         world: t.world,
         differ: t.differ,
+        operations: [
+            style.elevation,
+            style.azimuth,
+            style.roll,
+            style.yaw,
+            style.pitch,
+            style.zoom,
+            style.dolly,
+            t.pan,
+        ],
+        switches: [
+            ("reveal.clipping", style.clipping_view),
+            ("reveal.divide_first", style.divide_first),
+            ("reveal.culled", style.culled_view),
+            ("reveal.vanishing", style.vanishing),
+            ("world.section", t.section),
+            ("world.dimensions", style.dimensions),
+            ("image.undistorted", t.undistorted),
+        ],
+        yes_no: [t.yes, t.no],
         shadings: [style.shading_wireframe, style.shading_flat, style.shading_gouraud, style.shading_phong],
         visibilities: [style.visibility_depth_buffer, style.visibility_painter, style.visibility_bsp],
         hidden_lines: [t.hidden_dashed, t.hidden_hidden, t.hidden_shown],

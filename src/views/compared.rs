@@ -4,9 +4,10 @@ use super::gizmos::SMALL_TYPE;
 use super::label_layout::half_size;
 use super::{Compared, Labels, Palette, Request, Shot, Size};
 use crate::appearance::{Dash, HiddenLines, Rgba};
-use crate::camera::Ndc;
+use crate::camera::{Ndc, Operation};
 use crate::drawing::{Anchor, Area, Drawing, Label, StrokeSet, single};
 use crate::figure::words::{self, DEPTH_FORMATS, HIDDEN_LINES, NDCS, PROJECTIONS, SHADINGS, VISIBILITIES};
+use crate::geometry::Angle;
 use crate::sanitize;
 
 /// Room between two halves, in pixels at scale 1.
@@ -30,9 +31,26 @@ fn heading(compared: &Compared, side: usize, labels: &Labels) -> String {
     match (compared.comparison.ops.is_empty(), side) {
         (true, _) => {}
         (false, 0) => parts.push(labels.before.to_owned()),
-        (false, _) => parts.extend(compared.comparison.ops.iter().map(ToString::to_string)),
+        (false, _) => parts.extend(compared.comparison.ops.iter().map(|operation| done(*operation, labels))),
     }
     sanitize::within(&parts.join(", "), LONGEST)
+}
+
+/// An operation in the words of the pictures: azimuth 30°.
+fn done(operation: Operation, labels: &Labels) -> String {
+    let number = |value: f64| labels.mark.number(value, 4);
+    let [elevation, azimuth, roll, yaw, pitch, zoom, dolly, pan] = labels.operations;
+    let turned = |name, angle: Angle| format!("{name} {}°", number(angle.degrees()));
+    match operation {
+        Operation::Elevation(angle) => turned(elevation, angle),
+        Operation::Azimuth(angle) => turned(azimuth, angle),
+        Operation::Roll(angle) => turned(roll, angle),
+        Operation::Yaw(angle) => turned(yaw, angle),
+        Operation::Pitch(angle) => turned(pitch, angle),
+        Operation::Zoom(factor) => format!("{zoom} × {}", number(factor)),
+        Operation::Dolly(factor) => format!("{dolly} × {}", number(factor)),
+        Operation::Pan { dx, dy } => format!("{pan} {}", labels.mark.tuple(&[dx, dy], 4)),
+    }
 }
 
 /// A value of a key in the words of the pictures, else as it is written.
@@ -59,10 +77,17 @@ fn said(key: &str, value: Option<&str>, labels: &Labels) -> String {
         }
         _ => None,
     };
-    known.unwrap_or_else(|| {
-        let name = key.rsplit('.').next().unwrap_or(key).replace('_', " ");
-        let value = value.map_or_else(|| "–".to_owned(), |value| sanitize::escaped(value).replace('_', " "));
-        format!("{name} = {value}")
+    let switch = labels.switches.iter().find(|(known, _)| *known == key).map(|(_, name)| *name);
+    known.unwrap_or_else(|| match (switch, value) {
+        (Some(name), Some("true")) => format!("{name}: {}", labels.yes_no[0]),
+        (Some(name), Some("false")) => format!("{name}: {}", labels.yes_no[1]),
+        _ => {
+            // Other keys are those of the file.
+            let name = key.rsplit('.').next().unwrap_or(key);
+            let is_number = value.is_some_and(|value| value.parse::<f64>().is_ok());
+            let value = value.map_or_else(|| "–".to_owned(), sanitize::escaped);
+            format!("{name} = {}", if is_number { labels.mark.printed(value.trim_end_matches(".0")) } else { value })
+        }
     })
 }
 

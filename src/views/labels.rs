@@ -81,6 +81,12 @@ pub struct Labels {
     pub world: &'static str,
     /// How much two sides of a comparison differ.
     pub differ: &'static str,
+    /// The operations: elevation, azimuth, roll, yaw, pitch, zoom, dolly, pan.
+    pub operations: [&'static str; 8],
+    /// Keys of figure files that are on or off, with their names.
+    pub switches: [(&'static str, &'static str); 7],
+    /// Of a switch.
+    pub yes_no: [&'static str; 2],
     /// The values of `[style] shading`, in the order of their words.
     pub shadings: [&'static str; 4],
     /// The values of `[style] visibility`.

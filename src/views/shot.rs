@@ -61,7 +61,12 @@ impl Compared {
     /// The part that is seen in a picture of a kind; `None` where it looks like `own` there.
     #[must_use]
     pub(super) fn seen_in(&self, view: View, own: &Shot) -> Option<Self> {
-        let shot = self.shot.seen_in(view);
+        let mut shot = self.shot.seen_in(view);
+        if view == View::Canonical {
+            // The pixels of the image are beyond the canonical volume.
+            (shot.look.image, shot.look.viewport) = (own.look.image, own.look.viewport);
+            shot.look.undistorted = own.look.undistorted;
+        }
         let in_ndc = match view {
             View::World => false,
             View::Canonical => true,

@@ -103,6 +103,58 @@ fn each_ready_pair_compares_and_is_swapped() {
 }
 
 #[test]
+fn any_key_is_compared_and_a_wrong_one_is_explained() {
+    let mut window = house(Lang::PtBr);
+    window.compare();
+    let hint = "Uma chave dos arquivos de figura";
+    let type_key = |window: &mut Window, text: &str| {
+        let is_field = |node: &egui_kittest::kittest::AccessKitNode<'_>| {
+            node.role() == Role::TextInput && node.label().is_some_and(|label| label.starts_with(hint))
+        };
+        window.harness.get_by(is_field).focus();
+        window.run();
+        window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        window.harness.event(eframe::egui::Event::Text(text.to_owned()));
+        window.run();
+        window.key(Key::Enter);
+    };
+    type_key(&mut window, "image.width = 512");
+    assert_eq!(window.compared().expect("a comparison").with, [("image.width".to_owned(), "512".to_owned())]);
+    window.click("Trocar os lados");
+    assert_eq!(window.compared().expect("a comparison").with, [("image.width".to_owned(), "1024".to_owned())]);
+    assert_eq!(window.state().document.figure().image.width, 512);
+    type_key(&mut window, "camera.near = 0");
+    assert!(window.says("near é 0"));
+    assert_eq!(window.compared().expect("the comparison before").with[0].0, "image.width");
+    // This is possible for some figures and not for this one.
+    type_key(&mut window, "camera.near = 1000");
+    assert!(window.says("O outro lado é impossível: "));
+    window.click("Fechar");
+    assert!(window.says("O outro lado é impossível: "), "under the pictures too");
+}
+
+#[test]
+fn the_numbers_at_the_pointer_are_those_of_its_side() {
+    let text = "[camera]\nposition = [2.5, 3, 5]\n[image]\nwidth = 800\nheight = 600\n[scene]\npreset = \"empty\"\n\
+                [compare]\nwith = { \"image.width\" = 80, \"image.height\" = 60 }\n";
+    let figure = camera_lab::figure::read::parse(text).expect("a figure");
+    let mut state =
+        State::new(Start { figure, file: None, lang: Lang::En, allow_files: false }).expect("a possible camera");
+    state.layout.maximized = Some(View::Image);
+    let mut window = Window::with_state(state, [1280.0, 800.0]);
+    let wiper = window.wiper().center();
+    for (offset, pixel) in [(-60.0, "Pixel (3"), (60.0, "Pixel (4")] {
+        window.harness.hover_at(wiper + vec2(offset, 0.0));
+        window.run();
+        let said = window.state().probe;
+        assert!(window.says(pixel), "{offset}: {said:?}");
+    }
+    window.harness.hover_at(wiper + vec2(60.0, 0.0));
+    window.run();
+    assert!(window.says("/ 80 × 60"));
+}
+
+#[test]
 fn the_convention_of_the_window_is_the_side_that_is_swapped() {
     let mut window = house(Lang::En);
     window.compare();

@@ -92,7 +92,7 @@ fn a_card_is_found_by_other_words_and_opens_its_state() {
     assert_eq!(state.document.shipped_name(), Some("painter"));
     assert_eq!((state.layout.shown, state.explain.shown()), ([false, false, true], Explanation::HiddenSurfaces));
     assert!(state.shows_explanation(Explanation::HiddenSurfaces) && !state.document.is_changed());
-    // What the next one does not say stays as it is.
+    // The next one says nothing about the layout: it is as it was before the card.
     window.command_key(Key::G);
     window.wait_for("House: ");
     window.search_cards("mirror image");
@@ -101,7 +101,7 @@ fn a_card_is_found_by_other_words_and_opens_its_state() {
     window.key(Key::Enter);
     let state = window.state();
     assert_eq!(state.document.shipped_name(), Some("house"));
-    assert!(state.layout.shown == [false, false, true] && state.shows_explanation(Explanation::HiddenSurfaces));
+    assert!(state.layout.shown == [true; 3] && !state.shows_explanation(Explanation::HiddenSurfaces));
     // The frame stands on the figure that is open, also after paging.
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::PageDown);
     window.run();
@@ -109,6 +109,27 @@ fn a_card_is_found_by_other_words_and_opens_its_state() {
     window.command_key(Key::G);
     window.wait_for("Corridor: ");
     assert!(window.harness.get_by_label_contains("Corridor: ").is_focused());
+}
+
+#[test]
+fn who_types_in_the_gallery_searches_and_headings_are_links() {
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::G);
+    window.wait_for("Primitives: ");
+    let top = |window: &Window| window.harness.get_by_label_contains("Phong shading: ").rect().top();
+    assert!(top(&window) > 800.0, "far below");
+    window.harness.get_by_role_and_label(Role::Link, "Light").click();
+    window.run();
+    window.run();
+    assert!(top(&window) < 500.0, "{}", top(&window));
+    window.harness.event(Event::Text("z-fi".to_owned()));
+    window.run();
+    window.harness.event(Event::Text("ghting".to_owned()));
+    window.run();
+    window.key(Key::Enter);
+    assert_eq!(window.state().document.shipped_name(), Some("z-fighting"));
+    let other = window.state().compared().expect("it compares");
+    assert_eq!(other.comparison.with[0].0, "style.depth_format");
 }
 
 #[test]

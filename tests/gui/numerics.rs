@@ -35,7 +35,7 @@ fn measured(window: &mut Window) {
 }
 
 #[test]
-fn a_study_is_measured_and_its_worst_cameras_open_with_what_was_open_kept() {
+fn a_study_is_measured_and_its_worst_cameras_open_once_changes_have_been_asked_about() {
     let (folder, mut window) = (Folder::new("study"), window(Lang::En));
     window.app_mut().keep_session(&folder.0, false);
     window.click("Clipping through w = 0");
@@ -55,13 +55,10 @@ fn a_study_is_measured_and_its_worst_cameras_open_with_what_was_open_kept() {
     buttons.last().expect("a button for each method").click();
     drop(buttons);
     window.run();
+    assert_eq!(window.state().document.figure().style.antialias, 16, "it is asked first");
+    window.click("Don't save");
     assert_eq!(window.state().document.figure().camera, wanted.camera);
     assert!(Camera::new(&wanted.camera).is_ok());
-    assert_eq!(window.state().kept.len(), 1, "what was changed is kept");
-    // Also where the window does not close.
-    window.app_mut().state.document.edit(|figure| figure.image.width = 777);
-    window.wait(|_| written(&folder.0).contains("777"));
-    assert!(written(&folder.0).contains("antialias = 16"));
 }
 
 #[test]

@@ -40,7 +40,7 @@ fn a_presentation_says_title_and_caption_and_shows_each_figure_as_it_wants() {
     assert!(!window.says("By the sea.") && window.state().shows_explanation(Explanation::Depth));
     window.key(Key::PageDown);
     let state = window.state();
-    assert!(state.shows_explanation(Explanation::Depth) && state.layout.shown == [false, false, true]);
+    assert!(!state.shows_explanation(Explanation::Depth) && state.layout.shown == [true; 3], "the user's own");
     window.key(Key::PageUp);
     window.key(Key::PageUp);
     window.command_key(Key::L);

@@ -84,18 +84,26 @@ fn each_side_is_the_picture_of_a_figure_with_the_other_value() {
 
 #[test]
 fn sides_are_headed_by_words_and_by_the_symbols_of_the_notes() {
+    let words = |comparison: Comparison, lang| {
+        let figure = compared(comparison);
+        let camera = Camera::new(&figure.camera).unwrap();
+        let size = Size { width: 800, ..SIZE };
+        let request = Request::of(&figure, View::Image, &camera, &scene(&figure), labels(lang), size);
+        let over = overlay(&request, &request.sides().unwrap(), None).unwrap();
+        over.labels.iter().map(|label| label.text.to_string()).collect::<Vec<_>>()
+    };
+    let turned = Comparison { with: Vec::new(), ops: vec!["azimuth=30".parse().unwrap()], ..Comparison::default() };
+    assert_eq!(words(turned.clone(), Lang::En), ["before", "Azimuth 30°"]);
+    assert_eq!(words(turned, Lang::PtBr), ["antes", "Azimute 30°"]);
     for (key, value, headings) in [
         ("style.visibility", "\"painter\"", ["depth buffer", "painter"]),
+        ("reveal.clipping", "true", ["Vértices do recorte: não", "Vértices do recorte: sim"]),
         ("style.depth_format", "\"fixed-24\"", ["profundidade: f32 invertido", "profundidade: 24 bits"]),
         ("camera.near", "0.5", ["F = 3", "F = 0,5"]),
         ("camera.view_angle", "60.0", ["θ = 38°", "θ = 60°"]),
     ] {
         let lang = if headings[0].contains("buffer") { Lang::En } else { Lang::PtBr };
-        let figure = compared(Comparison::of_key(key, value));
-        let camera = Camera::new(&figure.camera).unwrap();
-        let request = Request::of(&figure, View::Image, &camera, &scene(&figure), labels(lang), SIZE);
-        let over = overlay(&request, &request.sides().unwrap(), None).unwrap();
-        assert_eq!(over.labels.iter().map(|label| &*label.text).collect::<Vec<_>>(), headings);
+        assert_eq!(words(Comparison::of_key(key, value), lang), headings);
     }
 }
 

@@ -134,7 +134,6 @@ fn figure() -> impl Strategy<Value = Figure> {
             let other = [("style.shading", "\"phong\""), ("camera.near", "1e-3"), ("show.step", "{ way = \"notes\" }")];
             let with = other[keys..].iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
             let ops = vec![Operation::Zoom(1.5), Operation::Pan { dx: 1.0, dy: -0.25 }];
-            let wiper = if beside { 0.5 } else { wiper };
             Comparison { with, ops, wiper, beside, differences }
         },
     ));
@@ -179,7 +178,7 @@ fn figure() -> impl Strategy<Value = Figure> {
 
 /// A text in both languages; `None` where one is empty.
 fn told(en: &str, pt_br: &str) -> Option<Bilingual> {
-    let is_there = |text: &str| !text.trim().is_empty();
+    let is_there = |text: &str| !text.trim().is_empty() && !text.contains(crate::sanitize::is_obeyed);
     (is_there(en) && is_there(pt_br)).then(|| [en.to_owned(), pt_br.to_owned()].into())
 }
 

@@ -17,15 +17,20 @@ pub fn varied(figure: &Figure, key: &str, value: &str) -> Result<Figure, FigureE
     let is_of_scene = key.split('.').next().is_some_and(|section| section.trim() == "scene");
     let scene = if is_of_scene { figure.scene.clone() } else { SceneSpec::default() };
     let (observers, show) = (figure.observers, figure.show.clone());
-    let varied = varied_whole(&Figure { scene, observers, show, ..figure.without_scene() }, key, value)?;
+    let varied = varied_whole(&Figure { scene, observers, show, ..figure.without_scene() }, [(key, value)])?;
     Ok(if is_of_scene { varied } else { Figure { scene: figure.scene.clone(), ..varied } })
 }
 
-/// As [`varied`], for a figure with a small scene.
-pub(in crate::figure) fn varied_whole(figure: &Figure, key: &str, value: &str) -> Result<Figure, FigureError> {
+/// As [`varied`], of several keys together, for a figure with a small scene: near and far may both move past the other.
+pub(in crate::figure) fn varied_whole<'a>(
+    figure: &Figure,
+    keys: impl IntoIterator<Item = (&'a str, &'a str)>,
+) -> Result<Figure, FigureError> {
     let mut document = document(figure);
-    let path: Vec<&str> = key.split('.').map(str::trim).collect();
-    set(&mut document, &path, parsed(key, value)?);
+    for (key, value) in keys {
+        let path: Vec<&str> = key.split('.').map(str::trim).collect();
+        set(&mut document, &path, parsed(key, value)?);
+    }
     read::parse(&document.to_string())
 }
 
@@ -35,7 +40,7 @@ pub(in crate::figure) fn varied_whole(figure: &Figure, key: &str, value: &str) -
 /// As for [`varied`].
 pub fn show_with(show: &Show, key: &str, value: &str) -> Result<Show, FigureError> {
     let figure = Figure { show: show.clone(), ..Figure::default() };
-    Ok(varied_whole(&figure, &format!("show.{key}"), value)?.show)
+    Ok(varied_whole(&figure, [(&*format!("show.{key}"), value)])?.show)
 }
 
 /// The value of a key in the text of a figure; `None` where none is written there.

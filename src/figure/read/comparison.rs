@@ -6,7 +6,9 @@ use crate::camera::Operation;
 use crate::figure::Comparison;
 use crate::figure::error::{Allowed, FigureError, Problem};
 use crate::figure::near;
+use crate::figure::write::quoted;
 use crate::limits::MAX_COMPARED_KEYS;
+use crate::sanitize;
 
 /// The sections whose keys can be compared. The scene, its points and the observers are the same on both sides.
 const SECTIONS: [&str; 7] = ["camera", "image", "viewport", "style", "reveal", "world", "show"];
@@ -23,7 +25,7 @@ pub(super) fn comparison(mut section: Section<'_>, faults: &mut Vec<Fault>) -> O
                 with.push((key, value));
             }
             Err(problem) => {
-                let key = section.name_of(&format!("with.{}", crate::sanitize::escaped(&key)));
+                let key = section.name_of(&format!("with.{}", sanitize::escaped(&key)));
                 section.faults.push(Fault { at, key, problem });
             }
         }
@@ -36,7 +38,8 @@ pub(super) fn comparison(mut section: Section<'_>, faults: &mut Vec<Fault>) -> O
     if is_there && count == 0 && section.faults.is_empty() {
         section.missing("with", Allowed::Section);
     } else if count > MAX_COMPARED_KEYS {
-        section.fault("with", Problem::TooMany { count, limit: MAX_COMPARED_KEYS });
+        let key = if with.is_empty() { "ops" } else { "with" };
+        section.fault(key, Problem::TooMany { count, limit: MAX_COMPARED_KEYS });
     }
     let found = section.finish();
     let is_good = found.iter().all(Fault::is_unknown_key);
@@ -44,11 +47,29 @@ pub(super) fn comparison(mut section: Section<'_>, faults: &mut Vec<Fault>) -> O
     (is_there && is_good && count > 0).then_some(Comparison { with, ops, wiper, beside, differences })
 }
 
+/// A comparison of one key as it is typed, `camera.near = 0.5`. A value that is a plain word may lack its quotes.
+///
+/// # Errors
+/// As for a figure file with this comparison; the line is meaningless.
+pub fn typed_comparison(text: &str) -> Result<Comparison, FigureError> {
+    let (key, value) = text.split_once('=').unwrap_or((text, ""));
+    let (key, value) = (key.trim(), value.trim());
+    let is_word = !value.is_empty() && value.chars().all(|c| c.is_ascii_alphabetic() || c == '-');
+    let value =
+        if is_word && !matches!(value, "true" | "false") { quoted(value).to_string() } else { value.to_owned() };
+    let fault = |problem| FigureError { line: 1, key: format!("[compare] with.{}", sanitize::escaped(key)), problem };
+    checked(key, &value).map_err(fault)?;
+    Ok(Comparison::of_key(key, &value))
+}
+
 /// Whether a key can be compared and has this value in some figure. Whether it is possible together with the values of
 /// this figure is another question: they change, and a file can still be read then.
 fn checked(key: &str, value: &str) -> Result<(), Problem> {
     let section = key.split('.').next().unwrap_or_default().trim();
     let is_plain = key.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '-'));
+    if SECTIONS.contains(&key) {
+        return Err(Problem::Value { found: sanitize::escaped(value), allowed: Allowed::Section });
+    }
     if !SECTIONS.contains(&section) || !key.contains('.') || !is_plain {
         return Err(Problem::UnknownKey { near: near::word(section, &SECTIONS), known: SECTIONS.to_vec() });
     }
@@ -60,6 +81,10 @@ fn checked(key: &str, value: &str) -> Result<(), Problem> {
     // The sections are tables, and so `show.step.at` is a key of `[show]`.
     match parse(&format!("{key} = {value}\n")) {
         Ok(_) => Ok(()),
+        // These are impossible with the other values of any figure.
+        Err(FigureError { problem: Problem::Camera(error), .. }) if error.is_of_one_value() => {
+            Err(Problem::Camera(error))
+        }
         Err(FigureError { problem: Problem::Camera(_) | Problem::Missing { .. }, .. }) => Ok(()),
         Err(FigureError { problem, .. }) => Err(problem),
     }

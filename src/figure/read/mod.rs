@@ -30,6 +30,7 @@ use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
 use crate::sanitize;
+pub use comparison::typed_comparison;
 pub use scene::line_of_object;
 pub(crate) use section::{Fault, Section};
 

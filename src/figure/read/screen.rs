@@ -5,12 +5,13 @@ use crate::figure::error::Allowed;
 use crate::figure::words::{self, ARRANGEMENTS, PANELS, PICTURES};
 use crate::figure::{Bilingual, Screen, View};
 use crate::limits::{MAX_CAPTION, MAX_TITLE};
+use crate::sanitize;
 
 /// Reads `title` and `caption`.
 pub(super) fn told(root: &mut Section<'_>) -> [Option<Bilingual>; 2] {
     [("title", MAX_TITLE), ("caption", MAX_CAPTION)].map(|(key, limit)| {
         let texts = root.told(key)?;
-        let is_short = |text: &String| text.chars().count() <= limit && !text.contains(char::is_control);
+        let is_short = |text: &String| text.chars().count() <= limit && !text.contains(sanitize::is_obeyed);
         if !texts.iter().all(is_short) {
             root.refuse(key, Allowed::BilingualLine { limit });
             return None;

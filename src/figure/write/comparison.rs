@@ -20,7 +20,8 @@ pub(super) fn comparison(comparison: &Comparison) -> Table {
     }
     if *beside {
         keys.push(("layout", "beside".into()));
-    } else {
+    }
+    if !*beside || *wiper != Comparison::default().wiper {
         keys.push(("wiper", number(*wiper)));
     }
     if *differences {

@@ -13,7 +13,7 @@ use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::explain_point;
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
-use crate::views::{Hover, Probe, Request, Size, View, pick};
+use crate::views::{Hover, Probe, Request, Shot, Size, View, pick};
 
 /// The room that a card takes before it has been shown, in points.
 const USUAL: Vec2 = vec2(250.0, 190.0);
@@ -91,6 +91,15 @@ impl Canvas {
         let size = Size { width: 1, height: 1, scale: 1.0 };
         let of_frame = panes.iter().find(|pane| pane.view == View::Image).map(|pane| pane.request.clone());
         let request = of_frame.unwrap_or_else(|| self.request(state, &self.shot.picture(View::Image), size));
+        // Under the pointer may be the other side of a comparison, with a camera and an image of its own.
+        let side = self.probed_side.as_ref().filter(|(of, _)| *of == probe).map(|(_, side)| side);
+        let request = side.map_or_else(
+            || request.clone(),
+            |side| {
+                let shot = Shot { compared: None, ..Shot::clone(&side.shot) };
+                Request { camera: side.camera.clone(), shot: shot.into(), ..request.clone() }
+            },
+        );
         let request = Request { hover: Hover::default(), size, ..request };
         let digits = state.settings.digits;
         let asks = matches!(probe, Probe::Window(_)) && request.shot.look.reveal.depth != Depth::Off;

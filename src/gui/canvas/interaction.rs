@@ -60,6 +60,9 @@ impl Canvas {
             }
             if self.drag.is_none() && pane.response.hovered() && !ui.input(|i| i.pointer.any_down()) {
                 hovered = self.hover(ui, state, pane, &mut status, texts);
+                if let Some((probe, place)) = hovered.zip(pane.response.hover_pos()) {
+                    self.probed_side = pane.side(place).map(|side| (probe, side.request));
+                }
             }
             self.click(state, pane, hovered);
             if status.message.is_empty() && pane.response.has_focus() {
@@ -68,6 +71,11 @@ impl Canvas {
         }
         if self.drag.is_some() {
             self.say_drag(ui, state, &mut status, texts);
+        }
+        if status.message.is_empty()
+            && let Some(why) = state.impossible_side()
+        {
+            (status.message, status.warning) = (why, true);
         }
         if status.message.is_empty() {
             let is_there = |view| panes.iter().any(|pane| pane.view == view);
@@ -171,8 +179,8 @@ impl Canvas {
         status.message = match pane.view {
             View::Image => match pick::window_point_in_image(request, pointer) {
                 Some(point) => {
-                    let image = state.document.figure().image;
-                    let pixel = readout::pair(pixel_of(image, camera, point), 17, texts.lang.mark());
+                    let image = request.shot.look.image;
+                    let pixel = readout::pair(pixel_of(image, &request.camera, point), 17, texts.lang.mark());
                     let point = readout::pair(point, 4, texts.lang.mark());
                     format!(
                         "{} {} {pixel} / {} × {} · {} {point} · {}",

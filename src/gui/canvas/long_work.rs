@@ -52,7 +52,7 @@ impl Canvas {
     /// Cancels long work where Esc is pressed and means nothing else.
     pub fn listen_for_cancel(&mut self, ctx: &egui::Context, state: &mut State) {
         let busy = ctx.text_edit_focused() || ctx.input(|input| input.pointer.any_down());
-        if state.file_flow.dialog.is_some() || busy || LongWork::of(self, state).is_none() {
+        if state.file_flow.is_asking() || busy || LongWork::of(self, state).is_none() {
             return;
         }
         if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {

@@ -90,7 +90,7 @@ use crate::i18n::pictures::labels;
 use crate::picture::RenderReport;
 use crate::pipeline::OverBudget;
 use crate::views::image_frame;
-use crate::views::{Hover, Look, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
+use crate::views::{Hover, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
 
 /// Time that a frame waits for its pictures. Slower ones are shown when they are done.
 const PATIENCE: Duration = Duration::from_millis(30);
@@ -130,6 +130,8 @@ pub struct Canvas {
     /// The search at the pointer, and one whose result is to be pinned.
     hover_pick: Option<PickRequest>,
     clicked_pick: Option<PickRequest>,
+    /// The last probe of the pointer in a compared picture, and the side that it was on.
+    probed_side: Option<(Probe, Request)>,
     /// A click on something that has not been found yet, and its picker.
     clicked: Option<Click>,
     click_picker: Picker,
@@ -175,6 +177,7 @@ impl Default for Canvas {
             probing: None,
             probe_steps: VecDeque::new(),
             hover_pick: None,
+            probed_side: None,
             clicked_pick: None,
             clicked: None,
             click_picker: Picker::default(),
@@ -492,7 +495,7 @@ impl Canvas {
             }
             note(ui, rect, &loading(state));
             if pane.view == View::Image && pane.response.hovered() && self.drag.is_none() {
-                cross(ui, state, pane);
+                cross(ui, pane);
             }
         }
     }
@@ -552,11 +555,11 @@ fn describe(state: &State, view: View) -> String {
 
 /// Two lines that cross at the pointer, within the frame of the image.
 #[expect(clippy::cast_precision_loss, reason = "sides of a screen are far below 2²⁴")]
-fn cross(ui: &Ui, state: &State, pane: &Pane) {
+fn cross(ui: &Ui, pane: &Pane) {
     let Some(pointer) = pane.response.hover_pos() else { return };
-    let look = Look::of(state.document.figure());
-    let f = image_frame(pane.rect.size, look.image_aspect(state.document.camera()));
-    let frame = pane.rect.rect_of(f.x as f32, f.y as f32, f.width as f32, f.height as f32);
+    let (left, request) = pane.side(pointer).map_or((0, pane.request.clone()), |side| (side.left, side.request));
+    let f = image_frame(request.size, request.shot.look.image_aspect(&request.camera));
+    let frame = pane.rect.rect_of((f.x + left) as f32, f.y as f32, f.width as f32, f.height as f32);
     if !frame.contains(pointer) {
         return;
     }

@@ -191,8 +191,8 @@ impl Status {
                 }
                 if self.cells.is_empty() {
                     // Wrapped where it is longer than a line: narrow pictures have room for several.
-                    let text = RichText::new(self.note).small().weak();
-                    ui.add(Label::new(text).wrap().selectable(false));
+                    let label = Label::new(RichText::new(self.note).small().weak()).selectable(false);
+                    ui.add(if lines > 1 { label.wrap() } else { label.truncate() });
                 }
             })
             .response;

@@ -15,7 +15,8 @@ const RADIUS: f32 = 9.0;
 const STEPS: [f64; 2] = [0.02, 0.1];
 
 impl Pane {
-    fn side(&self, pointer: Pos2) -> Option<Side> {
+    /// The side of a compared picture at a place; `None` where nothing is compared.
+    pub(super) fn side(&self, pointer: Pos2) -> Option<Side> {
         self.request.side_at(self.rect.pixel(pointer).x)
     }
 

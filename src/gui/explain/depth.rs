@@ -12,7 +12,7 @@ use crate::gui::compare_dialog;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::numerics::color_of;
 use crate::gui::panels::{choice, row};
-use crate::gui::plotting::{logarithmic_x, still};
+use crate::gui::plotting::{linear_x, logarithmic_x, still};
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
@@ -238,9 +238,9 @@ fn plot(ui: &mut Ui, lang: Lang, camera: &Camera, ndc: Ndc, probe: Option<f64>) 
     let curves = curves(t, camera, ndc, across);
     let depths = curves.iter().flat_map(|(_, points, _)| points).map(|point| point[1]);
     let [low, high] = depths.fold([0.0, 0.0], |[low, high]: [f64; 2], z| [low.min(z), high.max(z)]);
-    let plot = still(Plot::new(("depth", logarithmic))).height(HEIGHT).y_axis_label("zₙ");
+    let plot = still(Plot::new(("depth", logarithmic))).height(HEIGHT);
     let plot = plot.y_axis_formatter(move |mark, _| lang.mark().number(mark.value, 3));
-    let plot = if logarithmic { logarithmic_x(plot, ui, t.distance) } else { plot.x_axis_label(t.distance) };
+    let plot = if logarithmic { logarithmic_x(plot, ui, t.distance) } else { linear_x(plot, ui, t.distance) };
     let dark = ui.visuals().dark_mode;
     let shown = plot.show(ui, |plot| {
         plot.set_plot_bounds_x(across(f)..=across(b));

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Align2, Color32, EventFilter, FontSelection, Id, Key, Layout, Modifiers, Rect, Response, RichText,
+    Align, Align2, Color32, Event, EventFilter, FontSelection, Id, Key, Layout, Modifiers, Rect, Response, RichText,
     ScrollArea, Sense, Stroke, StrokeKind, TextWrapMode, Ui, Vec2, WidgetInfo, WidgetText, pos2, vec2,
 };
 
@@ -78,11 +78,13 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
         sources.retain(|source| gallery.is_wanted(source, &called));
     }
     ui.add_space(6.0);
-    let height = (ui.ctx().content_rect().height() - 130.0).max(120.0);
+    let top = ui.cursor().top();
+    let goes_to = headings(ui, t.lang, &sources);
+    let height = (ui.ctx().content_rect().height() - 130.0 - (ui.cursor().top() - top)).max(120.0);
     let area = ScrollArea::vertical().id_salt(gallery.part).max_height(height).min_scrolled_height(height);
     gallery.wants_focus |= first || before != gallery.part;
     area.auto_shrink(false).show(ui, |ui| {
-        if let Some(source) = cards(ui, t, gallery, &sources) {
+        if let Some(source) = cards(ui, t, gallery, &sources, goes_to) {
             asked = Some(Chosen::Open(source));
         }
         if more > 0 && !is_searched {
@@ -98,6 +100,19 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
         ui.label(RichText::new(keys).small().weak());
     });
     asked
+}
+
+/// The headings of the cards as links; the one that was clicked.
+fn headings(ui: &mut Ui, lang: Lang, sources: &[Source]) -> Option<Topic> {
+    let mut topics: Vec<Topic> = sources.iter().filter_map(topic).collect();
+    topics.dedup();
+    if topics.len() < 2 {
+        return None;
+    }
+    let links = ui.horizontal_wrapped(|ui| {
+        topics.into_iter().filter(|topic| ui.link(words::heading(lang, *topic)).clicked()).last()
+    });
+    links.inner
 }
 
 /// The names of the parts; Ctrl+Tab goes to the next one.
@@ -121,6 +136,17 @@ fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
     let goes_down = ui.memory(|memory| memory.has_focus(id))
         && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::ArrowDown));
     let before = gallery.wanted.clone();
+    if !ui.ctx().text_edit_focused() {
+        // Who types means the search.
+        let typed = ui.input(|input| {
+            let text = |event: &Event| if let Event::Text(text) = event { Some(text.clone()) } else { None };
+            input.events.iter().filter_map(text).collect::<String>()
+        });
+        if !typed.trim().is_empty() {
+            // The field takes what is typed in this frame already.
+            ui.memory_mut(|memory| memory.request_focus(id));
+        }
+    }
     let field = TextField::line(&mut gallery.wanted, MAX_TYPED_NAME);
     let field = field.with(|edit| edit.id(id).hint_text(t.wanted).desired_width(190.0));
     let response = field.show(ui, t.lang).accessible_name(t.wanted);
@@ -135,7 +161,7 @@ fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
 }
 
 /// The cards in rows, under their headings; the figure of the one that was pressed.
-fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source]) -> Option<Source> {
+fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], goes_to: Option<Topic>) -> Option<Source> {
     if sources.is_empty() {
         let text = match (gallery.part, &gallery.files) {
             _ if !gallery.wanted.trim().is_empty() => t.nothing,
@@ -172,7 +198,10 @@ fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source]) -> O
         if topic != std::mem::replace(&mut heading, topic)
             && let Some(topic) = topic
         {
-            ui.label(RichText::new(words::heading(t.lang, topic)).strong());
+            let heading = ui.label(RichText::new(words::heading(t.lang, topic)).strong());
+            if goes_to == Some(topic) {
+                heading.scroll_to_me(Some(Align::TOP));
+            }
         }
         ui.horizontal(|ui| {
             for index in row {

@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 use toml_edit::{DocumentMut, Value};
 
 use super::launch_options::LANGUAGES;
-use super::state::State;
+use super::state::{Side, State};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
 use crate::export::format::PictureFormat;
 use crate::figure::words::{self, ARRANGEMENTS, EXPLANATIONS, THEMES, Words};
@@ -85,10 +85,14 @@ const KEYS: [Key; 34] = [
     },
     key!("parameters_panel", switch, settings.panels.wanted[0]),
     key!("numbers_panel", switch, settings.panels.wanted[1]),
-    key!("explanations", switch, settings.panels.wanted[2]),
+    Key {
+        name: "explanations",
+        of: |state| state.preferred_layout().is_open.into(),
+        apply: |state, value| put(&mut state.settings.panels.wanted[Side::Explain as usize], value.as_bool()),
+    },
     Key {
         name: "explanation",
-        of: |state| words::name(EXPLANATIONS, state.explain.shown()).into(),
+        of: |state| words::name(EXPLANATIONS, state.preferred_layout().explanation).into(),
         apply: |state, value| word(EXPLANATIONS, value).into_iter().for_each(|shown| state.explain.show(shown)),
     },
     // The last one of each question.
@@ -102,10 +106,17 @@ const KEYS: [Key; 34] = [
             state.explain.show(shown);
         },
     },
-    key!("layout", one of ARRANGEMENTS, layout.arrangement),
+    Key {
+        name: "layout",
+        of: |state| words::name(ARRANGEMENTS, state.preferred_layout().arrangement).into(),
+        apply: |state, value| put(&mut state.layout.arrangement, word(ARRANGEMENTS, value)),
+    },
     Key {
         name: "pictures",
-        of: |state| View::ALL.into_iter().filter(|view| state.layout.shown[view.index()]).map(View::name).collect(),
+        of: |state| {
+            let shown = state.preferred_layout().pictures;
+            View::ALL.into_iter().filter(|view| shown[view.index()]).map(View::name).collect()
+        },
         apply: |state, value| {
             let names: Vec<&str> = value.as_array().into_iter().flatten().filter_map(Value::as_str).collect();
             let shown = View::ALL.map(|view| names.contains(&view.name()));

@@ -84,11 +84,12 @@ impl Preferences {
             "preferences",
             (Keeping::Preferences, News::PreferencesSetAside),
         );
+        // The figure that the window opens with may say how it is shown; that is no preference.
+        state.give_back_layout();
         if let Some(document) = &content {
             apply(document, state);
         }
         let kept_before = content.unwrap_or_default();
-        // The figure that the window opens with may say how it is shown; that is no preference.
         state.show_screen(state.document.figure().screen);
         asked.apply(state);
         let progress = KeptProgress::begin(folder, state, &kept_before);

@@ -7,7 +7,6 @@ use super::{CompareForm, Message};
 use crate::camera::Decomposition;
 use crate::files::Overwrite;
 use crate::gui::comparison::Comparison;
-use crate::gui::document::Document;
 use crate::gui::export::{Export, Exported, Exporting};
 use crate::gui::native::OpenFileDialog;
 use crate::gui::preview::Preview;
@@ -26,6 +25,8 @@ pub enum AfterSave {
     OpenPath(PathBuf),
     /// Open the figure of the program with this name.
     Shipped(&'static str),
+    /// Open the figure of this text.
+    Text(String),
     /// Restore the session of this slot.
     Restore(usize),
     /// Close the window.
@@ -157,8 +158,6 @@ pub struct FileFlow {
     pub(in crate::gui) decided: Option<Theirs>,
     /// The session in this slot is to be restored now.
     pub(in crate::gui) restore: Option<usize>,
-    /// A figure that takes the place of the open one in this frame.
-    pub(in crate::gui) instead: Option<Document>,
     /// The figure's file is to be looked at in the next frame.
     pub(in crate::gui) look: bool,
     pub(in crate::gui) watch: Watch,
@@ -171,6 +170,12 @@ pub struct FileFlow {
 }
 
 impl FileFlow {
+    /// True while a dialog waits for an answer. The comparison stands beside the pictures and waits for none.
+    #[must_use]
+    pub fn is_asking(&self) -> bool {
+        self.dialog.as_ref().is_some_and(|dialog| !matches!(dialog, Dialog::Compare(_)))
+    }
+
     /// Work with files, with nothing pending.
     #[must_use]
     pub fn new(native: bool) -> Self {

@@ -3,6 +3,7 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `annotations` | annotations of a lecturer over the pictures |
+//! | `asked_layout` | the layout that a figure asks for, and the user's own, which comes back afterwards |
 //! | `coach` | the coach's findings about the figure |
 //! | `compare` | the state of the dialog that compares the figure with itself in another way |
 //! | `conventions` | the display of matrices, and the convention of NDC |
@@ -27,6 +28,7 @@
 //! | `view_history` | earlier viewpoints of the pictures |
 
 mod annotations;
+mod asked_layout;
 mod coach;
 mod compare;
 mod conventions;
@@ -63,6 +65,7 @@ use crate::limits::MAX_NAMED_POINTS;
 use crate::views::Probe;
 use crate::views::View;
 pub use annotations::Annotations;
+use asked_layout::AskedLayout;
 pub use coach::{Advice, Coach};
 pub use compare::CompareForm;
 pub use conventions::Conventions;
@@ -204,6 +207,8 @@ pub struct State {
     observers_shown: Memo<SeenBy, Observers>,
     /// The panels that were open in the last frame, of those that explain something in the pictures.
     pub(in crate::gui) open_panels: OpenPanels,
+    /// The layout that the figure asked for.
+    pub(in crate::gui) asked_layout: Option<AskedLayout>,
     /// The target of the pointer; written by the pictures, shown by the panel.
     pub probe: Option<Probe>,
     /// The files that were opened or saved last.
@@ -294,6 +299,7 @@ impl State {
             seen: Observers::default(),
             observers_shown: Memo::default(),
             open_panels: OpenPanels::default(),
+            asked_layout: None,
             probe: None,
             recent: Recent::default(),
             gallery: Gallery::default(),

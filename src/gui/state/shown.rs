@@ -69,6 +69,13 @@ impl State {
         Compared::of(&shown, &figure.scene)
     }
 
+    /// Why the other side of the comparison is impossible; `None` where it is possible, or nothing is compared.
+    pub(in crate::gui) fn impossible_side(&self) -> Option<String> {
+        let figure = self.document.figure();
+        let error = figure.compare.as_ref()?.other_side(figure).err()?;
+        Some(crate::i18n::compare::impossible(self.settings.lang, &error))
+    }
+
     /// The figure that shows in any program the present screen: with explanations, and with the observers.
     #[must_use]
     pub fn figure_as_shown(&self) -> Figure {
@@ -110,22 +117,8 @@ impl State {
         }
     }
 
-    /// Puts the window into the state that a figure asks for.
-    pub(in crate::gui) fn show_screen(&mut self, screen: Screen) {
-        let Screen { pictures, arrangement, panel } = screen;
-        if let Some(pictures) = pictures {
-            (self.layout.shown, self.layout.maximized) = (pictures, None);
-        }
-        if let Some(arrangement) = arrangement {
-            self.layout.arrangement = arrangement;
-        }
-        // A page that shows the pictures alone has no room for a side.
-        match panel.filter(|_| !self.settings.bare) {
-            Some(Some(explanation)) => self.show_explanation(explanation),
-            Some(None) => self.settings.panels_mut().wanted[Side::Explain as usize] = false,
-            None => {}
-        }
-        // What the figure shows is its own: an explanation that it closes takes nothing of it away.
+    /// Leaves to the figure what it shows: an explanation that it closes takes nothing of it away.
+    pub(super) fn keep_what_it_explains(&mut self) {
         let (before, now) = (self.open_panels, self.panels_now());
         self.open_panels = OpenPanels {
             stages: before.stages && now.stages,

@@ -13,10 +13,9 @@ use std::time::Duration;
 
 use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
 
-use crate::figure::read;
-use crate::gui::document::Document;
+use crate::gui::file_flow;
 use crate::gui::focus::keep_in_sight;
-use crate::gui::state::{Message, State};
+use crate::gui::state::{AfterSave, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::numerics as words;
 use crate::numbers::significant;
@@ -66,7 +65,7 @@ pub fn ui(ui: &mut Ui, state: &mut State) {
         });
     });
     if let Some(text) = opened.and_then(|row: Row| row.figure) {
-        open(state, &text);
+        file_flow::begin(ui.ctx(), state, AfterSave::Text(text));
     }
 }
 
@@ -197,14 +196,4 @@ fn methods(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
     });
     ui.label(RichText::new(t.star).small());
     opened
-}
-
-/// Opens the figure of a row in the three pictures. The open figure is kept with its changes.
-fn open(state: &mut State, text: &str) {
-    // The program wrote it, of a camera that it had measured: a test opens every one.
-    let Ok(figure) = read::parse(text) else { return };
-    match Document::new(figure, None) {
-        Ok(document) => state.file_flow.instead = Some(document),
-        Err(error) => state.say(Message::Camera(error)),
-    }
 }
