@@ -58,6 +58,7 @@ use super::focus::keep_in_sight;
 use super::state::{Question, State};
 use super::tooltip::Explained;
 use crate::figure::Explanation;
+use crate::gui::elide;
 use crate::i18n::explain::{self, Texts};
 pub(super) use triangle::clicked;
 
