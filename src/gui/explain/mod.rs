@@ -185,18 +185,20 @@ fn questions(ui: &mut Ui, t: &Texts, state: &mut State) {
     let gap = 4.0;
     let (room, height) = (ui.available_width() - gap, ui.spacing().interact_size.y);
     let font = TextStyle::Small;
-    let shares = [0.535, 0.465];
-    let wraps = QUESTIONS.chunks(2).flat_map(|two| two.iter().zip(shares)).any(|(row, share)| {
-        let name = (row.words)(t).0;
-        elide::width(ui, &font.resolve(ui.style()), name) + 2.0 * PADDING > (room * share).floor()
+    let names = |column: usize| QUESTIONS.iter().skip(column).step_by(2).map(|row| (row.words)(t).0);
+    let widest = [0, 1].map(|column| {
+        let widths = names(column).map(|name| elide::width(ui, &font.resolve(ui.style()), name) + 2.0 * PADDING);
+        widths.fold(1.0, f32::max)
     });
+    // A column is as wide as its longest name asks for.
+    let shares = widest.map(|width| width / (widest[0] + widest[1]));
+    let wraps = widest[0] + widest[1] > room;
     // Where one name needs two lines, all buttons are as high.
     let height = if wraps { 2.0 * ui.text_style_height(&font) + 2.0 * ui.spacing().button_padding.y } else { height };
     for two in QUESTIONS.chunks(2) {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = gap;
             ui.spacing_mut().button_padding.x = PADDING;
-            // The longer questions are on the left.
             for (row, share) in two.iter().zip(shares) {
                 let size = vec2((room * share).floor(), height);
                 let (name, hint) = (row.words)(t);
