@@ -11,7 +11,7 @@ use super::render::no_picture;
 use super::words::{LangArg, TableFormat};
 use super::{Failure, print, say};
 use crate::camera::Camera;
-use crate::exercises::{self, Ask, Entry, Exercise, Expected, Judged, Kind};
+use crate::exercises::{self, Answer, AnswerError, Ask, Cause, Entry, Exercise, Expected, Judged, Kind};
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, BadExercise, Overwrite, OwnExercises};
@@ -261,17 +261,29 @@ fn plain(markdown: &str) -> String {
 fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     let (entry, exercise) = find(&args.id, &args.numbers, lang)?;
     let names: Vec<&str> = exercise.asks.iter().map(|ask| ask.name.as_str()).collect();
-    let mut judged: Vec<(&Ask, Judged)> = Vec::new();
+    let mut typed: Vec<(&Ask, &str)> = Vec::new();
     for (name, answer) in args.answers(lang)? {
         let ask = exercise.asks.iter().find(|ask| ask.name == name);
         let ask = ask.ok_or_else(|| Failure::BadInput(said::unknown_ask(lang, &entry.id, name, &names)))?;
-        if judged.iter().any(|(other, _)| other.name == ask.name) {
+        if typed.iter().any(|(other, _)| other.name == ask.name) {
             return Err(Failure::BadInput(said::answered_twice(lang, name)));
         }
-        let verdict = exercises::check(&entry, &exercise, ask, texts::typed_choice(ask, answer))
-            .map_err(|error| Failure::BadInput(said::unreadable(lang, name, &texts::answer_error(lang, &error))))?;
-        judged.push((ask, verdict));
+        typed.push((ask, texts::typed_choice(ask, answer)));
     }
+    let unreadable = |ask: &Ask, error: &AnswerError| {
+        Failure::BadInput(said::unreadable(lang, &ask.name, &texts::answer_error(lang, error)))
+    };
+    // What is submitted together is one piece of work.
+    let read = |(ask, text): &(&Ask, &str)| match exercises::read_answer(text, ask, &exercise.free) {
+        Ok(answer) => Ok((ask.name.clone(), answer)),
+        Err(error) => Err(unreadable(ask, &error)),
+    };
+    let answers: Vec<(String, Answer)> = typed.iter().map(read).collect::<Result<_, _>>()?;
+    let judge = |(ask, text): (_, &str)| match exercises::check_beside(&entry, &exercise, ask, text, &answers) {
+        Ok(verdict) => Ok((ask, verdict)),
+        Err(error) => Err(unreadable(ask, &error)),
+    };
+    let judged: Vec<(&Ask, Judged)> = typed.into_iter().map(judge).collect::<Result<_, _>>()?;
     let written = written(args.numbers.lang);
     let right = judged.iter().all(|(_, verdict)| verdict.right);
     let unanswered: Vec<&str> =
@@ -291,12 +303,14 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
 fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Value {
     let hints = said::hints(lang, exercise, ask, verdict);
     let diagnosis = verdict.diagnosis.as_ref().map(|diagnosis| {
-        let codes: Vec<&str> = diagnosis.mistakes.iter().map(|mistake| mistake.code()).collect();
+        let codes = |causes: &[Cause]| causes.iter().map(|cause| cause.mistake.code()).collect::<Vec<&str>>();
+        let (codes, others) = (codes(&diagnosis.causes), codes(&diagnosis.others));
         json!({
             "code": codes.first().copied().unwrap_or("own"),
             "codes": codes,
             "message": texts::diagnosis(lang, ask, verdict),
             "hints": hints,
+            "others": others,
         })
     });
     json!({
@@ -305,6 +319,7 @@ fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -
         "score": verdict.score,
         "entries": verdict.entries,
         "diagnosis": diagnosis,
+        "carried": verdict.carried,
         "understood": texts::understood(lang, ask, &verdict.understood),
         "reading": Some(verdict.reading).filter(|name| !name.is_empty()),
         "conditions": verdict.conditions.iter().map(|name| texts::condition(lang, name)).collect::<Vec<_>>(),
@@ -322,6 +337,7 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
         let right = entries.iter().filter(|is| **is).count();
         let share = match (verdict.right, entries.len()) {
             (true, _) => t.right.to_owned(),
+            _ if !verdict.carried.is_empty() => t.follows.to_owned(),
             (false, 1) => t.wrong.to_owned(),
             (false, all) => format!("{} ({})", t.wrong, said::score(lang, right, all)),
         };
@@ -331,6 +347,9 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
         }
         for (condition, is) in verdict.conditions.iter().zip(&entries) {
             let _ = writeln!(text, "  {} {}", if *is { '✓' } else { '✗' }, texts::condition(lang, condition));
+        }
+        if let Some(carried) = texts::carried(lang, verdict) {
+            let _ = writeln!(text, "  {carried}");
         }
         if let Some(diagnosis) = texts::diagnosis(lang, ask, verdict) {
             let _ = writeln!(text, "  {}", plain(&diagnosis));

@@ -69,6 +69,9 @@ pub enum AnswerError {
     /// Not `key=value`.
     #[error("{0:?} is not KEY=VALUE")]
     Pair(String),
+    /// No parameter of a camera.
+    #[error("{0:?} begins with no parameter of a camera; allowed: C, PF, VUP, projection, θ, H, A, F, B, window")]
+    Parameter(String),
     /// Not a camera.
     #[error("{0}")]
     Camera(FigureError),
@@ -116,8 +119,14 @@ fn choice(text: &str, choices: &[String]) -> Result<Answer, AnswerError> {
 fn numbers(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answer, AnswerError> {
     let dimension = if ask.unit == Unit::Degrees { Dimension::Angle } else { Dimension::Number };
     let is_matrix = matches!(ask.kind, Kind::Matrix(..));
-    let cells =
-        if ask.kind == Kind::Number && !text.starts_with('[') { vec![vec![text]] } else { cells(text, is_matrix)? };
+    let number = |text: &str| expression::evaluate_with(text, dimension, names);
+    let (text, factor) = without_factor(text, number).unwrap_or((text, 1.0));
+    let [asked_rows, asked_columns] = ask.shape();
+    let asked = if is_matrix { asked_columns } else { asked_rows };
+    let reads = |part: &str| is_gap(part) || number(part).is_ok();
+    let parts = |row| between_blanks(row, asked, reads).unwrap_or_else(|| split(row));
+    let is_one = ask.kind == Kind::Number && !text.starts_with('[');
+    let cells = if is_one { vec![vec![text]] } else { cells(text, is_matrix, parts)? };
     let first = cells.first().map_or(0, Vec::len);
     let mut entries = Vec::new();
     for (row, parts) in cells.iter().enumerate() {
@@ -126,17 +135,13 @@ fn numbers(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answer, Answe
         }
         for (column, part) in parts.iter().enumerate() {
             let part = part.trim();
-            if matches!(part, "" | "?" | "_") {
+            if is_gap(part) {
                 entries.push(None);
                 continue;
             }
-            let value = expression::evaluate_with(part, dimension, names).map_err(|error| AnswerError::Number {
-                row,
-                column,
-                text: part.to_owned(),
-                error,
-            })?;
-            entries.push(Some(value));
+            let value =
+                number(part).map_err(|error| AnswerError::Number { row, column, text: part.to_owned(), error })?;
+            entries.push(Some(factor * value));
         }
     }
     let (rows, columns) = (cells.len(), first);
@@ -149,21 +154,78 @@ fn numbers(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answer, Answe
     })
 }
 
+/// The numbers of a row between which nothing but blanks stands; `None` for other rows.
+fn between_blanks(row: &str, asked: usize, reads: impl Fn(&str) -> bool) -> Option<Vec<&str>> {
+    let apart: Vec<&str> = row.split_whitespace().collect();
+    let is_number = |part: &&str| !part.starts_with([',', ';']) && !part.ends_with([',', ';']) && reads(part);
+    (asked > 1 && apart.len() == asked && apart.iter().all(is_number)).then_some(apart)
+}
+
+/// What stands for a number that is not given.
+fn is_gap(part: &str) -> bool {
+    matches!(part, "" | "?" | "_")
+}
+
+/// A list or a matrix without the number by which it is multiplied or divided, and that number: `2*[1, 0]`, `[1, 0]/√2`.
+fn without_factor<E>(text: &str, number: impl Fn(&str) -> Result<f64, E>) -> Option<(&str, f64)> {
+    let (start, end) = match (text.find('['), text.rfind(']')) {
+        (Some(start), Some(end)) if start < end => (start, end + 1),
+        _ => last_list(text)?,
+    };
+    let (before, list, after) = (text.get(..start)?.trim(), text.get(start..end)?, text.get(end..)?.trim());
+    if before.is_empty() && after.is_empty() {
+        return None;
+    }
+    let before = before.trim_end_matches(['*', '×', '·']).trim_end();
+    let before = before.strip_suffix(r"\cdot").unwrap_or(before);
+    // 1*[…]/2 and -[…]; what stands after it begins with its sign.
+    let factor = if matches!(before, "-" | "−" | "–") {
+        -1.0
+    } else {
+        number(if before.is_empty() { "1" } else { before }).ok()?
+    };
+    let after = if after.is_empty() { 1.0 } else { number(&format!("1{after}")).ok()? };
+    (after.is_finite() && factor.is_finite()).then_some((list, factor * after))
+}
+
+/// The bytes of the last parentheses with a list between them.
+fn last_list(text: &str) -> Option<(usize, usize)> {
+    let (mut starts, mut found) = (Vec::new(), None);
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' => starts.push(at),
+            ')' => {
+                let start = starts.pop()?;
+                let is_list = starts.is_empty() && text[start..at].contains([',', ';']);
+                found = if is_list { Some((start, at + 1)) } else { found };
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
 /// The parts of a list or of a matrix.
-fn cells(text: &str, is_matrix: bool) -> Result<Vec<Vec<&str>>, AnswerError> {
+fn cells<'a>(
+    text: &'a str,
+    is_matrix: bool,
+    parts: impl Fn(&'a str) -> Vec<&'a str>,
+) -> Result<Vec<Vec<&'a str>>, AnswerError> {
     let inner = unwrapped(text)?;
     let has_rows = inner.contains('[') || (is_matrix && inner.trim_start().starts_with('('));
     if has_rows {
-        return rows_in_brackets(inner)?.into_iter().map(|row| Ok(split(unwrapped(row)?))).collect();
+        return rows_in_brackets(inner)?.into_iter().map(|row| Ok(parts(unwrapped(row)?))).collect();
     }
     if inner.contains('\n') {
-        return Ok(inner.lines().filter(|line| !line.trim().is_empty()).map(split).collect());
+        return Ok(inner.lines().filter(|line| !line.trim().is_empty()).map(parts).collect());
     }
-    // 1, 2; 3, 4
-    if is_matrix && inner.contains(';') && inner.contains(',') {
-        return Ok(inner.split(';').map(|row| top_level(row, ',')).collect());
+    // 1, 2; 3, 4 and 1 2; 3 4
+    let has_blanks = || inner.split(';').any(|row| row.trim().contains(char::is_whitespace));
+    if is_matrix && inner.contains(';') && (inner.contains(',') || has_blanks()) {
+        let rows = inner.split(';').filter(|row| !row.trim().is_empty());
+        return Ok(rows.map(parts).collect());
     }
-    Ok(vec![split(inner)])
+    Ok(vec![parts(inner)])
 }
 
 fn split(text: &str) -> Vec<&str> {
@@ -238,12 +300,35 @@ fn rows_in_brackets(text: &str) -> Result<Vec<&str>, AnswerError> {
     if open == 0 { Ok(rows) } else { Err(AnswerError::Bracket) }
 }
 
-/// The keys of `[camera]`, as a figure file has them.
+/// The names of the parameters of a camera, as the notes and both languages have them, and their keys.
+const PARAMETERS: [(&[&str], &str); 10] = [
+    (&["c", "position", "posição", "posicao"], "position"),
+    (&["pf", "focal_point", "focal point", "ponto focal"], "focal_point"),
+    (&["vup", "view_up"], "view_up"),
+    (&["projection", "projeção", "projecao"], "projection"),
+    (&["θ", "theta", "view_angle", "ângulo", "angulo"], "view_angle"),
+    (&["h", "height", "altura"], "height"),
+    (&["a", "aspect", "aspecto"], "aspect"),
+    (&["f", "near"], "near"),
+    (&["b", "far"], "far"),
+    (&["window", "janela"], "window"),
+];
+
+/// The words of values that another language has.
+const WORDS: [(&str, &str); 3] =
+    [("paralela", "parallel"), ("perspectiva", "perspective"), ("em perspectiva", "perspective")];
+
+/// A camera by the names of the notes, or by the keys of a figure file.
 fn camera(text: &str) -> Result<Parameters, AnswerError> {
     let mut toml = String::from("[camera]\n");
-    for pair in text.split(['\n', ';']).map(str::trim).filter(|pair| !pair.is_empty() && *pair != "[camera]") {
-        let (key, value) = pair.split_once('=').ok_or_else(|| AnswerError::Pair(pair.to_owned()))?;
-        toml.push_str(&format!("{} = {}\n", key.trim(), toml_value(value.trim())));
+    let pairs = text.lines().flat_map(|line| top_level(line, ';')).map(str::trim);
+    for pair in pairs.filter(|pair| !pair.is_empty() && *pair != "[camera]") {
+        let pair_error = || AnswerError::Pair(pair.to_owned());
+        let (name, value) = pair.split_once('=').ok_or_else(pair_error)?;
+        let name = name.trim().to_lowercase();
+        let known = PARAMETERS.iter().find(|(names, _)| names.contains(&name.as_str()));
+        let (_, key) = known.ok_or_else(|| AnswerError::Parameter(pair.to_owned()))?;
+        toml.push_str(&format!("{key} = {}\n", toml_value(value.trim())));
     }
     match read::parse(&toml) {
         Ok(figure) => Ok(figure.camera),
@@ -253,10 +338,20 @@ fn camera(text: &str) -> Result<Parameters, AnswerError> {
 
 /// A value as TOML has it: words and expressions become texts.
 fn toml_value(value: &str) -> String {
-    if let Some(inner) = value.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+    let between = |open, close| value.strip_prefix(open).and_then(|rest: &str| rest.strip_suffix(close));
+    let list = between('[', ']').or_else(|| between('(', ')').filter(|inner| inner.contains([',', ';'])));
+    if let Some(inner) = list {
         let parts: Vec<String> = expression::parts(inner).map(|part| toml_value(part.trim())).collect();
         return format!("[{}]", parts.join(", "));
     }
-    let is_toml = value.starts_with(['"', '\'', '{']) || value.parse::<f64>().is_ok_and(f64::is_finite);
-    if is_toml { value.to_owned() } else { toml_edit::Value::from(value).to_string() }
+    if let Some((_, word)) = WORDS.iter().find(|(word, _)| word.eq_ignore_ascii_case(value)) {
+        return format!("{word:?}");
+    }
+    let is_text = |quote| value.len() > 1 && value.starts_with(quote) && value.ends_with(quote);
+    let is_toml = is_text('"') || is_text('\'') || value.starts_with('{');
+    if is_toml || value.parse::<f64>().is_ok_and(f64::is_finite) {
+        value.to_owned()
+    } else {
+        toml_edit::Value::from(value).to_string()
+    }
 }

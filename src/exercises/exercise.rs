@@ -3,17 +3,19 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::mistake::{Mistake, Slips};
+use super::answer::Answer;
+use super::follows::Follows;
+use super::mistake::Mistake;
+use super::nature::Nature;
 use super::own_texts::{OwnMistake, OwnTexts};
+use super::slip::Slips;
 use super::subject::Subject;
 use super::textbook;
 use super::value::Table;
 use super::worked::{Worked, worked};
 use crate::camera::{Camera, ParameterKey, Parameters};
-use crate::explain::{Notation, Style};
 use crate::figure::Figure;
 use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath, RayNumber, WindowNumber};
-use crate::numbers::{DecimalMark, EXACT_DIGITS};
 
 /// An exercise with its numbers.
 #[derive(Clone, Debug)]
@@ -51,13 +53,11 @@ impl Exercise {
     /// The steps of each ask that did not occur in an ask before it.
     #[must_use]
     pub fn new_steps(&self) -> Vec<Vec<Worked>> {
-        // Steps of different cameras may well say the same.
-        let style = Style { notation: Notation::Text, mark: DecimalMark::Point, digits: EXACT_DIGITS };
         let mut told = Vec::new();
         let new = |ask: &Ask| {
             let mut steps = ask.steps();
             steps.retain(|step| {
-                let said = (step.heading, step.equation.clone(), step.lines(style, true));
+                let said = step.said();
                 let is_new = !told.contains(&said);
                 told.push(said);
                 is_new
@@ -94,9 +94,14 @@ pub struct Ask {
     pub kind: Kind,
     /// The quantity that its numbers measure.
     pub unit: Unit,
+    /// The nature of what is asked for.
+    pub nature: Nature,
     /// Greatest distance of each number from the right one. A number that is the right one rounded to three or more
     /// significant digits is right too, except where whole numbers are required.
     pub tolerance: f64,
+    /// Greatest distance of each number from the right one, as a share of it; infinite where a lecturer says the
+    /// tolerance.
+    pub share: f64,
     /// Whole numbers are required.
     pub whole: bool,
     /// The path to the right answer in the report of the exercise's subject, where it has one.
@@ -106,6 +111,8 @@ pub struct Ask {
     pub readings: Vec<Reading>,
     /// Wrong answers that a lecturer expects.
     pub own_mistakes: Vec<Arc<OwnMistake>>,
+    /// The ways to it from other answers.
+    pub follows: Vec<Follows>,
 }
 
 /// A kind of answer.
@@ -157,6 +164,16 @@ pub struct Reading {
     pub name: &'static str,
     /// The right answer in it.
     pub expected: Expected,
+    /// Its first two numbers are real: whole ones were rounded.
+    pub is_real: bool,
+}
+
+impl Reading {
+    /// Whether an answer can be meant so.
+    pub(super) fn allows(&self, answer: &Answer) -> bool {
+        let Answer::Numbers { entries, .. } = answer else { return true };
+        !self.is_real || entries.iter().take(2).flatten().any(|number| number.fract() != 0.0)
+    }
 }
 
 /// Computes a table; with slips, as it comes out when they are made. `None`: nothing comes out, or the slip can't be
@@ -211,22 +228,29 @@ impl Expected {
     }
 }
 
-/// The tolerance of numbers that a student computes with a calculator.
+/// The tolerance of numbers about 1 that a student computes with a calculator.
 pub const TOLERANCE: f64 = 1e-3;
+/// The tolerance of numbers of which the greatest has this size: a power of ten, which does not tell the answer.
+fn tolerance_of(table: &Table) -> f64 {
+    let size = table.size();
+    if size > 0.0 && size.is_finite() { TOLERANCE * 10.0_f64.powf(size.log10().round()) } else { TOLERANCE }
+}
 
 impl Ask {
     fn new(name: &str, kind: Kind, expected: Expected) -> Self {
-        let readings = vec![Reading { name: "", expected }];
-        let (unit, tolerance) = (Unit::None, TOLERANCE);
+        let tolerance = expected.table().map_or(TOLERANCE, |right| tolerance_of(&right));
         Self {
             name: name.to_owned(),
+            nature: Nature::of_kind(&kind),
             kind,
-            unit,
+            unit: Unit::None,
             tolerance,
+            share: TOLERANCE,
             whole: false,
             quantity: None,
-            readings,
+            readings: vec![Reading { name: "", expected, is_real: false }],
             own_mistakes: Vec::new(),
+            follows: Vec::new(),
         }
     }
 
@@ -251,11 +275,13 @@ impl Ask {
             _ => Kind::Matrix(rows, columns),
         };
         let ask = Self::new(name, kind, Expected::Quantity(Box::new(subject.clone()), path));
+        let ask = Self { nature: Nature::of_quantity(path.quantity).unwrap_or(ask.nature), ..ask };
         match path.quantity {
             Quantity::Point(_, PointNumber::Pixel) | Quantity::Ray(_, RayNumber::Pixel) => {
                 Self { unit: Unit::Pixels, whole: true, ..ask }
             }
-            Quantity::Point(_, PointNumber::Viewport) => Self { unit: Unit::Pixels, ..ask },
+            // Z is of another size than X and Y.
+            Quantity::Point(_, PointNumber::Viewport) => Self { unit: Unit::Pixels, tolerance: TOLERANCE, ..ask },
             Quantity::Camera(ParameterKey::ViewAngle) => Self { unit: Unit::Degrees, ..ask },
             Quantity::Camera(ParameterKey::Position | ParameterKey::FocalPoint | ParameterKey::Height)
             | Quantity::CameraSide(_)
@@ -322,6 +348,23 @@ impl Ask {
         Self { unit, ..self }
     }
 
+    /// The same ask with the nature of what it asks for.
+    #[must_use]
+    pub fn of_nature(self, nature: Nature) -> Self {
+        Self { nature, ..self }
+    }
+
+    /// The same ask with a way to it from other answers, by their names.
+    #[must_use]
+    pub fn following(
+        mut self,
+        from: &'static [&'static str],
+        compute: impl Fn(&[Table]) -> Option<Table> + Send + Sync + 'static,
+    ) -> Self {
+        self.follows.push(Follows { from, compute: Arc::new(compute) });
+        self
+    }
+
     /// With whole numbers.
     #[must_use]
     pub fn whole(self) -> Self {
@@ -339,6 +382,16 @@ impl Ask {
     pub fn or_read_as(mut self, name: &'static str, other: Self) -> Self {
         self.readings.extend(other.readings.into_iter().map(|reading| Reading { name, ..reading }));
         self
+    }
+
+    /// With a reading in which its first two numbers are real, and not whole.
+    #[must_use]
+    pub fn or_as_real(self, name: &'static str, other: Self) -> Self {
+        let mut ask = self.or_read_as(name, other);
+        if let Some(last) = ask.readings.last_mut() {
+            last.is_real = true;
+        }
+        ask
     }
 
     /// Rows and columns of an answer; 1 × 1 for choices and cameras.

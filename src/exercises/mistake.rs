@@ -55,11 +55,45 @@ pub enum Mistake {
     RoundedTooEarly,
     /// Not as many numbers as required.
     WrongShape,
+    /// An erratum of the notes, as they print it.
+    AsPrinted,
+    /// A factor of 2 is lost, or there once too often.
+    FactorTwo,
+    /// F does not occur where it belongs.
+    NearForgotten,
+    /// D in the place of F.
+    DistanceForNear,
+    /// What the other projection has.
+    ProjectionsExchanged,
+    /// Numbers of the VRC used as those of the world.
+    ViewAsWorld,
+    /// A rotation about an axis of the world.
+    WorldAxis,
+    /// A rotation or a scale about the origin, and not about PF or C.
+    ThroughOrigin,
+    /// A step was not done.
+    NotDone,
+    /// A number that is not whole where ⌊ ⌋ belongs.
+    NotFloored,
+    /// Rounded to the nearest, and not down.
+    RoundedNotFloored,
+    /// Pixels counted from 1.
+    OneBased,
+    /// The range of depth of the viewport is not used.
+    DepthRangeIgnored,
+    /// The corner of the viewport is not added.
+    OffsetIgnored,
+    /// Divided by w before it was clipped.
+    ClipAfterDivide,
+    /// **v** points down.
+    VReversed,
+    /// The point where a segment leaves in the place of the one where it enters.
+    EntryExitExchanged,
 }
 
 impl Mistake {
     /// All, with their codes in the contract.
-    pub const ALL: [(Self, &'static str); 26] = [
+    pub const ALL: [(Self, &'static str); 43] = [
         (Self::ArithmeticSlip, "arithmetic-slip"),
         (Self::Sign, "sign"),
         (Self::NReversed, "n-reversed"),
@@ -86,6 +120,23 @@ impl Mistake {
         (Self::OppositeAngle, "opposite-angle"),
         (Self::RoundedTooEarly, "rounded-too-early"),
         (Self::WrongShape, "wrong-shape"),
+        (Self::AsPrinted, "as-printed"),
+        (Self::FactorTwo, "factor-two"),
+        (Self::NearForgotten, "near-forgotten"),
+        (Self::DistanceForNear, "distance-for-near"),
+        (Self::ProjectionsExchanged, "projections-exchanged"),
+        (Self::ViewAsWorld, "view-as-world"),
+        (Self::WorldAxis, "world-axis"),
+        (Self::ThroughOrigin, "through-origin"),
+        (Self::NotDone, "not-done"),
+        (Self::NotFloored, "not-floored"),
+        (Self::RoundedNotFloored, "rounded-not-floored"),
+        (Self::OneBased, "one-based"),
+        (Self::DepthRangeIgnored, "depth-range-ignored"),
+        (Self::OffsetIgnored, "offset-ignored"),
+        (Self::ClipAfterDivide, "clip-after-divide"),
+        (Self::VReversed, "v-reversed"),
+        (Self::EntryExitExchanged, "entry-exit-exchanged"),
     ];
 
     /// Its code.
@@ -98,180 +149,5 @@ impl Mistake {
     #[must_use]
     pub fn of_code(code: &str) -> Option<Self> {
         Self::ALL.iter().find(|(_, known)| *known == code).map(|(mistake, _)| *mistake)
-    }
-}
-
-macro_rules! slips {
-    ($($(#[doc = $doc:literal])+ $name:ident = $mistake:ident;)*) => {
-        /// One way of making a [`Mistake`]; some are made in several ways, which give different numbers.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        pub enum Slip {
-            $($(#[doc = $doc])+ $name,)*
-        }
-
-        impl Slip {
-            /// All; where two explain the same numbers, the first is reported.
-            pub const ALL: &'static [Self] = &[$(Self::$name,)*];
-
-            /// The mistake that it is.
-            #[must_use]
-            pub const fn mistake(self) -> Mistake {
-                match self {
-                    $(Self::$name => Mistake::$mistake,)*
-                }
-            }
-        }
-    };
-}
-
-slips! {
-    /// **u** alone is reversed.
-    UReversedAlone = UReversed;
-    /// **u** is reversed, and **v** = **n** × **u** with it.
-    UReversed = UReversed;
-    /// **n** alone is reversed.
-    NReversedAlone = NReversed;
-    /// **n** is reversed, and **u** = VUP × **n** with it.
-    NReversed = NReversed;
-    /// **v** is VUP, of length 1.
-    UnitViewUpAsV = VupAsV;
-    /// **v** is VUP as it is given.
-    ViewUpAsV = VupAsV;
-    /// No vector is divided by its length.
-    NothingNormalised = NotNormalised;
-    /// **n** alone keeps its length.
-    NNotNormalised = NotNormalised;
-    /// **u** keeps its length, and **v** with it.
-    UNotNormalised = NotNormalised;
-    /// **u** alone keeps its length.
-    UNotNormalisedAlone = NotNormalised;
-    /// The direction of a ray keeps its length.
-    RayNotNormalised = NotNormalised;
-    /// −C in the last column.
-    TranslationNotRotated = TranslationNotRotated;
-    /// R C in the last column.
-    PositionNotNegated = PositionNotNegated;
-    /// C in the last column.
-    PositionAsItIs = PositionNotNegated;
-    /// θ in degrees put into tan.
-    Radians = Radians;
-    /// The angle of an operation in degrees put into sin and cos.
-    TurnInRadians = Radians;
-    /// tan θ for tan(θ/2).
-    WholeAngle = WholeAngle;
-    /// tan θ for 2 tan(θ/2): H = F tan θ.
-    WholeAngleOnce = WholeAngle;
-    /// W = H / A.
-    AspectInverted = AspectInverted;
-    /// θ/s.
-    ZoomOnAngle = ZoomOnAngle;
-    /// Multiplied by the factor, and not divided.
-    FactorInverted = Inverse;
-    /// Clip coordinates without w.
-    NoDivide = NoDivide;
-    /// w = +z_c.
-    WSign = ZSign;
-    /// The row of z has the opposite signs.
-    DepthRowSign = ZSign;
-    /// Looking along +z_c: both.
-    LeftHanded = ZSign;
-    /// z_c with the opposite sign.
-    ViewDepthSign = ZSign;
-    /// M_p for z_n in 0 … 1.
-    DepthRange = ZRange;
-    /// Z = z_n.
-    DepthNotMapped = ZRange;
-    /// −F and −B in place of F and B, in the row of z.
-    NearFarAsCoordinates = NearFarAsCoordinates;
-    /// −F and −B everywhere.
-    NearFarAsCoordinatesEverywhere = NearFarAsCoordinates;
-    /// (j, i).
-    ColumnsAndRows = ColumnsAndRowsExchanged;
-    /// Rows from the bottom.
-    YNotFlipped = YNotFlipped;
-    /// Without the half.
-    PixelCorner = PixelCorner;
-    /// The opposite angle.
-    OppositeAngle = OppositeAngle;
-    /// A rotation about **u** through PF.
-    Elevated = OtherOperation;
-    /// A rotation about **v** through PF.
-    Turned = OtherOperation;
-    /// A rotation about **n**.
-    Rolled = OtherOperation;
-    /// A rotation about **v** through C.
-    Yawed = OtherOperation;
-    /// A rotation about **u** through C.
-    Pitched = OtherOperation;
-    /// C moved by the factor.
-    Dollied = OtherOperation;
-    /// The window divided by the factor.
-    Zoomed = OtherOperation;
-    /// Factors or operations in the opposite order.
-    OrderReversed = OrderReversed;
-    /// A missing division by the length, in a question of a family.
-    LengthForgotten = NotNormalised;
-    /// The opposite sign of a term, in a question of a family.
-    TermSign = Sign;
-    /// Rows for columns, in a question of a family.
-    Transposed = Transposed;
-    /// The inverse, in a question of a family.
-    Inverted = Inverse;
-    /// The axes are the columns of M_v, beside −R C.
-    AxesAsColumnsAlone = Transposed;
-    /// The axes are the columns of M_v, also where they are multiplied by −C.
-    AxesAsColumns = Transposed;
-}
-
-impl Slip {
-    /// Whether it is made where the axes of the camera are computed.
-    #[must_use]
-    pub const fn is_of_axes(self) -> bool {
-        matches!(
-            self,
-            Self::UReversedAlone
-                | Self::UReversed
-                | Self::NReversedAlone
-                | Self::NReversed
-                | Self::UnitViewUpAsV
-                | Self::ViewUpAsV
-                | Self::NothingNormalised
-                | Self::NNotNormalised
-                | Self::UNotNormalised
-                | Self::UNotNormalisedAlone
-        )
-    }
-}
-
-/// The slips that are made together.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Slips(u64);
-
-impl Slips {
-    /// None: the right way.
-    pub const NONE: Self = Self(0);
-
-    /// One.
-    #[must_use]
-    pub const fn one(slip: Slip) -> Self {
-        Self(1 << slip as u64)
-    }
-
-    /// One more.
-    #[must_use]
-    pub const fn and(self, slip: Slip) -> Self {
-        Self(self.0 | 1 << slip as u64)
-    }
-
-    /// Whether it is made.
-    #[must_use]
-    pub const fn has(self, slip: Slip) -> bool {
-        self.0 & (1 << slip as u64) != 0
-    }
-
-    /// Whether any of these is made.
-    #[must_use]
-    pub fn any(self, slips: &[Slip]) -> bool {
-        slips.iter().any(|slip| self.has(*slip))
     }
 }

@@ -8,15 +8,20 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `answer` | answers as they are typed: `1/sqrt(3)`, `[1, 0, 0]`, `[[1 |
+//! | `diagnose` | the known mistake that explains a wrong answer, on evidence |
 //! | `exercise` | an exercise: the facts of its statement, its questions, and the right answers |
 //! | `families/` | families: exercises whose numbers come from a seed |
-//! | `judge` | judging an answer: its right entries, and the known mistake that explains the wrong ones |
+//! | `follows` | answers that follow from one another: right for a student's own wrong value |
+//! | `judge` | judging an answer: its right entries, the known mistake that explains the wrong ones, and the answers from which it follows |
 //! | `mistake` | the known mistakes: deviations of students from the notes |
 //! | `notes/` | the exercises of the notes: `[0]` 5.1 to 5.3, `[1]` I to III |
+//! | `nature` | the nature of what is asked for: which general mistakes can be made in it, and which hints help |
+//! | `operated` | the operations on a camera as they are done with the known mistakes |
 //! | `own` | a lecturer's own exercises: one TOML file each, read as figure files are |
 //! | `own_texts` | texts of a lecturer's own exercises |
 //! | `products` | products of matrices as worked steps, row by column |
 //! | `progress` | a student's progress: per exercise and per known mistake, stored as a TOML text |
+//! | `slip` | the ways in which a known mistake is made, each with numbers of its own |
 //! | `statement_facts` | the facts of a statement about a subject |
 //! | `subject` | the subject of an exercise, and its numbers from `inspect` |
 //! | `textbook` | the notes' equations as they are written by hand, with the known mistakes built in |
@@ -24,15 +29,20 @@
 //! | `worked` | worked steps: the formulas of the notes with the numbers of an exercise put in |
 
 mod answer;
+mod diagnose;
 mod exercise;
 pub mod families;
+mod follows;
 mod judge;
 mod mistake;
+mod nature;
 pub mod notes;
+mod operated;
 pub mod own;
 mod own_texts;
 mod products;
 mod progress;
+mod slip;
 mod statement_facts;
 mod subject;
 mod textbook;
@@ -44,10 +54,13 @@ use std::sync::Arc;
 
 pub use answer::{Answer, AnswerError, read_answer, uses_names};
 pub use exercise::{Ask, Compute, Conditions, Exercise, Expected, Fact, Kind, Reading, TOLERANCE, Unit};
-pub use judge::{Diagnosis, Judged, judge, judge_answer};
-pub use mistake::{Mistake, Slip, Slips};
+pub use follows::Beside;
+pub use judge::{Diagnosis, Judged, judge_answer};
+pub use mistake::Mistake;
+pub use nature::Nature;
 pub use own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
 pub use progress::{Made, Next, Progress, ProgressError, Stage, Tried, Why};
+pub use slip::{Cause, Slip, Slips};
 pub use subject::Subject;
 pub use value::Table;
 pub use worked::Worked;
@@ -105,12 +118,31 @@ impl Entry {
     }
 }
 
-/// Judges a text as an answer. A formula in a number that the notes leave open has to be right for other numbers too.
+/// Judges a text as an answer by itself.
+///
+/// # Errors
+/// As for [`check_beside`].
+pub fn check(entry: &Entry, exercise: &Exercise, ask: &Ask, text: &str) -> Result<Judged, AnswerError> {
+    check_beside(entry, exercise, ask, text, &[])
+}
+
+/// Judges a text as an answer, beside the answers to other questions of the exercise, by their names. A formula in a
+/// number that the notes leave open has to be right for other numbers too.
 ///
 /// # Errors
 /// [`AnswerError`]: the text cannot be read as an answer; then nothing is judged.
-pub fn check(entry: &Entry, exercise: &Exercise, ask: &Ask, text: &str) -> Result<Judged, AnswerError> {
-    let judged = judge(exercise, ask, text)?;
+pub fn check_beside(
+    entry: &Entry,
+    exercise: &Exercise,
+    ask: &Ask,
+    text: &str,
+    answers: &[(String, Answer)],
+) -> Result<Judged, AnswerError> {
+    let judge = |exercise: &Exercise, ask: &Ask, answers| {
+        let answer = read_answer(text, ask, &exercise.free)?;
+        Ok(judge::judge_beside(ask, answer, Beside { exercise, answers }))
+    };
+    let judged: Judged = judge(exercise, ask, answers)?;
     if !judged.right || !uses_names(text, ask, &exercise.free) {
         return Ok(judged);
     }
@@ -118,7 +150,7 @@ pub fn check(entry: &Entry, exercise: &Exercise, ask: &Ask, text: &str) -> Resul
         let free = exercise.free.iter().map(|(name, value)| ((*name).to_owned(), value * factor)).collect();
         let other = entry.exercise(exercise.seed, &free);
         if let Some(ask) = other.asks.iter().find(|other| other.name == ask.name) {
-            let elsewhere = judge(&other, ask, text)?;
+            let elsewhere = judge(&other, ask, &[])?;
             if !elsewhere.right {
                 return Ok(elsewhere);
             }

@@ -199,7 +199,9 @@ fn ask(
     let mut ask = ask?;
     ask.unit = unit.unwrap_or(ask.unit);
     ask.whole = whole.unwrap_or(ask.whole);
-    ask.tolerance = tolerance.unwrap_or(ask.tolerance);
+    if let Some(tolerance) = tolerance {
+        (ask.tolerance, ask.share) = (tolerance, f64::INFINITY);
+    }
     for section in mistakes {
         let own = own_mistake(section, &ask, faults);
         ask.own_mistakes.extend(own.map(Arc::new));

@@ -15,7 +15,8 @@ use toml_edit::DocumentMut;
 
 use super::exercise::{Exercise, Expected};
 use super::judge::Judged;
-use super::mistake::{Mistake, Slip, Slips};
+use super::mistake::Mistake;
+use super::slip::{Cause, Slip, Slips};
 use super::{Entry, Free};
 
 /// The progress in all exercises. It has a text form, which is a file that the student can read and delete.
@@ -170,7 +171,9 @@ impl Progress {
         let tried = self.exercises.entry(exercise.id.clone()).or_default();
         tried.tries = tried.tries.saturating_add(1);
         tried.last = Some(now);
-        for mistake in judged.diagnosis.iter().flat_map(|diagnosis| &diagnosis.mistakes) {
+        // Of several that give the same numbers none is known to be the one.
+        let known = judged.diagnosis.iter().filter(|diagnosis| diagnosis.others.is_empty());
+        for Cause { mistake, .. } in known.flat_map(|diagnosis| &diagnosis.causes) {
             tried.mistakes.insert(*mistake);
             let made = self.mistakes.entry(*mistake).or_insert_with(|| Made {
                 times: 0,

@@ -4,13 +4,11 @@
 
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
-use super::mistake::{Slip, Slips};
+use super::operated::operated;
+use super::slip::{Slip, Slips};
 use super::subject::Subject;
 use super::value::Table;
-use crate::camera::{
-    Camera, CameraError, Convention, ImageSize, Operation, ParameterKey, Parameters, Projection, ViewWindow, Viewport,
-};
-use crate::geometry::Angle;
+use crate::camera::{Camera, ImageSize, ParameterKey, Projection, ViewWindow, Viewport};
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, RayNumber, ReportMatrix, WindowNumber};
 
 /// A quantity of the report when `slips` are made; `None` where it is not a number, or the report does not have it.
@@ -27,62 +25,6 @@ pub(super) fn value(subject: &Subject, path: impl Into<QuantityPath>, slips: Sli
         }
     };
     found.is_finite().then_some(found)
-}
-
-/// The camera after the operations, as they are done with the slips.
-fn operated(subject: &Subject, slips: Slips) -> Result<Camera, CameraError> {
-    let mut operations = subject.operations.clone();
-    if slips.has(Slip::OrderReversed) {
-        operations.reverse();
-    }
-    let camera = Camera::new(&subject.figure.camera)?;
-    operations.iter().try_fold(camera, |camera, operation| {
-        let on_angle = slips.has(Slip::ZoomOnAngle) && camera.projection() == Projection::Perspective;
-        match (operation, camera.parameters().window) {
-            (Operation::Zoom(factor), None) if on_angle => {
-                let parameters = camera.parameters();
-                Camera::new(&Parameters { view_angle: parameters.view_angle / factor, ..*parameters })
-            }
-            _ => slipped(*operation, slips).apply(&camera, Convention::RightHand),
-        }
-    })
-}
-
-/// A rotation by an angle.
-type Turn = fn(Angle) -> Operation;
-
-/// The operation that is done where slips are made.
-fn slipped(operation: Operation, slips: Slips) -> Operation {
-    if let Some(angle) = operation.angle() {
-        let angle = if slips.has(Slip::OppositeAngle) { -angle } else { angle };
-        let angle = if slips.has(Slip::TurnInRadians) { Angle::from_radians(angle.degrees()) } else { angle };
-        let others: [(Slip, Turn); 5] = [
-            (Slip::Elevated, Operation::Elevation),
-            (Slip::Turned, Operation::Azimuth),
-            (Slip::Rolled, Operation::Roll),
-            (Slip::Yawed, Operation::Yaw),
-            (Slip::Pitched, Operation::Pitch),
-        ];
-        if let Some((_, other)) = others.into_iter().find(|(slip, _)| slips.has(*slip)) {
-            return other(angle);
-        }
-        return match operation {
-            Operation::Elevation(_) => Operation::Elevation(angle),
-            Operation::Azimuth(_) => Operation::Azimuth(angle),
-            Operation::Roll(_) => Operation::Roll(angle),
-            Operation::Yaw(_) => Operation::Yaw(angle),
-            _ => Operation::Pitch(angle),
-        };
-    }
-    let factor = |factor: f64| if slips.has(Slip::FactorInverted) { 1.0 / factor } else { factor };
-    match operation {
-        Operation::Zoom(by) if slips.has(Slip::Dollied) => Operation::Dolly(factor(by)),
-        Operation::Dolly(by) if slips.has(Slip::Zoomed) => Operation::Zoom(factor(by)),
-        Operation::Zoom(by) => Operation::Zoom(factor(by)),
-        Operation::Dolly(by) => Operation::Dolly(factor(by)),
-        Operation::Pan { dx, dy } if slips.has(Slip::OppositeAngle) => Operation::Pan { dx: -dx, dy: -dy },
-        other => other,
-    }
 }
 
 /// The quantities derived from a camera when slips are made.
@@ -106,24 +48,28 @@ impl<'a> Textbook<'a> {
         let window = window(camera, slips);
         let view = view_matrix([u, v, n], camera.position(), slips);
         let (near, far) = (camera.near(), camera.far());
-        let projection = projection_matrix(camera.projection(), &window, [near, far], slips);
+        let projection = projection_matrix(camera, &window, subject.figure.image.height, slips);
         Self { camera, subject, slips, u, v, n, window, near, far, view, projection }
     }
 
     fn at(&self, quantity: Quantity) -> Option<Table> {
-        let parameters = self.camera.parameters();
+        let (parameters, slips) = (self.camera.parameters(), self.slips);
         Some(match quantity {
             Quantity::Axis(BasisAxis::U) => self.u.into(),
             Quantity::Axis(BasisAxis::V) => self.v.into(),
             Quantity::Axis(BasisAxis::N) => self.n.into(),
-            Quantity::Direction => (-self.n).into(),
+            Quantity::Direction => (if slips.has(Slip::DirectionIsNormal) { self.n } else { -self.n }).into(),
             Quantity::Distance => self.camera.distance().into(),
             Quantity::Matrix(ReportMatrix::View) => self.view.into(),
             Quantity::Matrix(ReportMatrix::Projection) => self.projection.into(),
             Quantity::Matrix(ReportMatrix::ViewProjection) => self.view_projection().into(),
             Quantity::Matrix(ReportMatrix::InverseView) => self.view.inverse().into(),
             Quantity::Matrix(ReportMatrix::InverseProjection) => self.projection.inverse().into(),
-            Quantity::Window(number) => window_number(&self.window, number).into(),
+            Quantity::Window(number) => {
+                let is_side = !matches!(number, WindowNumber::Width | WindowNumber::Height | WindowNumber::Aspect);
+                let times = if is_side && slips.has(Slip::SideWhole) { 2.0 } else { 1.0 };
+                (times * window_number(&self.window, number)).into()
+            }
             Quantity::Camera(ParameterKey::Position) => parameters.position.into(),
             Quantity::Camera(ParameterKey::FocalPoint) => parameters.focal_point.into(),
             Quantity::Camera(ParameterKey::ViewUp) => parameters.view_up.into(),
@@ -145,24 +91,28 @@ impl<'a> Textbook<'a> {
         }
     }
 
-    /// On a plane of the volume, at the factor that the far plane has in perspective.
-    fn on_plane(&self, x: f64, y: f64, depth: f64) -> DVec3 {
-        let spread = match self.camera.projection() {
-            Projection::Perspective => depth / self.near,
-            Projection::Parallel => 1.0,
-        };
-        let depth = if self.slips.any(&[Slip::WSign, Slip::LeftHanded, Slip::ViewDepthSign]) { -depth } else { depth };
-        self.camera.position() + self.u * (x * spread) + self.v * (y * spread) - self.n * depth
+    /// The axes in which numbers of the VRC are understood.
+    fn axes(&self) -> [DVec3; 3] {
+        if self.slips.has(Slip::ViewAsWorld) { [DVec3::X, DVec3::Y, DVec3::Z] } else { [self.u, self.v, self.n] }
     }
 
     fn corner(&self, k: usize) -> Option<DVec3> {
         let ViewWindow { left, right, bottom, top } = self.window;
         let (x, y) = *[(left, bottom), (right, bottom), (right, top), (left, top)].get(k % 4)?;
-        (k < 8).then(|| self.on_plane(x, y, if k < 4 { self.near } else { self.far }))
+        let distance = if k < 4 { self.near } else { self.far };
+        // On the far plane it is as much further from the axis in perspective.
+        let spread = if self.camera.projection() == Projection::Perspective { distance / self.near } else { 1.0 };
+        let is_printed = self.slips.has(Slip::PrintedBackFace);
+        let depth = if is_printed { self.near } else { distance };
+        let depth = if self.slips.has(Slip::NearForgottenOnWindow) && k < 4 { 0.0 } else { depth };
+        let depth = if self.slips.any(&[Slip::WSign, Slip::LeftHanded, Slip::ViewDepthSign]) { -depth } else { depth };
+        let [u, v, n] = self.axes();
+        (k < 8).then(|| self.camera.position() + u * (x * spread) + v * (y * spread) - n * depth)
     }
 
     fn point(&self, world: DVec3, number: PointNumber) -> Option<Table> {
-        let seen = self.view * world.extend(1.0);
+        let view = if self.slips.has(Slip::ViewInverted) { self.view.inverse() } else { self.view };
+        let seen = view * world.extend(1.0);
         let seen = if self.slips.has(Slip::ViewDepthSign) { DVec4::new(seen.x, seen.y, -seen.z, 1.0) } else { seen };
         let clip = self.projection * seen;
         let ndc = if self.slips.has(Slip::NoDivide) { clip.truncate() } else { clip.truncate() / clip.w };
@@ -178,18 +128,53 @@ impl<'a> Textbook<'a> {
         })
     }
 
+    /// F where a point is projected.
+    fn near_of_window(&self) -> f64 {
+        if self.slips.has(Slip::NearForgottenOnWindow) {
+            1.0
+        } else if self.slips.has(Slip::DistanceOnWindow) {
+            self.camera.distance()
+        } else {
+            self.near
+        }
+    }
+
+    /// The projection of points and rays.
+    fn projection(&self) -> Projection {
+        exchanged(self.camera.projection(), self.slips)
+    }
+
     fn projected(&self, seen: DVec3) -> DVec2 {
-        let in_perspective = self.camera.projection() == Projection::Perspective && !self.slips.has(Slip::NoDivide);
+        let in_perspective = self.projection() == Projection::Perspective && !self.slips.has(Slip::NoDivide);
         let depth = if self.slips.any(&[Slip::WSign, Slip::LeftHanded]) { seen.z } else { -seen.z };
-        seen.truncate() * if in_perspective { self.near / depth } else { 1.0 }
+        seen.truncate() * if in_perspective { self.near_of_window() / depth } else { 1.0 }
+    }
+
+    /// A number of pixels as a whole one.
+    fn floored(&self, x: f64) -> f64 {
+        let whole = if self.slips.has(Slip::NotFloored) {
+            x
+        } else if self.slips.has(Slip::RoundedNotFloored) {
+            x.round()
+        } else {
+            whole(x)
+        };
+        whole + if self.slips.has(Slip::OneBased) { 1.0 } else { 0.0 }
+    }
+
+    /// m and n.
+    fn sizes(&self, width: u32, height: u32) -> [f64; 2] {
+        let [m, n] = [width, height].map(f64::from);
+        if self.slips.has(Slip::SizesExchanged) { [n, m] } else { [m, n] }
     }
 
     fn pixel(&self, window: DVec2) -> [f64; 2] {
         let ImageSize { width, height } = self.subject.figure.image;
+        let [m, n] = self.sizes(width, height);
         let ViewWindow { left, bottom, top, .. } = self.window;
-        let i = whole(f64::from(width) * ((window.x - left) / self.window.width()));
+        let i = self.floored(m * ((window.x - left) / self.window.width()));
         let share = if self.slips.has(Slip::YNotFlipped) { window.y - bottom } else { top - window.y };
-        let j = whole(f64::from(height) * (share / self.window.height()));
+        let j = self.floored(n * (share / self.window.height()));
         if self.slips.has(Slip::ColumnsAndRows) { [j, i] } else { [i, j] }
     }
 
@@ -198,10 +183,14 @@ impl<'a> Textbook<'a> {
         let Viewport { x, y, width, height, depth_near, depth_far } =
             figure.viewport.unwrap_or_else(|| Viewport::whole(figure.image));
         let up = if self.slips.has(Slip::YNotFlipped) { -ndc.y } else { ndc.y };
-        let [x, y] = [(x, width, ndc.x), (y, height, up)]
-            .map(|(start, size, n)| whole(f64::from(size) / 2.0 * (n + 1.0)) + f64::from(start));
+        let [width, height] = self.sizes(width, height);
+        let starts = if self.slips.has(Slip::OffsetIgnored) { [0.0; 2] } else { [x, y].map(f64::from) };
+        let [x, y] = [(starts[0], width, ndc.x), (starts[1], height, up)]
+            .map(|(start, size, n)| self.floored(size / 2.0 * (n + 1.0)) + start);
         let z = if self.slips.has(Slip::DepthNotMapped) {
             ndc.z
+        } else if self.slips.has(Slip::DepthRangeIgnored) {
+            f64::midpoint(ndc.z, 1.0)
         } else {
             (depth_far - depth_near) / 2.0 * ndc.z + f64::midpoint(depth_far, depth_near)
         };
@@ -210,26 +199,45 @@ impl<'a> Textbook<'a> {
 
     #[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
     fn ray(&self, [i, j]: [i64; 2], number: RayNumber) -> Option<Table> {
+        let slips = self.slips;
         let ImageSize { width, height } = self.subject.figure.image;
-        let half = if self.slips.has(Slip::PixelCorner) { 0.0 } else { 0.5 };
-        let [i, j] = if self.slips.has(Slip::ColumnsAndRows) { [j, i] } else { [i, j] };
-        let x = self.window.left + self.window.width() * (i as f64 + half) / f64::from(width);
-        let down = self.window.height() * (j as f64 + half) / f64::from(height);
-        let y = if self.slips.has(Slip::YNotFlipped) { self.window.bottom + down } else { self.window.top - down };
-        let across = self.u * x + self.v * y;
-        let in_perspective = self.camera.projection() == Projection::Perspective;
-        let forward = if self.slips.any(&[Slip::ViewDepthSign, Slip::LeftHanded]) { self.n } else { -self.n };
+        let [m, n] = self.sizes(width, height);
+        let half = if slips.has(Slip::PixelCorner) { 0.0 } else { 0.5 };
+        let half = if slips.has(Slip::OneBased) { half - 1.0 } else { half };
+        let [i, j] = if slips.has(Slip::ColumnsAndRows) { [j, i] } else { [i, j] };
+        let x = self.window.left + self.window.width() * (i as f64 + half) / m;
+        let down = self.window.height() * (j as f64 + half) / n;
+        let y = if slips.has(Slip::YNotFlipped) { self.window.bottom + down } else { self.window.top - down };
+        let [u, v, n] = self.axes();
+        let across = u * x + v * y;
+        let in_perspective = self.projection() == Projection::Perspective;
+        let is_reversed = slips.any(&[Slip::ViewDepthSign, Slip::LeftHanded])
+            || (slips.has(Slip::DirectionIsNormal) && !in_perspective);
+        let forward = if is_reversed { n } else { -n };
+        let position = self.camera.position();
         Some(match number {
-            RayNumber::Origin if in_perspective => self.camera.position().into(),
-            RayNumber::Origin => (self.camera.position() + across).into(),
+            RayNumber::Origin if in_perspective && slips.has(Slip::WindowPointAsOrigin) => {
+                (position + across + forward * self.near).into()
+            }
+            RayNumber::Origin if in_perspective => position.into(),
+            RayNumber::Origin => (position + across).into(),
             RayNumber::Direction if in_perspective => {
-                let direction = across + forward * self.near;
-                let keeps_length = self.slips.has(Slip::RayNotNormalised);
+                let direction = across + forward * self.near_of_window();
+                let keeps_length = slips.has(Slip::RayNotNormalised);
                 (if keeps_length { direction } else { direction.normalize_or_zero() }).into()
             }
             RayNumber::Direction => forward.into(),
             RayNumber::Pixel => return None,
         })
+    }
+}
+
+/// The projection, or the other one.
+fn exchanged(projection: Projection, slips: Slips) -> Projection {
+    match projection {
+        other if !slips.has(Slip::ProjectionsExchanged) => other,
+        Projection::Perspective => Projection::Parallel,
+        Projection::Parallel => Projection::Perspective,
     }
 }
 
@@ -259,6 +267,7 @@ fn basis(camera: &Camera, slips: Slips) -> [DVec3; 3] {
     };
     let u = if slips.has(Slip::UNotNormalisedAlone) { up.cross(made_from) } else { u };
     let u = if slips.has(Slip::UReversedAlone) { -u } else { u };
+    let v = if slips.has(Slip::VReversed) { -v } else { v };
     [u, v, if slips.has(Slip::NReversedAlone) { -n } else { n }]
 }
 
@@ -282,7 +291,17 @@ fn window(camera: &Camera, slips: Slips) -> ViewWindow {
     }
     let height = match camera.projection() {
         Projection::Parallel => parameters.height,
-        Projection::Perspective => 2.0 * camera.near() * half_tangent(parameters.view_angle, slips),
+        Projection::Perspective => {
+            let near = if slips.has(Slip::NearForgotten) {
+                1.0
+            } else if slips.has(Slip::DistanceForNear) {
+                camera.distance()
+            } else {
+                camera.near()
+            };
+            let twice = if slips.has(Slip::HeightHalved) { 1.0 } else { 2.0 };
+            twice * near * half_tangent(parameters.view_angle, slips)
+        }
     };
     let aspect = parameters.aspect;
     let width = if slips.has(Slip::AspectInverted) { height / aspect } else { height * aspect };
@@ -312,46 +331,70 @@ pub(super) fn view_matrix([u, v, n]: [DVec3; 3], position: DVec3, slips: Slips) 
     DMat4::from_mat3_translation(rotation, last)
 }
 
-/// M_p, `[0]` (5.13) to (5.16).
-pub(super) fn projection_matrix(
-    projection: Projection,
-    window: &ViewWindow,
-    [near, far]: [f64; 2],
-    slips: Slips,
-) -> DMat4 {
+/// M_p, `[0]` (5.13) to (5.16), where the image has so many rows.
+fn projection_matrix(camera: &Camera, window: &ViewWindow, rows: u32, slips: Slips) -> DMat4 {
     let ViewWindow { left, right, bottom, top } = *window;
-    let (width, height) = (right - left, top - bottom);
+    let (width, height, near, far) = (right - left, top - bottom, camera.near(), camera.far());
+    let projection = exchanged(camera.projection(), slips);
     let everywhere = slips.has(Slip::NearFarAsCoordinatesEverywhere);
     let as_coordinates = everywhere || slips.has(Slip::NearFarAsCoordinates);
     let (f, b) = if as_coordinates { (-near, -far) } else { (near, far) };
-    let window_near = if everywhere { -near } else { near };
+    let f = if slips.has(Slip::DistanceInDepth) { camera.distance() } else { f };
     let from_zero = slips.has(Slip::DepthRange);
     let (mut scale, mut shift, last) = match projection {
         Projection::Perspective if from_zero => (-b / (b - f), -b * f / (b - f), -1.0),
         Projection::Perspective => (-(b + f) / (b - f), -2.0 * b * f / (b - f), -1.0),
         Projection::Parallel if from_zero => (-1.0 / (b - f), -f / (b - f), 0.0),
+        Projection::Parallel if slips.has(Slip::PrintedThird) => (-2.0 * (1.0 / b - f), -(b + f) / (b - f), 0.0),
         Projection::Parallel => (-2.0 / (b - f), -(b + f) / (b - f), 0.0),
     };
-    if slips.has(Slip::DepthRowSign) {
-        (scale, shift) = (-scale, -shift);
+    if slips.has(Slip::DepthTermHalved) {
+        // 2BF in perspective, 2 in parallel projection.
+        match projection {
+            Projection::Perspective => shift /= 2.0,
+            Projection::Parallel => scale /= 2.0,
+        }
+    }
+    if slips.any(&[Slip::DepthRowSign, Slip::DepthScaleSign]) {
+        scale = -scale;
+    }
+    if slips.any(&[Slip::DepthRowSign, Slip::DepthShiftSign]) {
+        shift = -shift;
     }
     // Without a division nothing but the scale would tell it from planes taken as coordinates.
     if slips.has(Slip::LeftHanded) && projection == Projection::Perspective {
         scale = -scale;
     }
     let last = if slips.any(&[Slip::WSign, Slip::LeftHanded]) { -last } else { last };
+    let twice = if slips.has(Slip::ScaleHalved) {
+        1.0
+    } else if slips.has(Slip::ScaleDoubled) {
+        4.0
+    } else {
+        2.0
+    };
+    let along = match projection {
+        Projection::Parallel => 1.0,
+        Projection::Perspective if everywhere => -near,
+        Projection::Perspective if slips.has(Slip::NearForgottenInScale) => 1.0,
+        Projection::Perspective if slips.has(Slip::DistanceInScale) => camera.distance(),
+        Projection::Perspective if slips.has(Slip::PrintedScale) => f64::from(rows),
+        Projection::Perspective => near,
+    };
+    let [x, y] = [twice * along / width, twice * along / height];
+    let end = if slips.has(Slip::PrintedLastRow) { 0.0 } else { 1.0 };
     let rows = match projection {
         Projection::Perspective => [
-            [2.0 * window_near / width, 0.0, (right + left) / width, 0.0],
-            [0.0, 2.0 * window_near / height, (top + bottom) / height, 0.0],
+            [x, 0.0, (right + left) / width, 0.0],
+            [0.0, y, (top + bottom) / height, 0.0],
             [0.0, 0.0, scale, shift],
             [0.0, 0.0, last, 0.0],
         ],
         Projection::Parallel => [
-            [2.0 / width, 0.0, 0.0, -(right + left) / width],
-            [0.0, 2.0 / height, 0.0, -(top + bottom) / height],
+            [x, 0.0, 0.0, -(right + left) / width],
+            [0.0, y, 0.0, -(top + bottom) / height],
             [0.0, 0.0, scale, shift],
-            [0.0, 0.0, 0.0, 1.0],
+            [0.0, 0.0, 0.0, end],
         ],
     };
     DMat4::from_cols_array_2d(&rows).transpose()

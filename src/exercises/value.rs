@@ -81,6 +81,26 @@ impl Table {
         inverse.iter().all(|entry| entry.is_finite()).then_some(Self { entries: inverse, ..*self })
     }
 
+    /// The size of its greatest entry.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.entries.iter().fold(0.0, |size, entry| size.max(entry.abs()))
+    }
+
+    /// The vector of three entries; `None` where it is none.
+    #[must_use]
+    pub fn vector(&self) -> Option<DVec3> {
+        let [x, y, z] = self.entries[..] else { return None };
+        Some(DVec3::new(x, y, z))
+    }
+
+    /// The matrix of four rows and columns; `None` where it is none.
+    #[must_use]
+    pub fn matrix(&self) -> Option<DMat4> {
+        let entries: [f64; 16] = self.entries[..].try_into().ok()?;
+        Some(DMat4::from_cols_array(&entries).transpose())
+    }
+
     /// Each entry changed.
     #[must_use]
     pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {

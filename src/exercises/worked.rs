@@ -7,11 +7,12 @@ use glam::DVec3;
 use super::subject::Subject;
 use crate::camera::{Camera, Convention, Operation, ParameterKey, Projection};
 use crate::explain::{
-    self, Axis, Component, Formula, Function, Line, Matrix, MatrixFormula, Named, Setting, Style, Symbol, definition,
-    over, plus, times,
+    self, Axis, Component, Formula, Function, Line, Matrix, MatrixFormula, Named, Notation, Setting, Style, Symbol,
+    definition, over, plus, times,
 };
 use crate::inspect::camera_after;
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, RayNumber, ReportMatrix};
+use crate::numbers::{DecimalMark, EXACT_DIGITS};
 
 /// A step of a solution.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,6 +71,13 @@ impl Worked {
     fn push(&mut self, setting: &Setting<'_>, symbol: impl Into<Formula>, formula: Formula) {
         let value = formula.value(setting);
         self.rows.push(FormulaRow { symbol: symbol.into(), formula, value });
+    }
+
+    /// All that it says, by which it is compared with others: steps of different cameras may well say the same.
+    #[must_use]
+    pub fn said(&self) -> (&'static str, String, Vec<Line>) {
+        let style = Style { notation: Notation::Text, mark: DecimalMark::Point, digits: EXACT_DIGITS };
+        (self.heading, self.equation.clone(), self.lines(style, true))
     }
 
     /// The rows as they are written.

@@ -7,6 +7,7 @@ use crate::sanitize::escaped;
 texts! {
     right: "right", "certo";
     wrong: "wrong", "errado";
+    follows: "follows from a wrong answer", "segue de uma resposta errada";
     understood: "understood as", "entendido como";
     hint: "Hint", "Dica";
     asked: "Asked", "Pede-se";
@@ -147,11 +148,11 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
     /// Digits of the numbers in the first step.
     const DIGITS: usize = 6;
     match &verdict.diagnosis {
-        _ if verdict.right => Vec::new(),
-        Some(diagnosis) => exercises::hints(lang, diagnosis).into_iter().map(str::to_owned).collect(),
+        _ if verdict.right || !verdict.carried.is_empty() => Vec::new(),
+        Some(diagnosis) => exercises::hints(lang, ask, diagnosis).into_iter().map(str::to_owned).collect(),
         None => {
             let steps = exercises::steps(lang, exercise, ask, DIGITS);
-            let first = steps.first().and_then(|step| step.lines().next()).map(str::to_owned);
+            let first = steps.get(verdict.first_step).and_then(|step| step.lines().next()).map(str::to_owned);
             exercises::hints_without_diagnosis(lang, verdict, first.as_deref())
         }
     }

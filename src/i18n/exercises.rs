@@ -3,7 +3,8 @@
 use super::exercise_texts::texts;
 use super::{Lang, figure_files, messages, told};
 use crate::exercises::{
-    Answer, AnswerError, Ask, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table, Unit, Worked,
+    Answer, AnswerError, Ask, Cause, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table, Unit,
+    Worked,
 };
 use crate::explain::{Notation, Style};
 use crate::expression::marked;
@@ -111,12 +112,28 @@ pub fn heading(lang: Lang, name: &'static str) -> &'static str {
 /// The text of a mistake, a hint, and a stronger one.
 #[must_use]
 pub fn mistake(lang: Lang, mistake: Mistake) -> [&'static str; 3] {
-    let mut parts = listed(lang, "mistakes", mistake.code()).split(" | ");
+    parts(listed(lang, "mistakes", mistake.code()))
+}
+
+/// The text of a mistake, a hint, and a stronger one.
+fn parts(text: &'static str) -> [&'static str; 3] {
+    let mut parts = text.split(" | ");
     std::array::from_fn(|_| parts.next().unwrap_or_default())
 }
 
-/// The diagnosis of a wrong answer: the mistakes, one after the other, and the place of a single faulty number. `None`:
-/// nothing explains the answer.
+/// The text of a cause, a hint, and a stronger one: of its way of making the mistake, else for what was asked, else of
+/// the mistake.
+fn cause(lang: Lang, ask: &Ask, cause: Cause) -> [&'static str; 3] {
+    let code = cause.mistake.code();
+    let list = &texts(lang).lists["mistakes"];
+    let of_variant = format!("{code}/{}", cause.variant);
+    let of_nature = format!("{code}@{}", ask.nature.name());
+    let found = [of_variant.as_str(), of_nature.as_str()].into_iter().find_map(|key| list.get(key));
+    found.map_or_else(|| mistake(lang, cause.mistake), |text| parts(text))
+}
+
+/// The diagnosis of a wrong answer: the mistakes, one after the other, or all of which one was made, and the place of a
+/// single faulty number. `None`: nothing explains the answer.
 #[must_use]
 pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     let diagnosis = judged.diagnosis.as_ref()?;
@@ -124,28 +141,57 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
         return Some(told(lang, &own.message).to_owned());
     }
     // Beside another mistake not all other numbers are right.
-    let beside = diagnosis.mistakes.len() > 1;
-    let told = diagnosis.mistakes.iter().filter(|found| !beside || **found != Mistake::ArithmeticSlip);
-    let mut said: Vec<String> = told.map(|found| mistake(lang, *found)[0].to_owned()).collect();
+    let beside = diagnosis.causes.len() > 1;
+    let told = diagnosis.causes.iter().filter(|found| !beside || found.mistake != Mistake::ArithmeticSlip);
+    let mut said: Vec<String> = told.map(|found| cause(lang, ask, *found)[0].to_owned()).collect();
+    if !diagnosis.others.is_empty() {
+        let [several, either, or] = match lang {
+            Lang::En => ["More than one mistake gives this.", "Either:", "Or:"],
+            Lang::PtBr => ["Mais de um erro dá este resultado.", "Pode ser este:", "Ou este:"],
+        };
+        said.insert(0, format!("{several} {either}"));
+        said.extend(diagnosis.others.iter().map(|other| format!("{or} {}", cause(lang, ask, *other)[0])));
+    }
     if let Some([row, column]) = diagnosis.entry {
         let (row, column) = (row + 1, column + 1);
         said.push(match lang {
             Lang::En if beside => format!("In addition, the number in row {row}, column {column} is wrong."),
             Lang::PtBr if beside => format!("Além disso, o número da linha {row}, coluna {column} está errado."),
             Lang::En => format!("It is the one in row {row}, column {column}."),
-            Lang::PtBr => format!("É a da linha {row}, coluna {column}."),
+            Lang::PtBr => format!("É o da linha {row}, coluna {column}."),
         });
     }
     if let Answer::Numbers { rows, columns, .. } = judged.understood
-        && diagnosis.mistakes.contains(&Mistake::WrongShape)
+        && diagnosis.causes.iter().any(|cause| cause.mistake == Mistake::WrongShape)
     {
         let [asked, given] = [ask.shape(), [rows, columns]].map(shape);
         said.push(match lang {
             Lang::En => format!("Expected {asked} numbers, got {given}."),
             Lang::PtBr => format!("Esperavam-se {asked} números, foram dados {given}."),
         });
+        if lang == Lang::PtBr && ask.shape()[1] == 1 && rows > ask.shape()[0] {
+            said.push("Com vírgula decimal, separe os números com “;”: [0,5; −3; 1].".to_owned());
+        }
     }
     Some(said.join(" "))
+}
+
+/// The answers from whose wrong values this one follows rightly; `None` where it does not.
+#[must_use]
+pub fn carried(lang: Lang, judged: &Judged) -> Option<String> {
+    let (last, first) = judged.carried.split_last()?;
+    let and = if lang == Lang::En { "and" } else { "e" };
+    let names = if first.is_empty() { last.clone() } else { format!("{} {and} {last}", first.join(", ")) };
+    Some(match (lang, first.is_empty()) {
+        (Lang::En, true) => format!("This is right for your {names}, which is wrong: only {names} has to be mended."),
+        (Lang::En, false) => format!("This is right for your {names}, which are wrong: only they have to be mended."),
+        (Lang::PtBr, true) => {
+            format!("Isto está certo para o valor de {names} que você deu, que está errado: basta corrigir {names}.")
+        }
+        (Lang::PtBr, false) => {
+            format!("Isto está certo para os valores de {names} que você deu, que estão errados: basta corrigi-los.")
+        }
+    })
 }
 
 /// The count of numbers: a vector's, or a matrix' by rows and columns.
@@ -155,11 +201,14 @@ fn shape([rows, columns]: [usize; 2]) -> String {
 
 /// Its hints, weaker ones first.
 #[must_use]
-pub fn hints(lang: Lang, diagnosis: &Diagnosis) -> Vec<&str> {
+pub fn hints<'a>(lang: Lang, ask: &Ask, diagnosis: &'a Diagnosis) -> Vec<&'a str> {
     if let Some(own) = diagnosis.own.as_ref().filter(|own| !own.hints.is_empty()) {
         return own.hints.iter().map(|hint| told(lang, hint)).collect();
     }
-    let of = |strength: usize| diagnosis.mistakes.iter().map(move |found| mistake(lang, *found)[strength]);
+    let of = |strength: usize| {
+        let all = diagnosis.causes.iter().chain(&diagnosis.others);
+        all.map(move |found| cause(lang, ask, *found)[strength])
+    };
     of(1).chain(of(2)).collect()
 }
 
@@ -176,15 +225,27 @@ pub fn hints_without_diagnosis(lang: Lang, judged: &Judged, first_step: Option<&
             Lang::PtBr => format!("{right} de {all} condições são satisfeitas; comece pela primeira que não é."),
         });
     } else if all > 1 {
-        hints.push(match lang {
-            Lang::En => format!("{right} of {all} numbers are right; look at the others again."),
-            Lang::PtBr => format!("{right} de {all} números estão certos; olhe os outros mais uma vez."),
+        hints.push(match (lang, right) {
+            (Lang::En, 0) => format!("None of the {all} numbers is right."),
+            (Lang::PtBr, 0) => format!("Nenhum dos {all} números está certo."),
+            (Lang::En, 1) => format!("1 of {all} numbers is right; look at the others again."),
+            (Lang::PtBr, 1) => format!("1 de {all} números está certo; olhe os outros mais uma vez."),
+            (Lang::En, _) => format!("{right} of {all} numbers are right; look at the others again."),
+            (Lang::PtBr, _) => format!("{right} de {all} números estão certos; olhe os outros mais uma vez."),
         });
     }
     if let Some(step) = first_step {
+        hints.push(match (lang, judged.first_step) {
+            (Lang::En, 0) => format!("The solution begins with: {step}"),
+            (Lang::PtBr, 0) => format!("A resolução começa por: {step}"),
+            (Lang::En, _) => format!("What comes before is right; go on with: {step}"),
+            (Lang::PtBr, _) => format!("O que vem antes está certo; continue com: {step}"),
+        });
+    }
+    if hints.is_empty() {
         hints.push(match lang {
-            Lang::En => format!("The solution begins with: {step}"),
-            Lang::PtBr => format!("A resolução começa por: {step}"),
+            Lang::En => "No known mistake gives this answer. Read once more what is asked for.".to_owned(),
+            Lang::PtBr => "Nenhum erro conhecido dá esta resposta. Releia o que se pede.".to_owned(),
         });
     }
     hints
@@ -202,8 +263,10 @@ pub fn kind(lang: Lang, ask: &Ask) -> String {
         (Lang::PtBr, Kind::Matrix(rows, columns)) => format!("{rows} × {columns} números [[a; …]; …]"),
         (Lang::En, Kind::Choice(choices)) => format!("one of: {}", list_of_choices(lang, choices)),
         (Lang::PtBr, Kind::Choice(choices)) => format!("um destes: {}", list_of_choices(lang, choices)),
-        (Lang::En, Kind::Camera) => "a camera: position=[0, 0, 2]; projection=parallel; …".to_owned(),
-        (Lang::PtBr, Kind::Camera) => "uma câmera: position=[0, 0, 2]; projection=parallel; …".to_owned(),
+        (Lang::En, Kind::Camera) => "a camera: C=[0, 0, 2]; PF=[0, 0, 0]; projection=parallel; H=2; F=1; …".to_owned(),
+        (Lang::PtBr, Kind::Camera) => {
+            "uma câmera: C=[0; 0; 2]; PF=[0; 0; 0]; projection=parallel; H=2; F=1; …".to_owned()
+        }
     };
     let tolerance = tolerance(lang, ask);
     if tolerance.is_empty() { kind } else { format!("{kind}; {tolerance}") }
@@ -223,12 +286,16 @@ pub fn tolerance(lang: Lang, ask: &Ask) -> String {
     let numbers = matches!(ask.kind, Kind::Number | Kind::Vector(_) | Kind::Matrix(..));
     let by = lang.mark().number(ask.tolerance, 3);
     let unit = unit(lang, ask.unit);
+    let share = |and: &str| {
+        let percent = lang.mark().number(100.0 * ask.share, 3);
+        if ask.share.is_finite() { format!("{and} {percent} %") } else { String::new() }
+    };
     match (lang, numbers, ask.whole) {
         (_, false, _) => String::new(),
         (Lang::En, _, true) => "whole numbers".to_owned(),
         (Lang::PtBr, _, true) => "números inteiros".to_owned(),
-        (Lang::En, ..) => format!("within {by}{unit}, or rounded to 3 digits or more"),
-        (Lang::PtBr, ..) => format!("com erro até {by}{unit}, ou arredondado a 3 dígitos ou mais"),
+        (Lang::En, ..) => format!("within {by}{unit}{}, or rounded to 3 digits or more", share(" and")),
+        (Lang::PtBr, ..) => format!("com erro até {by}{unit}{}, ou arredondado a 3 dígitos ou mais", share(" e")),
     }
 }
 
@@ -304,6 +371,9 @@ pub fn understood(lang: Lang, ask: &Ask, answer: &Answer) -> String {
     }
 }
 
+/// The names by which an answer gives the parameters of a camera.
+const CAMERA_NAMES: &str = "C, PF, VUP, projection, θ, H, A, F, B, window";
+
 /// Why an answer cannot be read.
 #[must_use]
 pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
@@ -322,8 +392,14 @@ pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
         (Lang::PtBr, AnswerError::Choice { given, choices }) => {
             format!("“{}” não é uma opção; permitido: {}", escaped(given), list_of_choices(lang, choices))
         }
-        (Lang::En, AnswerError::Pair(text)) => format!("“{}” is not KEY=VALUE", escaped(text)),
-        (Lang::PtBr, AnswerError::Pair(text)) => format!("“{}” não é CHAVE=VALOR", escaped(text)),
+        (Lang::En, AnswerError::Pair(text)) => format!("“{}” is not NAME=VALUE, as in C=[0, 0, 2]", escaped(text)),
+        (Lang::PtBr, AnswerError::Pair(text)) => format!("“{}” não é NOME=VALOR, como em C=[0; 0; 2]", escaped(text)),
+        (Lang::En, AnswerError::Parameter(text)) => {
+            format!("“{}” begins with no parameter of a camera; allowed: {CAMERA_NAMES}", escaped(text))
+        }
+        (Lang::PtBr, AnswerError::Parameter(text)) => {
+            format!("“{}” não começa com um parâmetro de câmera; permitido: {CAMERA_NAMES}", escaped(text))
+        }
         (Lang::En, other) => other.to_string(),
         (Lang::PtBr, AnswerError::Empty) => "falta uma resposta".to_owned(),
         (Lang::PtBr, AnswerError::TooLong) => {

@@ -97,7 +97,7 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     window.click("Check: M_v");
     assert!(window.says("✗ wrong"));
     let checked = &window.state().exercises.checked["Mv"];
-    assert_eq!(checked.judged.diagnosis.as_ref().unwrap().mistakes[0].code(), "translation-not-rotated");
+    assert_eq!(checked.judged.diagnosis.as_ref().unwrap().causes[0].mistake.code(), "translation-not-rotated");
     let diagnosis = said::diagnosis(Lang::En, ask, &checked.judged).unwrap();
     let begins: String = diagnosis.chars().take_while(|c| !"*_".contains(*c)).collect();
     assert!(window.says(begins.trim()), "{begins}");
@@ -170,7 +170,7 @@ fn the_same_with_the_keyboard_alone() {
         let judged = &window.state().exercises.checked["u"].judged;
         assert_eq!(judged.right, !turn, "{:?}", judged.understood);
         if turn {
-            let code = judged.diagnosis.as_ref().unwrap().mistakes[0].code();
+            let code = judged.diagnosis.as_ref().unwrap().causes[0].mistake.code();
             assert!(["u-reversed", "sign", "n-reversed"].contains(&code), "{code}");
             tab_to(&mut window, &format!("A hint: {name}"));
             window.key(Key::Enter);

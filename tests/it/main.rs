@@ -20,6 +20,8 @@ mod depth_in_view;
 mod diagnose;
 mod diagnose_causes;
 mod exercise_mistakes;
+mod exercise_slips;
+mod exercise_verdicts;
 mod exercises;
 mod explain;
 mod explain_formulas;

@@ -95,6 +95,16 @@ pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters 
     }
 }
 
+/// A camera as of [`camera`]; in perspective with an F that is not 1, which would hide that it was forgotten.
+pub(super) fn lens_camera(random: &mut Random, projection: Projection) -> Parameters {
+    loop {
+        let parameters = camera(random, projection);
+        if projection == Projection::Parallel || parameters.near != 1.0 {
+            return parameters;
+        }
+    }
+}
+
 /// A camera with PF at a distance, inside its volume.
 fn seeing(parameters: Parameters, distance: f64) -> Parameters {
     let near = if parameters.near < 0.7 * distance { parameters.near } else { 0.5 };

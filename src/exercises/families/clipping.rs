@@ -4,7 +4,7 @@ use glam::DVec4;
 
 use super::cameras::{numbers, plain, small};
 use crate::exercises::worked::{Worked, named};
-use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Slip, Slips, Table};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Nature, Slip, Slips, Table};
 use crate::explain::{Formula, minus, over, plus, times};
 use crate::numbers::random::Random;
 
@@ -16,8 +16,10 @@ fn distances(p: DVec4, slips: Slips) -> [f64; 6] {
     let w = if slips.has(Slip::NoDivide) { 1.0 } else { p.w };
     let z = if slips.has(Slip::DepthRowSign) { -p.z } else { p.z };
     let near = if slips.has(Slip::DepthRange) { z } else { w + z };
-    let (x, y) = if slips.has(Slip::TermSign) { (-p.x, -p.y) } else { (p.x, p.y) };
-    [w + x, w - x, w + y, w - y, near, w - z]
+    let all = slips.has(Slip::PairsExchanged);
+    let (x, y) = if all || slips.has(Slip::SidesExchanged) { (-p.x, -p.y) } else { (p.x, p.y) };
+    let (near, far) = if all { (w - z, w + z) } else { (near, w - z) };
+    [w + x, w - x, w + y, w - y, near, far]
 }
 
 fn tuple(p: DVec4) -> Fact {
@@ -55,7 +57,9 @@ fn outcodes(seed: u64) -> Exercise {
                 let formula = if is_sum { plus(w, along) } else { minus(w, along) };
                 step.row(named(name, name, distance), formula)
             });
-        Ask::computed(name, Kind::Vector(6), vec![step], move |slips| Some(Table::column(&code(slips)))).whole()
+        Ask::computed(name, Kind::Vector(6), vec![step], move |slips| Some(Table::column(&code(slips))))
+            .whole()
+            .of_nature(Nature::Outcode)
     };
     let asks = vec![ask("A", a), ask("B", b)];
     Exercise { asks, facts: vec![("A", tuple(a)), ("B", tuple(b))], ..plain() }
@@ -90,21 +94,31 @@ fn clip_segment(seed: u64) -> Exercise {
         }
     };
     let ends = move |slips: Slips| {
-        let (a, b) = if slips.has(Slip::OrderReversed) { (b, a) } else { (a, b) };
-        inside(a, b, slips)
+        let (a, b) = ends_of(a, b, slips);
+        let [from, to] = inside(a, b, slips)?;
+        Some(if slips.has(Slip::EntryExit) { [to, from] } else { [from, to] })
     };
     let step = steps(a, b);
     let ask = |name: &str, k: usize| {
         Ask::computed(name, Kind::Number, vec![step.clone()], move |slips| ends(slips).map(|t| t[k].into()))
+            .of_nature(Nature::Parameter)
     };
     let way = std::iter::once(step.clone()).chain(ends(Slips::NONE).map(|[from, _]| point_at(a, b, from))).collect();
+    let at = move |a: DVec4, b: DVec4, t: f64| Table::from(a + (b - a) * t);
     let point = Ask::computed("P", Kind::Vector(4), way, move |slips| {
         let [from, _] = ends(slips)?;
-        let (a, b) = if slips.has(Slip::OrderReversed) { (b, a) } else { (a, b) };
-        Some(Table::from(a + (b - a) * from))
+        let (a, b) = ends_of(a, b, slips);
+        Some(at(a, b, from))
     });
+    let point = point.following(&["t_in"], move |tables| Some(at(a, b, *tables[0].entries.first()?)));
     let asks = vec![ask("t_in", 0), ask("t_out", 1), point];
     Exercise { asks, facts: vec![("A", tuple(a)), ("B", tuple(b))], ..plain() }
+}
+
+/// The ends of the segment that is clipped.
+fn ends_of(a: DVec4, b: DVec4, slips: Slips) -> (DVec4, DVec4) {
+    let (a, b) = if slips.has(Slip::ClipAfterDivide) { (a / a.w, b / b.w) } else { (a, b) };
+    if slips.has(Slip::OrderReversed) { (b, a) } else { (a, b) }
 }
 
 /// The point of the segment at t.

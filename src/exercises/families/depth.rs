@@ -6,7 +6,7 @@ use super::cameras::{about, camera, numbers, plain, point_inside, subject, with_
 use crate::camera::{Camera, Parameters, Projection};
 use crate::exercises::textbook::half_tangent;
 use crate::exercises::worked::{Worked, angle, named};
-use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Slip, Slips, Table, Unit};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Nature, Slip, Slips, Table, Unit};
 use crate::explain::{Formula, Function, minus, over, plus, times};
 
 pub(super) const DEPTH_RESOLUTION: Entry =
@@ -22,13 +22,21 @@ fn resolution(seed: u64) -> Exercise {
     let distance = near + (far - near) * random.one_of(&[0.25, 0.5, 0.75]);
     let z = move |slips: Slips| {
         let (near, far) = if slips.has(Slip::NearFarAsCoordinates) { (-near, -far) } else { (near, far) };
-        let ndc = (far + near) / (far - near) - 2.0 * far * near / ((far - near) * distance);
+        let term = if slips.has(Slip::DepthTermHalved) { 1.0 } else { 2.0 };
+        let ndc = (far + near) / (far - near) - term * far * near / ((far - near) * distance);
+        if slips.has(Slip::LinearDepth) {
+            return (distance - near) / (far - near);
+        }
         if slips.has(Slip::DepthNotMapped) { ndc } else { f64::midpoint(ndc, 1.0) }
     };
     let step = move |slips: Slips| {
         let steps = bits.exp2() - 1.0;
         let slope = far * near / ((far - near) * distance * distance);
         let slope = if slips.has(Slip::DepthNotMapped) { 2.0 * slope } else { slope };
+        if slips.has(Slip::StepNotConverted) {
+            return 1.0 / steps;
+        }
+        let slope = if slips.has(Slip::LinearDepth) { 1.0 / (far - near) } else { slope };
         // The length of the buffer for a unit of depth, and not the depth of a step.
         let found = 1.0 / (slope * steps);
         if slips.has(Slip::Inverted) { 1.0 / found } else { found }
@@ -50,15 +58,21 @@ fn resolution(seed: u64) -> Exercise {
         named("Δd", r"\Delta d", step(Slips::NONE)),
         over(times([range(), d.into(), d.into()]), times([b.into(), f.into(), n.into()])),
     );
-    let value = step(Slips::NONE);
     let asks = vec![
         Ask::computed("Z", Kind::Number, vec![worked.clone()], move |slips| Some(Table::number(z(slips)))).within(1e-4),
         Ask::computed("step", Kind::Number, vec![worked, resolution], move |slips| Some(Table::number(step(slips))))
-            .within(1e-3 * value)
+            .of_nature(Nature::Size)
             .in_unit(Unit::Scene),
     ];
     let facts = [("F", near), ("B", far), ("d", distance), ("bits", bits)];
     Exercise { asks, facts: facts.map(|(name, value)| (name, Fact::Number(value))).to_vec(), ..plain() }
+}
+
+/// The place of each of four things in an order.
+fn ranks(order: &[f64]) -> Vec<f64> {
+    let place = |thing: u8| order.iter().position(|at| *at == f64::from(thing));
+    let number = |place: usize| u8::try_from(place + 1).ok().map(f64::from);
+    (1..=4).filter_map(place).filter_map(number).collect()
 }
 
 fn painter(seed: u64) -> Exercise {
@@ -67,25 +81,31 @@ fn painter(seed: u64) -> Exercise {
     let parameters = camera(&mut random, projection);
     let camera = Camera::new(&parameters);
     let depth = |point: DVec3| camera.as_ref().map_or(0.0, |camera| -camera.view_point(point).z);
-    let points = loop {
-        let points: Vec<DVec3> = (0..4).map(|_| point_inside(&mut random, &parameters)).collect();
-        let mut depths: Vec<f64> = points.iter().map(|point| depth(*point)).collect();
-        depths.sort_by(f64::total_cmp);
-        if depths.windows(2).all(|pair| pair[1] - pair[0] > 0.05) {
-            break points;
-        }
-        // A volume in which no four small points are apart: points beside it will do.
-        if depths.windows(2).all(|pair| pair[1] - pair[0] <= 0.05) {
-            let along = (parameters.focal_point - parameters.position).normalize();
-            break (0..4).map(|k| parameters.focal_point + along * f64::from((k * 3) % 4)).collect();
-        }
-    };
-    let depths: Vec<f64> = points.iter().map(|point| depth(*point)).collect();
     let order = |depths: &[f64]| {
         let mut order: Vec<u8> = (1..=4).collect();
         order.sort_by(|a, b| depths[usize::from(*b) - 1].total_cmp(&depths[usize::from(*a) - 1]));
         order.into_iter().map(f64::from).collect::<Vec<f64>>()
     };
+    let distances =
+        |points: &[DVec3]| -> Vec<f64> { points.iter().map(|point| (*point - parameters.position).length()).collect() };
+    // Points of which the distance from C, or the place of each in the order, gives another answer, if there are such.
+    let mut tries = 0..200;
+    let points = loop {
+        let points: Vec<DVec3> = (0..4).map(|_| point_inside(&mut random, &parameters)).collect();
+        let depths: Vec<f64> = points.iter().map(|point| depth(*point)).collect();
+        let mut sorted = depths.clone();
+        sorted.sort_by(f64::total_cmp);
+        let hides = order(&depths) == order(&distances(&points)) || ranks(&order(&depths)) == order(&depths);
+        if sorted.windows(2).all(|pair| pair[1] - pair[0] > 0.05) && (!hides || tries.next().is_none()) {
+            break points;
+        }
+        // A volume in which no four small points are apart: points beside it will do.
+        if sorted.windows(2).all(|pair| pair[1] - pair[0] <= 0.05) {
+            let along = (parameters.focal_point - parameters.position).normalize();
+            break (0..4).map(|k| parameters.focal_point + along * f64::from((k * 3) % 4)).collect();
+        }
+    };
+    let depths: Vec<f64> = points.iter().map(|point| depth(*point)).collect();
     let right = order(&depths);
     let names = ["d_1", "d_2", "d_3", "d_4"];
     let subject = points.iter().fold(subject(parameters), |subject, point| with_point(subject, *point));
@@ -110,8 +130,14 @@ fn painter(seed: u64) -> Exercise {
     let order_ask = Ask::computed("order", Kind::Vector(4), vec![steps], move |slips| {
         let order: Vec<f64> =
             if slips.has(Slip::OrderReversed) { right.iter().rev().copied().collect() } else { right.clone() };
+        if slips.has(Slip::RankOfEach) {
+            return Some(Table::column(&ranks(&order)));
+        }
         Some(Table::column(&order))
     });
+    let order_ask = order_ask
+        .of_nature(Nature::Order)
+        .following(&["depths"], move |tables| Some(Table::column(&order(&tables[0].entries))));
     let facts: Vec<(&'static str, Fact)> = ["P1", "P2", "P3", "P4"]
         .into_iter()
         .zip(&points)
@@ -156,8 +182,12 @@ fn zoom_or_dolly(seed: u64) -> Exercise {
         Ask::computed(name, Kind::Number, vec![step], move |slips| {
             let by = |factor: f64| if slips.has(Slip::FactorInverted) { 1.0 / factor } else { factor };
             let (zoom, dolly) = if slips.any(&[Slip::Dollied, Slip::Zoomed]) { (dolly, zoom) } else { (zoom, dolly) };
-            Some(Table::number(share(slips, by(zoom), distance / by(dolly) + further)))
+            let once = if slips.has(Slip::ScaleHalved) { 2.0 } else { 1.0 };
+            let (zoom, dolly) = if slips.has(Slip::NothingDone) { (1.0, 1.0) } else { (zoom, dolly) };
+            let found = share(slips, by(zoom), distance / by(dolly) + further) * once;
+            Some(Table::number(found))
         })
+        .of_nature(Nature::Size)
     };
     let asks = vec![
         ask("before", 1.0, 1.0, 0.0),

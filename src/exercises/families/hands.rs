@@ -36,7 +36,7 @@ fn canonical_camera(seed: u64) -> Exercise {
     };
     let mistakes = [
         (Parameters { aspect: half.y / half.x, ..model }, Mistake::AspectInverted),
-        (Parameters { height: half.y, ..model }, Mistake::WholeAngle),
+        (Parameters { height: half.y, ..model }, Mistake::FactorTwo),
     ];
     let ask = Ask::camera("camera", model, &mistakes, move |camera| {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-6;

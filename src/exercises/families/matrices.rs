@@ -1,8 +1,8 @@
 //! The axes of a camera, its window, and its matrices.
 
-use super::cameras::{about, any_projection, camera, numbers, subject};
+use super::cameras::{about, any_projection, camera, lens_camera, numbers, subject};
 use crate::camera::{Parameters, Projection, ViewWindow};
-use crate::exercises::{Ask, Entry, Exercise};
+use crate::exercises::{Ask, Entry, Exercise, follows};
 use crate::inspect::quantity::{BasisAxis, Quantity, ReportMatrix, WindowNumber};
 
 pub(super) const BASIS: Entry = Entry::family("basis", "[0] §5.2, (5.2), (5.3)", |seed, _| basis(seed));
@@ -20,7 +20,8 @@ pub(super) const ASYMMETRIC_WINDOW: Entry =
 fn basis(seed: u64) -> Exercise {
     let subject = subject(camera(&mut numbers("basis", seed), Projection::Perspective));
     let asks = BasisAxis::ALL.iter().map(|axis| Ask::quantity(axis.name(), &subject, Quantity::Axis(*axis)));
-    Exercise { asks: asks.collect(), ..about(subject) }
+    let asks = follows::axes(asks.collect(), subject.figure.camera.view_up);
+    Exercise { asks, ..about(subject) }
 }
 
 fn view_matrix(seed: u64) -> Exercise {
@@ -31,19 +32,30 @@ fn view_matrix(seed: u64) -> Exercise {
 
 fn window(seed: u64) -> Exercise {
     let mut random = numbers("window", seed);
-    let subject = subject(camera(&mut random, Projection::Perspective));
+    let subject = subject(lens_camera(&mut random, Projection::Perspective));
     let asks = [
         ("H", Quantity::Window(WindowNumber::Height)),
         ("W", Quantity::Window(WindowNumber::Width)),
         ("r", Quantity::Window(WindowNumber::Right)),
         ("b", Quantity::Window(WindowNumber::Bottom)),
     ];
-    let asks = asks.map(|(name, path)| Ask::quantity(name, &subject, path));
+    let aspect = subject.figure.camera.aspect;
+    let asks = asks.map(|(name, path)| {
+        let ask = Ask::quantity(name, &subject, path);
+        match name {
+            "W" => ask.following(&["H"], move |tables| Some(tables[0].map(|height| height * aspect))),
+            "r" => ask
+                .following(&["W"], |tables| Some(tables[0].map(|width| width / 2.0)))
+                .following(&["H"], move |tables| Some(tables[0].map(|height| height * aspect / 2.0))),
+            "b" => ask.following(&["H"], |tables| Some(tables[0].map(|height| -height / 2.0))),
+            _ => ask,
+        }
+    });
     Exercise { asks: asks.to_vec(), ..about(subject) }
 }
 
 fn projection_matrix(family: &str, seed: u64, projection: Projection) -> Exercise {
-    let subject = subject(camera(&mut numbers(family, seed), projection));
+    let subject = subject(lens_camera(&mut numbers(family, seed), projection));
     let asks = vec![Ask::quantity("Mp", &subject, Quantity::Matrix(ReportMatrix::Projection))];
     Exercise { asks, ..about(subject) }
 }
@@ -51,7 +63,7 @@ fn projection_matrix(family: &str, seed: u64, projection: Projection) -> Exercis
 fn asymmetric_window(seed: u64) -> Exercise {
     let mut random = numbers("asymmetric-window", seed);
     let projection = any_projection(&mut random);
-    let camera = camera(&mut random, projection);
+    let camera = lens_camera(&mut random, projection);
     let [left, bottom] = [0, 1].map(|_| -random.one_of(&[0.5, 1.0, 1.5, 2.0]));
     // Never as far to one side as to the other.
     let right = -left * random.one_of(&[0.5, 2.0, 3.0]);

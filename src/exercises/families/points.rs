@@ -1,12 +1,14 @@
 //! Points on their way into the image, and pixels on their way back.
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
-use super::cameras::{about, any_projection, camera, image, numbers, point_inside, subject, with_image, with_point};
+use super::cameras::{
+    about, any_projection, camera, image, lens_camera, numbers, point_inside, subject, with_image, with_point,
+};
 use crate::camera::{Camera, ImageSize, Projection, Viewport};
 use crate::exercises::worked::inside as steps_inside;
-use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake, Subject, Unit};
-use crate::inspect::quantity::{PointNumber, Quantity, RayNumber, WindowNumber};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Subject, Table, Unit, textbook};
+use crate::inspect::quantity::{PointNumber, Quantity, RayNumber, ReportMatrix, WindowNumber};
 use crate::numbers::random::Random;
 
 pub(super) const NDC: Entry = Entry::family("ndc", "[0] §5.3.2, [2]", |seed, _| ndc(seed));
@@ -20,7 +22,7 @@ fn point(subject: &Subject) -> (&'static str, Fact) {
 }
 
 fn with_a_point(random: &mut Random, projection: Projection) -> Subject {
-    let camera = camera(random, projection);
+    let camera = lens_camera(random, projection);
     let point = point_inside(random, &camera);
     with_point(subject(camera), point)
 }
@@ -29,12 +31,34 @@ fn ndc(seed: u64) -> Exercise {
     let mut random = numbers("ndc", seed);
     let projection = any_projection(&mut random);
     let subject = with_a_point(&mut random, projection);
-    let asks = [PointNumber::View, PointNumber::Clip, PointNumber::Ndc]
-        .map(|space| Ask::quantity(space.name(), &subject, Quantity::Point(0, space)));
+    let to_clip = subject.value(Quantity::Matrix(ReportMatrix::Projection)).and_then(|matrix| matrix.matrix());
+    let asks = [PointNumber::View, PointNumber::Clip, PointNumber::Ndc].map(|space| {
+        let ask = Ask::quantity(space.name(), &subject, Quantity::Point(0, space));
+        match space {
+            PointNumber::Clip => {
+                ask.following(&["view"], move |tables| Some(Table::from(to_clip? * tables[0].vector()?.extend(1.0))))
+            }
+            PointNumber::Ndc => ask.following(&["clip"], divided).following(&["view"], move |tables| {
+                divided(&[Table::from(to_clip? * tables[0].vector()?.extend(1.0))])
+            }),
+            _ => ask,
+        }
+    });
     let point = point(&subject);
     let mut exercise = Exercise { asks: asks.to_vec(), ..about(subject) };
     exercise.facts.push(point);
     exercise
+}
+
+/// Clip coordinates, divided by w.
+fn divided(tables: &[Table]) -> Option<Table> {
+    let [x, y, z, w] = tables[0].entries[..] else { return None };
+    (w != 0.0).then(|| Table::column(&[x / w, y / w, z / w]))
+}
+
+/// Distances of a point in clip space inside each plane, in the order of the outcode.
+fn beyond_planes(clip: DVec4) -> [f64; 6] {
+    [clip.w + clip.x, clip.w - clip.x, clip.w + clip.y, clip.w - clip.y, clip.w + clip.z, clip.w - clip.z]
 }
 
 /// The planes by which a point can be outside, in the order of the outcode of `[2]`.
@@ -53,6 +77,17 @@ fn inside(seed: u64) -> Exercise {
     };
     let clip = Ask::quantity("clip", &subject, Quantity::Point(0, PointNumber::Clip));
     let cut = Ask::choice("plane", &PLANES, plane, &opposite(plane, projection), steps_inside(&subject, 0));
+    let outside = |tables: &[Table]| {
+        let clip: [f64; 4] = tables[0].entries[..].try_into().ok()?;
+        Some((1..=6_u8).zip(beyond_planes(clip.into())).filter(|(_, d)| *d < 0.0).map(|(k, _)| k).collect::<Vec<u8>>())
+    };
+    let is_inside = is_inside
+        .following(&["clip"], move |tables| Some(Table::number(if outside(tables)?.is_empty() { 0.0 } else { 1.0 })));
+    let cut = cut.following(&["clip"], move |tables| match outside(tables)?[..] {
+        [] => Some(Table::number(0.0)),
+        [plane] => Some(Table::number(f64::from(plane))),
+        _ => None,
+    });
     let fact = self::point(&subject);
     let mut exercise = Exercise { asks: vec![clip, is_inside, cut], ..about(subject) };
     exercise.facts.push(fact);
@@ -84,8 +119,7 @@ fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wan
         if clip.w <= 0.1 && wanted != 5 {
             continue;
         }
-        let beyond =
-            [clip.w + clip.x, clip.w - clip.x, clip.w + clip.y, clip.w - clip.y, clip.w + clip.z, clip.w - clip.z];
+        let beyond = beyond_planes(clip);
         // Not so near a plane that a rounding decides.
         if beyond.iter().any(|distance| distance.abs() < 0.02 * clip.w.abs().max(1.0)) {
             continue;
@@ -109,7 +143,18 @@ fn pixel(seed: u64) -> Exercise {
         off_borders(&mut random, PointNumber::Window, |random| with_image(with_a_point(random, projection), height));
     let asks = vec![
         Ask::quantity("window", &subject, Quantity::Point(0, PointNumber::Window)).in_unit(Unit::Scene),
-        Ask::quantity("pixel", &subject, Quantity::Point(0, PointNumber::Pixel)),
+        Ask::quantity("pixel", &subject, Quantity::Point(0, PointNumber::Pixel)).following(&["window"], {
+            let camera = subject.camera().ok();
+            let ImageSize { width, height } = subject.figure.image;
+            move |tables| {
+                let camera = camera.as_ref()?;
+                let [x, y] = tables[0].entries[..] else { return None };
+                let window = camera.window();
+                let i = f64::from(width) * (x - window.left) / window.width();
+                let j = f64::from(height) * (window.top - y) / window.height();
+                Some(Table::column(&[i.floor(), j.floor()]))
+            }
+        }),
     ];
     let facts = [vec![point(&subject)], image(subject.figure.image)].concat();
     let mut exercise = Exercise { asks, ..about(subject) };
@@ -138,7 +183,9 @@ fn off_borders(random: &mut Random, space: PointNumber, mut make: impl FnMut(&mu
             }
         };
         let share = |k: usize| f64::from(size[k]) * (at.entries[k] / window[k] + 0.5);
-        if (0..2).all(|k| (share(k) - share(k).round()).abs() > 0.02) {
+        let is_rounded_up = |k: usize| share(k).round() > share(k);
+        // In one of them at least ⌊ ⌋ is not what rounding gives.
+        if (0..2).all(|k| (share(k) - share(k).round()).abs() > 0.02) && (0..2).any(is_rounded_up) {
             return subject;
         }
     }
@@ -149,7 +196,7 @@ fn ray(seed: u64) -> Exercise {
     let mut random = numbers("ray", seed);
     let projection = any_projection(&mut random);
     // Few pixels, so that a half of one counts.
-    let mut subject = with_image(subject(camera(&mut random, projection)), random.one_of(&[12, 24, 48]));
+    let mut subject = with_image(subject(lens_camera(&mut random, projection)), random.one_of(&[12, 24, 48]));
     let size = subject.figure.image;
     let [i, j] = [size.width, size.height].map(|side| {
         loop {
@@ -174,17 +221,34 @@ fn viewport(seed: u64) -> Exercise {
     let mut random = numbers("viewport", seed);
     let projection = any_projection(&mut random);
     let (width, height) = random.one_of(&[(400, 300), (640, 480), (300, 200), (512, 384)]);
-    let (x, y) = random.one_of(&[(0, 0), (100, 50), (20, 40), (64, 32)]);
-    let (depth_near, depth_far) = random.one_of(&[(0.0, 1.0), (0.0, 0.5), (0.25, 1.0), (1.0, 0.0)]);
+    // No corner and no range that would hide that they were left out.
+    let (x, y) = random.one_of(&[(10, 30), (100, 50), (20, 40), (64, 32)]);
+    let (depth_near, depth_far) = random.one_of(&[(0.5, 1.0), (0.0, 0.5), (0.25, 1.0), (1.0, 0.0)]);
     let viewport = Viewport { x, y, width, height, depth_near, depth_far };
     let subject = off_borders(&mut random, PointNumber::Ndc, |random| {
         let mut subject = with_a_point(random, projection);
         subject.figure.viewport = Some(viewport);
         subject
     });
+    let placed = move |tables: &[Table], whole: fn(f64) -> f64| {
+        let [x_n, y_n, z_n] = tables[0].entries[..] else { return None };
+        let along = |start: i32, size: u32, n: f64| whole(f64::from(size) / 2.0 * (n + 1.0)) + f64::from(start);
+        let z = (depth_far - depth_near) / 2.0 * z_n + f64::midpoint(depth_far, depth_near);
+        Some(Table::column(&[along(x, width, x_n), along(y, height, y_n), z]))
+    };
+    let real = {
+        let subject = subject.clone();
+        Ask::computed("", Kind::Vector(3), Vec::new(), move |slips| {
+            let ndc = textbook::value(&subject, Quantity::Point(0, PointNumber::Ndc), slips)?;
+            placed(&[ndc], |x| x)
+        })
+    };
     let asks = vec![
         Ask::quantity("ndc", &subject, Quantity::Point(0, PointNumber::Ndc)),
-        Ask::quantity("viewport", &subject, Quantity::Point(0, PointNumber::Viewport)),
+        Ask::quantity("viewport", &subject, Quantity::Point(0, PointNumber::Viewport))
+            .or_as_real("not-floored", real)
+            .following(&["ndc"], move |tables| placed(tables, f64::floor))
+            .following(&["ndc"], move |tables| placed(tables, |x| x)),
     ];
     let numbers = [
         ("Xv", f64::from(x)),

@@ -3,12 +3,12 @@
 
 use glam::{DMat3, DMat4, DVec3};
 
-use super::cameras::{about, camera, numbers, plain, small, subject};
+use super::cameras::{about, camera, lens_camera, numbers, plain, small, subject};
 use crate::camera::{Parameters, Projection};
 use crate::exercises::products::{ENTRIES, multiplied};
 use crate::exercises::textbook::half_tangent;
 use crate::exercises::worked::{Worked, angle, named};
-use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Slip, Slips, Table, notes};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Nature, Slip, Slips, Table, follows, notes};
 use crate::explain::{Formula, Function, over, times};
 use crate::geometry::Angle;
 
@@ -30,10 +30,16 @@ fn left_handed_basis(normal: DVec3, up: DVec3, slips: Slips) -> [DVec3; 3] {
     let keeps = slips.any(&[Slip::NothingNormalised, Slip::NNotNormalised]);
     let n = if keeps { into } else { into.normalize() };
     // The formula of [3] with a VPN that is not of length 1 takes away too much.
-    let v = up - n * n.dot(up);
+    let printed = slips.any(&[Slip::PrintedViewUp, Slip::PrintedViewUpUnit]);
+    let along = if printed { normal } else { n };
+    let v = up - along * along.dot(up);
     let v = if slips.any(&[Slip::ViewUpAsV, Slip::UnitViewUpAsV]) { up } else { v };
-    let v =
-        if slips.any(&[Slip::NothingNormalised, Slip::ViewUpAsV, Slip::LengthForgotten]) { v } else { v.normalize() };
+    let v = if slips.any(&[Slip::NothingNormalised, Slip::ViewUpAsV, Slip::LengthForgotten, Slip::PrintedViewUp]) {
+        v
+    } else {
+        v.normalize()
+    };
+    let v = if slips.has(Slip::VReversed) { -v } else { v };
     let u = if slips.has(Slip::UReversed) { v.cross(n) } else { n.cross(v) };
     [u, v, n]
 }
@@ -68,11 +74,21 @@ fn left_handed(seed: u64) -> Exercise {
         step
     };
     let ask = |name: &str, k: usize| {
-        let mut ask = Ask::computed(name, Kind::Vector(3), vec![step.clone()], move |slips| {
+        let ask = Ask::computed(name, Kind::Vector(3), vec![step.clone()], move |slips| {
             Some(Table::from(left_handed_basis(normal, view_up, slips)[k]))
         });
-        ask.tolerance = crate::exercises::TOLERANCE;
-        ask
+        let up = move |n: DVec3| follows::unit(view_up - n * n.dot(view_up));
+        let ask = ask.of_nature(Nature::Direction);
+        match k {
+            0 => ask
+                .following(&["n", "v"], |tables| Some(Table::from(tables[0].vector()?.cross(tables[1].vector()?))))
+                .following(&["n"], move |tables| {
+                    let n = tables[0].vector()?;
+                    Some(Table::from(n.cross(up(n)?)))
+                }),
+            1 => ask.following(&["n"], move |tables| Some(Table::from(up(tables[0].vector()?)?))),
+            _ => ask,
+        }
     };
     let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
     let facts = vec![("VPN", tuple(normal)), ("VUV", tuple(view_up))];
@@ -81,7 +97,22 @@ fn left_handed(seed: u64) -> Exercise {
 
 /// l, r, b, t of glFrustum, and K, from the arguments of gluPerspective.
 fn frustum(parameters: &Parameters, slips: Slips) -> [f64; 4] {
-    let top = parameters.near * half_tangent(parameters.view_angle, slips);
+    let distance = (parameters.position - parameters.focal_point).length();
+    let near = if slips.has(Slip::NearForgotten) {
+        1.0
+    } else if slips.has(Slip::DistanceForNear) {
+        distance
+    } else {
+        parameters.near
+    };
+    let times = if slips.has(Slip::SideWhole) {
+        2.0
+    } else if slips.has(Slip::HeightHalved) {
+        0.5
+    } else {
+        1.0
+    };
+    let top = times * near * half_tangent(parameters.view_angle, slips);
     let aspect = if slips.has(Slip::AspectInverted) { 1.0 / parameters.aspect } else { parameters.aspect };
     let right = top * aspect;
     [-right, right, -top, top]
@@ -89,7 +120,7 @@ fn frustum(parameters: &Parameters, slips: Slips) -> [f64; 4] {
 
 fn vocabulary(seed: u64) -> Exercise {
     let mut random = numbers("vocabulary", seed);
-    let parameters = camera(&mut random, Projection::Perspective);
+    let parameters = lens_camera(&mut random, Projection::Perspective);
     let subject = super::cameras::with_image(subject(parameters), random.one_of(&[240, 480, 600]));
     let size = subject.figure.image;
     let (m, n) = (f64::from(size.width), f64::from(size.height));
@@ -121,15 +152,28 @@ fn vocabulary(seed: u64) -> Exercise {
             .row(named("c_y", "c_y", n.value / 2.0), over(n, 2.0))
     };
     let frustum_ask = Ask::computed("frustum", Kind::Vector(4), vec![frustum_step.clone()], move |slips| {
-        Some(Table::column(&frustum(&parameters, slips)))
+        let [left, right, bottom, top] = frustum(&parameters, slips);
+        let by_pairs = slips.has(Slip::SidesByPairs);
+        Some(Table::column(&if by_pairs { [left, bottom, right, top] } else { [left, right, bottom, top] }))
     });
+    let pinhole = move |[right, top]: [f64; 2], slips: Slips| {
+        let (m, n) = if slips.has(Slip::ColumnsAndRows) { (n, m) } else { (m, n) };
+        let near = if slips.has(Slip::NearForgottenInScale) { 1.0 } else { parameters.near };
+        let twice = if slips.has(Slip::ScaleDoubled) { 1.0 } else { 2.0 };
+        let f = [m * near / (twice * right), n * near / (twice * top)];
+        let by = if slips.has(Slip::CentreWhole) { 1.0 } else { 0.5 };
+        let less = if slips.has(Slip::CentresAtWhole) { 0.5 } else { 0.0 };
+        let centre = if slips.has(Slip::CentresExchanged) { [n, m] } else { [m, n] };
+        let [x, y] = centre.map(|side| side * by - less);
+        Table::from(DMat3::from_cols_array_2d(&[[f[0], 0.0, x], [0.0, f[1], y], [0.0, 0.0, 1.0]]).transpose())
+    };
     let k = Ask::computed("K", Kind::Matrix(3, 3), vec![frustum_step, k_step], move |slips| {
         let [_, right, _, top] = frustum(&parameters, slips);
-        let (m, n) = if slips.has(Slip::ColumnsAndRows) { (n, m) } else { (m, n) };
-        let f = [m * parameters.near / (2.0 * right), n * parameters.near / (2.0 * top)];
-        Some(Table::from(
-            DMat3::from_cols_array_2d(&[[f[0], 0.0, m / 2.0], [0.0, f[1], n / 2.0], [0.0, 0.0, 1.0]]).transpose(),
-        ))
+        Some(pinhole([right, top], slips))
+    });
+    let k = k.following(&["frustum"], move |tables| {
+        let [_, right, _, top] = tables[0].entries[..] else { return None };
+        Some(pinhole([right, top], Slips::NONE))
     });
     let facts = super::cameras::image(size);
     let mut exercise = Exercise { asks: vec![frustum_ask, k], ..about(subject) };
@@ -153,7 +197,19 @@ fn order(seed: u64) -> Exercise {
         let turn = DMat4::from_mat3(rotation(axis, sin, cos));
         let turn = if slips.has(Slip::Transposed) { turn.transpose() } else { turn };
         let (move_by, stretch) = (DMat4::from_translation(by), DMat4::from_scale(scale));
-        if slips.has(Slip::OrderReversed) { stretch * turn * move_by } else { move_by * turn * stretch }
+        if slips.has(Slip::OrderReversed) {
+            stretch * turn * move_by
+        } else if slips.has(Slip::OrderRts) {
+            turn * move_by * stretch
+        } else if slips.has(Slip::OrderTsr) {
+            move_by * stretch * turn
+        } else if slips.has(Slip::OrderStr) {
+            stretch * move_by * turn
+        } else if slips.has(Slip::OrderRst) {
+            turn * stretch * move_by
+        } else {
+            move_by * turn * stretch
+        }
     };
     let alpha = angle("α", r"\alpha", degrees);
     let of = |function| Formula::Of(function, Box::new(alpha.into()));
@@ -180,6 +236,7 @@ fn order(seed: u64) -> Exercise {
     let image = Ask::computed("P", Kind::Vector(3), vec![step, moved], move |slips| {
         Some(Table::from(product(slips).transform_point3(point)))
     });
+    let image = image.following(&["M"], move |tables| Some(Table::from(tables[0].matrix()?.transform_point3(point))));
     let first = Ask::choice("first", &["translate", "rotate", "scale"], 2, &[(0, Mistake::OrderReversed)], Vec::new());
     let axis_name = if axis.x > 0.0 {
         "1, 0, 0"

@@ -6,7 +6,7 @@ use super::chosen;
 use crate::camera::{ImageSize, Operation, Parameters, Projection, ViewWindow};
 use crate::exercises::statement_facts::{about, image, with_point};
 use crate::exercises::worked::{Worked, named, worked};
-use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Mistake, Slip, Slips, Subject, Table, Unit, textbook};
+use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Mistake, Nature, Slip, Slips, Subject, Table, Unit, textbook};
 use crate::explain::{Formula, Function, over, plus};
 use crate::figure::{Figure, NamedPoint};
 use crate::geometry::Angle;
@@ -44,6 +44,12 @@ pub(super) fn rays(_seed: u64) -> Exercise {
     let direction = Ask::computed("perspective_direction", Kind::Vector(3), towards_vrc(&in_perspective), {
         let subject = in_perspective.clone();
         move |slips| {
+            if slips.has(Slip::ViewAsWorld) {
+                return Some(Table::from(DVec3::new(1.0, 1.0, 0.0).normalize()));
+            }
+            if slips.has(Slip::ProjectionsExchanged) {
+                return subject.value(Quantity::Direction);
+            }
             let [u, v] = [Quantity::Axis(BasisAxis::U), Quantity::Axis(BasisAxis::V)].map(|path| {
                 if slips == Slips::NONE { subject.value(path) } else { textbook::value(&subject, path, slips) }
             });
@@ -53,6 +59,7 @@ pub(super) fn rays(_seed: u64) -> Exercise {
             Some(Table::from(if keeps { sum } else { sum.normalize_or_zero() }))
         }
     });
+    let direction = direction.of_nature(Nature::Direction);
     let of = |name, subject, path: Quantity| Ask::of_subject(name, subject, path);
     let asks = vec![
         of("parallel_origin", &through, Quantity::Ray(0, RayNumber::Origin)),
@@ -138,7 +145,7 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
             let [i, j] = [1024.0 * (1.0 / camera.window_width() + 0.5), 768.0 * (0.5 - 1.0 / camera.window_height())];
             Some(Table::column(&[i, j].map(|x| (x + 1e-9).floor())))
         });
-        pixel.whole().in_unit(Unit::Pixels)
+        pixel.whole().of_nature(Nature::Pixel).in_unit(Unit::Pixels)
     };
     let pixel = Ask { quantity: Some(Quantity::Point(0, PointNumber::Pixel).into()), ..pixel_of(&after) }
         .or_read_as("before-zoom", pixel_of(&before))
@@ -161,7 +168,11 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
             Quantity::Matrix(ReportMatrix::Projection),
         ),
     ];
-    asks.extend(BasisAxis::ALL.iter().map(|axis| Ask::of_subject(axis.name(), &elevated, Quantity::Axis(*axis))));
+    let axes = BasisAxis::ALL.iter().map(|axis| Ask::of_subject(axis.name(), &elevated, Quantity::Axis(*axis)));
+    asks.extend(axes.map(|ask| match ask.name.as_str() {
+        "v" => ask.following(&["n", "u"], |tables| Some(Table::from(tables[0].vector()?.cross(tables[1].vector()?)))),
+        _ => ask,
+    }));
     let exercise = about(after);
     let facts = [
         ("theta", Fact::Angle(90.0)),
@@ -200,7 +211,7 @@ pub(super) fn cube() -> Exercise {
     let mistakes = [
         // C in the middle of the cube, and distances measured from there as if they were coordinates.
         (Parameters { focal_point: DVec3::NEG_Z, ..at(0.0, 1.0, 2.0) }, Mistake::NearFarAsCoordinates),
-        (Parameters { height: 1.0, ..model }, Mistake::WholeAngle),
+        (Parameters { height: 1.0, ..model }, Mistake::FactorTwo),
     ];
     let ask = Ask::camera("camera", model, &mistakes, |camera| {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-6;

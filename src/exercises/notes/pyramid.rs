@@ -10,7 +10,7 @@ use crate::camera::{ImageSize, Parameters, Projection};
 use crate::exercises::products::multiplied;
 use crate::exercises::statement_facts::{about, with_point};
 use crate::exercises::worked::{Worked, named, worked};
-use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Slip, Slips, Subject, Table, textbook};
+use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Nature, Slip, Slips, Subject, Table, textbook};
 use crate::explain::{over, times};
 use crate::figure::Figure;
 use crate::inspect::quantity::{PointNumber, Quantity, ReportMatrix};
@@ -108,11 +108,12 @@ pub(super) fn vertices(free: &Free) -> Exercise {
         // The pyramid has side 1 and height 1 before.
         let scaled = times([named(factor, factor, value).into(), 1.0.into()]);
         let step = Worked::new("scaled", "[1]").row(named(symbol, symbol, value), scaled);
-        Ask::computed(name, Kind::Number, vec![step], move |slips| {
+        let ask = Ask::computed(name, Kind::Number, vec![step], move |slips| {
             // The other number of the two.
             let wrong = if value.to_bits() == day.to_bits() { month } else { day };
             Some(Table::number(if slips.has(Slip::OrderReversed) { wrong } else { value }))
-        })
+        });
+        ask.of_nature(Nature::Size)
     };
     let asks = vec![
         matrix_of_points("local", Vec::new(), move |_| Some(local.clone())),
@@ -140,7 +141,13 @@ pub(super) fn model_and_view(free: &Free) -> Exercise {
     let model =
         Ask::computed("Mm", Kind::Matrix(4, 4), vec![model_step()], move |slips| Some(Table::from(of().model(slips))));
     let placed = multiplied(birth.model(Slips::NONE), &birth.vertices().collect::<Vec<_>>());
-    let world = matrix_of_points("world", vec![model_step(), placed], move |slips| Some(of().world(slips)));
+    let world = matrix_of_points("world", vec![model_step(), placed], move |slips| Some(of().world(slips))).following(
+        &["Mm"],
+        move |tables| {
+            let model = tables[0].matrix()?;
+            Some(columns(&of().vertices().map(|vertex| model * vertex).collect::<Vec<_>>()))
+        },
+    );
     let seen = {
         let subject = subject.clone();
         let mut steps = worked(&subject, Quantity::Matrix(ReportMatrix::View));
@@ -152,6 +159,7 @@ pub(super) fn model_and_view(free: &Free) -> Exercise {
             let view = matrix(&subject, Quantity::Matrix(ReportMatrix::View), slips)?;
             Some(of().world(slips).into_iter().map(|vertex| view * vertex).collect())
         })
+        .following(&["world", "Mv"], |tables| Some(columns(&through(tables[1].matrix()?, &tables[0])?)))
     };
     let exercise = birth.exercise(&["D", "M"]);
     let asks = vec![model, world, Ask::quantity("Mv", &subject, Quantity::Matrix(ReportMatrix::View)), seen];
@@ -179,7 +187,19 @@ pub(super) fn projection(free: &Free) -> Exercise {
             Some(world.iter().map(|vertex| projection * (view * *vertex)).collect())
         })
     };
-    let apex = Ask::quantity("apex", &subject, Quantity::Point(4, PointNumber::Clip));
+    let view = matrix(&subject, Quantity::Matrix(ReportMatrix::View), Slips::NONE);
+    let world = of.world(Slips::NONE);
+    let apex_seen = view.zip(world.last().copied()).map(|(view, apex)| view * apex);
+    let clip = clip.following(&["Mp"], move |tables| {
+        let all = tables[0].matrix()? * view?;
+        Some(columns(&world.iter().map(|vertex| all * *vertex).collect::<Vec<_>>()))
+    });
+    let apex = Ask::quantity("apex", &subject, Quantity::Point(4, PointNumber::Clip))
+        .following(&["Mp", "Mv", "Mm"], |tables| {
+            let [projection, view, model] = [0, 1, 2].map(|k: usize| tables[k].matrix());
+            Some(Table::from(projection? * (view? * (model? * APEX.extend(1.0)))))
+        })
+        .following(&["Mp"], move |tables| Some(Table::from(tables[0].matrix()? * apex_seen?)));
     let exercise = of.exercise(&["D", "M", "theta", "A"]);
     let asks = vec![Ask::quantity("Mp", &subject, Quantity::Matrix(ReportMatrix::Projection)), clip, apex];
     let assumptions = vec!["lost-pyramid", "touches-planes", "angle-and-aspect", "distances-not-coordinates", "w-zero"];
@@ -192,6 +212,12 @@ pub(in crate::exercises) fn whole(free: &Free) -> Exercise {
     let wanted = ["Mm", "Mv", "Mp", "apex"];
     let asks = first.asks.into_iter().chain(last.asks).filter(|ask| wanted.contains(&ask.name.as_str())).collect();
     Exercise { asks, free: Vec::new(), assumptions: vec!["touches-planes", "distances-not-coordinates"], ..last }
+}
+
+/// Points in the columns of a table, multiplied by a matrix.
+fn through(matrix: DMat4, points: &Table) -> Option<Vec<DVec4>> {
+    let points = points.transposed();
+    points.rows().map(|point| Some(matrix * DVec4::from_array(point.try_into().ok()?))).collect()
 }
 
 /// A matrix of a subject, as it comes out with slips.

@@ -25,6 +25,8 @@ fn solve(progress: &mut Progress, entry: &Entry, seed: u64, now: u64) {
             reading: "",
             conditions: Vec::new(),
             diagnosis: None,
+            carried: Vec::new(),
+            first_step: 0,
             understood: crate::exercises::Answer::Choice(0),
         };
         progress.judged(&exercise, &judged, now);

@@ -131,6 +131,10 @@ fn marks(state: &State, ask: &Ask, fields: &[String]) -> Vec<Option<bool>> {
     let entries = &checked.judged.entries;
     let fits = entries.len() == rows && entries.iter().all(|row| row.len() == columns);
     let is_same = |k: usize| fields.get(k) == checked.fields.get(k);
+    // Not wrong by itself.
+    if !checked.judged.carried.is_empty() {
+        return none;
+    }
     if is_whole(ask, fields) && is_same(0) {
         // One field holds all of it.
         return [vec![Some(checked.judged.right)], none].concat();

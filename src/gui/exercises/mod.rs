@@ -130,7 +130,11 @@ fn check(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
     if answers::understood(sheet, ask, &fields).is_err() {
         return;
     }
-    let Ok(judged) = exercises::check(sheet.entry, sheet.exercise, ask, &joined(ask, &fields)) else { return };
+    let judge = |state: &State, ask: &Ask, fields: &[String]| {
+        let beside = state.exercises.answers_beside(ask);
+        exercises::check_beside(sheet.entry, sheet.exercise, ask, &joined(ask, fields), &beside)
+    };
+    let Ok(judged) = judge(state, ask, &fields) else { return };
     if state.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
         state.exercises.described = None;
     }
@@ -142,5 +146,13 @@ fn check(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
     let done = Done::Judged(Arc::new(sheet.exercise.clone()), Box::new(judged.clone()), clock::seconds_since_1970());
     state.exercises.note(done);
     state.exercises.took(ask, Checked { fields, judged });
+    // What is wrong elsewhere may follow from this one, or no longer.
+    for other in sheet.exercise.asks.iter().filter(|other| other.name != ask.name) {
+        let wrong = state.exercises.checked.get(&other.name).filter(|checked| !checked.judged.right);
+        let Some(fields) = wrong.map(|checked| checked.fields.clone()) else { continue };
+        if let Ok(judged) = judge(state, other, &fields) {
+            state.exercises.checked.insert(other.name.clone(), Checked { fields, judged });
+        }
+    }
     state.exercises.say(ask);
 }

@@ -29,6 +29,9 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
                 let text = format!("{sign} {}", said::condition(t.lang, condition));
                 ui.add(egui::Label::new(RichText::new(text).color(color(ui, *right))).wrap());
             }
+            if let Some(carried) = said::carried(t.lang, judged) {
+                prose::show(ui, &carried);
+            }
             if let Some(diagnosis) = said::diagnosis(t.lang, ask, judged).filter(|_| !judged.right) {
                 prose::show(ui, &diagnosis);
             }
@@ -78,6 +81,7 @@ fn headline(ui: &mut Ui, sheet: Sheet<'_>, judged: &crate::exercises::Judged) {
     let text = match (judged.right, all) {
         (true, _) if judged.reading.is_empty() => format!("✓ {}", t.right),
         (true, _) => format!("✓ {}: {}", t.right_read_as, said::reading(t.lang, judged.reading)),
+        _ if !judged.carried.is_empty() => format!("→ {}", t.follows),
         (false, 0 | 1) => format!("✗ {}", t.wrong),
         (false, all) => format!("✗ {} ({})", t.wrong, messages::score(t.lang, right, all)),
     };

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use eframe::egui;
 
 use crate::camera::{Camera, RecoveryError};
-use crate::exercises::{self, Ask, Entry, Exercise, Free, Judged, Kind, Progress, Stage, Why, Worked};
+use crate::exercises::{self, Answer, Ask, Entry, Exercise, Free, Judged, Kind, Progress, Stage, Why, Worked};
 use crate::expression::{Dimension, evaluate};
 use crate::files::{self, FileError, OwnExercises};
 
@@ -278,13 +278,20 @@ impl Exercises {
 
     /// Judges the answers that were judged before, which is no new try.
     fn judge_again(&mut self, entry: &Entry, exercise: &Exercise) {
+        let mut answers = Vec::new();
+        for ask in &exercise.asks {
+            let text = joined(ask, self.fields(ask));
+            let was_judged = self.typed_now().judged.contains(&ask.name);
+            let read = exercises::read_answer(&text, ask, &exercise.free).ok().filter(|_| was_judged);
+            answers.extend(read.map(|answer| (ask.name.clone(), answer)));
+        }
         for ask in &exercise.asks {
             if !self.typed_now().judged.contains(&ask.name) {
                 continue;
             }
             let fields = self.fields(ask).to_vec();
             // Another version, or a lecturer who has changed the exercise, may read it otherwise.
-            if let Ok(judged) = exercises::check(entry, exercise, ask, &joined(ask, &fields)) {
+            if let Ok(judged) = exercises::check_beside(entry, exercise, ask, &joined(ask, &fields), &answers) {
                 self.checked.insert(ask.name.clone(), Checked { fields, judged });
             }
         }
@@ -314,6 +321,12 @@ impl Exercises {
         if self.described.as_ref().is_some_and(|described| described.ask == ask.name) {
             self.described = None;
         }
+    }
+
+    /// The other answers that were judged, by the names of their questions.
+    pub(in crate::gui) fn answers_beside(&self, ask: &Ask) -> Vec<(String, Answer)> {
+        let others = self.checked.iter().filter(|(name, _)| **name != ask.name);
+        others.map(|(name, checked)| (name.clone(), checked.judged.understood.clone())).collect()
     }
 
     /// Stores the verdict on an answer, and that it was judged.

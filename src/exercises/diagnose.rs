@@ -1,0 +1,284 @@
+//! The known mistake that explains a wrong answer: told only where the answer is what the mistake gives, and with all
+//! others that give the same.
+
+use super::exercise::{Ask, Expected};
+use super::follows::{Beside, numbers};
+use super::judge::{Diagnosis, is_right, rounded};
+use super::mistake::Mistake;
+use super::nature::Nature;
+use super::slip::{Cause, Slip, Slips};
+use super::value::Table;
+use crate::inspect::quantity::Quantity;
+
+/// Numbers, not 0, that have to agree before two mistakes together are told, or one number alone is wrong.
+const ENOUGH: usize = 4;
+
+/// The agreement of an answer with what a mistake gives; the closer first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Agreement {
+    /// To more digits than anybody rounds to by chance.
+    Exact,
+    /// To the few digits that were written.
+    AsWritten,
+}
+
+/// The known mistakes that give `given` where `right` is right: one of the slips; a matrix or a sign turned round; a
+/// slip of the pen; two together.
+pub(super) fn diagnose(
+    ask: &Ask,
+    expected: &Expected,
+    right: &Table,
+    given: &[f64],
+    beside: Option<Beside<'_>>,
+) -> Option<Diagnosis> {
+    // A slip that gives the right result is not a mistake here.
+    let differs = |table: &Table| table.shape() == right.shape() && !ask.accepts_all(&table.entries, right);
+    let agreed = |table: &Table| if differs(table) { agreement(ask, given, table) } else { None };
+    let slipped: Vec<(Slip, Table)> = in_order_of_telling(expected)
+        .into_iter()
+        .filter_map(|slip| Some((slip, expected.slipped(Slips::one(slip))?)))
+        .filter(|(_, table)| differs(table))
+        .collect();
+    let agreeing: Vec<(Slip, Agreement)> =
+        slipped.iter().filter_map(|(slip, table)| Some((*slip, agreed(table)?))).collect();
+    if let Some(best) = agreeing.iter().map(|(_, agreement)| *agreement).min() {
+        let slips: Vec<Slip> = agreeing.iter().filter(|(_, agreement)| *agreement == best).map(|(s, _)| *s).collect();
+        // One that the answers beside it exclude leaves nothing to say.
+        return one_of(&supported(&slips, ask, beside));
+    }
+    if let Some(diagnosis) = multiple_of_direction(ask, right, given, &slipped) {
+        return Some(diagnosis);
+    }
+    let of_table = |table: &Table| turned_round(ask, table).into_iter().find(|(_, t)| agreed(t).is_some());
+    if let Some((cause, _)) = of_table(right) {
+        return Some(Diagnosis::of(cause));
+    }
+    if ask.nature.has_signs() && has_signs_of(ask, given, right) {
+        let entry = only_wrong(ask, given, right);
+        return Some(Diagnosis { entry, ..Diagnosis::of(Cause::of(Mistake::Sign)) });
+    }
+    if is_rounded_too_early(ask, given, right) {
+        return Some(Diagnosis::of(Cause::of(Mistake::RoundedTooEarly)));
+    }
+    if let Some(entry) = only_wrong(ask, given, right) {
+        let others = right.entries.iter().enumerate().filter(|(k, of)| {
+            let at = entry[0] * right.columns.max(1) + entry[1];
+            *k != at && **of != 0.0
+        });
+        if ask.nature == Nature::Matrix && others.count() >= ENOUGH {
+            return Some(Diagnosis { entry: Some(entry), ..Diagnosis::of(Cause::of(Mistake::ArithmeticSlip)) });
+        }
+    }
+    let may_be = |slip: &Slip| !is_excluded(*slip, ask, beside);
+    let slipped: Vec<(Slip, Table)> = slipped.into_iter().filter(|(slip, _)| may_be(slip)).collect();
+    two_together(ask, expected, given, &slipped, |table| agreed(table).is_some(), of_table)
+}
+
+/// The diagnosis of slips that give the same numbers.
+fn one_of(slips: &[Slip]) -> Option<Diagnosis> {
+    let mut causes: Vec<Cause> = Vec::new();
+    for slip in slips {
+        if causes.iter().all(|cause| cause.mistake != slip.mistake()) {
+            causes.push(slip.cause());
+        }
+    }
+    let others = causes.split_off(causes.len().min(1));
+    (!causes.is_empty()).then(|| Diagnosis { others, ..Diagnosis::together(causes) })
+}
+
+/// The slips that the answers beside this one allow; only those that explain another wrong one, where some do.
+fn supported(slips: &[Slip], ask: &Ask, beside: Option<Beside<'_>>) -> Vec<Slip> {
+    let allowed: Vec<Slip> = slips.iter().copied().filter(|slip| !is_excluded(*slip, ask, beside)).collect();
+    let explains_another = |slip: &Slip| {
+        let mut others = beside.into_iter().flat_map(|beside| beside.answered(&ask.name));
+        others.any(|(other, answer)| {
+            let (wrong, given) = (other.expected().slipped(Slips::one(*slip)), numbers(answer, other));
+            !is_right(other, answer)
+                && wrong.zip(given).is_some_and(|(wrong, given)| {
+                    wrong.shape() == given.shape() && agreement(other, &given.entries, &wrong).is_some()
+                })
+        })
+    };
+    let explaining: Vec<Slip> = allowed.iter().copied().filter(explains_another).collect();
+    if explaining.is_empty() { allowed } else { explaining }
+}
+
+/// Whether a right answer beside this one would be wrong, had the slip been made.
+fn is_excluded(slip: Slip, ask: &Ask, beside: Option<Beside<'_>>) -> bool {
+    let mut others = beside.into_iter().flat_map(|beside| beside.answered(&ask.name));
+    others.any(|(other, answer)| {
+        let tables = other.expected().table().zip(other.expected().slipped(Slips::one(slip)));
+        tables.is_some_and(|(right, wrong)| {
+            wrong.shape() == right.shape()
+                && !other.accepts_all(&wrong.entries, &right)
+                && is_right(other, answer)
+                // In another reading the right one may be what the slip gives.
+                && !numbers(answer, other).is_some_and(|given| agreement(other, &given.entries, &wrong).is_some())
+        })
+    })
+}
+
+/// The slips, in the order of preference where several explain the same numbers: of a point and after an operation the
+/// last step first, of all else the axes.
+fn in_order_of_telling(expected: &Expected) -> Vec<Slip> {
+    let last_first = matches!(expected, Expected::Quantity(subject, path)
+        if matches!(path.quantity, Quantity::Point(..)) || !subject.operations.is_empty());
+    let (axes, others): (Vec<Slip>, Vec<Slip>) = Slip::ALL.iter().partition(|slip| slip.is_of_axes());
+    if last_first { [others, axes].concat() } else { [axes, others].concat() }
+}
+
+/// A vector along the right one, or against it where **n** may be reversed, that has not its length.
+fn multiple_of_direction(ask: &Ask, right: &Table, given: &[f64], slipped: &[(Slip, Table)]) -> Option<Diagnosis> {
+    let length = given.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if ask.nature != Nature::Direction || length == 0.0 || (length - 1.0).abs() < 0.01 {
+        return None;
+    }
+    let unit: Vec<f64> = given.iter().map(|x| x / length).collect();
+    let is_along = |table: &Table| {
+        table.entries.len() == unit.len()
+            && unit.iter().zip(&table.entries).all(|(given, of)| (given - of).abs() <= NOT_BY_CHANCE)
+    };
+    let not_normalised = Cause::of(Mistake::NotNormalised);
+    if is_along(right) {
+        return Some(Diagnosis::of(not_normalised));
+    }
+    let is_reversed = |(slip, table): &&(Slip, Table)| slip.mistake() == Mistake::NReversed && is_along(table);
+    let (slip, _) = slipped.iter().find(is_reversed)?;
+    Some(Diagnosis::together(vec![slip.cause(), not_normalised]))
+}
+
+/// What comes out where a matrix or all signs are turned round, as far as the nature of the question has such.
+fn turned_round(ask: &Ask, table: &Table) -> Vec<(Cause, Table)> {
+    let mut found = Vec::new();
+    let is_square = table.rows == table.columns && table.rows > 1;
+    if ask.nature == Nature::Matrix && is_square {
+        found.push((Cause { mistake: Mistake::Transposed, variant: "whole" }, table.transposed()));
+        found.extend(table.inverse().map(|inverse| (Cause::of(Mistake::Inverse), inverse)));
+    }
+    if ask.nature.has_signs() {
+        found.push((Cause::of(Mistake::Sign), table.map(|x| -x)));
+    }
+    found
+}
+
+/// Two slips, a slip in the wrong order, or a slip with one more number wrong.
+fn two_together(
+    ask: &Ask,
+    expected: &Expected,
+    given: &[f64],
+    slipped: &[(Slip, Table)],
+    explains: impl Fn(&Table) -> bool,
+    of_table: impl Fn(&Table) -> Option<(Cause, Table)>,
+) -> Option<Diagnosis> {
+    if given.iter().filter(|number| **number != 0.0).count() < ENOUGH {
+        return None;
+    }
+    let mut found: Option<[Cause; 2]> = None;
+    for (k, (first, _)) in slipped.iter().enumerate() {
+        for (second, _) in &slipped[k + 1..] {
+            let together = Slips::one(*first).and(*second);
+            if first.mistake() == second.mistake() || !expected.slipped(together).is_some_and(|table| explains(&table))
+            {
+                continue;
+            }
+            let pair = [first.cause(), second.cause()];
+            let is_other = |before: &[Cause; 2]| before.map(|cause| cause.mistake) != pair.map(|cause| cause.mistake);
+            // Several pairs that give the same are no evidence of any.
+            if found.as_ref().is_some_and(is_other) {
+                return None;
+            }
+            found = found.or(Some(pair));
+        }
+    }
+    if let Some(pair) = found {
+        return Some(Diagnosis::together(pair.to_vec()));
+    }
+    for (slip, table) in slipped {
+        if let Some((second, _)) = of_table(table).filter(|(second, _)| second.mistake != slip.mistake()) {
+            return Some(Diagnosis::together(vec![slip.cause(), second]));
+        }
+    }
+    // In few numbers one more that is wrong would explain anything.
+    const MANY: usize = 9;
+    let mut beside = slipped.iter().filter(|(_, table)| given.len() >= MANY && table.entries.len() == given.len());
+    beside.find_map(|(slip, table)| {
+        let entry = only_wrong(ask, given, table)?;
+        let causes = vec![slip.cause(), Cause::of(Mistake::ArithmeticSlip)];
+        Some(Diagnosis { entry: Some(entry), ..Diagnosis::together(causes) })
+    })
+}
+
+/// The relative distance of two numbers that do not agree by chance.
+const NOT_BY_CHANCE: f64 = 1e-4;
+
+/// The agreement of all numbers with those of a table.
+fn agreement(ask: &Ask, given: &[f64], table: &Table) -> Option<Agreement> {
+    if given.len() != table.entries.len() {
+        return None;
+    }
+    let (size, several) = (table.size(), given.len() > 1);
+    let each = |(given, of): (&f64, &f64)| {
+        // Of whole numbers the next one is another.
+        let is_whole = ask.whole && of.fract() == 0.0;
+        let exact = if is_whole { 1e-9 } else { NOT_BY_CHANCE };
+        let nothing = of.abs() <= 1e-9 * size;
+        if (given - of).abs() <= exact * if nothing { size } else { of.abs() } {
+            return Some(Agreement::Exact);
+        }
+        (!is_whole && is_as_written(*given, *of, several)).then_some(Agreement::AsWritten)
+    };
+    let worst = given.iter().zip(&table.entries).map(each).collect::<Option<Vec<_>>>()?;
+    worst.into_iter().max()
+}
+
+/// The significant digits and the decimals of a number, as short as it can be written.
+fn digits(number: f64) -> (usize, usize) {
+    let text = format!("{}", number.abs());
+    let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let significant = text.replace('.', "").trim_start_matches('0').len();
+    (significant, decimals)
+}
+
+/// Whether `of`, rounded as `given` is written, is `given`: at least two digits are equal; three, where it is the only
+/// number.
+fn is_as_written(given: f64, of: f64, several: bool) -> bool {
+    const LEAST: usize = 2;
+    let (significant, decimals) = digits(given);
+    let unit = |decimals: usize| 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(i32::MAX));
+    if given == 0.0 {
+        // Beside others with two decimals.
+        return several && of.abs() < unit(LEAST) / 2.0;
+    }
+    // The last digit of a long number may come from numbers that were rounded on the way.
+    let units = if significant > LEAST + 1 { 1.5 } else { 0.5 };
+    let least = if several { LEAST } else { LEAST + 1 };
+    decimals > 0 && significant >= least && (given - of).abs() <= units * unit(decimals) * (1.0 + 1e-9)
+}
+
+/// The row and column of the only entry that is wrong.
+fn only_wrong(ask: &Ask, given: &[f64], right: &Table) -> Option<[usize; 2]> {
+    let mut wrong = (0..given.len()).filter(|k| !ask.accepts(Some(given[*k]), right.entries[*k]));
+    let first = wrong.next()?;
+    wrong.next().is_none().then(|| [first / right.columns.max(1), first % right.columns.max(1)])
+}
+
+/// Only signs are wrong.
+fn has_signs_of(ask: &Ask, given: &[f64], right: &Table) -> bool {
+    given.iter().zip(&right.entries).all(|(given, right)| ask.accepts(Some(given.abs()), right.abs()))
+}
+
+/// Whether all that is wrong is the right number with fewer than three digits or decimals, at least one of them with
+/// two. Nobody rounds 0.23 to 0: whole numbers below 1 are a guess.
+fn is_rounded_too_early(ask: &Ask, given: &[f64], right: &Table) -> bool {
+    if ask.whole {
+        return false;
+    }
+    let wrong = || given.iter().zip(&right.entries).filter(|(given, right)| !ask.accepts(Some(**given), **right));
+    let several = wrong().count() > 1;
+    let is = |given: f64, right: f64| (given - right).abs() <= 1e-9 * right.abs().max(1.0);
+    let cut = |given: f64, right: f64| {
+        let to_decimals = [10.0, 100.0].iter().any(|unit| is(given, (right * unit).round() / unit));
+        is(given, rounded(right, 2)) || (several && (is(given, rounded(right, 1)) || to_decimals))
+    };
+    wrong().all(|(given, right)| cut(*given, *right)) && wrong().any(|(given, right)| is(*given, rounded(*right, 2)))
+}

@@ -1,0 +1,311 @@
+//! The ways in which a known mistake is made, each with numbers of its own.
+
+use super::mistake::Mistake;
+
+/// The cause of a wrong answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cause {
+    /// The mistake.
+    pub mistake: Mistake,
+    /// The name of the texts that tell this way of making it; empty where those of the mistake do.
+    pub variant: &'static str,
+}
+
+impl Cause {
+    pub(super) const fn of(mistake: Mistake) -> Self {
+        Self { mistake, variant: "" }
+    }
+}
+
+macro_rules! slips {
+    ($($(#[doc = $doc:literal])+ $name:ident = $mistake:ident $($variant:literal)?;)*) => {
+        /// One way of making a [`Mistake`]; some are made in several ways, which give different numbers.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Slip {
+            $($(#[doc = $doc])+ $name,)*
+        }
+
+        impl Slip {
+            /// All; where several explain the same numbers, the first is told first.
+            pub const ALL: &'static [Self] = &[$(Self::$name,)*];
+
+            /// The mistake that it is, and the way of making it.
+            #[must_use]
+            pub const fn cause(self) -> Cause {
+                match self {
+                    $(Self::$name => Cause { mistake: Mistake::$mistake, variant: concat!($($variant)?) },)*
+                }
+            }
+        }
+    };
+}
+
+slips! {
+    /// Nothing was done.
+    NothingDone = NotDone;
+    /// The direction of a ray is **n**, without the minus.
+    DirectionIsNormal = Sign "direction";
+    /// The axes in [0] of yaw and pitch.
+    PrintedAxes = AsPrinted "axes";
+    /// VUP is not turned with the camera, as [0] prints it of the elevation.
+    PrintedElevation = AsPrinted "elevation";
+    /// VUP is not turned with the camera.
+    ViewUpKept = NotDone "view-up";
+    /// **u** alone is reversed.
+    UReversedAlone = UReversed;
+    /// **u** is reversed, and **v** = **n** × **u** with it.
+    UReversed = UReversed;
+    /// **v** = **u** × **n**.
+    VReversed = VReversed;
+    /// **n** alone is reversed.
+    NReversedAlone = NReversed;
+    /// **n** is reversed, and **u** = VUP × **n** with it.
+    NReversed = NReversed;
+    /// **v** is VUP, of length 1.
+    UnitViewUpAsV = VupAsV;
+    /// **v** is VUP as it is given.
+    ViewUpAsV = VupAsV;
+    /// No vector is divided by its length.
+    NothingNormalised = NotNormalised;
+    /// **n** alone keeps its length.
+    NNotNormalised = NotNormalised;
+    /// **u** keeps its length, and **v** with it.
+    UNotNormalised = NotNormalised;
+    /// **u** alone keeps its length.
+    UNotNormalisedAlone = NotNormalised;
+    /// The direction of a ray keeps its length.
+    RayNotNormalised = NotNormalised;
+    /// The formula of VUV in [3], with a VPN that is not of length 1.
+    PrintedViewUp = AsPrinted "vuv";
+    /// That formula, and the result divided by its length.
+    PrintedViewUpUnit = AsPrinted "vuv";
+    /// −C in the last column.
+    TranslationNotRotated = TranslationNotRotated;
+    /// R C in the last column.
+    PositionNotNegated = PositionNotNegated;
+    /// C in the last column.
+    PositionAsItIs = PositionNotNegated;
+    /// θ in degrees put into tan.
+    Radians = Radians;
+    /// The angle of an operation in degrees put into sin and cos.
+    TurnInRadians = Radians;
+    /// tan θ for tan(θ/2).
+    WholeAngle = WholeAngle;
+    /// tan θ for 2 tan(θ/2): H = F tan θ.
+    WholeAngleOnce = WholeAngle;
+    /// H = F tan(θ/2).
+    HeightHalved = FactorTwo;
+    /// r = W, t = H.
+    SideWhole = FactorTwo;
+    /// F/W for 2F/W, 1/W for 2/W.
+    ScaleHalved = FactorTwo;
+    /// 2F/r for F/r.
+    ScaleDoubled = FactorTwo;
+    /// BF for 2BF.
+    DepthTermHalved = FactorTwo;
+    /// c_x = m.
+    CentreWhole = FactorTwo;
+    /// H = 2 tan(θ/2).
+    NearForgotten = NearForgotten;
+    /// 2/W for 2F/W.
+    NearForgottenInScale = NearForgotten "scale";
+    /// x_c/(−z_c).
+    NearForgottenOnWindow = NearForgotten;
+    /// H = 2 D tan(θ/2).
+    DistanceForNear = DistanceForNear;
+    /// 2D/W.
+    DistanceInScale = DistanceForNear;
+    /// D for F in the row of z.
+    DistanceInDepth = DistanceForNear;
+    /// D x_c/(−z_c).
+    DistanceOnWindow = DistanceForNear;
+    /// W = H / A.
+    AspectInverted = AspectInverted;
+    /// θ/s.
+    ZoomOnAngle = ZoomOnAngle;
+    /// θ s.
+    ZoomTimesAngle = ZoomOnAngle;
+    /// Multiplied by the factor, and not divided.
+    FactorInverted = Inverse "factor";
+    /// Clip coordinates without w.
+    NoDivide = NoDivide;
+    /// What the other projection has.
+    ProjectionsExchanged = ProjectionsExchanged;
+    /// The ray of a perspective camera begins at the point of the window.
+    WindowPointAsOrigin = ProjectionsExchanged;
+    /// The depth of a parallel camera.
+    LinearDepth = ProjectionsExchanged "depth";
+    /// Numbers of the VRC as those of the world.
+    ViewAsWorld = ViewAsWorld;
+    /// w = +z_c.
+    WSign = ZSign;
+    /// The row of z has the opposite signs.
+    DepthRowSign = ZSign;
+    /// Looking along +z_c: both.
+    LeftHanded = ZSign;
+    /// z_c with the opposite sign.
+    ViewDepthSign = ZSign;
+    /// Without the minus before the factor of z_c.
+    DepthScaleSign = Sign "depth";
+    /// Without the minus before the last number of the row of z.
+    DepthShiftSign = Sign "depth";
+    /// M_p for z_n in 0 … 1.
+    DepthRange = ZRange;
+    /// Z = z_n.
+    DepthNotMapped = ZRange;
+    /// The last row of (5.15) and (5.16).
+    PrintedLastRow = AsPrinted "last-row";
+    /// 2n of (5.11).
+    PrintedScale = AsPrinted "scale";
+    /// The back face of the frustum at −F.
+    PrintedBackFace = AsPrinted "back-face";
+    /// 1/B − F of (1-7).
+    PrintedThird = AsPrinted "third";
+    /// −F and −B in place of F and B, in the row of z.
+    NearFarAsCoordinates = NearFarAsCoordinates;
+    /// −F and −B everywhere.
+    NearFarAsCoordinatesEverywhere = NearFarAsCoordinates;
+    /// (j, i).
+    ColumnsAndRows = ColumnsAndRowsExchanged;
+    /// m for n, and n for m.
+    SizesExchanged = ColumnsAndRowsExchanged "sizes";
+    /// c_x and c_y exchanged.
+    CentresExchanged = ColumnsAndRowsExchanged "sizes";
+    /// Rows from the bottom.
+    YNotFlipped = YNotFlipped;
+    /// Without the half.
+    PixelCorner = PixelCorner;
+    /// The principal point where whole numbers are middles of pixels.
+    CentresAtWhole = PixelCorner "principal-point";
+    /// Without ⌊ ⌋.
+    NotFloored = NotFloored;
+    /// Rounded to the nearest whole number.
+    RoundedNotFloored = RoundedNotFloored;
+    /// From 1.
+    OneBased = OneBased;
+    /// Z from 0 to 1.
+    DepthRangeIgnored = DepthRangeIgnored;
+    /// Without X and Y of the viewport.
+    OffsetIgnored = OffsetIgnored;
+    /// t along the segment of NDC.
+    ClipAfterDivide = ClipAfterDivide;
+    /// The point where the segment leaves.
+    EntryExit = EntryExitExchanged;
+    /// The opposite angle.
+    OppositeAngle = OppositeAngle;
+    /// A rotation about **u** through PF.
+    Elevated = OtherOperation "elevation";
+    /// A rotation about **v** through PF.
+    Turned = OtherOperation "azimuth";
+    /// A rotation about **n**.
+    Rolled = OtherOperation "roll";
+    /// A rotation about **v** through C.
+    Yawed = OtherOperation "yaw";
+    /// A rotation about **u** through C.
+    Pitched = OtherOperation "pitch";
+    /// C moved by the factor.
+    Dollied = OtherOperation "dolly";
+    /// The window divided by the factor.
+    Zoomed = OtherOperation "zoom";
+    /// A rotation about an axis of the world.
+    WorldAxis = WorldAxis;
+    /// A rotation about VUP.
+    ViewUpAxis = WorldAxis "view-up";
+    /// A rotation or a scale about the origin, of C or PF alone.
+    ThroughOrigin = ThroughOrigin;
+    /// A rotation about the origin of all that is turned.
+    ThroughOriginAll = ThroughOrigin;
+    /// Factors or operations in the opposite order.
+    OrderReversed = OrderReversed;
+    /// R T S.
+    OrderRts = OrderReversed;
+    /// T S R.
+    OrderTsr = OrderReversed;
+    /// S T R.
+    OrderStr = OrderReversed;
+    /// R S T.
+    OrderRst = OrderReversed;
+    /// Planes of a pair exchanged: left and right, bottom and top, near and far.
+    PairsExchanged = OrderReversed;
+    /// Left and right, bottom and top exchanged.
+    SidesExchanged = OrderReversed;
+    /// l, b, r, t.
+    SidesByPairs = OrderReversed;
+    /// The place of each thing in the order, and not the things.
+    RankOfEach = OrderReversed "ranks";
+    /// A missing division by the length, in a question of a family.
+    LengthForgotten = NotNormalised;
+    /// Rows for columns, in a question of a family.
+    Transposed = Transposed "block";
+    /// The inverse, in a question of a family.
+    Inverted = Inverse "factor";
+    /// A step of the buffer, and not the distance that it is.
+    StepNotConverted = NotDone "step";
+    /// A point through M_v^{-1}.
+    ViewInverted = Inverse;
+    /// The axes are the columns of M_v, beside −R C.
+    AxesAsColumnsAlone = Transposed "block";
+    /// The axes are the columns of M_v, also where they are multiplied by −C.
+    AxesAsColumns = Transposed "block";
+}
+
+impl Slip {
+    /// The mistake that it is.
+    #[must_use]
+    pub const fn mistake(self) -> Mistake {
+        self.cause().mistake
+    }
+
+    /// Whether it is made where the axes of the camera are computed.
+    #[must_use]
+    pub const fn is_of_axes(self) -> bool {
+        matches!(
+            self,
+            Self::DirectionIsNormal
+                | Self::UReversedAlone
+                | Self::UReversed
+                | Self::VReversed
+                | Self::NReversedAlone
+                | Self::NReversed
+                | Self::UnitViewUpAsV
+                | Self::ViewUpAsV
+                | Self::NothingNormalised
+                | Self::NNotNormalised
+                | Self::UNotNormalised
+                | Self::UNotNormalisedAlone
+        )
+    }
+}
+
+/// The slips that are made together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Slips(u128);
+
+impl Slips {
+    /// None: the right way.
+    pub const NONE: Self = Self(0);
+
+    /// One.
+    #[must_use]
+    pub const fn one(slip: Slip) -> Self {
+        Self(1 << slip as u128)
+    }
+
+    /// One more.
+    #[must_use]
+    pub const fn and(self, slip: Slip) -> Self {
+        Self(self.0 | 1 << slip as u128)
+    }
+
+    /// Whether it is made.
+    #[must_use]
+    pub const fn has(self, slip: Slip) -> bool {
+        self.0 & (1 << slip as u128) != 0
+    }
+
+    /// Whether any of these is made.
+    #[must_use]
+    pub fn any(self, slips: &[Slip]) -> bool {
+        slips.iter().any(|slip| self.has(*slip))
+    }
+}
