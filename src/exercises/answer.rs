@@ -120,7 +120,8 @@ fn numbers(text: &str, ask: &Ask, names: &[(&str, f64)]) -> Result<Answer, Answe
     let dimension = if ask.unit == Unit::Degrees { Dimension::Angle } else { Dimension::Number };
     let is_matrix = matches!(ask.kind, Kind::Matrix(..));
     let number = |text: &str| expression::evaluate_with(text, dimension, names);
-    let (text, factor) = without_factor(text, number).unwrap_or((text, 1.0));
+    let product = if ask.kind == Kind::Number { None } else { without_factor(text, number) };
+    let (text, factor) = product.unwrap_or((text, 1.0));
     let [asked_rows, asked_columns] = ask.shape();
     let asked = if is_matrix { asked_columns } else { asked_rows };
     let reads = |part: &str| is_gap(part) || number(part).is_ok();
@@ -179,13 +180,18 @@ fn without_factor<E>(text: &str, number: impl Fn(&str) -> Result<f64, E>) -> Opt
     let before = before.trim_end_matches(['*', '×', '·']).trim_end();
     let before = before.strip_suffix(r"\cdot").unwrap_or(before);
     // 1*[…]/2 and -[…]; what stands after it begins with its sign.
-    let factor = if matches!(before, "-" | "−" | "–") {
-        -1.0
-    } else {
-        number(if before.is_empty() { "1" } else { before }).ok()?
+    let before = match before {
+        "" => "1".to_owned(),
+        "-" | "−" | "–" => "-1".to_owned(),
+        other => other.to_owned(),
     };
-    let after = if after.is_empty() { 1.0 } else { number(&format!("1{after}")).ok()? };
-    (after.is_finite() && factor.is_finite()).then_some((list, factor * after))
+    // Of a sum only a part would be multiplied.
+    let scales = |one: f64, twice: f64| ((2.0 * one - twice).abs() <= 1e-9 * twice.abs()).then_some(one);
+    let factor = scales(number(&before).ok()?, number(&format!("2*{before}")).ok()?)?;
+    let share = scales(number(&format!("1{after}")).ok()?, number(&format!("2{after}")).ok()?)?;
+    // 1[…]5 is no product.
+    let is_product = after.is_empty() || after.starts_with(['/', '*', '÷', '×', '·']);
+    (is_product && (factor * share).is_finite()).then_some((list, factor * share))
 }
 
 /// The bytes of the last parentheses with a list between them.

@@ -436,6 +436,12 @@ fn answers_are_read_as_students_write_them() {
         assert!(judged("basis", 1, "n", text).right, "{text}");
     }
     assert!(judged("window", 1, "H", "tan 20°").right);
+    assert!(judged("window", 1, "H", "2*(0,5)/2 + tan(20°) − 0,5").right);
+    for text in ["1 + 2*[1, 1, 1]", "[1, 1, 1]/2 + 1", "[1, 1, 1]2", "x*[1, 1, 1]"] {
+        let exercise = exercise("basis", 1);
+        let ask = exercise.asks.iter().find(|ask| ask.name == "n").unwrap();
+        assert!(read_answer(text, ask, &[]).is_err(), "{text}");
+    }
     assert!(judged("window", 1, "H", r"\tan{20^\circ}").right);
     let rows = right("view-matrix", 1, "Mv");
     let blanks: Vec<String> =
@@ -508,5 +514,40 @@ fn directions_of_any_length_are_told() {
         assert_eq!(verdict("basis", 200, "n", vector(&(n * factor).to_array())), "not-normalised");
         let told = verdict("basis", 200, "n", vector(&(-n * factor).to_array()));
         assert_eq!(told, "n-reversed+not-normalised");
+    }
+}
+
+/// The four usual wrong answers to `[0]` 5.1.
+#[test]
+fn projections_and_spaces_that_are_exchanged_in_5_1_are_told() {
+    let root = "1/√2";
+    for (name, answer, code) in [
+        ("parallel_origin", "[3, 4, 0]".to_owned(), "projections-exchanged"),
+        ("parallel_origin", "[4, 5, 0]".to_owned(), "view-as-world"),
+        ("perspective_origin", "[11/5, 23/5, -1]".to_owned(), "projections-exchanged"),
+        ("perspective_direction", format!("[{root}, {root}, 0]"), "view-as-world"),
+        ("perspective_direction", "[-3/5, -4/5, 0]".to_owned(), "projections-exchanged"),
+    ] {
+        let told = verdict("0-5.1", 0, name, &*answer);
+        assert!(is_one_of(&told, code), "{name} {answer}: {told}");
+    }
+}
+
+/// B5.
+#[test]
+fn portuguese_statements_do_not_mix_separators() {
+    let is_decimal = |text: &str| {
+        let bytes = text.as_bytes();
+        bytes.windows(3).any(|w| w[0].is_ascii_digit() && w[1] == b',' && w[2].is_ascii_digit())
+    };
+    for entry in camera_lab::exercises::entries() {
+        for seed in 0..if entry.is_family { 20 } else { 1 } {
+            let exercise = entry.exercise(seed, &Free::new());
+            for paragraph in said::statement(Lang::PtBr, &exercise) {
+                for group in paragraph.split('(').skip(1).filter_map(|rest| rest.split(')').next()) {
+                    assert!(!(is_decimal(group) && group.contains(", ")), "{} {seed}: ({group})", entry.id);
+                }
+            }
+        }
     }
 }
