@@ -8,7 +8,7 @@
 //! sign    = { "−" | "+" } power
 //! power   = unit [ "^" ( sign | group ) ]
 //! unit    = atom { "°" | "%" }
-//! atom    = number | "pi" | "(" sum ")" | function ( "(" sum ")" | group | power ) | "√" unit | "\\frac" group group
+//! atom    = number | "pi" | "(" sum ")" | function ( "(" sum ")" | group | number "°" ) | "√" unit | "\\frac" group group
 //! group   = "{" sum "}"
 //! ```
 //!
@@ -386,15 +386,14 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// What a function is taken of: in parentheses, in braces, or what follows it, as in `tan 20°`.
+    /// What a function is taken of: in parentheses, in braces, or an angle in degrees, as in `tan 20°`.
     fn argument(&mut self, dimension: Dimension) -> Result<Quantity, ExpressionError> {
         match self.peek() {
             Some('{') => self.group(dimension),
-            Some(c) if c.is_ascii_digit() || c.is_alphabetic() || matches!(c, '√' | '\\') => {
-                let outer = std::mem::replace(&mut self.dimension, dimension);
-                let value = self.power()?;
-                self.dimension = outer;
-                Ok(value)
+            Some(c) if c.is_ascii_digit() && dimension == Dimension::Angle => {
+                let unexpected = self.unexpected(c);
+                let value = self.unit()?;
+                if matches!(value, Quantity::Degrees(_)) { Ok(value) } else { Err(unexpected) }
             }
             _ => self.parenthesis(dimension),
         }

@@ -1,14 +1,46 @@
 //! The known mistake that explains a wrong answer: told only where the answer is what the mistake gives, and with all
 //! others that give the same.
 
+use std::sync::Arc;
+
+use super::acceptance::{is_right, rounded};
+use super::beside::{Beside, numbers};
 use super::exercise::{Ask, Expected};
-use super::follows::{Beside, numbers};
-use super::judge::{Diagnosis, is_right, rounded};
 use super::mistake::Mistake;
 use super::nature::Nature;
+use super::own_texts::OwnMistake;
 use super::slip::{Cause, Slip, Slips};
 use super::value::Table;
 use crate::inspect::quantity::Quantity;
+
+/// The known mistakes that give the numbers of an answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagnosis {
+    /// One, or two that were made together; the first is the one that comes first on the way. None where `own` is not
+    /// among the known ones.
+    pub causes: Vec<Cause>,
+    /// Other mistakes that give the same numbers, the likelier first.
+    pub others: Vec<Cause>,
+    /// The row and column of a single faulty number, from 0.
+    pub entry: Option<[usize; 2]>,
+    /// The wrong answer that a lecturer expected, with its message.
+    pub own: Option<Arc<OwnMistake>>,
+}
+
+impl Diagnosis {
+    pub(super) fn of(cause: Cause) -> Self {
+        Self::together(vec![cause])
+    }
+
+    pub(super) fn together(causes: Vec<Cause>) -> Self {
+        Self { causes, others: Vec::new(), entry: None, own: None }
+    }
+
+    /// The mistakes, all that may be: those of the causes before the others.
+    pub fn mistakes(&self) -> impl Iterator<Item = Mistake> {
+        self.causes.iter().chain(&self.others).map(|cause| cause.mistake)
+    }
+}
 
 /// Numbers, not 0, that have to agree before two mistakes together are told, or one number alone is wrong.
 const ENOUGH: usize = 4;

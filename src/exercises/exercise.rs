@@ -3,7 +3,6 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::answer::Answer;
 use super::follows::Follows;
 use super::mistake::Mistake;
 use super::nature::Nature;
@@ -130,6 +129,18 @@ pub enum Kind {
     Camera,
 }
 
+impl Kind {
+    const fn nature(&self) -> Nature {
+        match self {
+            Self::Number => Nature::Number,
+            Self::Vector(_) => Nature::Vector,
+            Self::Matrix(..) => Nature::Matrix,
+            Self::Choice(_) => Nature::Choice,
+            Self::Camera => Nature::Camera,
+        }
+    }
+}
+
 /// The quantity that a number measures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unit {
@@ -166,14 +177,6 @@ pub struct Reading {
     pub expected: Expected,
     /// Its first two numbers are real: whole ones were rounded.
     pub is_real: bool,
-}
-
-impl Reading {
-    /// Whether an answer can be meant so.
-    pub(super) fn allows(&self, answer: &Answer) -> bool {
-        let Answer::Numbers { entries, .. } = answer else { return true };
-        !self.is_real || entries.iter().take(2).flatten().any(|number| number.fract() != 0.0)
-    }
 }
 
 /// Computes a table; with slips, as it comes out when they are made. `None`: nothing comes out, or the slip can't be
@@ -241,7 +244,7 @@ impl Ask {
         let tolerance = expected.table().map_or(TOLERANCE, |right| tolerance_of(&right));
         Self {
             name: name.to_owned(),
-            nature: Nature::of_kind(&kind),
+            nature: kind.nature(),
             kind,
             unit: Unit::None,
             tolerance,

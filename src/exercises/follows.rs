@@ -1,13 +1,10 @@
-//! Answers that follow from one another: a value that is right for a student's own wrong one.
+//! The ways from answers of an exercise to another one.
 
 use std::fmt;
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::answer::Answer;
-use super::exercise::{Ask, Exercise};
-use super::judge::is_right;
 use super::value::Table;
 
 /// A way to an answer from other answers of the same exercise; a choice is its number, from 0.
@@ -25,112 +22,7 @@ impl fmt::Debug for Follows {
     }
 }
 
-/// The other answers of a student to the questions of an exercise.
-#[derive(Clone, Copy, Debug)]
-pub struct Beside<'a> {
-    /// The exercise.
-    pub exercise: &'a Exercise,
-    /// The names of the questions, and the answers.
-    pub answers: &'a [(String, Answer)],
-}
-
-impl<'a> Beside<'a> {
-    fn ask(&self, name: &str) -> Option<&'a Ask> {
-        self.exercise.asks.iter().find(|ask| ask.name == name)
-    }
-
-    /// The other questions that were answered.
-    pub(super) fn answered(self, except: &'a str) -> impl Iterator<Item = (&'a Ask, &'a Answer)> {
-        let others = self.answers.iter().filter(move |(name, _)| name != except);
-        others.filter_map(move |(name, answer)| Some((self.ask(name)?, answer)))
-    }
-
-    /// The names of the first wrong answers from which an answer follows; none where it does not.
-    pub(super) fn carried(&self, ask: &'a Ask, answer: &Answer) -> Vec<String> {
-        let Some(given) = numbers(answer, ask) else { return Vec::new() };
-        ask.follows.iter().find_map(|way| self.along(way, ask, &given)).unwrap_or_default()
-    }
-
-    fn along(&self, way: &Follows, ask: &'a Ask, given: &Table) -> Option<Vec<String>> {
-        let asks: Vec<&Ask> = way.from.iter().filter_map(|name| self.ask(name)).collect();
-        if asks.len() != way.from.len() {
-            return None;
-        }
-        let rights: Vec<Table> = asks.iter().map(|ask| right(ask)).collect::<Option<_>>()?;
-        let answers: Vec<Option<&Answer>> = asks
-            .iter()
-            .map(|ask| self.answers.iter().find(|(name, _)| *name == ask.name).map(|(_, answer)| answer))
-            .collect();
-        let is_wrong: Vec<bool> = asks
-            .iter()
-            .zip(&answers)
-            .map(|(ask, answer)| answer.is_some_and(|answer| !is_right(ask, answer)))
-            .collect();
-        let wrong = |k: usize| answers[k].filter(|_| is_wrong[k]).and_then(|answer| numbers(answer, asks[k]));
-        let tables: Vec<Table> = (0..asks.len()).map(|k| wrong(k).unwrap_or_else(|| rights[k].clone())).collect();
-        let gives = |tables: &[Table]| {
-            let found = (way.compute)(tables);
-            found.is_some_and(|found| found.shape() == given.shape() && ask.accepts_all(&given.entries, &found))
-        };
-        if !is_wrong.contains(&true) || !gives(&tables) {
-            return None;
-        }
-        // What follows as well from the right value is not carried from the wrong one.
-        let without = |k: usize| {
-            let mut tables = tables.clone();
-            tables[k].clone_from(&rights[k]);
-            tables
-        };
-        let matters = (0..asks.len()).filter(|k| is_wrong[*k] && !gives(&without(*k)));
-        let mut names = Vec::new();
-        for k in matters {
-            // The first cause, and not each answer on the way.
-            let earlier = answers[k].map(|answer| self.carried(asks[k], answer)).unwrap_or_default();
-            let found = if earlier.is_empty() { vec![asks[k].name.clone()] } else { earlier };
-            names.extend(found.into_iter().filter(|name| !names.contains(name)).collect::<Vec<_>>());
-        }
-        (!names.is_empty()).then_some(names)
-    }
-}
-
-/// The right answer as a table; `None` for cameras.
-fn right(ask: &Ask) -> Option<Table> {
-    match ask.expected() {
-        super::Expected::Choice(right, ..) => choice(*right),
-        expected => expected.table(),
-    }
-}
-
-fn choice(index: usize) -> Option<Table> {
-    Some(Table::number(f64::from(u32::try_from(index).ok()?)))
-}
-
-/// An answer without gaps, in the shape of its question.
-pub(super) fn numbers(answer: &Answer, ask: &Ask) -> Option<Table> {
-    match answer {
-        Answer::Numbers { rows, columns, entries } if [*rows, *columns] == ask.shape() => {
-            let entries = entries.iter().copied().collect::<Option<Vec<f64>>>()?;
-            Some(Table { rows: *rows, columns: *columns, entries })
-        }
-        Answer::Choice(index) => choice(*index),
-        _ => None,
-    }
-}
-
 /// A vector of length 1 along another.
 pub(super) fn unit(v: DVec3) -> Option<DVec3> {
     v.try_normalize()
-}
-
-/// The axes of an exercise that asks for **n**, **u** = VUP × **n** and **v** = **n** × **u**.
-pub(super) fn axes(asks: Vec<Ask>, view_up: DVec3) -> Vec<Ask> {
-    let of_normal = move |tables: &[Table]| unit(view_up.cross(tables[0].vector()?));
-    let along = |ask: Ask| match ask.name.as_str() {
-        "u" => ask.following(&["n"], move |tables| of_normal(tables).map(Table::from)),
-        "v" => ask
-            .following(&["n", "u"], |tables| Some(Table::from(tables[0].vector()?.cross(tables[1].vector()?))))
-            .following(&["n"], move |tables| Some(Table::from(unit(tables[0].vector()?.cross(of_normal(tables)?))?))),
-        _ => ask,
-    };
-    asks.into_iter().map(along).collect()
 }

@@ -3,14 +3,14 @@
 
 use std::sync::Arc;
 
+use super::acceptance::{allows, is_right};
 use super::answer::Answer;
-use super::diagnose::diagnose;
+use super::beside::Beside;
+use super::diagnose::{Diagnosis, diagnose};
 use super::exercise::{Ask, Expected};
-use super::follows::Beside;
 use super::mistake::Mistake;
 use super::own_texts::{ExpectedAnswer, OwnMistake};
 use super::slip::Cause;
-use super::value::Table;
 use crate::camera::Camera;
 
 /// The verdict on an answer.
@@ -37,35 +37,6 @@ pub struct Judged {
     pub first_step: usize,
     /// The answer as understood.
     pub understood: Answer,
-}
-
-/// The known mistakes that give the numbers of an answer.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Diagnosis {
-    /// One, or two that were made together; the first is the one that comes first on the way. None where `own` is not
-    /// among the known ones.
-    pub causes: Vec<Cause>,
-    /// Other mistakes that give the same numbers, the likelier first.
-    pub others: Vec<Cause>,
-    /// The row and column of a single faulty number, from 0.
-    pub entry: Option<[usize; 2]>,
-    /// The wrong answer that a lecturer expected, with its message.
-    pub own: Option<Arc<OwnMistake>>,
-}
-
-impl Diagnosis {
-    pub(super) fn of(cause: Cause) -> Self {
-        Self::together(vec![cause])
-    }
-
-    pub(super) fn together(causes: Vec<Cause>) -> Self {
-        Self { causes, others: Vec::new(), entry: None, own: None }
-    }
-
-    /// The mistakes, all that may be: those of the causes before the others.
-    pub fn mistakes(&self) -> impl Iterator<Item = Mistake> {
-        self.causes.iter().chain(&self.others).map(|cause| cause.mistake)
-    }
 }
 
 /// Judges an answer that has been read, by itself.
@@ -97,17 +68,6 @@ fn first_step(ask: &Ask, beside: Beside<'_>) -> usize {
     open.unwrap_or(steps.len().saturating_sub(1))
 }
 
-/// Whether an answer is right in one of the readings.
-pub(super) fn is_right(ask: &Ask, answer: &Answer) -> bool {
-    ask.readings.iter().filter(|reading| reading.allows(answer)).any(|reading| match (&reading.expected, answer) {
-        (expected, Answer::Numbers { rows, columns, entries }) => expected.table().is_some_and(|right| {
-            [*rows, *columns] == right.shape()
-                && entries.iter().zip(&right.entries).all(|(given, right)| ask.accepts(*given, *right))
-        }),
-        (expected, other) => judge_in(ask, expected, other, None).right,
-    })
-}
-
 fn judge_in_context(ask: &Ask, answer: Answer, beside: Option<Beside<'_>>) -> Judged {
     let judged = judge_readings(ask, answer, beside);
     // The message of its author comes before general knowledge.
@@ -124,7 +84,7 @@ fn judge_readings(ask: &Ask, answer: Answer, beside: Option<Beside<'_>>) -> Judg
     let in_readings = ask
         .readings
         .iter()
-        .filter(|reading| reading.allows(&answer))
+        .filter(|reading| allows(reading, &answer))
         .map(|reading| Judged { reading: reading.name, ..judge_in(ask, &reading.expected, &answer, beside) });
     let mut best: Option<Judged> = None;
     for judged in in_readings {
@@ -208,20 +168,6 @@ fn same_volume(a: &Camera, b: &Camera) -> bool {
 }
 
 impl Ask {
-    /// Whether a number is right where `right` is.
-    #[must_use]
-    pub fn accepts(&self, given: Option<f64>, right: f64) -> bool {
-        let Some(given) = given else { return false };
-        if self.whole {
-            return (given - right).abs() <= 1e-9 * right.abs().max(1.0);
-        }
-        // The error of a decimal number in f64 relative to the intended one.
-        let rest = 1e-12 * right.abs();
-        // The least of a number that is 0 but for its error has no size.
-        let share = if right.abs() <= 1e-9 * self.tolerance { f64::INFINITY } else { self.share * right.abs() };
-        (given - right).abs() <= self.tolerance.min(share) + rest || is_rounded(given, right, rest)
-    }
-
     /// The wrong answer that was expected, and is this one.
     fn own_mistake(&self, answer: &Answer) -> Option<Arc<OwnMistake>> {
         let is = |own: &&Arc<OwnMistake>| match (&own.answer, answer) {
@@ -234,19 +180,4 @@ impl Ask {
         };
         self.own_mistakes.iter().find(is).cloned()
     }
-
-    pub(super) fn accepts_all(&self, given: &[f64], right: &Table) -> bool {
-        given.len() == right.entries.len()
-            && given.iter().zip(&right.entries).all(|(given, right)| self.accepts(Some(*given), *right))
-    }
-}
-
-/// Whether `given` is `right`, rounded to three or more significant digits.
-fn is_rounded(given: f64, right: f64, rest: f64) -> bool {
-    (3..=16).any(|digits| (given - rounded(right, digits)).abs() <= rest)
-}
-
-/// A number rounded to this many significant digits.
-pub(super) fn rounded(value: f64, digits: usize) -> f64 {
-    format!("{:.*e}", digits.saturating_sub(1), value).parse().unwrap_or(value)
 }

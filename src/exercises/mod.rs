@@ -7,11 +7,13 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `acceptance` | right answers: the numbers, choices and cameras that are accepted |
 //! | `answer` | answers as they are typed: `1/sqrt(3)`, `[1, 0, 0]`, `[[1 |
+//! | `beside` | the answers beside another one: what follows from them is right for a student's own wrong value |
 //! | `diagnose` | the known mistake that explains a wrong answer, on evidence |
 //! | `exercise` | an exercise: the facts of its statement, its questions, and the right answers |
 //! | `families/` | families: exercises whose numbers come from a seed |
-//! | `follows` | answers that follow from one another: right for a student's own wrong value |
+//! | `follows` | the ways from answers of an exercise to another one |
 //! | `judge` | judging an answer: its right entries, the known mistake that explains the wrong ones, and the answers from which it follows |
 //! | `mistake` | the known mistakes: deviations of students from the notes |
 //! | `notes/` | the exercises of the notes: `[0]` 5.1 to 5.3, `[1]` I to III |
@@ -28,7 +30,9 @@
 //! | `value` | the values of answers |
 //! | `worked` | worked steps: the formulas of the notes with the numbers of an exercise put in |
 
+mod acceptance;
 mod answer;
+mod beside;
 mod diagnose;
 mod exercise;
 pub mod families;
@@ -53,9 +57,10 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 pub use answer::{Answer, AnswerError, read_answer, uses_names};
+pub use beside::Beside;
+pub use diagnose::Diagnosis;
 pub use exercise::{Ask, Compute, Conditions, Exercise, Expected, Fact, Kind, Reading, TOLERANCE, Unit};
-pub use follows::Beside;
-pub use judge::{Diagnosis, Judged, judge_answer};
+pub use judge::{Judged, judge_answer};
 pub use mistake::Mistake;
 pub use nature::Nature;
 pub use own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};

@@ -1,6 +1,5 @@
 //! The nature of what is asked for: which general mistakes can be made in it, and which hints help.
 
-use super::exercise::Kind;
 use crate::camera::ParameterKey;
 use crate::inspect::quantity::{PointNumber, Quantity, RayNumber, WindowNumber};
 
@@ -32,16 +31,6 @@ pub enum Nature {
 }
 
 impl Nature {
-    pub(super) const fn of_kind(kind: &Kind) -> Self {
-        match kind {
-            Kind::Number => Self::Number,
-            Kind::Vector(_) => Self::Vector,
-            Kind::Matrix(..) => Self::Matrix,
-            Kind::Choice(_) => Self::Choice,
-            Kind::Camera => Self::Camera,
-        }
-    }
-
     /// The nature of a quantity; `None` where its kind says it.
     pub(super) fn of_quantity(quantity: Quantity) -> Option<Self> {
         match quantity {

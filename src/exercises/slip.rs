@@ -127,6 +127,10 @@ slips! {
     ZoomTimesAngle = ZoomOnAngle;
     /// Multiplied by the factor, and not divided.
     FactorInverted = Inverse "factor";
+    /// t along the segment of NDC.
+    ClipAfterDivide = ClipAfterDivide;
+    /// The point where the segment leaves.
+    EntryExit = EntryExitExchanged;
     /// Clip coordinates without w.
     NoDivide = NoDivide;
     /// What the other projection has.
@@ -187,10 +191,6 @@ slips! {
     DepthRangeIgnored = DepthRangeIgnored;
     /// Without X and Y of the viewport.
     OffsetIgnored = OffsetIgnored;
-    /// t along the segment of NDC.
-    ClipAfterDivide = ClipAfterDivide;
-    /// The point where the segment leaves.
-    EntryExit = EntryExitExchanged;
     /// The opposite angle.
     OppositeAngle = OppositeAngle;
     /// A rotation about **u** through PF.

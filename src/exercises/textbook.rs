@@ -211,8 +211,11 @@ impl<'a> Textbook<'a> {
         let [u, v, n] = self.axes();
         let across = u * x + v * y;
         let in_perspective = self.projection() == Projection::Perspective;
-        let is_reversed = slips.any(&[Slip::ViewDepthSign, Slip::LeftHanded])
-            || (slips.has(Slip::DirectionIsNormal) && !in_perspective);
+        let is_reversed = if in_perspective {
+            slips.any(&[Slip::ViewDepthSign, Slip::LeftHanded])
+        } else {
+            slips.has(Slip::DirectionIsNormal)
+        };
         let forward = if is_reversed { n } else { -n };
         let position = self.camera.position();
         Some(match number {

@@ -267,7 +267,7 @@ fn of_other_operations(exercise: &Exercise) -> Vec<Wrong> {
     match exercise.subject.operations[0] {
         Operation::Zoom(s) => {
             let mut wrong = vec![("H", vec![size.y], "not-done"), ("H", vec![size.y * s], "inverse")];
-            if p.projection == Projection::Perspective {
+            if p.projection == Projection::Perspective && p.view_angle / s < 180.0 {
                 wrong.push(("theta", vec![p.view_angle / s], "zoom-on-angle"));
             }
             wrong

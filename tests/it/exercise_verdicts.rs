@@ -253,7 +253,7 @@ fn segments_have_reasons_of_their_own() {
         let said = text("painter", seed, "order", &format!("[{reversed}]"), Lang::En);
         assert!(said.contains("farthest") && !said.contains("A B p"), "{said}");
     }
-    assert_eq!(verdict("clip-segment", 31, "t_in", "1/7"), "clip-after-divide");
+    assert!(verdict("clip-segment", 31, "t_in", "1/7").starts_with("clip-after-divide"));
 }
 
 /// A12.

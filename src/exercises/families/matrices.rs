@@ -1,8 +1,10 @@
 //! The axes of a camera, its window, and its matrices.
 
+use glam::DVec3;
+
 use super::cameras::{about, any_projection, camera, lens_camera, numbers, subject};
 use crate::camera::{Parameters, Projection, ViewWindow};
-use crate::exercises::{Ask, Entry, Exercise, follows};
+use crate::exercises::{Ask, Entry, Exercise, Table, follows};
 use crate::inspect::quantity::{BasisAxis, Quantity, ReportMatrix, WindowNumber};
 
 pub(super) const BASIS: Entry = Entry::family("basis", "[0] §5.2, (5.2), (5.3)", |seed, _| basis(seed));
@@ -20,7 +22,7 @@ pub(super) const ASYMMETRIC_WINDOW: Entry =
 fn basis(seed: u64) -> Exercise {
     let subject = subject(camera(&mut numbers("basis", seed), Projection::Perspective));
     let asks = BasisAxis::ALL.iter().map(|axis| Ask::quantity(axis.name(), &subject, Quantity::Axis(*axis)));
-    let asks = follows::axes(asks.collect(), subject.figure.camera.view_up);
+    let asks = axes(asks.collect(), subject.figure.camera.view_up);
     Exercise { asks, ..about(subject) }
 }
 
@@ -72,4 +74,19 @@ fn asymmetric_window(seed: u64) -> Exercise {
     let subject = subject(camera);
     let asks = vec![Ask::quantity("Mp", &subject, Quantity::Matrix(ReportMatrix::Projection))];
     Exercise { asks, ..about(subject) }
+}
+
+/// The axes of an exercise that asks for **n**, **u** = VUP × **n** and **v** = **n** × **u**.
+fn axes(asks: Vec<Ask>, view_up: DVec3) -> Vec<Ask> {
+    let of_normal = move |tables: &[Table]| follows::unit(view_up.cross(tables[0].vector()?));
+    let along = |ask: Ask| match ask.name.as_str() {
+        "u" => ask.following(&["n"], move |tables| of_normal(tables).map(Table::from)),
+        "v" => ask
+            .following(&["n", "u"], |tables| Some(Table::from(tables[0].vector()?.cross(tables[1].vector()?))))
+            .following(&["n"], move |tables| {
+                Some(Table::from(follows::unit(tables[0].vector()?.cross(of_normal(tables)?))?))
+            }),
+        _ => ask,
+    };
+    asks.into_iter().map(along).collect()
 }

@@ -37,7 +37,7 @@ fn solve(progress: &mut Progress, entry: &Entry, seed: u64, now: u64) {
 fn what_is_kept_is_the_same_after_it_was_written_and_read() {
     let mut progress = Progress::default();
     assert!(progress.is_empty() && progress.to_toml().is_empty());
-    assert!(!answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 1_000));
+    assert!(!answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 1_000));
     progress.opened("0-5.1", 0, "parallel_direction", 2);
     progress.opened("0-5.1", 0, "parallel_direction", 1);
     progress.begin("basis", u64::MAX);
@@ -50,7 +50,7 @@ fn what_is_kept_is_the_same_after_it_was_written_and_read() {
     assert_eq!((tried.tries, tried.solved, tried.last), (1, 0, Some(1_000)));
     assert_eq!(tried.hints["parallel_direction"], 2);
     let made = read.mistakes().next().unwrap();
-    assert_eq!((made.0, made.1.times, made.1.last, made.1.is_open), (Mistake::NReversed, 1, 1_000, true));
+    assert_eq!((made.0, made.1.times, made.1.last, made.1.is_open), (Mistake::VupAsV, 1, 1_000, true));
     assert_eq!(read.tried("basis").unwrap().seed, u64::MAX);
     assert_eq!((read.stage("0-5.1"), read.stage("basis")), (Stage::Begun, Stage::Untouched));
 }
@@ -87,18 +87,26 @@ fn a_damaged_file_is_told_by_its_key() {
 fn a_mistake_is_open_until_what_shows_it_is_solved_without_it() {
     let mut progress = Progress::default();
     let open = |progress: &Progress| progress.mistakes().filter(|(_, made)| made.is_open).count();
-    answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 1);
+    answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 1);
     // Solved, but with the mistake on the way.
     solve(&mut progress, entry("0-5.1").unwrap(), 0, 2);
     assert_eq!((progress.stage("0-5.1"), open(&progress)), (Stage::Solved, 1));
-    // The window has nothing to do with n.
+    // The window has nothing to do with v.
     solve(&mut progress, entry("window").unwrap(), 0, 3);
     assert_eq!(open(&progress), 1);
     solve(&mut progress, entry("basis").unwrap(), 0, 4);
     assert_eq!(open(&progress), 0);
     // Made again, it is open again.
-    answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 5);
+    answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 5);
     assert_eq!((open(&progress), progress.mistakes().next().unwrap().1.times), (1, 2));
+}
+
+#[test]
+fn one_of_several_mistakes_is_not_counted() {
+    let mut progress = Progress::default();
+    // D_R = n, or n reversed.
+    answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 1);
+    assert_eq!(progress.mistakes().count(), 0);
 }
 
 #[test]
@@ -148,12 +156,13 @@ fn the_next_exercise_is_chosen_for_a_reason() {
         (next.id, next.seed, next.why)
     };
     assert_eq!(next(&progress), ("0-5.1".to_owned(), 0, Why::NotSolved));
-    // n = (3/5, 4/5, 0) was reversed: the first family that shows it.
-    answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 1);
-    assert_eq!(next(&progress), ("basis".to_owned(), 0, Why::Mistake(Mistake::NReversed, 1)));
+    // VUP stood for v: the first family that shows it.
+    answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 1);
+    assert_eq!(next(&progress), ("basis".to_owned(), 0, Why::Mistake(Mistake::VupAsV, 1)));
     // A slip of the pen is not a misconception.
     let mut slip = Progress::default();
-    answer(&mut slip, "0-5.1", 0, "parallel_direction", "[-3/5, -4/5, 7]", 1);
+    let matrix = "[[4√3/5, 0, 0, 0], [0, 1.5, 0, 0], [0, 0, -81/79, -80/79], [0, 0, -1, 0]]";
+    answer(&mut slip, "perspective-matrix", 1, "Mp", matrix, 1);
     assert_eq!(slip.mistakes().next().unwrap().0, Mistake::ArithmeticSlip);
     assert_eq!(next(&slip), ("0-5.1".to_owned(), 0, Why::NotSolved));
     // Solved without it: on to the next unsolved one.
@@ -171,13 +180,13 @@ fn the_next_exercise_is_chosen_for_a_reason() {
 fn it_becomes_a_table() {
     let mut progress = Progress::default();
     // 29 February 2024, 23:59:59.
-    answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 1_709_251_199);
+    answer(&mut progress, "0-5.1", 0, "parallel_origin", "[3, 5, -1]", 1_709_251_199);
     progress.opened("0-5.1", 0, "parallel_direction", 2);
     progress.begin("a, \"b\"", 0);
     let table = "kind,name,tries,solved,last,seed,hints,open\n\
                  exercise,0-5.1,1,0,2024-02-29T23:59:59Z,0,2,\n\
                  exercise,\"a, \"\"b\"\"\",0,0,,0,0,\n\
-                 mistake,n-reversed,1,,2024-02-29T23:59:59Z,,,true\n";
+                 mistake,vup-as-v,1,,2024-02-29T23:59:59Z,,,true\n";
     assert_eq!(progress.to_csv(), table);
     for (seconds, said) in
         [(0, "1970-01-01T00:00:00Z"), (946_684_800, "2000-01-01T00:00:00Z"), (4_107_542_400, "2100-03-01T00:00:00Z")]

@@ -1,0 +1,59 @@
+//! Right answers: the numbers, choices and cameras that are accepted.
+
+use super::answer::Answer;
+use super::exercise::{Ask, Expected, Reading};
+use super::value::Table;
+use crate::camera::Camera;
+
+/// Whether an answer is right in one of the readings.
+pub(super) fn is_right(ask: &Ask, answer: &Answer) -> bool {
+    let mut readings = ask.readings.iter().filter(|reading| allows(reading, answer));
+    readings.any(|reading| match (&reading.expected, answer) {
+        (Expected::Choice(right, ..), Answer::Choice(chosen)) => right == chosen,
+        (Expected::Camera(conditions, ..), Answer::Camera(parameters)) => {
+            Camera::new(parameters).is_ok_and(|camera| conditions(&camera).iter().all(|(_, is)| *is))
+        }
+        (expected, Answer::Numbers { rows, columns, entries }) => expected.table().is_some_and(|right| {
+            [*rows, *columns] == right.shape()
+                && entries.iter().zip(&right.entries).all(|(given, right)| ask.accepts(*given, *right))
+        }),
+        _ => false,
+    })
+}
+
+/// Whether an answer can be meant as a reading says.
+pub(super) fn allows(reading: &Reading, answer: &Answer) -> bool {
+    let Answer::Numbers { entries, .. } = answer else { return true };
+    !reading.is_real || entries.iter().take(2).flatten().any(|number| number.fract() != 0.0)
+}
+
+impl Ask {
+    /// Whether a number is right where `right` is.
+    #[must_use]
+    pub fn accepts(&self, given: Option<f64>, right: f64) -> bool {
+        let Some(given) = given else { return false };
+        if self.whole {
+            return (given - right).abs() <= 1e-9 * right.abs().max(1.0);
+        }
+        // The error of a decimal number in f64 relative to the intended one.
+        let rest = 1e-12 * right.abs();
+        // The least of a number that is 0 but for its error has no size.
+        let share = if right.abs() <= 1e-9 * self.tolerance { f64::INFINITY } else { self.share * right.abs() };
+        (given - right).abs() <= self.tolerance.min(share) + rest || is_rounded(given, right, rest)
+    }
+
+    pub(super) fn accepts_all(&self, given: &[f64], right: &Table) -> bool {
+        given.len() == right.entries.len()
+            && given.iter().zip(&right.entries).all(|(given, right)| self.accepts(Some(*given), *right))
+    }
+}
+
+/// Whether `given` is `right`, rounded to three or more significant digits.
+fn is_rounded(given: f64, right: f64, rest: f64) -> bool {
+    (3..=16).any(|digits| (given - rounded(right, digits)).abs() <= rest)
+}
+
+/// A number rounded to this many significant digits.
+pub(super) fn rounded(value: f64, digits: usize) -> f64 {
+    format!("{:.*e}", digits.saturating_sub(1), value).parse().unwrap_or(value)
+}

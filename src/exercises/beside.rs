@@ -1,0 +1,99 @@
+//! The answers beside another one: what follows from them is right for a student's own wrong value.
+
+use super::acceptance::is_right;
+use super::answer::Answer;
+use super::exercise::{Ask, Exercise, Expected};
+use super::follows::Follows;
+use super::value::Table;
+
+/// The other answers of a student to the questions of an exercise.
+#[derive(Clone, Copy, Debug)]
+pub struct Beside<'a> {
+    /// The exercise.
+    pub exercise: &'a Exercise,
+    /// The names of the questions, and the answers.
+    pub answers: &'a [(String, Answer)],
+}
+
+impl<'a> Beside<'a> {
+    fn ask(&self, name: &str) -> Option<&'a Ask> {
+        self.exercise.asks.iter().find(|ask| ask.name == name)
+    }
+
+    /// The other questions that were answered.
+    pub(super) fn answered(self, except: &'a str) -> impl Iterator<Item = (&'a Ask, &'a Answer)> {
+        let others = self.answers.iter().filter(move |(name, _)| name != except);
+        others.filter_map(move |(name, answer)| Some((self.ask(name)?, answer)))
+    }
+
+    /// The names of the first wrong answers from which an answer follows; none where it does not.
+    pub(super) fn carried(&self, ask: &'a Ask, answer: &Answer) -> Vec<String> {
+        let Some(given) = numbers(answer, ask) else { return Vec::new() };
+        ask.follows.iter().find_map(|way| self.along(way, ask, &given)).unwrap_or_default()
+    }
+
+    fn along(&self, way: &Follows, ask: &'a Ask, given: &Table) -> Option<Vec<String>> {
+        let asks: Vec<&Ask> = way.from.iter().filter_map(|name| self.ask(name)).collect();
+        if asks.len() != way.from.len() {
+            return None;
+        }
+        let rights: Vec<Table> = asks.iter().map(|ask| right(ask)).collect::<Option<_>>()?;
+        let answers: Vec<Option<&Answer>> = asks
+            .iter()
+            .map(|ask| self.answers.iter().find(|(name, _)| *name == ask.name).map(|(_, answer)| answer))
+            .collect();
+        let is_wrong: Vec<bool> = asks
+            .iter()
+            .zip(&answers)
+            .map(|(ask, answer)| answer.is_some_and(|answer| !is_right(ask, answer)))
+            .collect();
+        let wrong = |k: usize| answers[k].filter(|_| is_wrong[k]).and_then(|answer| numbers(answer, asks[k]));
+        let tables: Vec<Table> = (0..asks.len()).map(|k| wrong(k).unwrap_or_else(|| rights[k].clone())).collect();
+        let gives = |tables: &[Table]| {
+            let found = (way.compute)(tables);
+            found.is_some_and(|found| found.shape() == given.shape() && ask.accepts_all(&given.entries, &found))
+        };
+        if !is_wrong.contains(&true) || !gives(&tables) {
+            return None;
+        }
+        // What follows as well from the right value is not carried from the wrong one.
+        let without = |k: usize| {
+            let mut tables = tables.clone();
+            tables[k].clone_from(&rights[k]);
+            tables
+        };
+        let matters = (0..asks.len()).filter(|k| is_wrong[*k] && !gives(&without(*k)));
+        let mut names = Vec::new();
+        for k in matters {
+            // The first cause, and not each answer on the way.
+            let earlier = answers[k].map(|answer| self.carried(asks[k], answer)).unwrap_or_default();
+            let found = if earlier.is_empty() { vec![asks[k].name.clone()] } else { earlier };
+            names.extend(found.into_iter().filter(|name| !names.contains(name)).collect::<Vec<_>>());
+        }
+        (!names.is_empty()).then_some(names)
+    }
+}
+
+/// The right answer as a table; `None` for cameras.
+fn right(ask: &Ask) -> Option<Table> {
+    match ask.expected() {
+        Expected::Choice(right, ..) => choice(*right),
+        expected => expected.table(),
+    }
+}
+
+fn choice(index: usize) -> Option<Table> {
+    Some(Table::number(f64::from(u32::try_from(index).ok()?)))
+}
+
+/// An answer without gaps, in the shape of its question.
+pub(super) fn numbers(answer: &Answer, ask: &Ask) -> Option<Table> {
+    match answer {
+        Answer::Numbers { rows, columns, entries } if [*rows, *columns] == ask.shape() => {
+            let entries = entries.iter().copied().collect::<Option<Vec<f64>>>()?;
+            Some(Table { rows: *rows, columns: *columns, entries })
+        }
+        Answer::Choice(index) => choice(*index),
+        _ => None,
+    }
+}
