@@ -117,7 +117,8 @@ impl Auto {
         let then = self.before.iter().find(|(before, _)| returns && *before == framed);
         // What was in hand has changed when it is let go.
         let is_new = resized || changed || kept.scene != request.scene;
-        kept.settled = !moment.on_the_way;
+        // A button that is pressed sends nothing on its way before something changes.
+        kept.settled = !moment.on_the_way || kept.settled && !changed;
         let mut goes_back = false;
         if let Some((_, observer)) = then {
             (kept.observer, kept.glide) = (*observer, None);
@@ -214,7 +215,7 @@ mod tests {
             by.apply(&camera, Convention::RightHand).unwrap()
         };
         let first = seen.of(&camera, 400, FREE).observer;
-        for degrees in [20.0, 45.0, 65.0] {
+        for degrees in [0.0, 20.0, 45.0, 65.0] {
             assert_eq!(seen.of(&turned(degrees), 400, HANDLE).observer, first, "nothing moves in the hand");
         }
         let moved = seen.of(&turned(65.0), 400, FREE).observer;
@@ -239,6 +240,23 @@ mod tests {
         let narrow = seen.of(&at(near * 2.0), 150, HANDLE).observer;
         assert_ne!(narrow, later.observer, "another shape is fitted at once");
         assert_eq!(narrow.azimuth, first.azimuth);
+    }
+
+    #[test]
+    fn what_was_seen_before_a_button_was_pressed_comes_back_with_its_camera() {
+        for held in [SLIDER, HANDLE] {
+            let mut seen = Seen::new();
+            let near = DVec3::new(3.0, 4.0, 5.0);
+            let first = seen.of(&at(near), 400, FREE).observer;
+            // Pressed, and nothing has moved yet.
+            for factor in [1.0, 1.0, 4.0, 9.0, 8.0] {
+                seen.of(&at(near * factor), 400, held);
+            }
+            let later = seen.of(&at(near * 8.0), 400, FREE).observer;
+            assert_ne!(later, first);
+            assert_eq!(seen.of(&at(near), 400, FREE).observer, first, "undone");
+            assert_eq!(seen.of(&at(near * 8.0), 400, FREE).observer, later, "done again");
+        }
     }
 
     #[test]
