@@ -27,6 +27,8 @@ pub(super) struct Moment {
     pub(super) on_the_way: bool,
     /// Nothing glides.
     pub(super) still: bool,
+    /// Files of the scene are still being read.
+    pub(super) loading: bool,
 }
 
 /// Settings that make a picture larger or smaller besides the camera and the scene: the parts outside the volume that
@@ -78,6 +80,8 @@ struct KeptObserver {
     framed: Subject,
     scene: SharedScene,
     subject: u64,
+    /// It was framed before all files of the scene had been read.
+    incomplete: bool,
     size: Size,
     /// The camera was not on its way.
     settled: bool,
@@ -90,7 +94,10 @@ impl Auto {
     /// `subject`: a scene that has nothing to do with the last one.
     pub(super) fn observer(&mut self, request: &Request, subject: u64, moment: Moment) -> Option<AutoObserver> {
         let framed = Subject::of(request);
-        let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
+        let is_same = |kept: &&mut KeptObserver| {
+            kept.subject == subject && (!kept.incomplete || kept.scene == request.scene)
+        };
+        let Some(kept) = self.kept.as_mut().filter(is_same) else {
             let observer = request.observer_from(Viewpoint::default())?;
             self.before.clear();
             self.kept = Some(KeptObserver {
@@ -98,6 +105,7 @@ impl Auto {
                 framed,
                 scene: request.scene.clone(),
                 subject,
+                incomplete: moment.loading,
                 size: request.size,
                 settled: !moment.on_the_way,
                 glide: None,
@@ -198,7 +206,7 @@ mod tests {
         }
     }
 
-    const FREE: Moment = Moment { now: 0.0, in_hand: false, on_the_way: false, still: true };
+    const FREE: Moment = Moment { now: 0.0, in_hand: false, on_the_way: false, still: true, loading: false };
     const SLIDER: Moment = Moment { on_the_way: true, ..FREE };
     const HANDLE: Moment = Moment { in_hand: true, on_the_way: true, ..FREE };
 
@@ -271,5 +279,22 @@ mod tests {
         let end = seen.of(&at(near * 4.0), 400, Moment { now: GLIDE, ..moving });
         assert!(half.glides && !half.goes_back && !end.glides);
         assert!(first.distance < half.observer.distance && half.observer.distance < end.observer.distance);
+    }
+
+    #[test]
+    fn a_scene_that_arrives_late_is_framed_as_if_it_had_been_there() {
+        let camera = at(DVec3::new(0.0, 2.0, 9.0));
+        let figure = crate::figure::read::parse(
+            "[[scene.objects]]\nname = \"far\"\nshape = \"box\"\ntranslate = [40, 0, 0]\nscale = [3, 3, 3]\n",
+        )
+        .unwrap();
+        let scene = crate::scene::build(&figure.scene, &figure.style, &mut crate::scene::no_files).unwrap();
+        let mut late = Seen::new();
+        let early = late.of(&camera, 400, Moment { loading: true, ..FREE }).observer;
+        late.scene = SharedScene::new(scene.clone());
+        let mut there = Seen { scene: SharedScene::new(scene), ..Seen::new() };
+        let expected = there.of(&camera, 400, FREE);
+        assert_ne!(early, expected.observer);
+        assert_eq!(late.of(&camera, 400, FREE), expected);
     }
 }
