@@ -63,6 +63,7 @@ mod tests {
             let mut input = RawInput { time: Some(time), ..RawInput::default() };
             input.viewports.entry(ViewportId::ROOT).or_default().monitor_size = screen;
             let mut output = ctx.run_ui(input, |ui| opening.go_on(ui.ctx()));
+            output.textures_delta.clear();
             output.viewport_output.remove(&ViewportId::ROOT).map(|output| output.commands).unwrap_or_default()
         };
         times.iter().flat_map(frame).collect()
