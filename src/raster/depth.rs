@@ -119,7 +119,7 @@ impl Occluders<'_> {
         self.opaque.is_empty() && self.tints.is_none()
     }
 
-    /// What is in front of a point (pixels and depth).
+    /// The faces in front of a point (pixels and depth).
     pub(super) fn before(&self, p: [f32; 3]) -> Occlusion {
         if !self.opaque.shows(p) {
             Occlusion::Opaque

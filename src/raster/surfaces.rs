@@ -44,7 +44,7 @@ struct BandJob<'a> {
     depth: &'a mut BandDepth,
 }
 
-/// What is wanted of a picture besides its colours and its depths.
+/// Results of painting besides colours and depths.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wanted {
     /// The slopes of faces: only strokes, marks and labels ask for them.
