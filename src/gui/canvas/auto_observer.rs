@@ -94,9 +94,8 @@ impl Auto {
     /// `subject`: a scene that has nothing to do with the last one.
     pub(super) fn observer(&mut self, request: &Request, subject: u64, moment: Moment) -> Option<AutoObserver> {
         let framed = Subject::of(request);
-        let is_same = |kept: &&mut KeptObserver| {
-            kept.subject == subject && (!kept.incomplete || kept.scene == request.scene)
-        };
+        let is_same =
+            |kept: &&mut KeptObserver| kept.subject == subject && (!kept.incomplete || kept.scene == request.scene);
         let Some(kept) = self.kept.as_mut().filter(is_same) else {
             let observer = request.observer_from(Viewpoint::default())?;
             self.before.clear();
