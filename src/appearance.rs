@@ -258,17 +258,29 @@ pub struct LineStyle {
     pub arrow: bool,
 }
 
+/// The faces in front of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Occlusion {
+    /// An opaque one.
+    Opaque,
+    /// None that is opaque, but one of a tint.
+    Translucent,
+    /// None.
+    None,
+}
+
 impl LineStyle {
-    /// The style of the part that lies behind a face; `None`: it is not drawn.
+    /// The style of the part behind such faces; `None`: it is not drawn.
     #[must_use]
-    pub fn behind_a_face(self) -> Option<Self> {
-        match self.hidden {
-            HiddenLines::Shown => Some(self),
-            HiddenLines::Hidden => None,
-            HiddenLines::Dashed => {
-                #[expect(clippy::cast_possible_truncation, reason = "less than the alpha it comes from")]
-                let faded = (u16::from(self.color.a) * 7 / 10) as u8;
-                Some(Self { color: self.color.with_alpha(faded), width: 0.7 * self.width, dash: Dash::Dashed, ..self })
+    pub fn behind(self, faces: Occlusion) -> Option<Self> {
+        #[expect(clippy::cast_possible_truncation, reason = "less than the alpha it comes from")]
+        let faded = |tenths: u16| self.color.with_alpha((u16::from(self.color.a) * tenths / 10) as u8);
+        match (faces, self.hidden) {
+            (Occlusion::None, _) | (_, HiddenLines::Shown) => Some(self),
+            (Occlusion::Translucent, _) => Some(Self { color: faded(3), ..self }),
+            (Occlusion::Opaque, HiddenLines::Hidden) => None,
+            (Occlusion::Opaque, HiddenLines::Dashed) => {
+                Some(Self { color: faded(7), width: 0.7 * self.width, dash: Dash::Dashed, ..self })
             }
         }
     }

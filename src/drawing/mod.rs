@@ -11,13 +11,13 @@
 //! then strokes, then areas in the order of the list (over all strokes, whatever their depths), then marks, then
 //! labels.
 //!
-//! Strokes: their parts behind faces are drawn as [`HiddenLines`](crate::appearance::HiddenLines) says; a stroke on a
-//! face counts as visible. Strokes hide strokes as faces hide faces: where two cross, the nearer one is painted over
-//! the other, whatever their order in the list. Where they touch, so that neither is nearer by more than the span of
-//! their own width, a visible part goes over a hidden one, then the wider stroke over the finer one (an edge over a
-//! grid line that runs up to it), then the later one over the earlier. Strokes whose hidden parts are
-//! [`Shown`](crate::appearance::HiddenLines::Shown) take no part in this: they are painted over all others, one over
-//! the other. [`order`] implements these rules for numbers.
+//! Strokes: their parts behind opaque faces are drawn as [`HiddenLines`](crate::appearance::HiddenLines) says, those
+//! behind a tint ([`Surface::tints`]) with a third of their opacity; a stroke on a face counts as visible. Strokes hide
+//! strokes as faces hide faces: where two cross, the nearer one is painted over the other, whatever their order in the
+//! list. Where they touch, so that neither is nearer by more than the span of their own width, a visible part goes over
+//! a hidden one, then the wider stroke over the finer one (an edge over a grid line that runs up to it), then the later
+//! one over the earlier. Strokes whose hidden parts are [`Shown`](crate::appearance::HiddenLines::Shown) take no part
+//! in this: they are painted over all others, one over the other. [`order`] implements these rules for numbers.
 //!
 //! | file | purpose |
 //! | --- | --- |

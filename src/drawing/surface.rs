@@ -99,6 +99,9 @@ pub struct ViewLight {
     pub distant: bool,
 }
 
+/// The least opacity of a tint: a third. What is fainter, such as the faces of a view volume, dims no strokes.
+const TINT: u8 = 85;
+
 impl Surface {
     /// Triangles of one final colour, depth-tested, and translucent if the colour is.
     #[must_use]
@@ -160,6 +163,14 @@ impl Surface {
             }
             Base::Texture { opacity, .. } => Some(*opacity),
         }
+    }
+
+    /// Its tints: translucent triangles of some strength, which dim the strokes and marks behind them. Pictures are
+    /// none: many are clear in places.
+    pub fn tints(&self) -> impl Iterator<Item = [u32; 3]> {
+        let may_dim = self.translucent && !self.is_textured();
+        let tints = move |triangle: usize| may_dim && self.alpha_of(triangle).is_some_and(|alpha| alpha >= TINT);
+        self.triangles.iter().enumerate().filter(move |(k, _)| tints(*k)).map(|(_, triangle)| *triangle)
     }
 
     /// Gives it other colours, which are final.

@@ -13,6 +13,34 @@ pub struct Screen {
     pub arrangement: Option<Option<Arrangement>>,
     /// The explanation at the side; `Some(None)`: none.
     pub panel: Option<Option<Explanation>>,
+    /// The entry that the explanation of matrices shows.
+    pub entry: Option<ScreenEntry>,
+}
+
+/// An entry of a matrix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ScreenEntry {
+    /// The matrix.
+    pub matrix: ScreenMatrix,
+    /// It is an entry of the inverse.
+    pub inverse: bool,
+    /// Row and column, from 1.
+    pub place: [u8; 2],
+}
+
+/// A matrix of the camera, or of the selected object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ScreenMatrix {
+    /// M_m, of an object.
+    Model,
+    /// M_v.
+    View,
+    /// M_p.
+    Projection,
+    /// M_p M_v.
+    ViewProjection,
+    /// `M_vp`.
+    Viewport,
 }
 
 /// An arrangement of several pictures.

@@ -1,7 +1,8 @@
 //! The words of a figure file: each name as it is written there, with its value.
 
 use super::{
-    Arrangement, Depth, Explanation, Measure, Measured, Outside, StagePicture, TriangleStep, View, WindowSide,
+    Arrangement, Depth, Explanation, Measure, Measured, Outside, ScreenMatrix, StagePicture, TriangleStep, View,
+    WindowSide,
 };
 use crate::appearance::{DepthFormat, HiddenLines, Shading, Theme, Visibility};
 use crate::camera::{Decomposition, Ndc, Projection};
@@ -208,3 +209,12 @@ pub fn name<T: Copy + PartialEq>(words: Words<T>, value: T) -> &'static str {
 pub(super) fn names<T>(words: Words<T>) -> Vec<&'static str> {
     words.iter().map(|(word, _)| *word).collect()
 }
+
+/// `[screen] entry.matrix`
+pub const SCREEN_MATRICES: Words<ScreenMatrix> = &[
+    ("model", ScreenMatrix::Model),
+    ("view", ScreenMatrix::View),
+    ("projection", ScreenMatrix::Projection),
+    ("view-projection", ScreenMatrix::ViewProjection),
+    ("viewport", ScreenMatrix::Viewport),
+];

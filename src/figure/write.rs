@@ -12,10 +12,12 @@ use glam::DVec3;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
 use super::words::{
-    self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PROJECTIONS, SHADINGS, THEMES,
-    VISIBILITIES,
+    self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PROJECTIONS, SCREEN_MATRICES, SHADINGS,
+    THEMES, VISIBILITIES,
 };
-use super::{Bilingual, Depth, Figure, NamedPoint, Observer, Outside, Reveal, Screen, Show, View, WorldLook};
+use super::{
+    Bilingual, Depth, Figure, NamedPoint, Observer, Outside, Reveal, Screen, ScreenEntry, Show, View, WorldLook,
+};
 use crate::appearance::{DepthFormat, Style};
 use crate::camera::{Parameters, Projection, Viewport};
 use crate::numbers;
@@ -233,6 +235,12 @@ fn screen(screen: Screen) -> Table {
     }
     keys.extend(screen.arrangement.map(|arrangement| ("arrangement", words::name(ARRANGEMENTS, arrangement).into())));
     keys.extend(screen.panel.map(|panel| ("panel", words::name(PANELS, panel).into())));
+    keys.extend(screen.entry.map(|ScreenEntry { matrix, inverse, place: [row, column] }| {
+        let matrix = [("matrix", Value::from(words::name(SCREEN_MATRICES, matrix)))];
+        let inverse = inverse.then(|| ("inverse", true.into()));
+        let place = [("row", i64::from(row).into()), ("column", i64::from(column).into())];
+        ("entry", matrix.into_iter().chain(inverse).chain(place).collect::<InlineTable>().into())
+    }));
     table(keys)
 }
 

@@ -48,3 +48,43 @@ impl Opening {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use eframe::egui::{RawInput, Vec2, ViewportId};
+
+    use super::*;
+
+    /// The commands of the frames that follow one another, at these seconds, on a screen of this size.
+    fn asked(screen: Option<Vec2>, times: &[f64]) -> Vec<ViewportCommand> {
+        let ctx = Context::default();
+        let mut opening = Opening::default();
+        let frame = |&time: &f64| {
+            let mut input = RawInput { time: Some(time), ..RawInput::default() };
+            input.viewports.entry(ViewportId::ROOT).or_default().monitor_size = screen;
+            let mut output = ctx.run_ui(input, |ui| opening.go_on(ui.ctx()));
+            output.textures_delta.clear();
+            let commands = output.viewport_output.remove(&ViewportId::ROOT).map(|output| output.commands);
+            // egui has one of its own.
+            let own = |command: &ViewportCommand| !matches!(command, ViewportCommand::SetTheme(_));
+            commands.into_iter().flatten().filter(own).collect::<Vec<_>>()
+        };
+        times.iter().flat_map(frame).collect()
+    }
+
+    #[test]
+    fn a_screen_that_is_larger_than_a_small_one_is_filled() {
+        let maximized = ViewportCommand::Maximized(true);
+        for large in [vec2(1920.0, 1080.0), vec2(1280.0, 800.0), vec2(1366.0, 720.0)] {
+            assert_eq!(asked(Some(large), &[0.0, 0.1, 0.2]), std::slice::from_ref(&maximized), "{large}, once");
+        }
+        for small in [vec2(1280.0, 720.0), vec2(1024.0, 600.0)] {
+            assert_eq!(asked(Some(small), &[0.0, 0.1, 5.0]), [], "{small}");
+        }
+        assert_eq!(asked(None, &[0.0, 5.0]), [], "as long as the screen is not known");
+        // Nobody answers: there is no window manager.
+        let sides = ViewportCommand::InnerSize(vec2(1920.0, 1080.0));
+        let alone = asked(Some(vec2(1920.0, 1080.0)), &[0.0, 0.5, 1.2, 3.0]);
+        assert_eq!(alone, [maximized, ViewportCommand::OuterPosition(Pos2::ZERO), sides]);
+    }
+}

@@ -58,7 +58,7 @@
 //! | `stage_work` | input and output of a stage, recorded while a picture is made, so that the picture can show them |
 //! | `stages` | reasons of stages, plans and reports of objects |
 //! | `stroke_order` | the order of strokes for outputs that have no depth buffer: later strokes cover earlier ones |
-//! | `stroke_runs` | the visible and the hidden runs of strokes, for outputs that have no depth buffer |
+//! | `stroke_runs` | the visible, the dimmed and the hidden runs of strokes, for outputs that have no depth buffer |
 //! | `transform` | the vertices of an object on the image |
 //! | `visibility` | the order of faces where no depth buffer decides |
 

@@ -16,7 +16,7 @@ use glam::DVec2;
 
 use super::budget::OverBudget;
 use super::stroke_runs::{KEPT, LISTED, Run, SQUARE, Steps, runs_within};
-use crate::appearance::{HiddenLines, LineStyle};
+use crate::appearance::{HiddenLines, LineStyle, Occlusion};
 use crate::drawing::order::{StrokePoint, later_is_over, stroke_reach};
 use crate::drawing::{Drawing, single};
 
@@ -64,8 +64,8 @@ struct Painted {
 
 impl Painted {
     /// Runs of one layer have one colour: their order changes nothing.
-    fn layer(&self) -> (usize, bool) {
-        (self.run.set, self.run.visible)
+    fn layer(&self) -> (usize, Occlusion) {
+        (self.run.set, self.run.behind)
     }
 }
 
@@ -93,7 +93,7 @@ impl Contact {
 /// A segment of a run, or its arrow head.
 struct Segment {
     run: usize,
-    layer: (usize, bool),
+    layer: (usize, Occlusion),
     from: [f64; 3],
     along: [f64; 3],
     /// Its beginning along the run.
@@ -112,7 +112,7 @@ impl Segment {
     /// The input to the rule of the order, where its middle line has this depth.
     fn point(&self, depth: f64) -> StrokePoint {
         let reach = stroke_reach(single(self.radius), single(self.along[2]), single(self.length));
-        StrokePoint { depth: single(depth), reach, visible: self.layer.1, width: self.width }
+        StrokePoint { depth: single(depth), reach, visible: self.layer.1 != Occlusion::Opaque, width: self.width }
     }
 
     /// The share of the way at which it is nearest to a point.

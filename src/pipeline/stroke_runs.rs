@@ -1,4 +1,4 @@
-//! The visible and the hidden runs of strokes, for outputs that have no depth buffer.
+//! The visible, the dimmed and the hidden runs of strokes, for outputs that have no depth buffer.
 //!
 //! A raster asks its depth buffer pixel by pixel; here each segment of a stroke is held against each triangle that it
 //! passes. Both are straight on the picture, and so are their depths (see [`drawing`](crate::drawing)): a triangle
@@ -10,12 +10,12 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::budget::OverBudget;
-use crate::appearance::{HiddenLines, LineStyle};
+use crate::appearance::{HiddenLines, LineStyle, Occlusion};
 use crate::drawing::order::on_a_face;
-use crate::drawing::{Drawing, StrokeSet, single};
+use crate::drawing::{Drawing, StrokeSet, Surface, single};
 use crate::limits::MAX_STROKE_STEPS;
 
-/// A part of a polyline that can be seen, or that faces hide, throughout.
+/// A part of a polyline that is behind the same faces throughout.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     /// The index of its set in the drawing's `strokes`.
@@ -26,8 +26,8 @@ pub struct Run {
     pub points: Vec<[f32; 3]>,
     /// Pixels along the polyline from its first point: dashes go on from one run to the next.
     pub start: f32,
-    /// No face hides it.
-    pub visible: bool,
+    /// The faces in front of it.
+    pub behind: Occlusion,
     /// It ends with the polyline, and has its arrow head.
     pub has_end: bool,
 }
@@ -36,8 +36,7 @@ impl Run {
     /// Its painted style; `None`: not painted.
     #[must_use]
     pub fn style(&self, drawing: &Drawing) -> Option<LineStyle> {
-        let style = drawing.strokes.get(self.set)?.style;
-        if self.visible { Some(style) } else { style.behind_a_face() }
+        drawing.strokes.get(self.set)?.style.behind(self.behind)
     }
 }
 
@@ -54,7 +53,7 @@ pub fn stroke_runs(drawing: &Drawing) -> Result<Vec<Run>, OverBudget> {
 }
 
 pub(super) fn runs_within(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Run>, OverBudget> {
-    let faces = Faces::new(drawing, steps)?;
+    let faces = Occluders::new(drawing, steps)?;
     let mut runs = Vec::new();
     for (set, strokes) in drawing.strokes.iter().enumerate() {
         for polyline in 0..strokes.polylines.len() {
@@ -94,14 +93,14 @@ impl Steps {
 pub(super) const LISTED: usize = 8;
 pub(super) const KEPT: usize = 64;
 
-/// Of places in a drawing, those that a face hides: of marks and labels, which are painted faintly there where they say
-/// so.
+/// The faces in front of places in a drawing: behind opaque ones labels are painted faintly where they say so, and
+/// marks behind any.
 ///
 /// # Errors
 /// [`OverBudget::Strokes`].
-pub fn hidden_places(drawing: &Drawing, places: impl IntoIterator<Item = [f32; 3]>) -> Result<Vec<bool>, OverBudget> {
-    let faces = Faces::new(drawing, &mut Steps::default())?;
-    Ok(places.into_iter().map(|place| faces.hide(place.map(f64::from))).collect())
+pub fn occlusions(drawing: &Drawing, places: impl IntoIterator<Item = [f32; 3]>) -> Result<Vec<Occlusion>, OverBudget> {
+    let faces = Occluders::new(drawing, &mut Steps::default())?;
+    Ok(places.into_iter().map(|place| faces.before(place.map(f64::from))).collect())
 }
 
 fn points(strokes: &StrokeSet, polyline: usize) -> Option<&[[f32; 3]]> {
@@ -116,50 +115,63 @@ const SHORTEST: f64 = 0.02;
 /// Calls `found` for each run of a polyline; its set and its index are left to the caller.
 fn split(
     points: &[[f32; 3]],
-    faces: Option<&Faces>,
+    faces: Option<&Occluders>,
     steps: &mut Steps,
     mut found: impl FnMut(Run),
 ) -> Result<(), OverBudget> {
     let mut run: Option<Run> = None;
     let mut arc = 0.0;
-    let mut hidden = Vec::new();
+    let (mut hidden, mut dimmed) = (Vec::new(), Vec::new());
     for pair in points.windows(2) {
         let segment = Segment::new(pair[0], pair[1]);
         hidden.clear();
+        dimmed.clear();
         if let Some(faces) = faces {
-            faces.hidden_parts(&segment, steps, &mut hidden)?;
+            faces.opaque.hidden_parts(&segment, steps, &mut hidden)?;
+            faces.tints.hidden_parts(&segment, steps, &mut dimmed)?;
         }
-        steps.take(KEPT * (1 + hidden.len()))?;
-        let mut part = |range: Range<f64>, visible: bool| {
+        steps.take(KEPT * (1 + hidden.len() + dimmed.len()))?;
+        let part = |(range, behind): (Range<f64>, Occlusion)| {
             let ends = [segment.at(range.start), segment.at(range.end)];
-            match run.as_mut().filter(|run| run.visible == visible) {
+            match run.as_mut().filter(|run| run.behind == behind) {
                 Some(run) => run.points.push(ends[1]),
                 None => {
                     let start = single(arc + range.start * segment.length);
-                    let next = Run { set: 0, polyline: 0, points: ends.to_vec(), start, visible, has_end: false };
+                    let next = Run { set: 0, polyline: 0, points: ends.to_vec(), start, behind, has_end: false };
                     if let Some(done) = run.replace(next) {
                         found(done);
                     }
                 }
             }
         };
-        let mut from = 0.0;
-        for range in &hidden {
-            if range.start > from {
-                part(from..range.start, true);
-            }
-            part(range.clone(), false);
-            from = range.end;
-        }
-        if from < 1.0 {
-            part(from..1.0, true);
-        }
+        parts(&hidden, &dimmed).into_iter().for_each(part);
         arc += segment.length;
     }
     if let Some(last) = run {
         found(Run { has_end: true, ..last });
     }
     Ok(())
+}
+
+/// The parts of a segment, as shares of the way: those behind opaque faces, and those behind tints alone.
+fn parts(hidden: &[Range<f64>], dimmed: &[Range<f64>]) -> Vec<(Range<f64>, Occlusion)> {
+    let mut parts = Vec::with_capacity(2 * (hidden.len() + dimmed.len()) + 1);
+    let mut from = 0.0;
+    for range in hidden.iter().cloned().chain([1.0..1.0]) {
+        for tint in dimmed {
+            let tint = tint.start.max(from)..tint.end.min(range.start);
+            if tint.start < tint.end {
+                parts.push((from..tint.start, Occlusion::None));
+                from = tint.end;
+                parts.push((tint, Occlusion::Translucent));
+            }
+        }
+        parts.push((from..range.start, Occlusion::None));
+        from = range.end;
+        parts.push((range, Occlusion::Opaque));
+    }
+    parts.retain(|(range, _)| range.start < range.end);
+    parts
 }
 
 /// From one point of a polyline to the next.
@@ -182,7 +194,34 @@ impl Segment {
     }
 }
 
-/// An opaque triangle of the picture.
+/// The faces in front of which a stroke may be hidden or dimmed.
+struct Occluders {
+    opaque: Faces,
+    tints: Faces,
+}
+
+impl Occluders {
+    fn new(drawing: &Drawing, steps: &mut Steps) -> Result<Self, OverBudget> {
+        // A surface that leaves no depth hides nothing, as in a depth buffer.
+        let hiding = drawing.surfaces.iter().filter(|s| s.depth_test && !s.translucent);
+        let opaque = hiding.flat_map(|s| s.triangles.iter().map(move |&triangle| (s, triangle)));
+        let tints = drawing.surfaces.iter().flat_map(|s| s.tints().map(move |triangle| (s, triangle)));
+        Ok(Self { opaque: Faces::new(drawing, opaque, steps)?, tints: Faces::new(drawing, tints, steps)? })
+    }
+
+    /// The faces in front of a place.
+    fn before(&self, place: [f64; 3]) -> Occlusion {
+        if self.opaque.hide(place) {
+            Occlusion::Opaque
+        } else if self.tints.hide(place) {
+            Occlusion::Translucent
+        } else {
+            Occlusion::None
+        }
+    }
+}
+
+/// A triangle of the picture.
 struct Face {
     /// Its edges as lines a·x + b·y + c, positive inside.
     edges: [[f64; 3]; 3],
@@ -190,7 +229,7 @@ struct Face {
     depth: [f64; 3],
 }
 
-/// The faces that can hide strokes, by the squares of the picture that they touch.
+/// Faces that are held against strokes, by the squares of the picture that they touch.
 struct Faces {
     faces: Vec<Face>,
     columns: usize,
@@ -207,16 +246,17 @@ fn square_count(side: u32) -> usize {
 }
 
 impl Faces {
-    fn new(drawing: &Drawing, steps: &mut Steps) -> Result<Self, OverBudget> {
+    fn new<'a>(
+        drawing: &Drawing,
+        triangles: impl Iterator<Item = (&'a Surface, [u32; 3])>,
+        steps: &mut Steps,
+    ) -> Result<Self, OverBudget> {
         let (columns, rows) = (square_count(drawing.width), square_count(drawing.height));
         let mut all = Self { faces: Vec::new(), columns, rows, squares: vec![Vec::new(); columns * rows] };
-        // A surface that leaves no depth hides nothing, as in a depth buffer.
-        for surface in drawing.surfaces.iter().filter(|s| s.depth_test && !s.translucent) {
-            for triangle in &surface.triangles {
-                let corners = triangle.map(|i| surface.positions.get(i as usize).map(|p| p.map(f64::from)));
-                if let [Some(a), Some(b), Some(c)] = corners {
-                    all.add([a, b, c], steps)?;
-                }
+        for (surface, triangle) in triangles {
+            let corners = triangle.map(|i| surface.positions.get(i as usize).map(|p| p.map(f64::from)));
+            if let [Some(a), Some(b), Some(c)] = corners {
+                all.add([a, b, c], steps)?;
             }
         }
         Ok(all)
@@ -274,6 +314,9 @@ impl Faces {
         steps: &mut Steps,
         hidden: &mut Vec<Range<f64>>,
     ) -> Result<(), OverBudget> {
+        if self.faces.is_empty() {
+            return Ok(());
+        }
         let [x, y, _] = segment.from;
         let [dx, dy, _] = segment.along;
         let mut near: Vec<u32> = Vec::new();
@@ -373,7 +416,6 @@ mod tests {
 
     use super::*;
     use crate::appearance::{Dash, Rgba};
-    use crate::drawing::Surface;
 
     const WALL: [[f32; 3]; 4] = [[20.0, 10.0, 0.5], [60.0, 10.0, 0.5], [60.0, 50.0, 0.5], [20.0, 50.0, 0.5]];
 
@@ -399,7 +441,7 @@ mod tests {
     fn found(points: &[[f32; 3]]) -> Vec<(f32, f32, bool)> {
         let runs = stroke_runs(&drawing(points, HiddenLines::Dashed)).unwrap();
         let x = |p: Option<&[f32; 3]>| p.map_or(f32::NAN, |p| (p[0] * 1000.0).round() / 1000.0);
-        runs.iter().map(|run| (x(run.points.first()), x(run.points.last()), run.visible)).collect()
+        runs.iter().map(|run| (x(run.points.first()), x(run.points.last()), run.behind == Occlusion::None)).collect()
     }
 
     #[test]
@@ -438,7 +480,7 @@ mod tests {
         let runs = stroke_runs(&drawing(&line, HiddenLines::Hidden)).unwrap();
         assert_eq!(runs.iter().map(|run| run.points.len()).collect::<Vec<_>>(), [2, 3, 3]);
         let joined = runs.windows(2).all(|pair| pair[0].points.last() == pair[1].points.first());
-        assert!(joined && runs.iter().map(|run| run.visible).eq([true, false, true]));
+        assert!(joined && runs.iter().map(|run| run.behind == Occlusion::None).eq([true, false, true]));
         assert_eq!(runs[1].points.last(), Some(&[40.0, 50.0, 0.2]));
     }
 
@@ -454,13 +496,14 @@ mod tests {
             [70.0, 30.0, 0.2],
             [-400.0, 30.0, 0.2],
         ];
-        assert_eq!(hidden_places(&drawing, places).unwrap(), [true, true, false, false, false, false]);
+        let hidden = occlusions(&drawing, places).unwrap().into_iter().map(|faces| faces == Occlusion::Opaque);
+        assert!(hidden.eq([true, true, false, false, false, false]));
     }
 
     #[test]
     fn what_is_shown_although_hidden_is_one_run() {
         let runs = stroke_runs(&drawing(&[[0.0, 30.0, 0.2], [90.0, 30.0, 0.2]], HiddenLines::Shown)).unwrap();
-        assert!(runs.len() == 1 && runs[0].visible && runs[0].has_end);
+        assert!(runs.len() == 1 && runs[0].behind == Occlusion::None && runs[0].has_end);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The depth of the visible surface at each pixel.
 
 use super::setup::STEPS;
+use crate::appearance::Occlusion;
 use crate::drawing::order::on_a_face;
 
 /// Depth per pixel, greater is nearer.
@@ -100,6 +101,33 @@ impl DepthBuffer {
             inside = true;
         }
         !inside
+    }
+}
+
+/// The depths that are held against strokes and marks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Occluders<'a> {
+    /// Of opaque surfaces.
+    pub(super) opaque: &'a DepthBuffer,
+    /// Of tints, where there are any.
+    pub(super) tints: Option<&'a DepthBuffer>,
+}
+
+impl Occluders<'_> {
+    /// True where they hide nothing.
+    pub(super) fn is_empty(&self) -> bool {
+        self.opaque.is_empty() && self.tints.is_none()
+    }
+
+    /// The faces in front of a point (pixels and depth).
+    pub(super) fn before(&self, p: [f32; 3]) -> Occlusion {
+        if !self.opaque.shows(p) {
+            Occlusion::Opaque
+        } else if self.tints.is_some_and(|tints| !tints.shows(p)) {
+            Occlusion::Translucent
+        } else {
+            Occlusion::None
+        }
     }
 }
 

@@ -2,11 +2,11 @@
 
 use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
 
-use crate::appearance::{MarkShape, Rgba};
+use crate::appearance::{MarkShape, Occlusion, Rgba};
 use crate::drawing::{Anchor, Area, Label, Mark};
 use crate::text::{self, Element};
 
-use super::depth::DepthBuffer;
+use super::depth::{DepthBuffer, Occluders};
 
 /// Opacity of a label or a mark behind a face, relative to its own.
 const FADED: f32 = 0.45;
@@ -101,14 +101,14 @@ fn rounded([left, top, right, bottom]: [f32; 4], radius: f32) -> Option<Path> {
 }
 
 /// Draws a point mark.
-pub(super) fn mark(pixmap: &mut Pixmap, depth: &DepthBuffer, mark: &Mark) {
+pub(super) fn mark(pixmap: &mut Pixmap, faces: Occluders, mark: &Mark) {
     if !finite(mark.position, mark.radius) {
         return;
     }
     let [x, y, _] = mark.position;
     let r = mark.radius;
     let Some(path) = mark_path(mark.shape, x, y, r) else { return };
-    let opacity = opacity(mark.fade_if_hidden && !depth.shows(mark.position));
+    let opacity = opacity(mark.fade_if_hidden && faces.before(mark.position) != Occlusion::None);
     let line = (0.35 * r).max(1.0);
     if !is_near(&path, [0.0; 2], 2.0 * line + 1.5) {
         return;
@@ -196,7 +196,8 @@ mod tests {
         let (text, halo) = ("PF_c".to_owned(), Rgba::rgb(255, 255, 255));
         let (anchor, offset, fade_if_hidden) = (Anchor::Center, [3.0, -2.0], false);
         label(&mut pixmap, &depth, &Label { position, text, size, color, halo, anchor, offset, fade_if_hidden });
-        mark(&mut pixmap, &depth, &Mark { position, shape, radius: size, color, outline: halo, fade_if_hidden });
+        let faces = Occluders { opaque: &depth, tints: None };
+        mark(&mut pixmap, faces, &Mark { position, shape, radius: size, color, outline: halo, fade_if_hidden });
         area(&mut pixmap, &Area { corner: [x, y], size: [size; 2], radius: 3.0, fill: color });
         pixmap
     }

@@ -8,16 +8,16 @@ use std::ops::Range;
 use rayon::prelude::*;
 use tiny_skia::Pixmap;
 
-use crate::appearance::{HiddenLines, LineStyle};
+use crate::appearance::{HiddenLines, LineStyle, Occlusion};
 use crate::drawing::{Drawing, StrokeSet};
 use crate::progress::{Activity, Progress};
 
 use super::coverage::{Coverage, LayerDepth, Point, length};
-use super::depth::DepthBuffer;
+use super::depth::Occluders;
 
 /// Distance of the points of a stroke that are held against the depth buffer, in pixels.
 const STEP: f32 = 0.5;
-/// A visible or hidden run shorter than this (pixels) between two of the other kind is taken for rounding.
+/// A run shorter than this (pixels) between two of another kind is taken for rounding.
 const SHORTEST: f32 = 1.25;
 /// Polylines longer than this (pixels) are not part of a picture.
 const LONGEST: f32 = 1e6;
@@ -45,12 +45,12 @@ struct Chunk {
     line: Polyline,
 }
 
-/// A run of a polyline, visible or hidden throughout, by arc length.
+/// A run of a polyline, behind the same faces throughout, by arc length.
 #[derive(Clone, Debug, PartialEq)]
 struct ArcRun {
     polyline: usize,
     range: Range<f32>,
-    visible: bool,
+    behind: Occlusion,
 }
 
 /// The painter of some rows of the picture.
@@ -68,7 +68,7 @@ struct Polyline {
 
 impl Strokes {
     /// Draws all strokes of a drawing over its surfaces, from back to front.
-    pub(super) fn draw(&mut self, pixmap: &mut Pixmap, depth: &DepthBuffer, drawing: &Drawing, progress: &Progress) {
+    pub(super) fn draw(&mut self, pixmap: &mut Pixmap, faces: Occluders, drawing: &Drawing, progress: &Progress) {
         let sets = &drawing.strokes;
         let mut used = 0;
         for (set, polylines) in sets.iter().map(|s| s.polylines.len()).enumerate() {
@@ -88,7 +88,7 @@ impl Strokes {
         let split = |chunk: &mut Chunk| {
             chunk.runs.clear();
             if !progress.is_cancelled() {
-                chunk.split(&sets[chunk.set], depth);
+                chunk.split(&sets[chunk.set], faces);
             }
         };
         if threads > 1 {
@@ -122,19 +122,19 @@ fn points<'a>(set: &'a StrokeSet, polyline: usize, line: &mut Polyline) -> Optio
 }
 
 impl Chunk {
-    /// Finds the visible and the hidden parts of the chunk's polylines, whose runs are empty before.
-    fn split(&mut self, set: &StrokeSet, depth: &DepthBuffer) {
-        let test = set.style.hidden != HiddenLines::Shown && !depth.is_empty();
+    /// Finds the visible, the dimmed and the hidden parts of the chunk's polylines, whose runs are empty before.
+    fn split(&mut self, set: &StrokeSet, faces: Occluders) {
+        let test = set.style.hidden != HiddenLines::Shown && !faces.is_empty();
         for polyline in self.polylines.clone() {
             let Some(points) = points(set, polyline, &mut self.line) else { continue };
             let first = self.runs.len();
             if test {
-                self.line.split(points, depth, |range, visible| {
-                    push(&mut self.runs, first, ArcRun { polyline, range, visible });
+                self.line.split(points, faces, |range, behind| {
+                    push(&mut self.runs, first, ArcRun { polyline, range, behind });
                 });
                 smooth(&mut self.runs, first);
             } else {
-                self.runs.push(ArcRun { polyline, range: 0.0..self.line.length(), visible: true });
+                self.runs.push(ArcRun { polyline, range: 0.0..self.line.length(), behind: Occlusion::None });
             }
         }
     }
@@ -149,11 +149,15 @@ impl Strip {
             let first = chunks.partition_point(|c| c.set < index);
             let chunks = &chunks[first..][..chunks[first..].partition_point(|c| c.set == index)];
             let on_top = set.style.hidden == HiddenLines::Shown;
-            for (style, visible) in [(set.style.behind_a_face(), false), (Some(set.style), true)] {
-                let Some(style) = style else { continue };
-                let tested = LayerDepth::Tested { visible, width: set.style.width };
+            for behind in [Occlusion::Opaque, Occlusion::Translucent, Occlusion::None] {
+                let Some(style) = set.style.behind(behind) else { continue };
+                let mut runs = chunks.iter().flat_map(|c| &c.runs).filter(|run| run.behind == behind).peekable();
+                if runs.peek().is_none() {
+                    continue;
+                }
+                let tested = LayerDepth::Tested { visible: behind != Occlusion::Opaque, width: set.style.width };
                 self.coverage.begin(style.color, if on_top { LayerDepth::OnTop } else { tested });
-                for run in chunks.iter().flat_map(|c| &c.runs).filter(|p| p.visible == visible) {
+                for run in runs {
                     self.cover(set, run, style);
                 }
             }
@@ -199,23 +203,23 @@ impl Polyline {
         self.arcs.last().copied().unwrap_or(0.0)
     }
 
-    /// Calls `run` for each stretch of the polyline that is visible or hidden throughout.
-    fn split(&self, points: &[[f32; 3]], depth: &DepthBuffer, mut run: impl FnMut(Range<f32>, bool)) {
+    /// Calls `run` for each stretch of the polyline that is behind the same faces throughout.
+    fn split(&self, points: &[[f32; 3]], faces: Occluders, mut run: impl FnMut(Range<f32>, Occlusion)) {
         for (k, pair) in points.windows(2).enumerate() {
             let (start, end) = (self.arcs[k], self.arcs[k + 1]);
             let point = |t: f32| -> [f32; 3] { std::array::from_fn(|c| pair[0][c] + t * (pair[1][c] - pair[0][c])) };
             let steps = ((end - start) / STEP).ceil().clamp(1.0, MOST_STEPS);
-            let mut before = depth.shows(point(0.0));
+            let mut before = faces.before(point(0.0));
             let mut from = start;
             let mut step = 1.0;
             while step <= steps {
-                let now = depth.shows(point(step / steps));
+                let now = faces.before(point(step / steps));
                 if now != before {
                     // The position between the two points, to 1/16 of a step.
                     let (mut low, mut high) = ((step - 1.0) / steps, step / steps);
                     for _ in 0..4 {
                         let middle = 0.5 * (low + high);
-                        if depth.shows(point(middle)) == before { low = middle } else { high = middle }
+                        if faces.before(point(middle)) == before { low = middle } else { high = middle }
                     }
                     let change = start + high * (end - start);
                     run(from..change, before);
@@ -251,7 +255,7 @@ impl Polyline {
 /// Adds a run of the polyline whose runs begin at `first`; one that goes on as the last did makes that longer.
 fn push(runs: &mut Vec<ArcRun>, first: usize, run: ArcRun) {
     match runs[first..].last_mut() {
-        Some(last) if last.visible == run.visible => last.range.end = run.range.end,
+        Some(last) if last.behind == run.behind => last.range.end = run.range.end,
         _ => runs.push(run),
     }
 }
@@ -267,9 +271,9 @@ fn smooth(runs: &mut Vec<ArcRun>, first: usize) {
         let length = run.range.end - run.range.start;
         // At the ends of a line there is only one neighbour to rely on: a shorter run is enough.
         let shortest = if k == 0 || k == last { 0.5 * SHORTEST } else { SHORTEST };
-        let before = runs[first..].last().map_or(all[1].visible, |p| p.visible);
-        let visible = if length < shortest { before } else { run.visible };
-        push(runs, first, ArcRun { visible, ..run.clone() });
+        let before = runs[first..].last().map_or(all[1].behind, |p| p.behind);
+        let behind = if length < shortest { before } else { run.behind };
+        push(runs, first, ArcRun { behind, ..run.clone() });
     }
 }
 
@@ -335,7 +339,10 @@ mod tests {
 
     #[test]
     fn short_parts_are_taken_for_rounding() {
-        let run = |range, visible| ArcRun { polyline: 3, range, visible };
+        let run = |range, visible| {
+            let behind = if visible { Occlusion::None } else { Occlusion::Opaque };
+            ArcRun { polyline: 3, range, behind }
+        };
         // Of another polyline: stays as it is.
         let mut runs = vec![run(0.0..0.1, true)];
         for (range, visible) in [(0.0..10.0, true), (10.0..10.5, false), (10.5..20.0, true), (20.0..23.0, false)] {

@@ -37,17 +37,20 @@ use std::time::Duration;
 
 use tiny_skia::{Color, Pixmap};
 
-use crate::appearance::Rgba;
-use crate::drawing::Drawing;
+use crate::appearance::{DepthFormat, Rgba};
+use crate::drawing::{Drawing, Surface};
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::progress::{Progress, at_once};
 pub use depth::DepthBuffer;
+use depth::Occluders;
+use surfaces::Wanted;
 
 /// Draws pictures; keeps its buffers from one to the next.
 #[derive(Clone, Debug, Default)]
 pub struct Rasterizer {
     surfaces: surfaces::Surfaces,
     depth: DepthBuffer,
+    tint_depth: DepthBuffer,
     strokes: line::Strokes,
     clock: Option<fn() -> Duration>,
     work: Work,
@@ -120,14 +123,22 @@ impl Rasterizer {
     async fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
-        self.surfaces.paint(drawing, pixmap, &mut self.depth, self.clock.is_some(), &self.progress).await;
+        let tints = tints(drawing);
+        if let Some(tints) = &tints {
+            // For its depth alone: the picture is painted over it.
+            let wanted = Wanted { slopes: true, counts: false };
+            self.surfaces.paint(tints, pixmap, &mut self.tint_depth, wanted, &self.progress).await;
+        }
+        let wanted = Wanted { slopes: !is_bare(drawing), counts: self.clock.is_some() };
+        self.surfaces.paint(drawing, pixmap, &mut self.depth, wanted, &self.progress).await;
         let middle = now();
-        self.strokes.draw(pixmap, &self.depth, drawing, &self.progress);
+        let faces = Occluders { opaque: &self.depth, tints: tints.is_some().then_some(&self.tint_depth) };
+        self.strokes.draw(pixmap, faces, drawing, &self.progress);
         for area in &drawing.areas {
             label::area(pixmap, area);
         }
         for mark in &drawing.marks {
-            label::mark(pixmap, &self.depth, mark);
+            label::mark(pixmap, faces, mark);
         }
         for text in &drawing.labels {
             label::label(pixmap, &self.depth, text);
@@ -149,6 +160,37 @@ fn new_pixmap(drawing: &Drawing) -> Option<Pixmap> {
     let (width, height) = (drawing.width, drawing.height);
     let fits = width.max(height) <= MAX_SIDE && u64::from(width) * u64::from(height) <= MAX_PIXELS;
     if fits { Pixmap::new(width, height) } else { None }
+}
+
+/// True where nothing is held against the depths of surfaces.
+fn is_bare(drawing: &Drawing) -> bool {
+    drawing.strokes.is_empty() && drawing.marks.is_empty() && drawing.labels.is_empty()
+}
+
+/// The tints of a drawing as opaque surfaces; `None` where there are none, or nothing to dim.
+fn tints(drawing: &Drawing) -> Option<Drawing> {
+    if is_bare(drawing) {
+        return None;
+    }
+    let tint = |surface: &Surface| {
+        let triangles: Vec<[u32; 3]> = surface.tints().collect();
+        (!triangles.is_empty()).then(|| Surface::solid(surface.positions.clone(), triangles, drawing.background))
+    };
+    let opaque = |surface| Surface { translucent: false, ..surface };
+    let surfaces: Vec<Surface> = drawing.surfaces.iter().filter_map(tint).map(opaque).collect();
+    (!surfaces.is_empty()).then(|| Drawing {
+        width: drawing.width,
+        height: drawing.height,
+        background: drawing.background,
+        antialias: 1,
+        painted_in_order: false,
+        depth_format: DepthFormat::Float,
+        surfaces,
+        strokes: Vec::new(),
+        areas: Vec::new(),
+        marks: Vec::new(),
+        labels: Vec::new(),
+    })
 }
 
 fn color(c: Rgba) -> Color {

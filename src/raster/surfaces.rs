@@ -44,6 +44,15 @@ struct BandJob<'a> {
     depth: &'a mut BandDepth,
 }
 
+/// Results of painting besides colours and depths.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wanted {
+    /// The slopes of faces: only strokes, marks and labels ask for them.
+    pub(super) slopes: bool,
+    /// Counts of the work.
+    pub(super) counts: bool,
+}
+
 /// State shared by all bands.
 struct SharedByBands<'a> {
     drawing: &'a Drawing,
@@ -59,14 +68,14 @@ struct SharedByBands<'a> {
 }
 
 impl Surfaces {
-    /// Paints background and surfaces over all of `pixmap`, and stores their depth; counts the work if requested. On
-    /// one thread it pauses after each band.
+    /// Paints background and surfaces over all of `pixmap`, and stores their depth. On one thread it pauses after each
+    /// band.
     pub(super) async fn paint(
         &mut self,
         drawing: &Drawing,
         pixmap: &mut Pixmap,
         depth: &mut DepthBuffer,
-        want_counts: bool,
+        wanted: Wanted,
         progress: &Progress,
     ) {
         let per_pixel = match drawing.antialias {
@@ -80,9 +89,6 @@ impl Surfaces {
         let bands = height.div_ceil(rows);
         self.bins.sort(drawing, per_pixel > 1, size, rows, bands);
         let depth_test = drawing.surfaces.iter().any(|s| s.depth_test && !s.translucent);
-        // Only strokes, marks and labels ask for slopes.
-        let want_slopes =
-            depth_test && !(drawing.strokes.is_empty() && drawing.marks.is_empty() && drawing.labels.is_empty());
         // A tile may reach eight pixels to the right of its first.
         let pitch = width.next_multiple_of(LANES) + LANES;
         depth.reset([width, height], samples(per_pixel)[0], rows, pitch);
@@ -96,8 +102,8 @@ impl Surfaces {
             pitch,
             background: premultiply(drawing.background),
             depth_test,
-            want_slopes,
-            want_counts,
+            want_slopes: depth_test && wanted.slopes,
+            want_counts: wanted.counts,
         };
         let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
         let jobs = pixels

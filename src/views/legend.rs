@@ -130,7 +130,10 @@ impl Legend {
                 let letters = if matches!(row, LegendRow::Warning(..)) { *color } else { ink };
                 text(at + DVec2::X * (INDENT * em), meaning, letters, Anchor::Left);
                 let (corner, size) = (at - DVec2::Y * (SWATCH.y / 2.0 * em), SWATCH * em);
-                drawing.areas.extend(sample(corner, size, ink, &[self.palette.paper, *color]));
+                let layers = [self.palette.paper, *color, *color];
+                // The front and the back of a body lie over each other where it is translucent.
+                let layers = if color.is_opaque() { &layers[..2] } else { &layers[..] };
+                drawing.areas.extend(sample(corner, size, ink, layers));
             }
             LegendRow::Mark(shape, color, meaning) => {
                 text(at + DVec2::X * (INDENT * em), meaning, ink, Anchor::Left);

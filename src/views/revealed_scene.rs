@@ -326,11 +326,12 @@ fn parted(object: &Object, back: &[bool], color: Rgba) -> [Object; 2] {
     ]
 }
 
-/// A scene of coloured glass.
+/// A scene of coloured glass; without light, so that it has one colour, that of its legend.
 fn glass(mut scene: Scene, color: Rgba) -> Scene {
     let strong = color.with_alpha(255);
     for object in &mut scene.objects {
         object.paint = ObjectPaint::Solid(color);
+        object.lit = false;
         object.two_sided = true;
         for style in [&mut object.edges, &mut object.outline].into_iter().flatten() {
             style.color = strong;

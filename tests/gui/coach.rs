@@ -150,3 +150,25 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
         assert!(window.harness.query_by_label(missing).is_some() && window.harness.query_by_label(float).is_none());
     }
 }
+
+#[test]
+fn repairs_are_told_in_the_symbols_and_the_numbers_of_the_panel() {
+    for (lang, comma, point) in [(Lang::PtBr, ',', '.'), (Lang::En, '.', ',')] {
+        let mut window = window(lang);
+        // Nothing is seen up to here, and F is far too small.
+        let camera = window.state().document.figure().camera;
+        window.app_mut().state.document.set_parameters(Parameters { near: 1e-5, far: 3.7, ..camera });
+        settled(&mut window);
+        window.app_mut().state.file_flow.dialog = Some(Dialog::Coach);
+        settled(&mut window);
+        let told: Vec<String> = window.written().into_iter().map(|(text, _)| text).collect();
+        let changes: Vec<&String> =
+            told.iter().filter(|text| text.starts_with("F = ") || text.starts_with("B = ")).collect();
+        assert!(!changes.is_empty(), "{told:?}");
+        assert!(changes.iter().any(|text| text.contains(comma)), "{changes:?}");
+        assert!(changes.iter().all(|text| !text.contains(point)), "{changes:?}");
+        for key in ["near =", "far =", "view_angle", "focal_point"] {
+            assert!(!told.iter().any(|text| text.contains(key)), "{key} in {told:?}");
+        }
+    }
+}

@@ -291,3 +291,25 @@ fn what_no_paper_has_is_said_by_its_field_and_its_range() {
     window.click("Export…");
     assert!(window.says("Export pictures"), "the question stands");
 }
+
+#[test]
+fn the_rows_of_the_export_dialog_stay_where_they_are() {
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::E);
+    let rows = |window: &Window| {
+        let list = |name: &str| window.harness.get_by_role_and_label(Role::ComboBox, name).rect().center().y;
+        let field = |name: &str| window.field(name).rect().center().y;
+        [list("pictures"), list("size"), field("picture width"), list("theme"), list("format")]
+    };
+    window.quick_choice("size", "typed");
+    window.run();
+    let typed = rows(&window);
+    assert!(typed.is_sorted(), "{typed:?}");
+    for size in ["on paper", "2 ×", "typed"] {
+        window.quick_choice("size", size);
+        window.run();
+        // Far less than a row.
+        let moved = rows(&window).into_iter().zip(typed).map(|(now, then)| (now - then).abs());
+        assert!(moved.fold(0.0, f32::max) <= 2.0, "{size}: {:?}, before {typed:?}", rows(&window));
+    }
+}

@@ -6,7 +6,7 @@ use camera_lab::camera::Parameters;
 use camera_lab::exercises::Ask;
 use camera_lab::gui::LaunchOptions;
 use camera_lab::gui::state::Chosen;
-use camera_lab::i18n::{Lang, exercises as said};
+use camera_lab::i18n::{Lang, exercise_window, exercises as said};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
@@ -284,4 +284,21 @@ fn the_next_help_keeps_the_keyboard_and_comes_into_sight() {
     assert!(pressed.len() > 3 && helps.iter().all(|help| pressed.contains(help)), "{pressed:?}");
     assert_eq!(window.state().exercises.opened["u"].steps, ask.steps().len());
     assert_eq!(focused(&window), Some(format!("{name} 1")), "after the last step the keyboard is at the answer");
+}
+
+#[test]
+fn the_button_that_checks_stays_where_it_is_while_an_answer_is_typed() {
+    for id in ["view-matrix", "basis", "window", "depth-resolution"] {
+        let mut window = working_on(id, 1, Lang::En);
+        let (_, exercise) = made(id, 1);
+        let ask = &exercise.asks[0];
+        let title = said::ask(Lang::En, &exercise, ask).replace("**", "");
+        let button = |window: &Window| window.harness.get_by_label(&format!("Check: {title}")).rect();
+        let understood = |window: &Window| window.says(exercise_window::texts(Lang::En).understood);
+        let before = button(&window);
+        assert!(!understood(&window));
+        fill(&mut window, &title, ask.shape()[1], &right(ask));
+        assert!(understood(&window));
+        assert_eq!(button(&window), before, "{id}");
+    }
 }

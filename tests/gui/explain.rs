@@ -2,10 +2,9 @@
 
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::explain::Matrix;
-use camera_lab::figure::NamedPoint;
-use camera_lab::figure::{Measure, Measured};
+use camera_lab::figure::{Explanation, Measure, Measured, NamedPoint};
 use camera_lab::gui::state::{Matrices, Reading, Selected, Side, Tab};
-use camera_lab::gui::{Start, State};
+use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::explain::texts;
 use camera_lab::numbers::{DecimalMark, without_rests};
@@ -15,7 +14,8 @@ use eframe::egui::{Key, Modifiers, Rect, Shape};
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{DMat4, DVec3};
 
-use super::window::Window;
+use super::files::Folder;
+use super::window::{Window, names};
 
 fn explaining(lang: Lang) -> Window {
     let mut window = Window::new(lang);
@@ -386,5 +386,33 @@ fn a_matrix_without_an_inverse_says_so_in_the_place_of_numbers_that_are_none() {
         window.app_mut().state.explain.matrices.inverse = true;
         window.run();
         assert!(window.says(texts(lang).no_inverse) && !window.says("NaN") && !window.says("inf"));
+    }
+}
+
+#[test]
+fn each_question_opens_where_it_was_left_also_in_the_next_window() {
+    let folder = Folder::new("questions");
+    let keeping = || {
+        let mut window = Window::new(Lang::En);
+        let ctx = window.harness.ctx.clone();
+        let options = LaunchOptions { lang: Some(Lang::En), ..LaunchOptions::default() };
+        window.app_mut().keep_preferences(&ctx, &folder.file("config"), options);
+        window.run();
+        window
+    };
+    let left = [Explanation::Point, Explanation::Triangle, Explanation::Code, Explanation::Notes];
+    let mut window = keeping();
+    for explanation in left.into_iter().rev() {
+        window.explain(explanation);
+    }
+    eframe::App::on_exit(window.app_mut(), None);
+    let mut next = keeping();
+    assert!(next.state().shows_explanation(Explanation::Point), "the one that was open");
+    for explanation in left {
+        let [question, _] = names(Lang::En, explanation);
+        let named = next.harness.get_all_by_label(question).filter(|node| node.rect().top() > 26.0);
+        named.max_by(|a, b| a.rect().left().total_cmp(&b.rect().left())).expect("a question").click();
+        next.run();
+        assert!(next.state().shows_explanation(explanation), "{explanation:?}");
     }
 }

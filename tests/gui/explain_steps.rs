@@ -7,10 +7,10 @@ use std::time::{Duration, Instant};
 
 use camera_lab::camera::{Decomposition, Parameters, ViewWindow};
 use camera_lab::figure::Explanation;
-use camera_lab::i18n::Lang;
 use camera_lab::i18n::explain::texts;
+use camera_lab::i18n::{Lang, canvas};
 use camera_lab::views::View;
-use eframe::egui::{Key, Modifiers};
+use eframe::egui::{Key, Modifiers, Rect};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::files::Folder;
@@ -141,4 +141,34 @@ fn the_way_is_exported_beside_the_window() {
     let reader = png::Decoder::new(std::io::Cursor::new(fs::read(&strip).unwrap())).read_info().unwrap();
     // The world and four steps, with gaps.
     assert_eq!((reader.info().width, reader.info().height), (5 * 640 + 4 * 4, 480));
+}
+
+#[test]
+fn the_way_is_played_in_the_largest_picture_under_a_title_of_its_own() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let words = canvas::texts(lang);
+        let mut window = Window::new(lang);
+        window.app_mut().state.layout.maximized = None;
+        window.run();
+        window.explain(Explanation::Steps);
+        let places: Vec<_> = window.app_mut().canvas.places().collect();
+        let of = |view| places.iter().find(|(of, _)| *of == view).map(|(_, place)| *place).unwrap();
+        let moving = of(View::Canonical);
+        for other in [View::World, View::Image] {
+            assert!(moving.area() > of(other).area(), "{moving:?}, {other:?} {:?}", of(other));
+        }
+        // Above it, where its title is.
+        let title = |window: &Window| {
+            let above = |place: &Rect| place.bottom() <= moving.top() + 1.0 && place.top() > moving.top() - 40.0;
+            let within = |place: &Rect| above(place) && moving.x_range().contains(place.left());
+            let names = [words.view(View::Canonical), words.on_the_way];
+            let written = window.written();
+            names.map(|name| written.iter().any(|(text, place)| text == name && within(place)))
+        };
+        assert_eq!(title(&window), [true, false], "at the end of the way it is the canonical volume");
+        window.harness.get_by_label(texts(lang).play).click();
+        window.harness.run_steps(4);
+        assert!(window.state().explain.steps.plays() && window.state().is_on_the_way());
+        assert_eq!(title(&window), [false, true]);
+    }
 }

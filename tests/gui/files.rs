@@ -309,6 +309,15 @@ fn the_layout_is_saved_where_that_is_wanted_and_comes_back() {
     window.run();
     window.command_key(Key::S);
     assert!(text().ends_with(&screen.replace("depth", "none")), "{}", text());
+    // An explained entry of a matrix comes back too.
+    window.explain(Explanation::Matrices);
+    window.app_mut().state.explain.matrices.entry = [2, 3];
+    window.run();
+    window.command_key(Key::S);
+    let entry = "panel = \"matrices\"\nentry = { matrix = \"projection\", row = 3, column = 4 }\n";
+    assert!(text().ends_with(entry), "{}", text());
+    let mut window = Window::opened(&path);
+    assert_eq!(window.state().explain.matrices.entry, [2, 3]);
     window.menu("File", "Save the layout");
     assert!(window.state().document.is_changed());
     window.command_key(Key::S);

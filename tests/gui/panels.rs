@@ -2,8 +2,11 @@
 
 use camera_lab::camera::{Camera, Convention, Operation, Projection, ViewWindow};
 use camera_lab::geometry::Angle;
+use camera_lab::gui::state::Message;
 use camera_lab::i18n::Lang;
-use eframe::egui::{Event, Key, vec2};
+use camera_lab::i18n::window::texts;
+use camera_lab::views::View;
+use eframe::egui::{Event, Key, Modifiers, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::window::Window;
@@ -434,4 +437,81 @@ fn a_step_moves_smoothly_ends_exactly_and_is_one_change() {
     window.app_mut().state.settings.reduce_motion = true;
     click(&mut window);
     assert_eq!(camera(&window), step(&start));
+}
+
+#[test]
+fn a_step_of_a_button_is_shown_in_the_world_for_two_seconds() {
+    let mut window = Window::new(Lang::En);
+    let start = window.state().document.camera().clone();
+    let now = |window: &Window| window.harness.ctx.input(|input| input.time);
+    let ghost = |window: &Window| window.state().hover.ghost.as_ref().map(|ghost| ghost.before.clone());
+    let begun = now(&window);
+    window.harness.get_by_label("Azimuth +").click();
+    // Away from the row, which has a ghost of its own.
+    window.harness.hover_at(pos2(640.0, 500.0));
+    window.run();
+    assert_ne!(*window.state().document.camera(), start);
+    let done = now(&window);
+    while now(&window) < begun + 1.7 {
+        window.harness.step();
+        assert_eq!(ghost(&window).as_ref(), Some(&start), "after {} s", now(&window) - begun);
+    }
+    while now(&window) < done + 2.3 {
+        window.harness.step();
+    }
+    assert_eq!(ghost(&window), None);
+}
+
+#[test]
+fn a_slider_of_angles_stops_at_five_degrees_and_is_free_with_ctrl() {
+    for (free, modifiers) in [(false, Modifiers::NONE), (true, Modifiers::COMMAND)] {
+        let mut window = Window::new(Lang::En);
+        let start = window.state().document.camera().clone();
+        let slider = window.harness.get_by_label("Elevation: slider").rect();
+        let mut between = 0;
+        for share in [0.031, 0.047, 0.059, 0.083, 0.101, 0.117] {
+            window.harness.event(Event::ModifiersChanged(modifiers));
+            window.drag(slider.center(), vec2(share * slider.width(), 0.0), |window| {
+                let place = |camera: &Camera| (camera.position() - camera.parameters().focal_point).normalize();
+                let turned = place(&start).angle_between(place(window.state().document.camera())).to_degrees();
+                assert!(turned > 4.9, "{turned}°");
+                between += i32::from((turned / 5.0 - (turned / 5.0).round()).abs() > 0.01);
+            });
+            window.harness.event(Event::ModifiersChanged(Modifiers::NONE));
+            window.command_key(Key::Z);
+            assert_eq!(*window.state().document.camera(), start);
+        }
+        assert_eq!(between > 2, free, "{between} of six between the stops");
+        assert!(free || between == 0);
+    }
+}
+
+#[test]
+fn what_leaves_the_picture_while_a_slider_is_held_is_followed_once_and_said_and_undone() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let mut window = Window::new(lang);
+        window.app_mut().state.layout.maximized = Some(View::World);
+        window.app_mut().state.settings.reduce_motion = true;
+        window.run();
+        let seen = |window: &Window| window.state().seen.world.expect("an observer");
+        let first = seen(&window);
+        let t = texts(lang);
+        let slider = window.harness.get_by_label(&format!("{}: {}", t.dolly, t.scrub)).rect();
+        let said = |window: &Window| matches!(window.state().message, Some(Message::WentBack(View::World)));
+        window.drag(slider.center(), vec2(-0.4 * slider.width(), 0.0), |window| {
+            assert!(said(window), "{:?}", window.state().message);
+            let back = seen(window);
+            assert!(back.distance > 1.5 * first.distance, "{} {}", back.distance, first.distance);
+            assert_eq!((back.azimuth, back.elevation), (first.azimuth, first.elevation));
+            // What stays in the picture moves nothing, and nothing is said again.
+            window.app_mut().state.message = None;
+            window.harness.hover_at(slider.center() - vec2(0.35 * slider.width(), 0.0));
+            window.run();
+            assert!(window.state().message.is_none());
+            assert_eq!(seen(window), back);
+        });
+        assert_ne!(seen(&window), first);
+        window.command_key(Key::Z);
+        assert_eq!(seen(&window), first, "what was seen comes back with the camera");
+    }
 }

@@ -4,9 +4,15 @@
 use std::fs;
 
 use camera_lab::figure::Explanation;
+use camera_lab::gui::command::Command;
+use camera_lab::gui::state::Side;
+use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
+use camera_lab::i18n::window::texts;
+use camera_lab::scene::Preset;
+use camera_lab::views::View;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, vec2};
+use eframe::egui::{Key, Modifiers, pos2, vec2};
 use egui_kittest::kittest::{By, Queryable};
 
 use super::files::Folder;
@@ -194,7 +200,7 @@ fn escape_clears_what_lies_over_the_pictures_and_then_leaves() {
 #[test]
 fn frozen_pictures_stay_while_one_edits() {
     let mut window = Window::new(Lang::En);
-    window.harness.key_press_modifiers(eframe::egui::Modifiers::ALT, Key::F);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::F);
     window.run();
     let drawn = window.app_mut().canvas.drawn();
     window.enter("B", "44");
@@ -222,10 +228,115 @@ fn the_keys_stand_under_the_pictures_for_a_while_and_cover_nothing() {
 }
 
 impl Window {
+    /// True where this is drawn.
+    fn is_written(&self, text: &str) -> bool {
+        self.written().iter().any(|(written, _)| written.contains(text))
+    }
+
     /// B of the camera, in a presentation, where the panel is hidden.
     fn enter_far(&mut self, text: &str) {
         self.key(Key::F8);
         self.enter("B", text);
         self.key(Key::F8);
+    }
+}
+
+#[test]
+fn beside_a_panel_one_picture_is_large_and_it_is_the_one_that_is_explained() {
+    let mut figure = camera_lab::gui::fresh();
+    figure.scene.preset = Preset::Empty;
+    figure.style.antialias = 1;
+    let mut state = State::new(Start { figure, file: None, lang: Lang::En, allow_files: false }).expect("a camera");
+    state.settings.reduce_motion = true;
+    let mut window = Window::with_state(state, [1280.0, 720.0]);
+    let shown = |window: &mut Window| -> Vec<View> { window.app_mut().canvas.places().map(|(view, _)| view).collect() };
+    window.key(Key::F11);
+    assert_eq!(shown(&mut window).len(), 3, "there is room for three without a panel");
+    for (explanation, expected) in
+        [(Explanation::Matrices, View::World), (Explanation::Steps, View::Canonical), (Explanation::Depth, View::Image)]
+    {
+        let state = &mut window.app_mut().state;
+        state.settings.panels_mut().show(Side::Explain);
+        state.explain.show(explanation);
+        window.run();
+        assert_eq!(shown(&mut window), [expected], "{explanation:?}");
+        let place = window.app_mut().canvas.places().map(|(_, place)| place).next().expect("one");
+        assert!(place.width() > 300.0 && place.height() > 300.0, "{place:?}");
+    }
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
+    window.run();
+    assert_eq!(shown(&mut window).len(), 3);
+}
+
+#[test]
+fn ink_stays_with_its_figure_and_escape_is_said_to_clear_it() {
+    let folder = Folder::new("ink");
+    for name in ["1.toml", "2.toml"] {
+        fs::write(folder.file(name), "[scene]\npreset = \"empty\"\n").expect("written");
+    }
+    let mut window = Window::opened(&folder.file("1.toml"));
+    window.key(Key::F11);
+    assert!(window.is_written("Esc: leave") && !window.is_written("Esc: clear"));
+    window.key(Key::P);
+    let draw = |window: &mut Window| {
+        let picture = window.harness.get_by_label_contains("Image: what the camera sees").rect();
+        window.drag(picture.center(), vec2(60.0, 20.0), |_| {});
+    };
+    draw(&mut window);
+    // Also without the pen, as long as there is ink.
+    window.key(Key::P);
+    assert!(!window.state().annotations.pen && window.is_written("Esc: clear"));
+    let ink = window.state().annotations.strokes.clone();
+    assert_eq!(ink.len(), 1);
+    window.key(Key::PageDown);
+    assert_eq!((name(&window).as_str(), window.state().annotations.strokes.len()), ("2.toml", 0));
+    window.key(Key::P);
+    draw(&mut window);
+    draw(&mut window);
+    window.key(Key::PageUp);
+    assert_eq!(window.state().annotations.strokes, ink);
+    window.key(Key::PageDown);
+    assert_eq!(window.state().annotations.strokes.len(), 2);
+    window.key(Key::Escape);
+    assert!(window.state().annotations.strokes.is_empty() && !window.is_written("Esc: clear"));
+    window.key(Key::PageUp);
+    assert_eq!(window.state().annotations.strokes, ink, "that of the other figure was not cleared");
+}
+
+#[test]
+fn menus_and_signs_are_hidden_until_the_pointer_comes_to_the_upper_border() {
+    let mut window = Window::new(Lang::En);
+    let bar = |window: &Window| [window.is_written("File"), window.is_written("◧")];
+    assert_eq!(bar(&window), [true; 2]);
+    window.key(Key::F11);
+    assert_eq!(bar(&window), [false; 2]);
+    let room = |window: &mut Window| window.app_mut().canvas.places().next().map(|(_, place)| place);
+    let before = room(&mut window);
+    for (at, expected) in [(300.0, false), (4.0, true), (300.0, false)] {
+        window.harness.hover_at(pos2(500.0, at));
+        window.run();
+        assert_eq!(bar(&window), [expected; 2], "pointer at {at}");
+        assert_eq!(room(&mut window), before, "it moves no picture");
+    }
+}
+
+#[test]
+fn the_help_lists_the_signs_of_the_bar() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let t = texts(lang);
+        let mut window = Window::new(lang);
+        assert!(!window.says(t.help_signs));
+        window.key(Key::F1);
+        assert!(window.says(t.help_signs));
+        let said = |sign: &str, command: Command| {
+            let entry = format!("{sign} {}", command.label(t));
+            assert!(window.says(&entry), "{entry}");
+        };
+        said("↶", Command::Undo);
+        said("◧", Command::ParametersPanel);
+        said("⬓", Command::Pipeline);
+        said("◨", Command::NumbersPanel);
+        said("✎", Command::Exercises);
+        said("▶", Command::Presentation);
     }
 }

@@ -185,6 +185,12 @@ fn a_file_a_link_and_render_draw_the_same_comparison() {
 fn a_comparison_that_is_impossible_is_no_picture_less() {
     let figure = compared(Comparison::of_key("camera.near", "1e9"));
     assert!(drawn(&request(&figure, View::Image)) == drawn(&request(&house(Show::default()), View::Image)));
+    // It is drawn, and the reason is told.
+    let bench = Bench::new("impossible side");
+    bench.write("figure.toml", "[compare]\nwith = { \"camera.near\" = 1e9 }\n");
+    let run = bench.run(&["render", "figure.toml", "--size", "60x40", "-o", "a.png", "--lang", "pt-BR"]);
+    assert_eq!(run.status, Some(0));
+    assert!(run.err.contains("O outro lado é impossível: ") && run.err.contains("near"), "{}", run.err);
 }
 
 /// Two boxes, of which one is 0.05 nearer, seen with a near plane that is far too near.

@@ -58,9 +58,17 @@ fn language(path: &Path) -> Option<&'static str> {
     }
 }
 
-/// The part of a line in one language: of `name: "English", "Português";` the first text is English.
+/// What a figure file says of itself; its other lines are empty.
+fn said_of_itself(text: &str) -> String {
+    let said = |line: &&str| ["title ", "caption "].iter().any(|key| line.starts_with(key));
+    text.lines().map(|line| Some(line).filter(said).unwrap_or_default()).collect::<Vec<_>>().join("\n")
+}
+
+/// The part of a line in one language: of `name: "English", "Português";` the first text is English, and of
+/// `{ en = "English", pt-BR = "Português" }`.
 fn in_language<'a>(line: &'a str, only: &str, of_file: Option<&str>) -> &'a str {
-    let halves = line.split_once("\", \"").filter(|_| of_file.is_none());
+    let halves = line.split_once("\", pt-br = \"").or_else(|| line.split_once("\", \""));
+    let halves = halves.filter(|_| of_file.is_none());
     match (of_file, halves, only) {
         (Some(language), ..) => {
             if language == only {
@@ -90,6 +98,10 @@ fn has(text: &str, term: &str) -> bool {
 fn texts_say_what_the_glossary_says() {
     let rows = rows();
     assert!(rows.len() >= 40, "{}", rows.len());
+    let figures = ["assets/figures", "assets/figures/pipeline", "assets/figures/extreme", "docs/figures"]
+        .into_iter()
+        .flat_map(|folder| files(folder, ".toml"))
+        .map(|path| (path.clone(), said_of_itself(&fs::read_to_string(path).unwrap().to_lowercase())));
     let texts: Vec<(PathBuf, String)> = [("src/i18n", ".rs"), ("assets/notes", ".md"), ("assets/exercises", ".md")]
         .into_iter()
         .chain([("docs", ".en.md"), ("docs", ".pt-BR.md"), ("src/cli", "args.rs"), ("", "README.md")])
@@ -97,6 +109,7 @@ fn texts_say_what_the_glossary_says() {
         // The words of other books are what the search is for.
         .filter(|path| !path.ends_with("i18n/search.rs"))
         .map(|path| (path.clone(), fs::read_to_string(path).unwrap().to_lowercase()))
+        .chain(figures)
         .collect();
     let mut wrong = Vec::new();
     for Row { terms, banned } in &rows {
@@ -125,4 +138,9 @@ fn terms_are_found_as_words_in_their_language() {
     let line = "depth: \"depth buffer\", \"z-buffer\";";
     assert!(!has(in_language(line, "en", None), "z-buffer") && has(in_language(line, "pt", None), "z-buffer"));
     assert!(in_language("z-buffer", "en", Some("pt")).is_empty());
+    let file = "# z-buffer\ntitle = { en = \"depth buffer\", pt-br = \"z-buffer\" }\nname = \"z-buffer\"";
+    let said = said_of_itself(file);
+    let lines: Vec<&str> = said.lines().collect();
+    assert!(lines[0].is_empty() && !has(in_language(lines[1], "en", None), "z-buffer"));
+    assert!(has(in_language(lines[1], "pt", None), "z-buffer") && lines.len() == 2, "{lines:?}");
 }

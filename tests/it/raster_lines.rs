@@ -4,8 +4,8 @@
 
 use std::ops::Range;
 
-use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
-use camera_lab::drawing::{Drawing, StrokeSet, Surface};
+use camera_lab::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
+use camera_lab::drawing::{Drawing, Mark, StrokeSet, Surface};
 use camera_lab::raster::Rasterizer;
 use tiny_skia::Pixmap;
 
@@ -293,4 +293,53 @@ fn strokes_that_are_nonsense_are_left_out_without_harm() {
             }
         }
     }
+}
+
+#[test]
+fn a_line_behind_a_tint_is_dimmed_and_so_is_a_mark() {
+    let corners = [[10.0, 10.0, 0.5], [140.0, 10.0, 0.5], [140.0, 140.0, 0.5], [10.0, 140.0, 0.5]];
+    let wall = |opacity: u8| {
+        let color = Rgba::rgb(200, 60, 200).with_alpha(opacity);
+        let surface = Surface::solid(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], color);
+        Drawing {
+            width: SIDE,
+            height: SIDE,
+            background: Rgba::rgb(255, 255, 255),
+            antialias: 4,
+            painted_in_order: false,
+            depth_format: Default::default(),
+            surfaces: vec![surface],
+            strokes: Vec::new(),
+            areas: Vec::new(),
+            marks: Vec::new(),
+            labels: Vec::new(),
+        }
+    };
+    // How much darker a pixel of the line is than without it: in the middle of the wall, and beside it.
+    let ink = |drawing: &Drawing, depth: f32, hidden| {
+        let ends = [[2.0, 75.5, depth], [148.0, 75.5, depth]];
+        let (with, bare) = (with_edges(drawing, &ends, &[[0, 1]], hidden), with_edges(drawing, &ends, &[], hidden));
+        [75, 5].map(|x| {
+            let green = |picture: &Pixmap| picture.pixel(x, 75).map_or(0, |pixel| pixel.green());
+            i32::from(green(&bare)) - i32::from(green(&with))
+        })
+    };
+    for hidden in [HiddenLines::Hidden, HiddenLines::Dashed] {
+        let [on, beside] = ink(&wall(128), 0.5, hidden);
+        assert_eq!(ink(&wall(128), 0.7, hidden), [on, beside], "before it");
+        let [behind, outside] = ink(&wall(128), 0.3, hidden);
+        assert!(5 * behind < 3 * on && behind > on / 5, "{hidden:?}: {behind} of {on}");
+        assert_eq!(outside, beside, "where there is no wall");
+        let [faint, _] = ink(&wall(40), 0.3, hidden);
+        assert_eq!(faint, ink(&wall(40), 0.7, hidden)[0], "what is nearly clear dims nothing");
+    }
+    assert_eq!(ink(&wall(128), 0.3, HiddenLines::Shown), ink(&wall(128), 0.7, HiddenLines::Shown));
+    let marked = |depth: f32| {
+        let position = [75.0, 75.0, depth];
+        let (shape, color) = (MarkShape::Disc, INK);
+        let marks = vec![Mark { position, shape, radius: 5.0, color, outline: color, fade_if_hidden: true }];
+        let picture = Rasterizer::default().paint(&Drawing { marks, ..wall(128) }).expect("a picture");
+        picture.pixel(75, 75).expect("inside").green()
+    };
+    assert!(marked(0.3) > marked(0.7) + 40);
 }

@@ -2,17 +2,17 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Visibility};
+use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Occlusion, Rgba, Shading, Visibility};
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::drawing::{Drawing, StrokeSet, Surface};
 use camera_lab::figure::read::parse;
 use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::Renderer;
 use camera_lab::pipeline::stroke_order::painted_runs;
-use camera_lab::pipeline::stroke_runs::{Run, hidden_places, stroke_runs};
+use camera_lab::pipeline::stroke_runs::{Run, occlusions, stroke_runs};
 use camera_lab::pipeline::{Output, Reason, Stage, Target, draw};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Line, Object, Scene, no_files, primitives};
+use camera_lab::scene::{Line, Object, ObjectPaint, Scene, no_files, primitives};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3};
 
@@ -70,12 +70,23 @@ fn with_runs<'a>(drawing: &Drawing, runs: impl IntoIterator<Item = &'a Run>) -> 
     Drawing { strokes: strokes.collect(), ..drawing.clone() }
 }
 
+/// The solids, the second of which is a tint.
+fn with_a_tint() -> Scene {
+    let mut scene = solids();
+    scene.objects[1].paint = ObjectPaint::Solid(Rgba::rgb(200, 60, 200).with_alpha(120));
+    scene
+}
+
 #[test]
 fn exact_runs_look_as_the_depth_buffer_shows_strokes() {
-    let (mut ink, mut apart) = (0_usize, 0_usize);
-    for drawing in views(&solids()) {
+    let (mut ink, mut apart, mut dimmed) = (0_usize, 0_usize, 0_usize);
+    for drawing in views(&solids()).chain(views(&with_a_tint())) {
         let runs = stroke_runs(&drawing).unwrap();
-        assert!(runs.iter().any(|run| !run.visible) && runs.iter().any(|run| run.visible));
+        dimmed += runs.iter().filter(|run| run.behind == Occlusion::Translucent).count();
+        assert!(
+            runs.iter().any(|run| run.behind == Occlusion::Opaque)
+                && runs.iter().any(|run| run.behind == Occlusion::None)
+        );
         let ends: Vec<[f32; 3]> =
             runs.iter().flat_map(|run| [run.points[0], run.points[run.points.len() - 1]]).collect();
         let paint = |drawing: &Drawing| Rasterizer::default().paint(drawing).expect("a picture");
@@ -89,7 +100,7 @@ fn exact_runs_look_as_the_depth_buffer_shows_strokes() {
         }
     }
     // Away from ends of runs: where an edge is hidden by less than two pixels along all its length.
-    assert!(ink > 5000 && apart * 200 < ink, "{apart} of {ink}");
+    assert!(ink > 10_000 && apart * 200 < ink && dimmed > 10, "{apart} of {ink}, {dimmed} dimmed");
 }
 
 #[test]
@@ -101,7 +112,7 @@ fn runs_make_up_each_polyline() {
         for pair in runs.windows(2).filter(|pair| !pair[0].has_end) {
             assert_eq!((pair[0].set, pair[0].polyline), (pair[1].set, pair[1].polyline));
             assert_eq!(pair[0].points.last(), pair[1].points.first());
-            assert_ne!(pair[0].visible, pair[1].visible);
+            assert_ne!(pair[0].behind, pair[1].behind);
         }
     }
 }
@@ -206,7 +217,7 @@ fn a_drawing_for_vectors_needs_no_depth_buffer() {
         assert_eq!(vectors.drawing.labels, pixels.drawing.labels);
         // Whether marks and labels are hidden is found without pixels.
         let places = vectors.drawing.labels.iter().map(|label| label.position);
-        assert_eq!(hidden_places(&vectors.drawing, places).unwrap().len(), pixels.drawing.labels.len());
+        assert_eq!(occlusions(&vectors.drawing, places).unwrap().len(), pixels.drawing.labels.len());
 
         // Without any depth: the faces as they are listed, then the runs.
         let plain = |drawing: &Drawing| Drawing { marks: Vec::new(), labels: Vec::new(), ..drawing.clone() };

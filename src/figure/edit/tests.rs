@@ -3,10 +3,12 @@
 use super::*;
 use crate::appearance::{HiddenLines, Rgba, Style, Theme};
 use crate::camera::{Decomposition, ImageSize, Ndc, Operation, Parameters, Projection, ViewWindow, Viewport};
-use crate::figure::words::{ARRANGEMENTS, DEPTH_FORMATS, MEASURES, PANELS, PRESETS, SHADINGS, VISIBILITIES};
+use crate::figure::words::{
+    ARRANGEMENTS, DEPTH_FORMATS, MEASURES, PANELS, PRESETS, SCREEN_MATRICES, SHADINGS, VISIBILITIES,
+};
 use crate::figure::{
-    Bilingual, Comparison, Depth, Measured, NamedPoint, Observer, Observers, Outside, Reveal, Screen, Show, ShownProbe,
-    ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep, View, WorldLook,
+    Bilingual, Comparison, Depth, Measured, NamedPoint, Observer, Observers, Outside, Reveal, Screen, ScreenEntry,
+    Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep, View, WorldLook,
 };
 use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
@@ -187,8 +189,12 @@ fn screen() -> impl Strategy<Value = Screen> {
     let pictures = any::<[bool; 3]>().prop_map(|shown| Some(shown).filter(|shown| *shown != [false; View::COUNT]));
     let arrangement = proptest::option::of(proptest::sample::select(ARRANGEMENTS));
     let panel = proptest::option::of(proptest::sample::select(PANELS));
-    (pictures, arrangement, panel).prop_map(|(pictures, arrangement, panel)| Screen {
+    let entry = (proptest::sample::select(SCREEN_MATRICES), any::<bool>(), [1..=4_u8, 1..=4_u8]);
+    let entry = entry.prop_map(|((_, matrix), inverse, place)| ScreenEntry { matrix, inverse, place });
+    let entry = proptest::option::of(entry);
+    (pictures, arrangement, panel, entry).prop_map(|(pictures, arrangement, panel, entry)| Screen {
         pictures,
+        entry,
         arrangement: arrangement.map(|(_, arrangement)| arrangement),
         panel: panel.map(|(_, panel)| panel),
     })

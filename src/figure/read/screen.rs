@@ -2,8 +2,8 @@
 
 use super::section::{Fault, Section};
 use crate::figure::error::Allowed;
-use crate::figure::words::{self, ARRANGEMENTS, PANELS, PICTURES};
-use crate::figure::{Bilingual, Screen, View};
+use crate::figure::words::{self, ARRANGEMENTS, PANELS, PICTURES, SCREEN_MATRICES};
+use crate::figure::{Bilingual, Screen, ScreenEntry, View};
 use crate::limits::{MAX_CAPTION, MAX_TITLE};
 use crate::sanitize;
 
@@ -28,11 +28,29 @@ pub(super) fn screen(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Scree
     if shows_none && section.is_present("pictures") {
         section.refuse("pictures", Allowed::Words(words::names(PICTURES)));
     }
+    let entry = entry(section.section("entry", "[screen] entry."), faults);
     let screen = Screen {
+        entry,
         pictures: Some(pictures).filter(|pictures| *pictures != [false; View::COUNT]),
         arrangement: section.choice("arrangement", ARRANGEMENTS),
         panel: section.choice("panel", PANELS),
     };
     faults.extend(section.finish());
     screen
+}
+
+fn entry(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ScreenEntry> {
+    if !section.is_table() {
+        return None;
+    }
+    let matrix = section.choice("matrix", SCREEN_MATRICES);
+    if matrix.is_none() && !section.is_present("matrix") {
+        section.missing("matrix", Allowed::Word { words: words::names(SCREEN_MATRICES), near: None });
+    }
+    let inverse = section.switch("inverse");
+    let [row, column] = ["row", "column"].map(|key| section.integer(key, 1, 4, 1));
+    let found = section.finish();
+    let is_good = found.iter().all(Fault::is_unknown_key);
+    faults.extend(found);
+    matrix.filter(|_| is_good).map(|matrix| ScreenEntry { matrix, inverse, place: [row, column] })
 }

@@ -144,7 +144,10 @@ fn every_key_is_read() {
     assert_eq!(figure.title.unwrap().pt_br, "A house");
     assert_eq!(figure.caption, Some(["By the sea.", "À beira-mar."].map(str::to_owned).into()));
     let arrangement = Some(Some(Arrangement::Beside));
-    assert_eq!(figure.screen, Screen { pictures: Some([true, false, true]), arrangement, panel: Some(None) });
+    assert_eq!(
+        figure.screen,
+        Screen { pictures: Some([true, false, true]), arrangement, panel: Some(None), entry: None }
+    );
 }
 
 #[test]
@@ -159,6 +162,10 @@ fn titles_and_screens_are_refused_with_their_line() {
         ("[screen]\n\npictures = [\"wrold\"]".to_owned(), 3, "[screen] pictures"),
         ("[screen]\narrangement = \"rows\"".to_owned(), 2, "[screen] arrangement"),
         ("[screen]\npanel = true".to_owned(), 2, "[screen] panel"),
+        ("[screen]\nentry = { matrix = \"projektion\" }".to_owned(), 2, "[screen] entry.matrix"),
+        ("[screen]\nentry = { matrix = \"view\", row = 5 }".to_owned(), 2, "[screen] entry.row"),
+        ("[screen]\nentry = { row = 3 }".to_owned(), 2, "[screen] entry.matrix"),
+        ("title = \"\u{202e}eltit\"".to_owned(), 1, "title"),
     ] {
         assert_eq!(place(&text), (at, key.to_owned()), "{text}");
     }

@@ -27,6 +27,8 @@ pub(super) struct Moment {
     pub(super) on_the_way: bool,
     /// Nothing glides.
     pub(super) still: bool,
+    /// Files of the scene are still being read.
+    pub(super) loading: bool,
 }
 
 /// Settings that make a picture larger or smaller besides the camera and the scene: the parts outside the volume that
@@ -78,6 +80,8 @@ struct KeptObserver {
     framed: Subject,
     scene: SharedScene,
     subject: u64,
+    /// It was framed before all files of the scene had been read.
+    incomplete: bool,
     size: Size,
     /// The camera was not on its way.
     settled: bool,
@@ -90,7 +94,9 @@ impl Auto {
     /// `subject`: a scene that has nothing to do with the last one.
     pub(super) fn observer(&mut self, request: &Request, subject: u64, moment: Moment) -> Option<AutoObserver> {
         let framed = Subject::of(request);
-        let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
+        let is_same =
+            |kept: &&mut KeptObserver| kept.subject == subject && (!kept.incomplete || kept.scene == request.scene);
+        let Some(kept) = self.kept.as_mut().filter(is_same) else {
             let observer = request.observer_from(Viewpoint::default())?;
             self.before.clear();
             self.kept = Some(KeptObserver {
@@ -98,6 +104,7 @@ impl Auto {
                 framed,
                 scene: request.scene.clone(),
                 subject,
+                incomplete: moment.loading,
                 size: request.size,
                 settled: !moment.on_the_way,
                 glide: None,
@@ -117,7 +124,8 @@ impl Auto {
         let then = self.before.iter().find(|(before, _)| returns && *before == framed);
         // What was in hand has changed when it is let go.
         let is_new = resized || changed || kept.scene != request.scene;
-        kept.settled = !moment.on_the_way;
+        // A button that is pressed sends nothing on its way before something changes.
+        kept.settled = !moment.on_the_way || kept.settled && !changed;
         let mut goes_back = false;
         if let Some((_, observer)) = then {
             (kept.observer, kept.glide) = (*observer, None);
@@ -197,7 +205,7 @@ mod tests {
         }
     }
 
-    const FREE: Moment = Moment { now: 0.0, in_hand: false, on_the_way: false, still: true };
+    const FREE: Moment = Moment { now: 0.0, in_hand: false, on_the_way: false, still: true, loading: false };
     const SLIDER: Moment = Moment { on_the_way: true, ..FREE };
     const HANDLE: Moment = Moment { in_hand: true, on_the_way: true, ..FREE };
 
@@ -214,7 +222,7 @@ mod tests {
             by.apply(&camera, Convention::RightHand).unwrap()
         };
         let first = seen.of(&camera, 400, FREE).observer;
-        for degrees in [20.0, 45.0, 65.0] {
+        for degrees in [0.0, 20.0, 45.0, 65.0] {
             assert_eq!(seen.of(&turned(degrees), 400, HANDLE).observer, first, "nothing moves in the hand");
         }
         let moved = seen.of(&turned(65.0), 400, FREE).observer;
@@ -242,6 +250,23 @@ mod tests {
     }
 
     #[test]
+    fn what_was_seen_before_a_button_was_pressed_comes_back_with_its_camera() {
+        for held in [SLIDER, HANDLE] {
+            let mut seen = Seen::new();
+            let near = DVec3::new(3.0, 4.0, 5.0);
+            let first = seen.of(&at(near), 400, FREE).observer;
+            // Pressed, and nothing has moved yet.
+            for factor in [1.0, 1.0, 4.0, 9.0, 8.0] {
+                seen.of(&at(near * factor), 400, held);
+            }
+            let later = seen.of(&at(near * 8.0), 400, FREE).observer;
+            assert_ne!(later, first);
+            assert_eq!(seen.of(&at(near), 400, FREE).observer, first, "undone");
+            assert_eq!(seen.of(&at(near * 8.0), 400, FREE).observer, later, "done again");
+        }
+    }
+
+    #[test]
     fn a_slider_is_followed_while_it_is_held_and_gliding_takes_its_time() {
         let mut seen = Seen::new();
         let near = DVec3::new(3.0, 4.0, 5.0);
@@ -253,5 +278,22 @@ mod tests {
         let end = seen.of(&at(near * 4.0), 400, Moment { now: GLIDE, ..moving });
         assert!(half.glides && !half.goes_back && !end.glides);
         assert!(first.distance < half.observer.distance && half.observer.distance < end.observer.distance);
+    }
+
+    #[test]
+    fn a_scene_that_arrives_late_is_framed_as_if_it_had_been_there() {
+        let camera = at(DVec3::new(0.0, 2.0, 9.0));
+        let figure = crate::figure::read::parse(
+            "[[scene.objects]]\nname = \"far\"\nshape = \"box\"\ntranslate = [40, 0, 0]\nscale = [3, 3, 3]\n",
+        )
+        .unwrap();
+        let scene = crate::scene::build(&figure.scene, &figure.style, &mut crate::scene::no_files).unwrap();
+        let mut late = Seen::new();
+        let early = late.of(&camera, 400, Moment { loading: true, ..FREE }).observer;
+        late.scene = SharedScene::new(scene.clone());
+        let mut there = Seen { scene: SharedScene::new(scene), ..Seen::new() };
+        let expected = there.of(&camera, 400, FREE);
+        assert_ne!(early, expected.observer);
+        assert_eq!(late.of(&camera, 400, FREE), expected);
     }
 }

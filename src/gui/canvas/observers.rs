@@ -18,6 +18,7 @@ impl Canvas {
             in_hand: self.drag.is_some(),
             on_the_way: ui.input(|input| input.pointer.any_down()),
             still: state.settings.reduce_motion,
+            loading: !state.scene_cache.loading().is_empty(),
         };
         for pane in panes.iter_mut().filter(|pane| pane.view != View::Image) {
             let asked = asked.filter(|(of, _)| *of == pane.picture || state.layout.linked).map(|(_, change)| change);

@@ -99,7 +99,7 @@ struct Typing {
 }
 
 /// The height of a row of a typeset matrix, in lines of text.
-const ROW_OF_TABLE: f32 = 1.5;
+const ROW_OF_TABLE: f32 = 1.55;
 
 /// Shows feedback on an answer while it is typed, in the greatest space that earlier feedback needed: the content below
 /// does not jump with every key.
@@ -111,8 +111,7 @@ fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     let least = match ask.kind {
         Kind::Choice(_) | Kind::Camera => 0.0,
         // Before the first key there is room for what is going to be understood.
-        Kind::Matrix(..) => ROW_OF_TABLE * line * rows as f32,
-        Kind::Number | Kind::Vector(_) => line,
+        Kind::Number | Kind::Vector(_) | Kind::Matrix(..) => ROW_OF_TABLE * line * rows as f32,
     };
     let kept = ui.data(|data| data.get_temp(id)).unwrap_or(least);
     let needed = ui.scope(say).response.rect.height();

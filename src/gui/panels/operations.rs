@@ -206,13 +206,14 @@ const COILS: u8 = 12;
 
 /// Pulls the camera from where it was taken; springs back when it is let go.
 fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
+    let free = ui.input(|input| input.modifiers.command);
     let (range, grain) = match freedom.descriptor().amount {
         Amount::Factor => (3.0, 0.05),
         Amount::Length => {
             let start = state.operations.scrub.as_ref().map_or(state.document.camera(), |s| &s.start);
             (start.distance(), 0.0)
         }
-        Amount::Angle if ui.input(|input| input.modifiers.command) => (180.0, 0.0),
+        Amount::Angle if free => (180.0, 0.0),
         Amount::Angle => (180.0, SNAP),
     };
     let mut amount = state.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map_or(0.0, |s| s.amount);
@@ -220,7 +221,8 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
     // Springs take the place of the rail.
     ui.spacing_mut().slider_rail_height = 0.0;
     theme::strengthen_rail(ui);
-    let slider = Slider::new(&mut amount, -range..=range).show_value(false).step_by(grain);
+    // A pixel is several degrees wide: there is a round number in each.
+    let slider = Slider::new(&mut amount, -range..=range).show_value(false).step_by(grain).smart_aim(!free);
     let response = ui.add(slider).explained(t.scrub_hint);
     let response = response.accessible_name(format!("{}: {}", name(freedom, t), t.scrub));
     #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
@@ -228,7 +230,8 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
     if response.drag_started() {
         state.operations.scrub = Some(Scrub { freedom, start: state.document.camera().clone(), amount: 0.0 });
     }
-    if response.dragged() {
+    // Where it is let go counts too: the pointer may have moved since the last frame.
+    if response.dragged() || response.drag_stopped() {
         let convention = state.operations.convention;
         if let Some(scrub) = state.operations.scrub.as_mut().filter(|scrub| scrub.freedom == freedom) {
             state.hover.ghost =

@@ -1,7 +1,8 @@
 //! The layout that a figure asks for, and the user's own, which comes back afterwards.
 
-use super::{Side, State};
-use crate::figure::{Arrangement, Explanation, Screen, View};
+use super::{Matrices, Side, State};
+use crate::explain::Matrix;
+use crate::figure::{Arrangement, Explanation, Screen, ScreenEntry, ScreenMatrix, View};
 
 /// The parts of the window's layout that a figure can ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +78,7 @@ impl State {
     pub(in crate::gui) fn show_screen(&mut self, screen: Screen) {
         self.give_back_layout();
         let own = self.placed();
-        let Screen { pictures, arrangement, panel } = screen;
+        let Screen { pictures, arrangement, panel, entry } = screen;
         if let Some(pictures) = pictures {
             (self.layout.shown, self.layout.maximized) = (pictures, None);
         }
@@ -90,9 +91,66 @@ impl State {
             Some(None) => self.settings.panels_mut().wanted[Side::Explain as usize] = false,
             None => {}
         }
+        if let Some(ScreenEntry { matrix, inverse, place }) = entry {
+            self.explain.matrices.show_entry(matrix_of(matrix), inverse, place.map(|k| usize::from(k.clamp(1, 4)) - 1));
+        }
         let presentation = self.settings.presentation;
         self.asked_layout =
             (screen != Screen::default()).then(|| AskedLayout { own, asked: self.placed(), presentation });
         self.keep_what_it_explains();
+    }
+}
+
+/// The matrices that a figure can name, as the explanation of matrices has them.
+const MATRICES: [(ScreenMatrix, Matrix); 5] = [
+    (ScreenMatrix::Model, Matrix::Model),
+    (ScreenMatrix::View, Matrix::View),
+    (ScreenMatrix::Projection, Matrix::Projection),
+    (ScreenMatrix::ViewProjection, Matrix::ViewProjection),
+    (ScreenMatrix::Viewport, Matrix::Viewport),
+];
+
+fn matrix_of(named: ScreenMatrix) -> Matrix {
+    MATRICES.into_iter().find(|(name, _)| *name == named).map_or(Matrix::Projection, |(_, matrix)| matrix)
+}
+
+/// The entry that the explanation of matrices shows.
+pub(super) fn shown_entry(matrices: &Matrices) -> Option<ScreenEntry> {
+    let (matrix, _) = MATRICES.into_iter().find(|(_, matrix)| *matrix == matrices.matrix)?;
+    // At most 4.
+    let place = matrices.entry.map(|k| u8::try_from(k + 1).unwrap_or(4));
+    Some(ScreenEntry { matrix, inverse: matrices.inverse, place })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::Start;
+
+    #[test]
+    fn the_layout_of_a_figure_is_no_preference_and_ends_with_it() {
+        let mut state = State::new(Start::default()).expect("nothing is opened");
+        state.layout.shown = [true, false, true];
+        let own = state.preferred_layout();
+        let asked = Screen {
+            pictures: Some([false, true, true]),
+            arrangement: Some(Some(Arrangement::Column)),
+            panel: Some(Some(Explanation::Depth)),
+            entry: None,
+        };
+        state.show_screen(asked);
+        assert_eq!((state.layout.shown, state.layout.arrangement), ([false, true, true], Some(Arrangement::Column)));
+        assert!(state.shows_explanation(Explanation::Depth));
+        assert_eq!(state.preferred_layout(), own);
+        // The next figure asks for less, and has the rest from the user.
+        state.show_screen(Screen { panel: Some(None), ..Screen::default() });
+        assert_eq!(state.preferred_layout(), own);
+        assert_eq!(state.layout.shown, own.pictures);
+        // A change by the user is one of the user's layout.
+        state.show_screen(asked);
+        state.layout.shown = [false, false, true];
+        assert_eq!(state.preferred_layout(), Placed { pictures: [false, false, true], ..own });
+        state.show_screen(Screen::default());
+        assert_eq!(state.placed(), Placed { pictures: [false, false, true], ..own });
     }
 }

@@ -65,6 +65,11 @@ impl Matrices {
         self.wants_focus = true;
     }
 
+    /// Shows an entry of a matrix, or of its inverse.
+    pub(in crate::gui) const fn show_entry(&mut self, matrix: Matrix, inverse: bool, entry: [usize; 2]) {
+        (self.matrix, self.inverse, self.entry) = (matrix, inverse, entry);
+    }
+
     /// The matrices to choose from, each with its inverse.
     pub const CHOICES: [Matrix; 5] =
         [Matrix::Model, Matrix::View, Matrix::Projection, Matrix::ViewProjection, Matrix::Viewport];

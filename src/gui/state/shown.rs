@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::asked_layout::shown_entry;
 use super::{Side, State, steps};
 use crate::camera::Ndc;
 use crate::explain::Symbol;
@@ -114,6 +115,8 @@ impl State {
             pictures: Some(View::ALL.map(|view| self.layout.is_shown(view))),
             arrangement: Some(self.layout.arrangement),
             panel: Some(is_open.then(|| self.explain.shown())),
+            entry: shown_entry(&self.explain.matrices)
+                .filter(|_| is_open && self.explain.shown() == Explanation::Matrices),
         }
     }
 

@@ -125,8 +125,16 @@ fn three_in_a_cycle_are_each_over_the_next() {
                 let [p, q] = [run.points[0], run.points[run.points.len() - 1]].map(|p| p.map(f64::from));
                 let along: [f64; 3] = std::array::from_fn(|k| q[k] - p[k]);
                 let length = along[0].hypot(along[1]);
-                let part =
-                    Segment { run: 0, layer: (0, true), from: p, along, arc: 0.0, length, radius: 0.0, width: 0.0 };
+                let part = Segment {
+                    run: 0,
+                    layer: (0, Occlusion::None),
+                    from: p,
+                    along,
+                    arc: 0.0,
+                    length,
+                    radius: 0.0,
+                    width: 0.0,
+                };
                 let corner = [f64::from(end[0]), f64::from(end[1]), 0.0];
                 run.set == set && distance(part.at(part.nearest_to(corner)), corner) < 0.1
             })
