@@ -63,6 +63,8 @@ pub enum Mistake {
     NearForgotten,
     /// D in the place of F.
     DistanceForNear,
+    /// The distance from C in the place of the depth −z_c.
+    DistanceForDepth,
     /// What the other projection has.
     ProjectionsExchanged,
     /// Numbers of the VRC used as those of the world.
@@ -93,7 +95,7 @@ pub enum Mistake {
 
 impl Mistake {
     /// All, with their codes in the contract.
-    pub const ALL: [(Self, &'static str); 43] = [
+    pub const ALL: [(Self, &'static str); 44] = [
         (Self::ArithmeticSlip, "arithmetic-slip"),
         (Self::Sign, "sign"),
         (Self::NReversed, "n-reversed"),
@@ -124,6 +126,7 @@ impl Mistake {
         (Self::FactorTwo, "factor-two"),
         (Self::NearForgotten, "near-forgotten"),
         (Self::DistanceForNear, "distance-for-near"),
+        (Self::DistanceForDepth, "distance-for-depth"),
         (Self::ProjectionsExchanged, "projections-exchanged"),
         (Self::ViewAsWorld, "view-as-world"),
         (Self::WorldAxis, "world-axis"),

@@ -89,6 +89,8 @@ slips! {
     Radians = Radians;
     /// The angle of an operation in degrees put into sin and cos.
     TurnInRadians = Radians;
+    /// An angle in radians where degrees are asked for.
+    AnswerInRadians = Radians "answer";
     /// tan θ for tan(θ/2).
     WholeAngle = WholeAngle;
     /// tan θ for 2 tan(θ/2): H = F tan θ.
@@ -139,6 +141,8 @@ slips! {
     WindowPointAsOrigin = ProjectionsExchanged;
     /// The depth of a parallel camera.
     LinearDepth = ProjectionsExchanged "depth";
+    /// The distance from C as depth.
+    DistanceAsDepth = DistanceForDepth;
     /// Numbers of the VRC as those of the world.
     ViewAsWorld = ViewAsWorld;
     /// w = +z_c.
@@ -191,6 +195,8 @@ slips! {
     DepthRangeIgnored = DepthRangeIgnored;
     /// Without X and Y of the viewport.
     OffsetIgnored = OffsetIgnored;
+    /// The principal point at (0, 0).
+    CentreIgnored = OffsetIgnored "principal-point";
     /// The opposite angle.
     OppositeAngle = OppositeAngle;
     /// A rotation about **u** through PF.

@@ -73,7 +73,10 @@ impl<'a> Textbook<'a> {
             Quantity::Camera(ParameterKey::Position) => parameters.position.into(),
             Quantity::Camera(ParameterKey::FocalPoint) => parameters.focal_point.into(),
             Quantity::Camera(ParameterKey::ViewUp) => parameters.view_up.into(),
-            Quantity::Camera(ParameterKey::ViewAngle) => parameters.view_angle.into(),
+            Quantity::Camera(ParameterKey::ViewAngle) => {
+                let angle = parameters.view_angle;
+                (if slips.has(Slip::AnswerInRadians) { angle.to_radians() } else { angle }).into()
+            }
             Quantity::Camera(ParameterKey::Height) => self.window.height().into(),
             Quantity::Camera(ParameterKey::Aspect | ParameterKey::Near | ParameterKey::Far | ParameterKey::Window)
             | Quantity::CameraSide(_) => return None,

@@ -12,7 +12,7 @@ use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 use super::exercise_verdicts::exercise;
 
 /// A question, a wrong answer to it, row by row, and the code of the mistake that gives it.
-type Wrong = (&'static str, Vec<f64>, &'static str);
+pub(super) type Wrong = (&'static str, Vec<f64>, &'static str);
 
 fn axes(p: &Parameters) -> [DVec3; 3] {
     let n = (p.position - p.focal_point).normalize();
@@ -163,12 +163,14 @@ fn of_pixel(exercise: &Exercise) -> Vec<Wrong> {
     let place = on_window(p.near);
     let [i, j] = [m * (place.x / size.x + 0.5), n * (0.5 - place.y / size.y)];
     let up = n * (0.5 + place.y / size.y);
+    let exchanged = [(n * (place.x / size.x + 0.5)).floor(), (m * (0.5 - place.y / size.y)).floor()];
     let mut wrong = vec![
         ("pixel", vec![i, j], "not-floored"),
         ("pixel", vec![i.round(), j.round()], "rounded-not-floored"),
         ("pixel", vec![i.floor() + 1.0, j.floor() + 1.0], "one-based"),
         ("pixel", vec![j.floor(), i.floor()], "columns-and-rows-exchanged"),
         ("pixel", vec![i.floor(), up.floor()], "y-not-flipped"),
+        ("pixel", exchanged.to_vec(), "columns-and-rows-exchanged"),
     ];
     if in_perspective {
         wrong.push(("window", on_window(1.0).to_array().to_vec(), "near-forgotten"));
@@ -244,6 +246,7 @@ fn of_turn(exercise: &Exercise) -> Vec<Wrong> {
             ("C", array(turned(axis, angle, c)), "through-origin"),
             ("n", array(turned(axis, -angle, n)), "opposite-angle"),
             ("n", array(n), "not-done"),
+            ("u", array(p.view_up.cross(turned(axis, angle, n)).normalize()), "not-done"),
         ],
         Operation::Yaw(_) | Operation::Pitch(_) => vec![
             ("PF", array(pf), "not-done"),
@@ -269,6 +272,8 @@ fn of_other_operations(exercise: &Exercise) -> Vec<Wrong> {
             let mut wrong = vec![("H", vec![size.y], "not-done"), ("H", vec![size.y * s], "inverse")];
             if p.projection == Projection::Perspective && p.view_angle / s < 180.0 {
                 wrong.push(("theta", vec![p.view_angle / s], "zoom-on-angle"));
+                let half = (p.view_angle / 2.0).to_radians().tan() / s;
+                wrong.push(("theta", vec![2.0 * half.atan()], "radians"));
             }
             wrong
         }
@@ -283,6 +288,7 @@ fn of_other_operations(exercise: &Exercise) -> Vec<Wrong> {
             ("C", array(c - u * dx + v * dy), "u-reversed"),
             ("C", array(c + u * dx - v * dy), "v-reversed"),
             ("PF", array(pf - u * dx - v * dy), "opposite-angle"),
+            ("PF", array(pf), "not-done"),
         ],
         _ => Vec::new(),
     }
@@ -337,36 +343,59 @@ fn typed(numbers: &[f64], [rows, columns]: [usize; 2]) -> String {
     format!("[{}]", numbers.chunks(columns).map(list).collect::<Vec<_>>().join(", "))
 }
 
+/// The verdicts on wrong answers: their number, and that of those told alone, as one of several, and not at all, with
+/// those that are right by chance.
+#[derive(Default)]
+pub(super) struct Counts {
+    pub(super) all: u32,
+    first: u32,
+    either: u32,
+    none: BTreeMap<(&'static str, &'static str, &'static str), u32>,
+    same: BTreeMap<(&'static str, &'static str, &'static str), u32>,
+}
+
+impl Counts {
+    /// Judges the wrong answers to one exercise.
+    pub(super) fn judge(&mut self, id: &'static str, exercise: &Exercise, wrong: Vec<Wrong>) {
+        for (name, numbers, code) in wrong {
+            let Some(ask) = exercise.asks.iter().find(|ask| ask.name == name) else { continue };
+            let judged = check(entry(id).unwrap(), exercise, ask, &typed(&numbers, ask.shape())).unwrap();
+            let context = format!("{id} {} {name} {code}: {:?}", exercise.seed, judged.diagnosis);
+            // By chance it is the right number there.
+            if judged.right {
+                *self.same.entry((id, name, code)).or_default() += 1;
+                continue;
+            }
+            self.all += 1;
+            let Some(diagnosis) = &judged.diagnosis else {
+                *self.none.entry((id, name, code)).or_default() += 1;
+                continue;
+            };
+            assert!(diagnosis.mistakes().any(|told| told.code() == code), "{context}");
+            assert!(diagnosis.causes.len() == 1, "{context}");
+            if diagnosis.others.is_empty() { self.first += 1 } else { self.either += 1 }
+        }
+    }
+
+    /// Nearly all are told alone, and none is not.
+    pub(super) fn hold(&self) {
+        let Self { all, first, either, none, same } = self;
+        println!("{all}: {first} told alone, {either} as one of several, not told {none:?}; right by chance {same:?}");
+        assert!(none.is_empty(), "{none:?}");
+        assert!(first > either, "{first} {either}");
+    }
+}
+
 #[test]
 fn the_first_reason_is_the_one_that_was_made() {
     const SEEDS: u64 = 110;
-    let (mut all, mut first, mut either, mut same) = (0, 0, 0, 0);
-    let mut none: BTreeMap<(&str, &str), u32> = BTreeMap::new();
+    let mut counts = Counts::default();
     for id in FAMILIES {
         for seed in 0..SEEDS {
             let exercise = exercise(id, seed);
-            for (name, numbers, code) in wrong_answers(id, &exercise) {
-                let Some(ask) = exercise.asks.iter().find(|ask| ask.name == name) else { continue };
-                let judged = check(entry(id).unwrap(), &exercise, ask, &typed(&numbers, ask.shape())).unwrap();
-                // By chance it is the right number there.
-                if judged.right {
-                    same += 1;
-                    continue;
-                }
-                all += 1;
-                let Some(diagnosis) = &judged.diagnosis else {
-                    *none.entry((id, code)).or_default() += 1;
-                    continue;
-                };
-                let context = format!("{id} {seed} {name} {code}: {diagnosis:?}");
-                assert!(diagnosis.mistakes().any(|told| told.code() == code), "{context}");
-                assert!(diagnosis.causes.len() == 1, "{context}");
-                if diagnosis.others.is_empty() { first += 1 } else { either += 1 }
-            }
+            counts.judge(id, &exercise, wrong_answers(id, &exercise));
         }
     }
-    println!("{all}: {first} told alone, {either} as one of several, not told {none:?}; {same} right by chance");
-    assert!(all > 10_000, "{all}");
-    assert!(none.is_empty(), "{none:?}");
-    assert!(first > either, "{first} {either}");
+    counts.hold();
+    assert!(counts.all > 10_000, "{}", counts.all);
 }

@@ -4,11 +4,12 @@
 
 use std::collections::BTreeSet;
 
+use camera_lab::camera::{Parameters, Projection};
 use camera_lab::exercises::{
     Answer, Ask, Entry, Exercise, Expected, Free, Kind, Slip, Slips, Table, check, entries, entry, judge_answer,
 };
-use camera_lab::i18n::Lang;
 use camera_lab::i18n::exercises::{self as texts, typed_choice};
+use camera_lab::i18n::{Lang, exercise_messages};
 use camera_lab::numbers::exact_form;
 
 /// How many seeds of each family are tried; more by `EXERCISE_SEEDS=10000 cargo test --release --test it exercises`.
@@ -235,11 +236,16 @@ fn no_number_that_is_wrong_by_a_third_is_right() {
     let mut tried = 0;
     all(|entry, exercise| {
         for ask in &exercise.asks {
-            let Some(right) = ask.expected().table().filter(|_| ask.readings.len() == 1) else { continue };
+            let Some(right) = ask.expected().table() else { continue };
+            let others: Vec<Table> = ask.readings[1..].iter().filter_map(|reading| reading.expected.table()).collect();
             for k in (0..right.entries.len()).filter(|k| right.entries[*k].abs() > 1e-12) {
                 for factor in [0.7, 1.3] {
                     let mut wrong = right.clone();
                     wrong.entries[k] *= factor;
+                    // The number of another reading.
+                    if others.iter().any(|other| !differs(ask, &wrong, other)) {
+                        continue;
+                    }
                     let judged = check(entry, exercise, ask, &typed(&wrong, |x| x.to_string())).unwrap();
                     let context = format!("{} seed {} {}: {wrong:?}", entry.id, exercise.seed, ask.name);
                     assert!(!judged.right && !judged.entries.iter().flatten().nth(k).unwrap(), "{context}");
@@ -249,6 +255,108 @@ fn no_number_that_is_wrong_by_a_third_is_right() {
         }
     });
     assert!(tried > 4_000, "{tried}");
+}
+
+/// Nothing that can be answered wrongly leaves a student without a word.
+#[test]
+fn what_no_known_mistake_explains_gets_a_hint() {
+    let mut tried = 0;
+    all_of(3, |entry, exercise| {
+        for ask in &exercise.asks {
+            let answers = match &ask.kind {
+                Kind::Choice(choices) => choices.clone(),
+                Kind::Camera => vec!["C=(7, 7, 7.5); PF=(0.3, 0.2, 0.1); projection=parallel; H=0.37".to_owned()],
+                _ => {
+                    let [rows, columns] = ask.shape();
+                    let entries = (0..rows * columns).map(|k| [7171.0, -3313.0, 5501.0][k % 3]).collect();
+                    vec![typed(&Table { rows, columns, entries }, |x| x.to_string())]
+                }
+            };
+            for answer in answers {
+                let judged = check(entry, exercise, ask, &answer).unwrap();
+                if judged.right {
+                    continue;
+                }
+                tried += 1;
+                for lang in [Lang::En, Lang::PtBr] {
+                    let context = format!("{} seed {} {} {lang:?}", entry.id, exercise.seed, ask.name);
+                    let hints = exercise_messages::hints(lang, exercise, ask, &judged);
+                    assert!(!hints.is_empty() && hints.iter().all(|hint| !hint.trim().is_empty()), "{context}");
+                    let said = texts::diagnosis(lang, ask, &judged);
+                    assert!(said.is_none_or(|said| !said.trim().is_empty()), "{context}");
+                }
+            }
+        }
+    });
+    assert!(tried > 300, "{tried}");
+}
+
+/// A camera by the names of the notes.
+fn camera_text(model: &Parameters, lang: Lang) -> String {
+    let mark = |x: f64| if lang == Lang::En { x.to_string() } else { x.to_string().replace('.', ",") };
+    let separator = if lang == Lang::En { ", " } else { "; " };
+    let tuple = |v: glam::DVec3| format!("({})", v.to_array().map(mark).join(separator));
+    let [name, perspective, parallel] = match lang {
+        Lang::En => ["projection", "perspective", "parallel"],
+        Lang::PtBr => ["projeção", "perspectiva", "paralela"],
+    };
+    let lens = match model.projection {
+        Projection::Perspective => format!("{name}={perspective}; θ={}°", mark(model.view_angle)),
+        Projection::Parallel => format!("{name}={parallel}; H={}", mark(model.height)),
+    };
+    let [c, pf, up] = [model.position, model.focal_point, model.view_up].map(tuple);
+    let [a, f, b] = [model.aspect, model.near, model.far].map(mark);
+    format!("C={c}; PF={pf}; VUP={up}; {lens}; A={a}; F={f}; B={b}")
+}
+
+#[test]
+fn a_right_camera_is_right_by_the_names_of_the_notes_in_each_language() {
+    let mut tried = 0;
+    all(|entry, exercise| {
+        for ask in &exercise.asks {
+            let Expected::Camera(_, model, _) = ask.expected() else { continue };
+            for lang in [Lang::En, Lang::PtBr] {
+                let text = camera_text(model, lang);
+                let judged = check(entry, exercise, ask, &text).unwrap();
+                assert!(judged.right, "{} seed {}: {text}: {judged:?}", entry.id, exercise.seed);
+                tried += 1;
+            }
+        }
+    });
+    assert!(tried > 50, "{tried}");
+}
+
+#[test]
+fn temporary_coincidences() {
+    use std::collections::BTreeMap;
+    let mut found: BTreeMap<(String, String, Slip, String), (u32, Vec<u64>)> = BTreeMap::new();
+    all_of(100, |entry, exercise| {
+        for ask in &exercise.asks {
+            let Some(right) = ask.expected().table() else { continue };
+            for slip in Slip::ALL {
+                let Some(wrong) = ask.expected().slipped(Slips::one(*slip)) else { continue };
+                if wrong.shape() != right.shape() {
+                    continue;
+                }
+                let projection = format!("{:?}", exercise.subject.figure.camera.projection);
+                let at = found.entry((entry.id.to_string(), ask.name.clone(), *slip, projection)).or_default();
+                if differs(ask, &wrong, &right) {
+                    at.0 += 1;
+                } else {
+                    at.1.push(exercise.seed);
+                }
+            }
+        }
+    });
+    for ((id, ask, slip, projection), (differs, same)) in found {
+        if differs > 0 && !same.is_empty() {
+            println!(
+                "COINCIDES {id} {ask} {slip:?} {projection}: differs {differs}, same {} {:?}",
+                same.len(),
+                &same[..same.len().min(6)]
+            );
+        }
+    }
 }
 
 /// The code of the first diagnosis of an answer.

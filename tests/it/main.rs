@@ -21,6 +21,7 @@ mod diagnose;
 mod diagnose_causes;
 mod exercise_mistakes;
 mod exercise_slips;
+mod exercise_slips_others;
 mod exercise_verdicts;
 mod exercises;
 mod explain;

@@ -119,17 +119,22 @@ fn painter(seed: u64) -> Exercise {
             step.row(named(names[k], names[k], depths[k]), crate::explain::sum(terms))
         })
     };
+    let distances = distances(&points);
     let depth_ask = {
-        let depths = depths.clone();
+        let (depths, distances) = (depths.clone(), distances.clone());
         Ask::computed("depths", Kind::Vector(4), vec![steps.clone()], move |slips| {
+            if slips.has(Slip::DistanceAsDepth) {
+                return Some(Table::column(&distances));
+            }
             let sign = if slips.any(&[Slip::ViewDepthSign, Slip::NReversed]) { -1.0 } else { 1.0 };
             Some(Table::column(&depths.iter().map(|depth| sign * depth).collect::<Vec<_>>()))
         })
         .in_unit(Unit::Scene)
     };
     let order_ask = Ask::computed("order", Kind::Vector(4), vec![steps], move |slips| {
+        let right = if slips.has(Slip::DistanceAsDepth) { order(&distances) } else { right.clone() };
         let order: Vec<f64> =
-            if slips.has(Slip::OrderReversed) { right.iter().rev().copied().collect() } else { right.clone() };
+            if slips.has(Slip::OrderReversed) { right.iter().rev().copied().collect() } else { right };
         if slips.has(Slip::RankOfEach) {
             return Some(Table::column(&ranks(&order)));
         }
@@ -189,10 +194,12 @@ fn zoom_or_dolly(seed: u64) -> Exercise {
         })
         .of_nature(Nature::Size)
     };
+    // Of the pole at PF both take up s times as much.
+    let enlarged = |ask: Ask| ask.following(&["before"], move |tables| Some(tables[0].map(|share| share * factor)));
     let asks = vec![
         ask("before", 1.0, 1.0, 0.0),
-        ask("zoomed", factor, 1.0, 0.0),
-        ask("dollied", 1.0, factor, 0.0),
+        enlarged(ask("zoomed", factor, 1.0, 0.0)),
+        enlarged(ask("dollied", 1.0, factor, 0.0)),
         ask("zoomed_behind", factor, 1.0, behind),
         ask("dollied_behind", 1.0, factor, behind),
         Ask::choice("changes", &["zoom", "dolly"], 1, &[(0, Mistake::OtherOperation)], Vec::new()),

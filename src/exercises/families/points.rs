@@ -76,7 +76,7 @@ fn inside(seed: u64) -> Exercise {
         ..Ask::choice("inside", &["yes", "no"], usize::from(plane != 0), &[], steps_inside(&subject, 0))
     };
     let clip = Ask::quantity("clip", &subject, Quantity::Point(0, PointNumber::Clip));
-    let cut = Ask::choice("plane", &PLANES, plane, &opposite(plane, projection), steps_inside(&subject, 0));
+    let cut = Ask::choice("plane", &PLANES, plane, &opposite(plane), steps_inside(&subject, 0));
     let outside = |tables: &[Table]| {
         let clip: [f64; 4] = tables[0].entries[..].try_into().ok()?;
         Some((1..=6_u8).zip(beyond_planes(clip.into())).filter(|(_, d)| *d < 0.0).map(|(k, _)| k).collect::<Vec<u8>>())
@@ -95,7 +95,7 @@ fn inside(seed: u64) -> Exercise {
 }
 
 /// The plane on the other side comes out where a sign is wrong.
-fn opposite(plane: usize, _projection: Projection) -> Vec<(usize, Mistake)> {
+fn opposite(plane: usize) -> Vec<(usize, Mistake)> {
     match plane {
         0 => Vec::new(),
         5 | 6 => vec![(11 - plane, Mistake::ZSign)],

@@ -161,7 +161,13 @@ fn vocabulary(seed: u64) -> Exercise {
         let near = if slips.has(Slip::NearForgottenInScale) { 1.0 } else { parameters.near };
         let twice = if slips.has(Slip::ScaleDoubled) { 1.0 } else { 2.0 };
         let f = [m * near / (twice * right), n * near / (twice * top)];
-        let by = if slips.has(Slip::CentreWhole) { 1.0 } else { 0.5 };
+        let by = if slips.has(Slip::CentreWhole) {
+            1.0
+        } else if slips.has(Slip::CentreIgnored) {
+            0.0
+        } else {
+            0.5
+        };
         let less = if slips.has(Slip::CentresAtWhole) { 0.5 } else { 0.0 };
         let centre = if slips.has(Slip::CentresExchanged) { [n, m] } else { [m, n] };
         let [x, y] = centre.map(|side| side * by - less);
