@@ -2,6 +2,7 @@
 
 use super::answer::Answer;
 use super::exercise::{Ask, Expected, Reading};
+use super::slip::{Slip, Slips};
 use super::value::Table;
 use crate::camera::Camera;
 
@@ -40,6 +41,12 @@ impl Ask {
         // The least of a number that is 0 but for its error has no size.
         let share = if right.abs() <= 1e-9 * self.tolerance { f64::INFINITY } else { self.share * right.abs() };
         (given - right).abs() <= self.tolerance.min(share) + rest || is_rounded(given, right, rest)
+    }
+
+    /// Whether the right answer shows that a slip was not made.
+    pub(super) fn tells(&self, slip: Slip) -> bool {
+        let tables = self.expected().table().zip(self.expected().slipped(Slips::one(slip)));
+        tables.is_some_and(|(right, wrong)| wrong.shape() == right.shape() && !self.accepts_all(&wrong.entries, &right))
     }
 
     pub(super) fn accepts_all(&self, given: &[f64], right: &Table) -> bool {

@@ -11,7 +11,7 @@ use super::exercise_slips::{Counts, Wrong};
 use super::exercise_verdicts::exercise;
 
 /// A number of the statement.
-fn number(exercise: &Exercise, name: &str) -> f64 {
+pub(super) fn number(exercise: &Exercise, name: &str) -> f64 {
     match exercise.facts.iter().rev().find(|(fact, _)| *fact == name) {
         Some((_, Fact::Number(value) | Fact::Angle(value))) => *value,
         other => panic!("{name}: {other:?}"),
@@ -19,7 +19,7 @@ fn number(exercise: &Exercise, name: &str) -> f64 {
 }
 
 /// A point or a vector of the statement.
-fn tuple(exercise: &Exercise, name: &str) -> Vec<f64> {
+pub(super) fn tuple(exercise: &Exercise, name: &str) -> Vec<f64> {
     match exercise.facts.iter().rev().find(|(fact, _)| *fact == name) {
         Some((_, Fact::Tuple(values))) => values.clone(),
         other => panic!("{name}: {other:?}"),

@@ -41,7 +41,7 @@ fn square(entries: Vec<f64>) -> String {
 }
 
 /// The verdicts on answers that are submitted together.
-fn together(id: &str, seed: u64, answers: &[(&str, String)]) -> Vec<Judged> {
+pub(crate) fn together(id: &str, seed: u64, answers: &[(&str, String)]) -> Vec<Judged> {
     let (entry, exercise) = (entry(id).unwrap(), exercise(id, seed));
     let ask = |name: &str| exercise.asks.iter().find(|ask| ask.name == name).unwrap();
     let read = |(name, text): &(&str, String)| {

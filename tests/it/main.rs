@@ -19,6 +19,7 @@ mod contract;
 mod depth_in_view;
 mod diagnose;
 mod diagnose_causes;
+mod exercise_follows;
 mod exercise_mistakes;
 mod exercise_slips;
 mod exercise_slips_others;

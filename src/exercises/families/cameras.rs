@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::camera::{Camera, ImageSize, Parameters, Projection};
 pub(super) use crate::exercises::statement_facts::{about, image, with_point};
-use crate::exercises::{Exercise, Subject};
+use crate::exercises::{Exercise, Slip, Subject};
 use crate::figure::Figure;
 use crate::numbers::random::Random;
 use crate::scene::palette::{BLUE, ORANGE, TEAL};
@@ -58,6 +58,21 @@ fn whole(random: &mut Random, low: i64, high: i64) -> f64 {
 /// A whole number between −`most` and `most`.
 pub(super) fn small(random: &mut Random, most: i64) -> f64 {
     whole(random, -most, most)
+}
+
+/// The exercise of the first numbers with which each of these slips changes an answer: others would hide that it was
+/// made. Of the last that were tried, where none do.
+pub(super) fn telling(slips: &[Slip], mut make: impl FnMut() -> Exercise) -> Exercise {
+    const TRIES: usize = 200;
+    let tells = |exercise: &Exercise| slips.iter().all(|slip| exercise.asks.iter().any(|ask| ask.tells(*slip)));
+    let mut exercise = make();
+    for _ in 1..TRIES {
+        if tells(&exercise) {
+            break;
+        }
+        exercise = make();
+    }
+    exercise
 }
 
 /// An exercise without a camera of its own.

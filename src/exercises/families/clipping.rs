@@ -2,7 +2,7 @@
 
 use glam::DVec4;
 
-use super::cameras::{numbers, plain, small};
+use super::cameras::{numbers, plain, small, telling};
 use crate::exercises::worked::{Worked, named};
 use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Nature, Slip, Slips, Table};
 use crate::explain::{Formula, minus, over, plus, times};
@@ -42,7 +42,11 @@ fn outcodes(seed: u64) -> Exercise {
             return p;
         }
     };
-    let (a, b) = (one(), one());
+    let slips = [Slip::NoDivide, Slip::DepthRange, Slip::DepthRowSign, Slip::SidesExchanged];
+    telling(&slips, || outcodes_of(one(), one()))
+}
+
+fn outcodes_of(a: DVec4, b: DVec4) -> Exercise {
     let ask = |name: &str, p: DVec4| {
         let code = move |slips| distances(p, slips).map(|distance| f64::from(u8::from(distance < 0.0)));
         let of = |text: &'static str, latex, value| named(text, latex, value);
@@ -86,7 +90,8 @@ fn clip_segment(seed: u64) -> Exercise {
     let mut random = numbers("clip-segment", seed);
     let (a, b) = loop {
         let (a, b) = (clip_point(&mut random), clip_point(&mut random));
-        let found = inside(a, b, Slips::NONE);
+        // Of equal w the division would not bend t.
+        let found = inside(a, b, Slips::NONE).filter(|_| a.w != b.w);
         // Both ends are cut off, and the rest is long enough to be seen.
         if found.is_some_and(|[from, to]| from > 0.05 && to < 0.95 && to - from > 0.1 && (from + to - 1.0).abs() > 0.01)
         {

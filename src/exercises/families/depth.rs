@@ -2,12 +2,13 @@
 
 use glam::DVec3;
 
-use super::cameras::{about, camera, numbers, plain, point_inside, subject, with_point};
+use super::cameras::{about, camera, numbers, plain, point_inside, small, subject, with_point};
 use crate::camera::{Camera, Parameters, Projection};
 use crate::exercises::textbook::half_tangent;
 use crate::exercises::worked::{Worked, angle, named};
 use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Nature, Slip, Slips, Table, Unit};
 use crate::explain::{Formula, Function, minus, over, plus, times};
+use crate::numbers::random::Random;
 
 pub(super) const DEPTH_RESOLUTION: Entry =
     Entry::family("depth-resolution", "[0] (5.25), [2]", |seed, _| resolution(seed));
@@ -81,6 +82,8 @@ fn painter(seed: u64) -> Exercise {
     let parameters = camera(&mut random, projection);
     let camera = Camera::new(&parameters);
     let depth = |point: DVec3| camera.as_ref().map_or(0.0, |camera| -camera.view_point(point).z);
+    let beside =
+        |random: &mut Random| parameters.focal_point + DVec3::new(small(random, 3), small(random, 3), small(random, 3));
     let order = |depths: &[f64]| {
         let mut order: Vec<u8> = (1..=4).collect();
         order.sort_by(|a, b| depths[usize::from(*b) - 1].total_cmp(&depths[usize::from(*a) - 1]));
@@ -88,21 +91,20 @@ fn painter(seed: u64) -> Exercise {
     };
     let distances =
         |points: &[DVec3]| -> Vec<f64> { points.iter().map(|point| (*point - parameters.position).length()).collect() };
-    // Points of which the distance from C, or the place of each in the order, gives another answer, if there are such.
-    let mut tries = 0..200;
+    // Points of which the distance from C, or the place of each in the order, gives another answer; beside the volume,
+    // where there are none in it.
+    const TRIES_INSIDE: usize = 200;
+    let mut tries = 0..TRIES_INSIDE;
     let points = loop {
-        let points: Vec<DVec3> = (0..4).map(|_| point_inside(&mut random, &parameters)).collect();
+        let is_inside = tries.next().is_some();
+        let mut one = |_| if is_inside { point_inside(&mut random, &parameters) } else { beside(&mut random) };
+        let points: Vec<DVec3> = (0..4).map(&mut one).collect();
         let depths: Vec<f64> = points.iter().map(|point| depth(*point)).collect();
         let mut sorted = depths.clone();
         sorted.sort_by(f64::total_cmp);
         let hides = order(&depths) == order(&distances(&points)) || ranks(&order(&depths)) == order(&depths);
-        if sorted.windows(2).all(|pair| pair[1] - pair[0] > 0.05) && (!hides || tries.next().is_none()) {
+        if !hides && sorted[0] > 0.1 && sorted.windows(2).all(|pair| pair[1] - pair[0] > 0.05) {
             break points;
-        }
-        // A volume in which no four small points are apart: points beside it will do.
-        if sorted.windows(2).all(|pair| pair[1] - pair[0] <= 0.05) {
-            let along = (parameters.focal_point - parameters.position).normalize();
-            break (0..4).map(|k| parameters.focal_point + along * f64::from((k * 3) % 4)).collect();
         }
     };
     let depths: Vec<f64> = points.iter().map(|point| depth(*point)).collect();

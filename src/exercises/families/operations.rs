@@ -1,8 +1,8 @@
 //! The operations on a camera, `[0]` §5.6.
 
-use super::cameras::{about, any_projection, camera, numbers, subject};
+use super::cameras::{about, any_projection, camera, lens_camera, numbers, subject, telling};
 use crate::camera::{Camera, Operation, ParameterKey, Parameters, Projection};
-use crate::exercises::{Ask, Entry, Exercise, Fact, Subject, Table, follows};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Slip, Subject, Table, follows};
 use crate::geometry::Angle;
 use crate::inspect::quantity::{BasisAxis, Quantity, WindowNumber};
 use crate::numbers::random::Random;
@@ -27,15 +27,20 @@ pub(super) const PAN: Entry = Entry::family("pan", "[0] §5.6", |seed, _| pan(se
 
 fn turn(family: &str, seed: u64, operation: fn(Angle) -> Operation, asks: &[(&str, Quantity)]) -> Exercise {
     let mut random = numbers(family, seed);
-    let projection = any_projection(&mut random);
-    let angle = random.one_of(&[30.0, 45.0, 60.0, 90.0, -30.0, -45.0, -60.0, 120.0]);
-    let mut subject = subject(camera(&mut random, projection));
-    subject.operations.push(operation(Angle::from_degrees(angle)));
-    let asks = asks.iter().map(|(name, quantity)| Ask::quantity(name, &subject, *quantity));
-    let asks = asks.map(|ask| following(ask, &subject)).collect();
-    let mut exercise = Exercise { asks, ..about(subject) };
-    exercise.facts.push(("alpha", Fact::Angle(angle)));
-    exercise
+    let is_roll = matches!(operation(Angle::from_degrees(0.0)), Operation::Roll(_));
+    // Nothing that a roll turns moves.
+    let slips = if is_roll { &[Slip::WorldAxis][..] } else { &[Slip::WorldAxis, Slip::ThroughOrigin] };
+    telling(slips, || {
+        let projection = any_projection(&mut random);
+        let angle = random.one_of(&[30.0, 45.0, 60.0, 90.0, -30.0, -45.0, -60.0, 120.0]);
+        let mut subject = subject(camera(&mut random, projection));
+        subject.operations.push(operation(Angle::from_degrees(angle)));
+        let asks = asks.iter().map(|(name, quantity)| Ask::quantity(name, &subject, *quantity));
+        let asks = asks.map(|ask| following(ask, &subject)).collect();
+        let mut exercise = Exercise { asks, ..about(subject) };
+        exercise.facts.push(("alpha", Fact::Angle(angle)));
+        exercise
+    })
 }
 
 /// With the ways from the other answers: **n** from C or PF, the other axis from **n** and the one that stays.
@@ -75,7 +80,7 @@ fn zoom(seed: u64) -> Exercise {
     let mut random = numbers("zoom", seed);
     let projection = any_projection(&mut random);
     let s = factor(&mut random);
-    let mut subject = subject(camera(&mut random, projection));
+    let mut subject = subject(lens_camera(&mut random, projection));
     subject.operations.push(Operation::Zoom(s));
     let mut paths = vec![("H", Quantity::Window(WindowNumber::Height)), ("W", Quantity::Window(WindowNumber::Width))];
     if projection == Projection::Perspective {

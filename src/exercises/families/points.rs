@@ -3,11 +3,11 @@
 use glam::{DVec3, DVec4};
 
 use super::cameras::{
-    about, any_projection, camera, image, lens_camera, numbers, point_inside, subject, with_image, with_point,
+    about, any_projection, image, lens_camera, numbers, point_inside, subject, telling, with_image, with_point,
 };
 use crate::camera::{Camera, ImageSize, Projection, Viewport};
 use crate::exercises::worked::inside as steps_inside;
-use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Subject, Table, Unit, textbook};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Slip, Subject, Table, Unit, textbook};
 use crate::inspect::quantity::{PointNumber, Quantity, RayNumber, ReportMatrix, WindowNumber};
 use crate::numbers::random::Random;
 
@@ -29,8 +29,13 @@ fn with_a_point(random: &mut Random, projection: Projection) -> Subject {
 
 fn ndc(seed: u64) -> Exercise {
     let mut random = numbers("ndc", seed);
-    let projection = any_projection(&mut random);
-    let subject = with_a_point(&mut random, projection);
+    telling(&[Slip::AxesAsColumns], || {
+        let projection = any_projection(&mut random);
+        ndc_of(with_a_point(&mut random, projection))
+    })
+}
+
+fn ndc_of(subject: Subject) -> Exercise {
     let to_clip = subject.value(Quantity::Matrix(ReportMatrix::Projection)).and_then(|matrix| matrix.matrix());
     let asks = [PointNumber::View, PointNumber::Clip, PointNumber::Ndc].map(|space| {
         let ask = Ask::quantity(space.name(), &subject, Quantity::Point(0, space));
@@ -66,10 +71,14 @@ const PLANES: [&str; 7] = ["none", "left", "right", "bottom", "top", "near", "fa
 
 fn inside(seed: u64) -> Exercise {
     let mut random = numbers("inside", seed);
-    let projection = any_projection(&mut random);
-    let parameters = camera(&mut random, projection);
+    telling(&[Slip::AxesAsColumns, Slip::UReversedAlone, Slip::VReversed], || inside_of(&mut random))
+}
+
+fn inside_of(random: &mut Random) -> Exercise {
+    let projection = any_projection(random);
+    let parameters = lens_camera(random, projection);
     let wanted = usize::try_from(random.whole(0, 6)).unwrap_or(0);
-    let (point, plane) = point_beyond(&mut random, &Camera::new(&parameters).ok(), parameters.focal_point, wanted);
+    let (point, plane) = point_beyond(random, &Camera::new(&parameters).ok(), parameters.focal_point, wanted);
     let subject = with_point(subject(parameters), point);
     let is_inside = Ask {
         quantity: Some(Quantity::Point(0, PointNumber::Inside).into()),
@@ -137,10 +146,16 @@ fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wan
 
 fn pixel(seed: u64) -> Exercise {
     let mut random = numbers("pixel", seed);
-    let projection = any_projection(&mut random);
-    let height = random.one_of(&[240, 300, 480, 600]);
-    let subject =
-        off_borders(&mut random, PointNumber::Window, |random| with_image(with_a_point(random, projection), height));
+    telling(&[Slip::AxesAsColumns, Slip::RoundedNotFloored], || {
+        let projection = any_projection(&mut random);
+        let height = random.one_of(&[240, 300, 480, 600]);
+        pixel_of(off_borders(&mut random, PointNumber::Window, |random| {
+            with_image(with_a_point(random, projection), height)
+        }))
+    })
+}
+
+fn pixel_of(subject: Subject) -> Exercise {
     let asks = vec![
         Ask::quantity("window", &subject, Quantity::Point(0, PointNumber::Window)).in_unit(Unit::Scene),
         Ask::quantity("pixel", &subject, Quantity::Point(0, PointNumber::Pixel)).following(&["window"], {
@@ -182,7 +197,9 @@ fn off_borders(random: &mut Random, space: PointNumber, mut make: impl FnMut(&mu
                 ([width, height], [window[0], window[1]])
             }
         };
-        let share = |k: usize| f64::from(size[k]) * (at.entries[k] / window[k] + 0.5);
+        // Rows of an image are counted from the top.
+        let up = if subject.figure.viewport.is_some() { 1.0 } else { -1.0 };
+        let share = |k: usize| f64::from(size[k]) * ([1.0, up][k] * at.entries[k] / window[k] + 0.5);
         let is_rounded_up = |k: usize| share(k).round() > share(k);
         // In one of them at least ⌊ ⌋ is not what rounding gives.
         if (0..2).all(|k| (share(k) - share(k).round()).abs() > 0.02) && (0..2).any(is_rounded_up) {
@@ -194,9 +211,13 @@ fn off_borders(random: &mut Random, space: PointNumber, mut make: impl FnMut(&mu
 
 fn ray(seed: u64) -> Exercise {
     let mut random = numbers("ray", seed);
-    let projection = any_projection(&mut random);
+    telling(&[Slip::ColumnsAndRows], || ray_of(&mut random))
+}
+
+fn ray_of(random: &mut Random) -> Exercise {
+    let projection = any_projection(random);
     // Few pixels, so that a half of one counts.
-    let mut subject = with_image(subject(lens_camera(&mut random, projection)), random.one_of(&[12, 24, 48]));
+    let mut subject = with_image(subject(lens_camera(random, projection)), random.one_of(&[12, 24, 48]));
     let size = subject.figure.image;
     let [i, j] = [size.width, size.height].map(|side| {
         loop {
@@ -219,13 +240,17 @@ fn ray(seed: u64) -> Exercise {
 
 fn viewport(seed: u64) -> Exercise {
     let mut random = numbers("viewport", seed);
-    let projection = any_projection(&mut random);
+    telling(&[Slip::AxesAsColumns, Slip::RoundedNotFloored], || viewport_of(&mut random))
+}
+
+fn viewport_of(random: &mut Random) -> Exercise {
+    let projection = any_projection(random);
     let (width, height) = random.one_of(&[(400, 300), (640, 480), (300, 200), (512, 384)]);
     // No corner and no range that would hide that they were left out.
     let (x, y) = random.one_of(&[(10, 30), (100, 50), (20, 40), (64, 32)]);
     let (depth_near, depth_far) = random.one_of(&[(0.5, 1.0), (0.0, 0.5), (0.25, 1.0), (1.0, 0.0)]);
     let viewport = Viewport { x, y, width, height, depth_near, depth_far };
-    let subject = off_borders(&mut random, PointNumber::Ndc, |random| {
+    let subject = off_borders(random, PointNumber::Ndc, |random| {
         let mut subject = with_a_point(random, projection);
         subject.figure.viewport = Some(viewport);
         subject
