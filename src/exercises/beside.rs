@@ -49,9 +49,12 @@ impl<'a> Beside<'a> {
             .collect();
         let wrong = |k: usize| answers[k].filter(|_| is_wrong[k]).and_then(|answer| numbers(answer, asks[k]));
         let tables: Vec<Table> = (0..asks.len()).map(|k| wrong(k).unwrap_or_else(|| rights[k].clone())).collect();
+        // A 0 is none where the numbers that it comes from were rounded: the share of it is no measure.
+        let follows =
+            |given: f64, of: f64| ask.accepts(Some(given), of) || (!ask.whole && (given - of).abs() <= ask.tolerance);
         let gives = |tables: &[Table]| {
-            let found = (way.compute)(tables);
-            found.is_some_and(|found| found.shape() == given.shape() && ask.accepts_all(&given.entries, &found))
+            let found = (way.compute)(tables).filter(|found| found.shape() == given.shape());
+            found.is_some_and(|found| given.entries.iter().zip(&found.entries).all(|(given, of)| follows(*given, *of)))
         };
         if !is_wrong.contains(&true) || !gives(&tables) {
             return None;

@@ -11,7 +11,7 @@ use super::nature::Nature;
 use super::own_texts::OwnMistake;
 use super::slip::{Cause, Slip, Slips};
 use super::value::Table;
-use crate::inspect::quantity::Quantity;
+use crate::inspect::quantity::{BasisAxis, Quantity};
 
 /// The known mistakes that give the numbers of an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,6 +71,7 @@ pub(super) fn diagnose(
         .filter_map(|slip| Some((slip, expected.slipped(Slips::one(slip))?)))
         .filter(|(_, table)| differs(table))
         .collect();
+    let slipped = without_idle_operations(ask, slipped);
     let agreeing: Vec<(Slip, Agreement)> =
         slipped.iter().filter_map(|(slip, table)| Some((*slip, agreed(table)?))).collect();
     if let Some(best) = agreeing.iter().map(|(_, agreement)| *agreement).min() {
@@ -104,6 +105,17 @@ pub(super) fn diagnose(
     let may_be = |slip: &Slip| !is_excluded(*slip, ask, beside);
     let slipped: Vec<(Slip, Table)> = slipped.into_iter().filter(|(slip, _)| may_be(slip)).collect();
     two_together(ask, expected, given, &slipped, |table| agreed(table).is_some(), of_table)
+}
+
+/// Without other operations that leave what is asked for as it was, as a roll leaves C: nothing was done to it.
+fn without_idle_operations(ask: &Ask, mut slipped: Vec<(Slip, Table)>) -> Vec<(Slip, Table)> {
+    let before = slipped.iter().find(|(slip, _)| *slip == Slip::NothingDone).map(|(_, table)| table.clone());
+    let is_idle = |slip: Slip, table: &Table| {
+        slip.mistake() == Mistake::OtherOperation
+            && before.as_ref().is_some_and(|before| ask.accepts_all(&table.entries, before))
+    };
+    slipped.retain(|(slip, table)| !is_idle(*slip, table));
+    slipped
 }
 
 /// The diagnosis of slips that give the same numbers.
@@ -155,7 +167,11 @@ fn is_excluded(slip: Slip, ask: &Ask, beside: Option<Beside<'_>>) -> bool {
 fn in_order_of_telling(expected: &Expected) -> Vec<Slip> {
     let last_first = matches!(expected, Expected::Quantity(subject, path)
         if matches!(path.quantity, Quantity::Point(..)) || !subject.operations.is_empty());
-    let (axes, others): (Vec<Slip>, Vec<Slip>) = Slip::ALL.iter().partition(|slip| slip.is_of_axes());
+    let (mut axes, others): (Vec<Slip>, Vec<Slip>) = Slip::ALL.iter().partition(|slip| slip.is_of_axes());
+    // The last product on the way to v is n × u.
+    if matches!(expected, Expected::Quantity(_, path) if path.quantity == Quantity::Axis(BasisAxis::V)) {
+        axes.sort_by_key(|slip| *slip != Slip::VReversed);
+    }
     if last_first { [others, axes].concat() } else { [axes, others].concat() }
 }
 

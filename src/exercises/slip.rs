@@ -65,6 +65,10 @@ slips! {
     UnitViewUpAsV = VupAsV;
     /// **v** is VUP as it is given.
     ViewUpAsV = VupAsV;
+    /// The formula of VUV in [3], with a VPN that is not of length 1.
+    PrintedViewUp = AsPrinted "vuv";
+    /// That formula, and the result divided by its length.
+    PrintedViewUpUnit = AsPrinted "vuv";
     /// No vector is divided by its length.
     NothingNormalised = NotNormalised;
     /// **n** alone keeps its length.
@@ -75,10 +79,6 @@ slips! {
     UNotNormalisedAlone = NotNormalised;
     /// The direction of a ray keeps its length.
     RayNotNormalised = NotNormalised;
-    /// The formula of VUV in [3], with a VPN that is not of length 1.
-    PrintedViewUp = AsPrinted "vuv";
-    /// That formula, and the result divided by its length.
-    PrintedViewUpUnit = AsPrinted "vuv";
     /// −C in the last column.
     TranslationNotRotated = TranslationNotRotated;
     /// R C in the last column.
@@ -275,6 +275,8 @@ impl Slip {
                 | Self::NReversed
                 | Self::UnitViewUpAsV
                 | Self::ViewUpAsV
+                | Self::PrintedViewUp
+                | Self::PrintedViewUpUnit
                 | Self::NothingNormalised
                 | Self::NNotNormalised
                 | Self::UNotNormalised
