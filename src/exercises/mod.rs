@@ -15,6 +15,7 @@
 //! | `notes/` | the exercises of the notes: `[0]` 5.1 to 5.3, `[1]` I to III |
 //! | `own` | a lecturer's own exercises: one TOML file each, read as figure files are |
 //! | `own_texts` | texts of a lecturer's own exercises |
+//! | `placing` | worked steps to a camera that is to be found: around a box, above a point, and about PF |
 //! | `products` | products of matrices as worked steps, row by column |
 //! | `progress` | a student's progress: per exercise and per known mistake, stored as a TOML text |
 //! | `statement_facts` | the facts of a statement about a subject |
@@ -31,6 +32,7 @@ mod mistake;
 pub mod notes;
 pub mod own;
 mod own_texts;
+mod placing;
 mod products;
 mod progress;
 mod statement_facts;

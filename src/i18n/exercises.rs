@@ -1,7 +1,8 @@
 //! The texts of exercises, in both languages. In the texts `{name}` stands for a fact of the exercise.
 
 use super::exercise_texts::texts;
-use super::{Lang, figure_files, messages, told};
+use super::notes::{self, Note};
+use super::{Lang, figure_files, messages, told, window};
 use crate::exercises::{
     Answer, AnswerError, Ask, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table, Unit, Worked,
 };
@@ -50,12 +51,22 @@ pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
     paragraphs.iter().map(|paragraph| filled(lang, exercise, paragraph)).collect()
 }
 
-/// The assumptions where the source leaves a question open.
+/// The assumptions where the source leaves a question open, and what the source has otherwise: the assumption `≠ yaw` is
+/// what the note `yaw` says of it.
 #[must_use]
 pub fn assumptions(lang: Lang, exercise: &Exercise) -> Vec<String> {
-    let text = |name: &&str| filled(lang, exercise, listed(lang, "assumptions", name));
+    let text = |name: &&str| match name.strip_prefix("≠ ") {
+        Some(id) => notes::note(lang, id).map_or_else(String::new, |note| differs(lang, note)),
+        None => filled(lang, exercise, listed(lang, "assumptions", name)),
+    };
     let own = exercise.texts.iter().flat_map(|own| &own.assumptions).map(|text| told(lang, text).to_owned());
     exercise.assumptions.iter().map(text).chain(own).collect()
+}
+
+/// The errata of a note, in Markdown.
+fn differs(lang: Lang, note: &Note) -> String {
+    let errata: Vec<String> = note.errata.iter().map(|pieces| notes::markdown(pieces)).collect();
+    format!("{}: {}", window::texts(lang).erratum, errata.join(" "))
 }
 
 /// The text of a question.

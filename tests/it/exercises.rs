@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use camera_lab::exercises::{
     Answer, Ask, Entry, Exercise, Expected, Free, Kind, Slip, Slips, Table, check, entries, entry, judge_answer,
 };
+use camera_lab::i18n::Lang;
 use camera_lab::i18n::exercises::typed_choice;
 use camera_lab::numbers::exact_form;
 
@@ -221,4 +222,46 @@ fn exercise_5_1_is_judged_as_a_teacher_would() {
     assert_eq!(code("0-5.1", 0, "parallel_direction", "[-3, -4, 0]"), "not-normalised");
     assert_eq!(code("0-5.1", 0, "perspective_direction", "[-4/5, 3/5, -1]"), "not-normalised");
     assert_eq!(code("0-5.1", 0, "parallel_direction", "[-3/5, -4/5]"), "wrong-shape");
+}
+
+#[test]
+fn the_figures_of_the_notes_exercises_are_those_of_the_gallery_and_hold_no_answer() {
+    for (id, name) in [("0-5.1", "exercise-5.1"), ("0-5.2", "exercise-5.2"), ("0-5.3", "exercise-5.3")] {
+        let shipped = camera_lab::files::ShippedFigure::named(name).unwrap();
+        let shown = camera_lab::figure::read::parse(&shipped.text()).unwrap();
+        let exercise = entry(id).unwrap().exercise(1, &Free::new());
+        let given = &exercise.subject.figure;
+        assert_eq!((given.camera, given.image, &given.scene), (shown.camera, shown.image, &shown.scene), "{id}");
+    }
+    // [0] 5.1 asks where the rays begin and where they go.
+    let rays = entry("0-5.1").unwrap().exercise(1, &Free::new());
+    let scene = |figure: &camera_lab::figure::Figure| {
+        let files = &mut camera_lab::scene::no_files;
+        camera_lab::views::scene_of(figure, files, &camera_lab::progress::Progress::default()).unwrap()
+    };
+    let (before, after) = (&rays.subject.figure, rays.answered.as_deref().unwrap());
+    let (plain, answered) = (scene(before), scene(after));
+    assert!(plain.lines.is_empty() && plain.texts.iter().all(|text| text.text != "D_R") && before.points.is_empty());
+    assert!(plain.objects.iter().all(|object| object.name != "P"), "C + u + v is the origin of the parallel ray");
+    assert_eq!(answered.texts.iter().filter(|text| text.text == "D_R").count(), 2);
+    assert_eq!(after.points.iter().map(|point| point.name.as_str()).collect::<Vec<_>>(), ["O_R"]);
+    assert_eq!((after.camera, after.image), (before.camera, before.image));
+}
+
+#[test]
+fn statements_say_where_the_notes_have_it_otherwise() {
+    for (id, en, pt) in [
+        ("yaw", "exchanges the axes of yaw and pitch", "troca os eixos de guinada e arfagem"),
+        ("pitch", "exchanges the axes of yaw and pitch", "troca os eixos de guinada e arfagem"),
+        ("elevation", "turns C alone", "gira só C"),
+        ("azimuth", "turns C alone", "gira só C"),
+        ("dolly", "does not have this operation", "não tem esta operação"),
+        ("pan", "does not have this operation", "não tem esta operação"),
+    ] {
+        let exercise = entry(id).unwrap().exercise(3, &Free::new());
+        for (lang, word, mark) in [(Lang::En, en, "≠ notes: "), (Lang::PtBr, pt, "≠ notas: ")] {
+            let said = camera_lab::i18n::exercises::assumptions(lang, &exercise);
+            assert!(said.iter().any(|text| text.starts_with(mark) && text.contains(word)), "{id}: {said:?}");
+        }
+    }
 }

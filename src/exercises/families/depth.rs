@@ -12,7 +12,8 @@ use crate::explain::{Formula, Function, minus, over, plus, times};
 pub(super) const DEPTH_RESOLUTION: Entry =
     Entry::family("depth-resolution", "[0] (5.25), [2]", |seed, _| resolution(seed));
 pub(super) const PAINTER: Entry = Entry::family("painter", "[2]", |seed, _| painter(seed));
-pub(super) const ZOOM_OR_DOLLY: Entry = Entry::family("zoom-or-dolly", "[0] §5.6", |seed, _| zoom_or_dolly(seed));
+pub(super) const ZOOM_OR_DOLLY: Entry =
+    Entry::family("zoom-or-dolly", "[0] §5.6, (5.5)", |seed, _| zoom_or_dolly(seed));
 
 fn resolution(seed: u64) -> Exercise {
     let mut random = numbers("depth-resolution", seed);
@@ -159,13 +160,20 @@ fn zoom_or_dolly(seed: u64) -> Exercise {
             Some(Table::number(share(slips, by(zoom), distance / by(dolly) + further)))
         })
     };
+    let ratio = {
+        let [d, e, f] = [("D", distance), ("e", behind), ("f", factor)].map(|(name, value)| named(name, name, value));
+        let nearer = || over(d, f);
+        Worked::new("ratio", "(5.5)")
+            .row(named("r", "r", (distance + behind) / distance), over(plus(d, e), d))
+            .row(named("r'", "r'", (distance / factor + behind) * factor / distance), over(plus(nearer(), e), nearer()))
+    };
     let asks = vec![
         ask("before", 1.0, 1.0, 0.0),
         ask("zoomed", factor, 1.0, 0.0),
         ask("dollied", 1.0, factor, 0.0),
         ask("zoomed_behind", factor, 1.0, behind),
         ask("dollied_behind", 1.0, factor, behind),
-        Ask::choice("changes", &["zoom", "dolly"], 1, &[(0, Mistake::OtherOperation)], Vec::new()),
+        Ask::choice("changes", &["zoom", "dolly"], 1, &[(0, Mistake::OtherOperation)], vec![ratio]),
     ];
     let mut exercise =
         Exercise { asks, ..about(subject(Parameters { projection: Projection::Perspective, ..parameters })) };
