@@ -356,13 +356,22 @@ fn filled(lang: Lang, exercise: &Exercise, text: &str) -> String {
             break;
         }
         for (name, fact) in &exercise.facts {
-            let place = format!("{{{name}}}");
-            if filled.contains(&place) {
-                filled = filled.replace(&place, &written(lang, fact));
+            for (place, as_code) in [(format!("{{{name}}}"), false), (format!("{{={name}}}"), true)] {
+                if filled.contains(&place) {
+                    filled = filled.replace(&place, &if as_code { in_code(fact) } else { written(lang, fact) });
+                }
             }
         }
     }
     filled
+}
+
+/// A fact as an argument of a function, which is the same in every language.
+fn in_code(fact: &Fact) -> String {
+    match fact {
+        Fact::Angle(degrees) => number(DecimalMark::Point, *degrees),
+        Fact::Number(_) | Fact::Tuple(_) | Fact::Matrix(_) | Fact::Word(_) | Fact::Text(_) => written(Lang::En, fact),
+    }
 }
 
 /// A fact as part of a sentence.

@@ -265,3 +265,27 @@ fn statements_say_where_the_notes_have_it_otherwise() {
         }
     }
 }
+
+#[test]
+fn calls_of_functions_are_written_as_code_in_both_languages() {
+    let mut calls = BTreeSet::new();
+    for lang in [Lang::En, Lang::PtBr] {
+        all_of(6, |_, exercise| {
+            for paragraph in camera_lab::i18n::exercises::statement(lang, exercise) {
+                for call in paragraph.split("gl").skip(1) {
+                    let Some((name, rest)) = call.split_once('(') else { continue };
+                    let arguments = rest.split(')').next().unwrap();
+                    let is_call = name.chars().all(char::is_alphanumeric) && !name.is_empty();
+                    assert!(!is_call || !arguments.contains(['°', ';', '{']), "gl{name}({arguments})");
+                    let comma = arguments.find(',').map(|at| arguments[at + 1..].starts_with(' '));
+                    assert!(!is_call || comma != Some(false), "gl{name}({arguments})");
+                    calls.extend(is_call.then(|| name.to_owned()));
+                }
+            }
+        });
+    }
+    assert_eq!(
+        calls.into_iter().collect::<Vec<_>>(),
+        ["DepthRange", "Rotate", "Scale", "Translate", "Viewport", "uPerspective"]
+    );
+}
