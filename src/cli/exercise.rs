@@ -16,7 +16,7 @@ use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, BadExercise, Overwrite, OwnExercises};
 use crate::i18n::{
-    Lang, exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, messages, pictures,
+    Lang, exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, messages, notes, pictures,
 };
 use crate::inspect::json_text;
 use crate::picture::{self, Composite, FileOptions, PictureError};
@@ -253,9 +253,10 @@ fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Resu
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }
 
-/// Markdown without its marks.
+/// Markdown without its marks, and mathematics in a line.
 fn plain(markdown: &str) -> String {
-    markdown.replace("**", "")
+    let part = |(k, part): (usize, &str)| if k % 2 == 1 { notes::plain(part) } else { part.replace("**", "") };
+    markdown.split('$').enumerate().map(part).collect()
 }
 
 fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {

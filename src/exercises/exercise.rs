@@ -31,6 +31,8 @@ pub struct Exercise {
     pub facts: Vec<(&'static str, Fact)>,
     /// Assumptions where the source leaves a question open: the names of their texts.
     pub assumptions: Vec<&'static str>,
+    /// The figure with the answers drawn into it, where it has them: to be shown once they have been tried.
+    pub answered: Option<Box<Figure>>,
     /// Its questions.
     pub asks: Vec<Ask>,
     /// Its texts, in a lecturer's own exercise.
@@ -43,10 +45,17 @@ impl Exercise {
     pub fn figure_to_match(&self) -> Option<Figure> {
         let shows = self.id == "match-picture";
         let wanted = self.asks.iter().filter(|_| shows).find_map(|ask| match ask.expected() {
-            Expected::Camera(_, model, _) => Some(**model),
+            Expected::Camera(_, model, ..) => Some(**model),
             Expected::Quantity(..) | Expected::Computed(..) | Expected::Choice(..) => None,
         });
         wanted.map(|camera| Figure { camera, ..self.subject.figure.clone() })
+    }
+
+    /// True where any picture of the figure answers a question: whether a point is inside.
+    #[must_use]
+    pub fn is_told_by_figure(&self) -> bool {
+        let inside = |path: QuantityPath| matches!(path.quantity, Quantity::Point(_, PointNumber::Inside));
+        self.asks.iter().any(|ask| ask.quantity.is_some_and(inside))
     }
 
     /// The steps of each ask that did not occur in an ask before it.
@@ -194,8 +203,8 @@ pub enum Expected {
     Computed(Compute, Vec<Worked>),
     /// One of the choices; others that are known mistakes.
     Choice(usize, Vec<(usize, Mistake)>, Vec<Worked>),
-    /// A camera that fulfils all conditions; one that does; others that are known mistakes.
-    Camera(Conditions, Box<Parameters>, Vec<(Parameters, Mistake)>),
+    /// A camera that fulfils all conditions; one that does, with the way to it; others that are known mistakes.
+    Camera(Conditions, Box<Parameters>, Vec<(Parameters, Mistake)>, Vec<Worked>),
 }
 
 impl fmt::Debug for Expected {
@@ -204,7 +213,7 @@ impl fmt::Debug for Expected {
             Self::Quantity(_, path) => write!(f, "Quantity({path})"),
             Self::Computed(compute, _) => write!(f, "Computed({:?})", compute(Slips::NONE)),
             Self::Choice(right, ..) => write!(f, "Choice({right})"),
-            Self::Camera(_, model, _) => write!(f, "Camera({model:?})"),
+            Self::Camera(_, model, ..) => write!(f, "Camera({model:?})"),
         }
     }
 }
@@ -333,15 +342,15 @@ impl Ask {
         Self::new(name, Kind::Choice(choices), Expected::Choice(right, mistakes.to_vec(), steps))
     }
 
-    /// A camera that fulfils conditions, and one that does.
+    /// A camera that fulfils conditions, and one that does, with the way to it.
     #[must_use]
     pub fn camera(
         name: &str,
-        model: Parameters,
+        (model, steps): (Parameters, Vec<Worked>),
         mistakes: &[(Parameters, Mistake)],
         conditions: impl Fn(&Camera) -> Vec<(&'static str, bool)> + Send + Sync + 'static,
     ) -> Self {
-        let expected = Expected::Camera(Arc::new(conditions), Box::new(model), mistakes.to_vec());
+        let expected = Expected::Camera(Arc::new(conditions), Box::new(model), mistakes.to_vec(), steps);
         Self::new(name, Kind::Camera, expected)
     }
 
@@ -416,13 +425,12 @@ impl Ask {
         &self.readings[0].expected
     }
 
-    /// The steps to the right answer; empty for a camera.
+    /// The steps to the right answer.
     #[must_use]
     pub fn steps(&self) -> Vec<Worked> {
         match self.expected() {
             Expected::Quantity(subject, path) => worked(subject, *path),
-            Expected::Computed(_, steps) | Expected::Choice(_, _, steps) => steps.clone(),
-            Expected::Camera(..) => Vec::new(),
+            Expected::Computed(_, steps) | Expected::Choice(_, _, steps) | Expected::Camera(.., steps) => steps.clone(),
         }
     }
 }

@@ -124,7 +124,8 @@ fn judge_in(ask: &Ask, expected: &Expected, answer: &Answer, beside: Option<Besi
             let diagnosis = known.filter(|_| chosen != right).map(|(_, mistake)| Diagnosis::of(Cause::of(*mistake)));
             judged(ask, answer, vec![vec![chosen == right]], diagnosis)
         }
-        (Expected::Camera(conditions, model, mistakes), Answer::Camera(parameters)) => match Camera::new(parameters) {
+        (Expected::Camera(conditions, model, mistakes, _), Answer::Camera(parameters)) => match Camera::new(parameters)
+        {
             Ok(camera) => {
                 let found = conditions(&camera);
                 let entries = found.iter().map(|(_, is)| vec![*is]).collect();

@@ -21,6 +21,7 @@
 //! | `operated` | the operations on a camera as they are done with the known mistakes |
 //! | `own` | a lecturer's own exercises: one TOML file each, read as figure files are |
 //! | `own_texts` | texts of a lecturer's own exercises |
+//! | `placing` | worked steps to a camera that is to be found: around a box, above a point, and about PF |
 //! | `products` | products of matrices as worked steps, row by column |
 //! | `progress` | a student's progress: per exercise and per known mistake, stored as a TOML text |
 //! | `slip` | the ways in which a known mistake is made, each with numbers of its own |
@@ -44,6 +45,7 @@ pub mod notes;
 mod operated;
 pub mod own;
 mod own_texts;
+mod placing;
 mod products;
 mod progress;
 mod slip;

@@ -285,7 +285,7 @@ impl Exercise {
     pub fn shows(&self, mistake: Mistake) -> bool {
         self.asks.iter().any(|ask| match ask.expected() {
             Expected::Choice(_, mistakes, _) => mistakes.iter().any(|(_, known)| *known == mistake),
-            Expected::Camera(_, model, mistakes) => {
+            Expected::Camera(_, model, mistakes, _) => {
                 mistakes.iter().any(|(wrong, known)| *known == mistake && wrong != &**model)
             }
             expected => expected.table().is_some_and(|right| {

@@ -55,6 +55,7 @@ pub(super) fn about(subject: Subject) -> Exercise {
         free: Vec::new(),
         facts,
         assumptions: Vec::new(),
+        answered: None,
         asks: Vec::new(),
         texts: None,
     }

@@ -237,7 +237,13 @@ fn operation(subject: &Arc<Subject>, setting: &Setting<'_>, operation: Operation
         Operation::Dolly(_) => ("dolly", None),
         Operation::Pan { .. } => ("pan", None),
     };
-    let mut step = Worked::of(heading, "§5.6", subject);
+    let equation = match operation {
+        // [0] has neither; these are the equations they are made of.
+        Operation::Dolly(_) => "(5.2)",
+        Operation::Pan { .. } => "(5.3)",
+        _ => "§5.6",
+    };
+    let mut step = Worked::of(heading, equation, subject);
     if let Some((axis, by)) = turn {
         turned(&mut step, setting, operation, axis, by.degrees());
         return step;

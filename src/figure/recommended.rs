@@ -34,13 +34,13 @@ pub fn recommended_camera(preset: Preset) -> Parameters {
             ..perspective([0.0, 0.0, 2.0], origin, 45.0, 1.0, 3.0)
         },
         Preset::Exercise51 => perspective([3.0, 4.0, 0.0], origin, 45.0, 1.5, 9.0),
-        // The text gives a view angle of 90° for a parallel projection: H is its span at the distance D = √38.
+        // The text gives a view angle of 90° for a parallel projection: H is its span on the front plane, 2 F tan 45°.
         Preset::Exercise52 => Parameters {
             view_up: DVec3::X,
             projection: Projection::Parallel,
-            height: 2.0 * 38_f64.sqrt(),
+            height: 10.0,
             aspect: 0.75,
-            ..perspective([7.0, 0.0, 0.0], [1.0; 3], 90.0, 1.0, 12.0)
+            ..perspective([7.0, 0.0, 0.0], [1.0; 3], 90.0, 5.0, 20.0)
         },
         Preset::Exercise53 => perspective([3.0, 4.0, 5.0], origin, 35.0, 4.0, 11.0),
     }

@@ -111,7 +111,7 @@ pub fn answer(lang: Lang, ask: &Ask) -> String {
         (Expected::Choice(right, ..), _, Kind::Choice(choices)) => {
             choices.get(*right).map_or_else(String::new, |name| exercises::choice(lang, name).to_owned())
         }
-        (Expected::Camera(_, model, _), ..) => {
+        (Expected::Camera(_, model, ..), ..) => {
             exercises::understood(lang, ask, &crate::exercises::Answer::Camera(model.clone()))
         }
         (_, Some(table), Kind::Matrix(..)) => exercises::matrix(mark, &table),

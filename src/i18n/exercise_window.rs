@@ -24,6 +24,7 @@ texts! {
     show_figure: "Show the figure", "Mostrar a figura";
     show_figure_hint: "Loads the figure of the exercise into the pictures, with its points and their names. Undo (Ctrl+Z) brings your own figure back; saving asks for a file name, so yours stays as it is", "Carrega nas imagens a figura do exercício, com seus pontos e nomes. Desfazer (Ctrl+Z) traz a sua figura de volta; salvar pede um nome de arquivo, e a sua fica como está";
     figure_later: "The figure is shown once you have answered.", "A figura é mostrada depois que você responder.";
+    operations_later: "They are applied once you have answered: the camera afterwards is what is asked for.", "São aplicadas depois que você responder: a câmera de depois é o que se pergunta.";
     do_operations: "Apply its operations", "Aplicar as operações";
     do_operations_hint: "Applies the operations of the exercise to the camera in the pictures, as one step", "Aplica à câmera das imagens as operações do exercício, num passo só";
     your_answer: "Your answer", "Sua resposta";

@@ -1,7 +1,8 @@
 //! The texts of exercises, in both languages. In the texts `{name}` stands for a fact of the exercise.
 
 use super::exercise_texts::texts;
-use super::{Lang, figure_files, messages, told};
+use super::notes::{self, Note};
+use super::{Lang, figure_files, messages, told, window};
 use crate::exercises::{
     Answer, AnswerError, Ask, Cause, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table, Unit,
     Worked,
@@ -51,12 +52,22 @@ pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
     paragraphs.iter().map(|paragraph| filled(lang, exercise, paragraph)).collect()
 }
 
-/// The assumptions where the source leaves a question open.
+/// The assumptions where the source leaves a question open, and what the source has otherwise: the assumption `≠ yaw` is
+/// what the note `yaw` says of it.
 #[must_use]
 pub fn assumptions(lang: Lang, exercise: &Exercise) -> Vec<String> {
-    let text = |name: &&str| filled(lang, exercise, listed(lang, "assumptions", name));
+    let text = |name: &&str| match name.strip_prefix("≠ ") {
+        Some(id) => notes::note(lang, id).map_or_else(String::new, |note| differs(lang, note)),
+        None => filled(lang, exercise, listed(lang, "assumptions", name)),
+    };
     let own = exercise.texts.iter().flat_map(|own| &own.assumptions).map(|text| told(lang, text).to_owned());
     exercise.assumptions.iter().map(text).chain(own).collect()
+}
+
+/// The errata of a note, in Markdown.
+fn differs(lang: Lang, note: &Note) -> String {
+    let errata: Vec<String> = note.errata.iter().map(|pieces| notes::markdown(pieces)).collect();
+    format!("{}: {}", window::texts(lang).erratum, errata.join(" "))
 }
 
 /// The text of a question.
@@ -421,13 +432,22 @@ fn filled(lang: Lang, exercise: &Exercise, text: &str) -> String {
             break;
         }
         for (name, fact) in &exercise.facts {
-            let place = format!("{{{name}}}");
-            if filled.contains(&place) {
-                filled = filled.replace(&place, &written(lang, fact));
+            for (place, as_code) in [(format!("{{{name}}}"), false), (format!("{{={name}}}"), true)] {
+                if filled.contains(&place) {
+                    filled = filled.replace(&place, &if as_code { in_code(fact) } else { written(lang, fact) });
+                }
             }
         }
     }
     filled
+}
+
+/// A fact as an argument of a function, which is the same in every language.
+fn in_code(fact: &Fact) -> String {
+    match fact {
+        Fact::Angle(degrees) => number(DecimalMark::Point, *degrees),
+        Fact::Number(_) | Fact::Tuple(_) | Fact::Matrix(_) | Fact::Word(_) | Fact::Text(_) => written(Lang::En, fact),
+    }
 }
 
 /// A fact as part of a sentence.

@@ -135,6 +135,16 @@ fn pieces(line: &'static str) -> Vec<Piece> {
     line.split('$').enumerate().map(piece).filter(|piece| *piece != Piece::Words("")).collect()
 }
 
+/// A text in Markdown, with its mathematics between dollar signs.
+#[must_use]
+pub fn markdown(pieces: &[Piece]) -> String {
+    let piece = |piece: &Piece| match piece {
+        Piece::Words(words) => (*words).to_owned(),
+        Piece::Mathematics(latex) => format!("${latex}$"),
+    };
+    pieces.iter().map(piece).collect()
+}
+
 /// LaTeX of the notes in a line: for screen readers, and to be found.
 #[must_use]
 pub fn plain(latex: &str) -> String {

@@ -240,7 +240,7 @@ fn the_camera_of_the_window_is_an_answer_and_the_picture_to_match_is_shown() {
     window.command_key(Key::Enter);
     assert!(!window.state().exercises.checked["camera"].judged.right, "where one begins");
     let (_, exercise) = made("match-picture", 3);
-    let Expected::Camera(_, model, _) = exercise.asks[0].expected() else { panic!("a camera") };
+    let Expected::Camera(_, model, ..) = exercise.asks[0].expected() else { panic!("a camera") };
     let wanted: Parameters = **model;
     window.app_mut().state.document.set_parameters(wanted);
     window.run();
@@ -266,6 +266,38 @@ fn what_is_to_be_predicted_is_shown_only_after_the_answer() {
     let points = &window.state().document.figure().points;
     assert_eq!(points.iter().map(|point| point.name.as_str()).collect::<Vec<_>>(), ["P", "Q", "R"]);
     assert_eq!(points[1].position, exercise.subject.points[1]);
+}
+
+#[test]
+fn the_figure_shows_the_answer_once_every_question_has_been_tried() {
+    let mut window = working_on("0-5.1", 1, Lang::En);
+    let t = exercise_window::texts(Lang::En);
+    window.click(t.show_figure);
+    let names = |window: &Window| -> Vec<String> {
+        window.state().document.figure().points.iter().map(|point| point.name.clone()).collect()
+    };
+    assert!(names(&window).is_empty(), "C + u + v is what is asked for");
+    let (_, exercise) = made("0-5.1", 1);
+    for ask in &exercise.asks {
+        fill(
+            &mut window,
+            &said::ask(Lang::En, &exercise, ask).replace("**", ""),
+            1,
+            &["1", "2", "3"].map(str::to_owned),
+        );
+        window.command_key(Key::Enter);
+    }
+    assert_eq!(window.state().exercises.checked.len(), 4);
+    window.click(t.show_figure);
+    assert_eq!(names(&window), ["O_R"]);
+
+    let window = working_on("elevation", 1, Lang::En);
+    assert!(
+        window.harness.get_by_label(t.do_operations).accesskit_node().is_disabled(),
+        "C afterwards is what is asked for"
+    );
+    let window = working_on("inside", 1, Lang::PtBr);
+    assert!(window.says(exercise_window::texts(Lang::PtBr).figure_later));
 }
 
 #[test]

@@ -330,7 +330,9 @@ fn the_section_constructs_the_image_of_a_point_by_similar_triangles() {
 
 #[test]
 fn the_section_takes_the_p_of_the_scene_where_it_has_an_image_and_names_a_vertex_otherwise() {
-    let (_, mut figure, scene) = shipped().into_iter().find(|(name, ..)| name == "exercise-5.1").unwrap();
+    let mut figure = Figure::of_preset(camera_lab::scene::Preset::Exercise51);
+    let scene =
+        SharedScene::new(views::scene_of(&figure, &mut camera_lab::scene::no_files, &Progress::default()).unwrap());
     figure.world.section = true;
     let names = |scene: &SharedScene| -> Vec<String> {
         draw(&world(&figure, scene, (960, 540))).labels.into_iter().map(|label| label.text).collect()

@@ -321,7 +321,7 @@ fn a_right_camera_is_right_by_the_names_of_the_notes_in_each_language() {
     let mut tried = 0;
     all(|entry, exercise| {
         for ask in &exercise.asks {
-            let Expected::Camera(_, model, _) = ask.expected() else { continue };
+            let Expected::Camera(_, model, ..) = ask.expected() else { continue };
             for lang in [Lang::En, Lang::PtBr] {
                 let text = camera_text(model, lang);
                 let judged = check(entry, exercise, ask, &text).unwrap();
@@ -406,4 +406,70 @@ fn exercise_5_1_is_judged_as_a_teacher_would() {
     assert_eq!(code("0-5.1", 0, "parallel_direction", "[-3, -4, 0]"), "not-normalised");
     assert_eq!(code("0-5.1", 0, "perspective_direction", "[-4/5, 3/5, -1]"), "not-normalised");
     assert_eq!(code("0-5.1", 0, "parallel_direction", "[-3/5, -4/5]"), "wrong-shape");
+}
+
+#[test]
+fn the_figures_of_the_notes_exercises_are_those_of_the_gallery_and_hold_no_answer() {
+    for (id, name) in [("0-5.1", "exercise-5.1"), ("0-5.2", "exercise-5.2"), ("0-5.3", "exercise-5.3")] {
+        let shipped = camera_lab::files::ShippedFigure::named(name).unwrap();
+        let shown = camera_lab::figure::read::parse(&shipped.text()).unwrap();
+        let exercise = entry(id).unwrap().exercise(1, &Free::new());
+        let given = &exercise.subject.figure;
+        assert_eq!((given.camera, given.image, &given.scene), (shown.camera, shown.image, &shown.scene), "{id}");
+    }
+    // [0] 5.1 asks where the rays begin and where they go.
+    let rays = entry("0-5.1").unwrap().exercise(1, &Free::new());
+    let scene = |figure: &camera_lab::figure::Figure| {
+        let files = &mut camera_lab::scene::no_files;
+        camera_lab::views::scene_of(figure, files, &camera_lab::progress::Progress::default()).unwrap()
+    };
+    let (before, after) = (&rays.subject.figure, rays.answered.as_deref().unwrap());
+    let (plain, answered) = (scene(before), scene(after));
+    assert!(plain.lines.is_empty() && plain.texts.iter().all(|text| text.text != "D_R") && before.points.is_empty());
+    assert!(plain.objects.iter().all(|object| object.name != "P"), "C + u + v is the origin of the parallel ray");
+    assert_eq!(answered.texts.iter().filter(|text| text.text == "D_R").count(), 2);
+    assert_eq!(after.points.iter().map(|point| point.name.as_str()).collect::<Vec<_>>(), ["O_R"]);
+    assert_eq!((after.camera, after.image), (before.camera, before.image));
+}
+
+#[test]
+fn statements_say_where_the_notes_have_it_otherwise() {
+    for (id, en, pt) in [
+        ("yaw", "exchanges the axes of yaw and pitch", "troca os eixos de guinada e arfagem"),
+        ("pitch", "exchanges the axes of yaw and pitch", "troca os eixos de guinada e arfagem"),
+        ("elevation", "turns C alone", "gira só C"),
+        ("azimuth", "turns C alone", "gira só C"),
+        ("dolly", "does not have this operation", "não tem esta operação"),
+        ("pan", "does not have this operation", "não tem esta operação"),
+    ] {
+        let exercise = entry(id).unwrap().exercise(3, &Free::new());
+        for (lang, word, mark) in [(Lang::En, en, "≠ notes: "), (Lang::PtBr, pt, "≠ notas: ")] {
+            let said = camera_lab::i18n::exercises::assumptions(lang, &exercise);
+            assert!(said.iter().any(|text| text.starts_with(mark) && text.contains(word)), "{id}: {said:?}");
+        }
+    }
+}
+
+#[test]
+fn calls_of_functions_are_written_as_code_in_both_languages() {
+    let mut calls = BTreeSet::new();
+    for lang in [Lang::En, Lang::PtBr] {
+        all_of(6, |_, exercise| {
+            for paragraph in camera_lab::i18n::exercises::statement(lang, exercise) {
+                for call in paragraph.split("gl").skip(1) {
+                    let Some((name, rest)) = call.split_once('(') else { continue };
+                    let arguments = rest.split(')').next().unwrap();
+                    let is_call = name.chars().all(char::is_alphanumeric) && !name.is_empty();
+                    assert!(!is_call || !arguments.contains(['°', ';', '{']), "gl{name}({arguments})");
+                    let comma = arguments.find(',').map(|at| arguments[at + 1..].starts_with(' '));
+                    assert!(!is_call || comma != Some(false), "gl{name}({arguments})");
+                    calls.extend(is_call.then(|| name.to_owned()));
+                }
+            }
+        });
+    }
+    assert_eq!(
+        calls.into_iter().collect::<Vec<_>>(),
+        ["DepthRange", "Rotate", "Scale", "Translate", "Viewport", "uPerspective"]
+    );
 }

@@ -13,7 +13,8 @@ use crate::numbers::random::Random;
 pub(super) const DEPTH_RESOLUTION: Entry =
     Entry::family("depth-resolution", "[0] (5.25), [2]", |seed, _| resolution(seed));
 pub(super) const PAINTER: Entry = Entry::family("painter", "[2]", |seed, _| painter(seed));
-pub(super) const ZOOM_OR_DOLLY: Entry = Entry::family("zoom-or-dolly", "[0] §5.6", |seed, _| zoom_or_dolly(seed));
+pub(super) const ZOOM_OR_DOLLY: Entry =
+    Entry::family("zoom-or-dolly", "[0] §5.6, (5.5)", |seed, _| zoom_or_dolly(seed));
 
 fn resolution(seed: u64) -> Exercise {
     let mut random = numbers("depth-resolution", seed);
@@ -198,13 +199,20 @@ fn zoom_or_dolly(seed: u64) -> Exercise {
     };
     // Of the pole at PF both take up s times as much.
     let enlarged = |ask: Ask| ask.following(&["before"], move |tables| Some(tables[0].map(|share| share * factor)));
+    let ratio = {
+        let [d, e, f] = [("D", distance), ("e", behind), ("f", factor)].map(|(name, value)| named(name, name, value));
+        let nearer = || over(d, f);
+        Worked::new("ratio", "(5.5)")
+            .row(named("r", "r", (distance + behind) / distance), over(plus(d, e), d))
+            .row(named("r'", "r'", (distance / factor + behind) * factor / distance), over(plus(nearer(), e), nearer()))
+    };
     let asks = vec![
         ask("before", 1.0, 1.0, 0.0),
         enlarged(ask("zoomed", factor, 1.0, 0.0)),
         enlarged(ask("dollied", 1.0, factor, 0.0)),
         ask("zoomed_behind", factor, 1.0, behind),
         ask("dollied_behind", 1.0, factor, behind),
-        Ask::choice("changes", &["zoom", "dolly"], 1, &[(0, Mistake::OtherOperation)], Vec::new()),
+        Ask::choice("changes", &["zoom", "dolly"], 1, &[(0, Mistake::OtherOperation)], vec![ratio]),
     ];
     let mut exercise =
         Exercise { asks, ..about(subject(Parameters { projection: Projection::Perspective, ..parameters })) };

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::cameras::{about, camera, numbers, point_inside, small, subject, with_point};
 use crate::camera::{Camera, Parameters, Projection};
+use crate::exercises::placing::{about_focal_point, around_box, looking_down};
 use crate::exercises::worked::inside as steps_inside;
 use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake};
 use crate::figure::Figure;
@@ -38,7 +39,8 @@ fn canonical_camera(seed: u64) -> Exercise {
         (Parameters { aspect: half.y / half.x, ..model }, Mistake::AspectInverted),
         (Parameters { height: half.y, ..model }, Mistake::FactorTwo),
     ];
-    let ask = Ask::camera("camera", model, &mistakes, move |camera| {
+    let steps = around_box(&model, [middle - half, middle + half]);
+    let ask = Ask::camera("camera", (model, steps), &mistakes, move |camera| {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-6;
         let corners = camera.volume_corners().map(|corner| corner - middle);
         let octant = |at: &DVec3| at.to_array().map(|x| x > 0.0);
@@ -90,7 +92,7 @@ fn match_picture(seed: u64) -> Exercise {
         ..Parameters::default()
     };
     let wanted = Camera::new(&target);
-    let ask = Ask::camera("camera", target, &[], move |camera| {
+    let ask = Ask::camera("camera", (target, about_focal_point(&target)), &[], move |camera| {
         let Ok(wanted) = &wanted else { return vec![("picture-matches", false)] };
         let ndc = |camera: &Camera, point: DVec3| {
             let clip = camera.clip_point(point);
@@ -131,7 +133,7 @@ fn place_camera(seed: u64) -> Exercise {
         far: 100.0,
         ..Parameters::default()
     };
-    let ask = Ask::camera("camera", model, &[], move |camera| {
+    let ask = Ask::camera("camera", (model, looking_down(&model, b, aside, least + 15.0)), &[], move |camera| {
         let seen = |point: DVec3| {
             let clip = camera.clip_point(point);
             (clip.w > 0.0).then(|| clip.truncate() / clip.w).filter(|ndc| ndc.abs().max_element() <= 1.0)

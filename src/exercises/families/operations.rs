@@ -8,24 +8,31 @@ use crate::inspect::quantity::{BasisAxis, Quantity, WindowNumber};
 use crate::numbers::random::Random;
 
 macro_rules! turns {
-    ($($name:ident, $id:literal, $operation:ident, $asks:expr;)*) => {
-        $(pub(super) const $name: Entry = Entry::family($id, "[0] §5.6", |seed, _| turn($id, seed, Operation::$operation, &$asks));)*
+    ($($name:ident, $id:literal, $differs:expr, $operation:ident, $asks:expr;)*) => {
+        $(pub(super) const $name: Entry =
+            Entry::family($id, "[0] §5.6", |seed, _| turn($id, $differs, seed, Operation::$operation, &$asks));)*
     };
 }
 
 turns! {
-    ELEVATION, "elevation", Elevation, [("C", Quantity::Camera(ParameterKey::Position)), ("n", Quantity::Axis(BasisAxis::N)), ("v", Quantity::Axis(BasisAxis::V))];
-    AZIMUTH, "azimuth", Azimuth, [("C", Quantity::Camera(ParameterKey::Position)), ("n", Quantity::Axis(BasisAxis::N)), ("u", Quantity::Axis(BasisAxis::U))];
-    ROLL, "roll", Roll, [("u", Quantity::Axis(BasisAxis::U)), ("v", Quantity::Axis(BasisAxis::V))];
-    YAW, "yaw", Yaw, [("PF", Quantity::Camera(ParameterKey::FocalPoint)), ("n", Quantity::Axis(BasisAxis::N)), ("u", Quantity::Axis(BasisAxis::U))];
-    PITCH, "pitch", Pitch, [("PF", Quantity::Camera(ParameterKey::FocalPoint)), ("n", Quantity::Axis(BasisAxis::N)), ("v", Quantity::Axis(BasisAxis::V))];
+    ELEVATION, "elevation", &["≠ elevation"], Elevation, [("C", Quantity::Camera(ParameterKey::Position)), ("n", Quantity::Axis(BasisAxis::N)), ("v", Quantity::Axis(BasisAxis::V))];
+    AZIMUTH, "azimuth", &["≠ azimuth"], Azimuth, [("C", Quantity::Camera(ParameterKey::Position)), ("n", Quantity::Axis(BasisAxis::N)), ("u", Quantity::Axis(BasisAxis::U))];
+    ROLL, "roll", &[], Roll, [("u", Quantity::Axis(BasisAxis::U)), ("v", Quantity::Axis(BasisAxis::V))];
+    YAW, "yaw", &["≠ yaw"], Yaw, [("PF", Quantity::Camera(ParameterKey::FocalPoint)), ("n", Quantity::Axis(BasisAxis::N)), ("u", Quantity::Axis(BasisAxis::U))];
+    PITCH, "pitch", &["≠ pitch"], Pitch, [("PF", Quantity::Camera(ParameterKey::FocalPoint)), ("n", Quantity::Axis(BasisAxis::N)), ("v", Quantity::Axis(BasisAxis::V))];
 }
 
 pub(super) const ZOOM: Entry = Entry::family("zoom", "[0] §5.6", |seed, _| zoom(seed));
-pub(super) const DOLLY: Entry = Entry::family("dolly", "[0] §5.6", |seed, _| dolly(seed));
-pub(super) const PAN: Entry = Entry::family("pan", "[0] §5.6", |seed, _| pan(seed));
+pub(super) const DOLLY: Entry = Entry::family("dolly", "[0] §5.2, (5.2)", |seed, _| dolly(seed));
+pub(super) const PAN: Entry = Entry::family("pan", "[0] §5.2, (5.3)", |seed, _| pan(seed));
 
-fn turn(family: &str, seed: u64, operation: fn(Angle) -> Operation, asks: &[(&str, Quantity)]) -> Exercise {
+fn turn(
+    family: &str,
+    differs: &[&'static str],
+    seed: u64,
+    operation: fn(Angle) -> Operation,
+    asks: &[(&str, Quantity)],
+) -> Exercise {
     let mut random = numbers(family, seed);
     let is_roll = matches!(operation(Angle::from_degrees(0.0)), Operation::Roll(_));
     // Nothing that a roll turns moves.
@@ -37,7 +44,7 @@ fn turn(family: &str, seed: u64, operation: fn(Angle) -> Operation, asks: &[(&st
         subject.operations.push(operation(Angle::from_degrees(angle)));
         let asks = asks.iter().map(|(name, quantity)| Ask::quantity(name, &subject, *quantity));
         let asks = asks.map(|ask| following(ask, &subject)).collect();
-        let mut exercise = Exercise { asks, ..about(subject) };
+        let mut exercise = Exercise { asks, assumptions: differs.to_vec(), ..about(subject) };
         exercise.facts.push(("alpha", Fact::Angle(angle)));
         exercise
     })
@@ -115,7 +122,7 @@ fn dolly(seed: u64) -> Exercise {
         Ask::quantity("D", &subject, Quantity::Distance)
             .following(&["C"], move |tables| Some(Table::number((tables[0].vector()? - focal_point).length()))),
     ];
-    let mut exercise = Exercise { asks, ..about(subject) };
+    let mut exercise = Exercise { asks, assumptions: vec!["≠ dolly"], ..about(subject) };
     exercise.facts.push(("f", Fact::Number(f)));
     exercise
 }
@@ -132,7 +139,7 @@ fn pan(seed: u64) -> Exercise {
         Ask::quantity("PF", &subject, Quantity::Camera(ParameterKey::FocalPoint))
             .following(&["C"], move |tables| Some(Table::from(focal_point + tables[0].vector()? - position))),
     ];
-    let mut exercise = Exercise { asks, ..about(subject) };
+    let mut exercise = Exercise { asks, assumptions: vec!["≠ pan"], ..about(subject) };
     exercise.facts.extend([("dx", Fact::Number(dx)), ("dy", Fact::Number(dy))]);
     exercise
 }

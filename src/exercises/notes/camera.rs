@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
-use super::chosen;
+use super::{chosen, figure_of};
 use crate::camera::{ImageSize, Operation, Parameters, Projection, ViewWindow};
+use crate::exercises::placing::around_box;
 use crate::exercises::statement_facts::{about, image, with_point};
 use crate::exercises::worked::{Worked, named, worked};
 use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Mistake, Nature, Slip, Slips, Subject, Table, Unit, textbook};
@@ -67,13 +68,16 @@ pub(super) fn rays(_seed: u64) -> Exercise {
         of("perspective_origin", &in_perspective, Quantity::Ray(0, RayNumber::Origin)),
         direction.or_read_as("window-point", of("", &in_perspective, Quantity::Ray(0, RayNumber::Direction))),
     ];
-    let mut exercise = about(parallel);
+    let figure = figure_of(include_str!("../../../assets/figures/exercise-5.1.toml"));
+    let mut answered = Figure { scene: Figure::of_preset(Preset::Exercise51).scene, ..figure.clone() };
     // The point of the VRC, and where its rays start: C + u + v.
-    if let Ok(camera) = exercise.subject.camera() {
+    if let Ok(camera) = parallel.camera() {
         let basis = camera.basis();
         let point = camera.position() + basis.u + basis.v;
-        exercise.subject.figure.points.push(NamedPoint { name: "O_R".to_owned(), position: point });
+        answered.points.push(NamedPoint { name: "O_R".to_owned(), position: point });
     }
+    let mut exercise = about(Subject { figure, ..Subject::default() });
+    exercise.answered = Some(Box::new(answered));
     exercise.facts.push(("p", Fact::Tuple(vec![1.0, 1.0, 0.0])));
     Exercise { assumptions: vec!["v-is-vup", "unit-direction", "vrc-point"], asks, ..exercise }
 }
@@ -102,21 +106,9 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
     let far = chosen(free, "B", 20.0).max(near * (1.0 + 1e-6));
     let position = DVec3::new(7.0, 0.0, 0.0);
     let focal_point = DVec3::ONE;
+    let mut figure = figure_of(include_str!("../../../assets/figures/exercise-5.2.toml"));
     // H = 2 F tan 45°, (5.5).
-    let parameters = Parameters {
-        position,
-        focal_point,
-        view_up: DVec3::X,
-        projection: Projection::Parallel,
-        height: 2.0 * near,
-        aspect: 0.75,
-        near,
-        far,
-        ..Parameters::default()
-    };
-    let mut figure = Figure::of_preset(Preset::Exercise52);
-    figure.camera = parameters;
-    figure.image = ImageSize { width: 1024, height: 768 };
+    figure.camera = Parameters { height: 2.0 * near, near, far, ..figure.camera };
     let with_height = |height: f64, operations: Vec<Operation>| {
         let mut figure = figure.clone();
         figure.camera.height = height;
@@ -203,9 +195,7 @@ pub(super) fn cube() -> Exercise {
         far: 3.0,
         ..Parameters::default()
     };
-    let mut figure = Figure::of_preset(Preset::Exercise53);
-    figure.camera = Parameters { position: DVec3::new(3.0, 2.0, 4.0), ..model };
-    figure.image = ImageSize { width: 400, height: 400 };
+    let figure = figure_of(include_str!("../../../assets/figures/exercise-5.3.toml"));
     let subject = Subject { figure, ..Subject::default() };
     let at = |z: f64, near: f64, far: f64| Parameters { position: DVec3::new(0.0, 0.0, z), near, far, ..model };
     let mistakes = [
@@ -213,7 +203,8 @@ pub(super) fn cube() -> Exercise {
         (Parameters { focal_point: DVec3::NEG_Z, ..at(0.0, 1.0, 2.0) }, Mistake::NearFarAsCoordinates),
         (Parameters { height: 1.0, ..model }, Mistake::FactorTwo),
     ];
-    let ask = Ask::camera("camera", model, &mistakes, |camera| {
+    let steps = around_box(&model, [-DVec3::ONE, DVec3::ONE]);
+    let ask = Ask::camera("camera", (model, steps), &mistakes, |camera| {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-6;
         let corners = camera.volume_corners();
         let n = camera.basis().n;

@@ -11,6 +11,7 @@ mod pyramid;
 pub(super) use pyramid::whole as pyramid_of;
 
 use super::{Entry, Free};
+use crate::figure::{Figure, read};
 
 /// In the order of the notes.
 pub static ENTRIES: &[Entry] = &[
@@ -21,6 +22,11 @@ pub static ENTRIES: &[Entry] = &[
     Entry::of_notes("1-II", "[1] II", |_, free| pyramid::model_and_view(free)),
     Entry::of_notes("1-III", "[1] III", |_, free| pyramid::projection(free)),
 ];
+
+/// The figure of an exercise, which the gallery shows as well.
+fn figure_of(text: &str) -> Figure {
+    read::parse(text).unwrap_or_default()
+}
 
 /// A number that the notes leave open, where it was chosen and can be used.
 fn chosen(free: &Free, name: &str, otherwise: f64) -> f64 {

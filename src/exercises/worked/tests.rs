@@ -1,4 +1,5 @@
-use crate::exercises::{Free, Kind, entries};
+use super::setting;
+use crate::exercises::{Expected, Free, Kind, entries};
 
 #[test]
 fn every_way_leads_to_the_answer() {
@@ -41,4 +42,40 @@ fn every_way_leads_to_the_answer() {
     }
     assert!(missing.is_empty(), "{missing:#?}");
     assert!(ways > 250, "{ways}");
+}
+
+#[test]
+fn every_row_is_its_formula_also_on_the_way_to_a_camera() {
+    let mut cameras = 0;
+    for entry in entries() {
+        for seed in 0..4 {
+            let exercise = entry.exercise(seed, &Free::new());
+            for ask in &exercise.asks {
+                let context = format!("{} seed {seed} {}", entry.id, ask.name);
+                let steps = ask.steps();
+                let mut values = Vec::new();
+                for step in &steps {
+                    let Ok(camera) = step.subject.camera() else { panic!("{context}: {}", step.heading) };
+                    let setting = setting(&camera, &step.subject);
+                    let setting = step.point.map_or_else(|| setting.clone(), |point| setting.clone().with_point(point));
+                    for row in &step.rows {
+                        let of_formula = row.formula.value(&setting);
+                        // A row of `push` or of the camera's own number; a name that stands for a row has its value too.
+                        let near = (of_formula - row.value).abs() <= 1e-9 * row.value.abs().max(1.0);
+                        assert!(near, "{context}, {}: {of_formula} for {}", step.heading, row.value);
+                        values.push(row.value);
+                    }
+                }
+                let Expected::Camera(_, model, ..) = ask.expected() else { continue };
+                cameras += 1;
+                let wanted = [model.position.to_array(), model.focal_point.to_array()].concat();
+                for value in wanted.into_iter().filter(|value| *value != 0.0) {
+                    let near = |row: &f64| (row - value).abs() <= 1e-9 * value.abs().max(1.0);
+                    let is_given = entry.id == "match-picture" && model.focal_point.to_array().contains(&value);
+                    assert!(is_given || values.iter().any(near), "{context}: {value} in {values:?}");
+                }
+            }
+        }
+    }
+    assert_eq!(cameras, 4 + 4 + 4 + 4, "of [0] 5.3 and three families");
 }

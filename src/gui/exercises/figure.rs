@@ -20,9 +20,12 @@ use crate::views::{Request, SharedScene, Size, View, scene_of};
 /// The size of the small picture, in pixels.
 const SIZE: Size = Size { width: 320, height: 240, scale: 1.0 };
 
-/// The figure before the operations, with its points and their names.
-pub(super) fn given(exercise: &Exercise) -> Figure {
-    with_camera(exercise, exercise.subject.figure.camera)
+/// The figure before the operations, with its points and their names; with its answers where they have been tried.
+pub(super) fn given(exercise: &Exercise, is_tried: bool) -> Figure {
+    match exercise.answered.as_deref().filter(|_| is_tried) {
+        Some(answered) => answered.clone(),
+        None => with_camera(exercise, exercise.subject.figure.camera),
+    }
 }
 
 /// The figure with another camera.

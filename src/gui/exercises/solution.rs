@@ -30,9 +30,8 @@ pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask:
     let Sheet { t, exercise, .. } = sheet;
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
     let opened = state.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
-    let has_way = !matches!(ask.expected(), Expected::Camera(..));
     let rest = opened.way.as_ref().is_none_or(|way| opened.steps < way.len());
-    if !has_way || !rest {
+    if !rest {
         return;
     }
     let label = if opened.steps == 0 { t.first_step } else { t.next_step };
@@ -118,7 +117,7 @@ fn described(exercise: &Exercise, ask: &Ask, answer: &Answer) -> Option<(Paramet
     let camera = |parameters: &Parameters| {
         Camera::new(parameters).map_err(|error| NotCamera::Matrix(RecoveryError::from(error)))
     };
-    if let (Answer::Camera(parameters), Expected::Camera(_, model, _)) = (answer, ask.expected()) {
+    if let (Answer::Camera(parameters), Expected::Camera(_, model, ..)) = (answer, ask.expected()) {
         return Some((**model, camera(parameters)));
     }
     let right = figure::subject_of(exercise, ask).camera().ok()?;

@@ -1,6 +1,6 @@
 //! The statement, its assumptions, and the figure.
 
-use eframe::egui::{self, Align2, CollapsingHeader, Image, RichText, Ui, vec2};
+use eframe::egui::{self, Align2, Button, CollapsingHeader, Image, RichText, Ui, vec2};
 
 use super::{Sheet, figure};
 use crate::gui::panels::complaint;
@@ -77,22 +77,23 @@ fn free(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
     }
 }
 
-/// The buttons that put figures into the pictures. What is to be predicted is shown after the answer alone.
+/// The buttons that put figures into the pictures. What answers a question is shown once all of them have been tried.
 fn figures(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
-    let Sheet { t, entry, exercise } = sheet;
-    let answered = exercise.asks.iter().all(|ask| state.exercises.checked.contains_key(&ask.name));
-    if entry.id == "predict-visible" && !answered {
+    let Sheet { t, exercise, .. } = sheet;
+    let is_tried = exercise.asks.iter().all(|ask| state.exercises.checked.contains_key(&ask.name));
+    if exercise.is_told_by_figure() && !is_tried {
         ui.label(RichText::new(t.figure_later).weak());
         return;
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button(t.show_figure).explained(t.show_figure_hint).clicked() {
-            state.show_figure_of_exercise(figure::given(exercise));
+            state.show_figure_of_exercise(figure::given(exercise, is_tried));
         }
         if exercise.subject.operations.is_empty() {
             return;
         }
-        let done = ui.button(t.do_operations).explained(t.do_operations_hint);
+        let done = ui.add_enabled(is_tried, Button::new(t.do_operations)).explained(t.do_operations_hint);
+        let done = done.explained_disabled(t.operations_later);
         if done.clicked()
             && let Ok(camera) = exercise.subject.camera()
         {
