@@ -361,7 +361,7 @@ fn no_numbers_hide_a_mistake_of_their_family() {
     });
     let hiding = shown.iter().filter(|(_, (all, hidden))| {
         let hides = u32::try_from(hidden.len()).unwrap();
-        hides > 0 && 2 * hides <= *all
+        hides > 0 && 4 * hides <= *all
     });
     let hiding: Vec<_> = hiding.collect();
     assert!(hiding.is_empty(), "{hiding:?}");
