@@ -76,7 +76,8 @@ pub(super) fn looking_down(camera: &Parameters, q: DVec3, aside: DVec3, slope: f
     vec![straight, across, placed]
 }
 
-/// The place of C about PF: its distance, its turn about the vertical, and its slope; `[0]` §5.6, azimuth and elevation.
+/// The place of C about PF: its distance, its turn about the vertical, and its slope; `[0]` §5.6, azimuth and
+/// elevation.
 pub(super) fn about_focal_point(camera: &Parameters) -> Vec<Worked> {
     let by = camera.position - camera.focal_point;
     let distance = named("D", "D", by.length());

@@ -145,7 +145,8 @@ mod tests {
         let presets: Vec<Preset> =
             SHIPPED_FIGURES.iter().map(|figure| parse(&figure.text()).unwrap().scene.preset).collect();
         for (name, preset) in Preset::NAMED {
-            assert!(presets.contains(preset), "{name}");
+            // [0] 5.1 is shipped without its answer, which the preset draws.
+            assert!(presets.contains(preset) || *preset == Preset::Exercise51, "{name}");
         }
     }
 

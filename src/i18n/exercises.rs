@@ -52,8 +52,8 @@ pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
     paragraphs.iter().map(|paragraph| filled(lang, exercise, paragraph)).collect()
 }
 
-/// The assumptions where the source leaves a question open, and what the source has otherwise: the assumption `≠ yaw` is
-/// what the note `yaw` says of it.
+/// The assumptions where the source leaves a question open, and what the source has otherwise: the assumption `≠ yaw`
+/// is what the note `yaw` says of it.
 #[must_use]
 pub fn assumptions(lang: Lang, exercise: &Exercise) -> Vec<String> {
     let text = |name: &&str| match name.strip_prefix("≠ ") {

@@ -290,8 +290,8 @@ fn exercise_52() -> Vec<ObjectSpec> {
     let p = c + u + n.cross(u);
     vec![
         ObjectSpec::new("grid", Shape::Grid).scaled(4.0, 1.0, 4.0).with_segments(8),
-        ObjectSpec::new("box", Shape::Box).at(1.0, 1.0, 1.0).colored(SKY),
-        ObjectSpec::new("cone", Shape::Cone).at(1.0, 2.0, 1.0).scaled(0.7, 0.75, 0.7).colored(ORANGE),
+        ObjectSpec::new("box", Shape::Box).at(1.0, 1.0, 1.0).scaled(0.8, 0.8, 0.8).colored(SKY),
+        ObjectSpec::new("cone", Shape::Cone).at(1.0, 1.8, 1.0).scaled(0.6, 0.75, 0.6).colored(ORANGE),
         ObjectSpec::new("ball", Shape::Sphere).at(1.0, 0.6, 2.6).scaled(0.6, 0.6, 0.6).colored(TEAL),
         ObjectSpec::new("P", Shape::Points(vec![p])).colored(VERMILION),
     ]

@@ -141,7 +141,15 @@ fn the_errata_of_the_notes_are_told_where_they_matter() {
         told(lang, "5.16", &["0 0 0 0", "0 0 0 1"]);
         told(lang, "yaw", &[r"\\mathbf{v}", r"\\mathbf{u}"]);
         told(lang, "pitch", &[r"\\mathbf{v}", r"\\mathbf{u}"]);
-        told(lang, "VUP", &["(3/5, 4/5, 0)", "VPN"]);
+        let tuple = if lang == Lang::En { "(3/5, 4/5, 0)" } else { "(3/5; 4/5; 0)" };
+        told(lang, "VUP", &[tuple, "VPN"]);
+        told(lang, "elevation", &["[0]", "C"]);
+        told(lang, "azimuth", &["[0]", "DOP"]);
+        told(lang, "dolly", &["[0]"]);
+        told(lang, "pan", &["[0]"]);
+        told(lang, "step-scale-ort", &["1/(B - F)"]);
+        told(lang, "5.8", &["z_{vp} - z"]);
+        told(lang, "stage-hidden-surfaces", &["[2]", "1"]);
         told(lang, "theta", &["5.2"]);
         told(lang, "step-pers", &["[1]"]);
         told(lang, "u", &["[3]"]);

@@ -60,7 +60,6 @@ fn every_row_is_its_formula_also_on_the_way_to_a_camera() {
                     let setting = step.point.map_or_else(|| setting.clone(), |point| setting.clone().with_point(point));
                     for row in &step.rows {
                         let of_formula = row.formula.value(&setting);
-                        // A row of `push` or of the camera's own number; a name that stands for a row has its value too.
                         let near = (of_formula - row.value).abs() <= 1e-9 * row.value.abs().max(1.0);
                         assert!(near, "{context}, {}: {of_formula} for {}", step.heading, row.value);
                         values.push(row.value);
