@@ -386,7 +386,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// What a function is taken of: in parentheses, in braces, or an angle in degrees, as in `tan 20°`.
+    /// The argument of a function: in parentheses, in braces, or an angle in degrees, as in `tan 20°`.
     fn argument(&mut self, dimension: Dimension) -> Result<Quantity, ExpressionError> {
         match self.peek() {
             Some('{') => self.group(dimension),

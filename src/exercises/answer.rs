@@ -162,12 +162,13 @@ fn between_blanks(row: &str, asked: usize, reads: impl Fn(&str) -> bool) -> Opti
     (asked > 1 && apart.len() == asked && apart.iter().all(is_number)).then_some(apart)
 }
 
-/// What stands for a number that is not given.
+/// The marks in the place of a number that is not given.
 fn is_gap(part: &str) -> bool {
     matches!(part, "" | "?" | "_")
 }
 
-/// A list or a matrix without the number by which it is multiplied or divided, and that number: `2*[1, 0]`, `[1, 0]/√2`.
+/// A list or a matrix without the number by which it is multiplied or divided, and that number: `2*[1, 0]`,
+/// `[1, 0]/√2`.
 fn without_factor<E>(text: &str, number: impl Fn(&str) -> Result<f64, E>) -> Option<(&str, f64)> {
     let (start, end) = match (text.find('['), text.rfind(']')) {
         (Some(start), Some(end)) if start < end => (start, end + 1),

@@ -157,7 +157,7 @@ fn is_excluded(slip: Slip, ask: &Ask, beside: Option<Beside<'_>>) -> bool {
                 && !other.accepts_all(&wrong.entries, &right)
                 && is_right(other, answer)
                 // In another reading the right one may be what the slip gives.
-                && !numbers(answer, other).is_some_and(|given| agreement(other, &given.entries, &wrong).is_some())
+                && numbers(answer, other).is_none_or(|given| agreement(other, &given.entries, &wrong).is_none())
         })
     })
 }
@@ -195,7 +195,8 @@ fn multiple_of_direction(ask: &Ask, right: &Table, given: &[f64], slipped: &[(Sl
     Some(Diagnosis::together(vec![slip.cause(), not_normalised]))
 }
 
-/// What comes out where a matrix or all signs are turned round, as far as the nature of the question has such.
+/// The table with its rows and columns, its direction or all its signs turned round, as far as the nature of the
+/// question has such.
 fn turned_round(ask: &Ask, table: &Table) -> Vec<(Cause, Table)> {
     let mut found = Vec::new();
     let is_square = table.rows == table.columns && table.rows > 1;

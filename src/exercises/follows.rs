@@ -7,13 +7,16 @@ use glam::DVec3;
 
 use super::value::Table;
 
+/// Computes an answer from others.
+pub(super) type FromAnswers = Arc<dyn Fn(&[Table]) -> Option<Table> + Send + Sync>;
+
 /// A way to an answer from other answers of the same exercise; a choice is its number, from 0.
 #[derive(Clone)]
 pub struct Follows {
     /// The names of the questions that it starts from.
     pub from: &'static [&'static str],
     /// Computes the answer from theirs, in the same order.
-    pub compute: Arc<dyn Fn(&[Table]) -> Option<Table> + Send + Sync>,
+    pub compute: FromAnswers,
 }
 
 impl fmt::Debug for Follows {

@@ -65,7 +65,7 @@ pub enum Mistake {
     DistanceForNear,
     /// The distance from C in the place of the depth −z_c.
     DistanceForDepth,
-    /// What the other projection has.
+    /// Numbers of the other projection.
     ProjectionsExchanged,
     /// Numbers of the VRC used as those of the world.
     ViewAsWorld,

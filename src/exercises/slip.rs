@@ -105,13 +105,13 @@ slips! {
     ScaleDoubled = FactorTwo;
     /// BF for 2BF.
     DepthTermHalved = FactorTwo;
-    /// c_x = m.
+    /// `c_x` = m.
     CentreWhole = FactorTwo;
     /// H = 2 tan(θ/2).
     NearForgotten = NearForgotten;
     /// 2/W for 2F/W.
     NearForgottenInScale = NearForgotten "scale";
-    /// x_c/(−z_c).
+    /// `x_c`/(−`z_c`).
     NearForgottenOnWindow = NearForgotten;
     /// H = 2 D tan(θ/2).
     DistanceForNear = DistanceForNear;
@@ -119,7 +119,7 @@ slips! {
     DistanceInScale = DistanceForNear;
     /// D for F in the row of z.
     DistanceInDepth = DistanceForNear;
-    /// D x_c/(−z_c).
+    /// D `x_c`/(−`z_c`).
     DistanceOnWindow = DistanceForNear;
     /// W = H / A.
     AspectInverted = AspectInverted;
@@ -135,7 +135,7 @@ slips! {
     EntryExit = EntryExitExchanged;
     /// Clip coordinates without w.
     NoDivide = NoDivide;
-    /// What the other projection has.
+    /// Numbers of the other projection.
     ProjectionsExchanged = ProjectionsExchanged;
     /// The ray of a perspective camera begins at the point of the window.
     WindowPointAsOrigin = ProjectionsExchanged;
@@ -177,7 +177,7 @@ slips! {
     ColumnsAndRows = ColumnsAndRowsExchanged;
     /// m for n, and n for m.
     SizesExchanged = ColumnsAndRowsExchanged "sizes";
-    /// c_x and c_y exchanged.
+    /// `c_x` and `c_y` exchanged.
     CentresExchanged = ColumnsAndRowsExchanged "sizes";
     /// Rows from the bottom.
     YNotFlipped = YNotFlipped;

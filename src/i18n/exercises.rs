@@ -194,13 +194,21 @@ pub fn carried(lang: Lang, judged: &Judged) -> Option<String> {
     let and = if lang == Lang::En { "and" } else { "e" };
     let names = if first.is_empty() { last.clone() } else { format!("{} {and} {last}", first.join(", ")) };
     Some(match (lang, first.is_empty()) {
-        (Lang::En, true) => format!("This is right for your {names}, which is wrong: only {names} has to be mended."),
-        (Lang::En, false) => format!("This is right for your {names}, which are wrong: only they have to be mended."),
+        (Lang::En, true) => {
+            format!("This is right for your own {names}, which is wrong: correct {names}, then compute this again.")
+        }
+        (Lang::En, false) => {
+            format!("This is right for your own {names}, which are wrong: correct them, then compute this again.")
+        }
         (Lang::PtBr, true) => {
-            format!("Isto está certo para o valor de {names} que você deu, que está errado: basta corrigir {names}.")
+            format!(
+                "Isto está certo para o valor de {names} que você deu, que está errado: corrija {names} e refaça esta conta."
+            )
         }
         (Lang::PtBr, false) => {
-            format!("Isto está certo para os valores de {names} que você deu, que estão errados: basta corrigi-los.")
+            format!(
+                "Isto está certo para os valores de {names} que você deu, que estão errados: corrija-os e refaça esta conta."
+            )
         }
     })
 }
@@ -276,7 +284,7 @@ pub fn kind(lang: Lang, ask: &Ask) -> String {
         (Lang::PtBr, Kind::Choice(choices)) => format!("um destes: {}", list_of_choices(lang, choices)),
         (Lang::En, Kind::Camera) => "a camera: C=[0, 0, 2]; PF=[0, 0, 0]; projection=parallel; H=2; F=1; …".to_owned(),
         (Lang::PtBr, Kind::Camera) => {
-            "uma câmera: C=[0; 0; 2]; PF=[0; 0; 0]; projection=parallel; H=2; F=1; …".to_owned()
+            "uma câmera: C=[0; 0; 2]; PF=[0; 0; 0]; projeção=paralela; H=2; F=1; …".to_owned()
         }
     };
     let tolerance = tolerance(lang, ask);

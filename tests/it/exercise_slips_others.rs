@@ -268,7 +268,10 @@ fn of_zoom_or_dolly(exercise: &Exercise) -> Vec<Wrong> {
     wrong
 }
 
-const FAMILIES: [(&str, fn(&Exercise) -> Vec<Wrong>); 9] = [
+/// Wrong answers to an exercise.
+type WrongAnswers = fn(&Exercise) -> Vec<Wrong>;
+
+const FAMILIES: [(&str, WrongAnswers); 9] = [
     ("asymmetric-window", of_asymmetric_window),
     ("clip-segment", of_segment),
     ("outcodes", of_outcodes),

@@ -1,5 +1,5 @@
-//! Verdicts on wrong answers, each made by hand from the numbers of an exercise: the reason that is told is the one that
-//! was made, or one of several that give the same.
+//! Verdicts on wrong answers, each made by hand from the numbers of an exercise: the reason that is told is the mistake
+//! that was made, or one of several that give the same.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
