@@ -282,7 +282,12 @@ fn nothing_is_wrong_with_the_figures_that_come_with_the_program() {
         let expected: &[&str] = if entry.ends_with("empty.toml") { &["empty-scene"] } else { &[] };
         let codes: Vec<&str> = findings.iter().map(|finding| finding["code"].as_str().unwrap()).collect();
         assert_eq!(codes, expected, "{}", entry.display());
-        assert!(json["health"].as_array().unwrap().iter().all(|line| line["level"] == "good"), "{}", entry.display());
+        let lines = json["health"].as_array().unwrap();
+        let bad: Vec<&str> =
+            lines.iter().filter(|line| line["level"] != "good").map(|line| line["code"].as_str().unwrap()).collect();
+        // [0] 5.2 asks for a picture of 1024 × 768 of a window of 3 : 4.
+        let expected: &[&str] = if entry.ends_with("exercise-5.2.toml") { &["volume-shape"] } else { &[] };
+        assert_eq!(bad, expected, "{}", entry.display());
     }
 }
 
