@@ -212,6 +212,8 @@ impl ExportError {
             Self::Picture(PictureError::Composite(NoComposite::NoRoom { count, .. })) => {
                 format!("{count} {}", t.picture_no_room)
             }
+            Self::Picture(PictureError::Strokes) => messages::too_much(lang, &OverBudget::Strokes),
+            Self::Picture(error @ PictureError::Font) => error.to_string(),
             Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
             Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, format.name(), why),
             Self::Picture(PictureError::Animate { format, why }) => messages::encoder(lang, format.name(), why),
@@ -348,7 +350,7 @@ impl Task {
     }
 
     async fn run(self, progress: &Progress) -> Exported {
-        let PictureFile { bytes, too_much } = self.file(progress).await.map_err(|error| match error {
+        let PictureFile { bytes, too_much, .. } = self.file(progress).await.map_err(|error| match error {
             _ if progress.is_cancelled() => ExportError::Cancelled,
             error => error,
         })?;
@@ -364,13 +366,16 @@ impl Task {
             ExportKind::Animation(decomposition, _) => {
                 let film = Animation { request: subject.film(progress)?, decomposition: *decomposition };
                 let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));
-                return Ok(film.file(format, STEP_SECONDS, &update(source, &subject.figure), progress).await?);
+                let told =
+                    pictures::told_of(subject.lang, &subject.figure, &film.stills(), update(source, &subject.figure));
+                return Ok(film.file(format, STEP_SECONDS, &told, progress).await?);
             }
         };
         let sheet = subject.sheet(export, progress)?;
-        let form =
-            FileOptions { format: export.format, crop: export.crop, dpi: export.on_paper.then_some(export.paper.dpi) };
-        Ok(picture::file(&sheet, form, &update(source, &subject.figure), progress).await?)
+        let dpi = export.on_paper.then_some(export.paper.dpi);
+        let form = FileOptions { crop: export.crop, dpi, ..FileOptions::of(export.format) };
+        let told = pictures::told_of(subject.lang, &subject.figure, &sheet, update(source, &subject.figure));
+        Ok(picture::file(&sheet, form, &told, progress).await?)
     }
 }
 

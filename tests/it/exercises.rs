@@ -241,7 +241,11 @@ fn the_figures_of_the_notes_exercises_are_those_of_the_gallery_and_hold_no_answe
     };
     let (before, after) = (&rays.subject.figure, rays.answered.as_deref().unwrap());
     let (plain, answered) = (scene(before), scene(after));
-    assert!(plain.lines.iter().all(|line| !line.style.arrow) && plain.texts.iter().all(|text| text.text != "D_R") && before.points.is_empty());
+    assert!(
+        plain.lines.iter().all(|line| !line.style.arrow)
+            && plain.texts.iter().all(|text| text.text != "D_R")
+            && before.points.is_empty()
+    );
     assert!(plain.objects.iter().all(|object| object.name != "P"), "C + u + v is the origin of the parallel ray");
     assert_eq!(answered.texts.iter().filter(|text| text.text == "D_R").count(), 2);
     assert_eq!(after.points.iter().map(|point| point.name.as_str()).collect::<Vec<_>>(), ["O_R"]);
