@@ -1,11 +1,12 @@
 //! Pictures as pages of vectors: the same display list as for pixels, with the parts of strokes that can be seen found
 //! exactly instead of pixel by pixel.
 
+use glam::DVec2;
 use tiny_skia::Pixmap;
 
 use super::{Composite, PictureError, Renderer, layout};
 use crate::appearance::{LineStyle, Occlusion, Rgba, head_corners};
-use crate::drawing::{Drawing, Surface};
+use crate::drawing::{Drawing, Surface, single};
 use crate::export::vector::{Item, Page};
 use crate::limits::MAX_PIXELS;
 use crate::pipeline::stroke_order::painted_runs;
@@ -423,7 +424,7 @@ fn polyline<'a>(drawing: &'a Drawing, run: &Run) -> &'a [[f32; 3]] {
 }
 
 fn between(a: &[f32], b: &[f32]) -> f32 {
-    (b[0] - a[0]).hypot(b[1] - a[1])
+    single(DVec2::new(f64::from(b[0]) - f64::from(a[0]), f64::from(b[1]) - f64::from(a[1])).length())
 }
 
 fn length_of(drawing: &Drawing, run: &Run) -> f32 {
