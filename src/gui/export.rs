@@ -12,6 +12,7 @@ use crate::camera::{Camera, CameraError, Decomposition};
 use crate::clock;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
+use crate::export::vector::Letters;
 use crate::figure::Figure;
 use crate::figure::update;
 use crate::files::{self, FigureFiles, FileAccess, FileError, Overwrite};
@@ -19,7 +20,7 @@ use crate::i18n::{Lang, messages, pictures, window};
 use crate::limits::PAPER_LINES;
 use crate::numbers::round_to;
 use crate::picture::{
-    self, Animation, Composite, FileOptions, FilmFormat, NoComposite, OnPaper, PictureError, PictureFile,
+    self, Animation, Composite, Faces, FileOptions, FilmFormat, NoComposite, OnPaper, PictureError, PictureFile, Told,
 };
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
@@ -47,6 +48,10 @@ pub struct Export {
     pub transparent: bool,
     /// Crop the empty background around each picture.
     pub crop: bool,
+    /// How the faces of vectors are written.
+    pub faces: Faces,
+    /// The letters of vectors are outlines, and no text.
+    pub outlines: bool,
     /// The theme of the picture.
     pub theme: Theme,
     /// Thick strokes and large type by this factor.
@@ -87,6 +92,13 @@ impl Default for Paper {
 }
 
 impl Export {
+    /// The options of its file.
+    pub(super) fn form(&self) -> FileOptions {
+        let letters = if self.outlines { Letters::Outlines } else { Letters::Text };
+        let dpi = self.on_paper.then_some(self.paper.dpi);
+        FileOptions { format: self.format, crop: self.crop, dpi, faces: self.faces, letters }
+    }
+
     /// All three pictures as on the screen, for paper. `sizes`: width and height of each picture on the screen, in the
     /// order of [`View::ALL`]; `scale`: pixels there for one unit of stroke width.
     #[must_use]
@@ -101,6 +113,8 @@ impl Export {
             format: PictureFormat::ALL[0],
             transparent: false,
             crop: false,
+            faces: Faces::default(),
+            outlines: false,
             theme: Theme::Print,
             scale: 1.0,
         };
@@ -250,6 +264,11 @@ impl ExportSource {
         Self { figure, shot, folder, reach: document.reach(), lang }
     }
 
+    /// The words that go with its pictures into their file.
+    pub(super) fn told(&self, sheet: &Composite, figure: String) -> Told {
+        pictures::told_of(self.lang, &self.figure, sheet, figure)
+    }
+
     /// Each picture of the way to the canonical volume.
     fn film(&self, progress: &Progress) -> Result<Request, ExportError> {
         let Self { figure, shot, folder, reach, lang } = self;
@@ -366,16 +385,13 @@ impl Task {
             ExportKind::Animation(decomposition, _) => {
                 let film = Animation { request: subject.film(progress)?, decomposition: *decomposition };
                 let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));
-                let told =
-                    pictures::told_of(subject.lang, &subject.figure, &film.stills(), update(source, &subject.figure));
+                let told = subject.told(&film.stills(), update(source, &subject.figure));
                 return Ok(film.file(format, STEP_SECONDS, &told, progress).await?);
             }
         };
         let sheet = subject.sheet(export, progress)?;
-        let dpi = export.on_paper.then_some(export.paper.dpi);
-        let form = FileOptions { crop: export.crop, dpi, ..FileOptions::of(export.format) };
-        let told = pictures::told_of(subject.lang, &subject.figure, &sheet, update(source, &subject.figure));
-        Ok(picture::file(&sheet, form, &told, progress).await?)
+        let told = subject.told(&sheet, update(source, &subject.figure));
+        Ok(picture::file(&sheet, export.form(), &told, progress).await?)
     }
 }
 

@@ -1,6 +1,8 @@
 //! Pictures as pages of vectors: the same display list as for pixels, with the parts of strokes that can be seen found
 //! exactly instead of pixel by pixel.
 
+use std::collections::HashMap;
+
 use glam::DVec2;
 use tiny_skia::Pixmap;
 
@@ -46,9 +48,9 @@ impl Faces {
 
 /// The most triangles that are written as areas unless they are asked for.
 const MOST_AREAS: usize = 5000;
-/// The width of the outline by which neighbouring areas overlap, in pixels: programs that paint each area by itself
-/// let the ground show along their common side.
-const SEAM: f32 = 0.4;
+/// The width of the strokes along common sides of neighbouring areas, in pixels: programs that paint each area by itself
+/// let the ground show there otherwise.
+const SEAM: f32 = 1.0;
 /// A dash of no length is left out by some programs.
 const DOT: f32 = 0.01;
 
@@ -267,7 +269,7 @@ fn unit(pixels: u32) -> f32 {
 }
 
 fn rectangle([left, top, right, bottom]: [f32; 4], color: Rgba) -> Item {
-    Item::Fill { path: polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]]), color, seam: 0.0 }
+    Item::Fill { path: polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]]), color }
 }
 
 fn polygon(corners: &[[f32; 2]]) -> Vec<Element> {
@@ -279,10 +281,27 @@ fn polygon(corners: &[[f32; 2]]) -> Vec<Element> {
     path
 }
 
-/// The triangles of a drawing in their order, those of one colour that follow one another as one area.
+/// The corners of a triangle, all of one winding.
+type Corners = [[f32; 2]; 3];
+
+/// A side, the same in both directions: the bits of its ends.
+type SideKey = [[u32; 2]; 2];
+
+fn side_key([a, b]: [[f32; 2]; 2]) -> SideKey {
+    let bits = |p: [f32; 2]| p.map(f32::to_bits);
+    let (a, b) = (bits(a), bits(b));
+    if a < b { [a, b] } else { [b, a] }
+}
+
+fn sides_of([a, b, c]: Corners) -> [[[f32; 2]; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+/// The triangles of a drawing in their order, those of one colour that follow one another as one area; along the sides
+/// that opaque ones share with others, a stroke of their colour.
 fn areas_of(drawing: &Drawing) -> Vec<Item> {
-    let mut items = Vec::new();
-    let mut open: Option<(Rgba, Vec<[[f32; 2]; 3]>)> = None;
+    let mut areas: Vec<(Rgba, Vec<Corners>)> = Vec::new();
+    let mut shared: HashMap<SideKey, u32> = HashMap::new();
     for surface in &drawing.surfaces {
         for (k, triangle) in surface.triangles.iter().enumerate() {
             let corner = |vertex: u32| surface.positions.get(vertex as usize).map(|p| [p[0], p[1]]);
@@ -295,37 +314,53 @@ fn areas_of(drawing: &Drawing) -> Vec<Item> {
             }
             // One winding for all, so that neighbours add up.
             let corners = if area > 0.0 { [a, b, c] } else { [a, c, b] };
-            match &mut open {
+            for side in sides_of(corners) {
+                *shared.entry(side_key(side)).or_default() += 1;
+            }
+            match areas.last_mut() {
                 Some((of, triangles)) if *of == color && (color.is_opaque() || continues(triangles, corners)) => {
                     triangles.push(corners);
                 }
-                _ => items.extend(open.replace((color, vec![corners])).map(area_of)),
+                _ => areas.push((color, vec![corners])),
             }
         }
     }
-    items.extend(open.map(area_of));
-    items
+    areas.iter().flat_map(|(color, triangles)| area_of(*color, triangles, &shared)).collect()
 }
 
-fn area_of((color, triangles): (Rgba, Vec<[[f32; 2]; 3]>)) -> Item {
+fn area_of(color: Rgba, triangles: &[Corners], shared: &HashMap<SideKey, u32>) -> Vec<Item> {
     let path = triangles.iter().flat_map(|corners| polygon(corners)).collect();
-    Item::Fill { path, color, seam: if color.is_opaque() { SEAM } else { 0.0 } }
+    let mut items = vec![Item::Fill { path, color }];
+    let mut own: HashMap<SideKey, u32> = HashMap::new();
+    for side in triangles.iter().flat_map(|corners| sides_of(*corners)) {
+        *own.entry(side_key(side)).or_default() += 1;
+    }
+    // Within one path neighbours add up.
+    let with_others = |side: &[[f32; 2]; 2]| {
+        let key = side_key(*side);
+        shared.get(&key) > own.get(&key)
+    };
+    let sides = triangles.iter().flat_map(|corners| sides_of(*corners)).filter(with_others);
+    let seam: Vec<Element> = sides.flat_map(|[a, b]| [Element::Move(a), Element::Line(b)]).collect();
+    if color.is_opaque() && !seam.is_empty() {
+        items.push(Item::Stroke { path: seam, color, width: SEAM, dashes: Vec::new(), phase: 0.0, round: true });
+    }
+    items
 }
 
 /// True where a triangle has a side in common with the last one of an area, and lies on the other side of it: both are
 /// blended with what is below once.
-fn continues(triangles: &[[[f32; 2]; 3]], next: [[f32; 2]; 3]) -> bool {
+fn continues(triangles: &[Corners], next: Corners) -> bool {
     let Some(last) = triangles.last() else { return false };
-    let sides = |t: [[f32; 2]; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
     // With one winding, a common side is passed in both directions.
-    sides(*last).iter().any(|[a, b]| sides(next).contains(&[*b, *a]))
+    sides_of(*last).iter().any(|[a, b]| sides_of(next).contains(&[*b, *a]))
 }
 
 /// Strokes, areas, marks and texts, in the order of the display list.
 fn over_faces(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
     let mut items = strokes(drawing)?;
     for area in &drawing.areas {
-        items.push(Item::Fill { path: area_outline(area), color: area.fill, seam: 0.0 });
+        items.push(Item::Fill { path: area_outline(area), color: area.fill });
     }
     let places: Vec<[f32; 3]> = drawing
         .marks
@@ -347,7 +382,7 @@ fn over_faces(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
                 Some(width) => {
                     Item::Stroke { path: path.clone(), color, width, dashes: Vec::new(), phase: 0.0, round: false }
                 }
-                None => Item::Fill { path: path.clone(), color, seam: 0.0 },
+                None => Item::Fill { path: path.clone(), color },
             });
         }
     }
@@ -386,11 +421,9 @@ fn strokes(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
             push_stroke(&mut items, &points, &run, style);
         }
         if head > 0.0 && run.has_end {
-            items.extend(head_of(drawing, &run, head).map(|corners| Item::Fill {
-                path: polygon(&corners),
-                color: style.color,
-                seam: 0.0,
-            }));
+            items.extend(
+                head_of(drawing, &run, head).map(|corners| Item::Fill { path: polygon(&corners), color: style.color }),
+            );
         }
     }
     Ok(items)

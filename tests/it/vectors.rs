@@ -61,7 +61,10 @@ fn drawn(svg: &str, zoom: f64, bench: &Bench) -> Option<Pixmap> {
     }
     let from = bench.write(&from, svg);
     let mut run = Command::new("rsvg-convert");
-    run.args(["-z", &zoom.to_string(), "-o"]).arg(bench.path(&to)).arg(from).env("FONTCONFIG_FILE", fonts(bench));
+    run.args(["-z", &zoom.to_string(), "-o"])
+        .arg(bench.path(&to))
+        .arg(from)
+        .env("FONTCONFIG_FILE", bench.path("fonts.conf"));
     assert!(run.status().unwrap().success());
     Some(read(&bench.read(&to)))
 }
@@ -77,8 +80,9 @@ fn read(bytes: &[u8]) -> Pixmap {
     pixmap
 }
 
-/// A configuration of fonts with the program's alone: a bare machine has none.
-fn fonts(bench: &Bench) -> std::path::PathBuf {
+/// A folder with a configuration of fonts that has the program's alone: a bare machine has none.
+fn bench_with_fonts(name: &str) -> Bench {
+    let bench = Bench::new(name);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/fonts");
     let cache = bench.path("fonts");
     let text = format!(
@@ -86,7 +90,8 @@ fn fonts(bench: &Bench) -> std::path::PathBuf {
         folder.display(),
         cache.display()
     );
-    bench.write("fonts.conf", text)
+    bench.write("fonts.conf", text);
+    bench
 }
 
 /// The mean difference of a channel, and the share of pixels of which a channel differs by more than a quarter.
@@ -100,7 +105,7 @@ fn difference(one: &[u8], other: &[u8]) -> (f64, f64) {
 
 #[test]
 fn vectors_show_what_pixels_show_in_every_shipped_figure_view_and_theme() {
-    let bench = Bench::new("vectors-shipped");
+    let bench = bench_with_fonts("vectors-shipped");
     let jobs: Vec<_> = SHIPPED_FIGURES.iter().flat_map(|figure| View::ALL.map(|view| (figure, view))).collect();
     let worst: Vec<String> = jobs
         .into_par_iter()
@@ -226,7 +231,7 @@ fn words_about_the_picture_are_in_the_file() {
 
 #[test]
 fn areas_have_no_gaps_between_neighbours_at_any_zoom() {
-    let bench = Bench::new("vectors-areas");
+    let bench = bench_with_fonts("vectors-areas");
     for (name, shading) in [("cube", Shading::Flat), ("primitives", Shading::Flat), ("house", Shading::Flat)] {
         let shipped = camera_lab::files::ShippedFigure::named(name).unwrap();
         let mut figure = parse(&shipped.text()).unwrap();
@@ -247,6 +252,7 @@ fn areas_have_no_gaps_between_neighbours_at_any_zoom() {
             let (mut tried, mut open) = (0, 0);
             for y in 2..SIZE.height - 2 {
                 for x in (2..SIZE.width - 2).filter(|x| inside(*x, y)) {
+                    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a pixel")]
                     let at = |v: u32| ((f64::from(v) + 0.5) * zoom) as u32;
                     let alpha = picture.pixel(at(x), at(y)).unwrap().alpha();
                     tried += 1;
@@ -263,7 +269,7 @@ fn the_command_line_writes_vectors_and_says_what_it_could_not() {
     let bench = Bench::new("vectors-cli");
     bench.write("a.toml", "[scene]\npreset = \"house\"\n[style]\nshading = \"gouraud\"\n");
     let run = bench.run(&["render", "a.toml", "--faces", "vector", "--size", "200x150", "-o", "a.svg"]);
-    run.done();
+    assert_eq!(run.status, Some(0));
     assert!(run.err.contains("a.svg: the faces are a picture") && run.err.contains("shading"), "{}", run.err);
     assert!(String::from_utf8(bench.read("a.svg")).unwrap().contains("<image"));
     bench.write("b.toml", "[scene]\npreset = \"house\"\n[style]\nshading = \"flat\"\n");

@@ -17,8 +17,8 @@ pub(super) fn write_in_svg(xml: &mut XmlWriter, figure: &str) {
     xml.write_attribute("xmlns:camera-lab", NAMESPACE);
     xml.set_preserve_whitespaces(true);
     xml.write_text(&STANDARD.encode(figure));
-    xml.set_preserve_whitespaces(false);
     xml.end_element();
+    xml.set_preserve_whitespaces(false);
     xml.end_element();
 }
 

@@ -57,8 +57,6 @@ pub enum Item {
         path: Vec<Element>,
         /// Its colour.
         color: Rgba,
-        /// Its outline is drawn in the same colour with this width: no gap shows between it and its neighbours.
-        seam: f32,
     },
     /// A stroke.
     Stroke {

@@ -176,15 +176,10 @@ impl<'a> Writer<'a> {
                 self.items(items);
                 self.operators.restore_state();
             }
-            Item::Fill { path, color, seam } => {
+            Item::Fill { path, color } => {
                 self.color(*color);
                 self.path(path);
-                if *seam > 0.0 {
-                    self.operators.set_line_width(*seam).set_line_join(LineJoinStyle::RoundJoin);
-                    self.operators.set_dash_pattern([], 0.0).fill_nonzero_and_stroke();
-                } else {
-                    self.operators.fill_nonzero();
-                }
+                self.operators.fill_nonzero();
             }
             Item::Stroke { path, color, width, dashes, phase, round } => {
                 self.color(*color);

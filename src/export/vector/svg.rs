@@ -32,8 +32,8 @@ pub fn svg(page: &Page, letters: Letters, figure: &str) -> String {
             xml.start_element(name);
             xml.set_preserve_whitespaces(true);
             xml.write_text(&escaped(text));
-            xml.set_preserve_whitespaces(false);
             xml.end_element();
+            xml.set_preserve_whitespaces(false);
         }
     }
     if !figure.is_empty() {
@@ -59,14 +59,9 @@ impl Writer {
     fn item(&mut self, item: &Item) {
         match item {
             Item::Group { corner, clip, items } => self.group(*corner, *clip, items),
-            Item::Fill { path, color, seam } => {
+            Item::Fill { path, color } => {
                 self.path(path);
                 self.color("fill", *color);
-                if *seam > 0.0 {
-                    self.color("stroke", *color);
-                    self.xml.write_attribute("stroke-width", &number(*seam));
-                    self.xml.write_attribute("stroke-linejoin", "round");
-                }
                 self.xml.end_element();
             }
             Item::Stroke { path, color, width, dashes, phase, round } => {
@@ -177,8 +172,8 @@ impl Writer {
                 self.xml.end_element();
             }
         }
-        self.xml.set_preserve_whitespaces(false);
         self.xml.end_element();
+        self.xml.set_preserve_whitespaces(false);
     }
 
     fn outlines(&mut self, at: [f32; 2], text: &str, size: f32, [color, halo]: [Rgba; 2], halo_width: f32) {
