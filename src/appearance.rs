@@ -285,6 +285,21 @@ impl LineStyle {
         }
     }
 
+    /// The lengths of dashes and of the gaps between them, in turn, for a painter that adds round ends to each: those of
+    /// [`pattern`](Dash::pattern) without them; empty: no gaps. And the length of one period, which begins with half a
+    /// width of gap.
+    #[must_use]
+    pub fn dash_lengths(self) -> (Vec<f32>, f32) {
+        let pattern = self.dash.pattern();
+        let period = pattern.iter().sum::<f32>() * self.width;
+        // A pattern finer than a fifth of a pixel is seen as a plain line.
+        if pattern.is_empty() || period < 0.2 || !period.is_finite() {
+            return (Vec::new(), 0.0);
+        }
+        let length = |(k, part): (usize, &f32)| (if k % 2 == 0 { part - 1.0 } else { part + 1.0 }) * self.width;
+        (pattern.iter().enumerate().map(length).collect(), period)
+    }
+
     /// The length of the arrow head on a stroke of this length, both in pixels: short strokes get small heads, and none
     /// below a few pixels. A head is 0.76 as wide as it is long; the stroke goes on for a fifth of it inside.
     #[must_use]
@@ -292,6 +307,13 @@ impl LineStyle {
         let length = (4.0 * self.width + 4.0).min(0.6 * stroke_length);
         if !self.arrow || length < 2.0 { 0.0 } else { length }
     }
+}
+
+/// The corners of an arrow head between its point and the middle of its base.
+#[must_use]
+pub fn head_corners([tip, base]: [[f32; 2]; 2]) -> [[f32; 2]; 3] {
+    let (nx, ny) = (-0.38 * (tip[1] - base[1]), 0.38 * (tip[0] - base[0]));
+    [tip, [base[0] + nx, base[1] + ny], [base[0] - nx, base[1] - ny]]
 }
 
 /// The shape of a point mark; shapes differ so that colour never carries the meaning alone.

@@ -188,6 +188,64 @@ pub fn runs(text: &str) -> Vec<Run<'_>> {
     runs
 }
 
+/// An outline moved by so many pixels.
+#[must_use]
+pub fn moved(outline: &[Element], by: [f32; 2]) -> Vec<Element> {
+    let at = |p: [f32; 2]| [p[0] + by[0], p[1] + by[1]];
+    let element = |element: &Element| match *element {
+        Element::Move(p) => Element::Move(at(p)),
+        Element::Line(p) => Element::Line(at(p)),
+        Element::Quad(c, p) => Element::Quad(at(c), at(p)),
+        Element::Cubic(a, b, p) => Element::Cubic(at(a), at(b), at(p)),
+        Element::Close => Element::Close,
+    };
+    outline.iter().map(element).collect()
+}
+
+/// A run of a text with its place in a line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetRun<'a> {
+    /// The characters.
+    pub text: &'a str,
+    /// From the left end of the text's baseline to that of the run, in pixels; y points down.
+    pub at: [f32; 2],
+    /// Height of its em in pixels.
+    pub size: f32,
+}
+
+/// The runs of `text` at `size` (height of the em in pixels), where [`outline`] draws them.
+#[must_use]
+pub fn set_runs(text: &str, size: f32) -> Vec<SetRun<'_>> {
+    let mut x = 0.0;
+    let mut set = Vec::new();
+    for run in runs(text) {
+        let (scale, y) = if run.lowered { (SUBSCRIPT_SIZE, SUBSCRIPT_DROP) } else { (1.0, 0.0) };
+        let at = [x, y * size];
+        x += measure_plain(run.text, scale * size);
+        set.push(SetRun { text: run.text, at, size: scale * size });
+    }
+    set
+}
+
+/// The width of characters in a line without subscripts.
+fn measure_plain(text: &str, size: f32) -> f32 {
+    text.chars().filter(|c| !c.is_control()).map(|c| advance(glyph(c)) * size).sum()
+}
+
+/// The number of a character's glyph in the font; 0 where the font lacks it.
+#[must_use]
+pub fn glyph(c: char) -> u16 {
+    let found = FONT.as_ref().and_then(|font| font.charmap.map(c)).unwrap_or(GlyphId::NOTDEF);
+    u16::try_from(found.to_u32()).unwrap_or_default()
+}
+
+/// From a glyph to the next one, in ems.
+#[must_use]
+pub fn advance(glyph: u16) -> f32 {
+    let font = FONT.as_ref();
+    font.map_or(0.0, |font| font.metrics.advance_width(glyph.into()).unwrap_or(0.0) / font.units_per_em)
+}
+
 /// Takes an outline in font units (y up) to pixels (y down).
 struct Pen<'a> {
     elements: &'a mut Vec<Element>,

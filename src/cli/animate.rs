@@ -3,11 +3,12 @@
 
 use super::args::AnimateArgs;
 use super::render::no_picture;
+use super::words::LangArg;
 use super::{Failure, OpenFigure, progress, say};
 use crate::camera::ImageSize;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
-use crate::i18n::{Lang, command_line as texts, messages};
+use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{Animation, FilmFormat, PictureFile};
 use crate::progress::at_once;
 use crate::sanitize;
@@ -28,8 +29,10 @@ pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
         return Err(Failure::BadInput(format!("{name}: {}", texts::no_steps(lang, film.decomposition))));
     }
     let text = update(&subject.opened.text, &subject.opened.figure);
-    let made = progress::watched(lang, |progress| at_once(film.file(format, seconds, &text, progress)));
-    let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, subject.pixels()))?;
+    let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let told = pictures::told_of(written, &subject.opened.figure, &film.stills(), text);
+    let made = progress::watched(lang, |progress| at_once(film.file(format, seconds, &told, progress)));
+    let PictureFile { bytes, too_much, .. } = made.map_err(|error| no_picture(lang, &name, error, subject.pixels()))?;
     if let Some(too_much) = too_much {
         say(&format!("{name}: {}", messages::too_much(lang, &too_much)));
     }

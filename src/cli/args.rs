@@ -15,12 +15,13 @@ use crate::camera::{Amount, Convention, Decomposition, ImageSize, Ndc, OPERATION
 use crate::explain::code::CodeTarget;
 use crate::export::format::PictureFormat;
 use crate::export::plot::PlotFormat;
+use crate::export::vector::Letters;
 use crate::expression::{self, Dimension};
 use crate::figure::{Show, show_with};
 use crate::i18n::{Lang, command_line as texts, messages};
 use crate::limits::{MAX_SIDE, MEASURED_SECONDS, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES, SCALE, STEP_SECONDS};
 use crate::numerics::Study;
-use crate::picture::OnPaper;
+use crate::picture::{Faces, OnPaper};
 use crate::sanitize::{self, escaped};
 use crate::views::{View, Views};
 
@@ -151,6 +152,13 @@ pub(super) struct RenderArgs {
     /// Crop the empty background around each picture
     #[arg(long)]
     pub(super) crop: bool,
+    /// Faces of an SVG or PDF: as areas (`vector`), as one picture under the lines (`picture`), or as areas where these
+    /// say what the pixels do
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) faces: Faces,
+    /// Letters of an SVG or PDF as outlines: no program needs the font, and none can search or edit them
+    #[arg(long)]
+    outlines: bool,
     /// Theme; without it, that of the figure
     #[arg(long, value_enum)]
     theme: Option<ThemeArg>,
@@ -438,6 +446,11 @@ impl RenderArgs {
             }
         }
         Ok(any.then_some(paper))
+    }
+
+    /// How the letters of vectors are written.
+    pub(super) fn outlines(&self) -> Letters {
+        if self.outlines { Letters::Outlines } else { Letters::Text }
     }
 
     /// True where the number of pixels per inch is more than a guess: it is given, or a size on paper is.

@@ -19,7 +19,7 @@ use crate::i18n::{
     Lang, exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, messages, notes, pictures,
 };
 use crate::inspect::json_text;
-use crate::picture::{self, Composite, FileOptions, PictureError};
+use crate::picture::{self, Composite, FileOptions, PictureError, Told};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::no_files;
@@ -237,7 +237,6 @@ fn picture_command(exercise: &Exercise) -> String {
 /// Writes the picture of a figure, without the figure, which tells the camera.
 fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Result<(), Failure> {
     const SIZE: Size = Size { width: 960, height: 720, scale: 2.0 };
-    const PNG: FileOptions = FileOptions { format: PictureFormat::Png, crop: false, dpi: Some(200.0) };
     let name = sanitize::path(path);
     let failed = |why: String| Failure::Failed(format!("{name}: {why}"));
     let camera = Camera::new(&figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
@@ -247,7 +246,8 @@ fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Resu
     let no_picture = |error: PictureError| no_picture(lang, &name, error, [SIZE.width, SIZE.height].map(u64::from));
     let sheet = Composite::of(Views::One(View::Image), &request, &Shot::of(figure), None);
     let sheet = sheet.map_err(|error| no_picture(error.into()))?;
-    let file = at_once(picture::file(&sheet, PNG, "", &Progress::default()));
+    let png = FileOptions { dpi: Some(200.0), ..FileOptions::of(PictureFormat::Png) };
+    let file = at_once(picture::file(&sheet, png, &Told::default(), &Progress::default()));
     let file = file.map_err(no_picture)?;
     files::save(path, &file.bytes, Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))

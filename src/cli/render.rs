@@ -9,6 +9,7 @@ use crate::figure::update;
 use crate::files::{self, Overwrite};
 use crate::i18n::{Lang, command_line as texts, compare, messages, pictures};
 use crate::picture::{self, Composite, FileOptions, NoComposite, OnPaper, PictureError, PictureFile, gap};
+use crate::pipeline::OverBudget;
 use crate::progress::at_once;
 use crate::sanitize;
 use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views};
@@ -42,12 +43,19 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let sheet = Composite::of(args.view, &request, &shot, paper.as_ref())
         .map_err(|error| no_picture(lang, &name, error.into(), [width, height]))?;
     let text = update(&opened.text, &opened.figure);
-    let form =
-        FileOptions { format, crop: args.crop, dpi: paper.filter(|_| args.is_for_paper()).map(|paper| paper.dpi) };
-    let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, form, &text, progress)));
-    let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
+    // Letters and lines in points have a resolution, too, by which vectors are measured.
+    let dpi = paper.filter(|_| args.is_for_paper() || format.is_vector()).map(|paper| paper.dpi);
+    let form = FileOptions { format, crop: args.crop, dpi, faces: args.faces, letters: args.outlines() };
+    let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let told = pictures::told_of(written, &opened.figure, &sheet, text);
+    let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, form, &told, progress)));
+    let PictureFile { bytes, too_much, no_areas } =
+        made.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
     if let Some(too_much) = too_much {
         say(&format!("{}: {}", messages::opened(lang, &args.figure), messages::too_much(lang, &too_much)));
+    }
+    if let Some(why) = no_areas {
+        say(&format!("{name}: {}", pictures::no_areas(lang, &why)));
     }
     if let Some(Err(error)) = figure.compare.as_ref().map(|comparison| comparison.other_side(figure)) {
         say(&format!("{}: {}", messages::opened(lang, &args.figure), compare::impossible(lang, &error)));
@@ -71,6 +79,8 @@ pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, he
         }
         // Nobody cancels it: whoever wants to ends the program.
         PictureError::Cancelled => Failure::Failed(format!("{name}: {error}")),
+        PictureError::Strokes => Failure::Failed(format!("{name}: {}", messages::too_much(lang, &OverBudget::Strokes))),
+        PictureError::Font => Failure::Failed(format!("{name}: {error}")),
         PictureError::Png(error) => Failure::Failed(format!("{name}: {}", messages::png(lang, &error))),
         PictureError::Encode { format, why } => encoder(format.name(), &why),
         PictureError::Animate { format, why } => encoder(format.name(), &why),

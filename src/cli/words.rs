@@ -7,6 +7,7 @@ use crate::camera::{Decomposition, Ndc};
 use crate::explain::code::CodeTarget;
 use crate::i18n::Lang;
 use crate::numerics::Study;
+use crate::picture::Faces;
 use crate::views::{View, Views};
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
@@ -31,6 +32,16 @@ pub(super) enum DataFormat {
 }
 
 impl ValueEnum for Ndc {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(self.name().into())
+    }
+}
+
+impl ValueEnum for Faces {
     fn value_variants<'a>() -> &'a [Self] {
         &Self::ALL
     }

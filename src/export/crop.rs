@@ -13,6 +13,16 @@ pub fn cropped(pixmap: Pixmap, margin: u32) -> Pixmap {
     }
 }
 
+/// The left, top, width and height of the part that [`cropped`] keeps.
+#[must_use]
+pub fn part(pixmap: &Pixmap, margin: u32) -> [u32; 4] {
+    let whole = [0, 0, pixmap.width(), pixmap.height()];
+    let kept = content(pixmap, margin).and_then(|rect| {
+        Some([u32::try_from(rect.left()).ok()?, u32::try_from(rect.top()).ok()?, rect.width(), rect.height()])
+    });
+    kept.unwrap_or(whole)
+}
+
 fn content(pixmap: &Pixmap, margin: u32) -> Option<IntRect> {
     let width = pixmap.width() as usize;
     let pixels = pixmap.pixels();

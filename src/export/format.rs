@@ -11,11 +11,15 @@ pub enum PictureFormat {
     WebP,
     /// Pixels, with some loss, without transparency.
     Jpeg,
+    /// Vectors, for pages of the web and programs that draw; carries its figure.
+    Svg,
+    /// Vectors, for print; carries its figure.
+    Pdf,
 }
 
 impl PictureFormat {
     /// All of them; the first is that of a file whose name has no extension.
-    pub const ALL: [Self; 3] = [Self::Png, Self::WebP, Self::Jpeg];
+    pub const ALL: [Self; 5] = [Self::Png, Self::WebP, Self::Jpeg, Self::Svg, Self::Pdf];
 
     /// Its common name.
     #[must_use]
@@ -24,6 +28,8 @@ impl PictureFormat {
             Self::Png => "PNG",
             Self::WebP => "WebP",
             Self::Jpeg => "JPEG",
+            Self::Svg => "SVG",
+            Self::Pdf => "PDF",
         }
     }
 
@@ -34,6 +40,8 @@ impl PictureFormat {
             Self::Png => &["png"],
             Self::WebP => &["webp"],
             Self::Jpeg => &["jpg", "jpeg"],
+            Self::Svg => &["svg"],
+            Self::Pdf => &["pdf"],
         }
     }
 
@@ -41,7 +49,7 @@ impl PictureFormat {
     #[must_use]
     pub const fn carries_figure(self) -> bool {
         match self {
-            Self::Png => true,
+            Self::Png | Self::Svg | Self::Pdf => true,
             Self::WebP | Self::Jpeg => false,
         }
     }
@@ -50,8 +58,17 @@ impl PictureFormat {
     #[must_use]
     pub const fn has_transparency(self) -> bool {
         match self {
-            Self::Png | Self::WebP => true,
+            Self::Png | Self::WebP | Self::Svg | Self::Pdf => true,
             Self::Jpeg => false,
+        }
+    }
+
+    /// True for vectors, whose size on paper does not follow from their pixels.
+    #[must_use]
+    pub const fn is_vector(self) -> bool {
+        match self {
+            Self::Svg | Self::Pdf => true,
+            Self::Png | Self::WebP | Self::Jpeg => false,
         }
     }
 

@@ -8,6 +8,7 @@
 //! | `plot/` | charts as SVG, PDF or PNG, drawn by one plotting library, in the bundled font |
 //! | `png` | PNG with the figure file inside |
 //! | `sheet` | several pictures on one sheet |
+//! | `vector/` | pages of vectors: the list of the things on one, and its writers |
 //! | `web` | WebP and JPEG, without the figure |
 
 pub mod animation;
@@ -16,4 +17,5 @@ pub mod format;
 pub mod plot;
 pub mod png;
 pub mod sheet;
+pub mod vector;
 pub mod web;

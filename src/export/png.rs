@@ -36,7 +36,7 @@ pub enum PngError {
         limit: usize,
     },
     /// The picture holds no figure.
-    #[error("this PNG holds no figure; allowed: a figure file, or a picture that camera-lab wrote")]
+    #[error("this picture holds no figure; allowed: a figure file, or a picture that camera-lab wrote")]
     NoFigure,
 }
 

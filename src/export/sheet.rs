@@ -4,39 +4,55 @@ use tiny_skia::Pixmap;
 
 use crate::appearance::Rgba;
 
-/// The pictures from left to right, their middles at one height, with `gap` pixels of `ground` between them. `None`
-/// where the sheet would be empty or too large for memory.
-#[must_use]
-pub fn row(pictures: &[Pixmap], gap: u32, ground: Rgba) -> Option<Pixmap> {
-    let length = length(pictures, Pixmap::width, gap)?;
-    let mut sheet = filled(length, pictures.iter().map(Pixmap::height).max()?, ground)?;
-    let mut left = 0;
-    for picture in pictures {
-        let top = (sheet.height() - picture.height()) / 2;
-        put(&mut sheet, picture, [left, top]);
-        left += picture.width() + gap;
-    }
-    Some(sheet)
+/// The places of pictures on a sheet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Layout {
+    /// The upper left corner of each picture, in pixels.
+    pub corners: Vec<[u32; 2]>,
+    /// Width and height of the sheet, in pixels.
+    pub size: [u32; 2],
 }
 
-/// The pictures from top to bottom, otherwise as in a [`row`].
-#[must_use]
-pub fn column(pictures: &[Pixmap], gap: u32, ground: Rgba) -> Option<Pixmap> {
-    let length = length(pictures, Pixmap::height, gap)?;
-    let mut sheet = filled(pictures.iter().map(Pixmap::width).max()?, length, ground)?;
-    let mut top = 0;
-    for picture in pictures {
-        let left = (sheet.width() - picture.width()) / 2;
-        put(&mut sheet, picture, [left, top]);
-        top += picture.height() + gap;
+impl Layout {
+    /// Pictures of these sizes from left to right, their middles at one height, with `gap` pixels between them. `None`
+    /// where there are none, or too many pixels.
+    #[must_use]
+    pub fn row(sizes: &[[u32; 2]], gap: u32) -> Option<Self> {
+        let height = sizes.iter().map(|size| size[1]).max()?;
+        let (mut corners, mut left) = (Vec::with_capacity(sizes.len()), 0_u32);
+        for [width, own] in sizes {
+            corners.push([left, (height - own) / 2]);
+            left = left.checked_add(*width)?.checked_add(gap)?;
+        }
+        Some(Self { corners, size: [left - gap, height] })
     }
-    Some(sheet)
+
+    /// Pictures from top to bottom, otherwise as in a [`row`](Self::row).
+    #[must_use]
+    pub fn column(sizes: &[[u32; 2]], gap: u32) -> Option<Self> {
+        let turned: Vec<[u32; 2]> = sizes.iter().map(|[width, height]| [*height, *width]).collect();
+        let Self { corners, size: [height, width] } = Self::row(&turned, gap)?;
+        Some(Self { corners: corners.into_iter().map(|[top, left]| [left, top]).collect(), size: [width, height] })
+    }
+
+    /// The last picture replaced by several: those of another layout, which is as large.
+    #[must_use]
+    pub fn ending_in(mut self, rest: &Self) -> Self {
+        if let Some([left, top]) = self.corners.pop() {
+            self.corners.extend(rest.corners.iter().map(|[x, y]| [left + x, top + y]));
+        }
+        self
+    }
 }
 
-/// The sides of all pictures with the gaps between them.
-fn length(pictures: &[Pixmap], side: fn(&Pixmap) -> u32, gap: u32) -> Option<u32> {
-    let gaps = gap.checked_mul(u32::try_from(pictures.len().checked_sub(1)?).ok()?)?;
-    pictures.iter().try_fold(gaps, |sum, picture| sum.checked_add(side(picture)))
+/// The pictures at their places on a ground. `None` where the sheet would be empty or too large for memory.
+#[must_use]
+pub fn sheet(pictures: &[Pixmap], layout: &Layout, ground: Rgba) -> Option<Pixmap> {
+    let mut sheet = filled(layout.size[0], layout.size[1], ground)?;
+    for (picture, corner) in pictures.iter().zip(&layout.corners) {
+        put(&mut sheet, picture, *corner);
+    }
+    Some(sheet)
 }
 
 fn filled(width: u32, height: u32, ground: Rgba) -> Option<Pixmap> {
@@ -69,20 +85,32 @@ mod tests {
     fn pictures_stand_in_a_row_or_a_column_with_ground_between() {
         let pictures = [picture(2, 3, 10), picture(1, 1, 20)];
         let reds = |sheet: &Pixmap| -> Vec<u8> { sheet.pixels().iter().map(|p| p.red()).collect() };
-        let sheet = row(&pictures, 1, Rgba::rgb(99, 99, 99)).unwrap();
+        let of = |layout: fn(&[[u32; 2]], u32) -> Option<Layout>, pictures: &[Pixmap]| {
+            let sizes: Vec<[u32; 2]> = pictures.iter().map(|picture| [picture.width(), picture.height()]).collect();
+            sheet(pictures, &layout(&sizes, 1).unwrap(), Rgba::rgb(99, 99, 99)).unwrap()
+        };
+        let sheet = of(Layout::row, &pictures);
         assert_eq!((sheet.width(), sheet.height()), (4, 3));
         assert_eq!(reds(&sheet), [10, 10, 99, 99, 10, 10, 99, 20, 10, 10, 99, 99]);
         let pictures = [picture(1, 1, 20), picture(3, 2, 10)];
-        let sheet = column(&pictures, 1, Rgba::rgb(99, 99, 99)).unwrap();
+        let sheet = of(Layout::column, &pictures);
         assert_eq!((sheet.width(), sheet.height()), (3, 4));
         assert_eq!(reds(&sheet), [99, 20, 99, 99, 99, 99, 10, 10, 10, 10, 10, 10]);
     }
 
     #[test]
     fn a_sheet_that_is_empty_or_too_large_is_none() {
-        for of in [row, column] {
-            assert_eq!(of(&[], 1, Rgba::rgb(0, 0, 0)), None);
-            assert_eq!(of(&[picture(1, 1, 0), picture(1, 1, 0)], u32::MAX, Rgba::rgb(0, 0, 0)), None);
+        for of in [Layout::row, Layout::column] {
+            assert_eq!(of(&[], 1), None);
+            assert_eq!(of(&[[1, 1], [1, 1]], u32::MAX), None);
+            assert!(sheet(&[], &of(&[[1 << 20, 1 << 20]], 0).unwrap(), Rgba::rgb(0, 0, 0)).is_none());
         }
+    }
+
+    #[test]
+    fn several_stand_in_the_place_of_the_last_one() {
+        let rest = Layout::row(&[[3, 4], [3, 4]], 1).unwrap();
+        let all = Layout::column(&[[7, 5], rest.size], 1).unwrap().ending_in(&rest);
+        assert_eq!(all, Layout { corners: vec![[0, 0], [0, 6], [4, 6]], size: [7, 10] });
     }
 }

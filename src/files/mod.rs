@@ -29,6 +29,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use crate::export::png::{self, PngError};
+use crate::export::vector;
 use crate::figure::{Figure, FigureError, read};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_OWN_EXERCISES};
 use crate::scene::{ReadProblem, system_words};
@@ -143,8 +144,12 @@ pub fn open_figure(path: &Path) -> Result<Opened, FileError> {
 /// # Errors
 /// [`FileError`]; for a figure file with a fault it names the line.
 pub fn figure_from(bytes: &[u8]) -> Result<Opened, FileError> {
-    let from_picture = png::is_png(bytes);
-    let bytes = png::figure_bytes(bytes, MAX_FIGURE_BYTES)?;
+    let from_vectors = vector::figure_in(bytes);
+    let from_picture = png::is_png(bytes) || from_vectors.is_some();
+    let bytes = match from_vectors {
+        Some(found) => found.filter(|text| text.len() <= MAX_FIGURE_BYTES).ok_or(PngError::NoFigure)?.into(),
+        None => png::figure_bytes(bytes, MAX_FIGURE_BYTES)?,
+    };
     let figure = read::parse_bytes(&bytes)?;
     Ok(Opened { figure, text: String::from_utf8_lossy(&bytes).into_owned(), from_picture })
 }

@@ -12,6 +12,7 @@ use crate::camera::{Camera, CameraError, Decomposition};
 use crate::clock;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
+use crate::export::vector::Letters;
 use crate::figure::Figure;
 use crate::figure::update;
 use crate::files::{self, FigureFiles, FileAccess, FileError, Overwrite};
@@ -19,7 +20,7 @@ use crate::i18n::{Lang, messages, pictures, window};
 use crate::limits::PAPER_LINES;
 use crate::numbers::round_to;
 use crate::picture::{
-    self, Animation, Composite, FileOptions, FilmFormat, NoComposite, OnPaper, PictureError, PictureFile,
+    self, Animation, Composite, Faces, FileOptions, FilmFormat, NoComposite, OnPaper, PictureError, PictureFile, Told,
 };
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
@@ -47,6 +48,10 @@ pub struct Export {
     pub transparent: bool,
     /// Crop the empty background around each picture.
     pub crop: bool,
+    /// How the faces of vectors are written.
+    pub faces: Faces,
+    /// The letters of vectors are outlines, and no text.
+    pub outlines: bool,
     /// The theme of the picture.
     pub theme: Theme,
     /// Thick strokes and large type by this factor.
@@ -87,6 +92,13 @@ impl Default for Paper {
 }
 
 impl Export {
+    /// The options of its file.
+    pub(super) fn form(&self) -> FileOptions {
+        let letters = if self.outlines { Letters::Outlines } else { Letters::Text };
+        let dpi = self.on_paper.then_some(self.paper.dpi);
+        FileOptions { format: self.format, crop: self.crop, dpi, faces: self.faces, letters }
+    }
+
     /// All three pictures as on the screen, for paper. `sizes`: width and height of each picture on the screen, in the
     /// order of [`View::ALL`]; `scale`: pixels there for one unit of stroke width.
     #[must_use]
@@ -101,6 +113,8 @@ impl Export {
             format: PictureFormat::ALL[0],
             transparent: false,
             crop: false,
+            faces: Faces::default(),
+            outlines: false,
             theme: Theme::Print,
             scale: 1.0,
         };
@@ -212,6 +226,8 @@ impl ExportError {
             Self::Picture(PictureError::Composite(NoComposite::NoRoom { count, .. })) => {
                 format!("{count} {}", t.picture_no_room)
             }
+            Self::Picture(PictureError::Strokes) => messages::too_much(lang, &OverBudget::Strokes),
+            Self::Picture(error @ PictureError::Font) => error.to_string(),
             Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
             Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, format.name(), why),
             Self::Picture(PictureError::Animate { format, why }) => messages::encoder(lang, format.name(), why),
@@ -246,6 +262,11 @@ impl ExportSource {
         let shot = Shot::of(&figure);
         let folder = document.folder().map(Path::to_owned).unwrap_or_default();
         Self { figure, shot, folder, reach: document.reach(), lang }
+    }
+
+    /// The words that go with its pictures into their file.
+    pub(super) fn told(&self, sheet: &Composite, figure: String) -> Told {
+        pictures::told_of(self.lang, &self.figure, sheet, figure)
     }
 
     /// Each picture of the way to the canonical volume.
@@ -348,7 +369,7 @@ impl Task {
     }
 
     async fn run(self, progress: &Progress) -> Exported {
-        let PictureFile { bytes, too_much } = self.file(progress).await.map_err(|error| match error {
+        let PictureFile { bytes, too_much, .. } = self.file(progress).await.map_err(|error| match error {
             _ if progress.is_cancelled() => ExportError::Cancelled,
             error => error,
         })?;
@@ -364,13 +385,13 @@ impl Task {
             ExportKind::Animation(decomposition, _) => {
                 let film = Animation { request: subject.film(progress)?, decomposition: *decomposition };
                 let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));
-                return Ok(film.file(format, STEP_SECONDS, &update(source, &subject.figure), progress).await?);
+                let told = subject.told(&film.stills(), update(source, &subject.figure));
+                return Ok(film.file(format, STEP_SECONDS, &told, progress).await?);
             }
         };
         let sheet = subject.sheet(export, progress)?;
-        let form =
-            FileOptions { format: export.format, crop: export.crop, dpi: export.on_paper.then_some(export.paper.dpi) };
-        Ok(picture::file(&sheet, form, &update(source, &subject.figure), progress).await?)
+        let told = subject.told(&sheet, update(source, &subject.figure));
+        Ok(picture::file(&sheet, export.form(), &told, progress).await?)
     }
 }
 

@@ -16,7 +16,7 @@ use crate::gui::tooltip::Explained;
 use crate::i18n::pictures;
 use crate::i18n::window::Texts;
 use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
-use crate::picture::Crowded;
+use crate::picture::{Crowded, Faces};
 use crate::views::{View, Views};
 
 /// The width of the settings, of the preview beside them and of both with the gap, in points.
@@ -117,7 +117,11 @@ fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Exp
         let copying = preview.is_copying();
         let fits = can_be_copied(export);
         let button = ui.add_enabled(valid && fits && !copying, egui::Button::new(t.export_copy));
-        let hint = if fits { t.export_copy_hint } else { t.export_copy_too_large };
+        let hint = match (fits, export.format.is_vector()) {
+            (true, false) => t.export_copy_hint,
+            (true, true) => t.export_copy_svg_hint,
+            (false, _) => t.export_copy_too_large,
+        };
         if button.explained(hint).explained_disabled(hint).clicked() {
             state.export = *export;
             let subject = subject(state, export);
@@ -218,6 +222,18 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Ex
     let formats = PictureFormat::ALL.map(|format| (format, format.name()));
     row(ui, "", t.export_format, t.export_format_hint, |ui| {
         choice(ui, t.export_format, t.export_format_hint, &mut export.format, &formats)
+    });
+    let faces = [
+        (Faces::Auto, t.export_faces_auto),
+        (Faces::Areas, t.export_faces_areas),
+        (Faces::Picture, t.export_faces_picture),
+    ];
+    // Always there, so that nothing moves under the pointer.
+    ui.add_enabled_ui(export.format.is_vector(), |ui| {
+        row(ui, "", t.export_faces, t.export_faces_hint, |ui| {
+            choice(ui, t.export_faces, t.export_faces_hint, &mut export.faces, &faces);
+            checkbox(ui, &mut export.outlines, t.export_outlines, t.export_outlines_hint);
+        });
     });
     ui.add_space(4.0);
     let able = export.format.has_transparency();

@@ -33,7 +33,7 @@ impl FileKind {
         let format = |name: &str, format: PictureFormat| (format!("{name} {}", format.name()), format.endings());
         let (wanted, title, action, filters, name) = match purpose {
             Purpose::Open => {
-                let filters = vec![(t.figure_filter.to_owned(), &["toml", "png"][..])];
+                let filters = vec![(t.figure_filter.to_owned(), &["toml", "png", "svg", "pdf"][..])];
                 (Wanted::File, t.open_title, t.open_action, filters, String::new())
             }
             Purpose::Save(_) => {

@@ -8,8 +8,9 @@ use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use super::export::{Export, ExportError, ExportSource};
 use super::worker::Worker;
 use crate::clock;
+use crate::export::format::PictureFormat;
 use crate::limits::MAX_COPIED_PIXELS;
-use crate::picture::{self, Crowded, Pixels};
+use crate::picture::{self, Crowded, FileOptions, Pixels};
 use crate::progress::Progress;
 
 /// The preview is drawn at this multiple of its displayed size: thin strokes stay whole.
@@ -20,7 +21,7 @@ const COPIED: usize = 1;
 
 /// The preview of the export dialog as long as it is open.
 pub struct Preview {
-    worker: Worker<PreviewJob, Drawn, 2>,
+    worker: Worker<PreviewJob, Done, 2>,
     /// The last request.
     asked: Option<Export>,
     texture: Option<TextureHandle>,
@@ -38,9 +39,19 @@ struct PreviewJob {
     export: Export,
     /// The reduction of the preview; 1: the size of the export.
     factor: f32,
+    /// Vectors as text in place of pixels.
+    as_svg: bool,
 }
 
-type Drawn = Result<(Pixels, Option<Crowded>), ExportError>;
+/// The result of a job.
+enum Drawn {
+    /// Pixels, and the message where several pictures have little space on their paper.
+    Picture(Pixels, Option<Crowded>),
+    /// A picture of vectors as text.
+    Svg(String),
+}
+
+type Done = Result<Drawn, ExportError>;
 
 impl std::fmt::Debug for Preview {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -55,10 +66,16 @@ impl Default for Preview {
     }
 }
 
-fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Drawn {
-    async |PreviewJob { subject, export, factor }, progress: &Progress| {
+fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
+    async |PreviewJob { subject, export, factor, as_svg }, progress: &Progress| {
         let sheet = subject.sheet(&export, progress)?.reduced(factor);
-        Ok((picture::assembled(&sheet, export.crop, progress).await?.0, sheet.crowded))
+        if as_svg {
+            let form = FileOptions { format: PictureFormat::Svg, ..export.form() };
+            let file = picture::file(&sheet, form, &subject.told(&sheet, String::new()), progress).await?;
+            return Ok(Drawn::Svg(String::from_utf8_lossy(&file.bytes).into_owned()));
+        }
+        let (pixels, _) = picture::assembled(&sheet, export.crop, progress).await?;
+        Ok(Drawn::Picture(pixels, sheet.crowded))
     }
 }
 
@@ -74,23 +91,26 @@ impl Preview {
     ) {
         let [shown, copied] = self.worker.take(Duration::ZERO);
         match shown.map(|done| done.outcome.unwrap_or(Err(ExportError::Panic))) {
-            Some(Ok((picture, crowded))) => {
+            Some(Ok(Drawn::Picture(picture, crowded))) => {
                 self.crowded = crowded;
                 self.texture = Some(ctx.load_texture("export preview", image(&picture), TextureOptions::LINEAR));
                 self.fault = None;
             }
             Some(Err(error)) => (self.texture, self.crowded, self.fault) = (None, None, Some(error)),
-            None => {}
+            Some(Ok(Drawn::Svg(_))) | None => {}
         }
         if let Some(done) = copied {
             let outcome = done.outcome.unwrap_or(Err(ExportError::Panic));
-            self.copied = Some(outcome.map(|(picture, _)| ctx.copy_image(image(&picture))));
+            self.copied = Some(outcome.map(|drawn| match drawn {
+                Drawn::Picture(picture, _) => ctx.copy_image(image(&picture)),
+                Drawn::Svg(text) => ctx.copy_text(text),
+            }));
         }
         if self.asked != Some(*export) {
             self.asked = Some(*export);
             self.copied = None;
             let factor = factor(export, room.map(|side| FINENESS * side));
-            self.worker.ask(ctx, SHOWN, PreviewJob { subject: subject(), export: *export, factor });
+            self.worker.ask(ctx, SHOWN, PreviewJob { subject: subject(), export: *export, factor, as_svg: false });
         }
     }
 
@@ -100,10 +120,14 @@ impl Preview {
         self.texture.as_ref()
     }
 
-    /// Draws the picture at its size, and puts it on the clipboard then.
+    /// Draws the picture at its size, and puts it on the clipboard then: vectors as the text of an SVG file.
     pub(super) fn copy(&mut self, ctx: &Context, export: &Export, subject: ExportSource) {
         self.copied = None;
-        self.worker.ask(ctx, COPIED, PreviewJob { subject, export: *export, factor: 1.0 });
+        self.worker.ask(
+            ctx,
+            COPIED,
+            PreviewJob { subject, export: *export, factor: 1.0, as_svg: export.format.is_vector() },
+        );
     }
 
     /// True while the picture for the clipboard is drawn.
@@ -114,7 +138,7 @@ impl Preview {
 
 /// Whether an export is small enough for the clipboard.
 pub(super) fn can_be_copied(export: &Export) -> bool {
-    u64::from(export.width) * u64::from(export.height) <= MAX_COPIED_PIXELS
+    export.format.is_vector() || u64::from(export.width) * u64::from(export.height) <= MAX_COPIED_PIXELS
 }
 
 fn image(picture: &Pixels) -> ColorImage {

@@ -1,6 +1,9 @@
 //! The words around the three pictures: titles, hints, readouts, and descriptions for screen readers.
 
+use glam::DVec3;
+
 use super::Lang;
+use crate::camera::{Camera, ImageSize};
 use crate::views::{Arrangement, View};
 
 /// The texts of the canvas in one language, under a name that tells them from the window's, which are often at hand
@@ -180,9 +183,21 @@ impl Texts {
     }
 }
 
-/// The world in words, from the coordinates of C and PF.
+/// A picture in words: the camera's place of the world, the size of the image in pixels.
 #[must_use]
-pub fn describe_world(lang: Lang, position: &str, focal_point: &str) -> String {
+pub fn describe(lang: Lang, view: View, camera: &Camera, image: ImageSize) -> String {
+    match view {
+        View::World => {
+            let place = |p: DVec3| lang.mark().tuple(&p.to_array(), 4);
+            describe_world(lang, &place(camera.position()), &place(camera.focal_point()))
+        }
+        View::Canonical => describe_canonical(lang),
+        View::Image => describe_image(lang, image.width, image.height),
+    }
+}
+
+/// The world in words, from the coordinates of C and PF.
+fn describe_world(lang: Lang, position: &str, focal_point: &str) -> String {
     match lang {
         Lang::En => {
             format!("World: the scene, the camera at {position} looking at {focal_point}, and its view volume")
@@ -194,8 +209,7 @@ pub fn describe_world(lang: Lang, position: &str, focal_point: &str) -> String {
 }
 
 /// The canonical volume in words.
-#[must_use]
-pub fn describe_canonical(lang: Lang) -> String {
+fn describe_canonical(lang: Lang) -> String {
     match lang {
         Lang::En => "Canonical volume: the scene after projection, in the cube from −1 to 1".to_owned(),
         Lang::PtBr => "Volume canônico: a cena depois da projeção, no cubo de −1 a 1".to_owned(),
@@ -203,8 +217,7 @@ pub fn describe_canonical(lang: Lang) -> String {
 }
 
 /// The image in words, from its size in pixels.
-#[must_use]
-pub fn describe_image(lang: Lang, width: u32, height: u32) -> String {
+fn describe_image(lang: Lang, width: u32, height: u32) -> String {
     match lang {
         Lang::En => format!("Image: what the camera sees, {width} × {height} pixels"),
         Lang::PtBr => format!("Imagem: o que a câmera vê, {width} × {height} pixels"),

@@ -100,7 +100,7 @@ pub fn png(lang: Lang, error: &PngError) -> String {
             format!("a figura neste PNG é longa demais; permitido: no máximo {limit} bytes")
         }
         (Lang::PtBr, PngError::NoFigure) => {
-            "este PNG não contém uma figura; permitido: um arquivo de figura, ou uma imagem gravada por camera-lab"
+            "esta imagem não contém uma figura; permitido: um arquivo de figura, ou uma imagem gravada por camera-lab"
                 .to_owned()
         }
     }

@@ -152,6 +152,15 @@ impl Lang {
             Self::PtBr => DecimalMark::Comma,
         }
     }
+
+    /// Its tag in files for others: `en`, `pt-BR`.
+    #[must_use]
+    pub const fn tag(self) -> &'static str {
+        match self {
+            Self::En => "en",
+            Self::PtBr => "pt-BR",
+        }
+    }
 }
 
 #[cfg(test)]

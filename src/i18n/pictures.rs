@@ -1,7 +1,8 @@
 //! The words in the three pictures.
 
-use super::{Lang, window};
-use crate::picture::Crowded;
+use super::{Lang, canvas, messages, told, window};
+use crate::figure::{Bilingual, Figure};
+use crate::picture::{Composite, Crowded, NoAreas, Told};
 use crate::views::Labels;
 
 texts! {
@@ -191,5 +192,35 @@ const fn of(t: &Texts) -> Labels {
             t.scale_ort,
         ],
         planes: [t.plane_left, t.plane_right, t.plane_bottom, t.plane_top, t.plane_near, t.plane_far],
+    }
+}
+
+/// The words that go with pictures into their file: the title of the figure, or the names of the pictures; its caption,
+/// and each picture in words.
+#[must_use]
+pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> Told {
+    let own =
+        |text: &Option<Bilingual>| text.as_ref().map(|text| told(lang, text).to_owned()).filter(|t| !t.is_empty());
+    let names = sheet.requests.iter().map(|request| canvas::texts(lang).view(request.view));
+    let title = own(&figure.title).unwrap_or_else(|| names.collect::<Vec<_>>().join(", "));
+    let words =
+        sheet.requests.iter().map(|request| canvas::describe(lang, request.view, &request.camera, figure.image));
+    let description = own(&figure.caption).into_iter().chain(words.map(|words| format!("{words}.")));
+    let description = description.collect::<Vec<_>>().join(" ");
+    Told { figure: text, title, description, language: lang.tag() }
+}
+
+/// Why the faces of a page of vectors are a picture, although areas were asked for.
+#[must_use]
+pub fn no_areas(lang: Lang, why: &NoAreas) -> String {
+    match (lang, why) {
+        (Lang::En, NoAreas::Shaded) => {
+            "the faces are a picture: their colours vary over a face (Gouraud, Phong, textures); allowed for areas: shading = \"flat\" or \"wireframe\"".to_owned()
+        }
+        (Lang::PtBr, NoAreas::Shaded) => {
+            "as faces são uma imagem: suas cores variam sobre uma face (Gouraud, Phong, texturas); permitido para áreas: shading = \"flat\" ou \"wireframe\"".to_owned()
+        }
+        (Lang::En, NoAreas::OverBudget(over)) => format!("the faces are a picture: {}", messages::too_much(lang, over)),
+        (Lang::PtBr, NoAreas::OverBudget(over)) => format!("as faces são uma imagem: {}", messages::too_much(lang, over)),
     }
 }

@@ -334,10 +334,18 @@ texts! {
     export_lines_own: "own width", "espessura própria";
     export_format: "format", "formato";
     export_format_hint: "The suggested extension; the file name decides", "A extensão sugerida; o nome do arquivo decide";
+    // Of vectors: how faces are written.
+    export_faces: "faces", "faces";
+    export_faces_hint: "Of SVG and PDF. Areas are vectors too, for flat light; a picture under the lines shows every light. Automatic: areas where they show what the screen shows", "De SVG e PDF. Áreas também são vetores, para luz constante; uma imagem sob as linhas mostra toda luz. Automático: áreas onde mostram o que a tela mostra";
+    export_faces_auto: "automatic", "automático";
+    export_faces_areas: "areas", "áreas";
+    export_faces_picture: "picture", "imagem";
+    export_outlines: "letters as outlines", "letras como contornos";
+    export_outlines_hint: "Of SVG and PDF. No program needs the font then, and none can search or edit the names", "De SVG e PDF. Então nenhum programa precisa da fonte, e nenhum pode procurar ou editar os nomes";
     export_transparent: "Transparent", "Transparente";
     export_transparent_hint: "No background: what lies behind the picture shows through", "Sem fundo: o que está atrás da imagem aparece";
-    export_opaque_hint: "JPEG has no transparency; PNG and WebP do", "JPEG não tem transparência; PNG e WebP têm";
-    export_no_transparency: "has no transparency; allowed: a name that ends in .png or .webp, or a picture with its background", "não tem transparência; permitido: um nome que termina em .png ou .webp, ou uma imagem com seu fundo";
+    export_opaque_hint: "JPEG has no transparency; the others do", "JPEG não tem transparência; os outros têm";
+    export_no_transparency: "has no transparency; allowed: a name that ends in .png, .webp, .svg or .pdf, or a picture with its background", "não tem transparência; permitido: um nome que termina em .png, .webp, .svg ou .pdf, ou uma imagem com seu fundo";
     export_crop: "Crop to content", "Cortar ao conteúdo";
     export_crop_hint: "Each picture without the empty background around it", "Cada imagem sem o fundo vazio em volta";
     export_typed: "typed", "digitado";
@@ -345,11 +353,12 @@ texts! {
     export_width: "picture width", "largura da imagem";
     export_height: "picture height", "altura da imagem";
     export_theme_hint: "print: white background and strokes that survive greyscale", "impressão: fundo branco e traços que sobrevivem a tons de cinza";
-    export_note: "PNG, WebP or JPEG, by the extension of the name. Only a PNG carries its figure: open or drop it to get the figure back.", "PNG, WebP ou JPEG, pela extensão do nome. Só um PNG leva sua figura: abra-o ou solte-o aqui para recuperá-la.";
+    export_note: "The extension of the name decides. PNG, SVG and PDF carry their figure: open or drop them to get it back. SVG and PDF are vectors.", "A extensão do nome decide. PNG, SVG e PDF levam sua figura: abra-os ou solte-os aqui para recuperá-la. SVG e PDF são vetores.";
     export_preview: "preview of the picture", "prévia da imagem";
     export_drawing: "The picture is being drawn …", "A imagem está sendo desenhada …";
     export_copy: "Copy the picture", "Copiar a imagem";
     export_copy_hint: "To the clipboard at full size, without its figure", "Para a área de transferência em tamanho inteiro, sem sua figura";
+    export_copy_svg_hint: "To the clipboard as the text of an SVG file, without its figure: for editors of drawings and of text", "Para a área de transferência como texto de um arquivo SVG, sem sua figura: para editores de desenhos e de texto";
     export_copy_too_large: "Too large for the clipboard; allowed: at most 33 million pixels", "Grande demais para a área de transferência; permitido: no máximo 33 milhões de pixels";
     export_action: "Export…", "Exportar…";
     drop_here: "Drop to open", "Solte para abrir";

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Composite, FileOptions, PictureError, PictureFile, Pixels, Renderer, file, gap};
+use super::{Composite, FileOptions, PictureError, PictureFile, Pixels, Renderer, Told, file, gap};
 use crate::appearance::Rgba;
 use crate::camera::Decomposition;
 use crate::export::animation::{AnimationError, AnimationFormat, TICK, animation};
@@ -75,16 +75,15 @@ impl Animation {
         &self,
         format: FilmFormat,
         seconds: f64,
-        figure: &str,
+        told: &Told,
         progress: &Progress,
     ) -> Result<PictureFile, PictureError> {
         match format {
             FilmFormat::Animation(format) => {
-                Ok(PictureFile { bytes: self.animation(format, seconds, progress).await?, too_much: None })
+                let bytes = self.animation(format, seconds, progress).await?;
+                Ok(PictureFile { bytes, too_much: None, no_areas: None })
             }
-            FilmFormat::Strip(format) => {
-                file(&self.stills(), FileOptions { format, crop: false, dpi: None }, figure, progress).await
-            }
+            FilmFormat::Strip(format) => file(&self.stills(), FileOptions::of(format), told, progress).await,
         }
     }
 

@@ -1,10 +1,12 @@
 //! Pictures as files, in the requested format.
 
+use super::vectors::{Drawn, Faces, NoAreas, page};
 use super::{Composite, NoComposite, Pixels, Renderer};
 use crate::camera::Ndc;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
 use crate::export::png::PngError;
+use crate::export::vector::{self, Letters, Page};
 use crate::export::web;
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
@@ -38,6 +40,12 @@ pub enum PictureError {
         /// The message of the encoder, as for [`Encode`](Self::Encode).
         why: String,
     },
+    /// The visible parts of strokes were not found.
+    #[error("{}", OverBudget::Strokes)]
+    Strokes,
+    /// The font of a PDF.
+    #[error("the letters of the picture cannot be written as PDF")]
+    Font,
     /// An error of PNG.
     #[error(transparent)]
     Png(#[from] PngError),
@@ -50,6 +58,21 @@ pub struct PictureFile {
     pub bytes: Vec<u8>,
     /// A shortfall of the picture.
     pub too_much: Option<OverBudget>,
+    /// Why faces of a page of vectors are a picture, where areas were asked for.
+    pub no_areas: Option<NoAreas>,
+}
+
+/// The words that go with a picture into its file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Told {
+    /// The figure file; empty: none.
+    pub figure: String,
+    /// The title.
+    pub title: String,
+    /// A sentence for those who do not see it.
+    pub description: String,
+    /// The language of both, as a tag: `en`, `pt-BR`.
+    pub language: &'static str,
 }
 
 /// Options of a picture file.
@@ -59,9 +82,27 @@ pub struct FileOptions {
     pub format: PictureFormat,
     /// Crop the empty background around each picture.
     pub crop: bool,
-    /// Pixels per inch on paper, which PNG and JPEG can tell to who prints them; `None`: not for paper.
+    /// Pixels per inch on paper, which PNG and JPEG can tell to who prints them, and by which vectors have their size;
+    /// `None`: not for paper.
     pub dpi: Option<f64>,
+    /// How the faces of vectors are written.
+    pub faces: Faces,
+    /// How the letters of vectors are written.
+    pub letters: Letters,
 }
+
+impl FileOptions {
+    /// The usual ones of a format: all of the picture, for no paper.
+    #[must_use]
+    pub fn of(format: PictureFormat) -> Self {
+        Self { format, crop: false, dpi: None, faces: Faces::default(), letters: Letters::default() }
+    }
+}
+
+/// Pixels per inch where none are given: those of CSS.
+const PER_INCH: f64 = 96.0;
+/// The resolution of pictures of faces where none is given, in pixels per inch.
+const FINE: f64 = 192.0;
 
 /// The content of such a file: the pictures of `sheet`, and their shortfall; `crop`: each without the empty background
 /// around it. Pauses after each band of a picture.
@@ -80,7 +121,8 @@ pub async fn assembled(
 }
 
 /// The file that shows the pictures of `sheet`, with a figure file in it where the format can carry one. It pauses
-/// after each band of a picture and each row of a PNG; WebP and JPEG are encoded without a pause.
+/// after each band of a picture and each row of a PNG, and after each picture of vectors; WebP and JPEG are encoded
+/// without a pause.
 ///
 /// Where a PNG shows the canonical volume in another convention than the notes', it says which, also where the picture
 /// is too small to.
@@ -92,22 +134,46 @@ pub async fn assembled(
 pub async fn file(
     sheet: &Composite,
     form: FileOptions,
-    figure: &str,
+    told: &Told,
     progress: &Progress,
 ) -> Result<PictureFile, PictureError> {
-    let FileOptions { format, crop, dpi } = form;
+    let FileOptions { format, crop, dpi, letters, .. } = form;
     let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
-    let (mut picture, too_much) = assembled(sheet, crop, progress).await?;
     let encode = |bytes: Result<Vec<u8>, String>| bytes.map_err(|why| PictureError::Encode { format, why });
-    let bytes = match format {
-        PictureFormat::Png => picture
-            .into_png(figure, convention(sheet).as_deref(), dpi, progress)
-            .await
-            .map_err(|error| or_cancelled(error.into()))?,
-        PictureFormat::WebP => encode(web::webp(picture.take_pixmap().ok_or(PictureError::TooLarge)?))?,
-        PictureFormat::Jpeg => encode(web::jpeg(&picture.take_pixmap().ok_or(PictureError::TooLarge)?, dpi))?,
+    let pixels = async || assembled(sheet, crop, progress).await;
+    let pixmap = |picture: &mut Pixels| picture.take_pixmap().ok_or(PictureError::TooLarge);
+    let (bytes, too_much, no_areas) = match format {
+        PictureFormat::Png => {
+            let (picture, too_much) = pixels().await?;
+            let bytes = picture.into_png(&told.figure, convention(sheet).as_deref(), dpi, progress).await;
+            (bytes.map_err(|error| or_cancelled(error.into()))?, too_much, None)
+        }
+        PictureFormat::WebP => {
+            let (mut picture, too_much) = pixels().await?;
+            (encode(web::webp(pixmap(&mut picture)?))?, too_much, None)
+        }
+        PictureFormat::Jpeg => {
+            let (mut picture, too_much) = pixels().await?;
+            (encode(web::jpeg(&pixmap(&mut picture)?, dpi))?, too_much, None)
+        }
+        PictureFormat::Svg => {
+            let Drawn { page, too_much, no_areas } = drawn(sheet, form, told, progress).await?;
+            (vector::svg(&page, letters, &told.figure).into_bytes(), too_much, no_areas)
+        }
+        PictureFormat::Pdf => {
+            let Drawn { page, too_much, no_areas } = drawn(sheet, form, told, progress).await?;
+            (vector::pdf(&page, letters, &told.figure).ok_or(PictureError::Font)?, too_much, no_areas)
+        }
     };
-    Ok(PictureFile { bytes, too_much })
+    Ok(PictureFile { bytes, too_much, no_areas })
+}
+
+/// The page of vectors with its words.
+async fn drawn(sheet: &Composite, form: FileOptions, told: &Told, progress: &Progress) -> Result<Drawn, PictureError> {
+    let resolution = [form.dpi.unwrap_or(PER_INCH), form.dpi.unwrap_or(FINE)];
+    let drawn = page(sheet, form.faces, resolution, form.crop, progress).await?;
+    let Told { title, description, language, .. } = told.clone();
+    Ok(Drawn { page: Page { title, description, language, ..drawn.page }, ..drawn })
 }
 
 /// The convention of NDC of the canonical volume, where it is not that of the notes.

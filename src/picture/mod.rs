@@ -10,6 +10,7 @@
 //! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
 //! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
 //! | `triangle` | one triangle: its pixels, and its depth tests |
+//! | `vectors` | pictures as pages of vectors |
 
 mod animation;
 mod compared;
@@ -18,21 +19,23 @@ mod file;
 mod render_report;
 mod renderer;
 mod triangle;
+mod vectors;
 
 use tiny_skia::{IntSize, Pixmap};
 
 use crate::appearance::{Rgba, Texture};
 use crate::export::crop::cropped;
 use crate::export::png::{self, PngError};
-use crate::export::sheet::{column, row};
+use crate::export::sheet::{Layout, sheet};
 use crate::progress::Progress;
 use crate::views::Arrangement;
 pub use animation::{Animation, FilmFormat};
 pub use composite::{Composite, Crowded, NoComposite, OnPaper, gap};
-pub use file::{FileOptions, PictureError, PictureFile, assembled, file};
+pub use file::{FileOptions, PictureError, PictureFile, Told, assembled, file};
 pub use render_report::RenderReport;
 pub use renderer::Renderer;
 pub use triangle::{FollowedTriangle, Tested, TrianglePixels};
+pub use vectors::{Faces, NoAreas};
 
 /// A finished picture; without pixels until something has been drawn on it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -87,22 +90,9 @@ impl Pixels {
 
     /// Pictures on a sheet with a ground. `None` where that would be empty or too large for memory.
     fn arranged(pictures: Vec<Self>, arrangement: Arrangement, gap: u32, ground: Rgba) -> Option<Self> {
+        let sizes: Vec<[u32; 2]> = pictures.iter().map(|picture| [picture.width, picture.height]).collect();
         let pixmaps: Option<Vec<Pixmap>> = pictures.into_iter().map(|mut picture| picture.take_pixmap()).collect();
-        let mut pixmaps = pixmaps?;
-        let sheet = match arrangement {
-            Arrangement::Row => row(&pixmaps, gap, ground),
-            Arrangement::Column => column(&pixmaps, gap, ground),
-            Arrangement::Above | Arrangement::Beside if pixmaps.is_empty() => None,
-            Arrangement::Above => {
-                let rest = row(&pixmaps.split_off(1), gap, ground)?;
-                column(&[pixmaps.pop()?, rest], gap, ground)
-            }
-            Arrangement::Beside => {
-                let rest = column(&pixmaps.split_off(1), gap, ground)?;
-                row(&[pixmaps.pop()?, rest], gap, ground)
-            }
-        };
-        sheet.map(Self::from)
+        sheet(&pixmaps?, &layout(&sizes, arrangement, gap)?, ground).map(Self::from)
     }
 
     /// The pixels, without copying them; the picture has none afterwards.
@@ -114,6 +104,20 @@ impl Pixels {
     fn into_texture(self) -> Texture {
         let Self { width, height, rgba } = self;
         Texture { width, height, rgba }
+    }
+}
+
+/// The places of pictures of these sizes. `None` where there are none, or too many pixels.
+fn layout(sizes: &[[u32; 2]], arrangement: Arrangement, gap: u32) -> Option<Layout> {
+    let with_rest = |rest: Layout, all: fn(&[[u32; 2]], u32) -> Option<Layout>| {
+        Some(all(&[*sizes.first()?, rest.size], gap)?.ending_in(&rest))
+    };
+    match (arrangement, sizes) {
+        (Arrangement::Row, _) | (Arrangement::Above | Arrangement::Beside, [_]) => Layout::row(sizes, gap),
+        (Arrangement::Column, _) => Layout::column(sizes, gap),
+        (Arrangement::Above | Arrangement::Beside, []) => None,
+        (Arrangement::Above, [_, rest @ ..]) => with_rest(Layout::row(rest, gap)?, Layout::column),
+        (Arrangement::Beside, [_, rest @ ..]) => with_rest(Layout::column(rest, gap)?, Layout::row),
     }
 }
 

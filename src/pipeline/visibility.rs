@@ -153,8 +153,7 @@ pub(super) fn by_splitting(
         return Err(made.into_error());
     }
     let (all, mut sides) = pieces(layers);
-    let extent = all.iter().flat_map(|p| &p.corners).fold(0.0, |most: f64, c| most.max(c.view.abs().max_element()));
-    let tolerance = extent * 1e-10;
+    let tolerance = tolerance(&all);
     let mut ordered: Vec<Piece> = Vec::new();
     // A tree that is one long branch must not exhaust the stack: the tasks wait here, the next at the end.
     let mut tasks = vec![Task::Order(all)];
@@ -187,6 +186,18 @@ pub(super) fn by_splitting(
         painter.paint(piece, &sides.complete(piece));
     }
     Ok((painter.surfaces, ordered.len()))
+}
+
+/// The distance from a plane within which a point is on it: a share of the extent of all faces, and the rounding of
+/// their coordinates. Where the scene is small and far away, the second is much less than a share of the distance.
+fn tolerance(all: &[Piece]) -> f64 {
+    const OF_EXTENT: f64 = 1e-10;
+    let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let corners = || all.iter().flat_map(|piece| &piece.corners);
+    let (low, high) = corners().fold(none, |(low, high), c| (low.min(c.view), high.max(c.view)));
+    let farthest = corners().fold(0.0, |most: f64, c| most.max(c.view.abs().max_element()));
+    let extent = if all.is_empty() { 0.0 } else { (high - low).max_element() };
+    extent * OF_EXTENT + 4.0 * farthest * f64::EPSILON
 }
 
 /// The work of splitting so far.

@@ -1,6 +1,6 @@
 //! Filled areas, point marks and texts on the picture.
 
-use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
+use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, PathSegment, Pixmap, Point, Stroke, Transform};
 
 use crate::appearance::{MarkShape, Occlusion, Rgba};
 use crate::drawing::{Anchor, Area, Label, Mark};
@@ -9,9 +9,9 @@ use crate::text::{self, Element};
 use super::depth::{DepthBuffer, Occluders};
 
 /// Opacity of a label or a mark behind a face, relative to its own.
-const FADED: f32 = 0.45;
+pub const FADED: f32 = 0.45;
 /// Width of the halo's stroke, as a share of the type size; half of it is outside the letter.
-const HALO: f32 = 0.28;
+pub const HALO: f32 = 0.28;
 
 /// The farthest from the corner of the picture, in pixels, that something is drawn. Beyond it an `f32` has no pixels
 /// any more, and from some thirty times of it on the filling of paths counts past the end of its rows.
@@ -31,14 +31,7 @@ pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
         return;
     }
     let Some(path) = text_path(&label.text, label.size) else { return };
-    let width = text::measure(&label.text, label.size).width;
-    let left = match label.anchor {
-        Anchor::Left => 0.0,
-        Anchor::Center => 0.5 * width,
-        Anchor::Right => width,
-    };
-    let x = label.position[0] + label.offset[0] - left;
-    let y = label.position[1] + label.offset[1] + 0.5 * text::x_height(label.size);
+    let [x, y] = baseline(label);
     let place = Transform::from_translate(x, y);
     let opacity = opacity(label.fade_if_hidden && !depth.shows(label.position));
     if !is_near(&path, [x, y], HALO * label.size) {
@@ -47,6 +40,19 @@ pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
     let stroke = Stroke { width: HALO * label.size, line_join: LineJoin::Round, ..Stroke::default() };
     pixmap.stroke_path(&path, &paint(label.halo, opacity), &stroke, place, None);
     pixmap.fill_path(&path, &paint(label.color, opacity), FillRule::Winding, place, None);
+}
+
+/// The left end of the baseline of a label.
+#[must_use]
+pub fn baseline(label: &Label) -> [f32; 2] {
+    let width = text::measure(&label.text, label.size).width;
+    let left = match label.anchor {
+        Anchor::Left => 0.0,
+        Anchor::Center => 0.5 * width,
+        Anchor::Right => width,
+    };
+    let [x, y] = [0, 1].map(|k| label.position[k] + label.offset[k]);
+    [x - left, y + 0.5 * text::x_height(label.size)]
 }
 
 /// The outline of a text; `None` where there is nothing to fill.
@@ -109,23 +115,71 @@ pub(super) fn mark(pixmap: &mut Pixmap, faces: Occluders, mark: &Mark) {
     let r = mark.radius;
     let Some(path) = mark_path(mark.shape, x, y, r) else { return };
     let opacity = opacity(mark.fade_if_hidden && faces.before(mark.position) != Occlusion::None);
-    let line = (0.35 * r).max(1.0);
-    if !is_near(&path, [0.0; 2], 2.0 * line + 1.5) {
+    if !is_near(&path, [0.0; 2], 2.0 * mark_line(r) + 1.5) {
         return;
     }
-    let (inner, outer) = (paint(mark.color, opacity), paint(mark.outline, opacity));
-    let stroke = |width| Stroke { width, line_join: LineJoin::Miter, ..Stroke::default() };
     let still = Transform::identity();
-    match mark.shape {
-        MarkShape::Ring | MarkShape::Cross => {
-            pixmap.stroke_path(&path, &outer, &stroke(2.0 * line + 1.5), still, None);
-            pixmap.stroke_path(&path, &inner, &stroke(2.0 * line), still, None);
-        }
-        MarkShape::Disc | MarkShape::Square | MarkShape::Diamond => {
-            pixmap.stroke_path(&path, &outer, &stroke(2.0), still, None);
-            pixmap.fill_path(&path, &inner, FillRule::Winding, still, None);
+    for layer in mark_layers(mark) {
+        let paint = paint(layer.color, opacity);
+        match layer.stroke {
+            Some(width) => {
+                let stroke = Stroke { width, line_join: LineJoin::Miter, ..Stroke::default() };
+                pixmap.stroke_path(&path, &paint, &stroke, still, None);
+            }
+            None => pixmap.fill_path(&path, &paint, FillRule::Winding, still, None),
         }
     }
+}
+
+/// One of the two paints of a mark's outline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MarkLayer {
+    /// The width of its stroke in pixels; `None`: it is filled.
+    pub stroke: Option<f32>,
+    /// Its colour.
+    pub color: Rgba,
+}
+
+fn mark_line(radius: f32) -> f32 {
+    (0.35 * radius).max(1.0)
+}
+
+/// The paints of a mark, the lower one first.
+#[must_use]
+pub fn mark_layers(mark: &Mark) -> [MarkLayer; 2] {
+    let line = mark_line(mark.radius);
+    let (outer, inner) = match mark.shape {
+        MarkShape::Ring | MarkShape::Cross => (2.0 * line + 1.5, Some(2.0 * line)),
+        MarkShape::Disc | MarkShape::Square | MarkShape::Diamond => (2.0, None),
+    };
+    [MarkLayer { stroke: Some(outer), color: mark.outline }, MarkLayer { stroke: inner, color: mark.color }]
+}
+
+/// The outline of a mark; empty where it has none that can be drawn.
+#[must_use]
+pub fn mark_outline(mark: &Mark) -> Vec<Element> {
+    let [x, y, _] = mark.position;
+    let path = finite(mark.position, mark.radius).then(|| mark_path(mark.shape, x, y, mark.radius)).flatten();
+    path.map(|path| elements(&path)).unwrap_or_default()
+}
+
+/// The outline of an area; empty where it has none that can be drawn.
+#[must_use]
+pub fn area_outline(area: &Area) -> Vec<Element> {
+    let Area { corner: [x, y], size: [width, height], radius, .. } = *area;
+    rounded([x, y, x + width, y + height], radius).map(|path| elements(&path)).unwrap_or_default()
+}
+
+fn elements(path: &Path) -> Vec<Element> {
+    let at = |p: Point| [p.x, p.y];
+    let element = |segment| match segment {
+        PathSegment::MoveTo(p) => Element::Move(at(p)),
+        PathSegment::LineTo(p) => Element::Line(at(p)),
+        PathSegment::QuadTo(c, p) => Element::Quad(at(c), at(p)),
+        PathSegment::CubicTo(a, b, p) => Element::Cubic(at(a), at(b), at(p)),
+        PathSegment::Close => Element::Close,
+    };
+    path.segments().map(element).collect()
 }
 
 fn mark_path(shape: MarkShape, x: f32, y: f32, r: f32) -> Option<Path> {

@@ -8,7 +8,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 use tiny_skia::Pixmap;
 
-use crate::appearance::{HiddenLines, LineStyle, Occlusion};
+use crate::appearance::{HiddenLines, LineStyle, Occlusion, head_corners};
 use crate::drawing::{Drawing, StrokeSet};
 use crate::progress::{Activity, Progress};
 
@@ -178,9 +178,7 @@ impl Strip {
         let middle = length - 0.5 * head;
         if head > 0.0 && run.range.start < middle && middle <= run.range.end {
             let (tip, base) = (self.line.at(points, length), self.line.at(points, length - head));
-            let (dx, dy) = (tip[0] - base[0], tip[1] - base[1]);
-            let (nx, ny) = (-0.38 * dy, 0.38 * dx);
-            let corners = [[tip[0], tip[1]], [base[0] + nx, base[1] + ny], [base[0] - nx, base[1] - ny]];
+            let corners = head_corners([[tip[0], tip[1]], [base[0], base[1]]]);
             self.coverage.triangle(corners, [tip[2].min(base[2]), tip[2].max(base[2])]);
         }
     }

@@ -43,6 +43,7 @@ use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::progress::{Progress, at_once};
 pub use depth::DepthBuffer;
 use depth::Occluders;
+pub use label::{FADED, HALO, MarkLayer, area_outline, baseline, mark_layers, mark_outline};
 use surfaces::Wanted;
 
 /// Draws pictures; keeps its buffers from one to the next.

@@ -37,7 +37,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("share", &[]),
     ("files", &["figure", "export", "scene", "exercises", "numbers", "share"]),
     ("clock", &[]),
-    ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
+    ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export", "text"]),
     ("numerics", &["geometry", "numbers", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),
     ("explain", &["geometry", "camera", "scene", "figure", "inspect", "numbers"]),
     ("exercises", &["geometry", "camera", "scene", "figure", "inspect", "explain", "expression", "formula", "numbers"]),

@@ -73,5 +73,6 @@ mod stress_case;
 mod stroke_runs;
 mod text;
 mod trace;
+mod vectors;
 mod views;
 mod views_pictures;

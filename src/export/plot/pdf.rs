@@ -10,7 +10,8 @@ use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind, FontTransform,
 };
 
-use crate::text::{self, Element};
+use crate::export::vector::path_of;
+use crate::text;
 
 /// The operators of a page, in units of the page, y down.
 pub(super) struct Content {
@@ -77,36 +78,6 @@ impl Content {
                 self.operators.move_to(x, y);
             } else {
                 self.operators.line_to(x, y);
-            }
-        }
-    }
-}
-
-/// Curves of second degree are raised to third.
-fn letters(operators: &mut Operators, outline: &[Element]) {
-    let mut here = [0.0f32; 2];
-    for element in outline {
-        match *element {
-            Element::Move(p) => {
-                operators.move_to(p[0], p[1]);
-                here = p;
-            }
-            Element::Line(p) => {
-                operators.line_to(p[0], p[1]);
-                here = p;
-            }
-            Element::Quad(c, p) => {
-                let towards = |end: [f32; 2]| [0, 1].map(|i| end[i] + (c[i] - end[i]) * (2.0 / 3.0));
-                let (a, b) = (towards(here), towards(p));
-                operators.cubic_to(a[0], a[1], b[0], b[1], p[0], p[1]);
-                here = p;
-            }
-            Element::Cubic(a, b, p) => {
-                operators.cubic_to(a[0], a[1], b[0], b[1], p[0], p[1]);
-                here = p;
-            }
-            Element::Close => {
-                operators.close_path();
             }
         }
     }
@@ -225,7 +196,7 @@ impl DrawingBackend for PdfBackend<'_> {
         operators.save_state();
         operators.transform([turn[0], turn[1], turn[2], turn[3], x as f32, y as f32]);
         operators.transform([1.0, 0.0, 0.0, 1.0, left, down]);
-        letters(operators, &text::outline(text, size));
+        path_of(operators, &text::outline(text, size));
         operators.fill_nonzero().restore_state();
         Ok(())
     }

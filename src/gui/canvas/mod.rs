@@ -80,7 +80,6 @@ use crate::figure::{Explanation, Observer};
 use crate::gui::coach::{self, Brief};
 use crate::gui::explain;
 use crate::gui::focus::{self, Region};
-use crate::gui::handle_drag::point;
 use crate::gui::highlight::Highlight;
 use crate::gui::presentation;
 use crate::gui::selection_gizmo::Movable;
@@ -392,7 +391,8 @@ impl Canvas {
             self.take_action(ui, state, (picture, view), action);
             let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), state.settings.stroke_scale());
             let response = ui.interact(pane_rect.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
-            let description = describe(state, view);
+            let description =
+                words::describe(state.settings.lang, view, state.document.camera(), state.document.figure().image);
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));
             focus::note(ui.ctx(), Region::Picture(picture), response.id, rect);
             let request = self.request(state, &self.shot.pictures[picture], pane_rect.size);
@@ -534,23 +534,6 @@ fn note(ui: &Ui, picture: Rect, text: &str) {
 /// Gives a picture all the room, or gives it back.
 fn toggle_maximized(state: &mut State, view: View) {
     state.layout.maximized = if state.layout.maximized == Some(view) { None } else { Some(view) };
-}
-
-/// A picture in words.
-fn describe(state: &State, view: View) -> String {
-    let lang = state.settings.lang;
-    match view {
-        View::World => {
-            let camera = state.document.camera();
-            let [position, focal_point] = [camera.position(), camera.focal_point()].map(|p| point(p, 4, lang.mark()));
-            words::describe_world(lang, &position, &focal_point)
-        }
-        View::Canonical => words::describe_canonical(lang),
-        View::Image => {
-            let image = state.document.figure().image;
-            words::describe_image(lang, image.width, image.height)
-        }
-    }
 }
 
 /// Two lines that cross at the pointer, within the frame of the image.

@@ -29,6 +29,7 @@ use crate::export::format::PictureFormat;
 use crate::figure::words::{self, ARRANGEMENTS, EXPLANATIONS, THEMES, Words};
 use crate::limits::{PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
+use crate::picture::Faces;
 use crate::views::{View, Views};
 pub use store::Preferences;
 
@@ -71,7 +72,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 34] = [
+const KEYS: [Key; 36] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -201,6 +202,15 @@ const KEYS: [Key; 34] = [
     key!("export_on_paper", switch, export.on_paper),
     key!("export_transparent", switch, export.transparent),
     key!("export_crop", switch, export.crop),
+    key!("export_outlines", switch, export.outlines),
+    Key {
+        name: "export_faces",
+        of: |state| state.export.faces.name().into(),
+        apply: |state, value| {
+            let faces = value.as_str().and_then(|name| Faces::ALL.into_iter().find(|faces| faces.name() == name));
+            put(&mut state.export.faces, faces);
+        },
+    },
     key!("export_width_cm", within PAPER_CM, export.paper.size[0]),
     key!("export_height_cm", within PAPER_CM, export.paper.size[1]),
     key!("export_dpi", within PAPER_DPI, export.paper.dpi),
@@ -334,6 +344,8 @@ mod tests {
             on_paper: true,
             transparent: true,
             crop: true,
+            faces: Faces::Picture,
+            outlines: true,
             paper,
             ..changed.export
         };

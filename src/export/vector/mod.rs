@@ -1,0 +1,130 @@
+//! Pages of vectors: the list of the things on one, and its writers. What a picture looks like is decided before; the
+//! writers only say it in their format.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `embedded` | the figure file in a page, and finding it there |
+//! | `font` | the letters of a page as a subset of the font, for PDF |
+//! | `pdf` | a page as PDF |
+//! | `svg` | a page as SVG |
+
+mod embedded;
+mod font;
+mod pdf;
+mod svg;
+
+use tiny_skia::Pixmap;
+
+use crate::appearance::Rgba;
+use crate::text::Element;
+pub use embedded::figure_in;
+pub(super) use pdf::path_of;
+pub use pdf::pdf;
+pub use svg::svg;
+
+/// A page. Its unit is the pixel of the picture; (0, 0) is the upper left corner, y points down.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Page {
+    /// Width and height in units.
+    pub size: [f32; 2],
+    /// Points of paper per unit; a point is 1/72 inch.
+    pub points: f32,
+    /// The title of the figure.
+    pub title: String,
+    /// A sentence for those who do not see it.
+    pub description: String,
+    /// The language of both, as a tag: `en`, `pt-BR`.
+    pub language: &'static str,
+    /// The things on it, from back to front.
+    pub items: Vec<Item>,
+}
+
+/// A thing on a page.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Item {
+    /// Others, moved to a corner, and cut to a rectangle at it.
+    Group {
+        /// The upper left corner, which is (0, 0) in the group.
+        corner: [f32; 2],
+        /// Left, top, right and bottom of the rectangle, in units of the group.
+        clip: [f32; 4],
+        /// The things in it.
+        items: Vec<Self>,
+    },
+    /// A filled area, by the non-zero rule.
+    Fill {
+        /// Its contours.
+        path: Vec<Element>,
+        /// Its colour.
+        color: Rgba,
+    },
+    /// A stroke.
+    Stroke {
+        /// Its contours.
+        path: Vec<Element>,
+        /// Its colour.
+        color: Rgba,
+        /// Its width.
+        width: f32,
+        /// Lengths of dashes and of the gaps between them, in turn; empty: none.
+        dashes: Vec<f32>,
+        /// The length along the path at which the dashes begin, backwards.
+        phase: f32,
+        /// Ends and corners are round; otherwise ends are flat and corners sharp.
+        round: bool,
+    },
+    /// A text; `_c` and `_{abc}` in it are subscripts, as in [`text`](crate::text).
+    Text {
+        /// The left end of its baseline.
+        at: [f32; 2],
+        /// The text.
+        text: String,
+        /// Height of the em.
+        size: f32,
+        /// The colour of its letters.
+        color: Rgba,
+        /// The colour of the halo around them.
+        halo: Rgba,
+        /// The width of the halo's stroke, of which half is outside of the letters.
+        halo_width: f32,
+    },
+    /// Pixels, stretched over a rectangle.
+    Picture {
+        /// The upper left corner.
+        corner: [f32; 2],
+        /// Width and height.
+        size: [f32; 2],
+        /// The pixels, premultiplied.
+        pixels: Pixmap,
+    },
+}
+
+/// How letters are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Letters {
+    /// As text, which can be selected, searched and edited.
+    #[default]
+    Text,
+    /// As the outlines of the font: the same everywhere.
+    Outlines,
+}
+
+/// Straight pixels of a picture: colours (three bytes each), and opacities, where any is not full.
+fn straight(pixels: &Pixmap) -> (Vec<u8>, Option<Vec<u8>>) {
+    let mut colors = Vec::with_capacity(3 * pixels.pixels().len());
+    let mut opacities = Vec::with_capacity(pixels.pixels().len());
+    for pixel in pixels.pixels() {
+        let straight = pixel.demultiply();
+        colors.extend([straight.red(), straight.green(), straight.blue()]);
+        opacities.push(straight.alpha());
+    }
+    let is_opaque = opacities.iter().all(|opacity| *opacity == 255);
+    (colors, (!is_opaque).then_some(opacities))
+}
+
+/// A number as short as it can be, to a thousandth of a unit.
+fn number(value: f32) -> String {
+    let text = format!("{value:.3}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}

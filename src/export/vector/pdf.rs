@@ -1,0 +1,282 @@
+//! A page as PDF.
+
+use pdf_writer::types::{AssociationKind, LineCapStyle, LineJoinStyle, StructRole};
+use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
+use tiny_skia::Pixmap;
+
+use super::font::{FONT, Glyphs};
+use super::{Item, Letters, Page, straight};
+use crate::appearance::Rgba;
+use crate::text::{self, Element};
+
+/// The objects whose references are known beforehand.
+const CATALOG: Ref = Ref::new(1);
+const PAGES: Ref = Ref::new(2);
+const PAGE: Ref = Ref::new(3);
+const CONTENT: Ref = Ref::new(4);
+const INFO: Ref = Ref::new(5);
+const TREE: Ref = Ref::new(6);
+const DOCUMENT: Ref = Ref::new(7);
+const FIGURE: Ref = Ref::new(8);
+const ATTACHED: Ref = Ref::new(9);
+const ATTACHMENT: Ref = Ref::new(10);
+const FONTS: [Ref; 5] = [Ref::new(11), Ref::new(12), Ref::new(13), Ref::new(14), Ref::new(15)];
+/// The first of the pictures: each has two.
+const PICTURES: i32 = 16;
+
+/// The page as a PDF file, tagged as a figure with its description, and with a figure file attached; an empty one is
+/// none. `None` where the font can't be cut.
+///
+/// *Guarantees*: the same page and figure give the same bytes.
+#[must_use]
+pub fn pdf(page: &Page, letters: Letters, figure: &str) -> Option<Vec<u8>> {
+    let [width, height] = page.size.map(|side| side * page.points);
+    let mut writer = Writer {
+        operators: Content::new(),
+        letters,
+        glyphs: Glyphs::default(),
+        opacities: Vec::new(),
+        pictures: Vec::new(),
+    };
+    writer.operators.begin_marked_content_with_properties(Name(b"Figure")).properties().identify(0);
+    writer.operators.save_state();
+    // From here on y goes down, and the unit is that of the page.
+    writer.operators.transform([page.points, 0.0, 0.0, -page.points, 0.0, height]);
+    writer.items(&page.items);
+    writer.operators.restore_state();
+    writer.operators.end_marked_content();
+    let Writer { operators, glyphs, opacities, pictures, .. } = writer;
+
+    let mut pdf = Pdf::new();
+    let mut catalog = pdf.catalog(CATALOG);
+    catalog.pages(PAGES).lang(TextStr(page.language));
+    catalog.mark_info().marked(true);
+    catalog.viewer_preferences().display_doc_title(true);
+    let mut tree = catalog.struct_tree_root();
+    tree.child(DOCUMENT);
+    tree.parent_tree().nums().insert(0, TREE);
+    tree.finish();
+    if !figure.is_empty() {
+        catalog.names().embedded_files().names().insert(Str(b"figure.toml"), ATTACHED);
+    }
+    catalog.finish();
+    pdf.indirect(TREE).array().item(FIGURE);
+    pdf.struct_element(DOCUMENT).kind(StructRole::Document).parent(Ref::new(CATALOG.get())).child(FIGURE);
+    let mut element = pdf.struct_element(FIGURE);
+    element.kind(StructRole::Figure).parent(DOCUMENT).page(PAGE).title(TextStr(&page.title));
+    element.alt(TextStr(&page.description)).lang(TextStr(page.language));
+    element.children().marked_content_id(0);
+    element.finish();
+    pdf.document_info(INFO).title(TextStr(&page.title)).creator(TextStr("Camera Lab"));
+    pdf.pages(PAGES).kids([PAGE]).count(1);
+
+    let mut leaf = pdf.page(PAGE);
+    leaf.media_box(Rect::new(0.0, 0.0, width, height)).parent(PAGES).contents(CONTENT).struct_parents(0);
+    let mut resources = leaf.resources();
+    if !glyphs.is_empty() {
+        resources.fonts().pair(FONT, FONTS[0]);
+    }
+    let mut states = resources.ext_g_states();
+    for opacity in &opacities {
+        let share = f32::from(*opacity) / 255.0;
+        states
+            .insert(Name(state_name(*opacity).as_bytes()))
+            .start::<pdf_writer::writers::ExtGraphicsState>()
+            .stroking_alpha(share)
+            .non_stroking_alpha(share);
+    }
+    states.finish();
+    let mut objects = resources.x_objects();
+    for k in 0..pictures.len() {
+        objects.pair(Name(picture_name(k).as_bytes()), picture_refs(k)[0]);
+    }
+    objects.finish();
+    resources.finish();
+    leaf.finish();
+    let packed = packed(&operators.finish());
+    pdf.stream(CONTENT, &packed).filter(Filter::FlateDecode);
+    if !glyphs.is_empty() {
+        glyphs.write(&mut pdf, FONTS)?;
+    }
+    for (k, picture) in pictures.iter().enumerate() {
+        write_picture(&mut pdf, picture, picture_refs(k))?;
+    }
+    if !figure.is_empty() {
+        let mut attached = pdf.file_spec(ATTACHED);
+        attached.path(Str(b"figure.toml")).unic_file(TextStr("figure.toml"));
+        attached.association_kind(AssociationKind::Source).embedded_file(ATTACHMENT);
+        attached.finish();
+        // As it is, so that it is found again without reading all of the file.
+        pdf.embedded_file(ATTACHMENT, figure.as_bytes()).subtype(Name(b"application/toml"));
+    }
+    Some(pdf.finish())
+}
+
+fn packed(bytes: &[u8]) -> Vec<u8> {
+    miniz_oxide::deflate::compress_to_vec_zlib(bytes, 6)
+}
+
+fn state_name(opacity: u8) -> String {
+    format!("A{opacity}")
+}
+
+fn picture_name(k: usize) -> String {
+    format!("P{k}")
+}
+
+/// The references of a picture and of its opacities.
+fn picture_refs(k: usize) -> [Ref; 2] {
+    let first = PICTURES.saturating_add(i32::try_from(2 * k).unwrap_or(0));
+    [Ref::new(first), Ref::new(first + 1)]
+}
+
+fn write_picture(pdf: &mut Pdf, pixels: &Pixmap, [itself, mask]: [Ref; 2]) -> Option<()> {
+    let [width, height] = [i32::try_from(pixels.width()).ok()?, i32::try_from(pixels.height()).ok()?];
+    let (colors, opacities) = straight(pixels);
+    let colors = packed(&colors);
+    let mut image = pdf.image_xobject(itself, &colors);
+    image.filter(Filter::FlateDecode);
+    image.width(width).height(height).bits_per_component(8).color_space().device_rgb();
+    if opacities.is_some() {
+        image.s_mask(mask);
+    }
+    image.finish();
+    if let Some(opacities) = opacities {
+        let opacities = packed(&opacities);
+        let mut image = pdf.image_xobject(mask, &opacities);
+        image.filter(Filter::FlateDecode);
+        image.width(width).height(height).bits_per_component(8).color_space().device_gray();
+    }
+    Some(())
+}
+
+/// The operators of a page.
+struct Writer<'a> {
+    operators: Content,
+    letters: Letters,
+    glyphs: Glyphs,
+    /// Opacities that are used, each a graphics state.
+    opacities: Vec<u8>,
+    pictures: Vec<&'a Pixmap>,
+}
+
+impl<'a> Writer<'a> {
+    fn items(&mut self, items: &'a [Item]) {
+        for item in items {
+            self.item(item);
+        }
+    }
+
+    fn item(&mut self, item: &'a Item) {
+        match item {
+            Item::Group { corner: [x, y], clip: [left, top, right, bottom], items } => {
+                self.operators.save_state();
+                self.operators.transform([1.0, 0.0, 0.0, 1.0, *x, *y]);
+                self.operators.rect(*left, *top, right - left, bottom - top).clip_nonzero().end_path();
+                self.items(items);
+                self.operators.restore_state();
+            }
+            Item::Fill { path, color } => {
+                self.color(*color);
+                self.path(path);
+                self.operators.fill_nonzero();
+            }
+            Item::Stroke { path, color, width, dashes, phase, round } => {
+                self.color(*color);
+                let (cap, join) = if *round {
+                    (LineCapStyle::RoundCap, LineJoinStyle::RoundJoin)
+                } else {
+                    (LineCapStyle::ButtCap, LineJoinStyle::MiterJoin)
+                };
+                self.operators.set_line_width(*width).set_line_cap(cap).set_line_join(join);
+                self.operators.set_dash_pattern(dashes.iter().copied(), *phase);
+                self.path(path);
+                self.operators.stroke();
+            }
+            Item::Text { at, text, size, color, halo, halo_width } => {
+                if halo.a > 0 {
+                    self.color(*halo);
+                    self.operators.set_line_width(*halo_width).set_line_join(LineJoinStyle::RoundJoin);
+                    self.operators.set_dash_pattern([], 0.0);
+                    self.path(&text::moved(&text::outline(text, *size), *at));
+                    self.operators.stroke();
+                }
+                self.color(*color);
+                match self.letters {
+                    Letters::Text => self.text(*at, text, *size),
+                    Letters::Outlines => {
+                        self.path(&text::moved(&text::outline(text, *size), *at));
+                        self.operators.fill_nonzero();
+                    }
+                }
+            }
+            Item::Picture { corner: [x, y], size: [width, height], pixels } => {
+                let name = picture_name(self.pictures.len());
+                self.pictures.push(pixels);
+                self.opacity(255);
+                self.operators.save_state();
+                // A picture fills the square from (0, 0) to (1, 1), its first row at the top.
+                self.operators.transform([*width, 0.0, 0.0, -height, *x, y + height]);
+                self.operators.x_object(Name(name.as_bytes())).restore_state();
+            }
+        }
+    }
+
+    /// One text of PDF for each: what is selected in a viewer is the whole name.
+    fn text(&mut self, [x, y]: [f32; 2], text: &str, size: f32) {
+        self.operators.begin_text();
+        for run in text::set_runs(text, size) {
+            let bytes = self.glyphs.show(run.text);
+            self.operators.set_font(FONT, run.size);
+            self.operators.set_text_matrix([1.0, 0.0, 0.0, -1.0, x + run.at[0], y + run.at[1]]).show(Str(&bytes));
+        }
+        self.operators.end_text();
+    }
+
+    fn color(&mut self, color: Rgba) {
+        let [r, g, b] = [color.r, color.g, color.b].map(|x| f32::from(x) / 255.0);
+        self.operators.set_fill_rgb(r, g, b).set_stroke_rgb(r, g, b);
+        self.opacity(color.a);
+    }
+
+    fn opacity(&mut self, opacity: u8) {
+        if !self.opacities.contains(&opacity) {
+            self.opacities.push(opacity);
+        }
+        self.operators.set_parameters(Name(state_name(opacity).as_bytes()));
+    }
+
+    fn path(&mut self, path: &[Element]) {
+        path_of(&mut self.operators, path);
+    }
+}
+
+/// Writes a path; curves of second degree are raised to third.
+pub(in crate::export) fn path_of(operators: &mut Content, path: &[Element]) {
+    let mut here = [0.0f32; 2];
+    for element in path {
+        match *element {
+            Element::Move(p) => {
+                operators.move_to(p[0], p[1]);
+                here = p;
+            }
+            Element::Line(p) => {
+                operators.line_to(p[0], p[1]);
+                here = p;
+            }
+            Element::Quad(c, p) => {
+                let towards = |end: [f32; 2]| [0, 1].map(|i| end[i] + (c[i] - end[i]) * (2.0 / 3.0));
+                let (a, b) = (towards(here), towards(p));
+                operators.cubic_to(a[0], a[1], b[0], b[1], p[0], p[1]);
+                here = p;
+            }
+            Element::Cubic(a, b, p) => {
+                operators.cubic_to(a[0], a[1], b[0], b[1], p[0], p[1]);
+                here = p;
+            }
+            Element::Close => {
+                operators.close_path();
+            }
+        }
+    }
+}

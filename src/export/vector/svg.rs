@@ -1,0 +1,237 @@
+//! A page as SVG.
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use xmlwriter::{Indent, Options, XmlWriter};
+
+use super::embedded::write_in_svg;
+use super::{Item, Letters, Page, number, straight};
+use crate::appearance::Rgba;
+use crate::text::{self, Element};
+
+/// The page as an SVG file, with a figure file in it; an empty one is none.
+///
+/// *Guarantees*: the same page and figure give the same bytes.
+#[must_use]
+pub fn svg(page: &Page, letters: Letters, figure: &str) -> String {
+    let options = Options { use_single_quote: false, indent: Indent::Spaces(1), attributes_indent: Indent::None };
+    let mut writer = Writer { xml: XmlWriter::new(options), letters, clips: 0 };
+    let [width, height] = page.size;
+    let xml = &mut writer.xml;
+    xml.start_element("svg");
+    xml.write_attribute("xmlns", "http://www.w3.org/2000/svg");
+    xml.write_attribute("xmlns:xlink", "http://www.w3.org/1999/xlink");
+    for (name, side) in [("width", width), ("height", height)] {
+        xml.write_attribute_fmt(name, format_args!("{}pt", number(side * page.points)));
+    }
+    xml.write_attribute_fmt("viewBox", format_args!("0 0 {} {}", number(width), number(height)));
+    xml.write_attribute("xml:lang", page.language);
+    xml.write_attribute("role", "img");
+    for (name, text) in [("title", &page.title), ("desc", &page.description)] {
+        if !text.is_empty() {
+            xml.start_element(name);
+            xml.set_preserve_whitespaces(true);
+            xml.write_text(&escaped(text));
+            xml.end_element();
+            xml.set_preserve_whitespaces(false);
+        }
+    }
+    if !figure.is_empty() {
+        write_in_svg(xml, figure);
+    }
+    writer.items(&page.items);
+    writer.xml.end_document()
+}
+
+struct Writer {
+    xml: XmlWriter,
+    letters: Letters,
+    clips: usize,
+}
+
+impl Writer {
+    fn items(&mut self, items: &[Item]) {
+        for item in items {
+            self.item(item);
+        }
+    }
+
+    fn item(&mut self, item: &Item) {
+        match item {
+            Item::Group { corner, clip, items } => self.group(*corner, *clip, items),
+            Item::Fill { path, color } => {
+                self.path(path);
+                self.color("fill", *color);
+                self.xml.end_element();
+            }
+            Item::Stroke { path, color, width, dashes, phase, round } => {
+                self.path(path);
+                self.xml.write_attribute("fill", "none");
+                self.color("stroke", *color);
+                self.xml.write_attribute("stroke-width", &number(*width));
+                if *round {
+                    self.xml.write_attribute("stroke-linecap", "round");
+                    self.xml.write_attribute("stroke-linejoin", "round");
+                }
+                if !dashes.is_empty() {
+                    let lengths: Vec<String> = dashes.iter().map(|length| number(*length)).collect();
+                    self.xml.write_attribute("stroke-dasharray", &lengths.join(" "));
+                    self.xml.write_attribute("stroke-dashoffset", &number(*phase));
+                }
+                self.xml.end_element();
+            }
+            Item::Text { at, text, size, color, halo, halo_width } => match self.letters {
+                Letters::Text => self.text(*at, text, *size, [*color, *halo], *halo_width),
+                Letters::Outlines => self.outlines(*at, text, *size, [*color, *halo], *halo_width),
+            },
+            Item::Picture { corner, size, pixels } => {
+                let Some(png) = png_of(pixels) else { return };
+                let xml = &mut self.xml;
+                xml.start_element("image");
+                for (name, value) in [("x", corner[0]), ("y", corner[1]), ("width", size[0]), ("height", size[1])] {
+                    xml.write_attribute(name, &number(value));
+                }
+                xml.write_attribute("preserveAspectRatio", "none");
+                let href = format!("data:image/png;base64,{}", STANDARD.encode(png));
+                // The older name is the one that every program knows.
+                xml.write_attribute("xlink:href", &href);
+                xml.end_element();
+            }
+        }
+    }
+
+    fn group(&mut self, corner: [f32; 2], [left, top, right, bottom]: [f32; 4], items: &[Item]) {
+        self.clips += 1;
+        let id = format!("clip{}", self.clips);
+        let xml = &mut self.xml;
+        xml.start_element("clipPath");
+        xml.write_attribute("id", &id);
+        xml.start_element("rect");
+        for (name, value) in [("x", left), ("y", top), ("width", right - left), ("height", bottom - top)] {
+            xml.write_attribute(name, &number(value));
+        }
+        xml.end_element();
+        xml.end_element();
+        xml.start_element("g");
+        if corner != [0.0; 2] {
+            xml.write_attribute_fmt(
+                "transform",
+                format_args!("translate({} {})", number(corner[0]), number(corner[1])),
+            );
+        }
+        xml.write_attribute_fmt("clip-path", format_args!("url(#{id})"));
+        self.items(items);
+        self.xml.end_element();
+    }
+
+    fn path(&mut self, path: &[Element]) {
+        self.xml.start_element("path");
+        self.xml.write_attribute("d", &data(path));
+    }
+
+    fn color(&mut self, name: &str, color: Rgba) {
+        let Rgba { r, g, b, a } = color;
+        self.xml.write_attribute_fmt(name, format_args!("#{r:02x}{g:02x}{b:02x}"));
+        if a < 255 {
+            let opacity = number(f32::from(a) / 255.0);
+            self.xml.write_attribute_fmt(&format!("{name}-opacity"), format_args!("{opacity}"));
+        }
+    }
+
+    /// One element with its halo painted first, so that each text is there once.
+    fn text(&mut self, [x, y]: [f32; 2], text: &str, size: f32, [color, halo]: [Rgba; 2], halo_width: f32) {
+        self.xml.start_element("text");
+        self.xml.write_attribute("x", &number(x));
+        self.xml.write_attribute("y", &number(y));
+        self.xml.write_attribute("font-family", "DejaVu Sans, Verdana, sans-serif");
+        self.xml.write_attribute("font-size", &number(size));
+        self.color("fill", color);
+        if halo.a > 0 {
+            self.xml.write_attribute("paint-order", "stroke");
+            self.color("stroke", halo);
+            self.xml.write_attribute("stroke-width", &number(halo_width));
+            self.xml.write_attribute("stroke-linejoin", "round");
+        }
+        let runs = text::set_runs(text, size);
+        if let [run] = runs.as_slice()
+            && run.size == size
+        {
+            self.xml.set_preserve_whitespaces(true);
+            self.xml.write_text(&escaped(run.text));
+        } else {
+            self.xml.set_preserve_whitespaces(true);
+            for run in runs {
+                self.xml.start_element("tspan");
+                // The places of the font that is meant: another one's letters follow them.
+                self.xml.write_attribute("x", &number(x + run.at[0]));
+                self.xml.write_attribute("y", &number(y + run.at[1]));
+                if run.size != size {
+                    self.xml.write_attribute("font-size", &number(run.size));
+                }
+                self.xml.write_text(&escaped(run.text));
+                self.xml.end_element();
+            }
+        }
+        self.xml.end_element();
+        self.xml.set_preserve_whitespaces(false);
+    }
+
+    fn outlines(&mut self, at: [f32; 2], text: &str, size: f32, [color, halo]: [Rgba; 2], halo_width: f32) {
+        let path = text::moved(&text::outline(text, size), at);
+        self.xml.start_element("g");
+        self.xml.write_attribute("aria-label", &escaped(text));
+        if halo.a > 0 {
+            self.path(&path);
+            self.xml.write_attribute("fill", "none");
+            self.color("stroke", halo);
+            self.xml.write_attribute("stroke-width", &number(halo_width));
+            self.xml.write_attribute("stroke-linejoin", "round");
+            self.xml.end_element();
+        }
+        self.path(&path);
+        self.color("fill", color);
+        self.xml.end_element();
+        self.xml.end_element();
+    }
+}
+
+/// Without what XML can't hold, and with the sign by which it escapes escaped; the writer does the rest.
+fn escaped(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).collect::<String>().replace('&', "&amp;")
+}
+
+/// The commands of a path.
+fn data(path: &[Element]) -> String {
+    let mut data = String::new();
+    let point = |[x, y]: [f32; 2]| format!("{} {}", number(x), number(y));
+    for element in path {
+        data.push_str(&match *element {
+            Element::Move(p) => format!("M{}", point(p)),
+            Element::Line(p) => format!("L{}", point(p)),
+            Element::Quad(c, p) => format!("Q{} {}", point(c), point(p)),
+            Element::Cubic(a, b, p) => format!("C{} {} {}", point(a), point(b), point(p)),
+            Element::Close => "Z".to_owned(),
+        });
+    }
+    data
+}
+
+fn png_of(pixels: &tiny_skia::Pixmap) -> Option<Vec<u8>> {
+    let (colors, opacities) = straight(pixels);
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
+    encoder.set_depth(png::BitDepth::Eight);
+    let data = match opacities {
+        None => {
+            encoder.set_color(png::ColorType::Rgb);
+            colors
+        }
+        Some(opacities) => {
+            encoder.set_color(png::ColorType::Rgba);
+            let pixel = |(color, opacity): (&[u8; 3], u8)| [color[0], color[1], color[2], opacity];
+            colors.as_chunks::<3>().0.iter().zip(opacities).flat_map(pixel).collect()
+        }
+    };
+    encoder.write_header().and_then(|mut writer| writer.write_image_data(&data)).ok()?;
+    Some(bytes)
+}

@@ -1,0 +1,498 @@
+//! Pictures as pages of vectors: the same display list as for pixels, with the parts of strokes that can be seen found
+//! exactly instead of pixel by pixel.
+
+use std::collections::HashMap;
+
+use glam::DVec2;
+use tiny_skia::Pixmap;
+
+use super::{Composite, PictureError, Renderer, layout};
+use crate::appearance::{LineStyle, Occlusion, Rgba, head_corners};
+use crate::drawing::{Drawing, Surface, single};
+use crate::export::vector::{Item, Page};
+use crate::limits::MAX_PIXELS;
+use crate::pipeline::stroke_order::painted_runs;
+use crate::pipeline::stroke_runs::{Run, occlusions};
+use crate::pipeline::{Frame, Output, OverBudget};
+use crate::progress::{Activity, Progress};
+use crate::raster::{FADED, HALO, Rasterizer, area_outline, baseline, mark_layers, mark_outline};
+use crate::text::Element;
+use crate::views::{Request, Size, overlay};
+
+/// How the faces of a page are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Faces {
+    /// As areas where that says what the pixels do, in a number that programs can work with; otherwise as a picture.
+    #[default]
+    Auto,
+    /// As areas.
+    Areas,
+    /// As one picture, under all strokes.
+    Picture,
+}
+
+impl Faces {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Auto, Self::Areas, Self::Picture];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Areas => "vector",
+            Self::Picture => "picture",
+        }
+    }
+}
+
+/// The most triangles that are written as areas unless they are asked for.
+const MOST_AREAS: usize = 5000;
+/// The width of the strokes along common sides of neighbouring areas, in pixels: programs that paint each area by itself
+/// let the ground show there otherwise.
+const SEAM: f32 = 1.0;
+/// A dash of no length is left out by some programs.
+const DOT: f32 = 0.01;
+
+/// Why a page has its faces as a picture, although areas were asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoAreas {
+    /// Colours that vary over a face: light at vertices or pixels, textures.
+    Shaded,
+    /// Faces cross too often to be put in order.
+    OverBudget(OverBudget),
+}
+
+/// A page, and what fell short.
+pub(super) struct Drawn {
+    /// The page, without title and description.
+    pub page: Page,
+    /// A shortfall of a picture.
+    pub too_much: Option<OverBudget>,
+    /// Why some faces are a picture.
+    pub no_areas: Option<NoAreas>,
+}
+
+/// The page of a sheet. `per_inch`: units of the page per inch of paper; `dpi`: the resolution of faces that are
+/// pictures, at least that of the sheet.
+///
+/// # Errors
+/// [`PictureError::TooLarge`], and [`PictureError::Strokes`] where the visible parts of strokes are not found.
+pub(super) async fn page(
+    sheet: &Composite,
+    faces: Faces,
+    [per_inch, dpi]: [f64; 2],
+    crop: bool,
+    progress: &Progress,
+) -> Result<Drawn, PictureError> {
+    let mut painter = Painter { faces, finer: finer(sheet, dpi / per_inch), ..Painter::default() };
+    let (mut pictures, mut sizes) = (Vec::new(), Vec::new());
+    painter.renderer.watch(progress);
+    progress.begin(Activity::Painting, sheet.requests.len());
+    for request in &sheet.requests {
+        let items = painter.picture(request)?;
+        if progress.is_cancelled() {
+            return Err(PictureError::Cancelled);
+        }
+        progress.advance_and_pause(1).await;
+        let Size { width, height, .. } = request.size;
+        let part = if crop { painter.content(request, sheet.gap)? } else { [0, 0, width, height] };
+        sizes.push([part[2], part[3]]);
+        pictures.push((part, items));
+    }
+    let layout = layout(&sizes, sheet.arrangement, sheet.gap).ok_or(PictureError::TooLarge)?;
+    let size = layout.size.map(unit);
+    let mut items = Vec::new();
+    if pictures.len() > 1 && sheet.ground.a > 0 {
+        items.push(rectangle([0.0, 0.0, size[0], size[1]], sheet.ground));
+    }
+    for ((part, own), corner) in pictures.into_iter().zip(&layout.corners) {
+        let [left, top, width, height] = part.map(unit);
+        let corner = [unit(corner[0]) - left, unit(corner[1]) - top];
+        items.push(Item::Group { corner, clip: [left, top, left + width, top + height], items: own });
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "points of a page")]
+    let points = (72.0 / per_inch) as f32;
+    let page = Page { size, points, title: String::new(), description: String::new(), language: "en", items };
+    Ok(Drawn { page, too_much: painter.too_much, no_areas: painter.no_areas })
+}
+
+/// A whole number of times as many pixels as the sheet has, as far as a picture may have them.
+fn finer(sheet: &Composite, wanted: f64) -> u32 {
+    let largest = sheet.requests.iter().map(|request| u64::from(request.size.width) * u64::from(request.size.height));
+    let largest = largest.max().unwrap_or(1).max(1);
+    let fits = |times: &u32| largest * u64::from(*times) * u64::from(*times) <= MAX_PIXELS;
+    (1..=8)
+        .take_while(fits)
+        .find(|times| f64::from(*times) >= wanted - 0.01)
+        .unwrap_or_else(|| (1..=8).take_while(fits).last().unwrap_or(1))
+}
+
+#[derive(Default)]
+struct Painter {
+    faces: Faces,
+    /// Pixels of a picture of faces, per unit.
+    finer: u32,
+    renderer: Renderer,
+    rasterizer: Rasterizer,
+    too_much: Option<OverBudget>,
+    no_areas: Option<NoAreas>,
+}
+
+impl Painter {
+    /// The things of a picture; of a compared one, those of both sides.
+    fn picture(&mut self, request: &Request) -> Result<Vec<Item>, PictureError> {
+        let Some(sides) = request.sides() else { return self.one(request) };
+        let mut items = Vec::new();
+        for side in &sides {
+            let inner = self.one(&side.request)?;
+            let left = unit(side.left);
+            let [from, to] = [side.columns.start, side.columns.end].map(|column| unit(column) - left);
+            let clip = [from, 0.0, to, unit(request.size.height)];
+            items.push(Item::Group { corner: [left, 0.0], clip, items: inner });
+        }
+        let over = overlay(request, &sides, None).ok_or(PictureError::TooLarge)?;
+        items.extend(over_faces(&over)?);
+        Ok(items)
+    }
+
+    fn one(&mut self, request: &Request) -> Result<Vec<Item>, PictureError> {
+        let mut frame = self.renderer.drawing(request).ok_or(PictureError::TooLarge)?;
+        self.too_much = self.too_much.take().or_else(|| frame.too_much.take());
+        // The display of a stage adds the faces that were dropped.
+        frame.drawing.surfaces.append(&mut frame.dropped_faces);
+        let mut items = self.drawing(request, &frame, |frame| &frame.drawing)?;
+        if let Some(before) = &frame.before {
+            let half = unit(before.width / 2);
+            let inner = self.drawing(request, &frame, |frame| frame.before.as_ref().unwrap_or(&frame.drawing))?;
+            let clip = [0.0, 0.0, half, unit(before.height)];
+            items.push(Item::Group { corner: [0.0; 2], clip, items: inner });
+        }
+        Ok(items)
+    }
+
+    /// The things of a drawing of a request, which `which` finds in a frame of it.
+    fn drawing(
+        &mut self,
+        request: &Request,
+        frame: &Frame,
+        which: fn(&Frame) -> &Drawing,
+    ) -> Result<Vec<Item>, PictureError> {
+        let drawing = which(frame);
+        let size = [drawing.width, drawing.height].map(unit);
+        let mut items = Vec::new();
+        if drawing.background.a > 0 {
+            items.push(rectangle([0.0, 0.0, size[0], size[1]], drawing.background));
+        }
+        if drawing.surfaces.iter().any(|surface| !surface.triangles.is_empty()) {
+            match self.areas(request, drawing, which) {
+                Some(areas) => items.extend(areas),
+                None => items.push(self.faces_as_picture(request, size, which)?),
+            }
+        }
+        items.extend(over_faces(drawing)?);
+        Ok(items)
+    }
+
+    /// The faces as areas, from back to front; `None` where they have to be a picture.
+    fn areas(&mut self, request: &Request, drawing: &Drawing, which: fn(&Frame) -> &Drawing) -> Option<Vec<Item>> {
+        if self.faces == Faces::Picture {
+            return None;
+        }
+        let is_asked = self.faces == Faces::Areas;
+        let say = |why: NoAreas, no_areas: &mut Option<NoAreas>| {
+            if is_asked && no_areas.is_none() {
+                *no_areas = Some(why);
+            }
+        };
+        let triangles: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
+        if drawing.surfaces.iter().any(Surface::varies) || drawing.depth_format != crate::appearance::DepthFormat::Float
+        {
+            say(NoAreas::Shaded, &mut self.no_areas);
+            return None;
+        }
+        if !is_asked && triangles > MOST_AREAS {
+            return None;
+        }
+        if drawing.painted_in_order {
+            return Some(areas_of(drawing));
+        }
+        let sorted = Request { output: Output::Vectors, ..request.clone() };
+        let mut sorted = self.renderer.drawing(&sorted)?;
+        if let Some(over_budget) = sorted.too_much.take().filter(|_| !which(&sorted).painted_in_order) {
+            say(NoAreas::OverBudget(over_budget), &mut self.no_areas);
+            return None;
+        }
+        let ordered = which(&sorted);
+        let count: usize = ordered.surfaces.iter().map(|surface| surface.triangles.len()).sum();
+        (ordered.painted_in_order && (is_asked || count <= 2 * MOST_AREAS)).then(|| areas_of(ordered))
+    }
+
+    /// The faces alone, as pixels without a ground.
+    fn faces_as_picture(
+        &mut self,
+        request: &Request,
+        size: [f32; 2],
+        which: fn(&Frame) -> &Drawing,
+    ) -> Result<Item, PictureError> {
+        let Size { width, height, scale } = request.size;
+        #[expect(clippy::cast_precision_loss, reason = "a few")]
+        let larger = Size { width: width * self.finer, height: height * self.finer, scale: scale * self.finer as f32 };
+        let request = Request { size: larger, ..request.clone() };
+        let mut frame = self.renderer.drawing(&request).ok_or(PictureError::TooLarge)?;
+        frame.drawing.surfaces.append(&mut frame.dropped_faces);
+        let drawing = which(&frame);
+        let alone = Drawing {
+            background: drawing.background.with_alpha(0),
+            strokes: Vec::new(),
+            areas: Vec::new(),
+            marks: Vec::new(),
+            labels: Vec::new(),
+            ..drawing.clone()
+        };
+        let pixels = self.rasterizer.paint(&alone).ok_or(PictureError::TooLarge)?;
+        Ok(Item::Picture { corner: [0.0; 2], size, pixels })
+    }
+
+    /// The part of a picture that is not empty: left, top, width and height in pixels.
+    fn content(&mut self, request: &Request, margin: u32) -> Result<[u32; 4], PictureError> {
+        let mut pixels = self.renderer.pixels(request).ok_or(PictureError::TooLarge)?;
+        let pixmap: Pixmap = pixels.take_pixmap().ok_or(PictureError::TooLarge)?;
+        Ok(crate::export::crop::part(&pixmap, margin))
+    }
+}
+
+/// A coordinate of pixels.
+#[expect(clippy::cast_precision_loss, reason = "pixels of a picture")]
+fn unit(pixels: u32) -> f32 {
+    pixels as f32
+}
+
+fn rectangle([left, top, right, bottom]: [f32; 4], color: Rgba) -> Item {
+    Item::Fill { path: polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]]), color }
+}
+
+fn polygon(corners: &[[f32; 2]]) -> Vec<Element> {
+    let mut path: Vec<Element> = corners.iter().map(|corner| Element::Line(*corner)).collect();
+    if let (Some(first), Some(corner)) = (path.first_mut(), corners.first()) {
+        *first = Element::Move(*corner);
+        path.push(Element::Close);
+    }
+    path
+}
+
+/// The corners of a triangle, all of one winding.
+type Corners = [[f32; 2]; 3];
+
+/// A side, the same in both directions: the bits of its ends.
+type SideKey = [[u32; 2]; 2];
+
+fn side_key([a, b]: [[f32; 2]; 2]) -> SideKey {
+    let bits = |p: [f32; 2]| p.map(f32::to_bits);
+    let (a, b) = (bits(a), bits(b));
+    if a < b { [a, b] } else { [b, a] }
+}
+
+fn sides_of([a, b, c]: Corners) -> [[[f32; 2]; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+/// The triangles of a drawing in their order, those of one colour that follow one another as one area; along the sides
+/// that opaque ones share with others, a stroke of their colour.
+fn areas_of(drawing: &Drawing) -> Vec<Item> {
+    let mut areas: Vec<(Rgba, Vec<Corners>)> = Vec::new();
+    let mut shared: HashMap<SideKey, u32> = HashMap::new();
+    for surface in &drawing.surfaces {
+        for (k, triangle) in surface.triangles.iter().enumerate() {
+            let corner = |vertex: u32| surface.positions.get(vertex as usize).map(|p| [p[0], p[1]]);
+            let corners = triangle.map(corner);
+            let ([Some(a), Some(b), Some(c)], Some(color)) = (corners, surface.face_color(k)) else { continue };
+            let color = if surface.translucent { color } else { color.with_alpha(255) };
+            let area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+            if !area.is_finite() || area == 0.0 {
+                continue;
+            }
+            // One winding for all, so that neighbours add up.
+            let corners = if area > 0.0 { [a, b, c] } else { [a, c, b] };
+            for side in sides_of(corners) {
+                *shared.entry(side_key(side)).or_default() += 1;
+            }
+            match areas.last_mut() {
+                Some((of, triangles)) if *of == color && (color.is_opaque() || continues(triangles, corners)) => {
+                    triangles.push(corners);
+                }
+                _ => areas.push((color, vec![corners])),
+            }
+        }
+    }
+    areas.iter().flat_map(|(color, triangles)| area_of(*color, triangles, &shared)).collect()
+}
+
+fn area_of(color: Rgba, triangles: &[Corners], shared: &HashMap<SideKey, u32>) -> Vec<Item> {
+    let path = triangles.iter().flat_map(|corners| polygon(corners)).collect();
+    let mut items = vec![Item::Fill { path, color }];
+    let mut own: HashMap<SideKey, u32> = HashMap::new();
+    for side in triangles.iter().flat_map(|corners| sides_of(*corners)) {
+        *own.entry(side_key(side)).or_default() += 1;
+    }
+    // Within one path neighbours add up.
+    let with_others = |side: &[[f32; 2]; 2]| {
+        let key = side_key(*side);
+        shared.get(&key) > own.get(&key)
+    };
+    let sides = triangles.iter().flat_map(|corners| sides_of(*corners)).filter(with_others);
+    let seam: Vec<Element> = sides.flat_map(|[a, b]| [Element::Move(a), Element::Line(b)]).collect();
+    if color.is_opaque() && !seam.is_empty() {
+        items.push(Item::Stroke { path: seam, color, width: SEAM, dashes: Vec::new(), phase: 0.0, round: true });
+    }
+    items
+}
+
+/// True where a triangle has a side in common with the last one of an area, and lies on the other side of it: both are
+/// blended with what is below once.
+fn continues(triangles: &[Corners], next: Corners) -> bool {
+    let Some(last) = triangles.last() else { return false };
+    // With one winding, a common side is passed in both directions.
+    sides_of(*last).iter().any(|[a, b]| sides_of(next).contains(&[*b, *a]))
+}
+
+/// Strokes, areas, marks and texts, in the order of the display list.
+fn over_faces(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
+    let mut items = strokes(drawing)?;
+    for area in &drawing.areas {
+        items.push(Item::Fill { path: area_outline(area), color: area.fill });
+    }
+    let places: Vec<[f32; 3]> = drawing
+        .marks
+        .iter()
+        .map(|mark| mark.position)
+        .chain(drawing.labels.iter().map(|label| label.position))
+        .collect();
+    let behind = occlusions(drawing, places).map_err(|_| PictureError::Strokes)?;
+    let (of_marks, of_labels) = behind.split_at(drawing.marks.len().min(behind.len()));
+    for (mark, behind) in drawing.marks.iter().zip(of_marks) {
+        let fades = mark.fade_if_hidden && *behind != Occlusion::None;
+        let path = mark_outline(mark);
+        if path.is_empty() {
+            continue;
+        }
+        for layer in mark_layers(mark) {
+            let color = faded(layer.color, fades);
+            items.push(match layer.stroke {
+                Some(width) => {
+                    Item::Stroke { path: path.clone(), color, width, dashes: Vec::new(), phase: 0.0, round: false }
+                }
+                None => Item::Fill { path: path.clone(), color },
+            });
+        }
+    }
+    for (label, behind) in drawing.labels.iter().zip(of_labels) {
+        let fades = label.fade_if_hidden && *behind == Occlusion::Opaque;
+        let at = baseline(label);
+        if label.text.trim().is_empty()
+            || !at.iter().all(|v| v.is_finite())
+            || !(label.size.is_finite() && label.size > 0.0)
+        {
+            continue;
+        }
+        let [color, halo] = [label.color, label.halo].map(|color| faded(color, fades));
+        let halo_width = HALO * label.size;
+        items.push(Item::Text { at, text: label.text.clone(), size: label.size, color, halo, halo_width });
+    }
+    Ok(items)
+}
+
+fn faded(color: Rgba, fades: bool) -> Rgba {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a byte")]
+    let alpha = (f32::from(color.a) * FADED).round() as u8;
+    if fades { color.with_alpha(alpha) } else { color }
+}
+
+/// The painted runs of strokes, those that look the same and follow one another as one path.
+fn strokes(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
+    let mut items: Vec<Item> = Vec::new();
+    for run in painted_runs(drawing).map_err(|_| PictureError::Strokes)? {
+        let Some(style) = run.style(drawing) else { continue };
+        let length = length_of(drawing, &run);
+        let head = style.head_length(length);
+        // The shaft ends a little inside the head, whose point would be blunt otherwise.
+        let points = until(&run.points, length - 0.8 * head - run.start);
+        if points.len() > 1 {
+            push_stroke(&mut items, &points, &run, style);
+        }
+        if head > 0.0 && run.has_end {
+            items.extend(
+                head_of(drawing, &run, head).map(|corners| Item::Fill { path: polygon(&corners), color: style.color }),
+            );
+        }
+    }
+    Ok(items)
+}
+
+fn push_stroke(items: &mut Vec<Item>, points: &[[f32; 2]], run: &Run, style: LineStyle) {
+    let (lengths, period) = style.dash_lengths();
+    let dashes: Vec<f32> = lengths.iter().map(|length| length.max(DOT)).collect();
+    let phase = if dashes.is_empty() { 0.0 } else { (run.start - 0.5 * style.width).rem_euclid(period) };
+    let mut own: Vec<Element> = points.iter().map(|point| Element::Line(*point)).collect();
+    own[0] = Element::Move(points[0]);
+    match items.last_mut() {
+        // One path covers each place once, however often it comes there.
+        Some(Item::Stroke { path, color, width, dashes: same, .. })
+            if *color == style.color && *width == style.width && same.is_empty() && dashes.is_empty() =>
+        {
+            path.extend(own);
+        }
+        _ => items.push(Item::Stroke { path: own, color: style.color, width: style.width, dashes, phase, round: true }),
+    }
+}
+
+/// The points of the polyline that a run is a part of.
+fn polyline<'a>(drawing: &'a Drawing, run: &Run) -> &'a [[f32; 3]] {
+    let set = drawing.strokes.get(run.set);
+    let points = set.and_then(|set| {
+        let range = set.polylines.get(run.polyline)?;
+        set.points.get(range.start as usize..range.end as usize)
+    });
+    points.unwrap_or_default()
+}
+
+fn between(a: &[f32], b: &[f32]) -> f32 {
+    single(DVec2::new(f64::from(b[0]) - f64::from(a[0]), f64::from(b[1]) - f64::from(a[1])).length())
+}
+
+fn length_of(drawing: &Drawing, run: &Run) -> f32 {
+    polyline(drawing, run).windows(2).map(|pair| between(&pair[0], &pair[1])).sum()
+}
+
+/// The points of a run up to a length along it.
+fn until(points: &[[f32; 3]], length: f32) -> Vec<[f32; 2]> {
+    let mut kept: Vec<[f32; 2]> = Vec::with_capacity(points.len());
+    let mut left = length;
+    for pair in points.windows(2) {
+        let [from, to] = [[pair[0][0], pair[0][1]], [pair[1][0], pair[1][1]]];
+        if left <= 0.0 {
+            break;
+        }
+        if kept.is_empty() {
+            kept.push(from);
+        }
+        let step = between(&from, &to);
+        if step > left {
+            let share = left / step;
+            kept.push([from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])]);
+            break;
+        }
+        kept.push(to);
+        left -= step;
+    }
+    kept
+}
+
+/// The corners of the arrow head at the end of a run's polyline.
+fn head_of(drawing: &Drawing, run: &Run, head: f32) -> Option<[[f32; 2]; 3]> {
+    let points = polyline(drawing, run);
+    let tip = points.last()?;
+    let length = length_of(drawing, run);
+    let base = until(points, length - head).last().copied()?;
+    Some(head_corners([[tip[0], tip[1]], base]))
+}

@@ -1,0 +1,286 @@
+//! Pictures as SVG and PDF, held against the pixels of the same figure by a program that draws SVG, and by Poppler where
+//! it is installed.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::process::Command;
+
+use camera_lab::appearance::{Shading, Theme};
+use camera_lab::camera::Camera;
+use camera_lab::export::format::PictureFormat;
+use camera_lab::export::vector::Letters;
+use camera_lab::figure::read::parse;
+use camera_lab::figure::{Figure, update};
+use camera_lab::files::{FigureFiles, FileAccess, SHIPPED_FIGURES, figure_from};
+use camera_lab::i18n::{Lang, pictures};
+use camera_lab::picture::{Composite, Faces, FileOptions, PictureFile, Renderer, Told, file};
+use camera_lab::progress::{Progress, at_once};
+use camera_lab::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
+use rayon::prelude::*;
+use tiny_skia::Pixmap;
+
+use crate::common::program::Bench;
+
+const SIZE: Size = Size { width: 320, height: 240, scale: 1.0 };
+
+fn request(figure: &Figure, size: Size) -> Request {
+    let camera = Camera::new(&figure.camera).unwrap();
+    let mut files = FigureFiles::new(Path::new("."), FileAccess::Figure);
+    let scene = scene_of(figure, &mut |wanted| files.read(wanted), &Progress::default()).unwrap();
+    let scene = SharedScene::new(scene);
+    Request::of(figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size)
+}
+
+fn sheet(figure: &Figure, what: Views, request: &Request) -> Composite {
+    Composite::of(what, request, &Shot::of(figure), None).unwrap()
+}
+
+fn written(sheet: &Composite, options: FileOptions, figure: &Figure, text: &str) -> PictureFile {
+    let told = pictures::told_of(Lang::En, figure, sheet, text.to_owned());
+    at_once(file(sheet, options, &told, &Progress::default())).unwrap()
+}
+
+fn svg_of(sheet: &Composite, options: FileOptions, figure: &Figure) -> String {
+    String::from_utf8(written(sheet, options, figure, "").bytes).unwrap()
+}
+
+/// Whether a program is there; the checks on a bare machine install it.
+fn has(program: &str) -> bool {
+    let found = Command::new(program).arg("--version").output().is_ok();
+    assert!(found || std::env::var_os("CAMERA_LAB_ALL_TOOLS").is_none(), "{program} is not installed");
+    found
+}
+
+/// The SVG as pixels, `zoom` times as large as the picture; `None` without the program for it.
+fn drawn(svg: &str, zoom: f64, bench: &Bench) -> Option<Pixmap> {
+    let (from, to) = (format!("{:p}.svg", svg.as_ptr()), format!("{:p}.png", svg.as_ptr()));
+    if !has("rsvg-convert") {
+        return None;
+    }
+    let from = bench.write(&from, svg);
+    let mut run = Command::new("rsvg-convert");
+    run.args(["-z", &zoom.to_string(), "-o"])
+        .arg(bench.path(&to))
+        .arg(from)
+        .env("FONTCONFIG_FILE", bench.path("fonts.conf"));
+    assert!(run.status().unwrap().success());
+    Some(read(&bench.read(&to)))
+}
+
+/// A PNG as premultiplied pixels.
+fn read(bytes: &[u8]) -> Pixmap {
+    let image = image::load_from_memory(bytes).unwrap().into_rgba8();
+    let mut pixmap = Pixmap::new(image.width(), image.height()).unwrap();
+    for (to, from) in pixmap.pixels_mut().iter_mut().zip(image.pixels()) {
+        let [r, g, b, a] = from.0;
+        *to = tiny_skia::ColorU8::from_rgba(r, g, b, a).premultiply();
+    }
+    pixmap
+}
+
+/// A folder with a configuration of fonts that has the program's alone: a bare machine has none.
+fn bench_with_fonts(name: &str) -> Bench {
+    let bench = Bench::new(name);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/fonts");
+    let cache = bench.path("fonts");
+    let text = format!(
+        "<?xml version=\"1.0\"?><fontconfig><dir>{}</dir><cachedir>{}</cachedir></fontconfig>",
+        folder.display(),
+        cache.display()
+    );
+    bench.write("fonts.conf", text);
+    bench
+}
+
+/// The mean difference of a channel, and the share of pixels of which a channel differs by more than a quarter.
+fn difference(one: &[u8], other: &[u8]) -> (f64, f64) {
+    assert_eq!(one.len(), other.len());
+    let sum: u64 = one.iter().zip(other).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
+    let pixels = || one.as_chunks::<4>().0.iter().zip(other.as_chunks::<4>().0);
+    let far = pixels().filter(|(a, b)| a.iter().zip(b.iter()).any(|(a, b)| a.abs_diff(*b) > 64)).count();
+    (sum as f64 / one.len() as f64, far as f64 / pixels().count() as f64)
+}
+
+#[test]
+fn vectors_show_what_pixels_show_in_every_shipped_figure_view_and_theme() {
+    let bench = bench_with_fonts("vectors-shipped");
+    let jobs: Vec<_> = SHIPPED_FIGURES.iter().flat_map(|figure| View::ALL.map(|view| (figure, view))).collect();
+    let worst: Vec<String> = jobs
+        .into_par_iter()
+        .flat_map_iter(|(shipped, view)| {
+            let mut figure = parse(&shipped.text()).unwrap();
+            let bench = &bench;
+            [Theme::Light, Theme::Dark, Theme::Print].into_iter().filter_map(move |theme| {
+                figure.style.theme = theme;
+                let sheet = sheet(&figure, Views::One(view), &request(&figure, SIZE));
+                let pixels = Renderer::default().pixels(&sheet.requests[0]).unwrap();
+                let svg = svg_of(&sheet, FileOptions::of(PictureFormat::Svg), &figure);
+                let (mean, far) = difference(pixels.rgba(), drawn(&svg, 1.0, bench)?.data());
+                (mean > 2.0 || far > 0.012).then(|| format!("{} {view:?} {theme:?}: {mean:.2} {far:.4}", shipped.name))
+            })
+        })
+        .collect();
+    assert!(worst.is_empty(), "{worst:#?}");
+}
+
+#[test]
+fn poppler_shows_what_pixels_show_and_finds_every_name() {
+    if !has("pdftoppm") || !has("pdftotext") {
+        return;
+    }
+    let bench = Bench::new("vectors-poppler");
+    for name in ["primitives", "pyramid", "ndc-cube", "exercise-5.3", "painter", "clipping", "gouraud", "culled"] {
+        let shipped = camera_lab::files::ShippedFigure::named(name).unwrap();
+        let figure = parse(&shipped.text()).unwrap();
+        for view in View::ALL {
+            let sheet = sheet(&figure, Views::One(view), &request(&figure, SIZE));
+            let pdf = written(&sheet, FileOptions::of(PictureFormat::Pdf), &figure, "");
+            let path = bench.write("a.pdf", pdf.bytes);
+            let run = Command::new("pdftoppm")
+                .args(["-r", "96", "-png", "-singlefile"])
+                .arg(&path)
+                .arg(bench.path("a"))
+                .status()
+                .unwrap();
+            assert!(run.success());
+            let picture = read(&bench.read("a.png"));
+            let pixels = Renderer::default().pixels(&sheet.requests[0]).unwrap();
+            let (mean, far) = difference(pixels.rgba(), picture.data());
+            assert!(mean < 3.0 && far < 0.02, "{name} {view:?}: {mean:.2} {far:.4}");
+            let words = Command::new("pdftotext").args(["-layout"]).arg(&path).arg("-").output().unwrap();
+            let words = String::from_utf8(words.stdout).unwrap();
+            let found: String = words.split_whitespace().collect();
+            let frame = Renderer::default().drawing(&sheet.requests[0]).unwrap();
+            for label in &frame.drawing.labels {
+                for run in camera_lab::text::runs(&label.text) {
+                    let wanted: String = run.text.split_whitespace().collect();
+                    assert!(found.contains(&wanted), "{name} {view:?}: {wanted} in {words}");
+                }
+            }
+        }
+    }
+}
+
+/// The texts of an SVG file, without their marks.
+fn texts(svg: &str) -> BTreeSet<String> {
+    let inner = |text: &str| -> String {
+        text.split('<').map(|part| part.split_once('>').map_or(part, |(_, words)| words)).collect()
+    };
+    let elements = svg.split("<text").skip(1).filter_map(|rest| rest.split_once('>')?.1.split_once("</text>"));
+    elements.map(|(text, _)| inner(text).replace("&lt;", "<").replace("&amp;", "&")).collect()
+}
+
+#[test]
+fn every_name_is_a_text_that_can_be_searched() {
+    for shipped in SHIPPED_FIGURES.iter().take(12) {
+        let figure = parse(&shipped.text()).unwrap();
+        let sheet = sheet(&figure, Views::One(View::World), &request(&figure, SIZE));
+        let svg = svg_of(&sheet, FileOptions::of(PictureFormat::Svg), &figure);
+        let texts = texts(&svg);
+        let frame = Renderer::default().drawing(&sheet.requests[0]).unwrap();
+        for label in &frame.drawing.labels {
+            let plain: String = camera_lab::text::runs(&label.text).iter().map(|run| run.text).collect();
+            assert!(texts.contains(&plain), "{}: {plain} in {texts:?}", shipped.name);
+        }
+        let outlines = FileOptions { letters: Letters::Outlines, ..FileOptions::of(PictureFormat::Svg) };
+        assert!(!svg_of(&sheet, outlines, &figure).contains("<text"), "{}", shipped.name);
+    }
+}
+
+#[test]
+fn the_same_figure_gives_the_same_bytes_and_comes_back_from_them() {
+    let text = "# mine\ntitle = { en = \"A & <B>\", pt-BR = \"C\" }\n[scene]\npreset = \"house\"\n";
+    let figure = parse(text).unwrap();
+    let sheet = sheet(&figure, Views::All, &request(&figure, SIZE));
+    for format in [PictureFormat::Svg, PictureFormat::Pdf] {
+        let make = || written(&sheet, FileOptions::of(format), &figure, &update(text, &figure)).bytes;
+        let bytes = make();
+        assert_eq!(bytes, make());
+        let opened = figure_from(&bytes).unwrap();
+        assert!(opened.from_picture && opened.text.starts_with("# mine"), "{}", opened.text);
+        assert_eq!(opened.figure, figure);
+        // Without a figure, or cut anywhere: a message and no panic.
+        let none = written(&sheet, FileOptions::of(format), &figure, "").bytes;
+        let refused = figure_from(&none).unwrap_err().to_string();
+        assert!(refused.contains("holds no figure"), "{refused}");
+        for end in (0..bytes.len()).step_by(bytes.len() / 97) {
+            let _ = figure_from(&bytes[..end]);
+        }
+    }
+}
+
+#[test]
+fn words_about_the_picture_are_in_the_file() {
+    let text = "title = { en = \"A & <B>\", pt-BR = \"Um título\" }\n[scene]\npreset = \"house\"\n";
+    let figure = parse(text).unwrap();
+    let sheet = sheet(&figure, Views::One(View::Image), &request(&figure, SIZE));
+    let told = pictures::told_of(Lang::PtBr, &figure, &sheet, String::new());
+    let Told { title, description, language, .. } = &told;
+    assert_eq!((title.as_str(), *language), ("Um título", "pt-BR"));
+    assert!(description.contains("o que a câmera vê"), "{description}");
+    let svg = svg_of(&sheet, FileOptions::of(PictureFormat::Svg), &figure);
+    assert!(svg.contains("<title>A &amp; &lt;B></title>"), "{}", &svg[..600]);
+    assert!(svg.contains("<desc>Image: ") && svg.contains("xml:lang=\"en\""), "{}", &svg[..600]);
+    let pdf = written(&sheet, FileOptions::of(PictureFormat::Pdf), &figure, "").bytes;
+    let has = |wanted: &[u8]| pdf.windows(wanted.len()).any(|window| window == wanted);
+    assert!(has(b"/S /Figure") && has(b"/Alt") && has(b"/MarkInfo") && has(b"/Lang"));
+    assert!(!has(b"/CreationDate") && !has(b"/ModDate"));
+}
+
+#[test]
+fn areas_have_no_gaps_between_neighbours_at_any_zoom() {
+    let bench = bench_with_fonts("vectors-areas");
+    for (name, shading) in [("cube", Shading::Flat), ("primitives", Shading::Flat), ("house", Shading::Flat)] {
+        let shipped = camera_lab::files::ShippedFigure::named(name).unwrap();
+        let mut figure = parse(&shipped.text()).unwrap();
+        figure.style.shading = shading;
+        let request = request(&figure, SIZE);
+        let finish = Finish { transparent: true, bare: true, ..Finish::default() };
+        let sheet = sheet(&figure, Views::One(View::Image), &Request { finish, ..request });
+        let pixels = Renderer::default().pixels(&sheet.requests[0]).unwrap();
+        let options = FileOptions { faces: Faces::Areas, ..FileOptions::of(PictureFormat::Svg) };
+        let PictureFile { bytes, no_areas, .. } = written(&sheet, options, &figure, "");
+        assert_eq!(no_areas, None);
+        let svg = String::from_utf8(bytes).unwrap();
+        assert!(!svg.contains("<image"));
+        let opaque = |x: u32, y: u32| pixels.rgba()[4 * (y * SIZE.width + x) as usize + 3] == 255;
+        let inside = |x: u32, y: u32| (0..25).all(|k| opaque(x + k % 5 - 2, y + k / 5 - 2));
+        for zoom in [1.0, 1.37, 2.6, 4.0] {
+            let Some(picture) = drawn(&svg, zoom, &bench) else { return };
+            let (mut tried, mut open) = (0, 0);
+            for y in 2..SIZE.height - 2 {
+                for x in (2..SIZE.width - 2).filter(|x| inside(*x, y)) {
+                    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a pixel")]
+                    let at = |v: u32| ((f64::from(v) + 0.5) * zoom) as u32;
+                    let alpha = picture.pixel(at(x), at(y)).unwrap().alpha();
+                    tried += 1;
+                    open += usize::from(alpha < 250);
+                }
+            }
+            assert!(tried > 5000 && open == 0, "{name} {shading:?} at {zoom}: {open} of {tried}");
+        }
+    }
+}
+
+#[test]
+fn the_command_line_writes_vectors_and_says_what_it_could_not() {
+    let bench = Bench::new("vectors-cli");
+    bench.write("a.toml", "[scene]\npreset = \"house\"\n[style]\nshading = \"gouraud\"\n");
+    let run = bench.run(&["render", "a.toml", "--faces", "vector", "--size", "200x150", "-o", "a.svg"]);
+    assert_eq!(run.status, Some(0));
+    assert!(run.err.contains("a.svg: the faces are a picture") && run.err.contains("shading"), "{}", run.err);
+    assert!(String::from_utf8(bench.read("a.svg")).unwrap().contains("<image"));
+    bench.write("b.toml", "[scene]\npreset = \"house\"\n[style]\nshading = \"flat\"\n");
+    let run = bench.run(&["render", "b.toml", "--view", "all", "--width-cm", "12", "--letters", "8", "-o", "b.pdf"]);
+    run.done();
+    assert!(bench.read("b.pdf").starts_with(b"%PDF-"));
+    // 12 cm are 340.16 points.
+    let pdf = bench.read("b.pdf");
+    let text = String::from_utf8_lossy(&pdf);
+    let media = text.split("/MediaBox [").nth(1).unwrap().split(']').next().unwrap().to_owned();
+    let width: f64 = media.split_whitespace().nth(2).unwrap().parse().unwrap();
+    assert!((width - 340.16).abs() < 0.2, "{media}");
+    assert!(bench.run(&["inspect", "b.pdf"]).json()["camera"].is_object(), "the figure is in it");
+}
