@@ -24,7 +24,7 @@ fn typed(text: &str) -> Typed {
     }
 }
 
-/// n = −DOP with its sign lost, judged.
+/// VUP in the place of **v**, judged.
 fn mistaken(state: &mut State) {
     let entry = entry("0-5.1").unwrap();
     let exercise = entry.exercise(0, &Free::new());
