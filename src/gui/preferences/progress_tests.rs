@@ -24,12 +24,12 @@ fn typed(text: &str) -> Typed {
     }
 }
 
-/// n = −DOP with its sign lost, judged.
+/// VUP in the place of **v**, judged.
 fn mistaken(state: &mut State) {
     let entry = entry("0-5.1").unwrap();
     let exercise = entry.exercise(0, &Free::new());
-    let ask = exercise.asks.iter().find(|ask| ask.name == "parallel_direction").unwrap();
-    let judged = check(entry, &exercise, ask, "[3/5, 4/5, 0]").unwrap();
+    let ask = exercise.asks.iter().find(|ask| ask.name == "parallel_origin").unwrap();
+    let judged = check(entry, &exercise, ask, "[3, 5, -1]").unwrap();
     state.exercises.note(Done::Judged(exercise.clone().into(), judged.into(), 1_000));
 }
 
