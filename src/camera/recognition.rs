@@ -35,6 +35,19 @@ pub enum Evidence {
     Nothing,
 }
 
+impl Evidence {
+    /// The name in the output of the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Only => "only",
+            Self::Level => "level",
+            Self::OriginAhead => "origin-ahead",
+            Self::Nothing => "nothing",
+        }
+    }
+}
+
 /// A matrix whose reading was recognised.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recognised {

@@ -48,6 +48,32 @@ pub enum Unknown {
     SignReversed,
 }
 
+impl Unknown {
+    /// The name in the output of the command line.
+    #[must_use]
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::FocalDistance => "focal-distance",
+            Self::ViewUp => "view-up",
+            Self::PositionAlongNormal => "position-along-normal",
+            Self::WindowCentre => "window-centre",
+            Self::Far => "far",
+            Self::Lens => "lens",
+            Self::Pose => "pose",
+            Self::DepthDirection => "depth-direction",
+            Self::LeftHandedView => "left-handed",
+            Self::Rounded => "rounded",
+            Self::Scaled => "scaled",
+            Self::WorldTurned => "world-turned",
+            Self::ClippingPlanes => "clipping-planes",
+            Self::ImageSize => "image-size",
+            Self::PixelAspect => "pixel-aspect",
+            Self::SkewDropped => "skew-dropped",
+            Self::SignReversed => "sign-reversed",
+        }
+    }
+}
+
 /// The lines of a matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lines {

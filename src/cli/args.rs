@@ -11,7 +11,7 @@ use super::Failure;
 use super::exercise_args::ExerciseArgs;
 use super::words::{ConventionArg, DataFormat, Format, LangArg, TableFormat, ThemeArg};
 use crate::appearance;
-use crate::camera::{Amount, Convention, Decomposition, ImageSize, Ndc, OPERATIONS, Operation};
+use crate::camera::{Amount, Axes, Convention, Decomposition, ImageSize, MatrixKind, Ndc, OPERATIONS, Operation};
 use crate::explain::code::CodeTarget;
 use crate::export::format::PictureFormat;
 use crate::export::plot::PlotFormat;
@@ -58,6 +58,8 @@ pub(super) enum Command {
     Animate(AnimateArgs),
     /// Print the camera as code for a library
     Code(CodeArgs),
+    /// Give a figure the camera of a matrix from another program, and print it with what the matrix leaves open
+    Matrix(MatrixArgs),
     /// List and show exercises, check answers, write sheets
     Exercise(ExerciseArgs),
     /// Write the manual pages, and completion scripts for bash, zsh, fish and PowerShell
@@ -279,6 +281,37 @@ pub(super) struct CodeArgs {
 }
 
 #[derive(Debug, Args)]
+pub(super) struct MatrixArgs {
+    /// Figure file, or a PNG that camera-lab wrote; its camera has what the matrix leaves open, such as F and B
+    pub(super) figure: PathBuf,
+    #[command(flatten)]
+    pub(super) common: FigureArgs,
+    /// The sixteen numbers of the matrix, or the twelve of K [R | t], row by row, as any program writes them
+    #[arg(long, allow_hyphen_values = true)]
+    pub(super) numbers: String,
+    /// What the matrix is; without it, that is recognised. camera-to-world: `matrix_world` of Blender, a node of glTF,
+    /// `matrixWorld` of three.js; pinhole: K [R | t]
+    #[arg(long = "as", value_enum, value_name = "KIND")]
+    pub(super) kind: Option<MatrixKind>,
+    /// Whose axes; without it, they are recognised. opengl: x right, y up, z towards the viewer, y up in the world (glTF
+    /// and three.js too); blender: z up in the world, which is turned; opencv: x right, y down, z into the scene
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub(super) axes: Option<Axes>,
+    /// The numbers go down the columns first, or the matrix is for row vectors
+    #[arg(long)]
+    pub(super) columns: bool,
+    /// Whose normalised device coordinates a projection leads to
+    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    pub(super) ndc: Ndc,
+    /// The size in pixels of the image that K belongs to; without it, the figure's image size
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    size: Option<String>,
+    /// A figure file, or JSON for programs
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: TableFormat,
+}
+
+#[derive(Debug, Args)]
 pub(super) struct FigureArgs {
     // The words are in `OPERATIONS`.
     #[arg(long = "op", value_name = "NAME=VALUE", allow_hyphen_values = true, help = operations_help())]
@@ -463,6 +496,13 @@ fn number(option: &str, text: &str, (range, example): (&RangeInclusive<f64>, f64
 
 impl ExplainArgs {
     /// Width and height, if they are given.
+    pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
+        size(self.size.as_deref(), lang)
+    }
+}
+
+impl MatrixArgs {
+    /// The size of the image of K, if it is given.
     pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
         size(self.size.as_deref(), lang)
     }

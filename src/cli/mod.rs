@@ -16,6 +16,7 @@
 //! | `explain` | `explain`: the stages that a picture needs |
 //! | `inspect` | `inspect`: every number of a figure's camera |
 //! | `manual` | `manual`: manual pages and completions |
+//! | `matrix` | `matrix`: the camera of a matrix from another program |
 //! | `opening` | no subcommand: the initial state of the window |
 //! | `progress` | progress messages of long commands |
 //! | `render` | `render`: a picture of a figure |
@@ -32,6 +33,7 @@ mod exercise_args;
 mod explain;
 mod inspect;
 mod manual;
+mod matrix;
 mod opening;
 mod progress;
 mod render;
@@ -115,6 +117,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
             Some(Command::Accuracy(args)) => accuracy::run(&args, lang),
             Some(Command::Animate(args)) => animate::run(&args, lang),
             Some(Command::Code(args)) => code::run(&args, lang),
+            Some(Command::Matrix(args)) => matrix::run(&args, lang),
             Some(Command::Diagnose(args)) => diagnose::run(&args, lang),
             Some(Command::Exercise(args)) => exercise::run(&args, lang),
             Some(Command::Manual(args)) => manual::run(&args, lang),

@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
-use crate::camera::{Decomposition, Ndc};
+use crate::camera::{Axes, Decomposition, MatrixKind, Ndc};
 use crate::explain::code::CodeTarget;
 use crate::i18n::Lang;
 use crate::numerics::Study;
@@ -31,6 +31,26 @@ pub(super) enum DataFormat {
 }
 
 impl ValueEnum for Ndc {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(self.name().into())
+    }
+}
+
+impl ValueEnum for MatrixKind {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(self.name().into())
+    }
+}
+
+impl ValueEnum for Axes {
     fn value_variants<'a>() -> &'a [Self] {
         &Self::ALL
     }

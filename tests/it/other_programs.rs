@@ -11,6 +11,7 @@ use glam::{DMat3, DMat4, DVec3};
 use proptest::prelude::*;
 
 use super::camera_properties::plain_camera;
+use crate::common::program::Bench;
 
 /// `matrix_local` of the camera of Blender's default scene, which has no parent: so it is its `matrix_world`.
 /// <https://github.com/needabetterusername/blender_vdiff>, `integration/test_script_wrapper.py`.
@@ -39,14 +40,14 @@ const OPENCV: &str = "data: [ 8.8008897391777791e+03, 0., 5.9461077880859375e+03
        -1.0752400328185910e+06, 0., 8.8008897391777791e+03,
        5.9953065490722656e+02, 0., 0., 0., 1., 0. ]";
 /// `T` there: how far the second camera stands from the first, before they were rectified.
-const OPENCV_T: DVec3 = DVec3::new(-1.0691656489129231e+02, 3.7161940753463760e+00, 5.9004473846341021e+01);
+const OPENCV_T: DVec3 = DVec3::new(-106.916_564_891_292_31, 3.716_194_075_346_376, 59.004_473_846_341_02);
 
 /// `P2` of KITTI, padded. <https://github.com/open-mmlab/mmdetection3d>, `demo/data/kitti/000008.txt`.
 const KITTI: &str =
     "721.5377 0.0 609.5593 44.85728 0.0 721.5377 172.854 0.2163791 0.0 0.0 1.0 0.002745884 0.0 0.0 0.0 1.0";
 
-/// `pos_001.txt` of the data of DTU, in whose copy MVSNet keeps K and \[R | t\] apart ([`DTU_R`] …): both are in
-/// public readers, `2607.429996 …` in tests of `decompose_projection`, the others in `read_cam_file` of MVSNet's heirs.
+/// `pos_001.txt` of the multiple view stereo data of DTU. Readers of a copy that has K and \[R | t\] apart
+/// (`read_cam_file` of `MVSNet`) quote these as its first camera: [`DTU_R`], [`DTU_T`], [`DTU_K`].
 const DTU: &str = "2607.429996 -3.844898 1498.178098 -533936.661373
     -192.076910 2862.552532 681.798177 23434.686572
     -0.241605 -0.030951 0.969881 22.540121";
@@ -147,7 +148,7 @@ fn a_projection_matrix_of_opencv() {
         assert!(found.found.unknown.contains(&said), "{said:?} is told");
     }
     let camera = camera_of(&found);
-    let expected = [8800.8897391777791, 8800.8897391777791, 5946.1077880859375, 599.53065490722656];
+    let expected = [8_800.889_739_177_78, 8_800.889_739_177_78, 5_946.107_788_085_937, 599.530_654_907_226_6];
     for (number, expected) in intrinsics(&camera, image).into_iter().zip(expected) {
         assert!((number - expected).abs() < 1e-8, "{number} is not {expected}");
     }
@@ -220,6 +221,41 @@ fn a_rigid_matrix_that_tells_nothing_is_read_as_camera_to_world_and_that_is_said
     assert_eq!((found.reading.kind, found.evidence), (MatrixKind::View, Evidence::OriginAhead));
     assert_eq!(camera_of(&found).position(), DVec3::new(0.0, 0.0, 5.0));
     assert!(found.others.contains(&MatrixKind::CameraToWorld));
+}
+
+#[test]
+fn the_command_line_reads_them_too() {
+    let bench = Bench::new("other programs");
+    bench.write("f.toml", "# mine\n[camera]\nnear = 0.5\nfar = 50\n");
+    let json = |args: &[&str]| {
+        let run = bench.run(&[&["matrix", "f.toml", "--format", "json"], args].concat());
+        serde_json::from_slice::<serde_json::Value>(run.done()).unwrap()
+    };
+    let blender = json(&["--numbers", BLENDER]);
+    assert_eq!(
+        (&blender["as"], &blender["axes"], &blender["evidence"]),
+        (&"camera-to-world".into(), &"blender".into(), &"level".into())
+    );
+    assert_eq!(blender["others"][0], "view");
+    let as_view = json(&["--numbers", BLENDER, "--as", "view", "--axes", "opengl"]);
+    assert_eq!((&as_view["as"], &as_view["others"][0]), (&"view".into(), &"camera-to-world".into()));
+    assert_ne!(as_view["camera"]["position"], blender["camera"]["position"]);
+    let by_columns = json(&["--numbers", GLTF, "--as", "camera-to-world", "--columns"]);
+    assert_eq!(by_columns["by_columns"], true);
+    // The figure that it prints is read again, with the camera, and with F and B of the file.
+    let run = bench.run(&["matrix", "f.toml", "--numbers", KITTI, "--size", "1242x375", "--lang", "pt-BR"]);
+    let text = String::from_utf8(run.done().to_vec()).unwrap();
+    assert!(text.contains("# Lida como K [R | t].") && text.contains("F e B são desconhecidos"), "{text}");
+    assert!(text.contains("# mine") && text.contains("near = 0.5"), "{text}");
+    bench.write("g.toml", &text);
+    let inspected = bench.run(&["inspect", "g.toml"]);
+    let inspected: serde_json::Value = serde_json::from_slice(inspected.done()).unwrap();
+    let window = &inspected["window"];
+    let c_x = -window["left"].as_f64().unwrap() / window["width"].as_f64().unwrap() * 1242.0;
+    assert!((c_x - 609.5593).abs() < 1e-9, "{c_x}");
+    assert_eq!(inspected["camera"]["far"], 50.0);
+    assert!(bench.run(&["matrix", "f.toml", "--numbers", "1 2 3"]).refused(2).contains("3 numbers"));
+    assert!(bench.run(&["matrix", "f.toml", "--numbers", WITH_SKEW]).refused(2).contains("skew of 91.2"));
 }
 
 proptest! {
