@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::args::MatrixArgs;
+use super::matrix_args::MatrixArgs;
 use super::words::{LangArg, TableFormat};
 use super::{Failure, open, print};
 use crate::camera::{MatrixEntries, MatrixKind, Recognised, Stated, Unknown, recognise};

@@ -25,9 +25,9 @@ texts! {
         "O tamanho em pixels da imagem a que K pertence. Não está na matriz; a figura o recebe com a câmera.";
     to_perspective: "Make it a perspective", "Passar à perspectiva";
     to_perspective_hint: "The same camera in perspective; things at PF keep their size", "A mesma câmera em perspectiva; o que está em PF mantém o tamanho";
-    transposed: "row vectors", "vetores linha";
+    transposed: "row vectors, or by columns", "vetores linha, ou por colunas";
     transposed_hint: "The matrix is written for row vectors, or by columns: it is transposed", "A matriz foi escrita para vetores linha, ou por colunas: é transposta";
-    try_transposed: "Transposed, it is the matrix of a camera: choose “row vectors”.", "Transposta, é a matriz de uma câmera: escolha “vetores linha”.";
+    try_transposed: "Transposed, it is the matrix of a camera: choose “row vectors, or by columns”.", "Transposta, é a matriz de uma câmera: escolha “vetores linha, ou por colunas”.";
     read_as: "Read in the convention", "Lida na convenção";
     take: "Take this camera", "Usar esta câmera";
     take_hint: "The figure takes on the camera of the matrix; Ctrl+Z undoes it", "A figura recebe a câmera da matriz; Ctrl+Z desfaz";
@@ -163,8 +163,8 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
         }
         (Lang::En, Unknown::Far) => "The back plane is at infinity: B stays as it was.",
         (Lang::PtBr, Unknown::Far) => "O plano de fundo está no infinito: B fica como estava.",
-        (Lang::En, Unknown::Lens) => "Window, F and B are not in M_v: they stay as they were.",
-        (Lang::PtBr, Unknown::Lens) => "Janela, F e B não estão em M_v: ficam como estavam.",
+        (Lang::En, Unknown::Lens) => "Window, F and B are not in it: they stay as they were.",
+        (Lang::PtBr, Unknown::Lens) => "Janela, F e B não estão nela: ficam como estavam.",
         (Lang::En, Unknown::Pose) => "C, PF and VUP are not in M_p: they stay as they were.",
         (Lang::PtBr, Unknown::Pose) => "C, PF e VUP não estão em M_p: ficam como estavam.",
         (Lang::En, Unknown::DepthDirection) => {

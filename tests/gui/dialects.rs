@@ -133,8 +133,9 @@ fn the_words_of_computer_vision_switch_a_parallel_camera() {
     window.app_mut().state.document.set_camera(parallel);
     window.run();
     window.click("Make it a perspective");
-    assert_eq!(*window.state().document.camera(), perspective);
-    window.enter("K f_{x}", "700");
+    let camera = window.state().document.camera();
+    assert_eq!((camera.projection(), camera.window()), (Projection::Perspective, perspective.window()));
+    window.enter("K f_x", "700");
     assert!(window.state().document.draft().window.is_some());
 }
 

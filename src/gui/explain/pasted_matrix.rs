@@ -161,7 +161,9 @@ fn image(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     row(ui, "m × n", t.image, t.image_hint, |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for (name, side) in ["m", "n"].into_iter().zip(&mut sides) {
-            let field = NumberField::new(name, Step::Add(16.0)).of(t.image).whole().within(1.0..=f64::from(MAX_SIDE));
+            let field = NumberField::new(format!("{} {name}", t.image), Step::Add(16.0))
+                .whole()
+                .within(1.0..=f64::from(MAX_SIDE));
             field.hint(t.image_hint).width(62.0).show(ui, window::texts(t.lang), side);
         }
     });
