@@ -33,7 +33,7 @@
 //! | `projection` | the matrices of `[0]` §5.3, their product and their inverses, in closed form |
 //! | `ray` | the ray through a window point or a pixel: `[0]` §5.4, Eqs |
 //! | `reading` | how a matrix of another program is read: what it does, and in whose axes |
-//! | `recognition` | what a matrix of another program is, where that is not stated |
+//! | `recognition` | the kind and the axes of a matrix of another program, where they are not stated |
 //! | `recovery` | a matrix → its camera: (5.7) and (5.13) to (5.16) read backwards, in any convention of NDC |
 //! | `stations` | one point in every space, from the world to the viewport |
 //! | `unproject` | from a pixel with a depth back to the world: `[0]` Eqs |

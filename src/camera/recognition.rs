@@ -1,4 +1,4 @@
-//! What a matrix of another program is, where that is not stated: recognised from its numbers.
+//! The kind and the axes of a matrix of another program, where they are not stated: recognised from its numbers.
 
 use glam::{DMat4, DVec3};
 
@@ -181,7 +181,7 @@ fn in_order(matrix: DMat4, shape: Shape, stated: &Stated, current: &Parameters) 
 /// The traits of a matrix by which its kind is recognised.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Shape {
-    /// Of what was given: three or four.
+    /// The count of rows that were given: three or four.
     rows: usize,
     /// The last row is 0 0 0 1, up to a factor.
     is_affine: bool,

@@ -19,12 +19,12 @@ pub(super) struct MatrixArgs {
     /// The sixteen numbers of the matrix, or the twelve of K [R | t], row by row, as any program writes them
     #[arg(long, allow_hyphen_values = true)]
     pub(super) numbers: String,
-    /// What the matrix is; without it, that is recognised. camera-to-world: `matrix_world` of Blender, a node of glTF,
+    /// Kind of the matrix; without it, that is recognised. camera-to-world: `matrix_world` of Blender, a node of glTF,
     /// `matrixWorld` of three.js; pinhole: K [R | t]
     #[arg(long = "as", value_enum, value_name = "KIND")]
     pub(super) kind: Option<MatrixKind>,
-    /// Whose axes; without it, they are recognised. opengl: x right, y up, z towards the viewer, y up in the world (glTF
-    /// and three.js too); blender: z up in the world, which is turned; opencv: x right, y down, z into the scene
+    /// Whose axes; without it, they are recognised. opengl: x right, y up, z towards the viewer, y up in the world
+    /// (glTF and three.js too); blender: z up in the world, which is turned; opencv: x right, y down, z into the scene
     #[arg(long, value_enum, value_name = "NAME")]
     pub(super) axes: Option<Axes>,
     /// The numbers go down the columns first, or the matrix is for row vectors
