@@ -351,7 +351,9 @@ fn write_json(text: &mut String, value: &Value, indent: &str) {
 }
 
 impl CameraReport {
-    fn new(p: &Parameters) -> Self {
+    /// The keys of these parameters.
+    #[must_use]
+    pub fn new(p: &Parameters) -> Self {
         Self {
             position: three(p.position),
             focal_point: three(p.focal_point),

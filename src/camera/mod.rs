@@ -24,12 +24,16 @@
 //! | `decomposition` | M_p M_v as a product of steps, in the decomposition of each of the notes |
 //! | `descriptors` | operations without a camera: word, amount, and text |
 //! | `image_map` | window ↔ image, and the viewport with its depth range |
+//! | `matrix_text` | a matrix as programs and people write it → its numbers |
 //! | `ndc` | conventions of normalised device coordinates |
 //! | `operations` | the operations of `[0]` §5.6, with dolly and pan: a camera in, a camera out |
 //! | `parameters` | camera parameters, and the reasons why they may not be a camera |
+//! | `pinhole` | K \[R | t\] of computer vision → its camera |
 //! | `place` | coordinates of one space → the point of the world that has them |
 //! | `projection` | the matrices of `[0]` §5.3, their product and their inverses, in closed form |
 //! | `ray` | the ray through a window point or a pixel: `[0]` §5.4, Eqs |
+//! | `reading` | how a matrix of another program is read: what it does, and in whose axes |
+//! | `recognition` | the kind and the axes of a matrix of another program, where they are not stated |
 //! | `recovery` | a matrix → its camera: (5.7) and (5.13) to (5.16) read backwards, in any convention of NDC |
 //! | `stations` | one point in every space, from the world to the viewport |
 //! | `unproject` | from a pixel with a depth back to the world: `[0]` Eqs |
@@ -42,12 +46,16 @@ mod clip_space;
 mod decomposition;
 mod descriptors;
 mod image_map;
+mod matrix_text;
 mod ndc;
 mod operations;
 mod parameters;
+mod pinhole;
 mod place;
 mod projection;
 mod ray;
+mod reading;
+mod recognition;
 mod recovery;
 mod stations;
 mod unproject;
@@ -60,11 +68,14 @@ pub use clip_space::ClipSpace;
 pub use decomposition::{Decomposition, Factor, Step};
 pub use descriptors::{Amount, Descriptor, Freedom, OPERATIONS, OperationError};
 pub use image_map::{ImageSize, Viewport};
+pub use matrix_text::{MatrixEntries, MatrixTextError};
 pub use ndc::{Api, InfiniteParallel, Ndc};
 pub use operations::{Changes, Convention, Operation};
 pub use parameters::{CameraError, Checked, Derived, ParameterKey, Parameters, Projection, Range, ViewWindow};
 pub use place::Place;
-pub use recovery::{MatrixKind, Recovered, RecoveryError, Unknown, recover};
+pub use reading::{Axes, MatrixKind, Reading};
+pub use recognition::{Evidence, Recognised, Stated, recognise};
+pub use recovery::{Lines, Recovered, RecoveryError, Unknown, recover};
 pub use stations::{Projected, Stations};
 pub use unproject::{NotProjectable, WayBack};
 pub use warnings::{Warning, thresholds};

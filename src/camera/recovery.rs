@@ -6,18 +6,7 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::{Api, Camera, CameraError, Ndc, Parameters, Projection, ViewWindow};
-
-/// The kind of a pasted matrix.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum MatrixKind {
-    /// M_v
-    View,
-    /// M_p
-    Projection,
-    /// M_p M_v
-    ViewProjection,
-}
+use super::{Api, Axes, Camera, CameraError, MatrixKind, Ndc, Parameters, Projection, Reading, ViewWindow};
 
 /// A quantity that the matrix leaves open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -41,8 +30,73 @@ pub enum Unknown {
     DepthDirection,
     /// The axes of the view are left-handed there: **n** is turned around.
     LeftHandedView,
-    /// The rows are orthonormal only as far as their digits go: they were straightened.
+    /// The axes are orthonormal only as far as their digits go: they were straightened.
     Rounded,
+    /// The axes of a node have other lengths than 1: its scale was divided out.
+    Scaled,
+    /// z is up in the world of the matrix: that world was turned.
+    WorldTurned,
+    /// K \[R | t\] has no clipping planes: F and B are those that were there.
+    ClippingPlanes,
+    /// K \[R | t\] does not hold the size of the image: it is that of the reading.
+    ImageSize,
+    /// `f_x` and `f_y` differ: A is not m/n.
+    PixelAspect,
+    /// The pixels are rectangles only as far as the digits go: the skew was dropped.
+    SkewDropped,
+    /// The determinant is negative: all signs were reversed, as for a matrix that is known up to a factor.
+    SignReversed,
+}
+
+impl Unknown {
+    /// The name in the output of the command line.
+    #[must_use]
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::FocalDistance => "focal-distance",
+            Self::ViewUp => "view-up",
+            Self::PositionAlongNormal => "position-along-normal",
+            Self::WindowCentre => "window-centre",
+            Self::Far => "far",
+            Self::Lens => "lens",
+            Self::Pose => "pose",
+            Self::DepthDirection => "depth-direction",
+            Self::LeftHandedView => "left-handed",
+            Self::Rounded => "rounded",
+            Self::Scaled => "scaled",
+            Self::WorldTurned => "world-turned",
+            Self::ClippingPlanes => "clipping-planes",
+            Self::ImageSize => "image-size",
+            Self::PixelAspect => "pixel-aspect",
+            Self::SkewDropped => "skew-dropped",
+            Self::SignReversed => "sign-reversed",
+        }
+    }
+}
+
+/// The lines of a matrix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lines {
+    /// From left to right.
+    Rows,
+    /// From top to bottom.
+    Columns,
+}
+
+impl Lines {
+    const fn plural(self) -> &'static str {
+        match self {
+            Self::Rows => "rows",
+            Self::Columns => "columns",
+        }
+    }
+
+    const fn singular(self) -> &'static str {
+        match self {
+            Self::Rows => "row",
+            Self::Columns => "column",
+        }
+    }
 }
 
 /// A camera's parameters from a matrix.
@@ -71,11 +125,11 @@ pub enum RecoveryError {
         /// Its entries.
         last: DVec4,
     },
-    /// Rows that must be perpendicular are not.
-    #[error(
-        "rows {a} and {b} are not perpendicular (the cosine between them is {cosine:.2e}): a shear, which no camera has"
-    )]
+    /// Axes that must be perpendicular are not.
+    #[error("{} {a} and {b} are not perpendicular (the cosine between them is {cosine:.2e}): a shear, which no camera has", .lines.plural())]
     Shear {
+        /// The lines that hold the axes.
+        lines: Lines,
         /// From 1.
         a: usize,
         /// From 1.
@@ -104,9 +158,25 @@ pub enum RecoveryError {
     /// The image is mirrored.
     #[error("it mirrors: left and right, or up and down, are exchanged, which no camera does")]
     Mirrored,
-    /// A row is zero.
-    #[error("row {0} is zero: the matrix is singular")]
-    Singular(usize),
+    /// A line is zero.
+    #[error("{} {at} is zero: the matrix is singular", .lines.singular())]
+    Singular {
+        /// Rows or columns.
+        lines: Lines,
+        /// From 1.
+        at: usize,
+    },
+    /// Pixels that are parallelograms.
+    #[error("K has a skew of {skew:.4} (f_x is {focal_length:.4}): its pixels are parallelograms, which no window has")]
+    Skew {
+        /// The second entry of K.
+        skew: f64,
+        /// `f_x`
+        focal_length: f64,
+    },
+    /// The third row of K \[R | t\] holds no axis.
+    #[error("the row of the depth is 0 0 0 w: an affine camera, whose centre is at infinity")]
+    Affine,
     /// Near and far come out impossible in the convention.
     #[error("near and far would be {near} and {far}, which must be 0 < near < far{}", .fits.map_or_else(String::new, |ndc| format!("; read as {} it is a camera", ndc.name())))]
     Depths {
@@ -127,19 +197,19 @@ fn row(v: DVec4) -> String {
 }
 
 /// Beside 1: a matrix that was copied with three digits still passes.
-const SLACK: f64 = 2e-3;
+pub(super) const SLACK: f64 = 2e-3;
 /// Errors below this are not reported: all digits of an `f64` are there.
-const EXACT: f64 = 1e-9;
+pub(super) const EXACT: f64 = 1e-9;
 
-/// The camera of a matrix that acts on column vectors, in a convention of NDC. What the matrix does not hold comes from
+/// The camera of a matrix that acts on column vectors, as it is read. What the matrix does not hold comes from
 /// `current`.
 ///
 /// ```
-/// use camera_lab::camera::{MatrixKind, Ndc, Parameters, Projection, recover};
+/// use camera_lab::camera::{MatrixKind, Parameters, Projection, Reading, recover};
 /// use glam::DMat4;
 ///
 /// // [0] Exercise 5.3: the camera whose view volume is the cube of NDC. The identity keeps z, which a camera turns around.
-/// let found = recover(MatrixKind::ViewProjection, DMat4::IDENTITY, Ndc::default(), &Parameters::default())?;
+/// let found = recover(&Reading::of(MatrixKind::ViewProjection), DMat4::IDENTITY, &Parameters::default())?;
 /// let p = found.parameters;
 /// assert_eq!((p.projection, p.height, p.aspect), (Projection::Parallel, 2.0, 1.0));
 /// assert_eq!(p.far - p.near, 2.0);
@@ -149,7 +219,7 @@ const EXACT: f64 = 1e-9;
 ///
 /// # Errors
 /// [`RecoveryError`] names the entry or row that no camera has.
-pub fn recover(kind: MatrixKind, matrix: DMat4, ndc: Ndc, current: &Parameters) -> Result<Recovered, RecoveryError> {
+pub fn recover(reading: &Reading, matrix: DMat4, current: &Parameters) -> Result<Recovered, RecoveryError> {
     for row in 0..4 {
         for column in 0..4 {
             if !matrix.row(row)[column].is_finite() {
@@ -157,11 +227,13 @@ pub fn recover(kind: MatrixKind, matrix: DMat4, ndc: Ndc, current: &Parameters) 
             }
         }
     }
-    let mut recovery = Recovery { current: *current, found: *current, ndc, unknown: Vec::new() };
-    match kind {
+    let mut recovery = Recovery { current: *current, found: *current, reading: *reading, unknown: Vec::new() };
+    match reading.kind {
         MatrixKind::View => recovery.view(matrix)?,
+        MatrixKind::CameraToWorld => recovery.camera_to_world(matrix)?,
         MatrixKind::Projection => recovery.projection(matrix)?,
         MatrixKind::ViewProjection => recovery.both(matrix)?,
+        MatrixKind::Pinhole => recovery.pinhole(matrix)?,
     }
     Camera::new(&recovery.found)?;
     recovery.unknown.sort();
@@ -169,28 +241,27 @@ pub fn recover(kind: MatrixKind, matrix: DMat4, ndc: Ndc, current: &Parameters) 
     Ok(Recovered { parameters: recovery.found, unknown: recovery.unknown })
 }
 
-struct Recovery {
-    current: Parameters,
-    found: Parameters,
-    ndc: Ndc,
-    unknown: Vec<Unknown>,
+/// A camera on its way from its matrix.
+pub(super) struct Recovery {
+    pub(super) current: Parameters,
+    pub(super) found: Parameters,
+    pub(super) reading: Reading,
+    pub(super) unknown: Vec<Unknown>,
 }
 
 impl Recovery {
     fn view(&mut self, m: DMat4) -> Result<(), RecoveryError> {
-        let last = m.row(3);
-        if last.truncate().length() > SLACK * last.w.abs() {
-            return Err(RecoveryError::LastRow { last });
-        }
-        let rows = [0, 1, 2].map(|i| m.row(i) / last.w);
+        let mut rows = affine_rows(m)?;
         for (i, row) in rows.iter().enumerate() {
             let length = row.truncate().length();
             if (length - 1.0).abs() > SLACK {
                 return Err(RecoveryError::Length { row: i + 1, length });
             }
         }
-        let axes = rows.map(DVec4::truncate);
-        let [u, v, mut n] = self.straightened(axes)?;
+        if self.reading.axes == Axes::OpenCv {
+            (rows[1], rows[2]) = (-rows[1], -rows[2]);
+        }
+        let [u, v, mut n] = self.straightened(Lines::Rows, rows.map(DVec4::truncate))?;
         let mut depth = rows[2].w;
         if u.cross(v).dot(n) < 0.0 {
             self.unknown.push(Unknown::LeftHandedView);
@@ -202,18 +273,42 @@ impl Recovery {
         Ok(())
     }
 
+    /// C and the axes are the columns; an object may be scaled as well.
+    fn camera_to_world(&mut self, m: DMat4) -> Result<(), RecoveryError> {
+        let rows = affine_rows(m)?;
+        let column = |i: usize| DVec3::new(rows[0][i], rows[1][i], rows[2][i]);
+        let axes = [0, 1, 2].map(column);
+        let [u, mut v, mut n] = self.straightened(Lines::Columns, axes)?;
+        let error = axes.iter().map(|axis| (axis.length() - 1.0).abs()).fold(0.0, f64::max);
+        if error > SLACK {
+            self.unknown.push(Unknown::Scaled);
+        } else if error > EXACT {
+            self.unknown.push(Unknown::Rounded);
+        }
+        if self.reading.axes == Axes::OpenCv {
+            (v, n) = (-v, -n);
+        }
+        if u.cross(v).dot(n) < 0.0 {
+            self.unknown.push(Unknown::LeftHandedView);
+            n = -n;
+        }
+        self.pose(column(3), v, n);
+        self.unknown.push(Unknown::Lens);
+        Ok(())
+    }
+
     /// Unit vectors at right angles, where the rows are that up to their digits.
-    fn straightened(&mut self, rows: [DVec3; 3]) -> Result<[DVec3; 3], RecoveryError> {
+    fn straightened(&mut self, lines: Lines, rows: [DVec3; 3]) -> Result<[DVec3; 3], RecoveryError> {
         for (i, row) in rows.iter().enumerate() {
             if row.length() == 0.0 {
-                return Err(RecoveryError::Singular(i + 1));
+                return Err(RecoveryError::Singular { lines, at: i + 1 });
             }
         }
         let units = rows.map(DVec3::normalize);
         for (a, b) in [(0, 1), (0, 2), (1, 2)] {
             let cosine = units[a].dot(units[b]);
             if cosine.abs() > SLACK {
-                return Err(RecoveryError::Shear { a: a + 1, b: b + 1, cosine });
+                return Err(RecoveryError::Shear { lines, a: a + 1, b: b + 1, cosine });
             }
             if cosine.abs() > EXACT {
                 self.unknown.push(Unknown::Rounded);
@@ -226,7 +321,13 @@ impl Recovery {
     }
 
     /// C, and PF and VUP as far as they were right.
-    fn pose(&mut self, position: DVec3, v: DVec3, n: DVec3) {
+    pub(super) fn pose(&mut self, position: DVec3, v: DVec3, n: DVec3) {
+        let [position, v, n] = if self.reading.axes == Axes::Blender {
+            self.unknown.push(Unknown::WorldTurned);
+            [position, v, n].map(with_y_up)
+        } else {
+            [position, v, n]
+        };
         let distance = (self.current.focal_point - self.current.position).length();
         let up = self.current.view_up;
         let above = up - n * up.dot(n);
@@ -279,9 +380,9 @@ impl Recovery {
         let rows = [m.row(0), m.row(1), m.row(2)];
         let skew = [0, 1].map(|i| rows[i].truncate().dot(n));
         let across = [0, 1].map(|i: usize| rows[i].truncate() - n * skew[i]);
-        let [u, mut v, _] = self.straightened([across[0], across[1], n])?;
+        let [u, mut v, _] = self.straightened(Lines::Rows, [across[0], across[1], n])?;
         let scale = [u.dot(rows[0].truncate()), v.dot(rows[1].truncate())];
-        if self.ndc.y_points_down() {
+        if self.reading.ndc.y_points_down() {
             v = -v;
         }
         if u.cross(v).dot(n) < 0.0 {
@@ -290,11 +391,16 @@ impl Recovery {
         let deep = rows[2].truncate();
         let z = deep.dot(n);
         if (deep - n * z).length() > SLACK * deep.length().max(EXACT) && deep.length() > EXACT {
-            return Err(RecoveryError::Shear { a: 3, b: 4, cosine: (deep - n * z).length() / deep.length() });
+            return Err(RecoveryError::Shear {
+                lines: Lines::Rows,
+                a: 3,
+                b: 4,
+                cosine: (deep - n * z).length() / deep.length(),
+            });
         }
         // n·c, then the rest of the constants of the first two rows.
         let along = last.w;
-        let down = if self.ndc.y_points_down() { -1.0 } else { 1.0 };
+        let down = if self.reading.ndc.y_points_down() { -1.0 } else { 1.0 };
         let [x_c, y_c] = [(-rows[0].w - skew[0] * along) / scale[0], (-rows[1].w - skew[1] * along) / scale[1] * down];
         let position = u * x_c + v * y_c + n * along;
         self.pose(position, v, n);
@@ -307,19 +413,19 @@ impl Recovery {
             return Err(RecoveryError::LastRow { last });
         }
         let rows = [0, 1, 2].map(|i| m.row(i) / last.w);
-        let [u, v, deep] = self.straightened(rows.map(DVec4::truncate))?;
-        let v = if self.ndc.y_points_down() { -v } else { v };
+        let [u, v, deep] = self.straightened(Lines::Rows, rows.map(DVec4::truncate))?;
+        let v = if self.reading.ndc.y_points_down() { -v } else { v };
         let n = u.cross(v);
         let mut z = deep.dot(n) * rows[2].truncate().length();
         let mut constant = rows[2].w;
-        let [at_near, at_far] = self.ndc.depths();
+        let [at_near, at_far] = self.reading.ndc.depths();
         // z_n grows away from the viewer, from z₀ to z₁.
         if z * (at_near - at_far) < 0.0 {
             self.unknown.push(Unknown::DepthDirection);
             (z, constant) = (-z, at_near + at_far - constant);
         }
         let scale = [rows[0].truncate().length(), rows[1].truncate().length()];
-        let down = if self.ndc.y_points_down() { -1.0 } else { 1.0 };
+        let down = if self.reading.ndc.y_points_down() { -1.0 } else { 1.0 };
         let near = self.current.near;
         let along = (at_near + z * near - constant) / z;
         let position = u * (-rows[0].w / scale[0]) + v * (-rows[1].w * down / scale[1]) + n * along;
@@ -336,7 +442,7 @@ impl Recovery {
         z: f64,
         depth: f64,
     ) -> Result<(), RecoveryError> {
-        let (y, skew_y) = if self.ndc.y_points_down() { (-y, -skew_y) } else { (y, skew_y) };
+        let (y, skew_y) = if self.reading.ndc.y_points_down() { (-y, -skew_y) } else { (y, skew_y) };
         if x <= 0.0 || y <= 0.0 {
             return Err(RecoveryError::Mirrored);
         }
@@ -355,10 +461,10 @@ impl Recovery {
             (depth / (z + at_near), depth / (z + at_far))
         };
         let is_possible = |(near, far): (f64, f64)| near > 0.0 && near.is_finite() && near < far && far.is_finite();
-        let (near, far) = of(self.ndc);
+        let (near, far) = of(self.reading.ndc);
         // Beyond what 1 − F/B can hold in an f64, B is lost.
         if near > 0.0 && near.is_finite() && !(far > 0.0 && far < near * 1e15) {
-            let [_, at_far] = self.ndc.depths();
+            let [_, at_far] = self.reading.ndc.depths();
             if (z + at_far).abs() <= 1e-14 {
                 self.unknown.push(Unknown::Far);
                 return Ok((near, self.current.far.max(near * 2.0)));
@@ -372,9 +478,9 @@ impl Recovery {
     }
 
     fn near_in_parallel(&mut self, z: f64, depth: f64) -> Result<f64, RecoveryError> {
-        let [at_near, at_far] = self.ndc.depths();
+        let [at_near, at_far] = self.reading.ndc.depths();
         if z == 0.0 {
-            return Err(RecoveryError::Singular(3));
+            return Err(RecoveryError::Singular { lines: Lines::Rows, at: 3 });
         }
         let (near, far) = ((depth - at_near) / z, (depth - at_far) / z);
         if near > 0.0 && near < far {
@@ -395,12 +501,12 @@ impl Recovery {
         z: f64,
         near: f64,
     ) -> Result<(), RecoveryError> {
-        let down = self.ndc.y_points_down();
+        let down = self.reading.ndc.y_points_down();
         let (y, shift_y) = if down { (-y, -shift_y) } else { (y, shift_y) };
         if x <= 0.0 || y <= 0.0 {
             return Err(RecoveryError::Mirrored);
         }
-        let [at_near, at_far] = self.ndc.depths();
+        let [at_near, at_far] = self.reading.ndc.depths();
         self.found.projection = Projection::Parallel;
         self.found.near = near;
         self.found.far = near + (at_near - at_far) / z;
@@ -409,7 +515,7 @@ impl Recovery {
     }
 
     /// A window of a size around a middle; a symmetric one as angle or height and aspect.
-    fn window(&mut self, [width, height]: [f64; 2], [middle_x, middle_y]: [f64; 2]) {
+    pub(super) fn window(&mut self, [width, height]: [f64; 2], [middle_x, middle_y]: [f64; 2]) {
         let symmetric = middle_x.abs() <= EXACT * width && middle_y.abs() <= EXACT * height;
         if symmetric {
             self.found.window = None;
@@ -429,6 +535,20 @@ impl Recovery {
             });
         }
     }
+}
+
+/// The first three rows of a matrix whose last one is 0 0 0 1, up to a factor.
+fn affine_rows(m: DMat4) -> Result<[DVec4; 3], RecoveryError> {
+    let last = m.row(3);
+    if last.truncate().length() > SLACK * last.w.abs() || last.w == 0.0 {
+        return Err(RecoveryError::LastRow { last });
+    }
+    Ok([0, 1, 2].map(|i| m.row(i) / last.w))
+}
+
+/// A vector of a world whose z is up, in one whose y is: as exporters of glTF turn it.
+fn with_y_up(p: DVec3) -> DVec3 {
+    DVec3::new(p.x, p.z, -p.y)
 }
 
 /// The conventions that a matrix may be in, those of the libraries themselves first.

@@ -14,8 +14,11 @@
 //! | `exercise` | `exercise`: exercises, their statements, and answers that are judged |
 //! | `exercise_args` | the arguments of `exercise` |
 //! | `explain` | `explain`: the stages that a picture needs |
+//! | `figure_args` | the arguments of every command that takes a figure |
 //! | `inspect` | `inspect`: every number of a figure's camera |
 //! | `manual` | `manual`: manual pages and completions |
+//! | `matrix` | `matrix`: the camera of a matrix from another program |
+//! | `matrix_args` | the arguments of `matrix` |
 //! | `opening` | no subcommand: the initial state of the window |
 //! | `progress` | progress messages of long commands |
 //! | `render` | `render`: a picture of a figure |
@@ -30,8 +33,11 @@ mod diagnose;
 mod exercise;
 mod exercise_args;
 mod explain;
+mod figure_args;
 mod inspect;
 mod manual;
+mod matrix;
+mod matrix_args;
 mod opening;
 mod progress;
 mod render;
@@ -54,7 +60,8 @@ use crate::progress::Progress;
 use crate::sanitize;
 use crate::scene::Scene;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
-use args::{Command, CommandLine, FigureArgs};
+use args::{Command, CommandLine};
+use figure_args::FigureArgs;
 use words::LangArg;
 
 /// Why a command ends early.
@@ -115,6 +122,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
             Some(Command::Accuracy(args)) => accuracy::run(&args, lang),
             Some(Command::Animate(args)) => animate::run(&args, lang),
             Some(Command::Code(args)) => code::run(&args, lang),
+            Some(Command::Matrix(args)) => matrix::run(&args, lang),
             Some(Command::Diagnose(args)) => diagnose::run(&args, lang),
             Some(Command::Exercise(args)) => exercise::run(&args, lang),
             Some(Command::Manual(args)) => manual::run(&args, lang),

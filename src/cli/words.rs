@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
-use crate::camera::{Decomposition, Ndc};
+use crate::camera::{Axes, Decomposition, MatrixKind, Ndc};
 use crate::explain::code::CodeTarget;
 use crate::i18n::Lang;
 use crate::numerics::Study;
@@ -42,6 +42,26 @@ impl ValueEnum for Ndc {
 }
 
 impl ValueEnum for Faces {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(self.name().into())
+    }
+}
+
+impl ValueEnum for MatrixKind {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(self.name().into())
+    }
+}
+
+impl ValueEnum for Axes {
     fn value_variants<'a>() -> &'a [Self] {
         &Self::ALL
     }

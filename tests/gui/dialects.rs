@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use camera_lab::camera::{Axes, MatrixKind, Projection};
 use camera_lab::figure::Explanation;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
@@ -55,6 +56,7 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
     window.app_mut().state.explain.pasted.text = "1 0 0\n0 1 0".to_owned();
     window.run();
     assert!(window.says("6 números"));
+    window.app_mut().state.explain.pasted.kind = Some(MatrixKind::ViewProjection);
     window.app_mut().state.explain.pasted.text = "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]".to_owned();
     window.run();
     assert!(window.says("z_n troca de sinal") && window.says("ao longo de n"));
@@ -69,6 +71,72 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
     window.app_mut().state.explain.pasted.text = "1 0 0 0 0 1 0 0 0 0 -1 0 0 0 -3 1".to_owned();
     window.run();
     assert!(window.says("vetores linha"));
+}
+
+/// `matrix_world` of the camera of Blender's default scene (`tests/it/other_programs.rs` names the source).
+const BLENDER: &str = "<Matrix 4x4 (0.6859, -0.3240,  0.6516,  7.3589)\n            (0.7277,  0.3054, -0.6142, -6.9258)\n\
+    (0.0000,  0.8954,  0.4453,  4.9583)\n            (0.0000,  0.0000,  0.0000,  1.0000)>";
+
+#[test]
+fn a_rigid_matrix_is_recognised_and_its_other_reading_is_one_click_away() {
+    for (lang, said, instead, other, take) in [
+        (Lang::En, "camera → world in the axes of Blender: only so", "Read it as", "M_v: view", "Take this camera"),
+        (Lang::PtBr, "câmera → mundo nos eixos de Blender: só assim", "Ler como", "M_v: vista", "Usar esta câmera"),
+    ] {
+        let mut window = window(lang, Explanation::Dialects);
+        window.app_mut().state.explain.pasted.text = BLENDER.to_owned();
+        window.run();
+        assert!(window.says(said) && window.says(instead));
+        window.click(take);
+        let position = window.state().document.camera().position();
+        assert!(position.abs_diff_eq(DVec3::new(7.3589, 4.9583, 6.9258), 1e-9), "z was up: {position}");
+        window.app_mut().state.explain.pasted.axes = Some(Axes::OpenGl);
+        window.click(other);
+        assert_eq!(window.state().explain.pasted.kind, Some(MatrixKind::View));
+        window.click(take);
+        // −Rᵀ t
+        let position = window.state().document.camera().position();
+        assert!(position.abs_diff_eq(DVec3::new(-0.0081, 0.0599, -11.2545), 1e-2), "{position}");
+    }
+}
+
+#[test]
+fn k_r_t_asks_for_its_image_and_leaves_the_clipping_planes() {
+    let mut window = window(Lang::En, Explanation::Dialects);
+    let before = *window.state().document.draft();
+    window.app_mut().state.explain.pasted.text =
+        "721.5377 0.0 609.5593 44.85728 0.0 721.5377 172.854 0.2163791 0.0 0.0 1.0 0.002745884".to_owned();
+    window.run();
+    assert!(window.says("Read as K [R | t]") && window.says("F and B are unknown"));
+    assert!(window.says("f_x = 721.5") && window.says("c_y = 172.8"));
+    window.enter("Image of the matrix m", "1242");
+    window.enter("Image of the matrix n", "375");
+    window.click("Take this camera");
+    let document = &window.state().document;
+    assert_eq!((document.figure().image.width, document.figure().image.height), (1242, 375));
+    let after = *document.draft();
+    assert_eq!((after.near, after.far), (before.near, before.far));
+    let pixels = after.window.unwrap();
+    // c_x is left of the middle by 11.4 pixels.
+    let share = -pixels.left / (pixels.right - pixels.left);
+    assert!((share * 1242.0 - 609.5593).abs() < 1e-9, "{share}");
+    window.command_key(Key::Z);
+    assert_eq!(window.state().document.figure().image, camera_lab::gui::fresh().image, "one step for both");
+    assert_eq!(*window.state().document.draft(), before);
+}
+
+#[test]
+fn the_words_of_computer_vision_switch_a_parallel_camera() {
+    let mut window = window(Lang::En, Explanation::Dialects);
+    let perspective = window.state().document.camera().clone();
+    let parallel = perspective.with_projection(Projection::Parallel).unwrap();
+    window.app_mut().state.document.set_camera(parallel);
+    window.run();
+    window.click("Make it a perspective");
+    let camera = window.state().document.camera();
+    assert_eq!((camera.projection(), camera.window()), (Projection::Perspective, perspective.window()));
+    window.enter("K f_x", "700");
+    assert!(window.state().document.draft().window.is_some());
 }
 
 #[test]

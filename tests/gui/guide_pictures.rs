@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use camera_lab::camera::Decomposition;
-use camera_lab::camera::{Camera, MatrixKind, Ndc, recover};
+use camera_lab::camera::{Camera, MatrixKind, Reading, recover};
 use camera_lab::exercises::{Free, check, entry};
 use camera_lab::explain::Matrix;
 use camera_lab::figure::Explanation;
@@ -96,7 +96,7 @@ fn wrong_view_matrix(state: &mut State) {
     state.exercises.typed.insert(chosen, typed);
     state.exercises.checked.insert(ask.name.clone(), Checked { fields, judged });
     let matrix = DMat4::from_cols_slice(&numbers).transpose();
-    let found = recover(MatrixKind::View, matrix, Ndc::default(), &camera).unwrap();
+    let found = recover(&Reading::of(MatrixKind::View), matrix, &camera).unwrap();
     let described = Box::new(Camera::new(&found.parameters).unwrap());
     state.exercises.described = Some(Described { ask: ask.name.clone(), camera: Ok(described) });
     state.document.edit(|figure| figure.points.clear());

@@ -199,7 +199,7 @@ fn f1_opens_the_note_on_what_is_in_the_other_tabs_of_explanations() {
     ask(Explanation::Dialects, Role::SpinButton, "gluPerspective fovy", "theta");
     ask(Explanation::Dialects, Role::SpinButton, "gluLookAt eyeX", "C");
     ask(Explanation::Dialects, Role::DisclosureTriangle, "K [R | t]: computer vision", "K");
-    ask(Explanation::Dialects, Role::MultilineTextInput, "A matrix → its camera", "M_pM_v");
+    ask(Explanation::Dialects, Role::MultilineTextInput, "A matrix → its camera", "inverse");
 }
 
 #[test]

@@ -45,6 +45,7 @@ mod ndc;
 mod normalizing;
 mod notes;
 mod one_triangle;
+mod other_programs;
 mod outline;
 mod own_exercises;
 mod paper;

@@ -3,13 +3,18 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::camera::{
-    Camera, MatrixKind, Ndc, Parameters, Projection, RecoveryError, Unknown, ViewWindow, recover,
+    Camera, MatrixKind, Ndc, Parameters, Projection, Reading, Recovered, RecoveryError, Unknown, ViewWindow,
 };
 use glam::{DMat4, DVec3, DVec4};
 use proptest::prelude::*;
 
 use super::camera_properties::plain_camera;
 use crate::common::camera::camera;
+
+/// The camera of a matrix in the axes of [0].
+fn recover(kind: MatrixKind, m: DMat4, ndc: Ndc, current: &Parameters) -> Result<Recovered, RecoveryError> {
+    camera_lab::camera::recover(&Reading { ndc, ..Reading::of(kind) }, m, current)
+}
 
 fn assert_same(found: DMat4, expected: DMat4, slack: f64, what: &str) {
     let size = expected.to_cols_array().iter().fold(1e-300_f64, |size, x| size.max(x.abs()));
@@ -52,7 +57,7 @@ proptest! {
         4 => -10.0..10.0, 2 => Just(0.0), 1 => Just(1.0), 1 => Just(f64::NAN), 1 => -1e300..1e300, 1 => -1e-300..1e-300,
     ])) {
         let matrix = DMat4::from_cols_array(&entries);
-        for kind in [MatrixKind::View, MatrixKind::Projection, MatrixKind::ViewProjection] {
+        for kind in MatrixKind::ALL {
             for ndc in Ndc::ALL {
                 if let Ok(found) = recover(kind, matrix, ndc, &Parameters::default()) {
                     Camera::new(&found.parameters).unwrap();

@@ -6,7 +6,7 @@ use eframe::egui::{Id, Rect, Response, Ui, UiBuilder};
 use glam::{DMat4, DVec3};
 
 use super::{Sheet, figure};
-use crate::camera::{Camera, MatrixKind, Ndc, Parameters, RecoveryError, recover};
+use crate::camera::{Camera, MatrixKind, Parameters, Reading, RecoveryError, recover};
 use crate::exercises::{Answer, Ask, Exercise, Expected, Judged, Worked};
 use crate::explain::{Notation, Style};
 use crate::gui::mathematics::{Both, Links, chain};
@@ -127,7 +127,7 @@ fn described(exercise: &Exercise, ask: &Ask, answer: &Answer) -> Option<(Paramet
         Some((kind, is_inverse)) => {
             let matrix = DMat4::from_cols_array(&numbers.try_into().ok()?).transpose();
             let matrix = if is_inverse { matrix.inverse() } else { matrix };
-            let found = recover(kind, matrix, Ndc::default(), right.parameters()).map_err(NotCamera::Matrix);
+            let found = recover(&Reading::of(kind), matrix, right.parameters()).map_err(NotCamera::Matrix);
             found.map(|found| found.parameters)
         }
         None => {

@@ -1,22 +1,18 @@
-//! The explanation of other vocabularies: the camera in the words of other sources, whose numbers are controls, and a
-//! pasted matrix → its camera.
+//! The explanation of other vocabularies: the camera in the words of other sources, whose numbers are controls.
 
 use eframe::egui::{self, RichText};
-use glam::DMat4;
 
-use crate::camera::{Camera, MatrixKind, Ndc, Parameters, RecoveryError, recover};
+use super::pasted_matrix::{self, note_on_matrix, take};
+use crate::camera::{Camera, Parameters, Projection};
 use crate::explain::Axis;
-use crate::explain::vocabulary::{Argument, CameraNumber, Line, Vocabulary};
-use crate::expression::{self, Dimension};
+use crate::explain::vocabulary::{Argument, CameraNumber, Limitation, Line, Vocabulary};
 use crate::gui::context_help::{help_topic, help_topic_row};
 use crate::gui::number_field::{NumberField, Step};
-use crate::gui::panels::{choice, complaint, section};
+use crate::gui::panels::{complaint, section};
 use crate::gui::state::State;
-use crate::gui::text_field::TextField;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::{dialects, messages, window};
-use crate::limits::MAX_ANSWER;
 use crate::numbers::{is_rest, power_of_ten};
 
 /// Shows the tab.
@@ -27,7 +23,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         let title = section(ui, title, id, true, |ui| words(ui, state, vocabulary));
         help_topic(&title, note_on_vocabulary(vocabulary));
     }
-    let title = section(ui, t.pasted, "pasted matrix", true, |ui| pasted(ui, state));
+    let title = section(ui, t.pasted, "pasted matrix", true, |ui| pasted_matrix::ui(ui, state));
     help_topic(&title, note_on_matrix(state.explain.pasted.kind));
 }
 
@@ -38,14 +34,6 @@ const fn note_on_vocabulary(vocabulary: Vocabulary) -> &'static str {
         Vocabulary::Vrc => "handedness",
         Vocabulary::ReferencePoint => "view-volume",
         Vocabulary::Pinhole => "K",
-    }
-}
-
-const fn note_on_matrix(kind: MatrixKind) -> &'static str {
-    match kind {
-        MatrixKind::View => "M_v",
-        MatrixKind::Projection => "M_p",
-        MatrixKind::ViewProjection => "M_pM_v",
     }
 }
 
@@ -81,6 +69,9 @@ fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
         Err(limitation) => {
             let said = dialects::limitation(lang, limitation);
             theme::wrapped(ui, said, &egui::TextStyle::Body, ui.visuals().weak_text_color());
+            if limitation == Limitation::PerspectiveOnly {
+                to_perspective(ui, state, &camera);
+            }
             return;
         }
     };
@@ -105,11 +96,16 @@ fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
     }
 }
 
-/// Takes parameters over. Where they have an aspect of their own, it no longer follows the image.
-fn take(state: &mut State, parameters: Parameters) {
-    let own = parameters.window.is_none() && parameters.aspect.to_bits() != state.document.draft().aspect.to_bits();
-    state.settings.aspect_follows_image &= !own;
-    state.document.set_parameters(parameters);
+/// A button that makes the camera a perspective one.
+fn to_perspective(ui: &mut egui::Ui, state: &mut State, camera: &Camera) {
+    let t = dialects::texts(state.settings.lang);
+    if ui.button(t.to_perspective).explained(t.to_perspective_hint).clicked() {
+        match camera.with_projection(Projection::Perspective) {
+            Ok(camera) => state.document.set_camera(camera),
+            // What is impossible stays in the draft, with the reason beside its fields.
+            Err(_) => take(state, Parameters { projection: Projection::Perspective, ..*camera.parameters() }),
+        }
+    }
 }
 
 /// The room for a symbol, in points.
@@ -200,102 +196,4 @@ fn number(
         complaint(ui, &error.text(lang));
     }
     (value.to_bits() != shown.to_bits()).then_some(value)
-}
-
-/// A field for a matrix, and the camera that has it.
-fn pasted(ui: &mut egui::Ui, state: &mut State) {
-    let lang = state.settings.lang;
-    let t = dialects::texts(lang);
-    ui.label(RichText::new(t.pasted_hint).weak());
-    let kinds = [MatrixKind::View, MatrixKind::Projection, MatrixKind::ViewProjection]
-        .map(|kind| (kind, dialects::kind(lang, kind)));
-    let pasted = &mut state.explain.pasted;
-    ui.horizontal(|ui| {
-        choice(ui, t.kind, t.kind_hint, &mut pasted.kind, &kinds);
-        ui.checkbox(&mut pasted.transposed, t.transposed).explained(t.transposed_hint);
-    });
-    let hint = "1 0 0 0\n0 1 0 0\n0 0 -1 0\n0 0 0 1";
-    let field = TextField::lines(&mut pasted.text, MAX_ANSWER).with(|edit| {
-        let edit = edit.desired_rows(4).desired_width(f32::INFINITY);
-        edit.hint_text(hint).font(egui::TextStyle::Monospace)
-    });
-    let field = field.show(ui, lang).accessible_name(t.pasted);
-    help_topic(&field, note_on_matrix(pasted.kind));
-    if pasted.text.trim().is_empty() {
-        return;
-    }
-    let ndc = state.settings.conventions.ndc;
-    let matrix = read(&pasted.text).map(|m| if pasted.transposed { m.transpose() } else { m });
-    let matrix = match matrix {
-        Ok(matrix) => matrix,
-        Err(fault) => return complaint(ui, &dialects::unreadable(lang, &fault)),
-    };
-    match recover(pasted.kind, matrix, ndc, state.document.draft()) {
-        Err(error) => {
-            complaint(ui, &dialects::recovery_error(lang, &error));
-            // The other way of writing matrices is the usual reason.
-            let turned = recover(pasted.kind, matrix.transpose(), ndc, state.document.draft());
-            if turned.is_ok() && !matches!(error, RecoveryError::Depths { .. }) {
-                ui.label(t.try_transposed);
-            }
-        }
-        Ok(found) => {
-            if ndc != Ndc::default() {
-                ui.label(RichText::new(format!("{} {}", t.read_as, ndc.name())).small());
-            }
-            for unknown in &found.unknown {
-                ui.label(RichText::new(format!("• {}", dialects::unknown(lang, *unknown))).small());
-            }
-            if ui.button(t.take).explained(t.take_hint).clicked() {
-                take(state, found.parameters);
-            }
-        }
-    }
-}
-
-/// Sixteen numbers, in any brackets, apart by spaces, commas, semicolons or line ends, as Python, MATLAB, JSON and GLSL
-/// write them; each may be an expression.
-fn read(text: &str) -> Result<DMat4, dialects::Unreadable> {
-    // Names of constructors such as np.array or mat4 are not numbers.
-    let plain: String = text.chars().map(|c| if "[](){}|\n\t;&\\".contains(c) { ' ' } else { c }).collect();
-    // A comma is a separator where there are fifteen of them or a space follows; else it is a decimal comma.
-    let commas = plain.matches(',').count();
-    let separated = if commas >= 12 || plain.contains(", ") { plain.replace(',', " ") } else { plain };
-    let parts: Vec<&str> = separated.split_whitespace().collect();
-    let mut numbers = Vec::new();
-    for part in parts {
-        match expression::evaluate(part, Dimension::Number) {
-            Ok(number) => numbers.push(number),
-            Err(_) if numbers.is_empty() && part.chars().any(char::is_alphabetic) => {}
-            Err(_) => return Err(dialects::Unreadable::Part(part.to_owned())),
-        }
-    }
-    let count = numbers.len();
-    let rows: [f64; 16] = numbers.try_into().map_err(|_| dialects::Unreadable::Count(count))?;
-    Ok(DMat4::from_cols_array(&rows).transpose())
-}
-
-#[cfg(test)]
-mod tests {
-    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-    use super::*;
-
-    #[test]
-    fn matrices_are_read_as_programs_and_people_write_them() {
-        let expected =
-            DMat4::from_cols_array(&[1.0, 0.0, 0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.5, 0.0, 3.0, 0.0, 0.25, 1.0]);
-        for text in [
-            "1 2 0 3\n0 1 0 0\n0 0 -1.5 0.25\n0 0 0 1",
-            "[[1, 2, 0, 3], [0, 1, 0, 0], [0, 0, -1.5, 0.25], [0, 0, 0, 1]]",
-            "np.array([[1., 2., 0., 3.],\n [0., 1., 0., 0.],\n [0., 0., -1.5, 0.25],\n [0., 0., 0., 1.]])",
-            "[1 2 0 3; 0 1 0 0; 0 0 -3/2 1/4; 0 0 0 1]",
-            "1 2 0 3\n0 1 0 0\n0 0 −1,5 0,25\n0 0 0 1",
-            r"1 & 2 & 0 & 3 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & -1.5 & 0.25 \\ 0 & 0 & 0 & 1",
-            "1,2,0,3,0,1,0,0,0,0,-1.5,0.25,0,0,0,1",
-        ] {
-            assert_eq!(read(text).unwrap(), expected, "{text}");
-        }
-        assert_eq!(read("1 2 3"), Err(dialects::Unreadable::Count(3)));
-        assert_eq!(read("1 2 x 3"), Err(dialects::Unreadable::Part("x".to_owned())));
-    }
 }

@@ -11,7 +11,7 @@
 //! | `code` | the camera as code for other libraries |
 //! | `conventions` | whose NDC, compared with whose, and how matrices are written |
 //! | `depth` | z_n over the distance from the eye, the resolution of formats of depth buffers, and z-fighting |
-//! | `dialects` | the camera in other vocabularies, and a pasted matrix → its camera |
+//! | `dialects` | the camera in other vocabularies |
 //! | `digits` | numbers whose changed digits glow |
 //! | `entries` | the entries of a matrix as a grid, each a control of its own |
 //! | `hidden_surfaces` | the image painted so far, triangle by triangle, by each hidden-surface algorithm |
@@ -21,6 +21,7 @@
 //! | `notes` | the notes, found by words or by F1 |
 //! | `order` | a list of transforms, in both readings |
 //! | `order_list` | the list of transforms: calls with their numbers, moved by dragging their dots and by keyboard |
+//! | `pasted_matrix` | a matrix of another program → its camera, recognised or read as chosen |
 //! | `point` | a point: its coordinates in every space, and its trace |
 //! | `stages` | the stages of the pipeline, and what each did |
 //! | `steps` | the factors on the way to the canonical volume |
@@ -43,6 +44,7 @@ mod measures;
 mod notes;
 mod order;
 mod order_list;
+mod pasted_matrix;
 mod point;
 mod stages;
 mod steps;

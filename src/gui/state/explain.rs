@@ -5,7 +5,7 @@ use super::notes::Notes;
 use super::order::Order;
 use super::steps::Steps;
 use super::triangle::TriangleNumbers;
-use crate::camera::{CameraError, MatrixKind, Parameters};
+use crate::camera::{Axes, CameraError, ImageSize, MatrixKind, Parameters};
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{CameraNumber, Vocabulary};
 use crate::figure::{Explanation, TransformPreview};
@@ -80,21 +80,19 @@ pub struct Explain {
     pub(in crate::gui) divides_right: Memo<(SharedScene, Parameters), bool>,
 }
 
-/// A matrix as text, and its kind.
-#[derive(Clone, Debug)]
+/// A matrix as text, and how it is read.
+#[derive(Clone, Debug, Default)]
 pub struct Pasted {
     /// As it was typed.
     pub text: String,
-    /// Its kind.
-    pub kind: MatrixKind,
+    /// Its kind; `None`: it is recognised.
+    pub kind: Option<MatrixKind>,
+    /// Whose axes it is written in; `None`: they are recognised.
+    pub axes: Option<Axes>,
     /// It acts on row vectors.
     pub transposed: bool,
-}
-
-impl Default for Pasted {
-    fn default() -> Self {
-        Self { text: String::new(), kind: MatrixKind::ViewProjection, transposed: false }
-    }
+    /// The image of the pixels of K; `None`: that of the figure.
+    pub image: Option<ImageSize>,
 }
 
 impl Explain {
