@@ -45,9 +45,9 @@ slips! {
     NothingDone = NotDone;
     /// The direction of a ray is **n**, without the minus.
     DirectionIsNormal = Sign "direction";
-    /// The axes in [0] of yaw and pitch.
+    /// The axes in `[0]` of yaw and pitch.
     PrintedAxes = AsPrinted "axes";
-    /// VUP is not turned with the camera, as [0] prints it of the elevation.
+    /// VUP is not turned with the camera, as `[0]` prints it of the elevation.
     PrintedElevation = AsPrinted "elevation";
     /// VUP is not turned with the camera.
     ViewUpKept = NotDone "view-up";
@@ -65,7 +65,7 @@ slips! {
     UnitViewUpAsV = VupAsV;
     /// **v** is VUP as it is given.
     ViewUpAsV = VupAsV;
-    /// The formula of VUV in [3], with a VPN that is not of length 1.
+    /// The formula of VUV in `[3]`, with a VPN that is not of length 1.
     PrintedViewUp = AsPrinted "vuv";
     /// That formula, and the result divided by its length.
     PrintedViewUpUnit = AsPrinted "vuv";
