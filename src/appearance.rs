@@ -285,9 +285,9 @@ impl LineStyle {
         }
     }
 
-    /// The lengths of dashes and of the gaps between them, in turn, for a painter that adds round ends to each: those of
-    /// [`pattern`](Dash::pattern) without them; empty: no gaps. And the length of one period, which begins with half a
-    /// width of gap.
+    /// The lengths of dashes and of the gaps between them, in turn, for a painter that adds round ends to each: those
+    /// of [`pattern`](Dash::pattern) without them; empty: no gaps. And the length of one period, which begins with
+    /// half a width of gap.
     #[must_use]
     pub fn dash_lengths(self) -> (Vec<f32>, f32) {
         let pattern = self.dash.pattern();

@@ -142,6 +142,47 @@ pub fn sign(c: char) -> Option<&'static str> {
     })
 }
 
+/// Words in LaTeX, outside of mathematics; a sign that it does not have is named by its number.
+#[must_use]
+pub fn words(text: &str) -> String {
+    let mut latex = String::new();
+    for c in text.chars() {
+        match c {
+            '_' | '&' | '%' | '#' | '{' | '}' | '$' => {
+                latex.push('\\');
+                latex.push(c);
+            }
+            '\\' => latex.push_str("\\textbackslash{}"),
+            '^' => latex.push_str("\\textasciicircum{}"),
+            '~' => latex.push_str("\\textasciitilde{}"),
+            // A command of its own in some languages of LaTeX.
+            '"' => latex.push_str("\\textquotedbl{}"),
+            '`' => latex.push('\''),
+            '[' | ']' => {
+                latex.push('{');
+                latex.push(c);
+                latex.push('}');
+            }
+            '…' => latex.push_str("\\dots{}"),
+            '“' => latex.push_str("``"),
+            '”' => latex.push_str("''"),
+            '‘' => latex.push('`'),
+            '’' => latex.push('\''),
+            '–' => latex.push_str("--"),
+            '—' => latex.push_str("---"),
+            // A blank line would end a paragraph where there is none.
+            c if c.is_whitespace() || c.is_control() => latex.push(' '),
+            c => match sign(c) {
+                Some(symbol) => latex.push_str(&format!("${symbol}$")),
+                None if c.is_ascii_graphic() || is_latin(c) => latex.push(c),
+                // LaTeX would stop here.
+                None => latex.push_str(&format!("{{[}}U+{:04X}{{]}}", u32::from(c))),
+            },
+        }
+    }
+    latex
+}
+
 /// Checks that the text between the dollar signs of a text is mathematics.
 ///
 /// # Errors

@@ -2,12 +2,11 @@
 //! stills.
 
 use super::args::AnimateArgs;
-use super::render::no_picture;
+use super::render::{no_picture, save};
 use super::words::LangArg;
 use super::{Failure, OpenFigure, progress, say};
 use crate::camera::ImageSize;
 use crate::figure::update;
-use crate::files::{self, Overwrite};
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{Animation, FilmFormat, PictureFile};
 use crate::progress::at_once;
@@ -30,12 +29,12 @@ pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
     }
     let text = update(&subject.opened.text, &subject.opened.figure);
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
-    let told = pictures::told_of(written, &subject.opened.figure, &film.stills(), text);
+    let told = pictures::told_of(written, &subject.opened.figure, &film.stills(), text).for_file(&args.output);
     let made = progress::watched(lang, |progress| at_once(film.file(format, seconds, &told, progress)));
-    let PictureFile { bytes, too_much, .. } = made.map_err(|error| no_picture(lang, &name, error, subject.pixels()))?;
+    let PictureFile { bytes, beside, too_much, .. } =
+        made.map_err(|error| no_picture(lang, &name, error, subject.pixels()))?;
     if let Some(too_much) = too_much {
         say(&format!("{name}: {}", messages::too_much(lang, &too_much)));
     }
-    files::save(&args.output, &bytes, Overwrite::Writable)
-        .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
+    save(&args.output, &bytes, beside, lang)
 }

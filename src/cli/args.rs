@@ -22,7 +22,7 @@ use crate::expression::{self, Dimension};
 use crate::i18n::{Lang, command_line as texts};
 use crate::limits::{MEASURED_SECONDS, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES, SCALE, STEP_SECONDS};
 use crate::numerics::Study;
-use crate::picture::{Faces, OnPaper};
+use crate::picture::{Faces, OnPaper, PER_INCH};
 use crate::sanitize;
 use crate::views::{View, Views};
 
@@ -141,7 +141,7 @@ pub(super) struct RenderArgs {
     /// given
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     dpi: Option<String>,
-    /// Height of the letters of names in points on paper; strokes are in proportion. On a sheet of all three they are
+    /// Height of the letters of names in points on paper, 9 where --width-cm is given; strokes are in proportion. On a sheet of all three they are
     /// smaller where a picture has no room for them, but still legible (6 points)
     #[arg(long, value_name = "PT", allow_hyphen_values = true, conflicts_with = "scale")]
     letters: Option<String>,
@@ -379,6 +379,8 @@ impl RenderArgs {
 
 /// Default of pixels per inch: that of office printers.
 const DPI: f64 = 300.0;
+/// Height of the letters of names on paper in points, where it is not given.
+const LETTERS: f64 = 9.0;
 
 impl RenderArgs {
     /// Width and height in centimetres, where they are given.
@@ -394,7 +396,11 @@ impl RenderArgs {
         let [width, height] = self.centimetres(lang)?;
         let dpi = option("--dpi", &self.dpi, (&PAPER_DPI, DPI), lang)?;
         let any = [letters, lines, width, dpi].iter().any(Option::is_some);
-        let paper = OnPaper { dpi: dpi.unwrap_or(DPI), letters, lines, arranged: height.is_some() };
+        // A size in pixels is that of CSS, where no number of them is printed.
+        let is_vector = PictureFormat::of(&self.output).is_some_and(PictureFormat::is_vector);
+        let usual = if is_vector && width.is_none() { PER_INCH } else { DPI };
+        let letters = letters.or(width.map(|_| LETTERS));
+        let paper = OnPaper { dpi: dpi.unwrap_or(usual), letters, lines, arranged: height.is_some() };
         for (name, side) in [("--width-cm", width), ("--height-cm", height)] {
             if let Some(side) = side.filter(|side| paper.pixels_across(*side) < 0.5) {
                 return Err(Failure::BadInput(texts::no_pixel(lang, [name, &side.to_string()], paper.dpi)));

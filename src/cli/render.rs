@@ -1,5 +1,7 @@
 //! `camera-lab render`: a picture of a figure.
 
+use std::path::Path;
+
 use super::args::RenderArgs;
 use super::words::LangArg;
 use super::{Failure, open, progress, say, scene};
@@ -8,7 +10,7 @@ use crate::export::format::PictureFormat;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
 use crate::i18n::{Lang, command_line as texts, compare, messages, pictures};
-use crate::picture::{self, Composite, FileOptions, NoComposite, OnPaper, PictureError, PictureFile, gap};
+use crate::picture::{self, Beside, Composite, FileOptions, NoComposite, OnPaper, PictureError, PictureFile, gap};
 use crate::pipeline::OverBudget;
 use crate::progress::at_once;
 use crate::sanitize;
@@ -47,12 +49,15 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let dpi = paper.filter(|_| args.is_for_paper() || format.is_vector()).map(|paper| paper.dpi);
     let form = FileOptions { format, crop: args.crop, dpi, faces: args.faces, letters: args.outlines() };
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
-    let told = pictures::told_of(written, &opened.figure, &sheet, text);
+    let told = pictures::told_of(written, &opened.figure, &sheet, text).for_file(&args.output);
     let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, form, &told, progress)));
-    let PictureFile { bytes, too_much, no_areas } =
+    let PictureFile { bytes, beside, too_much, no_areas } =
         made.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
     if let Some(too_much) = too_much {
         say(&format!("{}: {}", messages::opened(lang, &args.figure), messages::too_much(lang, &too_much)));
+    }
+    if let Some(points) = dpi.and_then(|dpi| sheet.tiny_letters(dpi)) {
+        say(&format!("{name}: {}", pictures::tiny_letters(lang, points)));
     }
     if let Some(why) = no_areas {
         say(&format!("{name}: {}", pictures::no_areas(lang, &why)));
@@ -63,8 +68,18 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     if let Some(crowded) = &sheet.crowded {
         say(&format!("{name}: {}", pictures::crowded(lang, crowded)));
     }
-    files::save(&args.output, &bytes, Overwrite::Writable)
-        .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
+    save(&args.output, &bytes, beside, lang)
+}
+
+/// Writes a picture, and the file beside it, if there is one.
+pub(super) fn save(output: &Path, bytes: &[u8], beside: Option<Beside>, lang: Lang) -> Result<(), Failure> {
+    let beside = beside.map(|Beside { name, bytes }| (output.with_file_name(name), bytes));
+    let files = beside.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice())).chain([(output, bytes)]);
+    for (path, bytes) in files {
+        files::save(path, bytes, Overwrite::Writable)
+            .map_err(|error| Failure::Failed(messages::file(lang, &sanitize::path(path), &error)))?;
+    }
+    Ok(())
 }
 
 /// The reason why there is no picture file of this size.

@@ -15,11 +15,13 @@ pub enum PictureFormat {
     Svg,
     /// Vectors, for print; carries its figure.
     Pdf,
+    /// A figure of a LaTeX document whose letters are the document's, with a PDF beside it that carries the figure.
+    Tex,
 }
 
 impl PictureFormat {
     /// All of them; the first is that of a file whose name has no extension.
-    pub const ALL: [Self; 5] = [Self::Png, Self::WebP, Self::Jpeg, Self::Svg, Self::Pdf];
+    pub const ALL: [Self; 6] = [Self::Png, Self::WebP, Self::Jpeg, Self::Svg, Self::Pdf, Self::Tex];
 
     /// Its common name.
     #[must_use]
@@ -30,6 +32,7 @@ impl PictureFormat {
             Self::Jpeg => "JPEG",
             Self::Svg => "SVG",
             Self::Pdf => "PDF",
+            Self::Tex => "LaTeX",
         }
     }
 
@@ -42,6 +45,7 @@ impl PictureFormat {
             Self::Jpeg => &["jpg", "jpeg"],
             Self::Svg => &["svg"],
             Self::Pdf => &["pdf"],
+            Self::Tex => &["tex"],
         }
     }
 
@@ -50,7 +54,7 @@ impl PictureFormat {
     pub const fn carries_figure(self) -> bool {
         match self {
             Self::Png | Self::Svg | Self::Pdf => true,
-            Self::WebP | Self::Jpeg => false,
+            Self::WebP | Self::Jpeg | Self::Tex => false,
         }
     }
 
@@ -58,7 +62,7 @@ impl PictureFormat {
     #[must_use]
     pub const fn has_transparency(self) -> bool {
         match self {
-            Self::Png | Self::WebP | Self::Svg | Self::Pdf => true,
+            Self::Png | Self::WebP | Self::Svg | Self::Pdf | Self::Tex => true,
             Self::Jpeg => false,
         }
     }
@@ -67,7 +71,7 @@ impl PictureFormat {
     #[must_use]
     pub const fn is_vector(self) -> bool {
         match self {
-            Self::Svg | Self::Pdf => true,
+            Self::Svg | Self::Pdf | Self::Tex => true,
             Self::Png | Self::WebP | Self::Jpeg => false,
         }
     }

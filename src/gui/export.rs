@@ -20,7 +20,8 @@ use crate::i18n::{Lang, messages, pictures, window};
 use crate::limits::PAPER_LINES;
 use crate::numbers::round_to;
 use crate::picture::{
-    self, Animation, Composite, Faces, FileOptions, FilmFormat, NoComposite, OnPaper, PictureError, PictureFile, Told,
+    self, Animation, Beside, Composite, Faces, FileOptions, FilmFormat, NoComposite, OnPaper, PictureError,
+    PictureFile, Told,
 };
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
@@ -369,10 +370,13 @@ impl Task {
     }
 
     async fn run(self, progress: &Progress) -> Exported {
-        let PictureFile { bytes, too_much, .. } = self.file(progress).await.map_err(|error| match error {
+        let PictureFile { bytes, beside, too_much, .. } = self.file(progress).await.map_err(|error| match error {
             _ if progress.is_cancelled() => ExportError::Cancelled,
             error => error,
         })?;
+        if let Some(Beside { name, bytes }) = beside {
+            files::save(&self.path.with_file_name(name), &bytes, self.overwrite)?;
+        }
         files::save(&self.path, &bytes, self.overwrite)?;
         Ok(too_much)
     }
@@ -385,12 +389,12 @@ impl Task {
             ExportKind::Animation(decomposition, _) => {
                 let film = Animation { request: subject.film(progress)?, decomposition: *decomposition };
                 let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));
-                let told = subject.told(&film.stills(), update(source, &subject.figure));
+                let told = subject.told(&film.stills(), update(source, &subject.figure)).for_file(path);
                 return Ok(film.file(format, STEP_SECONDS, &told, progress).await?);
             }
         };
         let sheet = subject.sheet(export, progress)?;
-        let told = subject.told(&sheet, update(source, &subject.figure));
+        let told = subject.told(&sheet, update(source, &subject.figure)).for_file(path);
         Ok(picture::file(&sheet, export.form(), &told, progress).await?)
     }
 }

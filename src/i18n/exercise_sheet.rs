@@ -67,7 +67,7 @@ pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pictur
         t.exercises, t.name, t.date
     );
     for (number, exercise) in sheet.iter().enumerate() {
-        let title = escaped(exercises::exercise_title(lang, exercise));
+        let title = formula::words(exercises::exercise_title(lang, exercise));
         text.push_str(&format!("\n\\subsection*{{{}. {title}}}\n", number + 1));
         for paragraph in exercises::statement(lang, exercise) {
             text.push_str(&format!("{}\n\n", of_markdown(&paragraph)));
@@ -87,10 +87,10 @@ pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pictur
         text.push_str("\\begin{enumerate}\n");
         for ask in &exercise.asks {
             let (asked, kind) = (exercises::ask(lang, exercise, ask), exercises::kind(lang, ask));
-            text.push_str(&format!("\\item {} \\emph{{({})}}\n", of_markdown(&asked), escaped(&kind)));
+            text.push_str(&format!("\\item {} \\emph{{({})}}\n", of_markdown(&asked), formula::words(&kind)));
         }
         text.push_str("\\end{enumerate}\n");
-        text.push_str(&format!("{{\\footnotesize {}, {} {}}}\n", escaped(&exercise.id), t.seed, exercise.seed));
+        text.push_str(&format!("{{\\footnotesize {}, {} {}}}\n", formula::words(&exercise.id), t.seed, exercise.seed));
         if with_answers {
             text.push_str(&format!("\n\\paragraph{{{}}}\n\\begin{{enumerate}}\n", t.answers));
             for (ask, steps) in exercise.asks.iter().zip(exercise.new_steps()) {
@@ -128,7 +128,7 @@ fn latex_answer(lang: Lang, exercise: &Exercise, ask: &Ask, steps: &[Worked]) ->
             let entries: Vec<Option<f64>> = table.entries.iter().copied().map(Some).collect();
             format!("\\[{}\\]\n", exercises::table_latex(lang.mark(), ask.unit, table.columns, &entries))
         }
-        _ => format!("{}\n", escaped(&answer(lang, ask))),
+        _ => format!("{}\n", formula::words(&answer(lang, ask))),
     };
     for step in steps {
         let lines = step.lines(style, true);
@@ -226,52 +226,12 @@ fn of_markdown(text: &str) -> String {
         if k % 2 == 1 {
             // Forbidden LaTeX is shown to the reader as words: only mathematics leaves them.
             let is_mathematics = formula::check_one(part).is_ok();
-            latex.push_str(&if is_mathematics { format!("${}$", formula::latex(part)) } else { escaped(part) });
+            latex.push_str(&if is_mathematics { format!("${}$", formula::latex(part)) } else { formula::words(part) });
             continue;
         }
         for (k, part) in part.split("**").enumerate() {
-            let part = escaped(part);
+            let part = formula::words(part);
             latex.push_str(&if k % 2 == 1 { format!("\\textbf{{{part}}}") } else { part });
-        }
-    }
-    latex
-}
-
-/// Words in LaTeX.
-fn escaped(text: &str) -> String {
-    let mut latex = String::new();
-    for c in text.chars() {
-        match c {
-            '_' | '&' | '%' | '#' | '{' | '}' | '$' => {
-                latex.push('\\');
-                latex.push(c);
-            }
-            '\\' => latex.push_str("\\textbackslash{}"),
-            '^' => latex.push_str("\\textasciicircum{}"),
-            '~' => latex.push_str("\\textasciitilde{}"),
-            // A command of its own in some languages of LaTeX.
-            '"' => latex.push_str("\\textquotedbl{}"),
-            '`' => latex.push('\''),
-            '[' | ']' => {
-                latex.push('{');
-                latex.push(c);
-                latex.push('}');
-            }
-            '…' => latex.push_str("\\dots{}"),
-            '“' => latex.push_str("``"),
-            '”' => latex.push_str("''"),
-            '‘' => latex.push('`'),
-            '’' => latex.push('\''),
-            '–' => latex.push_str("--"),
-            '—' => latex.push_str("---"),
-            // A blank line would end a paragraph where there is none.
-            c if c.is_whitespace() || c.is_control() => latex.push(' '),
-            c => match formula::sign(c) {
-                Some(symbol) => latex.push_str(&format!("${symbol}$")),
-                None if c.is_ascii_graphic() || formula::is_latin(c) => latex.push(c),
-                // LaTeX would stop here.
-                None => latex.push_str(&format!("{{[}}U+{:04X}{{]}}", u32::from(c))),
-            },
         }
     }
     latex

@@ -110,6 +110,18 @@ pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
     }
 }
 
+/// Letters that are too small on paper.
+#[must_use]
+pub fn tiny_letters(lang: Lang, points: f64) -> String {
+    let points = lang.mark().printed(&format!("{points:.1}"));
+    match lang {
+        Lang::En => format!("its letters are {points} pt high on paper; to be read: at least 6 pt (--letters)"),
+        Lang::PtBr => {
+            format!("suas letras têm {points} pt de altura no papel; para serem lidas: ao menos 6 pt (--letters)")
+        }
+    }
+}
+
 const fn of(t: &Texts) -> Labels {
     let style = window::texts(t.lang);
     Labels {
@@ -207,7 +219,7 @@ pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> 
         sheet.requests.iter().map(|request| canvas::describe(lang, request.view, &request.camera, figure.image));
     let description = own(&figure.caption).into_iter().chain(words.map(|words| format!("{words}.")));
     let description = description.collect::<Vec<_>>().join(" ");
-    Told { figure: text, title, description, language: lang.tag() }
+    Told { figure: text, title, description, language: lang.tag(), stem: String::new() }
 }
 
 /// Why the faces of a page of vectors are a picture, although areas were asked for.

@@ -81,7 +81,7 @@ impl Animation {
         match format {
             FilmFormat::Animation(format) => {
                 let bytes = self.animation(format, seconds, progress).await?;
-                Ok(PictureFile { bytes, too_much: None, no_areas: None })
+                Ok(PictureFile { bytes, beside: None, too_much: None, no_areas: None })
             }
             FilmFormat::Strip(format) => file(&self.stills(), FileOptions::of(format), told, progress).await,
         }

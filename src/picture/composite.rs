@@ -136,6 +136,16 @@ impl Composite {
 }
 
 impl Composite {
+    /// The height in points of the smallest letters, where they are too small to be read on paper with so many pixels
+    /// per inch, and no [`crowded`](Self::crowded) sheet is the reason.
+    #[must_use]
+    pub fn tiny_letters(&self, dpi: f64) -> Option<f64> {
+        let heights = self.requests.iter().map(|request| f64::from(request.size.letters()) * 72.0 / dpi);
+        let least = heights.fold(f64::INFINITY, f64::min);
+        // What is asked for as 6 points is 6 points, whatever is rounded on the way.
+        (self.crowded.is_none() && least < LEAST_LETTERS - 0.01).then_some(least)
+    }
+
     /// The same sheet, smaller by a factor, with letters and strokes: a preview.
     #[must_use]
     pub fn reduced(mut self, factor: f32) -> Self {

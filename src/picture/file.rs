@@ -1,61 +1,25 @@
 //! Pictures as files, in the requested format.
 
+use std::path::Path;
+
+use super::error::PictureError;
 use super::vectors::{Drawn, Faces, NoAreas, page};
-use super::{Composite, NoComposite, Pixels, Renderer};
+use super::{Composite, Pixels, Renderer};
 use crate::camera::Ndc;
-use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
-use crate::export::png::PngError;
 use crate::export::vector::{self, Letters, Page};
 use crate::export::web;
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
 use crate::views::View;
 
-/// Why there is no picture file.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum PictureError {
-    /// A side is 0, or there is not enough memory.
-    #[error("there is not enough memory for a picture of this size")]
-    TooLarge,
-    /// There is no sheet.
-    #[error(transparent)]
-    Composite(#[from] NoComposite),
-    /// Cancelled.
-    #[error("cancelled")]
-    Cancelled,
-    /// An error of WebP or JPEG.
-    #[error("the picture cannot be written as {} ({why})", .format.name())]
-    Encode {
-        /// The format.
-        format: PictureFormat,
-        /// The message of the encoder: its own error belongs to another crate, and can be neither cloned nor compared.
-        why: String,
-    },
-    /// An error of an animation.
-    #[error("the picture cannot be written as {} ({why})", .format.name())]
-    Animate {
-        /// The format.
-        format: AnimationFormat,
-        /// The message of the encoder, as for [`Encode`](Self::Encode).
-        why: String,
-    },
-    /// The visible parts of strokes were not found.
-    #[error("{}", OverBudget::Strokes)]
-    Strokes,
-    /// The font of a PDF.
-    #[error("the letters of the picture cannot be written as PDF")]
-    Font,
-    /// An error of PNG.
-    #[error(transparent)]
-    Png(#[from] PngError),
-}
-
 /// A picture as a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureFile {
     /// The bytes of the file.
     pub bytes: Vec<u8>,
+    /// The file that belongs beside it.
+    pub beside: Option<Beside>,
     /// A shortfall of the picture.
     pub too_much: Option<OverBudget>,
     /// Why faces of a page of vectors are a picture, where areas were asked for.
@@ -73,6 +37,28 @@ pub struct Told {
     pub description: String,
     /// The language of both, as a tag: `en`, `pt-BR`.
     pub language: &'static str,
+    /// The name of the file without its ending, by which it names a file beside it.
+    pub stem: String,
+}
+
+impl Told {
+    /// The same for a file with this name.
+    #[must_use]
+    pub fn for_file(self, path: &Path) -> Self {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        // In LaTeX the others have meanings of their own.
+        let plain = |c: char| if c.is_ascii_alphanumeric() || c == '-' || c == '_' { c } else { '-' };
+        Self { stem: stem.chars().map(plain).collect(), ..self }
+    }
+}
+
+/// A second file, which the first one names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Beside {
+    /// Its name, in the folder of the first.
+    pub name: String,
+    /// Its bytes.
+    pub bytes: Vec<u8>,
 }
 
 /// Options of a picture file.
@@ -100,7 +86,7 @@ impl FileOptions {
 }
 
 /// Pixels per inch where none are given: those of CSS.
-const PER_INCH: f64 = 96.0;
+pub const PER_INCH: f64 = 96.0;
 /// The resolution of pictures of faces where none is given, in pixels per inch.
 const FINE: f64 = 192.0;
 
@@ -142,6 +128,7 @@ pub async fn file(
     let encode = |bytes: Result<Vec<u8>, String>| bytes.map_err(|why| PictureError::Encode { format, why });
     let pixels = async || assembled(sheet, crop, progress).await;
     let pixmap = |picture: &mut Pixels| picture.take_pixmap().ok_or(PictureError::TooLarge);
+    let mut beside = None;
     let (bytes, too_much, no_areas) = match format {
         PictureFormat::Png => {
             let (picture, too_much) = pixels().await?;
@@ -164,8 +151,16 @@ pub async fn file(
             let Drawn { page, too_much, no_areas } = drawn(sheet, form, told, progress).await?;
             (vector::pdf(&page, letters, &told.figure).ok_or(PictureError::Font)?, too_much, no_areas)
         }
+        PictureFormat::Tex => {
+            let Drawn { page, too_much, no_areas } = drawn(sheet, form, told, progress).await?;
+            let art = vector::pdf(&vector::without_texts(&page), letters, &told.figure).ok_or(PictureError::Font)?;
+            let stem = format!("{}-art", told.stem);
+            let latex = vector::tex(&page, &stem).into_bytes();
+            beside = Some(Beside { name: format!("{stem}.pdf"), bytes: art });
+            (latex, too_much, no_areas)
+        }
     };
-    Ok(PictureFile { bytes, too_much, no_areas })
+    Ok(PictureFile { bytes, beside, too_much, no_areas })
 }
 
 /// The page of vectors with its words.

@@ -6,6 +6,7 @@
 //! | `animation` | the way from the world to the canonical volume: as a strip of stills, and as an animation |
 //! | `compared` | the pictures of both sides of a comparison, put together |
 //! | `composite` | one picture, or all three on a sheet |
+//! | `error` | why there is no picture file |
 //! | `file` | pictures as files, in the requested format |
 //! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
 //! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
@@ -15,6 +16,7 @@
 mod animation;
 mod compared;
 mod composite;
+mod error;
 mod file;
 mod render_report;
 mod renderer;
@@ -31,7 +33,8 @@ use crate::progress::Progress;
 use crate::views::Arrangement;
 pub use animation::{Animation, FilmFormat};
 pub use composite::{Composite, Crowded, NoComposite, OnPaper, gap};
-pub use file::{FileOptions, PictureError, PictureFile, Told, assembled, file};
+pub use error::PictureError;
+pub use file::{Beside, FileOptions, PER_INCH, PictureFile, Told, assembled, file};
 pub use render_report::RenderReport;
 pub use renderer::Renderer;
 pub use triangle::{FollowedTriangle, Tested, TrianglePixels};

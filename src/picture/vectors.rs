@@ -6,7 +6,8 @@ use std::collections::HashMap;
 use glam::DVec2;
 use tiny_skia::Pixmap;
 
-use super::{Composite, PictureError, Renderer, layout};
+use super::error::PictureError;
+use super::{Composite, Renderer, layout};
 use crate::appearance::{LineStyle, Occlusion, Rgba, head_corners};
 use crate::drawing::{Drawing, Surface, single};
 use crate::export::vector::{Item, Page};
@@ -48,8 +49,8 @@ impl Faces {
 
 /// The most triangles that are written as areas unless they are asked for.
 const MOST_AREAS: usize = 5000;
-/// The width of the strokes along common sides of neighbouring areas, in pixels: programs that paint each area by itself
-/// let the ground show there otherwise.
+/// The width of the strokes along common sides of neighbouring areas, in pixels: programs that paint each area by
+/// itself let the ground show there otherwise.
 const SEAM: f32 = 1.0;
 /// A dash of no length is left out by some programs.
 const DOT: f32 = 0.01;
@@ -397,7 +398,15 @@ fn over_faces(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
         }
         let [color, halo] = [label.color, label.halo].map(|color| faded(color, fades));
         let halo_width = HALO * label.size;
-        items.push(Item::Text { at, text: label.text.clone(), size: label.size, color, halo, halo_width });
+        items.push(Item::Text {
+            at,
+            text: label.text.clone(),
+            size: label.size,
+            color,
+            halo,
+            halo_width,
+            anchor: label.anchor,
+        });
     }
     Ok(items)
 }

@@ -1,5 +1,5 @@
-//! Pictures as SVG and PDF, held against the pixels of the same figure by a program that draws SVG, and by Poppler where
-//! it is installed.
+//! Pictures as SVG, PDF and LaTeX, held against the pixels of the same figure by librsvg, Poppler and pdfTeX, where
+//! they are installed.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -273,8 +273,7 @@ fn the_command_line_writes_vectors_and_says_what_it_could_not() {
     assert!(run.err.contains("a.svg: the faces are a picture") && run.err.contains("shading"), "{}", run.err);
     assert!(String::from_utf8(bench.read("a.svg")).unwrap().contains("<image"));
     bench.write("b.toml", "[scene]\npreset = \"house\"\n[style]\nshading = \"flat\"\n");
-    let run = bench.run(&["render", "b.toml", "--view", "all", "--width-cm", "12", "--letters", "8", "-o", "b.pdf"]);
-    run.done();
+    bench.run(&["render", "b.toml", "--view", "world", "--width-cm", "12", "--letters", "8", "-o", "b.pdf"]).done();
     assert!(bench.read("b.pdf").starts_with(b"%PDF-"));
     // 12 cm are 340.16 points.
     let pdf = bench.read("b.pdf");
@@ -283,4 +282,53 @@ fn the_command_line_writes_vectors_and_says_what_it_could_not() {
     let width: f64 = media.split_whitespace().nth(2).unwrap().parse().unwrap();
     assert!((width - 340.16).abs() < 0.2, "{media}");
     assert!(bench.run(&["inspect", "b.pdf"]).json()["camera"].is_object(), "the figure is in it");
+}
+
+#[test]
+fn latex_sets_the_names_in_the_documents_font_over_a_pdf_beside_it() {
+    let bench = Bench::new("vectors-latex");
+    bench.write("a.toml", "[scene]\npreset = \"house\"\n");
+    bench.run(&["render", "a.toml", "--view", "all", "--width-cm", "24", "-o", "my figure.tex"]).done();
+    let latex = String::from_utf8(bench.read("my figure.tex")).unwrap();
+    assert!(
+        latex.contains("{my-figure-art}") && latex.contains("$\\mathbf{u}$") && latex.contains("$z_{n}$"),
+        "{latex}"
+    );
+    assert!(bench.read("my-figure-art.pdf").starts_with(b"%PDF-"));
+    assert!(bench.run(&["inspect", "my-figure-art.pdf"]).json()["camera"].is_object(), "the figure is in it");
+    let document = "\\documentclass{article}\\usepackage[utf8]{inputenc}\\usepackage{graphicx,color}\
+                    \\begin{document}\\input{figure}\\end{document}";
+    bench.write("figure.tex", &latex);
+    bench.write("document.tex", document);
+    if !has("pdflatex") {
+        return;
+    }
+    let run = Command::new("pdflatex")
+        .args(["-interaction=nonstopmode", "-halt-on-error", "document.tex"])
+        .current_dir(bench.path("."))
+        .output()
+        .unwrap();
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stdout));
+    if has("pdftotext") {
+        let words = Command::new("pdftotext").arg(bench.path("document.pdf")).arg("-").output().unwrap();
+        let words = String::from_utf8(words.stdout).unwrap();
+        assert!(words.contains("VUP") && words.contains("PF") && words.contains("DOP"), "{words}");
+    }
+}
+
+#[test]
+fn letters_on_paper_are_nine_points_and_small_ones_are_told() {
+    let bench = Bench::new("vectors-letters");
+    bench.write("a.toml", "[scene]\npreset = \"house\"\n");
+    let render = |arguments: &[&str]| bench.run(&[&["render", "a.toml", "--view", "world", "-o"], arguments].concat());
+    render(&["a.png", "--width-cm", "8"]).done();
+    render(&["b.png", "--width-cm", "8", "--letters", "9"]).done();
+    assert!(bench.read("a.png") == bench.read("b.png"));
+    let small = render(&["c.svg", "--width-cm", "8", "--letters", "4", "--lang", "en"]);
+    assert!(small.err.contains("c.svg: its letters are 4.0 pt high on paper"), "{}", small.err);
+    // Pixels of CSS: 96 per inch, and 9 points of them.
+    render(&["d.svg", "--size", "480x360", "--letters", "9"]).done();
+    let svg = String::from_utf8(bench.read("d.svg")).unwrap();
+    assert!(svg.contains("width=\"360pt\"") && svg.contains("viewBox=\"0 0 480 360\""), "{}", &svg[..300]);
+    assert!(svg.contains("font-size=\"12\""), "9 pt are 12 px");
 }

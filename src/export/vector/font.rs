@@ -13,7 +13,7 @@ pub(super) const FONT: Name<'static> = Name(b"F");
 /// Six capital letters before the name of a subset, as PDF asks for.
 const BASE_FONT: Name<'static> = Name(b"CAMLAB+DejaVuSans");
 const SYSTEM: SystemInfo<'static> = SystemInfo { registry: Str(b"Adobe"), ordering: Str(b"Identity"), supplement: 0 };
-/// What the font's file says of itself, in thousandths of an em.
+/// Heights that the font's file names, in thousandths of an em.
 const ASCENT: f32 = 928.0;
 const DESCENT: f32 = -236.0;
 const CAPITALS: f32 = 729.0;

@@ -7,20 +7,24 @@
 //! | `font` | the letters of a page as a subset of the font, for PDF |
 //! | `pdf` | a page as PDF |
 //! | `svg` | a page as SVG |
+//! | `tex` | a page as a figure of a LaTeX document |
 
 mod embedded;
 mod font;
 mod pdf;
 mod svg;
+mod tex;
 
 use tiny_skia::Pixmap;
 
 use crate::appearance::Rgba;
+use crate::drawing::Anchor;
 use crate::text::Element;
 pub use embedded::figure_in;
 pub(super) use pdf::path_of;
 pub use pdf::pdf;
 pub use svg::svg;
+pub use tex::{tex, without_texts};
 
 /// A page. Its unit is the pixel of the picture; (0, 0) is the upper left corner, y points down.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,6 +91,8 @@ pub enum Item {
         halo: Rgba,
         /// The width of the halo's stroke, of which half is outside of the letters.
         halo_width: f32,
+        /// The end of it that stays where another font is wider or narrower.
+        anchor: Anchor,
     },
     /// Pixels, stretched over a rectangle.
     Picture {

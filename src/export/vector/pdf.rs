@@ -193,7 +193,7 @@ impl<'a> Writer<'a> {
                 self.path(path);
                 self.operators.stroke();
             }
-            Item::Text { at, text, size, color, halo, halo_width } => {
+            Item::Text { at, text, size, color, halo, halo_width, .. } => {
                 if halo.a > 0 {
                     self.color(*halo);
                     self.operators.set_line_width(*halo_width).set_line_join(LineJoinStyle::RoundJoin);

@@ -80,7 +80,7 @@ impl Writer {
                 }
                 self.xml.end_element();
             }
-            Item::Text { at, text, size, color, halo, halo_width } => match self.letters {
+            Item::Text { at, text, size, color, halo, halo_width, .. } => match self.letters {
                 Letters::Text => self.text(*at, text, *size, [*color, *halo], *halo_width),
                 Letters::Outlines => self.outlines(*at, text, *size, [*color, *halo], *halo_width),
             },

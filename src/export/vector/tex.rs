@@ -1,0 +1,136 @@
+//! A page as a figure of a LaTeX document: its letters are the document's, all else is a PDF beside it.
+
+use super::{Item, Page, number};
+use crate::appearance::Rgba;
+use crate::drawing::Anchor;
+use crate::formula;
+use crate::text;
+
+/// The LaTeX of a page whose other things are in the PDF `art`, which is named without its ending: a `picture` for
+/// `\input`. The document needs the packages graphicx and color (or xcolor).
+///
+/// Each label is set in the document's font, at the height that it has on the page; its symbols are mathematics.
+#[must_use]
+pub fn tex(page: &Page, art: &str) -> String {
+    let [width, height] = page.size.map(|side| number(side * page.points));
+    let mut latex = format!(
+        "% {}\n% \\usepackage{{graphicx, color}}\n\\begingroup\n\\setlength{{\\unitlength}}{{1bp}}%\n\
+         \\begin{{picture}}({width},{height})%\n  \\put(0,0){{\\includegraphics[width={width}bp]{{{art}}}}}%\n",
+        page.title.split_whitespace().collect::<Vec<_>>().join(" ")
+    );
+    labels(page, &page.items, [0.0; 2], &mut latex);
+    latex.push_str("\\end{picture}%\n\\endgroup\n");
+    latex
+}
+
+/// The page without its texts.
+#[must_use]
+pub fn without_texts(page: &Page) -> Page {
+    fn kept(items: &[Item]) -> Vec<Item> {
+        let keep = |item: &Item| match item {
+            Item::Text { .. } => None,
+            Item::Group { corner, clip, items } => {
+                Some(Item::Group { corner: *corner, clip: *clip, items: kept(items) })
+            }
+            Item::Fill { .. } | Item::Stroke { .. } | Item::Picture { .. } => Some(item.clone()),
+        };
+        items.iter().filter_map(keep).collect()
+    }
+    Page { items: kept(&page.items), ..page.clone() }
+}
+
+fn labels(page: &Page, items: &[Item], by: [f32; 2], latex: &mut String) {
+    for item in items {
+        match item {
+            Item::Group { corner, items, .. } => labels(page, items, [by[0] + corner[0], by[1] + corner[1]], latex),
+            Item::Text { at, text, size, color, anchor, .. } => {
+                let width = text::measure(text, *size).width;
+                let (share, before, after) = match anchor {
+                    Anchor::Left => (0.0, "", r"\hss"),
+                    Anchor::Center => (0.5, r"\hss", r"\hss"),
+                    Anchor::Right => (1.0, r"\hss", ""),
+                };
+                let x = number((by[0] + at[0] + share * width) * page.points);
+                let y = number((page.size[1] - by[1] - at[1]) * page.points);
+                let Rgba { r, g, b, .. } = *color;
+                let [r, g, b] = [r, g, b].map(|part| number(f32::from(part) / 255.0));
+                let size = number(size * page.points);
+                let text = label(text);
+                latex.push_str(&format!(
+                    "  \\put({x},{y}){{\\hbox to 0pt{{{before}\\fontsize{{{size}bp}}{{{size}bp}}\\selectfont\
+                     \\color[rgb]{{{r},{g},{b}}}{text}{after}}}}}%\n"
+                ));
+            }
+            Item::Fill { .. } | Item::Stroke { .. } | Item::Picture { .. } => {}
+        }
+    }
+}
+
+/// A label in LaTeX: symbols as mathematics, **u**, **v** and **n** as vectors.
+fn label(text: &str) -> String {
+    let mut latex = String::new();
+    let runs = text::runs(text);
+    for (k, run) in runs.iter().enumerate() {
+        if run.lowered {
+            continue;
+        }
+        let below = runs.get(k + 1).filter(|next| next.lowered).map(|next| next.text);
+        // The symbol that the subscript belongs to is the last word.
+        let letters = run.text.char_indices().rev().take_while(|(_, c)| c.is_alphabetic());
+        let start = letters.last().map_or(run.text.len(), |(at, _)| at);
+        let (before, symbol) = match below {
+            Some(_) => run.text.split_at(start),
+            None => (run.text, ""),
+        };
+        before.split_inclusive(|c: char| !c.is_alphabetic()).for_each(|part| latex.push_str(&word(part)));
+        if let Some(below) = below {
+            latex.push_str(&format!("${}_{{{}}}$", mathematics(symbol), subscript(below)));
+        }
+    }
+    latex
+}
+
+/// A word, with what ends it.
+fn word(part: &str) -> String {
+    let name = part.trim_end_matches(|c: char| !c.is_alphabetic());
+    let rest = formula::words(&part[name.len()..]);
+    let is_symbol = matches!(name, "u" | "v" | "n" | "x" | "y" | "z" | "w" | "t" | "PF" | "VUP" | "DOP")
+        || (name.chars().count() == 1 && name.chars().all(char::is_uppercase) && name.is_ascii());
+    let name = if is_symbol { format!("${}$", mathematics(name)) } else { formula::words(name) };
+    name + &rest
+}
+
+/// The name of a symbol in mathematics.
+fn mathematics(name: &str) -> String {
+    match name {
+        "u" | "v" | "n" => format!("\\mathbf{{{name}}}"),
+        name if name.chars().count() > 1 => format!("\\mathrm{{{}}}", formula::words(name)),
+        name => formula::words(name).replace('$', ""),
+    }
+}
+
+fn subscript(name: &str) -> String {
+    let plain = formula::words(name).replace('$', "");
+    if name.chars().count() > 1 { format!("\\mathrm{{{plain}}}") } else { plain }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label;
+
+    #[test]
+    fn symbols_are_mathematics_and_words_are_words() {
+        for (text, latex) in [
+            ("u", r"$\mathbf{u}$"),
+            ("PF", r"$\mathrm{PF}$"),
+            ("far (B)", "far ($B$)"),
+            ("z_n", "$z_{n}$"),
+            ("D_R", "$D_{R}$"),
+            ("θ/2", r"$\theta$/2"),
+            ("(−1, −1, −1)", "($-$1, $-$1, $-$1)"),
+            ("50 % & more", r"50 \% \& more"),
+        ] {
+            assert_eq!(label(text), latex, "{text}");
+        }
+    }
+}

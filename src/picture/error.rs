@@ -1,0 +1,46 @@
+//! Why there is no picture file.
+
+use super::NoComposite;
+use crate::export::animation::AnimationFormat;
+use crate::export::format::PictureFormat;
+use crate::export::png::PngError;
+use crate::pipeline::OverBudget;
+
+/// Why there is no picture file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PictureError {
+    /// A side is 0, or there is not enough memory.
+    #[error("there is not enough memory for a picture of this size")]
+    TooLarge,
+    /// There is no sheet.
+    #[error(transparent)]
+    Composite(#[from] NoComposite),
+    /// Cancelled.
+    #[error("cancelled")]
+    Cancelled,
+    /// An error of WebP or JPEG.
+    #[error("the picture cannot be written as {} ({why})", .format.name())]
+    Encode {
+        /// The format.
+        format: PictureFormat,
+        /// The message of the encoder: its own error belongs to another crate, and can be neither cloned nor compared.
+        why: String,
+    },
+    /// An error of an animation.
+    #[error("the picture cannot be written as {} ({why})", .format.name())]
+    Animate {
+        /// The format.
+        format: AnimationFormat,
+        /// The message of the encoder, as for [`Encode`](Self::Encode).
+        why: String,
+    },
+    /// The visible parts of strokes were not found.
+    #[error("{}", OverBudget::Strokes)]
+    Strokes,
+    /// The font of a PDF.
+    #[error("the letters of the picture cannot be written as PDF")]
+    Font,
+    /// An error of PNG.
+    #[error(transparent)]
+    Png(#[from] PngError),
+}
