@@ -141,8 +141,8 @@ pub(super) struct RenderArgs {
     /// given
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     dpi: Option<String>,
-    /// Height of the letters of names in points on paper, 9 where --width-cm is given; strokes are in proportion. On a sheet of all three they are
-    /// smaller where a picture has no room for them, but still legible (6 points)
+    /// Height of the letters of names in points on paper, 9 where --width-cm is given; strokes are in proportion. On a
+    /// sheet of all three they are smaller where a picture has no room for them, but still legible (6 points)
     #[arg(long, value_name = "PT", allow_hyphen_values = true, conflicts_with = "scale")]
     letters: Option<String>,
     /// Width of the edges of solids in points on paper, other strokes in proportion; without it, in proportion to the

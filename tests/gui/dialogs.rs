@@ -234,7 +234,7 @@ fn a_format_without_transparency_greys_it_and_a_name_that_says_so_is_refused() {
     assert!(matches!(&window.state().file_flow.dialog, Some(Dialog::Path(_, path)) if path.ends_with(".webp")));
     let file = folder.file("a.jpg");
     window.choose(&file);
-    assert!(window.says("JPEG has no transparency; allowed: a name that ends in .png or .webp"));
+    assert!(window.says("JPEG has no transparency; allowed: a name that ends in .png, .webp, .svg or .pdf"));
     assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Path(..))), "another name can be typed");
     assert!(!file.exists());
 }
@@ -312,4 +312,32 @@ fn the_rows_of_the_export_dialog_stay_where_they_are() {
         let moved = rows(&window).into_iter().zip(typed).map(|(now, then)| (now - then).abs());
         assert!(moved.fold(0.0, f32::max) <= 2.0, "{size}: {:?}, before {typed:?}", rows(&window));
     }
+}
+
+#[test]
+fn vectors_have_settings_of_their_own_and_are_copied_as_text() {
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::E);
+    let greyed = |window: &Window| window.harness.get_by_label("letters as outlines").accesskit_node().is_disabled();
+    assert!(greyed(&window), "a PNG has none");
+    window.quick_choice("format", "SVG");
+    assert!(!greyed(&window));
+    window.click("letters as outlines");
+    window.harness.get_by_label("Copy the picture").click();
+    let copied = |window: &Window| -> Option<String> {
+        window.harness.output().platform_output.commands.iter().find_map(|command| match command {
+            OutputCommand::CopyText(text) => Some(text.clone()),
+            _ => None,
+        })
+    };
+    let since = Instant::now();
+    let text = loop {
+        window.harness.step();
+        if let Some(text) = copied(&window) {
+            break text;
+        }
+        assert!(since.elapsed() < Duration::from_secs(120), "nothing on the clipboard");
+        std::thread::sleep(Duration::from_millis(5));
+    };
+    assert!(text.starts_with("<svg") && text.contains("aria-label=\"VUP\"") && !text.contains("<text"));
 }
