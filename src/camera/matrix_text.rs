@@ -41,6 +41,8 @@ impl MatrixEntries {
         for part in separated.split_whitespace() {
             match expression::evaluate(part, Dimension::Number) {
                 Ok(number) => numbers.push(number),
+                // `dtype=float32`, with which NumPy ends it.
+                Err(_) if part.starts_with("dtype") => break,
                 Err(_) if numbers.is_empty() && is_name(part) => {}
                 Err(_) => return Err(MatrixTextError::Part(part.to_owned())),
             }
@@ -81,12 +83,16 @@ fn is_name(part: &str) -> bool {
     part.chars().any(char::is_alphabetic) || !part.contains(|c: char| c.is_ascii_digit())
 }
 
-/// Whether commas stand inside the numbers: apart by blanks alone there is a matrix of them.
+/// Whether commas stand inside the numbers: no more than one in each part, between digits.
 fn has_decimal_commas(text: &str) -> bool {
-    let is_number = |part: &&str| part.starts_with(|c: char| c.is_ascii_digit() || "+-−.√".contains(c));
-    let parts: Vec<&str> = text.split_whitespace().filter(is_number).collect();
-    matches!(parts.len(), 12 | 16) && parts.iter().all(|part| !part.ends_with(','))
-        || !text.contains(", ") && text.matches(',').count() < 11
+    let is_decimal = |part: &str| {
+        part.split_once(',').is_none_or(|(whole, decimals)| {
+            !decimals.contains(',')
+                && whole.ends_with(|c: char| c.is_ascii_digit())
+                && decimals.starts_with(|c: char| c.is_ascii_digit())
+        })
+    };
+    text.contains(',') && text.split_whitespace().all(is_decimal)
 }
 
 #[cfg(test)]
@@ -111,6 +117,9 @@ mod tests {
             "1,0 2,0 0,0 3,0\n0,0 1,0 0,0 0,0\n0,0 0,0 −1,5 0,25\n0,0 0,0 0,0 1,0",
             r"1 & 2 & 0 & 3 \\ 0 & 1 & 0 & 0 \\ 0 & 0 & -1.5 & 0.25 \\ 0 & 0 & 0 & 1",
             "1,2,0,3,0,1,0,0,0,0,-1.5,0.25,0,0,0,1",
+            "1,2,0,3\n0,1,0,0\n0,0,-1.5,0.25",
+            "[1,2,0,3;0,1,0,0;0,0,-1.5,0.25]",
+            "array([[1., 2., 0., 3.],\n [0., 1., 0., 0.],\n [0., 0., -1.5, 0.25]], dtype=float32)",
             "<Matrix 4x4 (1.0000, 2.0000, 0.0000, 3.0000)\n            (0.0000, 1.0000, 0.0000, 0.0000)\n\
              (0.0000, 0.0000, -1.5000, 0.2500)\n            (0.0000, 0.0000, 0.0000, 1.0000)>",
             "Matrix(((1.0, 2.0, 0.0, 3.0),\n (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, -1.5, 0.25), (0.0, 0.0, 0.0, 1.0)))",

@@ -48,6 +48,9 @@ pub enum AnswerError {
     /// A bracket without its other half.
     #[error("a bracket is missing")]
     Bracket,
+    /// Neither a number that is multiplied nor a row.
+    #[error("beside the brackets only a factor may stand; a function needs brackets: [1, 1, 1]/sqrt(3)")]
+    BesideBrackets,
     /// Rows of different lengths.
     #[error("row {} has {found} numbers, the first has {first}", row + 1)]
     Ragged {
@@ -297,7 +300,7 @@ fn rows_in_brackets(text: &str) -> Result<Vec<&str>, AnswerError> {
             }
             ',' | ';' => {}
             c if c.is_whitespace() => {}
-            _ if open == 0 => return Err(AnswerError::Bracket),
+            _ if open == 0 => return Err(AnswerError::BesideBrackets),
             _ => {}
         }
         if open < 0 {

@@ -2,7 +2,7 @@
 
 use super::acceptance::is_right;
 use super::answer::Answer;
-use super::exercise::{Ask, Exercise, Expected};
+use super::exercise::{Ask, Exercise, Expected, Kind};
 use super::follows::Follows;
 use super::value::Table;
 
@@ -49,6 +49,11 @@ impl<'a> Beside<'a> {
             .collect();
         let wrong = |k: usize| answers[k].filter(|_| is_wrong[k]).and_then(|answer| numbers(answer, asks[k]));
         let tables: Vec<Table> = (0..asks.len()).map(|k| wrong(k).unwrap_or_else(|| rights[k].clone())).collect();
+        // From nothing everything follows.
+        let is_nothing = |k: usize| !matches!(asks[k].kind, Kind::Choice(_)) && tables[k].size() == 0.0;
+        if (0..asks.len()).any(|k| is_wrong[k] && is_nothing(k)) {
+            return None;
+        }
         // A 0 is none where the numbers that it comes from were rounded: the share of it is no measure.
         let follows =
             |given: f64, of: f64| ask.accepts(Some(given), of) || (!ask.whole && (given - of).abs() <= ask.tolerance);

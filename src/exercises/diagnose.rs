@@ -65,21 +65,29 @@ pub(super) fn diagnose(
 ) -> Option<Diagnosis> {
     // A slip that gives the right result is not a mistake here.
     let differs = |table: &Table| table.shape() == right.shape() && !ask.accepts_all(&table.entries, right);
-    let agreed = |table: &Table| if differs(table) { agreement(ask, given, table) } else { None };
+    let agreed = |table: &Table| {
+        let agreement = agreement(ask, given, table).filter(|_| differs(table))?;
+        is_evidence(ask, given, right, table).then_some(agreement)
+    };
     let slipped: Vec<(Slip, Table)> = in_order_of_telling(expected)
         .into_iter()
         .filter_map(|slip| Some((slip, expected.slipped(Slips::one(slip))?)))
-        .filter(|(_, table)| differs(table))
+        .filter(|(slip, table)| differs(table) && ask.nature.shows(slip.mistake()))
         .collect();
     let slipped = without_idle_operations(ask, slipped);
     let agreeing: Vec<(Slip, Agreement)> =
         slipped.iter().filter_map(|(slip, table)| Some((*slip, agreed(table)?))).collect();
     if let Some(best) = agreeing.iter().map(|(_, agreement)| *agreement).min() {
         let slips: Vec<Slip> = agreeing.iter().filter(|(_, agreement)| *agreement == best).map(|(s, _)| *s).collect();
-        // One that the answers beside it exclude leaves nothing to say.
-        return one_of(&supported(&slips, ask, beside));
+        let slips = supported(&slips, ask, beside);
+        if !slips.is_empty() {
+            return one_of(&slips, is_lost_sign(ask, given, right));
+        }
     }
-    if let Some(diagnosis) = multiple_of_direction(ask, right, given, &slipped) {
+    // Those that the answers beside it exclude were not made: a sign, or the whole turned round, may give the same.
+    let are_excluded = !agreeing.is_empty();
+    let multiple = multiple_of_direction(ask, right, given, &slipped);
+    if let Some(diagnosis) = multiple.filter(|_| !are_excluded) {
         return Some(diagnosis);
     }
     let of_table = |table: &Table| turned_round(ask, table).into_iter().find(|(_, t)| agreed(t).is_some());
@@ -89,6 +97,9 @@ pub(super) fn diagnose(
     if ask.nature.has_signs() && has_signs_of(ask, given, right) {
         let entry = only_wrong(ask, given, right);
         return Some(Diagnosis { entry, ..Diagnosis::of(Cause::of(Mistake::Sign)) });
+    }
+    if are_excluded {
+        return None;
     }
     if is_rounded_too_early(ask, given, right) {
         return Some(Diagnosis::of(Cause::of(Mistake::RoundedTooEarly)));
@@ -104,7 +115,7 @@ pub(super) fn diagnose(
     }
     let may_be = |slip: &Slip| !is_excluded(*slip, ask, beside);
     let slipped: Vec<(Slip, Table)> = slipped.into_iter().filter(|(slip, _)| may_be(slip)).collect();
-    two_together(ask, expected, given, &slipped, |table| agreed(table).is_some(), of_table)
+    two_together(ask, (expected, right), given, &slipped, |table| agreed(table).is_some(), of_table)
 }
 
 /// Without other operations that leave what is asked for as it was, as a roll leaves C: nothing was done to it.
@@ -118,16 +129,23 @@ fn without_idle_operations(ask: &Ask, mut slipped: Vec<(Slip, Table)>) -> Vec<(S
     slipped
 }
 
-/// The diagnosis of slips that give the same numbers.
-fn one_of(slips: &[Slip]) -> Option<Diagnosis> {
+/// Causes of which one was made that are worth reading: more of them say nothing.
+const MOST: usize = 3;
+
+/// The diagnosis of slips that give the same numbers; a reversed axis may be a lost minus as well.
+fn one_of(slips: &[Slip], is_lost_sign: bool) -> Option<Diagnosis> {
     let mut causes: Vec<Cause> = Vec::new();
     for slip in slips {
         if causes.iter().all(|cause| cause.mistake != slip.mistake()) {
             causes.push(slip.cause());
         }
     }
+    let has = |mistakes: &[Mistake]| causes.iter().any(|cause| mistakes.contains(&cause.mistake));
+    if is_lost_sign && has(&[Mistake::UReversed, Mistake::VReversed]) && !has(&[Mistake::Sign]) {
+        causes.push(Cause::of(Mistake::Sign));
+    }
     let others = causes.split_off(causes.len().min(1));
-    (!causes.is_empty()).then(|| Diagnosis { others, ..Diagnosis::together(causes) })
+    (!causes.is_empty() && others.len() < MOST).then(|| Diagnosis { others, ..Diagnosis::together(causes) })
 }
 
 /// The slips that the answers beside this one allow; only those that explain another wrong one, where some do.
@@ -213,13 +231,14 @@ fn turned_round(ask: &Ask, table: &Table) -> Vec<(Cause, Table)> {
 /// Two slips, a slip in the wrong order, or a slip with one more number wrong.
 fn two_together(
     ask: &Ask,
-    expected: &Expected,
+    (expected, right): (&Expected, &Table),
     given: &[f64],
     slipped: &[(Slip, Table)],
     explains: impl Fn(&Table) -> bool,
     of_table: impl Fn(&Table) -> Option<(Cause, Table)>,
 ) -> Option<Diagnosis> {
-    if given.iter().filter(|number| **number != 0.0).count() < ENOUGH {
+    // Any order of a few things comes from some pair.
+    if ask.nature == Nature::Order || given.iter().filter(|number| **number != 0.0).count() < ENOUGH {
         return None;
     }
     let mut found: Option<[Cause; 2]> = None;
@@ -252,6 +271,12 @@ fn two_together(
     let mut beside = slipped.iter().filter(|(_, table)| given.len() >= MANY && table.entries.len() == given.len());
     beside.find_map(|(slip, table)| {
         let entry = only_wrong(ask, given, table)?;
+        let at = entry[0] * table.columns.max(1) + entry[1];
+        // Numbers that are right without the slip are no evidence of it.
+        let told = (0..given.len()).filter(|k| *k != at && !ask.accepts(Some(given[*k]), right.entries[*k]));
+        if told.count() < ENOUGH {
+            return None;
+        }
         let causes = vec![slip.cause(), Cause::of(Mistake::ArithmeticSlip)];
         Some(Diagnosis { entry: Some(entry), ..Diagnosis::together(causes) })
     })
@@ -274,10 +299,19 @@ fn agreement(ask: &Ask, given: &[f64], table: &Table) -> Option<Agreement> {
         if (given - of).abs() <= exact * if nothing { size } else { of.abs() } {
             return Some(Agreement::Exact);
         }
-        (!is_whole && is_as_written(*given, *of, several)).then_some(Agreement::AsWritten)
+        (!is_whole && !nothing && is_as_written(*given, *of, several)).then_some(Agreement::AsWritten)
     };
     let worst = given.iter().zip(&table.entries).map(each).collect::<Option<Vec<_>>>()?;
     worst.into_iter().max()
+}
+
+/// Whether one of the numbers that are wrong says something about a mistake: it is written with two digits or more, or
+/// is what the mistake gives without any rounding.
+fn is_evidence(ask: &Ask, given: &[f64], right: &Table, table: &Table) -> bool {
+    let size = table.size();
+    given.iter().zip(&right.entries).zip(&table.entries).any(|((given, right), of)| {
+        !ask.accepts(Some(*given), *right) && (digits(*given).0 > 1 || (given - of).abs() <= 1e-9 * size)
+    })
 }
 
 /// The significant digits and the decimals of a number, as short as it can be written.
@@ -294,10 +328,6 @@ fn is_as_written(given: f64, of: f64, several: bool) -> bool {
     const LEAST: usize = 2;
     let (significant, decimals) = digits(given);
     let unit = |decimals: usize| 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(i32::MAX));
-    if given == 0.0 {
-        // Beside others with two decimals.
-        return several && of.abs() < unit(LEAST) / 2.0;
-    }
     // The last digit of a long number may come from numbers that were rounded on the way.
     let units = if significant > LEAST + 1 { 1.5 } else { 0.5 };
     let least = if several { LEAST } else { LEAST + 1 };
@@ -316,8 +346,14 @@ fn has_signs_of(ask: &Ask, given: &[f64], right: &Table) -> bool {
     given.iter().zip(&right.entries).all(|(given, right)| ask.accepts(Some(given.abs()), right.abs()))
 }
 
+/// Whether the sign of one number is all that is wrong, and not the direction of a vector.
+fn is_lost_sign(ask: &Ask, given: &[f64], right: &Table) -> bool {
+    let may_be = ask.nature.has_signs() && ask.nature != Nature::Direction;
+    may_be && has_signs_of(ask, given, right) && only_wrong(ask, given, right).is_some()
+}
+
 /// Whether all that is wrong is the right number with fewer than three digits or decimals, at least one of them with
-/// two. Nobody rounds 0.23 to 0: whole numbers below 1 are a guess.
+/// two. Nobody rounds 0.23 to 0, and whole numbers need no rounding.
 fn is_rounded_too_early(ask: &Ask, given: &[f64], right: &Table) -> bool {
     if ask.whole {
         return false;
@@ -326,8 +362,12 @@ fn is_rounded_too_early(ask: &Ask, given: &[f64], right: &Table) -> bool {
     let several = wrong().count() > 1;
     let is = |given: f64, right: f64| (given - right).abs() <= 1e-9 * right.abs().max(1.0);
     let cut = |given: f64, right: f64| {
+        if right.fract() == 0.0 {
+            return false;
+        }
         let to_decimals = [10.0, 100.0].iter().any(|unit| is(given, (right * unit).round() / unit));
         is(given, rounded(right, 2)) || (several && (is(given, rounded(right, 1)) || to_decimals))
     };
-    wrong().all(|(given, right)| cut(*given, *right)) && wrong().any(|(given, right)| is(*given, rounded(*right, 2)))
+    wrong().all(|(given, right)| cut(*given, *right))
+        && wrong().any(|(given, right)| digits(*given).0 > 1 && is(*given, rounded(*right, 2)))
 }

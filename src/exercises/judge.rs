@@ -7,10 +7,11 @@ use super::acceptance::{allows, is_right};
 use super::answer::Answer;
 use super::beside::Beside;
 use super::diagnose::{Diagnosis, diagnose};
-use super::exercise::{Ask, Expected};
+use super::exercise::{Ask, Expected, TOLERANCE};
 use super::mistake::Mistake;
 use super::own_texts::{ExpectedAnswer, OwnMistake};
 use super::slip::Cause;
+use super::value::Table;
 use crate::camera::Camera;
 
 /// The verdict on an answer.
@@ -144,7 +145,14 @@ fn judge_in(ask: &Ask, expected: &Expected, answer: &Answer, beside: Option<Besi
             let Some(right) = expected.table() else { return judged(ask, answer, vec![vec![false]], None) };
             if [*rows, *columns] != right.shape() {
                 let none = vec![vec![false; right.columns]; right.rows];
-                return judged(ask, answer, none, Some(Diagnosis::of(Cause::of(Mistake::WrongShape))));
+                let given = entries.iter().copied().collect::<Option<Vec<f64>>>();
+                let given = given.map(|entries| Table { rows: *rows, columns: *columns, entries }.transposed());
+                let is_turned = *rows > 1
+                    && given
+                        .is_some_and(|given| given.shape() == right.shape() && ask.accepts_all(&given.entries, &right));
+                let table = Cause { mistake: Mistake::Transposed, variant: "table" };
+                let cause = if is_turned { table } else { Cause::of(Mistake::WrongShape) };
+                return judged(ask, answer, none, Some(Diagnosis::of(cause)));
             }
             let is_right: Vec<bool> =
                 entries.iter().zip(&right.entries).map(|(given, right)| ask.accepts(*given, *right)).collect();
@@ -162,10 +170,10 @@ fn judge_in(ask: &Ask, expected: &Expected, answer: &Answer, beside: Option<Besi
     }
 }
 
-/// True for cameras whose view volumes have the same corners, in the same order.
+/// True for cameras whose view volumes have the same corners, in the same order, to the digits that are written.
 fn same_volume(a: &Camera, b: &Camera) -> bool {
     let size = a.far() + a.distance();
-    a.volume_corners().iter().zip(b.volume_corners()).all(|(a, b)| (*a - b).length() <= 1e-9 * size)
+    a.volume_corners().iter().zip(b.volume_corners()).all(|(a, b)| (*a - b).length() <= TOLERANCE * size)
 }
 
 impl Ask {

@@ -1,5 +1,6 @@
 //! The nature of what is asked for: which general mistakes can be made in it, and which hints help.
 
+use super::mistake::Mistake;
 use crate::camera::ParameterKey;
 use crate::inspect::quantity::{PointNumber, Quantity, RayNumber, WindowNumber};
 
@@ -53,6 +54,11 @@ impl Nature {
     #[must_use]
     pub const fn has_signs(self) -> bool {
         matches!(self, Self::Number | Self::Vector | Self::Direction | Self::Matrix)
+    }
+
+    /// Whether a mistake shows in its numbers: a length that is not 1 does where it has to be 1.
+    pub(super) const fn shows(self, mistake: Mistake) -> bool {
+        !matches!(mistake, Mistake::NotNormalised) || matches!(self, Self::Direction | Self::Matrix)
     }
 
     /// Its name among the texts.

@@ -137,6 +137,8 @@ slips! {
     NoDivide = NoDivide;
     /// Numbers of the other projection.
     ProjectionsExchanged = ProjectionsExchanged;
+    /// The last row of the other M_p.
+    OtherLastRow = ProjectionsExchanged "last-row";
     /// The ray of a perspective camera begins at the point of the window.
     WindowPointAsOrigin = ProjectionsExchanged;
     /// The depth of a parallel camera.
@@ -231,18 +233,18 @@ slips! {
     OrderStr = OrderReversed;
     /// R S T.
     OrderRst = OrderReversed;
+    /// The segment from B to A.
+    EndsExchanged = OrderReversed "ends";
     /// Planes of a pair exchanged: left and right, bottom and top, near and far.
     PairsExchanged = OrderReversed;
     /// Left and right, bottom and top exchanged.
     SidesExchanged = OrderReversed;
     /// l, b, r, t.
-    SidesByPairs = OrderReversed;
+    SidesByPairs = OrderReversed "sides";
     /// The place of each thing in the order, and not the things.
     RankOfEach = OrderReversed "ranks";
     /// A missing division by the length, in a question of a family.
     LengthForgotten = NotNormalised;
-    /// Rows for columns, in a question of a family.
-    Transposed = Transposed "block";
     /// The inverse, in a question of a family.
     Inverted = Inverse "factor";
     /// A step of the buffer, and not the distance that it is.

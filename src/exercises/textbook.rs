@@ -61,7 +61,7 @@ impl<'a> Textbook<'a> {
             Quantity::Direction => (if slips.has(Slip::DirectionIsNormal) { self.n } else { -self.n }).into(),
             Quantity::Distance => self.camera.distance().into(),
             Quantity::Matrix(ReportMatrix::View) => self.view.into(),
-            Quantity::Matrix(ReportMatrix::Projection) => self.projection.into(),
+            Quantity::Matrix(ReportMatrix::Projection) => self.shown_projection().into(),
             Quantity::Matrix(ReportMatrix::ViewProjection) => self.view_projection().into(),
             Quantity::Matrix(ReportMatrix::InverseView) => self.view.inverse().into(),
             Quantity::Matrix(ReportMatrix::InverseProjection) => self.projection.inverse().into(),
@@ -84,6 +84,20 @@ impl<'a> Textbook<'a> {
             Quantity::Point(k, number) => self.point(*self.subject.points.get(k)?, number)?,
             Quantity::Ray(k, number) => self.ray(*self.subject.pixels.get(k)?, number)?,
         })
+    }
+
+    /// M_p as it is written down.
+    fn shown_projection(&self) -> DMat4 {
+        if !self.slips.has(Slip::OtherLastRow) {
+            return self.projection;
+        }
+        let last = match self.projection() {
+            Projection::Perspective => DVec4::W,
+            Projection::Parallel => DVec4::NEG_Z,
+        };
+        let mut rows = self.projection.transpose();
+        rows.w_axis = last;
+        rows.transpose()
     }
 
     fn view_projection(&self) -> DMat4 {

@@ -176,8 +176,12 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
         && diagnosis.causes.iter().any(|cause| cause.mistake == Mistake::WrongShape)
     {
         let [asked, given] = [ask.shape(), [rows, columns]].map(shape);
+        let given_one = rows * columns == 1;
         said.push(match lang {
+            Lang::En if ask.shape() == [1, 1] => format!("Expected 1 number, got {given}."),
             Lang::En => format!("Expected {asked} numbers, got {given}."),
+            Lang::PtBr if ask.shape() == [1, 1] => format!("Esperava-se 1 número, foram dados {given}."),
+            Lang::PtBr if given_one => format!("Esperavam-se {asked} números, foi dado 1."),
             Lang::PtBr => format!("Esperavam-se {asked} números, foram dados {given}."),
         });
         if lang == Lang::PtBr && ask.shape()[1] == 1 && rows > ask.shape()[0] {
@@ -423,6 +427,9 @@ pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
         (Lang::PtBr, AnswerError::Empty) => "falta uma resposta".to_owned(),
         (Lang::PtBr, AnswerError::TooLong) => {
             format!("uma resposta tem no máximo {} caracteres", crate::limits::MAX_ANSWER)
+        }
+        (Lang::PtBr, AnswerError::BesideBrackets) => {
+            "ao lado dos colchetes só pode estar um fator; uma função leva parênteses: [1; 1; 1]/sqrt(3)".to_owned()
         }
         (Lang::PtBr, AnswerError::Bracket) => "falta um colchete ou parêntese".to_owned(),
         (Lang::PtBr, AnswerError::Ragged { row, found, first }) => {

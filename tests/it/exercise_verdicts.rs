@@ -53,7 +53,7 @@ pub(crate) fn together(id: &str, seed: u64, answers: &[(&str, String)]) -> Vec<J
 }
 
 /// The codes that are told: those made together, and after a `|` those that give the same.
-fn told(judged: &Judged) -> String {
+pub(crate) fn told(judged: &Judged) -> String {
     let codes = |causes: &[camera_lab::exercises::Cause]| {
         causes.iter().map(|cause| cause.mistake.code()).collect::<Vec<_>>().join("+")
     };
@@ -65,17 +65,17 @@ fn told(judged: &Judged) -> String {
 }
 
 /// What is told of one answer, and that it is not right.
-fn verdict(id: &str, seed: u64, name: &str, answer: impl Into<String>) -> String {
+pub(crate) fn verdict(id: &str, seed: u64, name: &str, answer: impl Into<String>) -> String {
     let judged = together(id, seed, &[(name, answer.into())]).remove(0);
     assert!(!judged.right, "{id} {seed} {name}");
     told(&judged)
 }
 
-fn is_one_of(told: &str, code: &str) -> bool {
+pub(crate) fn is_one_of(told: &str, code: &str) -> bool {
     told.split('|').any(|one| one == code)
 }
 
-fn text(id: &str, seed: u64, name: &str, answer: &str, lang: Lang) -> String {
+pub(crate) fn text(id: &str, seed: u64, name: &str, answer: &str, lang: Lang) -> String {
     let exercise = exercise(id, seed);
     let ask = exercise.asks.iter().find(|ask| ask.name == name).unwrap();
     let judged = together(id, seed, &[(name, answer.to_owned())]).remove(0);

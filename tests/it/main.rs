@@ -24,6 +24,7 @@ mod exercise_mistakes;
 mod exercise_slips;
 mod exercise_slips_others;
 mod exercise_verdicts;
+mod exercise_verdicts_evidence;
 mod exercises;
 mod explain;
 mod explain_formulas;

@@ -123,7 +123,7 @@ fn clip_segment(seed: u64) -> Exercise {
 /// The ends of the segment that is clipped.
 fn ends_of(a: DVec4, b: DVec4, slips: Slips) -> (DVec4, DVec4) {
     let (a, b) = if slips.has(Slip::ClipAfterDivide) { (a / a.w, b / b.w) } else { (a, b) };
-    if slips.has(Slip::OrderReversed) { (b, a) } else { (a, b) }
+    if slips.has(Slip::EndsExchanged) { (b, a) } else { (a, b) }
 }
 
 /// The point of the segment at t.

@@ -143,9 +143,13 @@ fn painter(seed: u64) -> Exercise {
         }
         Some(Table::column(&order))
     });
-    let order_ask = order_ask
-        .of_nature(Nature::Order)
-        .following(&["depths"], move |tables| Some(Table::column(&order(&tables[0].entries))));
+    let order_ask = order_ask.of_nature(Nature::Order).following(&["depths"], move |tables| {
+        let mut sorted = tables[0].entries.clone();
+        sorted.sort_by(f64::total_cmp);
+        // Of equal depths none is the farther.
+        let distinct = sorted.windows(2).all(|pair| pair[0] < pair[1]);
+        distinct.then(|| Table::column(&order(&tables[0].entries)))
+    });
     let facts: Vec<(&'static str, Fact)> = ["P1", "P2", "P3", "P4"]
         .into_iter()
         .zip(&points)

@@ -6,7 +6,7 @@ use super::cameras::{about, camera, numbers, point_inside, small, subject, with_
 use crate::camera::{Camera, Parameters, Projection};
 use crate::exercises::placing::{about_focal_point, around_box, looking_down};
 use crate::exercises::worked::inside as steps_inside;
-use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake, TOLERANCE};
 use crate::figure::Figure;
 use crate::inspect::quantity::{PointNumber, Quantity};
 use crate::scene::{ObjectSpec, Preset, Shape};
@@ -41,15 +41,16 @@ fn canonical_camera(seed: u64) -> Exercise {
     ];
     let steps = around_box(&model, [middle - half, middle + half]);
     let ask = Ask::camera("camera", (model, steps), &mistakes, move |camera| {
-        let near = |a: f64, b: f64| (a - b).abs() <= 1e-6;
+        let along = |n: DVec3| n.to_array().iter().any(|x| (x.abs() - 1.0).abs() <= 1e-6);
         let corners = camera.volume_corners().map(|corner| corner - middle);
         let octant = |at: &DVec3| at.to_array().map(|x| x > 0.0);
         let distinct = (0..8).all(|a| (0..a).all(|b| octant(&corners[a]) != octant(&corners[b])));
-        let is_corner = |at: &DVec3| (0..3).all(|k| near(at[k].abs(), half[k]));
+        let is_corner = |at: &DVec3| (0..3).all(|k| (at[k].abs() - half[k]).abs() <= TOLERANCE * half[k]);
+        let off = (corners.iter().sum::<DVec3>() / 8.0).abs();
         vec![
             ("is-parallel", camera.projection() == Projection::Parallel),
-            ("looks-along-axis", camera.basis().n.to_array().iter().any(|x| near(x.abs(), 1.0))),
-            ("middle-of-box", (corners.iter().sum::<DVec3>() / 8.0).length() <= 1e-6),
+            ("looks-along-axis", along(camera.basis().n)),
+            ("middle-of-box", off.cmple(half * TOLERANCE).all()),
             ("is-the-box", corners.iter().all(is_corner) && distinct),
         ]
     });

@@ -201,7 +201,6 @@ fn order(seed: u64) -> Exercise {
         // The sine of whole degrees is exact there.
         let (sin, cos) = angle.sin_cos();
         let turn = DMat4::from_mat3(rotation(axis, sin, cos));
-        let turn = if slips.has(Slip::Transposed) { turn.transpose() } else { turn };
         let (move_by, stretch) = (DMat4::from_translation(by), DMat4::from_scale(scale));
         if slips.has(Slip::OrderReversed) {
             stretch * turn * move_by

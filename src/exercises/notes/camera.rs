@@ -7,7 +7,9 @@ use crate::camera::{ImageSize, Operation, Parameters, Projection, ViewWindow};
 use crate::exercises::placing::around_box;
 use crate::exercises::statement_facts::{about, image, with_point};
 use crate::exercises::worked::{Worked, named, worked};
-use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Mistake, Nature, Slip, Slips, Subject, Table, Unit, textbook};
+use crate::exercises::{
+    Ask, Exercise, Fact, Free, Kind, Mistake, Nature, Slip, Slips, Subject, TOLERANCE, Table, Unit, textbook,
+};
 use crate::explain::{Formula, Function, over, plus};
 use crate::figure::{Figure, NamedPoint};
 use crate::geometry::Angle;
@@ -205,7 +207,7 @@ pub(super) fn cube() -> Exercise {
     ];
     let steps = around_box(&model, [-DVec3::ONE, DVec3::ONE]);
     let ask = Ask::camera("camera", (model, steps), &mistakes, |camera| {
-        let near = |a: f64, b: f64| (a - b).abs() <= 1e-6;
+        let near = |a: f64, b: f64| (a - b).abs() <= TOLERANCE * b;
         let corners = camera.volume_corners();
         let n = camera.basis().n;
         let is_cube = |at: &DVec3| at.to_array().iter().all(|x| near(x.abs(), 1.0));
@@ -214,10 +216,10 @@ pub(super) fn cube() -> Exercise {
         let middle = corners.iter().sum::<DVec3>() / 8.0;
         vec![
             ("is-parallel", camera.projection() == Projection::Parallel),
-            ("looks-along-axis", n.to_array().iter().any(|x| near(x.abs(), 1.0))),
+            ("looks-along-axis", n.to_array().iter().any(|x| (x.abs() - 1.0).abs() <= 1e-6)),
             ("window-is-2-by-2", near(camera.window_width(), 2.0) && near(camera.window_height(), 2.0)),
             ("planes-2-apart", near(camera.far() - camera.near(), 2.0)),
-            ("middle-at-origin", middle.length() <= 1e-6),
+            ("middle-at-origin", middle.length() <= TOLERANCE),
             ("is-the-cube", corners.iter().all(is_cube) && distinct),
         ]
     });
