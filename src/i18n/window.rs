@@ -239,6 +239,8 @@ texts! {
     dimensions: "Dimensions", "Cotas";
     dimensions_hint: "F, B, D, W, H and θ/2 as dimension lines. Point at a parameter to see its own", "F, B, D, W, H e θ/2 como linhas de cota. Aponte para um parâmetro para ver a dele";
     dimensions_in_section: "The section along u has its own dimension lines", "O corte ao longo de u tem suas próprias cotas";
+    world_parts: "Drawn in it", "Desenhado nele";
+    world_parts_hint: "What stands in the world beside the scene. What is left out here is in no picture of the world, on the screen or on paper", "O que está no mundo além da cena. O que se deixa de fora aqui não está em nenhuma imagem do mundo, na tela ou no papel";
     section_view: "Section along u", "Corte ao longo de u";
     section_view_hint: "The section through C, as in the side figures of the notes: similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its own", "O corte por C, como nas figuras de perfil das notas: triângulos semelhantes, θ/2, H/2, F, B, um ponto e seu y_p. Aponte para um vértice para ver o dele";
 

@@ -3,7 +3,7 @@
 use crate::appearance::Rgba;
 use crate::limits::MAX_PIXELS;
 use crate::views::{
-    Arrangement, Palette, Picture, Request, Shot, Size, Views, aspect_shown, best_arrangement, share_of_first,
+    Arrangement, Finish, Palette, Picture, Request, Shot, Size, Views, aspect_shown, best_arrangement, share_of_first,
     used_area,
 };
 
@@ -128,6 +128,8 @@ impl Composite {
             sizes = sizes_of(pictures.len(), arrangement, whole).filter(fit).ok_or(no_room)?;
             crowded = paper.and_then(|paper| lettered(&mut sizes, paper));
         }
+        let framed = views == Views::All || paper.is_some_and(|paper| paper.letters.is_some());
+        let request = &Request { finish: Finish { framed, ..request.finish }, ..request.clone() };
         let requests = pictures.iter().zip(sizes).map(|(picture, size)| of(request, picture, size, shot, paper));
         let ground = Palette::of(request.shot.look.style.theme).surround;
         let ground = if request.finish.transparent { ground.with_alpha(0) } else { ground };

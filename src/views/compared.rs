@@ -6,6 +6,7 @@ use super::{Compared, Labels, Palette, Request, Shot, Size};
 use crate::appearance::{Dash, HiddenLines, Rgba};
 use crate::camera::{Ndc, Operation};
 use crate::drawing::{Anchor, Area, Drawing, Label, StrokeSet, single};
+use crate::figure::WorldPart;
 use crate::figure::words::{self, DEPTH_FORMATS, HIDDEN_LINES, NDCS, PROJECTIONS, SHADINGS, VISIBILITIES};
 use crate::geometry::Angle;
 use crate::sanitize;
@@ -77,7 +78,9 @@ fn said(key: &str, value: Option<&str>, labels: &Labels) -> String {
         }
         _ => None,
     };
+    let part = key.strip_prefix("world.").and_then(|key| WorldPart::ALL.iter().position(|(_, known)| *known == key));
     let switch = labels.switches.iter().find(|(known, _)| *known == key).map(|(_, name)| *name);
+    let switch = switch.or(part.map(|part| labels.world_parts[part]));
     known.unwrap_or_else(|| match (switch, value) {
         (Some(name), Some("true")) => format!("{name}: {}", labels.yes_no[0]),
         (Some(name), Some("false")) => format!("{name}: {}", labels.yes_no[1]),
