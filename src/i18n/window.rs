@@ -270,6 +270,11 @@ texts! {
     open_action: "Open", "Abrir";
     save_title: "Save the figure", "Salvar a figura";
     save_action: "Save", "Salvar";
+    export_chart: "Export the chart…", "Exportar o gráfico…";
+    export_chart_hint: "The chart as SVG or PDF for print, or as PNG", "O gráfico como SVG ou PDF para impressão, ou como PNG";
+    export_chart_title: "Export the chart", "Exportar o gráfico";
+    chart_filter: "Chart", "Gráfico";
+    chart_file: "chart", "grafico";
     export_title: "Export the picture", "Exportar a imagem";
     figure_filter: "Figure, or picture with a figure in it", "Figura, ou imagem com uma figura dentro";
     picture_filter: "Picture", "Imagem";

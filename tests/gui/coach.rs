@@ -10,6 +10,7 @@ use camera_lab::scene::Preset;
 use eframe::egui::{Event, Key, Modifiers, PointerButton};
 use egui_kittest::kittest::Queryable;
 
+use super::files::Folder;
 use super::window::Window;
 
 /// A window with a cube, which there is little to draw of.
@@ -170,5 +171,27 @@ fn repairs_are_told_in_the_symbols_and_the_numbers_of_the_panel() {
         for key in ["near =", "far =", "view_angle", "focal_point"] {
             assert!(!told.iter().any(|text| text.contains(key)), "{key} in {told:?}");
         }
+    }
+}
+
+#[test]
+fn the_chart_of_depths_is_written_as_its_name_says() {
+    let folder = Folder::new("depth-chart");
+    for (lang, button, distance) in [
+        (Lang::En, "Export the chart…", "distance from the eye"),
+        (Lang::PtBr, "Exportar o gráfico…", "distância ao olho"),
+    ] {
+        let mut window = window(lang);
+        window.app_mut().state.file_flow.native = false;
+        window.explain(Explanation::Depth);
+        let name = format!("depths-{distance}").replace(' ', "-");
+        window.click(button);
+        window.choose(&folder.file(&name));
+        let svg = std::fs::read_to_string(folder.file(&format!("{name}.svg"))).expect("a chart");
+        assert!(svg.contains(distance) && svg.contains("zₙ") && svg.matches("<polyline").count() >= 3, "{svg}");
+        window.click(button);
+        window.choose(&folder.file(&format!("{name}.pdf")));
+        let pdf = std::fs::read(folder.file(&format!("{name}.pdf"))).expect("a chart");
+        assert!(pdf.starts_with(b"%PDF"));
     }
 }
