@@ -60,9 +60,9 @@ texts! {
     // Parts of the world.
     part_grid: "grid", "grade";
     part_axes: "axes x, y, z", "eixos x, y, z";
-    part_camera_body: "body of the camera", "corpo da câmera";
-    part_volume: "view volume", "volume de vista";
-    part_window: "view window", "janela de vista";
+    part_camera_body: "camera body", "câmera";
+    part_volume: "view volume", "volume";
+    part_window: "view window", "janela";
     part_ground_marks: "feet on the ground", "pés no chão";
     part_names: "names", "nomes";
     hidden_dashed: "hidden lines: dashed", "linhas ocultas: tracejadas";
