@@ -16,7 +16,7 @@ use crate::export::vector::Letters;
 use crate::figure::Figure;
 use crate::figure::update;
 use crate::files::{self, FigureFiles, FileAccess, FileError, Overwrite};
-use crate::i18n::{Lang, messages, pictures, window};
+use crate::i18n::{Lang, families, messages, pictures, window};
 use crate::limits::PAPER_LINES;
 use crate::numbers::round_to;
 use crate::picture::{
@@ -139,6 +139,10 @@ impl Export {
         let [width, height] = match self.what {
             Views::One(view) => sizes[view.index()],
             Views::All => together(sizes),
+            Views::Without(other) => {
+                let all = together(sizes);
+                [(all[0] - sizes[other.index()][0].min(all[0] / 3)).max(1), all[1]]
+            }
         };
         let side = |pixels: u32| pixels.max(1).saturating_mul(times);
         (self.width, self.height) = (side(width), side(height));
@@ -223,6 +227,9 @@ impl ExportError {
             Self::Cancelled | Self::Picture(PictureError::Cancelled) => format!("{} {name}", t.export_cancelled),
             Self::Picture(PictureError::TooLarge | PictureError::Composite(NoComposite::TooLarge)) => {
                 t.picture_too_large.to_owned()
+            }
+            Self::Picture(PictureError::Composite(NoComposite::UnevenRows { count, columns })) => {
+                families::uneven_rows(lang, *count, *columns)
             }
             Self::Picture(PictureError::Composite(NoComposite::NoRoom { count, .. })) => {
                 format!("{count} {}", t.picture_no_room)

@@ -18,6 +18,7 @@
 //! | `explain` | the words of the explanations |
 //! | `explain_point` | the words of the tab that follows a point |
 //! | `expressions` | faults of expressions |
+//! | `families` | the words about families of pictures, in both languages |
 //! | `faults` | errors and warnings beside the window's fields |
 //! | `figure_files` | faults of figure files, in both languages |
 //! | `files` | faults of files and links |
@@ -94,6 +95,7 @@ pub mod exercises;
 pub mod explain;
 pub mod explain_point;
 mod expressions;
+pub mod families;
 pub mod faults;
 mod figure_files;
 mod files;

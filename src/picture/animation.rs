@@ -63,7 +63,8 @@ impl Animation {
     pub fn stills(&self) -> Composite {
         let requests = (0..=self.steps()).map(|step| self.at(f64::from(step))).collect();
         let ground: Rgba = Palette::of(self.request.shot.look.style.theme).surround;
-        Composite { requests, arrangement: Arrangement::Row, gap: gap(self.request.size.scale), ground, crowded: None }
+        let gap = gap(self.request.size.scale);
+        Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None }
     }
 
     /// The file: an animation, a step of it in so many seconds, or a strip, with a figure file in it where the format

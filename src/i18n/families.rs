@@ -1,0 +1,75 @@
+//! The words about families of pictures: what cannot be varied, and why.
+
+use super::{Lang, messages};
+use crate::figure::variation::VariationError;
+use crate::limits::MAX_FAMILY;
+use crate::sanitize::escaped;
+
+/// Why there is no family.
+#[must_use]
+pub fn error(lang: Lang, error: &VariationError) -> String {
+    match (lang, error) {
+        (Lang::En, VariationError::NoValues) => {
+            "it has no values; allowed: KEY=VALUE,VALUE,…, such as camera.view_angle=20,40,60".to_owned()
+        }
+        (Lang::PtBr, VariationError::NoValues) => {
+            "não tem valores; permitido: CHAVE=VALOR,VALOR,…, como camera.view_angle=20,40,60".to_owned()
+        }
+        (Lang::En, VariationError::Range { found, limit }) => {
+            let found = escaped(found);
+            format!("\"{found}\" is no range of numbers; allowed: FROM..TO:COUNT, with a COUNT from 2 to {limit}")
+        }
+        (Lang::PtBr, VariationError::Range { found, limit }) => {
+            let found = escaped(found);
+            format!("\"{found}\" não é um intervalo de números; permitido: DE..ATÉ:QUANTOS, com QUANTOS de 2 a {limit}")
+        }
+        (Lang::En, VariationError::TooMany { count, limit }) => {
+            format!("the family would have {count} pictures; allowed: at most {limit}")
+        }
+        (Lang::PtBr, VariationError::TooMany { count, limit }) => {
+            format!("a família teria {count} imagens; permitido: no máximo {limit}")
+        }
+        (_, VariationError::Figure { key, value, error }) => {
+            format!("{} = {}: {}", escaped(key), escaped(value), messages::without_line(lang, error))
+        }
+        (_, VariationError::Operation { key, value, error }) => {
+            format!("{} = {}: {}", escaped(key), escaped(value), messages::operation(lang, error))
+        }
+    }
+}
+
+/// A number of columns that no sheet has.
+#[must_use]
+pub fn columns(lang: Lang, text: &str) -> String {
+    let text = escaped(text);
+    match lang {
+        Lang::En => format!("--columns is \"{text}\"; allowed: a whole number from 1 to {MAX_FAMILY}"),
+        Lang::PtBr => format!("--columns é \"{text}\"; permitido: um número inteiro de 1 a {MAX_FAMILY}"),
+    }
+}
+
+/// A number of variations that a command has no use for.
+#[must_use]
+pub fn variations(lang: Lang, count: usize, most: usize) -> String {
+    match lang {
+        Lang::En => {
+            format!("--vary is given {count} times; allowed: at least once and at most {most} times")
+        }
+        Lang::PtBr => {
+            format!("--vary aparece {count} vezes; permitido: ao menos uma e no máximo {most}")
+        }
+    }
+}
+
+/// Rows that would not have the pictures of a figure below one another.
+#[must_use]
+pub fn uneven_rows(lang: Lang, count: usize, columns: usize) -> String {
+    match lang {
+        Lang::En => format!(
+            "{count} figures with several pictures each do not fill rows of {columns}; allowed: a number of columns that divides {count}"
+        ),
+        Lang::PtBr => format!(
+            "{count} figuras com várias imagens cada não enchem linhas de {columns}; permitido: um número de colunas que divida {count}"
+        ),
+    }
+}
