@@ -12,14 +12,14 @@ use super::exercise_args::ExerciseArgs;
 use super::figure_args::{FigureArgs, size};
 use super::matrix_args::MatrixArgs;
 use super::output_args::OutputArgs;
-use super::sheet_args::SheetArgs;
+use super::sheet_args::{FamilyArgs, SheetArgs};
 use super::words::{DataFormat, Format, LangArg, TableFormat};
 use crate::camera::{Decomposition, ImageSize, Ndc};
 use crate::explain::code::CodeTarget;
 use crate::export::plot::PlotFormat;
 use crate::expression::{self, Dimension};
-use crate::i18n::{Lang, command_line as texts};
-use crate::limits::{MEASURED_SECONDS, STEP_SECONDS};
+use crate::i18n::{Lang, command_line as texts, families};
+use crate::limits::{MAX_FRAMES, MEASURED_SECONDS, STEP_SECONDS};
 use crate::numerics::Study;
 use crate::sanitize;
 use crate::views::{View, Views};
@@ -56,7 +56,8 @@ pub(super) enum Command {
     Accuracy(AccuracyArgs),
     /// Report how close a camera is to numerical trouble, why a picture is empty, and what would repair it
     Diagnose(DiagnoseArgs),
-    /// Write an animation or a strip of stills of how the view volume becomes the canonical one, step by step
+    /// Write an animation or a strip of stills of how the view volume becomes the canonical one, step by step; of a
+    /// family; or of the way to another camera
     Animate(AnimateArgs),
     /// Print the camera as code for a library
     Code(CodeArgs),
@@ -224,10 +225,21 @@ pub(super) struct AnimateArgs {
     /// N_persp M_P, N_ort
     #[arg(long, value_enum, default_value_t)]
     pub(super) steps: Decomposition,
+    #[command(flatten)]
+    pub(super) family: FamilyArgs,
+    /// In place of the steps: the way to the camera of another figure, on arcs about what stays
+    #[arg(long, value_name = "FIGURE", conflicts_with_all = ["vary", "steps"])]
+    pub(super) to: Option<PathBuf>,
+    /// Number of pictures of a range FROM..TO, or of the way of --to; without it, 40 in an animation and 5 in a strip
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    frames: Option<String>,
+    /// Which picture --vary and --to show; without it, the world
+    #[arg(long, value_enum)]
+    pub(super) view: Option<View>,
     /// Width and height of each picture in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
-    /// Duration of a step in an animation, in seconds, 0.1 to 60
+    /// Duration of a step in an animation, and of all of --vary or --to, in seconds, 0.1 to 60
     #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true)]
     seconds: String,
     /// File to write; its extension decides: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)
@@ -359,6 +371,13 @@ impl AnimateArgs {
 
     pub(super) fn seconds(&self, lang: Lang) -> Result<f64, Failure> {
         number("--seconds", &self.seconds, (&STEP_SECONDS, 2.0), lang)
+    }
+
+    /// The number of pictures, if it is given.
+    pub(super) fn frames(&self, lang: Lang) -> Result<Option<usize>, Failure> {
+        let Some(text) = &self.frames else { return Ok(None) };
+        let frames = text.trim().parse().ok().filter(|frames| (2..=MAX_FRAMES).contains(frames));
+        frames.map(Some).ok_or_else(|| Failure::BadInput(families::frames(lang, text)))
     }
 }
 

@@ -25,6 +25,7 @@
 //! | `render` | `render`: a picture of a figure |
 //! | `sheet` | `sheet`: a family of pictures on one sheet |
 //! | `sheet_args` | the arguments of `sheet` |
+//! | `sweep` | `animate --vary` and `--to`: a family, or the way to another camera |
 //! | `words` | the words of option values |
 
 mod accuracy;
@@ -47,6 +48,7 @@ mod progress;
 mod render;
 mod sheet;
 mod sheet_args;
+mod sweep;
 mod words;
 
 use std::ffi::OsString;

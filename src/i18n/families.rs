@@ -2,7 +2,7 @@
 
 use super::{Lang, messages};
 use crate::figure::variation::VariationError;
-use crate::limits::MAX_FAMILY;
+use crate::limits::{MAX_FAMILY, MAX_FRAMES};
 use crate::sanitize::escaped;
 
 /// Why there is no family.
@@ -45,6 +45,16 @@ pub fn columns(lang: Lang, text: &str) -> String {
     match lang {
         Lang::En => format!("--columns is \"{text}\"; allowed: a whole number from 1 to {MAX_FAMILY}"),
         Lang::PtBr => format!("--columns é \"{text}\"; permitido: um número inteiro de 1 a {MAX_FAMILY}"),
+    }
+}
+
+/// A number of pictures that no animation has.
+#[must_use]
+pub fn frames(lang: Lang, text: &str) -> String {
+    let text = escaped(text);
+    match lang {
+        Lang::En => format!("--frames is \"{text}\"; allowed: a whole number from 2 to {MAX_FRAMES}"),
+        Lang::PtBr => format!("--frames é \"{text}\"; permitido: um número inteiro de 2 a {MAX_FRAMES}"),
     }
 }
 

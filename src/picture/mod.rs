@@ -11,6 +11,7 @@
 //! | `file` | pictures as files, in the requested format |
 //! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
 //! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
+//! | `sweep` | pictures one after the other: a family, or the way to another camera |
 //! | `triangle` | one triangle: its pixels, and its depth tests |
 //! | `vectors` | pictures as pages of vectors |
 
@@ -22,6 +23,7 @@ mod family;
 mod file;
 mod render_report;
 mod renderer;
+mod sweep;
 mod triangle;
 mod vectors;
 
@@ -41,6 +43,7 @@ pub use family::{Family, SheetSize};
 pub use file::{Beside, FileOptions, PER_INCH, PictureFile, Told, assembled, file};
 pub use render_report::RenderReport;
 pub use renderer::Renderer;
+pub use sweep::Sweep;
 pub use triangle::{FollowedTriangle, Tested, TrianglePixels};
 pub use vectors::{Faces, NoAreas};
 

@@ -14,8 +14,36 @@ fn bench(name: &str) -> Bench {
     bench
 }
 
-fn picture(bench: &Bench, name: &str) -> tiny_skia::Pixmap {
-    tiny_skia::Pixmap::load_png(bench.path(name)).unwrap()
+/// A PNG: its width, and RGBA from the top.
+struct Picture {
+    width: u32,
+    height: u32,
+    rgba: Vec<u8>,
+}
+
+impl Picture {
+    fn width(&self) -> u32 {
+        self.width
+    }
+
+    fn height(&self) -> u32 {
+        self.height
+    }
+
+    fn data(&self) -> &[u8] {
+        &self.rgba
+    }
+}
+
+fn picture(bench: &Bench, name: &str) -> Picture {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(bench.read(name))).read_info().unwrap();
+    let mut rgba = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut rgba).unwrap();
+    rgba.truncate(info.buffer_size());
+    if info.color_type == png::ColorType::Rgb {
+        rgba = rgba.chunks(3).flat_map(|c| [c[0], c[1], c[2], 255]).collect();
+    }
+    Picture { width: info.width, height: info.height, rgba }
 }
 
 fn read(bench: &Bench, name: &str) -> String {
@@ -23,7 +51,7 @@ fn read(bench: &Bench, name: &str) -> String {
 }
 
 /// The pixels of a part of a picture.
-fn part(picture: &tiny_skia::Pixmap, [left, top]: [u32; 2], [width, height]: [u32; 2]) -> Vec<u8> {
+fn part(picture: &Picture, [left, top]: [u32; 2], [width, height]: [u32; 2]) -> Vec<u8> {
     let pixel = |x: u32, y: u32| {
         let at = 4 * (y * picture.width() + x) as usize;
         picture.data()[at..at + 4].to_vec()
@@ -117,7 +145,10 @@ fn captions_say_the_value_in_the_words_of_the_language_and_parts_have_letters() 
         (&["--vary", "camera.position=[3,4,5],[5,4,3]"], &["C = (3, 4, 5)", "C = (5, 4, 3)"]),
         (&["--vary", "azimuth=-30,0", "--parts"], &["(a) Azimuth −30°", "(b) Azimuth 0°"]),
         (&["--vary", "pan=[1,0],[0,-1]"], &["(1, 0)", "(0, −1)"]),
-        (&["--vary", "show.step.at=0,2"], &["step 0", "step 2"]),
+        (
+            &["--show", "step={way=\"notes\"}", "--vary", "show.step.at=0,2", "--view", "canonical"],
+            &["step 0", "step 2"],
+        ),
         (&["--vary", "show.stage=clip,divide"], &["clip", "divide"]),
         (&["--vary", "zoom=1,2", "--parts", "--caption", "once", "--caption", ""], &["(a) once", "(b)"]),
         (
@@ -172,7 +203,7 @@ fn the_size_is_that_of_the_whole_sheet_and_every_format_carries_its_text() {
     let sheet = picture(&bench, "a.png");
     assert_eq!((sheet.width(), sheet.height()), (401, 303));
     bench.run(&[&vary[..], &["--width-cm", "16", "-o", "a.pdf"]].concat()).done();
-    bench.run(&[&vary[..], &["--paper", "slide", "--columns", "4", "-o", "a.svg"]].concat()).done();
+    bench.run(&[&vary[..], &["--paper", "slide", "--columns", "2", "-o", "a.svg"]].concat()).done();
     assert!(read(&bench, "a.svg").contains("width=\"338.67mm\"") || read(&bench, "a.svg").contains("4000"));
     bench.run(&[&vary[..], &["--width-cm", "16", "-o", "a.tex"]].concat()).done();
     let latex = read(&bench, "a.tex");
@@ -188,6 +219,43 @@ fn the_size_is_that_of_the_whole_sheet_and_every_format_carries_its_text() {
     // The figure is in it.
     bench.run(&["inspect", "a.png"]).done();
     bench.run(&["inspect", "a.svg"]).done();
+}
+
+#[test]
+fn an_animation_goes_through_a_family_or_to_another_camera() {
+    let bench = bench("families-animations");
+    let frames = |name: &str| {
+        let reader = png::Decoder::new(std::io::Cursor::new(bench.read(name))).read_info().unwrap();
+        reader.info().animation_control().unwrap().num_frames
+    };
+    let animate = |more: &[&str]| bench.run(&[&["animate", "figure.toml", "--size", "64x48"], more].concat());
+    animate(&["--vary", "camera.view_angle=20..60", "--frames", "7", "-o", "a.apng"]).done();
+    assert_eq!(frames("a.apng"), 7);
+    animate(&["--vary", "style.visibility=painter,depth-buffer", "--view", "image", "-o", "b.apng"]).done();
+    assert_eq!(frames("b.apng"), 2);
+    bench.write("other.toml", "[camera]\nposition = [5, 4, -3]\nview_angle = 30\n[scene]\npreset = \"cube\"\n");
+    animate(&["--to", "other.toml", "-o", "c.apng"]).done();
+    assert_eq!(frames("c.apng"), 40);
+    // The ends of the way are the two figures.
+    animate(&["--to", "other.toml", "--view", "image", "--frames", "2", "-o", "ends.png"]).done();
+    let ends = picture(&bench, "ends.png");
+    for (k, name) in [(0, "figure.toml"), (1, "other.toml")] {
+        let style = ["--view", "image", "--size", "64x48", "-o", "one.png"];
+        bench.write("one.toml", bench.read(name));
+        let text = read(&bench, "one.toml");
+        let text = if text.contains("[style]") { text } else { text + "[style]\nantialias = 1\n" };
+        bench.write("one.toml", text);
+        bench.run(&[&["render", "one.toml"], &style[..]].concat()).done();
+        assert!(part(&ends, [k * 68, 0], [64, 48]) == picture(&bench, "one.png").data(), "{name}");
+    }
+    for (arguments, said) in [
+        (&["--vary", "zoom=1..2", "--frames", "1", "-o", "d.gif"][..], "2 to 1200"),
+        (&["--to", "none.toml", "-o", "d.gif"], "none.toml"),
+        (&["--vary", "camera.view_angle=20..200", "-o", "d.gif"], "180"),
+    ] {
+        assert!(animate(arguments).refused(2).contains(said), "{arguments:?}");
+        assert!(!bench.names().contains(&"d.gif".to_owned()));
+    }
 }
 
 #[test]
