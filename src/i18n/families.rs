@@ -5,6 +5,32 @@ use crate::figure::variation::VariationError;
 use crate::limits::{MAX_FAMILY, MAX_FRAMES};
 use crate::sanitize::escaped;
 
+texts! {
+    family: "family", "família";
+    family_hint: "The same figure at several values, on one sheet with the value under each picture", "A mesma figura com vários valores, numa folha com o valor sob cada imagem";
+    none: "none", "nenhuma";
+    typed: "another key", "outra chave";
+    view_angle: "view angle θ", "ângulo de vista θ";
+    projection: "projection", "projeção";
+    visibility: "hidden faces", "faces ocultas";
+    shading: "shading", "sombreamento";
+    samples: "samples per pixel", "amostras por pixel";
+    values: "values", "valores";
+    values_hint: "Separated by commas; 20..90:4 are four from 20 to 90. With another key: camera.near=1, 2", "Separados por vírgulas; 20..90:4 são quatro de 20 a 90. Com outra chave: camera.near=1, 2";
+    columns: "columns", "colunas";
+    columns_hint: "Pictures in a row", "Imagens em cada linha";
+    automatic: "automatic", "automático";
+    parts: "(a), (b) …", "(a), (b) …";
+    parts_hint: "Letters before the values, for a text that names the parts", "Letras antes dos valores, para um texto que cita as partes";
+    paper: "made for", "feito para";
+    paper_hint: "Sets the size and the letters", "Define o tamanho e as letras";
+    own_size: "own size", "tamanho próprio";
+    column: "column, 8.8 cm", "coluna, 8,8 cm";
+    a4: "A4 text, 16 cm", "texto A4, 16 cm";
+    slide: "slide 16:9", "slide 16:9";
+    square: "square", "quadrado";
+}
+
 /// Why there is no family.
 #[must_use]
 pub fn error(lang: Lang, error: &VariationError) -> String {

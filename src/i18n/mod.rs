@@ -167,7 +167,9 @@ impl Lang {
 
 #[cfg(test)]
 mod tests {
-    use super::{Lang, canvas, coach, conventions, exercise_window, order, pictures, reasons, scenes, sharing};
+    use super::{
+        Lang, canvas, coach, conventions, exercise_window, families, order, pictures, reasons, scenes, sharing,
+    };
 
     /// The words of the window itself have a test of their own, in the window.
     #[test]
@@ -182,6 +184,7 @@ mod tests {
             }
         };
         check(canvas::texts(Lang::En).entries(), canvas::texts(Lang::PtBr).entries());
+        check(families::texts(Lang::En).entries(), families::texts(Lang::PtBr).entries());
         check(coach::texts(Lang::En).entries(), coach::texts(Lang::PtBr).entries());
         check(exercise_window::texts(Lang::En).entries(), exercise_window::texts(Lang::PtBr).entries());
         check(order::texts(Lang::En).entries(), order::texts(Lang::PtBr).entries());

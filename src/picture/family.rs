@@ -5,7 +5,7 @@ use super::{Composite, NoComposite, OnPaper, gap};
 use crate::figure::variation::Variant;
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::views::{
-    Arrangement, Captions, ObserverOf, Palette, Request, SharedScene, Shot, Size, Views, caption_height,
+    Arrangement, Captions, ObserverOf, Palette, Request, SharedScene, Shot, Size, View, Views, caption_height,
     with_one_observer,
 };
 
@@ -105,6 +105,9 @@ impl Family {
         let mut sizes = [Size { width: wide, height: high, scale }];
         let crowded = paper.and_then(|paper| lettered(&mut sizes, paper));
         let requests = self.requests(request, sizes[0], columns, paper);
+        // Images without names have room enough.
+        let has_names = |own: &Request| own.view != View::Image || own.shot.has_names();
+        let crowded = crowded.filter(|_| requests.iter().any(has_names));
         let ground = Palette::of(request.shot.look.style.theme).paper;
         let ground = if request.finish.transparent { ground.with_alpha(0) } else { ground };
         let least = if let SheetSize::Whole(size) = size { size } else { [0, 0] };
