@@ -28,6 +28,12 @@ pub const PAPER_LINES: RangeInclusive<f64> = 0.01..=100.0;
 /// The factor of pictures, strokes and letters: from a stamp to sixteen screens.
 pub const SCALE: RangeInclusive<f64> = 0.1..=16.0;
 
+/// The most pictures of a family: a sheet of paper with eight by eight of them has the size of stamps.
+pub const MAX_FAMILY: usize = 64;
+
+/// The most pictures of an animation of a family: a minute of them.
+pub const MAX_FRAMES: usize = 1200;
+
 /// The duration of a step of an animation, in seconds: shorter ones cannot be followed, longer ones take more pictures
 /// than a file has use for.
 pub const STEP_SECONDS: RangeInclusive<f64> = 0.1..=60.0;

@@ -28,6 +28,7 @@
 //! | `ndc` | conventions of normalised device coordinates |
 //! | `operations` | the operations of `[0]` §5.6, with dolly and pan: a camera in, a camera out |
 //! | `parameters` | camera parameters, and the reasons why they may not be a camera |
+//! | `path` | the way from one camera to another, by arcs about what stays |
 //! | `pinhole` | K \[R | t\] of computer vision → its camera |
 //! | `place` | coordinates of one space → the point of the world that has them |
 //! | `projection` | the matrices of `[0]` §5.3, their product and their inverses, in closed form |
@@ -50,6 +51,7 @@ mod matrix_text;
 mod ndc;
 mod operations;
 mod parameters;
+mod path;
 mod pinhole;
 mod place;
 mod projection;
@@ -72,6 +74,7 @@ pub use matrix_text::{MatrixEntries, MatrixTextError};
 pub use ndc::{Api, InfiniteParallel, Ndc};
 pub use operations::{Changes, Convention, Operation};
 pub use parameters::{CameraError, Checked, Derived, ParameterKey, Parameters, Projection, Range, ViewWindow};
+pub use path::CameraPath;
 pub use place::Place;
 pub use reading::{Axes, MatrixKind, Reading};
 pub use recognition::{Evidence, Recognised, Stated, recognise};

@@ -1,10 +1,10 @@
 //! `camera-lab animate`: the view volume becomes the canonical one, step by step, as an animation or as a strip of
-//! stills.
+//! stills; families and ways to other cameras are in `sweep`.
 
 use super::args::AnimateArgs;
 use super::render::{no_picture, save};
 use super::words::LangArg;
-use super::{Failure, OpenFigure, progress, say};
+use super::{Failure, OpenFigure, progress, say, sweep};
 use crate::camera::ImageSize;
 use crate::figure::update;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
@@ -19,8 +19,11 @@ const SIZE: ImageSize = ImageSize { width: 480, height: 360 };
 pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
     let name = sanitize::path(&args.output);
     let format = FilmFormat::of(&args.output).ok_or_else(|| Failure::BadInput(texts::animation_ending(lang, &name)))?;
-    let seconds = args.seconds(lang)?;
     let size = args.size(lang)?.unwrap_or(SIZE);
+    if args.to.is_some() || !args.family.vary.is_empty() {
+        return sweep::run(args, format, size, lang);
+    }
+    let seconds = args.seconds(lang)?;
     let subject = OpenFigure::open(&args.figure, &args.common, Some(size), lang)?;
     let film = Animation { request: subject.request(View::Canonical, false), decomposition: args.steps };
     if film.steps() == 0 {

@@ -11,18 +11,16 @@ use super::Failure;
 use super::exercise_args::ExerciseArgs;
 use super::figure_args::{FigureArgs, size};
 use super::matrix_args::MatrixArgs;
-use super::words::{DataFormat, Format, LangArg, TableFormat, ThemeArg};
-use crate::appearance;
+use super::output_args::OutputArgs;
+use super::sheet_args::{FamilyArgs, SheetArgs};
+use super::words::{DataFormat, Format, LangArg, TableFormat};
 use crate::camera::{Decomposition, ImageSize, Ndc};
 use crate::explain::code::CodeTarget;
-use crate::export::format::PictureFormat;
 use crate::export::plot::PlotFormat;
-use crate::export::vector::Letters;
 use crate::expression::{self, Dimension};
-use crate::i18n::{Lang, command_line as texts};
-use crate::limits::{MEASURED_SECONDS, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES, SCALE, STEP_SECONDS};
+use crate::i18n::{Lang, command_line as texts, families};
+use crate::limits::{MAX_FRAMES, MEASURED_SECONDS, STEP_SECONDS};
 use crate::numerics::Study;
-use crate::picture::{Faces, OnPaper, PER_INCH};
 use crate::sanitize;
 use crate::views::{View, Views};
 
@@ -48,6 +46,8 @@ pub(super) enum Command {
     Inspect(InspectArgs),
     /// Write a picture of a figure
     Render(RenderArgs),
+    /// Write a sheet of small pictures: the same figure at several values of a key or an operation
+    Sheet(SheetArgs),
     /// Report which stages of the pipeline a picture needs, which are skipped, and why
     Explain(ExplainArgs),
     /// Redraw a picture many times from scratch and report how long it takes
@@ -56,7 +56,8 @@ pub(super) enum Command {
     Accuracy(AccuracyArgs),
     /// Report how close a camera is to numerical trouble, why a picture is empty, and what would repair it
     Diagnose(DiagnoseArgs),
-    /// Write an animation or a strip of stills of how the view volume becomes the canonical one, step by step
+    /// Write an animation or a strip of stills of how the view volume becomes the canonical one, step by step; of a
+    /// family; or of the way to another camera
     Animate(AnimateArgs),
     /// Print the camera as code for a library
     Code(CodeArgs),
@@ -120,57 +121,14 @@ pub(super) struct RenderArgs {
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
-    /// Which picture; `all` puts the three side by side
+    /// Which picture; `all` puts the three side by side, `world,image` two of them
     #[arg(long, value_enum, default_value_t = Views::One(View::Image))]
     pub(super) view: Views,
-    /// Width and height in pixels; without it, the figure's image size (for `all`: of each picture)
-    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
-    size: Option<String>,
-    /// Multiplies width, height, strokes and letters, 0.1 to 16. Without it and --letters, strokes and letters of a
-    /// picture larger than 1920x1080 grow with it, by the smaller of width/1920 and height/1080
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
-    scale: Option<String>,
-    /// Width in centimetres on paper, in place of --size; without --height-cm, the height follows from the figure's
-    /// image
-    #[arg(long, value_name = "CM", allow_hyphen_values = true, conflicts_with_all = ["size", "scale"])]
-    width_cm: Option<String>,
-    /// Height in centimetres on paper; `all` then arranges the three pictures to be as large as the paper allows
-    #[arg(long, value_name = "CM", allow_hyphen_values = true, requires = "width_cm")]
-    height_cm: Option<String>,
-    /// Pixels per inch on paper, 300 by default; written into a PNG or JPEG where it or --width-cm is
-    /// given
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
-    dpi: Option<String>,
-    /// Height of the letters of names in points on paper, 9 where --width-cm is given; strokes are in proportion. On a
-    /// sheet of all three they are smaller where a picture has no room for them, but still legible (6 points)
-    #[arg(long, value_name = "PT", allow_hyphen_values = true, conflicts_with = "scale")]
-    letters: Option<String>,
-    /// Width of the edges of solids in points on paper, other strokes in proportion; without it, in proportion to the
-    /// letters
-    #[arg(long, value_name = "PT", allow_hyphen_values = true)]
-    lines: Option<String>,
-    /// Transparent background; not for JPEG, which has no transparency
-    #[arg(long)]
-    pub(super) transparent: bool,
-    /// Crop the empty background around each picture
-    #[arg(long)]
-    pub(super) crop: bool,
-    /// Faces of an SVG or PDF: as areas (`vector`), as one picture under the lines (`picture`), or as areas where these
-    /// say what the pixels do
-    #[arg(long, value_enum, default_value_t)]
-    pub(super) faces: Faces,
-    /// Letters of an SVG or PDF as outlines: no program needs the font, and none can search or edit them
-    #[arg(long)]
-    outlines: bool,
-    /// Theme; without it, that of the figure
-    #[arg(long, value_enum)]
-    theme: Option<ThemeArg>,
+    #[command(flatten)]
+    pub(super) out: OutputArgs,
     /// Run every stage of the pipeline, needed or not; the picture is the same
     #[arg(long)]
     pub(super) force_all_stages: bool,
-    // The extensions are in `PictureFormat`.
-    #[arg(short, long, value_name = "OUT", help = output_help())]
-    pub(super) output: PathBuf,
 }
 
 #[derive(Debug, Args)]
@@ -267,10 +225,21 @@ pub(super) struct AnimateArgs {
     /// N_persp M_P, N_ort
     #[arg(long, value_enum, default_value_t)]
     pub(super) steps: Decomposition,
+    #[command(flatten)]
+    pub(super) family: FamilyArgs,
+    /// In place of the steps: the way to the camera of another figure, on arcs about what stays
+    #[arg(long, value_name = "FIGURE", conflicts_with_all = ["vary", "steps"])]
+    pub(super) to: Option<PathBuf>,
+    /// Number of pictures of a range FROM..TO, or of the way of --to; without it, 40 in an animation and 5 in a strip
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    frames: Option<String>,
+    /// Which picture --vary and --to show; without it, the world
+    #[arg(long, value_enum)]
+    pub(super) view: Option<View>,
     /// Width and height of each picture in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
-    /// Duration of a step in an animation, in seconds, 0.1 to 60
+    /// Duration of a step in an animation, and of all of --vary or --to, in seconds, 0.1 to 60
     #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true)]
     seconds: String,
     /// File to write; its extension decides: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)
@@ -355,73 +324,8 @@ impl InspectArgs {
     }
 }
 
-impl RenderArgs {
-    pub(super) fn theme(&self) -> Option<appearance::Theme> {
-        self.theme.map(|theme| match theme {
-            ThemeArg::Light => appearance::Theme::Light,
-            ThemeArg::Dark => appearance::Theme::Dark,
-            ThemeArg::Print => appearance::Theme::Print,
-        })
-    }
-
-    /// Width and height before scaling, if they are given.
-    pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
-        size(self.size.as_deref(), lang)
-    }
-
-    /// The factor of width, height, strokes and letters, if it is given.
-    pub(super) fn scale(&self, lang: Lang) -> Result<Option<f32>, Failure> {
-        #[expect(clippy::cast_possible_truncation, reason = "0.1 to 16")]
-        let narrow = |scale: f64| scale as f32;
-        Ok(option("--scale", &self.scale, (&SCALE, 2.0), lang)?.map(narrow))
-    }
-}
-
-/// Default of pixels per inch: that of office printers.
-const DPI: f64 = 300.0;
-/// Height of the letters of names on paper in points, where it is not given.
-const LETTERS: f64 = 9.0;
-
-impl RenderArgs {
-    /// Width and height in centimetres, where they are given.
-    pub(super) fn centimetres(&self, lang: Lang) -> Result<[Option<f64>; 2], Failure> {
-        let side = |name, text| option(name, text, (&PAPER_CM, 8.0), lang);
-        Ok([side("--width-cm", &self.width_cm)?, side("--height-cm", &self.height_cm)?])
-    }
-
-    /// The arguments in units of paper; `None` where there are none.
-    pub(super) fn paper(&self, lang: Lang) -> Result<Option<OnPaper>, Failure> {
-        let letters = option("--letters", &self.letters, (&PAPER_LETTERS, 9.0), lang)?;
-        let lines = option("--lines", &self.lines, (&PAPER_LINES, 0.6), lang)?;
-        let [width, height] = self.centimetres(lang)?;
-        let dpi = option("--dpi", &self.dpi, (&PAPER_DPI, DPI), lang)?;
-        let any = [letters, lines, width, dpi].iter().any(Option::is_some);
-        // A size in pixels is that of CSS, where no number of them is printed.
-        let is_vector = PictureFormat::of(&self.output).is_some_and(PictureFormat::is_vector);
-        let usual = if is_vector && width.is_none() { PER_INCH } else { DPI };
-        let letters = letters.or(width.map(|_| LETTERS));
-        let paper = OnPaper { dpi: dpi.unwrap_or(usual), letters, lines, arranged: height.is_some() };
-        for (name, side) in [("--width-cm", width), ("--height-cm", height)] {
-            if let Some(side) = side.filter(|side| paper.pixels_across(*side) < 0.5) {
-                return Err(Failure::BadInput(texts::no_pixel(lang, [name, &side.to_string()], paper.dpi)));
-            }
-        }
-        Ok(any.then_some(paper))
-    }
-
-    /// How the letters of vectors are written.
-    pub(super) fn outlines(&self) -> Letters {
-        if self.outlines { Letters::Outlines } else { Letters::Text }
-    }
-
-    /// True where the number of pixels per inch is more than a guess: it is given, or a size on paper is.
-    pub(super) fn is_for_paper(&self) -> bool {
-        self.dpi.is_some() || self.width_cm.is_some()
-    }
-}
-
 /// The number of an option that is given, with the range that it takes and an example.
-fn option(
+pub(super) fn option(
     name: &str,
     text: &Option<String>,
     range: (&RangeInclusive<f64>, f64),
@@ -430,7 +334,12 @@ fn option(
     text.as_ref().map(|text| number(name, text, range, lang)).transpose()
 }
 
-fn number(option: &str, text: &str, (range, example): (&RangeInclusive<f64>, f64), lang: Lang) -> Result<f64, Failure> {
+pub(super) fn number(
+    option: &str,
+    text: &str,
+    (range, example): (&RangeInclusive<f64>, f64),
+    lang: Lang,
+) -> Result<f64, Failure> {
     let number = text.trim().parse().ok().filter(|number| range.contains(number));
     number.ok_or_else(|| Failure::BadInput(texts::number(lang, option, text, range, example)))
 }
@@ -462,6 +371,13 @@ impl AnimateArgs {
 
     pub(super) fn seconds(&self, lang: Lang) -> Result<f64, Failure> {
         number("--seconds", &self.seconds, (&STEP_SECONDS, 2.0), lang)
+    }
+
+    /// The number of pictures, if it is given.
+    pub(super) fn frames(&self, lang: Lang) -> Result<Option<usize>, Failure> {
+        let Some(text) = &self.frames else { return Ok(None) };
+        let frames = text.trim().parse().ok().filter(|frames| (2..=MAX_FRAMES).contains(frames));
+        frames.map(Some).ok_or_else(|| Failure::BadInput(families::frames(lang, text)))
     }
 }
 
@@ -499,12 +415,6 @@ fn plot_help() -> String {
         "File to write charts to, of error against parameter and time; its extension decides the format: {}",
         plot_endings()
     )
-}
-
-fn output_help() -> String {
-    let endings: Vec<_> =
-        PictureFormat::ALL.iter().flat_map(|format| format.endings()).map(|e| format!(".{e}")).collect();
-    format!("File to write; its extension decides the format: {}", endings.join(", "))
 }
 
 #[cfg(test)]

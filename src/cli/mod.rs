@@ -20,8 +20,12 @@
 //! | `matrix` | `matrix`: the camera of a matrix from another program |
 //! | `matrix_args` | the arguments of `matrix` |
 //! | `opening` | no subcommand: the initial state of the window |
+//! | `output_args` | the arguments of the commands that write pictures |
 //! | `progress` | progress messages of long commands |
 //! | `render` | `render`: a picture of a figure |
+//! | `sheet` | `sheet`: a family of pictures on one sheet |
+//! | `sheet_args` | the arguments of `sheet` |
+//! | `sweep` | `animate --vary` and `--to`: a family, or the way to another camera |
 //! | `words` | the words of option values |
 
 mod accuracy;
@@ -39,8 +43,12 @@ mod manual;
 mod matrix;
 mod matrix_args;
 mod opening;
+mod output_args;
 mod progress;
 mod render;
+mod sheet;
+mod sheet_args;
+mod sweep;
 mod words;
 
 use std::ffi::OsString;
@@ -117,6 +125,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
         Ok(line) => match line.command {
             Some(Command::Inspect(args)) => inspect::run(&args, lang),
             Some(Command::Render(args)) => render::run(&args, lang),
+            Some(Command::Sheet(args)) => sheet::run(&args, lang),
             Some(Command::Explain(args)) => explain::run(&args, lang),
             Some(Command::Bench(args)) => bench::run(&args, lang),
             Some(Command::Accuracy(args)) => accuracy::run(&args, lang),

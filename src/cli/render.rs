@@ -3,35 +3,34 @@
 use std::path::Path;
 
 use super::args::RenderArgs;
+use super::figure_args::FigureArgs;
+use super::output_args::OutputArgs;
 use super::words::LangArg;
 use super::{Failure, open, progress, say, scene};
-use crate::camera::ImageSize;
-use crate::export::format::PictureFormat;
+use crate::camera::{Camera, ImageSize};
 use crate::figure::update;
 use crate::files::{self, Overwrite};
-use crate::i18n::{Lang, command_line as texts, compare, messages, pictures};
-use crate::picture::{self, Beside, Composite, FileOptions, NoComposite, OnPaper, PictureError, PictureFile, gap};
+use crate::i18n::{Lang, command_line as texts, compare, families, messages, pictures};
+use crate::picture::{self, Beside, Composite, NoComposite, OnPaper, PictureError, PictureFile, gap};
 use crate::pipeline::OverBudget;
 use crate::progress::at_once;
 use crate::sanitize;
-use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views};
+use crate::views::{Finish, ObserverOf, Request, SharedScene, Shot, Size, View};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
-    let name = sanitize::path(&args.output);
-    let format = PictureFormat::of(&args.output).ok_or_else(|| Failure::BadInput(texts::ending(lang, &name)))?;
-    if args.transparent && !format.has_transparency() {
-        return Err(Failure::BadInput(texts::no_transparency(lang, format)));
-    }
-    let (given, scale) = (args.size(lang)?, args.scale(lang)?);
-    let (paper, centimetres) = (args.paper(lang)?, args.centimetres(lang)?);
+    let out = &args.out;
+    let name = sanitize::path(&out.output);
+    let format = out.format(lang)?;
+    let (given, scale) = (out.size(lang)?, out.scale(lang)?);
+    let (paper, centimetres) = (out.on_paper(lang)?, out.centimetres(lang)?);
     let (mut opened, camera) = open(&args.figure, &args.common, lang)?;
-    opened.figure.style.theme = args.theme().unwrap_or(opened.figure.style.theme);
+    opened.figure.style.theme = out.theme().unwrap_or(opened.figure.style.theme);
     let scene = SharedScene::new(scene(&args.figure, &opened, &args.common, lang)?);
     let figure = &opened.figure;
-    let all = args.view == Views::All;
+    let count = args.view.views().count();
     let [width, height] = match (&paper, centimetres) {
-        (Some(paper), [Some(width), height]) => on_paper(paper, width, height, figure.image, all),
-        _ => pixels(given, figure.image, all, scale.unwrap_or(1.0)),
+        (Some(paper), [Some(width), height]) => on_paper(paper, width, height, figure.image, count),
+        _ => pixels(given, figure.image, count, scale.unwrap_or(1.0)),
     };
     let size = match (u32::try_from(width), u32::try_from(height)) {
         (Ok(width), Ok(height)) => sized(width, height, scale, paper.as_ref()),
@@ -40,35 +39,51 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
     let shot = Shot::of(figure);
     let request = Request::new(&shot, View::Image, &camera, &scene, labels, size);
-    let finish = Finish { transparent: args.transparent, ..Finish::default() };
+    let finish = Finish { transparent: out.transparent, ..Finish::default() };
     let request = Request { force_all_stages: args.force_all_stages, finish, ..request };
-    let sheet = Composite::of(args.view, &request, &shot, paper.as_ref())
+    let mut sheet = Composite::of(args.view, &request, &shot, paper.as_ref())
         .map_err(|error| no_picture(lang, &name, error.into(), [width, height]))?;
+    if let Some(other) = observer_of(out, &args.common, lang)? {
+        sheet = sheet.seen_by(&other);
+    }
     let text = update(&opened.text, &opened.figure);
-    // Letters and lines in points have a resolution, too, by which vectors are measured.
-    let dpi = paper.filter(|_| args.is_for_paper() || format.is_vector()).map(|paper| paper.dpi);
-    let form = FileOptions { format, crop: args.crop, dpi, faces: args.faces, letters: args.outlines() };
+    let form = out.form(format, paper.as_ref());
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
-    let told = pictures::told_of(written, &opened.figure, &sheet, text).for_file(&args.output);
+    let told = pictures::told_of(written, &opened.figure, &sheet, text).for_file(&out.output);
     let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, form, &told, progress)));
-    let PictureFile { bytes, beside, too_much, no_areas } =
-        made.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
-    if let Some(too_much) = too_much {
-        say(&format!("{}: {}", messages::opened(lang, &args.figure), messages::too_much(lang, &too_much)));
+    let file = made.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
+    report(&file, &sheet, form.dpi, [&messages::opened(lang, &args.figure), &name], lang);
+    if let Some(Err(error)) = figure.compare.as_ref().map(|comparison| comparison.other_side(figure)) {
+        say(&format!("{}: {}", messages::opened(lang, &args.figure), compare::impossible(lang, &error)));
+    }
+    save(&out.output, &file.bytes, file.beside, lang)
+}
+
+/// Says what falls short in a picture; `names`: of the figure, and of the picture.
+pub(super) fn report(file: &PictureFile, sheet: &Composite, dpi: Option<f64>, [figure, name]: [&str; 2], lang: Lang) {
+    if let Some(too_much) = &file.too_much {
+        say(&format!("{figure}: {}", messages::too_much(lang, too_much)));
     }
     if let Some(points) = dpi.and_then(|dpi| sheet.tiny_letters(dpi)) {
         say(&format!("{name}: {}", pictures::tiny_letters(lang, points)));
     }
-    if let Some(why) = no_areas {
-        say(&format!("{name}: {}", pictures::no_areas(lang, &why)));
-    }
-    if let Some(Err(error)) = figure.compare.as_ref().map(|comparison| comparison.other_side(figure)) {
-        say(&format!("{}: {}", messages::opened(lang, &args.figure), compare::impossible(lang, &error)));
+    if let Some(why) = &file.no_areas {
+        say(&format!("{name}: {}", pictures::no_areas(lang, why)));
     }
     if let Some(crowded) = &sheet.crowded {
         say(&format!("{name}: {}", pictures::crowded(lang, crowded)));
     }
-    save(&args.output, &bytes, beside, lang)
+}
+
+/// The figure of `--observer-of`, with its scene.
+pub(super) fn observer_of(out: &OutputArgs, args: &FigureArgs, lang: Lang) -> Result<Option<ObserverOf>, Failure> {
+    let Some(path) = &out.observer_of else { return Ok(None) };
+    let name = messages::opened(lang, path);
+    let opened = files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
+    let camera = Camera::new(&opened.figure.camera)
+        .map_err(|error| Failure::BadInput(format!("{name}: {}", messages::camera(lang, &error))))?;
+    let scene = SharedScene::new(scene(path, &opened, args, lang)?);
+    Ok(Some(ObserverOf { shot: Shot::of(&opened.figure), camera, scene }))
 }
 
 /// Writes a picture, and the file beside it, if there is one.
@@ -88,6 +103,9 @@ pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, he
     match error {
         PictureError::TooLarge | PictureError::Composite(NoComposite::TooLarge) => {
             Failure::BadInput(texts::too_large(lang, width, height))
+        }
+        PictureError::Composite(NoComposite::UnevenRows { count, columns }) => {
+            Failure::BadInput(families::uneven_rows(lang, count, columns))
         }
         PictureError::Composite(NoComposite::NoRoom { count, gap }) => {
             Failure::BadInput(texts::no_room(lang, count, [width, height], gap))
@@ -115,11 +133,12 @@ fn sized(width: u32, height: u32, scale: Option<f32>, paper: Option<&OnPaper>) -
 }
 
 /// Width and height in pixels of a picture `width` centimetres wide; by default, as high as the figure's image, or as
-/// three of them side by side.
-fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, all: bool) -> [u64; 2] {
+/// `count` of them side by side.
+fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, count: usize) -> [u64; 2] {
     let pixels = |centimetres| paper.pixels_across(centimetres);
     let width = pixels(width);
-    let of_one = if all { width / 3.0 } else { width };
+    #[expect(clippy::cast_precision_loss, reason = "at most three")]
+    let of_one = width / count.max(1) as f64;
     let height = height.map_or(of_one * f64::from(image.height) / f64::from(image.width), pixels);
     #[expect(
         clippy::cast_possible_truncation,
@@ -131,13 +150,14 @@ fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, 
 }
 
 /// Width and height in pixels.
-fn pixels(given: Option<ImageSize>, image: ImageSize, all: bool, scale: f32) -> [u64; 2] {
+fn pixels(given: Option<ImageSize>, image: ImageSize, count: usize, scale: f32) -> [u64; 2] {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive, and at most 16384 · 16")]
     let scaled = |side: u32| (f64::from(side) * f64::from(scale)).round().max(1.0) as u64;
     let size = given.unwrap_or(image);
     let [width, height] = [size.width, size.height].map(scaled);
     // Without a size of the whole sheet, each picture on it has the size of the image.
-    let width = if all && given.is_none() { 3 * width + 2 * u64::from(gap(scale)) } else { width };
+    let count = u64::try_from(count.max(1)).unwrap_or(1);
+    let width = if given.is_none() { count * width + (count - 1) * u64::from(gap(scale)) } else { width };
     [width, height]
 }
 
@@ -149,9 +169,9 @@ mod tests {
     fn paper_has_pixels_and_letters_have_points() {
         let image = ImageSize { width: 640, height: 480 };
         let paper = OnPaper { dpi: 300.0, letters: Some(9.0), lines: None, arranged: false };
-        assert_eq!(on_paper(&paper, 8.0, None, image, false), [945, 709]);
-        assert_eq!(on_paper(&paper, 8.0, None, image, true), [945, 236]);
-        assert_eq!(on_paper(&paper, 8.0, Some(6.0), image, true), [945, 709]);
+        assert_eq!(on_paper(&paper, 8.0, None, image, 1), [945, 709]);
+        assert_eq!(on_paper(&paper, 8.0, None, image, 3), [945, 236]);
+        assert_eq!(on_paper(&paper, 8.0, Some(6.0), image, 3), [945, 709]);
         // 9 pt at 300 dpi.
         assert!((sized(945, 709, None, Some(&paper)).letters() - 37.5).abs() < 0.1);
         assert_eq!(sized(3000, 2250, None, None).scale, 3000.0 / 1920.0);
@@ -161,10 +181,10 @@ mod tests {
     #[test]
     fn sizes_are_scaled_and_a_sheet_has_room_for_three() {
         let size = |width, height| ImageSize { width, height };
-        assert_eq!(pixels(None, size(640, 480), false, 1.0), [640, 480]);
-        assert_eq!(pixels(Some(size(5, 7)), size(640, 480), true, 1.5), [8, 11]);
-        assert_eq!(pixels(None, size(640, 480), true, 2.0), [3 * 1280 + 16, 960]);
-        assert_eq!(pixels(None, size(1, 1), false, 0.1), [1, 1]);
-        assert_eq!(pixels(None, size(16_384, 16_384), false, 16.0), [262_144, 262_144]);
+        assert_eq!(pixels(None, size(640, 480), 1, 1.0), [640, 480]);
+        assert_eq!(pixels(Some(size(5, 7)), size(640, 480), 3, 1.5), [8, 11]);
+        assert_eq!(pixels(None, size(640, 480), 3, 2.0), [3 * 1280 + 16, 960]);
+        assert_eq!(pixels(None, size(1, 1), 1, 0.1), [1, 1]);
+        assert_eq!(pixels(None, size(16_384, 16_384), 1, 16.0), [262_144, 262_144]);
     }
 }

@@ -5,6 +5,7 @@ use clap::builder::PossibleValue;
 
 use crate::camera::{Axes, Decomposition, MatrixKind, Ndc};
 use crate::explain::code::CodeTarget;
+use crate::export::paper::PaperPreset;
 use crate::i18n::Lang;
 use crate::numerics::Study;
 use crate::picture::Faces;
@@ -42,6 +43,16 @@ impl ValueEnum for Ndc {
 }
 
 impl ValueEnum for Faces {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(self.name().into())
+    }
+}
+
+impl ValueEnum for PaperPreset {
     fn value_variants<'a>() -> &'a [Self] {
         &Self::ALL
     }

@@ -5,6 +5,7 @@
 //! | `animation` | animations as GIF and APNG |
 //! | `crop` | a picture without the empty background around its content |
 //! | `format` | the formats of picture files |
+//! | `paper` | the sizes of pictures for paper and slides that have a name |
 //! | `plot/` | charts as SVG, PDF or PNG, drawn by one plotting library, in the bundled font |
 //! | `png` | PNG with the figure file inside |
 //! | `sheet` | several pictures on one sheet |
@@ -14,6 +15,7 @@
 pub mod animation;
 pub mod crop;
 pub mod format;
+pub mod paper;
 pub mod plot;
 pub mod png;
 pub mod sheet;

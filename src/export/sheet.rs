@@ -35,6 +35,36 @@ impl Layout {
         Some(Self { corners: corners.into_iter().map(|[top, left]| [left, top]).collect(), size: [width, height] })
     }
 
+    /// Pictures in rows of `columns`, each in the middle of its place, with `gap` pixels between them and `below` free
+    /// pixels under each; on a sheet that is at least as large as `least`, in its middle.
+    #[must_use]
+    pub fn grid(sizes: &[[u32; 2]], columns: usize, [gap, below]: [u32; 2], least: [u32; 2]) -> Option<Self> {
+        let columns = columns.clamp(1, sizes.len().max(1));
+        let rows: Vec<&[[u32; 2]]> = sizes.chunks(columns).collect();
+        let widths: Option<Vec<u32>> =
+            (0..columns).map(|k| rows.iter().filter_map(|row| row.get(k)).map(|size| size[0]).max()).collect();
+        let heights: Option<Vec<u32>> = rows.iter().map(|row| row.iter().map(|size| size[1]).max()).collect();
+        let (widths, heights) = (widths?, heights?);
+        let total = |sides: &[u32], more: u32| {
+            let sum = sides.iter().try_fold(0_u32, |sum, side| sum.checked_add(*side)?.checked_add(more))?;
+            sum.checked_add(u32::try_from(sides.len()).ok()?.checked_sub(1)?.checked_mul(gap)?)
+        };
+        let own = [total(&widths, 0)?, total(&heights, below)?];
+        let size = [own[0].max(least[0]), own[1].max(least[1])];
+        let [left, top] = [(size[0] - own[0]) / 2, (size[1] - own[1]) / 2];
+        let mut corners = Vec::with_capacity(sizes.len());
+        let mut y = top;
+        for (row, height) in rows.iter().zip(&heights) {
+            let mut x = left;
+            for ([wide, high], room) in row.iter().zip(&widths) {
+                corners.push([x + (room - wide) / 2, y + (height - high)]);
+                x += room + gap;
+            }
+            y += height + below + gap;
+        }
+        Some(Self { corners, size })
+    }
+
     /// The last picture replaced by several: those of another layout, which is as large.
     #[must_use]
     pub fn ending_in(mut self, rest: &Self) -> Self {
@@ -96,6 +126,22 @@ mod tests {
         let sheet = of(Layout::column, &pictures);
         assert_eq!((sheet.width(), sheet.height()), (3, 4));
         assert_eq!(reds(&sheet), [99, 20, 99, 99, 99, 99, 10, 10, 10, 10, 10, 10]);
+    }
+
+    #[test]
+    fn a_grid_has_rows_with_room_below() {
+        let sizes = [[4, 3], [4, 3], [2, 2]];
+        let grid = Layout::grid(&sizes, 2, [1, 5], [0, 0]).unwrap();
+        // Small pictures stand on the line of their row, above what is written below.
+        assert_eq!(grid, Layout { corners: vec![[0, 0], [5, 0], [1, 9]], size: [9, 3 + 5 + 1 + 2 + 5] });
+        let larger = Layout::grid(&sizes, 2, [1, 5], [12, 10]).unwrap();
+        assert_eq!(larger, Layout { corners: vec![[1, 0], [6, 0], [2, 9]], size: [12, 16] });
+        assert_eq!(
+            Layout::grid(&sizes, 9, [1, 0], [0, 0]),
+            Layout::row(&sizes, 1).map(|row| Layout { corners: vec![[0, 0], [5, 0], [10, 1]], ..row })
+        );
+        assert_eq!(Layout::grid(&[], 2, [1, 5], [0, 0]), None);
+        assert_eq!(Layout::grid(&[[1, 1]; 3], 3, [u32::MAX, 0], [0, 0]), None);
     }
 
     #[test]

@@ -16,6 +16,7 @@
 //! | `reveal` | the inner work of the pipeline that pictures show: the `[reveal]` section of a figure |
 //! | `screen` | the display of a figure in a window: the `[screen]` section of a figure |
 //! | `show` | the explanations that pictures show: the `[show]` section of a figure |
+//! | `variation` | the same figure at several values of a key, or after several amounts of an operation |
 //! | `view` | the three pictures, by name |
 //! | `words` | the words of a figure file: each name as it is written there, with its value |
 //! | `world_look` | the content of the world picture besides scene and camera: the `[world]` section of a figure |
@@ -34,6 +35,7 @@ mod recommended;
 mod reveal;
 mod screen;
 mod show;
+pub mod variation;
 mod view;
 pub mod words;
 mod world_look;
@@ -44,7 +46,7 @@ use crate::camera::{ImageSize, Parameters, Viewport};
 use crate::scene::{Preset, SceneSpec};
 pub use bilingual::Bilingual;
 pub use comparison::Comparison;
-pub use edit::{show_with, update, varied};
+pub use edit::{show_with, update, varied, varied_together};
 pub use error::FigureError;
 pub use observer::Observer;
 pub use other_side::OtherSide;

@@ -39,27 +39,54 @@ impl View {
     }
 }
 
-/// The pictures drawn at once: one, or all three side by side.
+/// The pictures drawn at once: one, two of the three, or all side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Views {
     /// One of the three.
     One(View),
+    /// All but one, which is named here.
+    Without(View),
     /// All three.
     All,
 }
 
 impl Views {
     /// Every choice.
-    pub const CHOICES: [Self; 4] =
-        [Self::One(View::World), Self::One(View::Canonical), Self::One(View::Image), Self::All];
+    pub const CHOICES: [Self; 7] = [
+        Self::One(View::World),
+        Self::One(View::Canonical),
+        Self::One(View::Image),
+        Self::All,
+        Self::Without(View::Image),
+        Self::Without(View::Canonical),
+        Self::Without(View::World),
+    ];
 
     /// The word for it on the command line, in names of files and in data that programs read.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::One(view) => view.name(),
+            Self::Without(View::Image) => "world,canonical",
+            Self::Without(View::Canonical) => "world,image",
+            Self::Without(View::World) => "canonical,image",
             Self::All => "all",
         }
+    }
+
+    /// Whether a picture is among them.
+    #[must_use]
+    pub fn contains(self, view: View) -> bool {
+        match self {
+            Self::One(one) => one == view,
+            Self::Without(other) => other != view,
+            Self::All => true,
+        }
+    }
+
+    /// The pictures, from left to right.
+    pub fn views(self) -> impl Iterator<Item = View> {
+        View::ALL.into_iter().filter(move |view| self.contains(*view))
     }
 }
 
@@ -74,6 +101,10 @@ mod tests {
             assert_eq!(Views::CHOICES[i], Views::One(view));
         }
         let words: std::collections::BTreeSet<_> = Views::CHOICES.into_iter().map(Views::name).collect();
-        assert_eq!(words.len(), 4);
+        assert_eq!(words.len(), 7);
+        for views in Views::CHOICES.into_iter().filter(|views| *views != Views::All) {
+            assert_eq!(views.views().map(View::name).collect::<Vec<_>>().join(","), views.name());
+        }
+        assert_eq!(Views::All.views().collect::<Vec<_>>(), View::ALL);
     }
 }

@@ -24,6 +24,8 @@ pub enum Command {
     Save,
     SaveAs,
     Export,
+    /// Pictures of a family into a file.
+    ExportFamily,
     CopyLink,
     Search,
     Quit,

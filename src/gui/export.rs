@@ -6,9 +6,10 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::document::Document;
+use super::family::FamilyChoice;
 use super::worker::{Running, Worker};
 use crate::appearance::Theme;
-use crate::camera::{Camera, CameraError, Decomposition};
+use crate::camera::{Camera, CameraError, Convention, Decomposition};
 use crate::clock;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
@@ -16,13 +17,14 @@ use crate::export::plot::Block;
 use crate::export::vector::Letters;
 use crate::figure::Figure;
 use crate::figure::update;
+use crate::figure::variation::{Variant, Variation, VariationError, variants};
 use crate::files::{self, FigureFiles, FileAccess, FileError, Overwrite};
-use crate::i18n::{Lang, messages, pictures, window};
-use crate::limits::PAPER_LINES;
+use crate::i18n::{Lang, families, messages, pictures, window};
+use crate::limits::{MAX_FAMILY, PAPER_LINES};
 use crate::numbers::round_to;
 use crate::picture::{
-    self, Animation, Beside, Composite, Faces, FileOptions, FilmFormat, NoComposite, OnPaper, PictureError,
-    PictureFile, Told,
+    self, Animation, Beside, Composite, Faces, Family, FileOptions, FilmFormat, NoComposite, OnPaper, PictureError,
+    PictureFile, SheetSize, Told,
 };
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
@@ -140,6 +142,10 @@ impl Export {
         let [width, height] = match self.what {
             Views::One(view) => sizes[view.index()],
             Views::All => together(sizes),
+            Views::Without(other) => {
+                let all = together(sizes);
+                [(all[0] - sizes[other.index()][0].min(all[0] / 3)).max(1), all[1]]
+            }
         };
         let side = |pixels: u32| pixels.max(1).saturating_mul(times);
         (self.width, self.height) = (side(width), side(height));
@@ -200,6 +206,8 @@ pub(super) enum ExportError {
     Picture(#[from] PictureError),
     #[error(transparent)]
     File(#[from] FileError),
+    #[error(transparent)]
+    Family(#[from] VariationError),
     /// A picture without background, in a format that has no transparency.
     #[error("{} has no transparency", .0.name())]
     NoTransparency(PictureFormat),
@@ -221,9 +229,13 @@ impl ExportError {
         match self {
             Self::Camera(error) => messages::camera(lang, error),
             Self::Scene(error) => messages::scene(lang, error),
+            Self::Family(error) => families::error(lang, error),
             Self::Cancelled | Self::Picture(PictureError::Cancelled) => format!("{} {name}", t.export_cancelled),
             Self::Picture(PictureError::TooLarge | PictureError::Composite(NoComposite::TooLarge)) => {
                 t.picture_too_large.to_owned()
+            }
+            Self::Picture(PictureError::Composite(NoComposite::UnevenRows { count, columns })) => {
+                families::uneven_rows(lang, *count, *columns)
             }
             Self::Picture(PictureError::Composite(NoComposite::NoRoom { count, .. })) => {
                 format!("{count} {}", t.picture_no_room)
@@ -254,6 +266,8 @@ pub(super) struct ExportSource {
     folder: PathBuf,
     reach: FileAccess,
     lang: Lang,
+    family: FamilyChoice,
+    convention: Convention,
 }
 
 impl ExportSource {
@@ -263,7 +277,44 @@ impl ExportSource {
         figure.style.theme = theme;
         let shot = Shot::of(&figure);
         let folder = document.folder().map(Path::to_owned).unwrap_or_default();
-        Self { figure, shot, folder, reach: document.reach(), lang }
+        let (family, convention) = (FamilyChoice::default(), Convention::default());
+        Self { figure, shot, folder, reach: document.reach(), lang, family, convention }
+    }
+
+    /// The same as a family, whose rotations follow a convention.
+    pub(super) fn with_family(self, family: FamilyChoice, convention: Convention) -> Self {
+        Self { family, convention, ..self }
+    }
+
+    /// The sheet of a family.
+    fn family(
+        &self,
+        (export, request): (&Export, &Request),
+        variation: Variation,
+        camera: &Camera,
+        progress: &Progress,
+    ) -> Result<Composite, ExportError> {
+        let mut files = FigureFiles::new(&self.folder, self.reach);
+        let mut members: Vec<(Variant, SharedScene)> = Vec::new();
+        for variant in variants(&self.figure, camera, &[variation], self.convention, MAX_FAMILY)? {
+            let same = |(other, _): &&(Variant, SharedScene)| {
+                other.figure.scene == variant.figure.scene && other.figure.style == variant.figure.style
+            };
+            let scene = match members.iter().find(same) {
+                Some((_, scene)) => scene.clone(),
+                None => SharedScene::new(scene_of(&variant.figure, &mut |wanted| files.read(wanted), progress)?),
+            };
+            members.push((variant, scene));
+        }
+        let count = members.len() * export.what.views().count();
+        if count > MAX_FAMILY {
+            return Err(VariationError::TooMany { count, limit: MAX_FAMILY }.into());
+        }
+        let FamilyChoice { columns, parts, .. } = self.family;
+        let family = Family { members, views: export.what, columns, parts, captions: Vec::new(), observer_of: None };
+        let size = SheetSize::Whole([export.width, export.height]);
+        let paper = export.on_paper.then(|| export.paper.asked());
+        Ok(family.sheet(request, size, Some(export.scale), paper.as_ref()).map_err(PictureError::from)?)
     }
 
     /// The words that go with its pictures into their file.
@@ -273,7 +324,7 @@ impl ExportSource {
 
     /// Each picture of the way to the canonical volume.
     fn film(&self, progress: &Progress) -> Result<Request, ExportError> {
-        let Self { figure, shot, folder, reach, lang } = self;
+        let Self { figure, shot, folder, reach, lang, .. } = self;
         let camera = Camera::new(&figure.camera)?;
         let mut files = FigureFiles::new(folder, *reach);
         let scene = SharedScene::new(scene_of(figure, &mut |wanted| files.read(wanted), progress)?);
@@ -283,7 +334,7 @@ impl ExportSource {
 
     /// The drawn pictures.
     pub(super) fn sheet(&self, export: &Export, progress: &Progress) -> Result<Composite, ExportError> {
-        let Self { figure, shot, folder, reach, lang } = self;
+        let Self { figure, shot, folder, reach, lang, .. } = self;
         let camera = Camera::new(&figure.camera)?;
         let mut files = FigureFiles::new(folder, *reach);
         let scene = scene_of(figure, &mut |wanted| files.read(wanted), progress)?;
@@ -292,6 +343,9 @@ impl ExportSource {
         let request = Request::new(shot, View::Image, &camera, &scene, labels, export.size());
         let finish = Finish { transparent: export.is_without_ground(), ..Finish::default() };
         let request = Request { finish, ..request };
+        if let Some(variation) = self.family.variation() {
+            return self.family((export, &request), variation?, &camera, progress);
+        }
         let paper = export.on_paper.then(|| export.paper.asked());
         Ok(Composite::of(export.what, &request, shot, paper.as_ref()).map_err(PictureError::from)?)
     }
@@ -368,6 +422,11 @@ impl Task {
         };
         let subject = ExportSource::of(document, shown, lang, theme);
         Self { subject, source: document.source().to_owned(), what, path, overwrite }
+    }
+
+    /// The same as a family.
+    pub(super) fn with_family(self, family: FamilyChoice, convention: Convention) -> Self {
+        Self { subject: self.subject.with_family(family, convention), ..self }
     }
 
     async fn run(self, progress: &Progress) -> Exported {

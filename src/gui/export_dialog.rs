@@ -4,7 +4,8 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Color32, Id, Key, Modifiers, Rect, RichText, Sense, Vec2, WidgetInfo, vec2};
 
 use super::dialog_buttons::{Pressed, buttons};
-use super::export::{Export, ExportSource, as_letters};
+use super::export::{Export, ExportSource, Paper, as_letters};
+use super::family;
 use super::file_flow;
 use super::number_field::{FieldError, NumberField, Step};
 use super::panels::{choice, complaint, row};
@@ -12,9 +13,10 @@ use super::preview::{Preview, can_be_copied};
 use super::state::{Dialog, Purpose, State};
 use crate::appearance::Theme;
 use crate::export::format::PictureFormat;
+use crate::export::paper::PaperPreset;
 use crate::gui::tooltip::Explained;
-use crate::i18n::pictures;
 use crate::i18n::window::Texts;
+use crate::i18n::{families, pictures};
 use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::picture::{Crowded, Faces};
 use crate::views::{View, Views};
@@ -91,6 +93,7 @@ fn checkbox(ui: &mut egui::Ui, on: &mut bool, text: impl Into<egui::WidgetText>,
 /// The present screen, for the export.
 fn subject(state: &State, export: &Export) -> ExportSource {
     ExportSource::of(&state.document, state.figure_as_shown(), state.settings.lang, export.theme)
+        .with_family(state.family.clone(), state.operations.convention)
 }
 
 /// The picture as it will be, how large it is, and the button that copies it.
@@ -98,9 +101,12 @@ fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Exp
     let ctx = ui.ctx().clone();
     let mut preview = state.file_flow.preview.take().unwrap_or_default();
     if valid {
-        preview.follow(&ctx, export, [room.x, room.y].map(|side| side * ctx.pixels_per_point()), || {
-            subject(state, export)
-        });
+        preview.follow(
+            &ctx,
+            (export, &state.family),
+            [room.x, room.y].map(|side| side * ctx.pixels_per_point()),
+            || subject(state, export),
+        );
     }
     let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, t.export_preview));
@@ -182,14 +188,20 @@ fn chequers(painter: &egui::Painter, rect: Rect) {
 type Fault = (&'static str, FieldError);
 
 /// The settings; returns the faults of typed texts.
-fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Export) -> Vec<Fault> {
+fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mut Export) -> Vec<Fault> {
+    let pair = [[t.show_world, t.show_image], [t.show_world, t.show_canonical], [t.show_canonical, t.show_image]]
+        .map(|names| names.join(", "));
     let what = [
         (Views::All, t.export_all),
+        (Views::Without(View::Canonical), pair[0].as_str()),
+        (Views::Without(View::Image), pair[1].as_str()),
+        (Views::Without(View::World), pair[2].as_str()),
         (Views::One(View::World), t.show_world),
         (Views::One(View::Canonical), t.show_canonical),
         (Views::One(View::Image), t.show_image),
     ];
     row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
+    family::rows(ui, t, &mut state.family);
     let sizes = [
         ((Some(1), false), "1 ×"),
         ((Some(2), false), "2 ×"),
@@ -259,6 +271,7 @@ fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Opt
     };
     let paper = &mut export.paper;
     let mut errors = Vec::new();
+    preset(ui, t, paper);
     row(ui, "", t.export_centimetres, "", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         errors.extend(field(ui, t.export_width_cm, PAPER_CM, &mut paper.size[0]));
@@ -274,6 +287,31 @@ fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Opt
     let letters = crowded.map_or(paper.letters, |crowded| crowded.letters);
     errors.extend(lines(ui, t, &mut paper.lines, as_letters(letters)));
     errors
+}
+
+/// A place that the picture is made for, which sets its size and its letters.
+fn preset(ui: &mut egui::Ui, t: &'static Texts, paper: &mut Paper) {
+    let words = families::texts(t.lang);
+    let names = PaperPreset::ALL.map(|preset| match preset {
+        PaperPreset::Column => words.column,
+        PaperPreset::A4 => words.a4,
+        PaperPreset::Slide => words.slide,
+        PaperPreset::Square => words.square,
+    });
+    let size = |preset: PaperPreset| {
+        let (width, height) = preset.size();
+        // A picture of 4 by 3, where the height is free.
+        [width, height.unwrap_or(0.75 * width)]
+    };
+    let is = |preset: &PaperPreset| paper.size == size(*preset) && paper.letters == preset.letters();
+    let mut now = PaperPreset::ALL.into_iter().find(is);
+    let choices: Vec<(Option<PaperPreset>, &str)> =
+        [(None, words.own_size)].into_iter().chain(PaperPreset::ALL.map(Some).into_iter().zip(names)).collect();
+    let changed =
+        row(ui, "", words.paper, words.paper_hint, |ui| choice(ui, words.paper, words.paper_hint, &mut now, &choices));
+    if let Some(preset) = now.filter(|_| changed) {
+        (paper.size, paper.letters) = (size(preset), preset.letters());
+    }
 }
 
 /// The width of lines, which follows the letters as long as it has none of its own; returns the fault of the typed

@@ -154,7 +154,8 @@ fn save_bytes(state: &mut State, path: &Path, bytes: Result<Vec<u8>, FileError>,
 }
 
 fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf, Overwrite)) {
-    let task = Task::new((&state.document, state.figure_as_shown()), state.settings.lang, what, to);
+    let task = Task::new((&state.document, state.figure_as_shown()), state.settings.lang, what, to)
+        .with_family(state.family.clone(), state.operations.convention);
     state.file_flow.exporting.push(Exporting::start(ctx, task));
     state.say(Message::Exporting);
 }

@@ -61,10 +61,8 @@ impl LaunchOptions {
             settings.panels.wanted = [false; 3];
             state.layout.strip = false;
         }
-        match self.views {
-            Some(Views::One(view)) => state.layout.shown = View::ALL.map(|other| other == view),
-            Some(Views::All) => state.layout.shown = [true; View::COUNT],
-            None => {}
+        if let Some(views) = self.views {
+            state.layout.shown = View::ALL.map(|view| views.contains(view));
         }
     }
 }

@@ -6,6 +6,7 @@ use std::time::Duration;
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use super::export::{Export, ExportError, ExportSource};
+use super::family::FamilyChoice;
 use super::worker::Worker;
 use crate::clock;
 use crate::export::format::PictureFormat;
@@ -23,7 +24,7 @@ const COPIED: usize = 1;
 pub struct Preview {
     worker: Worker<PreviewJob, Done, 2>,
     /// The last request.
-    asked: Option<Export>,
+    asked: Option<(Export, FamilyChoice)>,
     texture: Option<TextureHandle>,
     /// The message where several pictures have little space on their paper.
     pub(super) crowded: Option<Crowded>,
@@ -85,7 +86,7 @@ impl Preview {
     pub(super) fn follow(
         &mut self,
         ctx: &Context,
-        export: &Export,
+        (export, family): (&Export, &FamilyChoice),
         room: [f32; 2],
         subject: impl FnOnce() -> ExportSource,
     ) {
@@ -106,8 +107,8 @@ impl Preview {
                 Drawn::Svg(text) => ctx.copy_text(text),
             }));
         }
-        if self.asked != Some(*export) {
-            self.asked = Some(*export);
+        if self.asked.as_ref().is_none_or(|(asked, of)| asked != export || of != family) {
+            self.asked = Some((*export, family.clone()));
             self.copied = None;
             let factor = factor(export, room.map(|side| FINENESS * side));
             self.worker.ask(ctx, SHOWN, PreviewJob { subject: subject(), export: *export, factor, as_svg: false });

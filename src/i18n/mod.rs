@@ -19,6 +19,7 @@
 //! | `explain` | the words of the explanations |
 //! | `explain_point` | the words of the tab that follows a point |
 //! | `expressions` | faults of expressions |
+//! | `families` | the words about families of pictures, in both languages |
 //! | `faults` | errors and warnings beside the window's fields |
 //! | `figure_files` | faults of figure files, in both languages |
 //! | `files` | faults of files and links |
@@ -96,6 +97,7 @@ pub mod exercises;
 pub mod explain;
 pub mod explain_point;
 mod expressions;
+pub mod families;
 pub mod faults;
 mod figure_files;
 mod files;
@@ -167,7 +169,9 @@ impl Lang {
 
 #[cfg(test)]
 mod tests {
-    use super::{Lang, canvas, coach, conventions, exercise_window, order, pictures, reasons, scenes, sharing};
+    use super::{
+        Lang, canvas, coach, conventions, exercise_window, families, order, pictures, reasons, scenes, sharing,
+    };
 
     /// The words of the window itself have a test of their own, in the window.
     #[test]
@@ -182,6 +186,7 @@ mod tests {
             }
         };
         check(canvas::texts(Lang::En).entries(), canvas::texts(Lang::PtBr).entries());
+        check(families::texts(Lang::En).entries(), families::texts(Lang::PtBr).entries());
         check(coach::texts(Lang::En).entries(), coach::texts(Lang::PtBr).entries());
         check(exercise_window::texts(Lang::En).entries(), exercise_window::texts(Lang::PtBr).entries());
         check(order::texts(Lang::En).entries(), order::texts(Lang::PtBr).entries());

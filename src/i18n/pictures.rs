@@ -1,8 +1,9 @@
 //! The words in the three pictures.
 
-use super::{Lang, canvas, messages, told, window};
+use super::{Lang, canvas, messages, pipeline, told, window};
 use crate::figure::{Bilingual, Figure};
 use crate::picture::{Composite, Crowded, NoAreas, Told};
+use crate::stage::Stage;
 use crate::views::Labels;
 
 texts! {
@@ -70,6 +71,8 @@ texts! {
     hidden_shown: "hidden lines: drawn", "linhas ocultas: desenhadas";
     perspective: "perspective", "perspectiva";
     parallel: "parallel", "paralela";
+    step_number: "step", "passo";
+    samples: "samples per pixel", "amostras por pixel";
     // The steps from the world to the canonical volume.
     to_eye: "T(−C): the eye moves to the origin", "T(−C): o olho vai à origem";
     turn: "R: u, v, n turn onto x, y, z (5.7)", "R: u, v, n giram sobre x, y, z (5.7)";
@@ -110,10 +113,10 @@ pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
     let wanted = lang.mark().number(*wanted, 3);
     match lang {
         Lang::En => format!(
-            "the smallest of the three pictures is {smallest}, with letters of {letters} pt; letters of {wanted} pt need pictures of at least {room}"
+            "the smallest picture is {smallest}, with letters of {letters} pt; letters of {wanted} pt need pictures of at least {room}"
         ),
         Lang::PtBr => format!(
-            "a menor das três imagens tem {smallest}, com letras de {letters} pt; letras de {wanted} pt pedem imagens de pelo menos {room}"
+            "a menor imagem tem {smallest}, com letras de {letters} pt; letras de {wanted} pt pedem imagens de pelo menos {room}"
         ),
     }
 }
@@ -128,6 +131,17 @@ pub fn tiny_letters(lang: Lang, points: f64) -> String {
             format!("suas letras têm {points} pt de altura no papel; para serem lidas: ao menos 6 pt (--letters)")
         }
     }
+}
+
+/// The names of the stages, in their order.
+const fn stages(lang: Lang) -> [&'static str; Stage::ALL.len()] {
+    let mut names = [""; Stage::ALL.len()];
+    let mut place = 0;
+    while place < names.len() {
+        names[place] = pipeline::stage(lang, Stage::ALL[place]);
+        place += 1;
+    }
+    names
 }
 
 const fn of(t: &Texts) -> Labels {
@@ -207,6 +221,9 @@ const fn of(t: &Texts) -> Labels {
         hidden_lines: [t.hidden_dashed, t.hidden_hidden, t.hidden_shown],
         depth_formats: [t.fixed_16, t.fixed_24, t.float],
         projections: [t.perspective, t.parallel],
+        stages: stages(t.lang),
+        step_number: t.step_number,
+        samples: t.samples,
         steps: [
             t.to_eye,
             t.turn,

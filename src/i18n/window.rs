@@ -23,6 +23,8 @@ texts! {
     save_as: "Save as…", "Salvar como…";
     save_as_hint: "Saves the figure to another file", "Salva a figura em outro arquivo";
     export: "Export pictures…", "Exportar imagens…";
+    export_family: "Export a family…", "Exportar uma família…";
+    export_family_hint: "A sheet of small pictures: the same figure at several values of a parameter, an operation or a style", "Uma folha de imagens pequenas: a mesma figura com vários valores de um parâmetro, uma operação ou um estilo";
     export_hint: "One picture or all three as PNG (with the figure inside), WebP or JPEG, for screen or paper", "Uma imagem ou as três como PNG (com a figura dentro), WebP ou JPEG, para tela ou papel";
     quit: "Quit", "Sair";
     quit_hint: "Closes the window", "Fecha a janela";

@@ -63,7 +63,8 @@ impl Animation {
     pub fn stills(&self) -> Composite {
         let requests = (0..=self.steps()).map(|step| self.at(f64::from(step))).collect();
         let ground: Rgba = Palette::of(self.request.shot.look.style.theme).surround;
-        Composite { requests, arrangement: Arrangement::Row, gap: gap(self.request.size.scale), ground, crowded: None }
+        let gap = gap(self.request.size.scale);
+        Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None }
     }
 
     /// The file: an animation, a step of it in so many seconds, or a strip, with a figure file in it where the format
@@ -101,31 +102,50 @@ impl Animation {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few seconds")]
         let per_step = (seconds * f64::from(PER_SECOND)).round().clamp(1.0, 10_000.0) as u32;
         let pictures = self.steps() * per_step + 1;
-        // How many pictures there are is told; a picture that takes long is given up too.
-        let mut renderer = Renderer::default();
-        renderer.watch(&progress.part());
         let size = [self.request.size.width, self.request.size.height];
-        progress.begin(Activity::Encoding, pictures as usize);
-        let made = animation(format, size, pictures, async |picture| {
+        let at = |picture: u32| {
             let time = f64::from(picture / per_step) + eased(f64::from(picture % per_step) / f64::from(per_step));
             let still = picture % per_step == 0;
-            if progress.is_cancelled() {
-                return None;
-            }
-            let mut drawn = Pixels::default();
-            renderer.pixels_into(&self.at(time), &mut drawn).await?;
-            let pixmap = drawn.take_pixmap()?;
-            progress.advance_and_pause(1).await;
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "about a second")]
-            let ticks = if still { REST / TICK } else { 1.0 / f64::from(PER_SECOND) / TICK }.round() as u16;
-            Some((pixmap, ticks))
-        });
-        made.await.map_err(|error| match error {
-            AnimationError::NoPicture if progress.is_cancelled() => PictureError::Cancelled,
-            AnimationError::NoPicture => PictureError::TooLarge,
-            AnimationError::Encode(why) => PictureError::Animate { format, why },
-        })
+            Some((self.at(time), if still { REST } else { 1.0 / f64::from(PER_SECOND) }))
+        };
+        filmed(format, size, pictures, at, progress).await
     }
+}
+
+/// An animation of so many pictures: `at` gives each of them, and how long it stands, in seconds. It pauses after each
+/// picture, and within one.
+///
+/// # Errors
+/// [`PictureError`].
+pub(super) async fn filmed(
+    format: AnimationFormat,
+    size: [u32; 2],
+    pictures: u32,
+    at: impl Fn(u32) -> Option<(Request, f64)>,
+    progress: &Progress,
+) -> Result<Vec<u8>, PictureError> {
+    // How many pictures there are is told; a picture that takes long is given up too.
+    let mut renderer = Renderer::default();
+    renderer.watch(&progress.part());
+    progress.begin(Activity::Encoding, pictures as usize);
+    let made = animation(format, size, pictures, async |picture| {
+        if progress.is_cancelled() {
+            return None;
+        }
+        let (request, seconds) = at(picture)?;
+        let mut drawn = Pixels::default();
+        renderer.pixels_into(&request, &mut drawn).await?;
+        let pixmap = drawn.take_pixmap()?;
+        progress.advance_and_pause(1).await;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a minute")]
+        let ticks = (seconds / TICK).round().max(1.0) as u16;
+        Some((pixmap, ticks))
+    });
+    made.await.map_err(|error| match error {
+        AnimationError::NoPicture if progress.is_cancelled() => PictureError::Cancelled,
+        AnimationError::NoPicture => PictureError::TooLarge,
+        AnimationError::Encode(why) => PictureError::Animate { format, why },
+    })
 }
 
 /// Begins and ends slowly: 3 t² − 2 t³.

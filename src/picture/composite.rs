@@ -3,8 +3,8 @@
 use crate::appearance::Rgba;
 use crate::limits::MAX_PIXELS;
 use crate::views::{
-    Arrangement, Finish, Palette, Picture, Request, Shot, Size, Views, aspect_shown, best_arrangement, share_of_first,
-    used_area,
+    Arrangement, Captions, Finish, ObserverOf, Palette, Picture, Request, Shot, Size, Views, aspect_shown,
+    best_arrangement, share_of_first, used_area,
 };
 
 /// Room between two pictures on a sheet, in pixels at scale 1.
@@ -45,6 +45,12 @@ impl OnPaper {
         centimetres / 2.54 * self.dpi
     }
 
+    /// The narrowest pictures in which the letters, and the smallest that can be read, do not cover their objects, in
+    /// pixels.
+    pub(super) fn least_widths(&self) -> [f64; 2] {
+        [self.letters.unwrap_or(LEAST_LETTERS), LEAST_LETTERS].map(|letters| ROOM_IN_LETTERS[0] * self.pixels(letters))
+    }
+
     /// Pixels in points.
     fn points(&self, pixels: f64) -> f64 {
         pixels * 72.0 / self.dpi
@@ -83,6 +89,27 @@ pub enum NoComposite {
         /// Pixels between two of them.
         gap: u32,
     },
+    /// Several pictures of each figure, whose rows would not have them below one another.
+    #[error("{count} figures with several pictures each do not fill rows of {columns}")]
+    UnevenRows {
+        /// The number of figures.
+        count: usize,
+        /// The number of columns.
+        columns: usize,
+    },
+}
+
+/// Pictures in rows, with captions.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Grid {
+    /// The number of pictures in a row.
+    pub(super) columns: usize,
+    /// The texts under them.
+    pub(super) captions: Captions,
+    /// The room for these, in pixels.
+    pub(super) below: u32,
+    /// The least size of the sheet in pixels, unless its pictures are cropped.
+    pub(super) least: [u32; 2],
 }
 
 /// Pictures that belong together, and their layout on a sheet.
@@ -98,6 +125,8 @@ pub struct Composite {
     pub(super) ground: Rgba,
     /// The message where several pictures have little space on their paper.
     pub crowded: Option<Crowded>,
+    /// The rows of a family, and its captions; `None`: as in the arrangement.
+    pub(super) grid: Option<Grid>,
 }
 
 impl Composite {
@@ -114,26 +143,28 @@ impl Composite {
         }
         let (pictures, arrangement) = match views {
             Views::One(kind) => (vec![shot.picture(kind)], Arrangement::Row),
-            Views::All => {
+            Views::All | Views::Without(_) => {
+                let pictures = shot.pictures.iter().filter(|picture| views.contains(picture.kind));
+                let pictures: Vec<Picture> = pictures.cloned().collect();
                 let arranged = paper.is_some_and(|paper| paper.arranged);
-                let arrangement = if arranged { best(&shot.pictures, request) } else { Arrangement::Row };
-                (shot.pictures.clone(), arrangement)
+                let arrangement = if arranged { best(&pictures, request) } else { Arrangement::Row };
+                (pictures, arrangement)
             }
         };
         let (mut sizes, mut crowded) = (vec![whole], None);
-        if views == Views::All {
+        if !matches!(views, Views::One(_)) {
             // Gaps alone are no pictures.
             let fit = |all: &Vec<Size>| all.iter().all(|s| s.width > 0 && s.height > 0);
             let no_room = NoComposite::NoRoom { count: pictures.len(), gap: gap(whole.scale) };
             sizes = sizes_of(pictures.len(), arrangement, whole).filter(fit).ok_or(no_room)?;
             crowded = paper.and_then(|paper| lettered(&mut sizes, paper));
         }
-        let framed = views == Views::All || paper.is_some_and(|paper| paper.letters.is_some());
+        let framed = !matches!(views, Views::One(_)) || paper.is_some_and(|paper| paper.letters.is_some());
         let request = &Request { finish: Finish { framed, ..request.finish }, ..request.clone() };
         let requests = pictures.iter().zip(sizes).map(|(picture, size)| of(request, picture, size, shot, paper));
         let ground = Palette::of(request.shot.look.style.theme).surround;
         let ground = if request.finish.transparent { ground.with_alpha(0) } else { ground };
-        Ok(Self { requests: requests.collect(), arrangement, gap: gap(whole.scale), ground, crowded })
+        Ok(Self { requests: requests.collect(), arrangement, gap: gap(whole.scale), ground, crowded, grid: None })
     }
 }
 
@@ -148,6 +179,17 @@ impl Composite {
         (self.crowded.is_none() && least < LEAST_LETTERS - 0.01).then_some(least)
     }
 
+    /// The same sheet, its pictures seen by the observers of another figure.
+    #[must_use]
+    pub fn seen_by(mut self, other: &ObserverOf) -> Self {
+        let requests = self.requests.into_iter().map(|own| {
+            let observer = other.observer(&own);
+            own.seen_by(observer)
+        });
+        self.requests = requests.collect();
+        self
+    }
+
     /// The same sheet, smaller by a factor, with letters and strokes: a preview.
     #[must_use]
     pub fn reduced(mut self, factor: f32) -> Self {
@@ -158,12 +200,18 @@ impl Composite {
             (*width, *height, *scale) = (side(*width), side(*height), *scale * factor.min(1.0));
         }
         self.gap = side(self.gap);
+        if let Some(Grid { captions, below, least, .. }) = &mut self.grid {
+            captions.letters *= factor.min(1.0);
+            *below = side(*below);
+            // The pictures are rounded one by one.
+            *least = [0, 0];
+        }
         self
     }
 }
 
 /// One of the pictures.
-fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, paper: Option<&OnPaper>) -> Request {
+pub(super) fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, paper: Option<&OnPaper>) -> Request {
     let Request { camera, scene, labels, .. } = request;
     let Request { view, observer, camera, shot, .. } = Request::of_picture(shot, picture, camera, scene, labels, size);
     let mut request = Request { view, observer, camera, shot, size, ..request.clone() };
@@ -177,7 +225,7 @@ fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, paper: Opti
 
 /// Gives several pictures the letters of the paper, as far as they fit into the smallest; returns the message where
 /// they hardly do.
-fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
+pub(super) fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
     let room_of = |size: &Size| {
         let [wide, high] = ROOM_IN_LETTERS;
         (f64::from(size.width) / wide).min(f64::from(size.height) / high)

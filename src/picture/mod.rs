@@ -7,9 +7,11 @@
 //! | `compared` | the pictures of both sides of a comparison, put together |
 //! | `composite` | one picture, or all three on a sheet |
 //! | `error` | why there is no picture file |
+//! | `family` | the same figure at several values of a key, on a sheet |
 //! | `file` | pictures as files, in the requested format |
 //! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
 //! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
+//! | `sweep` | pictures one after the other: a family, or the way to another camera |
 //! | `triangle` | one triangle: its pixels, and its depth tests |
 //! | `vectors` | pictures as pages of vectors |
 
@@ -17,15 +19,18 @@ mod animation;
 mod compared;
 mod composite;
 mod error;
+mod family;
 mod file;
 mod render_report;
 mod renderer;
+mod sweep;
 mod triangle;
 mod vectors;
 
 use tiny_skia::{IntSize, Pixmap};
 
 use crate::appearance::{Rgba, Texture};
+use crate::drawing::Drawing;
 use crate::export::crop::cropped;
 use crate::export::png::{self, PngError};
 use crate::export::sheet::{Layout, sheet};
@@ -34,9 +39,11 @@ use crate::views::Arrangement;
 pub use animation::{Animation, FilmFormat};
 pub use composite::{Composite, Crowded, NoComposite, OnPaper, gap};
 pub use error::PictureError;
+pub use family::{Family, SheetSize};
 pub use file::{Beside, FileOptions, PER_INCH, PictureFile, Told, assembled, file};
 pub use render_report::RenderReport;
 pub use renderer::Renderer;
+pub use sweep::Sweep;
 pub use triangle::{FollowedTriangle, Tested, TrianglePixels};
 pub use vectors::{Faces, NoAreas};
 
@@ -91,11 +98,15 @@ impl Pixels {
         png::encode(pixmap, figure, said, dpi, progress).await
     }
 
-    /// Pictures on a sheet with a ground. `None` where that would be empty or too large for memory.
-    fn arranged(pictures: Vec<Self>, arrangement: Arrangement, gap: u32, ground: Rgba) -> Option<Self> {
-        let sizes: Vec<[u32; 2]> = pictures.iter().map(|picture| [picture.width, picture.height]).collect();
+    /// Pictures at their places on a sheet with a ground. `None` where that would be empty or too large for memory.
+    fn arranged(pictures: Vec<Self>, layout: &Layout, ground: Rgba) -> Option<Self> {
         let pixmaps: Option<Vec<Pixmap>> = pictures.into_iter().map(|mut picture| picture.take_pixmap()).collect();
-        sheet(&pixmaps?, &layout(&sizes, arrangement, gap)?, ground).map(Self::from)
+        sheet(&pixmaps?, layout, ground).map(Self::from)
+    }
+
+    /// Width and height.
+    fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
     }
 
     /// The pixels, without copying them; the picture has none afterwards.
@@ -107,6 +118,37 @@ impl Pixels {
     fn into_texture(self) -> Texture {
         let Self { width, height, rgba } = self;
         Texture { width, height, rgba }
+    }
+}
+
+impl Composite {
+    /// The places of its pictures, which may be cropped to these sizes. `None` where there are none, or too many
+    /// pixels.
+    fn layout(&self, sizes: &[[u32; 2]], crop: bool) -> Option<Layout> {
+        if let Some(grid) = &self.grid {
+            let least = if crop { [0, 0] } else { grid.least };
+            return Layout::grid(sizes, grid.columns, [self.gap, grid.below], least);
+        }
+        layout(sizes, self.arrangement, self.gap)
+    }
+
+    /// The captions under each row, each with the corner of its strip.
+    fn strips(&self, layout: &Layout, sizes: &[[u32; 2]]) -> Vec<([u32; 2], Drawing)> {
+        let Some(grid) = self.grid.as_ref().filter(|grid| grid.below > 0) else { return Vec::new() };
+        #[expect(clippy::cast_precision_loss, reason = "pixels")]
+        let unit = |pixels: u32| pixels as f32;
+        let cells: Vec<(usize, f32, f32, u32)> = (0..)
+            .zip(layout.corners.iter().zip(sizes))
+            .map(|(place, ([left, top], [width, height]))| (place, unit(*left), unit(*width), top + height))
+            .collect();
+        let strip = |row: &[(usize, f32, f32, u32)]| {
+            let top = row.first()?.3;
+            let row: Vec<(usize, f32, f32)> =
+                row.iter().map(|(place, left, width, _)| (*place, *left, *width)).collect();
+            let size = [layout.size[0], grid.below.min(layout.size[1].checked_sub(top)?)];
+            Some(([0, top], grid.captions.strip(&row, size)))
+        };
+        cells.chunks(grid.columns.max(1)).filter_map(strip).collect()
     }
 }
 

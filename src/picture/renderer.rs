@@ -153,12 +153,19 @@ impl Renderer {
             too_much = too_much.or(account.too_much);
             pictures.push(if crop { picture.cropped(sheet.gap) } else { picture });
         }
-        let picture = if pictures.len() == 1 {
-            pictures.pop()
-        } else {
-            Pixels::arranged(pictures, sheet.arrangement, sheet.gap, sheet.ground)
-        };
-        Some((picture?, too_much))
+        if pictures.len() == 1 && sheet.grid.is_none() {
+            return Some((pictures.pop()?, too_much));
+        }
+        let sizes: Vec<[u32; 2]> = pictures.iter().map(Pixels::size).collect();
+        let layout = sheet.layout(&sizes, crop)?;
+        let mut whole = Pixels::arranged(pictures, &layout, sheet.ground)?;
+        let mut pixmap = whole.take_pixmap()?;
+        for ([left, top], strip) in sheet.strips(&layout, &sizes) {
+            let texts = self.rasterizer.paint(&strip)?;
+            let (left, top) = (i32::try_from(left).ok()?, i32::try_from(top).ok()?);
+            pixmap.draw_pixmap(left, top, texts.as_ref(), &PixmapPaint::default(), Transform::identity(), None);
+        }
+        Some((pixmap.into(), too_much))
     }
 
     /// The drawing of a picture with its plan and report, for outputs that are not made of pixels: the drawing that

@@ -7,7 +7,7 @@ use glam::DVec2;
 use tiny_skia::Pixmap;
 
 use super::error::PictureError;
-use super::{Composite, Renderer, layout};
+use super::{Composite, Renderer};
 use crate::appearance::{LineStyle, Occlusion, Rgba, head_corners};
 use crate::drawing::{Drawing, Surface, single};
 use crate::export::vector::{Item, Page};
@@ -101,16 +101,20 @@ pub(super) async fn page(
         sizes.push([part[2], part[3]]);
         pictures.push((part, items));
     }
-    let layout = layout(&sizes, sheet.arrangement, sheet.gap).ok_or(PictureError::TooLarge)?;
+    let layout = sheet.layout(&sizes, crop).ok_or(PictureError::TooLarge)?;
     let size = layout.size.map(unit);
     let mut items = Vec::new();
-    if pictures.len() > 1 && sheet.ground.a > 0 {
+    if (pictures.len() > 1 || sheet.grid.is_some()) && sheet.ground.a > 0 {
         items.push(rectangle([0.0, 0.0, size[0], size[1]], sheet.ground));
     }
     for ((part, own), corner) in pictures.into_iter().zip(&layout.corners) {
         let [left, top, width, height] = part.map(unit);
         let corner = [unit(corner[0]) - left, unit(corner[1]) - top];
         items.push(Item::Group { corner, clip: [left, top, left + width, top + height], items: own });
+    }
+    for (corner, strip) in sheet.strips(&layout, &sizes) {
+        let clip = [0.0, 0.0, unit(strip.width), unit(strip.height)];
+        items.push(Item::Group { corner: corner.map(unit), clip, items: over_faces(&strip)? });
     }
     #[expect(clippy::cast_possible_truncation, reason = "points of a page")]
     let points = (72.0 / per_inch) as f32;

@@ -45,6 +45,12 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
     framing(request, Direction::from(*observer))
 }
 
+/// The observer of several pictures, which has the box of each in the picture.
+pub(super) fn common(requests: &[Request]) -> Option<Observer> {
+    let points: Vec<_> = requests.iter().flat_map(Request::each_side).flat_map(|side| points(&side)).collect();
+    Some(enclosing(&points, ISO, requests.first()?.size))
+}
+
 fn framing(request: &Request, direction: Direction) -> Observer {
     let sides = request.each_side();
     let points: Vec<_> = sides.iter().flat_map(points).collect();

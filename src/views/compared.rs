@@ -2,28 +2,16 @@
 
 use super::gizmos::SMALL_TYPE;
 use super::label_layout::half_size;
+use super::values::{done, said};
 use super::{Compared, Labels, Palette, Request, Shot, Size};
 use crate::appearance::{Dash, HiddenLines, Rgba};
-use crate::camera::{Ndc, Operation};
 use crate::drawing::{Anchor, Area, Drawing, Label, StrokeSet, single};
-use crate::figure::WorldPart;
-use crate::figure::words::{self, DEPTH_FORMATS, HIDDEN_LINES, NDCS, PROJECTIONS, SHADINGS, VISIBILITIES};
-use crate::geometry::Angle;
 use crate::sanitize;
 
 /// Room between two halves, in pixels at scale 1.
 const GAP: f32 = 4.0;
 /// The longest heading in characters.
 const LONGEST: usize = 60;
-
-/// Parameters of the camera with their symbols in the notes, and their units.
-const SYMBOLS: [(&str, &str, &str); 5] = [
-    ("camera.view_angle", "θ", "°"),
-    ("camera.height", "H", ""),
-    ("camera.aspect", "A", ""),
-    ("camera.near", "F", ""),
-    ("camera.far", "B", ""),
-];
 
 /// The heading of a side, 0 or 1.
 fn heading(compared: &Compared, side: usize, labels: &Labels) -> String {
@@ -35,63 +23,6 @@ fn heading(compared: &Compared, side: usize, labels: &Labels) -> String {
         (false, _) => parts.extend(compared.comparison.ops.iter().map(|operation| done(*operation, labels))),
     }
     sanitize::within(&parts.join(", "), LONGEST)
-}
-
-/// An operation in the words of the pictures: azimuth 30°.
-fn done(operation: Operation, labels: &Labels) -> String {
-    let number = |value: f64| labels.mark.number(value, 4);
-    let [elevation, azimuth, roll, yaw, pitch, zoom, dolly, pan] = labels.operations;
-    let turned = |name, angle: Angle| format!("{name} {}°", number(angle.degrees()));
-    match operation {
-        Operation::Elevation(angle) => turned(elevation, angle),
-        Operation::Azimuth(angle) => turned(azimuth, angle),
-        Operation::Roll(angle) => turned(roll, angle),
-        Operation::Yaw(angle) => turned(yaw, angle),
-        Operation::Pitch(angle) => turned(pitch, angle),
-        Operation::Zoom(factor) => format!("{zoom} × {}", number(factor)),
-        Operation::Dolly(factor) => format!("{dolly} × {}", number(factor)),
-        Operation::Pan { dx, dy } => format!("{pan} {}", labels.mark.tuple(&[dx, dy], 4)),
-    }
-}
-
-/// A value of a key in the words of the pictures, else as it is written.
-fn said(key: &str, value: Option<&str>, labels: &Labels) -> String {
-    fn word<T: Copy>(list: words::Words<T>, said: &[&'static str], value: &str) -> Option<&'static str> {
-        said.get(list.iter().position(|(word, _)| *word == value)?).copied()
-    }
-    let known = match (key, value) {
-        ("style.visibility", Some(value)) => word(VISIBILITIES, &labels.visibilities, value).map(str::to_owned),
-        ("style.shading", Some(value)) => word(SHADINGS, &labels.shadings, value).map(str::to_owned),
-        ("style.hidden_lines", Some(value)) => word(HIDDEN_LINES, &labels.hidden_lines, value).map(str::to_owned),
-        ("camera.projection", Some(value)) => word(PROJECTIONS, &labels.projections, value).map(str::to_owned),
-        ("style.depth_format", value) => {
-            word(DEPTH_FORMATS, &labels.depth_formats, value.unwrap_or("f32-reversed")).map(str::to_owned)
-        }
-        ("show.ndc", value) => {
-            let ndc = value.map_or(Some(Ndc::default()), |value| words::value(NDCS, value));
-            ndc.map(|ndc| labels.ndc_title(ndc))
-        }
-        (key, Some(value)) => {
-            let symbol = SYMBOLS.iter().find(|(known, ..)| *known == key);
-            let number = labels.mark.printed(value.trim_end_matches(".0"));
-            symbol.map(|(_, symbol, unit)| format!("{symbol} = {number}{unit}"))
-        }
-        _ => None,
-    };
-    let part = key.strip_prefix("world.").and_then(|key| WorldPart::ALL.iter().position(|(_, known)| *known == key));
-    let switch = labels.switches.iter().find(|(known, _)| *known == key).map(|(_, name)| *name);
-    let switch = switch.or(part.map(|part| labels.world_parts[part]));
-    known.unwrap_or_else(|| match (switch, value) {
-        (Some(name), Some("true")) => format!("{name}: {}", labels.yes_no[0]),
-        (Some(name), Some("false")) => format!("{name}: {}", labels.yes_no[1]),
-        _ => {
-            // Other keys are those of the file.
-            let name = key.rsplit('.').next().unwrap_or(key);
-            let is_number = value.is_some_and(|value| value.parse::<f64>().is_ok());
-            let value = value.map_or_else(|| "–".to_owned(), sanitize::escaped);
-            format!("{name} = {}", if is_number { labels.mark.printed(value.trim_end_matches(".0")) } else { value })
-        }
-    })
 }
 
 /// A side of a compared picture.
@@ -162,19 +93,7 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
     let compared = request.shot.compared.as_ref()?;
     let Size { width, height, scale } = request.size;
     let palette = Palette::of(request.shot.look.style.theme);
-    let mut drawing = Drawing {
-        width,
-        height,
-        background: palette.paper.with_alpha(0),
-        antialias: 1,
-        painted_in_order: true,
-        depth_format: Default::default(),
-        surfaces: Vec::new(),
-        strokes: Vec::new(),
-        areas: Vec::new(),
-        marks: Vec::new(),
-        labels: Vec::new(),
-    };
+    let mut drawing = on_clear_ground([width, height], palette.paper);
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let [wide, high] = [width, height].map(|side| side as f32);
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
@@ -210,6 +129,23 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
         plate(&mut drawing, &text, (wide - em, high - 1.2 * em, Anchor::Right), [0.0, wide], em, palette);
     }
     Some(drawing)
+}
+
+/// An empty drawing on a clear ground of a colour, for what is put over others.
+pub(super) fn on_clear_ground([width, height]: [u32; 2], ground: Rgba) -> Drawing {
+    Drawing {
+        width,
+        height,
+        background: ground.with_alpha(0),
+        antialias: 1,
+        painted_in_order: true,
+        depth_format: Default::default(),
+        surfaces: Vec::new(),
+        strokes: Vec::new(),
+        areas: Vec::new(),
+        marks: Vec::new(),
+        labels: Vec::new(),
+    }
 }
 
 /// A text on a plate, where its room, from column to column, has place for it.

@@ -4,6 +4,7 @@ use crate::camera::{Ndc, Step};
 use crate::figure::WorldPart;
 use crate::numbers::DecimalMark;
 use crate::pipeline::{NEAR, PlaneSet};
+use crate::stage::Stage;
 
 /// The few words in the pictures; symbols (C, PF, u, v, n …) are the same in every language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,6 +101,12 @@ pub struct Labels {
     pub depth_formats: [&'static str; 3],
     /// The values of `[camera] projection`.
     pub projections: [&'static str; 2],
+    /// The stages of the pipeline, in their order.
+    pub stages: [&'static str; Stage::ALL.len()],
+    /// Before the number of a step of the way to the canonical volume.
+    pub step_number: &'static str,
+    /// Before the number of samples of a pixel.
+    pub samples: &'static str,
     /// The effect of each step, in the order of [`Step`].
     pub steps: [&'static str; 15],
 }

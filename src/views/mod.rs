@@ -16,6 +16,7 @@
 //! | `camera_gizmo` | the sizes of the camera's gear in the world |
 //! | `canonical` | the canonical volume: the scene after clipping and projection |
 //! | `canonical_box` | the canonical volume of a convention of NDC, as placed in the picture |
+//! | `caption_strip` | the captions under a row of pictures |
 //! | `compared` | a picture in two ways: the request of each side, and the line and the words over both |
 //! | `components` | measures of matrix entries in the world |
 //! | `coverage_grid` | the parts of a picture that bodies cover: a text there would hide the subject of the picture |
@@ -35,6 +36,7 @@
 //! | `normalizing` | the view volume on its way to the canonical one |
 //! | `object_parts` | measures of an object's own transform in the world |
 //! | `observer` | the sides from which a 3D picture is seen, and the observer that fits |
+//! | `observer_of` | the observer of another figure, who sees a series |
 //! | `offscreen_arrows` | arrows to points beside the image or behind the eye |
 //! | `palette` | the colours of the pictures, one set for each theme |
 //! | `partial_paint` | the first triangles of a picture, in the order of painting |
@@ -52,6 +54,7 @@
 //! | `transform_gizmo` | the gizmo that moves, turns and scales the selected objects in the world |
 //! | `transform_preview` | an object where a list of transforms puts it, as glass |
 //! | `triangle_overlay` | the triangle that is followed step by step, in each picture |
+//! | `values` | the values of keys and operations in the words of the pictures |
 //! | `vanishing` | vanishing points, with their construction |
 //! | `volume` | the view volume in the world: whole, or broken where it is too large |
 //! | `world` | the world: the scene, the camera in it, and the camera's view volume |
@@ -61,6 +64,7 @@ mod arrangement;
 mod camera_gizmo;
 mod canonical;
 mod canonical_box;
+mod caption_strip;
 mod compared;
 mod components;
 mod coverage_grid;
@@ -80,6 +84,7 @@ pub mod named_points;
 mod normalizing;
 mod object_parts;
 pub mod observer;
+mod observer_of;
 mod offscreen_arrows;
 pub mod palette;
 mod partial_paint;
@@ -97,6 +102,7 @@ mod timed_pipeline;
 pub mod transform_gizmo;
 mod transform_preview;
 mod triangle_overlay;
+mod values;
 mod vanishing;
 mod volume;
 mod world;
@@ -112,18 +118,21 @@ use crate::pipeline::Frame;
 use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use arrangement::{Arrangement, aspect_shown, best_arrangement, share_of_first, used_area};
+pub use caption_strip::{Captions, caption_height};
 pub use compared::{Side, overlay};
 pub use hover::{
     Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, TransformGizmo, Transforming, TriangleOverlay,
 };
 pub use labels::Labels;
 use observer::Viewpoint;
+pub use observer_of::ObserverOf;
 pub use palette::Palette;
 pub use picture::{MAX_PICTURES, Picture, observer_in};
 pub use pixels::{PixelRect, Size, image_frame};
 pub use request::{Finish, Normalizing, Request, SharedScene};
 pub use shot::{Compared, Look, Shot};
 pub use timed_pipeline::TimedPipeline;
+pub use values::caption;
 
 /// Draws a picture, and reports. `on_window` is the image that the view window of the world shows:
 /// [`Request::image_on_window`] as pixels; without it the window is plain.
@@ -154,6 +163,22 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
 /// [`SceneError`] names the object and its fault.
 pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Scene, SceneError> {
     scene::build_with(&figure.scene, &figure.style, read_file, &mut MeshFiles::watched(progress))
+}
+
+/// Pictures of one kind and one size, seen by one observer, so that what differs between them is what has moved; with
+/// those of their figures, where these have some.
+#[must_use]
+pub fn with_one_observer(requests: Vec<Request>) -> Vec<Request> {
+    let has_own = |request: &Request| request.observer.is_some() || request.shot.look.world.section;
+    if requests.iter().any(has_own) {
+        return requests;
+    }
+    let observer = match requests.first().map(|request| request.view) {
+        Some(View::World) => world_framing::common(&requests),
+        Some(View::Canonical) => canonical::common(&requests),
+        Some(View::Image) | None => None,
+    };
+    requests.into_iter().map(|request| request.seen_by(observer)).collect()
 }
 
 impl Request {

@@ -117,6 +117,12 @@ impl Shot {
         there.cloned().unwrap_or_else(|| Picture::new(kind, None))
     }
 
+    /// Whether an image shows names or explanations over the scene.
+    #[must_use]
+    pub fn has_names(&self) -> bool {
+        !self.points.is_empty() || self.show != Show::default() || self.look.reveal != Reveal::default()
+    }
+
     /// The part of it that is seen in a picture of a kind: parts of others are at their defaults, so that they change
     /// nothing here. The pictures are left out: a request has its own.
     #[must_use]

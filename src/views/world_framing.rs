@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 
-use super::Request;
 use super::camera_gizmo::Gear;
 use super::framing::{Content, iso_direction};
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
 use super::screen::Screen;
+use super::{Request, Size};
 use super::{dimensions, section};
 use crate::camera::Camera;
 use crate::figure::Observer;
@@ -30,12 +30,25 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
     framing(request, Direction::from(*observer))
 }
 
+/// The observer of several pictures, which has everything of interest of each: it looks as that of the first one, or so
+/// that no camera is seen along an axis, where that can be.
+pub(super) fn common(requests: &[Request]) -> Option<Observer> {
+    let first = requests.first()?;
+    let all: Vec<DVec3> = requests.iter().flat_map(|request| lines(&request.camera)).collect();
+    let direction = iso_direction(&first.camera).clear_of(&lines(&first.camera)).clear_of(&all);
+    Some(framing_of(requests.iter().flat_map(Request::each_side), direction, first.size))
+}
+
+fn framing(request: &Request, direction: Direction) -> Observer {
+    framing_of(request.each_side(), direction, request.size)
+}
+
 /// Frames the content; the camera's gear has a size in pixels, so its extent is known after a framing only, and each
 /// next one knows it better.
-fn framing(request: &Request, direction: Direction) -> Observer {
-    let sides = request.each_side();
+fn framing_of(sides: impl IntoIterator<Item = Request>, direction: Direction, size: Size) -> Observer {
+    let sides: Vec<Request> = sides.into_iter().collect();
     let sides: Vec<(&Request, Content)> = sides.iter().map(|side| (side, Content::of(side))).collect();
-    let size = sides.first().map_or(request.size, |(side, _)| side.size);
+    let size = sides.first().map_or(size, |(side, _)| side.size);
     let of_interest: Vec<DVec3> = sides.iter().flat_map(|(_, content)| &content.of_interest).copied().collect();
     let mut observer = enclosing(&of_interest, direction, size);
     for _ in 0..3 {

@@ -244,7 +244,7 @@ fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
     window.quick_choice("size", "on paper");
-    window.wait_for("the smallest of the three pictures is 3.5 × 2.9 cm");
+    window.wait_for("the smallest picture is 3.5 × 2.9 cm");
     let lines = |window: &Window| window.export().paper.lines;
     assert_eq!(lines(&window), None);
     assert!(window.field("lines in points").accesskit_node().is_disabled());
@@ -256,10 +256,47 @@ fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
     window.enter("width in centimetres", "16");
     window.enter("height in centimetres", "12");
     let since = Instant::now();
-    while window.says("the smallest of the three pictures") {
+    while window.says("the smallest picture") {
         assert!(since.elapsed() < Duration::from_secs(60), "there is room");
         std::thread::sleep(Duration::from_millis(5));
         window.harness.step();
+    }
+}
+
+#[test]
+fn a_family_is_chosen_typed_and_written_from_the_menu() {
+    let folder = Folder::new("family");
+    let mut window = Window::new(Lang::En);
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
+    window.run();
+    let family = |window: &Window| window.state().family.clone();
+    assert_eq!(family(&window).values, "20, 40, 60, 90", "it begins with the view angle");
+    window.quick_choice("family", "Azimuth");
+    assert_eq!(family(&window).values, "0, 90, 180, 270");
+    window.enter("values", "0, 200, x");
+    window.wait_for("azimuth = x");
+    window.enter("values", "0..90:4");
+    window.quick_choice("columns", "2");
+    window.click("(a), (b) …");
+    assert_eq!((family(&window).columns, family(&window).parts), (Some(2), true));
+    window.quick_choice("pictures", "World");
+    window.quick_choice("size", "on paper");
+    window.quick_choice("made for", "A4 text, 16 cm");
+    assert_eq!(window.export().paper.size, [16.0, 12.0]);
+    window.quick_choice("format", "SVG");
+    window.key(Key::Enter);
+    let file = folder.file("azimuths.svg");
+    window.choose(&file);
+    window.wait_for("azimuths.svg");
+    let since = Instant::now();
+    while !file.exists() {
+        assert!(since.elapsed() < Duration::from_secs(60), "it is written");
+        std::thread::sleep(Duration::from_millis(5));
+        window.harness.step();
+    }
+    let svg = fs::read_to_string(&file).expect("text");
+    for caption in ["(a) Azimuth 0°", "(b) Azimuth 30°", "(c) Azimuth 60°", "(d) Azimuth 90°"] {
+        assert!(svg.contains(caption), "{caption}");
     }
 }
 

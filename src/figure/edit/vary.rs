@@ -13,15 +13,25 @@ use crate::scene::SceneSpec;
 /// # Errors
 /// [`FigureError`]: the key is not known, or the value is not among the allowed ones; its line is meaningless.
 pub fn varied(figure: &Figure, key: &str, value: &str) -> Result<Figure, FigureError> {
+    varied_together(figure, &[(key, value)])
+}
+
+/// As [`varied`], of several keys together: near and far may both move past the other.
+///
+/// # Errors
+/// As for [`varied`].
+pub fn varied_together(figure: &Figure, keys: &[(&str, &str)]) -> Result<Figure, FigureError> {
     // A scene can be large, and most keys are elsewhere.
-    let is_of_scene = key.split('.').next().is_some_and(|section| section.trim() == "scene");
+    let of_scene = |key: &str| key.split('.').next().is_some_and(|section| section.trim() == "scene");
+    let is_of_scene = keys.iter().any(|(key, _)| of_scene(key));
     let scene = if is_of_scene { figure.scene.clone() } else { SceneSpec::default() };
     let (observers, show) = (figure.observers, figure.show.clone());
-    let varied = varied_whole(&Figure { scene, observers, show, ..figure.without_scene() }, [(key, value)])?;
+    let whole = Figure { scene, observers, show, ..figure.without_scene() };
+    let varied = varied_whole(&whole, keys.iter().copied())?;
     Ok(if is_of_scene { varied } else { Figure { scene: figure.scene.clone(), ..varied } })
 }
 
-/// As [`varied`], of several keys together, for a figure with a small scene: near and far may both move past the other.
+/// As [`varied_together`], for a figure with a small scene.
 pub(in crate::figure) fn varied_whole<'a>(
     figure: &Figure,
     keys: impl IntoIterator<Item = (&'a str, &'a str)>,

@@ -77,6 +77,10 @@ pub const MENUS: &[Menu] = &[
             ],
             &[
                 row!(Export, ctrl(Key::E), export, export_hint, |s, _| show_export(s)),
+                row!(ExportFamily, ctrl_shift(Key::E), export_family, export_family_hint, |s, _| {
+                    s.family = std::mem::take(&mut s.family).or_first();
+                    show_export(s);
+                }),
                 Row::new(CopyLink, ctrl(Key::K), link_words, |s, _| show_dialog(s, Dialog::Link)),
             ],
             &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::Quit))

@@ -101,6 +101,7 @@ pub use view_history::ViewHistory;
 use super::Start;
 use super::document::Document;
 use super::export::Export;
+use super::family::FamilyChoice;
 use super::gallery::{Gallery, Source};
 use super::memo::Memo;
 use super::scene_cache::SceneCache;
@@ -223,6 +224,8 @@ pub struct State {
     pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
     /// The last export settings.
     pub export: Export,
+    /// The family that is exported.
+    pub family: FamilyChoice,
     /// Annotations over the pictures.
     pub annotations: Annotations,
     /// The studies of error against run time.
@@ -307,6 +310,7 @@ impl State {
             kept: Vec::new(),
             given_up: Vec::new(),
             export: Export::new([[640, 480]; View::COUNT], 1.0),
+            family: FamilyChoice::default(),
             annotations: Annotations::default(),
             numerics: Numerics::default(),
             explain: Explain::default(),

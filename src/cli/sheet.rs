@@ -1,0 +1,124 @@
+//! `camera-lab sheet`: a family of pictures on one sheet.
+
+use std::path::Path;
+
+use super::figure_args::FigureArgs;
+use super::render::{no_picture, observer_of, report, save};
+use super::sheet_args::SheetArgs;
+use super::words::LangArg;
+use super::{Failure, open, progress, scene};
+use crate::camera::Camera;
+use crate::figure::update;
+use crate::figure::variation::{Variant, Variation, VariationError, variants};
+use crate::files::Opened;
+use crate::i18n::{Lang, families, messages, pictures};
+use crate::limits::MAX_FAMILY;
+use crate::picture::{self, Family, SheetSize};
+use crate::progress::at_once;
+use crate::sanitize;
+use crate::views::{Finish, Request, SharedScene, Shot, Size, View};
+
+/// The width of each picture in pixels where no size is given.
+const WIDTH: u32 = 480;
+
+pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
+    let name = sanitize::path(&args.out.output);
+    let format = args.out.format(lang)?;
+    let (given, scale) = (args.out.size(lang)?, args.out.scale(lang)?);
+    let (paper, centimetres) = (args.out.on_paper(lang)?, args.out.centimetres(lang)?);
+    let variations = args.family.variations(None, lang)?;
+    if !(1..=2).contains(&variations.len()) {
+        return Err(Failure::BadInput(families::variations(lang, variations.len(), 2)));
+    }
+    let columns = args.columns(lang)?;
+    let (mut opened, camera) = open(&args.figure, &args.common, lang)?;
+    opened.figure.style.theme = args.out.theme().unwrap_or(opened.figure.style.theme);
+    let of_figures = members(&args.figure, &opened, (&args.common, &camera), &variations, MAX_FAMILY, lang)?;
+    let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
+    let views = args.view.views().count().max(1);
+    if of_figures.len() * views > MAX_FAMILY {
+        let error = VariationError::TooMany { count: of_figures.len() * views, limit: MAX_FAMILY };
+        return Err(Failure::BadInput(families::error(lang, &error)));
+    }
+    let image = opened.figure.image;
+    let size = match (&paper, centimetres, given) {
+        (Some(paper), [Some(width), Some(height)], _) => {
+            SheetSize::Whole([width, height].map(|side| whole(paper.pixels_across(side))))
+        }
+        (Some(paper), [Some(width), None], _) => SheetSize::Width(whole(paper.pixels_across(width))),
+        (_, _, Some(size)) => {
+            let scaled = |side: u32| whole(f64::from(side) * f64::from(scale.unwrap_or(1.0)));
+            SheetSize::Whole([size.width, size.height].map(scaled))
+        }
+        _ => {
+            let width = f64::from(WIDTH) * f64::from(scale.unwrap_or(1.0));
+            SheetSize::Pictures([whole(width), whole((width / image.aspect()).max(1.0))])
+        }
+    };
+    let pixels = match size {
+        SheetSize::Whole(size) | SheetSize::Pictures(size) => size,
+        SheetSize::Width(width) => [width, width],
+    };
+    let size_of_words = Size { width: pixels[0], height: pixels[1], scale: scale.unwrap_or(1.0) };
+    let shot = Shot::of(&opened.figure);
+    let base = of_figures.first().map(|(_, scene)| scene.clone()).unwrap_or_default();
+    let request = Request::new(&shot, View::Image, &camera, &base, labels, size_of_words);
+    let finish = Finish { transparent: args.out.transparent, ..Finish::default() };
+    let family = Family {
+        members: of_figures,
+        views: args.view,
+        columns,
+        parts: args.parts,
+        captions: args.captions.clone(),
+        observer_of: observer_of(&args.out, &args.common, lang)?,
+    };
+    let sheet = family
+        .sheet(&Request { finish, ..request }, size, scale, paper.as_ref())
+        .map_err(|error| no_picture(lang, &name, error.into(), pixels.map(u64::from)))?;
+    let form = args.out.form(format, paper.as_ref());
+    let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let text = update(&opened.text, &opened.figure);
+    let told = pictures::told_of(written, &opened.figure, &sheet, text).for_file(&args.out.output);
+    let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, form, &told, progress)));
+    let file = made.map_err(|error| no_picture(lang, &name, error, pixels.map(u64::from)))?;
+    report(&file, &sheet, form.dpi, [&messages::opened(lang, &args.figure), &name], lang);
+    save(&args.out.output, &file.bytes, file.beside, lang)
+}
+
+/// The figures of a family, each with its scene; those whose objects are the same share one.
+pub(super) fn members(
+    path: &Path,
+    opened: &Opened,
+    (args, camera): (&FigureArgs, &Camera),
+    variations: &[Variation],
+    limit: usize,
+    lang: Lang,
+) -> Result<Vec<(Variant, SharedScene)>, Failure> {
+    let name = messages::opened(lang, path);
+    let figures = variants(&opened.figure, camera, variations, args.convention(), limit)
+        .map_err(|error| Failure::BadInput(format!("{name}: {}", families::error(lang, &error))))?;
+    let mut members: Vec<(Variant, SharedScene)> = Vec::with_capacity(figures.len());
+    for variant in figures {
+        let same = |(other, _): &&(Variant, SharedScene)| {
+            other.figure.scene == variant.figure.scene
+                && other.figure.style == variant.figure.style
+                && other.figure.show.triangle == variant.figure.show.triangle
+        };
+        let scene = match members.iter().find(same) {
+            Some((_, scene)) => scene.clone(),
+            None => {
+                let own = Opened { figure: variant.figure.clone(), ..opened.clone() };
+                SharedScene::new(scene(path, &own, args, lang)?)
+            }
+        };
+        members.push((variant, scene));
+    }
+    Ok(members)
+}
+
+/// Whole pixels; what is too large is refused where pictures are made.
+fn whole(side: f64) -> u32 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is too large is refused")]
+    let side = side.round().max(1.0) as u32;
+    side
+}

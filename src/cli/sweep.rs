@@ -1,0 +1,83 @@
+//! `camera-lab animate --vary` and `--to`: a family, or the way to another camera, one picture after the other.
+
+use super::args::AnimateArgs;
+use super::render::{no_picture, save};
+use super::sheet::members;
+use super::words::LangArg;
+use super::{Failure, open, progress, scene};
+use crate::camera::{Camera, CameraPath, ImageSize};
+use crate::figure::variation::Variant;
+use crate::figure::{Figure, update};
+use crate::files;
+use crate::i18n::{Lang, families, messages, pictures};
+use crate::limits::MAX_FRAMES;
+use crate::picture::{FilmFormat, Sweep};
+use crate::progress::at_once;
+use crate::sanitize;
+use crate::views::{Request, SharedScene, Shot, Size, View, with_one_observer};
+
+/// The number of pictures where none is given: of an animation, and of a strip of stills.
+const FRAMES: [usize; 2] = [40, 5];
+/// The pictures.
+const VIEW: View = View::World;
+
+pub(super) fn run(args: &AnimateArgs, format: FilmFormat, size: ImageSize, lang: Lang) -> Result<(), Failure> {
+    let name = sanitize::path(&args.output);
+    let seconds = args.seconds(lang)?;
+    let frames = args.frames(lang)?.unwrap_or(FRAMES[usize::from(matches!(format, FilmFormat::Strip(_)))]);
+    let variations = args.family.variations(Some(frames), lang)?;
+    if variations.len() > 1 {
+        return Err(Failure::BadInput(families::variations(lang, variations.len(), 1)));
+    }
+    let (opened, camera) = open(&args.figure, &args.common, lang)?;
+    let members = match &args.to {
+        Some(other) => {
+            let scene = SharedScene::new(scene(&args.figure, &opened, &args.common, lang)?);
+            let figures = way(&opened.figure, &camera, &camera_of(other, lang)?, frames);
+            let figures =
+                figures.map_err(|error| Failure::BadInput(format!("--to: {}", messages::camera(lang, &error))))?;
+            figures.into_iter().map(|variant| (variant, scene.clone())).collect()
+        }
+        None => members(&args.figure, &opened, (&args.common, &camera), &variations, MAX_FRAMES, lang)?,
+    };
+    let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
+    let ImageSize { width, height } = size;
+    let size = Size { width, height, scale: 1.0 };
+    let view = args.view.unwrap_or(VIEW);
+    let picture = |(variant, scene): &(Variant, SharedScene)| {
+        Request::new(&Shot::of(&variant.figure), view, &variant.camera, scene, labels, size)
+    };
+    let requests = with_one_observer(members.iter().map(picture).collect());
+    let film = Sweep { requests, seconds };
+    let refused = |error| no_picture(lang, &name, error, [width, height].map(u64::from));
+    let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let text = update(&opened.text, &opened.figure);
+    let told =
+        pictures::told_of(written, &opened.figure, &film.stills().map_err(refused)?, text).for_file(&args.output);
+    let made = progress::watched(lang, |progress| at_once(film.file(format, &told, progress)));
+    let file = made.map_err(refused)?;
+    save(&args.output, &file.bytes, file.beside, lang)
+}
+
+/// The camera of another figure.
+fn camera_of(path: &std::path::Path, lang: Lang) -> Result<Camera, Failure> {
+    let name = messages::opened(lang, path);
+    let opened = files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
+    Camera::new(&opened.figure.camera)
+        .map_err(|error| Failure::BadInput(format!("{name}: {}", messages::camera(lang, &error))))
+}
+
+/// The figure with each camera of the way to another one; it begins and ends slowly.
+fn way(figure: &Figure, from: &Camera, to: &Camera, frames: usize) -> Result<Vec<Variant>, crate::camera::CameraError> {
+    let path = CameraPath::new(from, to)?;
+    let last = frames.saturating_sub(1).max(1);
+    #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
+    let share = |k: usize| k as f64 / last as f64;
+    let figure_at = |k: usize| {
+        let t = share(k);
+        let camera = path.at(t * t * (3.0 - 2.0 * t))?;
+        let figure = Figure { camera: *camera.parameters(), ..figure.clone() };
+        Ok(Variant { figure, camera, at: Vec::new() })
+    };
+    (0..frames).map(figure_at).collect()
+}

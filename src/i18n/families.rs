@@ -1,0 +1,111 @@
+//! The words about families of pictures: what cannot be varied, and why.
+
+use super::{Lang, messages};
+use crate::figure::variation::VariationError;
+use crate::limits::{MAX_FAMILY, MAX_FRAMES};
+use crate::sanitize::escaped;
+
+texts! {
+    family: "family", "família";
+    family_hint: "The same figure at several values, on one sheet with the value under each picture", "A mesma figura com vários valores, numa folha com o valor sob cada imagem";
+    none: "none", "nenhuma";
+    typed: "another key", "outra chave";
+    view_angle: "view angle θ", "ângulo de vista θ";
+    projection: "projection", "projeção";
+    visibility: "hidden faces", "faces ocultas";
+    shading: "shading", "sombreamento";
+    samples: "samples per pixel", "amostras por pixel";
+    values: "values", "valores";
+    values_hint: "Separated by commas; 20..90:4 are four from 20 to 90. With another key: camera.near=1, 2", "Separados por vírgulas; 20..90:4 são quatro de 20 a 90. Com outra chave: camera.near=1, 2";
+    columns: "columns", "colunas";
+    columns_hint: "Pictures in a row", "Imagens em cada linha";
+    automatic: "automatic", "automático";
+    parts: "(a), (b) …", "(a), (b) …";
+    parts_hint: "Letters before the values, for a text that names the parts", "Letras antes dos valores, para um texto que cita as partes";
+    paper: "made for", "feito para";
+    paper_hint: "Sets the size and the letters", "Define o tamanho e as letras";
+    own_size: "own size", "tamanho próprio";
+    column: "column, 8.8 cm", "coluna, 8,8 cm";
+    a4: "A4 text, 16 cm", "texto A4, 16 cm";
+    slide: "slide 16:9", "slide 16:9";
+    square: "square", "quadrado";
+}
+
+/// Why there is no family.
+#[must_use]
+pub fn error(lang: Lang, error: &VariationError) -> String {
+    match (lang, error) {
+        (Lang::En, VariationError::NoValues) => {
+            "it has no values; allowed: KEY=VALUE,VALUE,…, such as camera.view_angle=20,40,60".to_owned()
+        }
+        (Lang::PtBr, VariationError::NoValues) => {
+            "não tem valores; permitido: CHAVE=VALOR,VALOR,…, como camera.view_angle=20,40,60".to_owned()
+        }
+        (Lang::En, VariationError::Range { found, limit }) => {
+            let found = escaped(found);
+            format!("\"{found}\" is no range of numbers; allowed: FROM..TO:COUNT, with a COUNT from 2 to {limit}")
+        }
+        (Lang::PtBr, VariationError::Range { found, limit }) => {
+            let found = escaped(found);
+            format!("\"{found}\" não é um intervalo de números; permitido: DE..ATÉ:QUANTOS, com QUANTOS de 2 a {limit}")
+        }
+        (Lang::En, VariationError::TooMany { count, limit }) => {
+            format!("the family would have {count} pictures; allowed: at most {limit}")
+        }
+        (Lang::PtBr, VariationError::TooMany { count, limit }) => {
+            format!("a família teria {count} imagens; permitido: no máximo {limit}")
+        }
+        (_, VariationError::Figure { key, value, error }) => {
+            format!("{} = {}: {}", escaped(key), escaped(value), messages::without_line(lang, error))
+        }
+        (_, VariationError::Operation { key, value, error }) => {
+            format!("{} = {}: {}", escaped(key), escaped(value), messages::operation(lang, error))
+        }
+    }
+}
+
+/// A number of columns that no sheet has.
+#[must_use]
+pub fn columns(lang: Lang, text: &str) -> String {
+    let text = escaped(text);
+    match lang {
+        Lang::En => format!("--columns is \"{text}\"; allowed: a whole number from 1 to {MAX_FAMILY}"),
+        Lang::PtBr => format!("--columns é \"{text}\"; permitido: um número inteiro de 1 a {MAX_FAMILY}"),
+    }
+}
+
+/// A number of pictures that no animation has.
+#[must_use]
+pub fn frames(lang: Lang, text: &str) -> String {
+    let text = escaped(text);
+    match lang {
+        Lang::En => format!("--frames is \"{text}\"; allowed: a whole number from 2 to {MAX_FRAMES}"),
+        Lang::PtBr => format!("--frames é \"{text}\"; permitido: um número inteiro de 2 a {MAX_FRAMES}"),
+    }
+}
+
+/// A number of variations that a command has no use for.
+#[must_use]
+pub fn variations(lang: Lang, count: usize, most: usize) -> String {
+    match lang {
+        Lang::En => {
+            format!("--vary is given {count} times; allowed: at least once and at most {most} times")
+        }
+        Lang::PtBr => {
+            format!("--vary aparece {count} vezes; permitido: ao menos uma e no máximo {most}")
+        }
+    }
+}
+
+/// Rows that would not have the pictures of a figure below one another.
+#[must_use]
+pub fn uneven_rows(lang: Lang, count: usize, columns: usize) -> String {
+    match lang {
+        Lang::En => format!(
+            "{count} figures with several pictures each do not fill rows of {columns}; allowed: a number of columns that divides {count}"
+        ),
+        Lang::PtBr => format!(
+            "{count} figuras com várias imagens cada não enchem linhas de {columns}; permitido: um número de colunas que divida {count}"
+        ),
+    }
+}

@@ -1,0 +1,25 @@
+//! The observer of another figure: what pictures of a series are seen by.
+
+use super::{Request, SharedScene, Shot};
+use crate::camera::Camera;
+use crate::figure::Observer;
+
+/// A figure whose observers others take.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ObserverOf {
+    /// What its pictures show.
+    pub shot: Shot,
+    /// Its camera.
+    pub camera: Camera,
+    /// Its scene.
+    pub scene: SharedScene,
+}
+
+impl ObserverOf {
+    /// The observer of its picture of the kind and the size of another one; `None` for an image.
+    #[must_use]
+    pub fn observer(&self, like: &Request) -> Option<Observer> {
+        let own = Request::new(&self.shot, like.view, &self.camera, &self.scene, like.labels, like.size);
+        own.seen_from()
+    }
+}
