@@ -159,7 +159,7 @@ impl Composite {
             sizes = sizes_of(pictures.len(), arrangement, whole).filter(fit).ok_or(no_room)?;
             crowded = paper.and_then(|paper| lettered(&mut sizes, paper));
         }
-        let framed = !matches!(views, Views::One(_)) || paper.is_some_and(|paper| paper.letters.is_some());
+        let framed = !matches!(views, Views::One(_));
         let request = &Request { finish: Finish { framed, ..request.finish }, ..request.clone() };
         let requests = pictures.iter().zip(sizes).map(|(picture, size)| of(request, picture, size, shot, paper));
         let ground = Palette::of(request.shot.look.style.theme).surround;
@@ -215,6 +215,7 @@ pub(super) fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, 
     let Request { camera, scene, labels, .. } = request;
     let Request { view, observer, camera, shot, .. } = Request::of_picture(shot, picture, camera, scene, labels, size);
     let mut request = Request { view, observer, camera, shot, size, ..request.clone() };
+    request.finish.framed |= paper.is_some_and(|paper| paper.letters.is_some());
     if let Some((paper, lines)) = paper.and_then(|paper| Some((paper, paper.lines?))) {
         #[expect(clippy::cast_possible_truncation, reason = "the width of a line")]
         let edges = paper.pixels(lines) as f32;
