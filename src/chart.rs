@@ -1,6 +1,8 @@
-//! A chart as data: for SVG, PDF or pixels, and for the window. Both axes are logarithmic.
+//! A chart as data: for SVG, PDF or pixels, and for the window.
 
-/// Curves over a pair of logarithmic axes.
+use crate::numbers::{DecimalMark, nice_above};
+
+/// Curves over a pair of axes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart {
     /// Its title.
@@ -9,8 +11,55 @@ pub struct Chart {
     pub x_label: String,
     /// The quantity upwards, with its unit.
     pub y_label: String,
+    /// To the right and upwards.
+    pub axes: [Axis; 2],
+    /// How the numbers at linear axes are written.
+    pub mark: DecimalMark,
     /// In the order of the legend.
     pub series: Vec<Series>,
+}
+
+/// How numbers lie along an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Axis {
+    /// By their logarithms; all are greater than 0.
+    #[default]
+    Logarithmic,
+    /// As they are.
+    Linear,
+}
+
+impl Axis {
+    /// The place of a number along it.
+    #[must_use]
+    pub fn along(self, x: f64) -> f64 {
+        match self {
+            Self::Logarithmic => x.log10(),
+            Self::Linear => x,
+        }
+    }
+
+    /// The distance of the marks along it, of which at most `most` have room over `length`.
+    #[must_use]
+    pub fn step(self, length: f64, most: f64) -> f64 {
+        let step = match self {
+            Self::Logarithmic => {
+                let steps = [1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0];
+                steps.into_iter().find(|step| length / step <= most)
+            }
+            Self::Linear => nice_above(length / most.max(1.0)),
+        };
+        step.unwrap_or(length)
+    }
+
+    /// A number at a place along it, as it is written beside it.
+    #[must_use]
+    pub fn written(self, place: f64, mark: DecimalMark) -> String {
+        match self {
+            Self::Logarithmic => power_of_ten(10f64.powf(place)),
+            Self::Linear => mark.number(place, 3),
+        }
+    }
 }
 
 /// One curve, or points without a curve.
@@ -20,7 +69,7 @@ pub struct Series {
     pub name: String,
     /// Index of the colour in the palette; `None`: grey.
     pub color: Option<usize>,
-    /// All greater than 0.
+    /// In the units of the axes.
     pub points: Vec<[f64; 2]>,
     /// Drawing of the points.
     pub look: Look,
@@ -35,6 +84,8 @@ pub enum Look {
     BoldCurve,
     /// A line without dots.
     Line,
+    /// A thicker one.
+    BoldLine,
     /// Large dots alone.
     Dots,
     /// Small dots alone, pale.
@@ -42,14 +93,20 @@ pub enum Look {
 }
 
 impl Chart {
-    /// The whole powers of ten between which all points lie, at least one decade along each axis:
-    /// `[[x₀, x₁], [y₀, y₁]]`.
+    /// The numbers between which all points lie, `[[x₀, x₁], [y₀, y₁]]`: along a logarithmic axis whole powers of ten,
+    /// at least one decade; along a linear one the ends of nice steps.
     #[must_use]
     pub fn range(&self) -> [[f64; 2]; 2] {
         let points = || self.series.iter().flat_map(|series| &series.points);
         std::array::from_fn(|axis| {
-            let logs = points().map(|p| p[axis].log10()).filter(|x| x.is_finite());
-            let (low, high) = logs.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+            let places = points().map(|p| self.axes[axis].along(p[axis])).filter(|x| x.is_finite());
+            let (low, high) = places.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+            if self.axes[axis] == Axis::Linear {
+                let step = nice_above((high - low) / 10.0).unwrap_or(1.0);
+                let ends =
+                    if low > high { [0.0, 1.0] } else { [(low / step).floor() * step, (high / step).ceil() * step] };
+                return if ends[0] < ends[1] { ends } else { [ends[0] - 1.0, ends[0] + 1.0] };
+            }
             if low > high {
                 return [0.1, 10.0];
             }
@@ -92,5 +149,17 @@ mod tests {
         assert_eq!((power_of_ten(x[0]), power_of_ten(x[1])), ("1".to_owned(), "10³".to_owned()));
         assert_eq!((power_of_ten(y[0]), power_of_ten(y[1])), ("10⁻¹⁷".to_owned(), "10⁻²".to_owned()));
         assert_eq!(Chart::default().range(), [[0.1, 10.0]; 2]);
+    }
+
+    #[test]
+    fn a_linear_axis_ends_at_nice_numbers_around_all_points() {
+        let points = vec![[2.0, -1.0], [12.3, 0.97]];
+        let series = vec![Series { name: String::new(), color: None, points, look: Look::Line }];
+        let linear = Chart { axes: [Axis::Linear; 2], series, ..Chart::default() };
+        let [x, y] = linear.range();
+        assert_eq!(x, [2.0, 14.0]);
+        assert!((y[0] + 1.0).abs() < 1e-12 && (y[1] - 1.0).abs() < 1e-12, "{y:?}");
+        assert_eq!(Axis::Linear.written(0.5, DecimalMark::Comma), "0,5");
+        assert_eq!(Chart { axes: [Axis::Linear; 2], ..Chart::default() }.range(), [[0.0, 1.0]; 2]);
     }
 }

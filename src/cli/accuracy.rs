@@ -81,7 +81,7 @@ fn blocks(lang: Lang, findings: &[Findings]) -> Vec<Block> {
         title: words::title(lang, findings.study).to_owned(),
         rows: words::with_words(lang, findings.study, |words| {
             let pairs = findings.cases().into_iter().map(|case| findings.charts(case, words));
-            pairs.map(|pair| [pair.by_parameter, pair.by_time]).collect()
+            pairs.map(|pair| vec![pair.by_parameter, pair.by_time]).collect()
         }),
     };
     findings.iter().map(block).collect()

@@ -259,6 +259,12 @@ fn plain(markdown: &str) -> String {
     markdown.split('$').enumerate().map(part).collect()
 }
 
+/// Markdown without its marks; mathematics stays as it is written.
+fn unmarked(markdown: &str) -> String {
+    let part = |(k, part): (usize, &str)| if k % 2 == 1 { part.to_owned() } else { part.replace("**", "") };
+    markdown.split('$').enumerate().map(part).collect::<Vec<_>>().join("$")
+}
+
 fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     let (entry, exercise) = find(&args.id, &args.numbers, lang)?;
     let names: Vec<&str> = exercise.asks.iter().map(|ask| ask.name.as_str()).collect();
@@ -302,14 +308,14 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
 }
 
 fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Value {
-    let hints = said::hints(lang, exercise, ask, verdict);
+    let hints: Vec<String> = said::hints(lang, exercise, ask, verdict).iter().map(|hint| unmarked(hint)).collect();
     let diagnosis = verdict.diagnosis.as_ref().map(|diagnosis| {
         let codes = |causes: &[Cause]| causes.iter().map(|cause| cause.mistake.code()).collect::<Vec<&str>>();
         let (codes, others) = (codes(&diagnosis.causes), codes(&diagnosis.others));
         json!({
             "code": codes.first().copied().unwrap_or("own"),
             "codes": codes,
-            "message": texts::diagnosis(lang, ask, verdict),
+            "message": texts::diagnosis(lang, ask, verdict).as_deref().map(unmarked),
             "hints": hints,
             "others": others,
         })

@@ -331,19 +331,44 @@ const WORDS: [(&str, &str); 3] =
 /// A camera by the names of the notes, or by the keys of a figure file.
 fn camera(text: &str) -> Result<Parameters, AnswerError> {
     let mut toml = String::from("[camera]\n");
-    let pairs = text.lines().flat_map(|line| top_level(line, ';')).map(str::trim);
+    let pairs = text.lines().flat_map(|line| top_level(line, ';')).flat_map(between_commas);
     for pair in pairs.filter(|pair| !pair.is_empty() && *pair != "[camera]") {
         let pair_error = || AnswerError::Pair(pair.to_owned());
         let (name, value) = pair.split_once('=').ok_or_else(pair_error)?;
         let name = name.trim().to_lowercase();
         let known = PARAMETERS.iter().find(|(names, _)| names.contains(&name.as_str()));
         let (_, key) = known.ok_or_else(|| AnswerError::Parameter(pair.to_owned()))?;
-        toml.push_str(&format!("{key} = {}\n", toml_value(value.trim())));
+        let value = value.trim();
+        let sides = if *key == "window" { sides(value) } else { None };
+        toml.push_str(&format!("{key} = {}\n", sides.unwrap_or_else(|| toml_value(value))));
     }
     match read::parse(&toml) {
         Ok(figure) => Ok(figure.camera),
         Err(error) => Err(AnswerError::Camera(error)),
     }
+}
+
+/// `C=(0, 0, 2), F=0,5` at the commas before a name.
+fn between_commas(text: &str) -> Vec<&str> {
+    let mut pairs = Vec::new();
+    let (mut start, mut end) = (0, 0);
+    for part in top_level(text, ',') {
+        if part.contains('=') && end > start {
+            pairs.push(text[start..end].trim());
+            start = end + 1;
+        }
+        end += part.len() + usize::from(end > 0);
+    }
+    pairs.push(text[start..].trim());
+    pairs
+}
+
+/// (l, r, b, t) as TOML has a window.
+fn sides(value: &str) -> Option<String> {
+    let inner = value.strip_prefix(['(', '['])?.strip_suffix([')', ']'])?;
+    let parts: Vec<String> = expression::parts(inner).map(|part| toml_value(part.trim())).collect();
+    let [left, right, bottom, top] = parts.try_into().ok()?;
+    Some(format!("{{ left = {left}, right = {right}, bottom = {bottom}, top = {top} }}"))
 }
 
 /// A value as TOML has it: words and expressions become texts.
@@ -357,11 +382,12 @@ fn toml_value(value: &str) -> String {
     if let Some((_, word)) = WORDS.iter().find(|(word, _)| word.eq_ignore_ascii_case(value)) {
         return format!("{word:?}");
     }
-    let is_text = |quote| value.len() > 1 && value.starts_with(quote) && value.ends_with(quote);
-    let is_toml = is_text('"') || is_text('\'') || value.starts_with('{');
-    if is_toml || value.parse::<f64>().is_ok_and(f64::is_finite) {
-        value.to_owned()
-    } else {
-        toml_edit::Value::from(value).to_string()
+    let number = value.parse::<f64>().ok().filter(|value| value.is_finite());
+    let is_toml = value.parse::<toml_edit::Value>().is_ok();
+    match number {
+        _ if is_toml && (number.is_some() || value.starts_with(['"', '\'', '{'])) => value.to_owned(),
+        // .5 is a number, and not one of TOML.
+        Some(number) => toml_edit::Value::from(number).to_string(),
+        None => toml_edit::Value::from(value).to_string(),
     }
 }

@@ -23,6 +23,8 @@ pub enum Mistake {
     TranslationNotRotated,
     /// R C, and not −R C.
     PositionNotNegated,
+    /// PF in the place of C.
+    FocalPointForPosition,
     /// Degrees put into a function that takes radians.
     Radians,
     /// θ in the place of θ/2.
@@ -95,7 +97,7 @@ pub enum Mistake {
 
 impl Mistake {
     /// All, with their codes in the contract.
-    pub const ALL: [(Self, &'static str); 44] = [
+    pub const ALL: [(Self, &'static str); 45] = [
         (Self::ArithmeticSlip, "arithmetic-slip"),
         (Self::Sign, "sign"),
         (Self::NReversed, "n-reversed"),
@@ -140,6 +142,7 @@ impl Mistake {
         (Self::ClipAfterDivide, "clip-after-divide"),
         (Self::VReversed, "v-reversed"),
         (Self::EntryExitExchanged, "entry-exit-exchanged"),
+        (Self::FocalPointForPosition, "focal-point-for-position"),
     ];
 
     /// Its code.

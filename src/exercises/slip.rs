@@ -85,6 +85,8 @@ slips! {
     PositionNotNegated = PositionNotNegated;
     /// C in the last column.
     PositionAsItIs = PositionNotNegated;
+    /// −R PF in the last column.
+    FocalPointAsOrigin = FocalPointForPosition;
     /// θ in degrees put into tan.
     Radians = Radians;
     /// The angle of an operation in degrees put into sin and cos.
@@ -101,6 +103,8 @@ slips! {
     SideWhole = FactorTwo;
     /// F/W for 2F/W, 1/W for 2/W.
     ScaleHalved = FactorTwo;
+    /// H = 4 F tan(θ/2).
+    HeightDoubled = FactorTwo;
     /// 2F/r for F/r.
     ScaleDoubled = FactorTwo;
     /// BF for 2BF.
@@ -123,6 +127,8 @@ slips! {
     DistanceOnWindow = DistanceForNear;
     /// W = H / A.
     AspectInverted = AspectInverted;
+    /// W = H.
+    AspectLeftOut = AspectInverted "left-out";
     /// θ/s.
     ZoomOnAngle = ZoomOnAngle;
     /// θ s.
@@ -143,6 +149,8 @@ slips! {
     WindowPointAsOrigin = ProjectionsExchanged;
     /// The depth of a parallel camera.
     LinearDepth = ProjectionsExchanged "depth";
+    /// NDC in the place of window coordinates.
+    NdcAsWindow = NotDone "window";
     /// The distance from C as depth.
     DistanceAsDepth = DistanceForDepth;
     /// Numbers of the VRC as those of the world.

@@ -46,7 +46,8 @@ impl<'a> Textbook<'a> {
     fn new(camera: &'a Camera, subject: &'a Subject, slips: Slips) -> Self {
         let [u, v, n] = basis(camera, slips);
         let window = window(camera, slips);
-        let view = view_matrix([u, v, n], camera.position(), slips);
+        let origin = if slips.has(Slip::FocalPointAsOrigin) { camera.focal_point() } else { camera.position() };
+        let view = view_matrix([u, v, n], origin, slips);
         let (near, far) = (camera.near(), camera.far());
         let projection = projection_matrix(camera, &window, subject.figure.image.height, slips);
         Self { camera, subject, slips, u, v, n, window, near, far, view, projection }
@@ -138,6 +139,7 @@ impl<'a> Textbook<'a> {
             PointNumber::View => seen.truncate().into(),
             PointNumber::Clip => clip.into(),
             PointNumber::Ndc => ndc.into(),
+            PointNumber::Window if self.slips.has(Slip::NdcAsWindow) => Table::column(&ndc.truncate().to_array()),
             PointNumber::Window => Table::column(&self.projected(seen.truncate()).to_array()),
             PointNumber::Pixel => Table::column(&self.pixel(self.projected(seen.truncate()))),
             PointNumber::Viewport => Table::column(&self.viewport(ndc)),
@@ -303,6 +305,17 @@ pub(super) fn half_tangent(view_angle: f64, slips: Slips) -> f64 {
     if slips.has(Slip::Radians) { angle } else { angle.to_radians() }.tan() / by
 }
 
+/// W/H for A.
+pub(super) fn over_height(aspect: f64, slips: Slips) -> f64 {
+    if slips.has(Slip::AspectInverted) {
+        1.0 / aspect
+    } else if slips.has(Slip::AspectLeftOut) {
+        1.0
+    } else {
+        aspect
+    }
+}
+
 /// l, r, b, t, `[0]` (5.1), (5.5).
 fn window(camera: &Camera, slips: Slips) -> ViewWindow {
     let parameters = camera.parameters();
@@ -319,12 +332,18 @@ fn window(camera: &Camera, slips: Slips) -> ViewWindow {
             } else {
                 camera.near()
             };
-            let twice = if slips.has(Slip::HeightHalved) { 1.0 } else { 2.0 };
+            let twice = if slips.has(Slip::HeightHalved) {
+                1.0
+            } else if slips.has(Slip::HeightDoubled) {
+                4.0
+            } else {
+                2.0
+            };
             twice * near * half_tangent(parameters.view_angle, slips)
         }
     };
     let aspect = parameters.aspect;
-    let width = if slips.has(Slip::AspectInverted) { height / aspect } else { height * aspect };
+    let width = height * over_height(aspect, slips);
     ViewWindow { left: -width / 2.0, right: width / 2.0, bottom: -height / 2.0, top: height / 2.0 }
 }
 

@@ -59,7 +59,7 @@ pub use show::{
     WindowSide,
 };
 pub use view::{View, Views};
-pub use world_look::WorldLook;
+pub use world_look::{WorldLook, WorldPart, WorldParts};
 
 /// Everything that a picture depends on.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,7 +5,7 @@ use toml_edit::Value;
 use super::edit::{value_of, varied_whole};
 use super::error::{FigureError, Problem};
 use super::write::{document, quoted};
-use super::{Comparison, Figure};
+use super::{Comparison, Figure, WorldPart};
 use crate::camera::{Camera, Convention, Ndc};
 
 /// The other side of a figure.
@@ -99,6 +99,7 @@ fn unwritten(key: &str) -> Option<String> {
         "reveal.outside" => return None,
         _ if key.starts_with("reveal.") || key == "image.undistorted" => "false".to_owned(),
         "world.section" | "world.dimensions" => "false".to_owned(),
+        _ if WorldPart::ALL.iter().any(|(_, part)| key.strip_prefix("world.") == Some(part)) => "true".to_owned(),
         _ => return None,
     })
 }

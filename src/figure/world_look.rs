@@ -9,4 +9,69 @@ pub struct WorldLook {
     pub dimensions: bool,
     /// Opacity of the image on the view window, 0 … 1; `None`: opaque, but faint where it would hide much of the scene.
     pub window_opacity: Option<f64>,
+    /// The parts that stand in the world.
+    pub parts: WorldParts,
+}
+
+/// A part of the world picture that may be left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WorldPart {
+    /// The grid on y = 0.
+    Grid,
+    /// The axes x, y, z of the world.
+    Axes,
+    /// The camera's body at C.
+    CameraBody,
+    /// The axes u, v, n of the camera.
+    Vrc,
+    /// VUP at C.
+    ViewUp,
+    /// DOP at C, and its axis through the volume.
+    Dop,
+    /// PF, and the line from C to it.
+    FocalPoint,
+    /// The view volume with its far face.
+    Volume,
+    /// The view window, and the lines from C to its corners.
+    Window,
+    /// The feet of C and PF on the ground, and the lines to them.
+    GroundMarks,
+    /// The names of all these.
+    Names,
+}
+
+impl WorldPart {
+    /// All, with their keys in `[world]`, in the order in which they are offered.
+    pub const ALL: [(Self, &'static str); 11] = [
+        (Self::Grid, "grid"),
+        (Self::Axes, "axes"),
+        (Self::CameraBody, "camera_body"),
+        (Self::Vrc, "vrc"),
+        (Self::ViewUp, "view_up"),
+        (Self::Dop, "dop"),
+        (Self::FocalPoint, "focal_point"),
+        (Self::Volume, "volume"),
+        (Self::Window, "window"),
+        (Self::GroundMarks, "ground_marks"),
+        (Self::Names, "names"),
+    ];
+}
+
+/// The parts that stand in the world: all, where nothing else is said.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WorldParts {
+    left_out: [bool; WorldPart::ALL.len()],
+}
+
+impl WorldParts {
+    /// True for a part that is drawn.
+    #[must_use]
+    pub fn has(&self, part: WorldPart) -> bool {
+        !self.left_out[part as usize]
+    }
+
+    /// Draws a part, or leaves it out.
+    pub fn set(&mut self, part: WorldPart, drawn: bool) {
+        self.left_out[part as usize] = !drawn;
+    }
 }

@@ -17,6 +17,7 @@ use super::words::{
 };
 use super::{
     Bilingual, Depth, Figure, NamedPoint, Observer, Outside, Reveal, Screen, ScreenEntry, Show, View, WorldLook,
+    WorldPart,
 };
 use crate::appearance::{DepthFormat, Style};
 use crate::camera::{Parameters, Projection, Viewport};
@@ -209,6 +210,8 @@ fn world(world: WorldLook) -> Table {
     let switches = [("section", world.section), ("dimensions", world.dimensions)];
     keys.extend(switches.into_iter().filter(|(_, on)| *on).map(|(key, on)| (key, on.into())));
     keys.extend(world.window_opacity.map(|opacity| ("window_opacity", number(opacity))));
+    let left_out = WorldPart::ALL.into_iter().filter(|(part, _)| !world.parts.has(*part));
+    keys.extend(left_out.map(|(_, key)| (key, false.into())));
     table(keys)
 }
 

@@ -13,6 +13,7 @@ use crate::camera::{Camera, CameraError, Convention, Decomposition};
 use crate::clock;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
+use crate::export::plot::Block;
 use crate::export::vector::Letters;
 use crate::figure::Figure;
 use crate::figure::update;
@@ -462,6 +463,24 @@ impl Task {
         let told = subject.told(&sheet, update(source, &subject.figure)).for_file(path);
         Ok(picture::file(&sheet, export.form(), &told, progress).await?)
     }
+}
+
+/// The bytes of the file of this name; its ending says the format.
+///
+/// # Errors
+/// [`FileError::Write`] where the plotting library gives up.
+#[cfg(not(target_arch = "wasm32"))]
+pub(super) fn chart_bytes(block: &Block, path: &Path) -> Result<Vec<u8>, FileError> {
+    use crate::export::plot::{PlotFormat, encode};
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    let format = ending.and_then(PlotFormat::of_ending).unwrap_or(PlotFormat::Svg);
+    encode(std::slice::from_ref(block), format).map_err(|error| FileError::Write(std::io::Error::other(error)))
+}
+
+/// There is no button in a page.
+#[cfg(target_arch = "wasm32")]
+pub(super) fn chart_bytes(_: &Block, _: &Path) -> Result<Vec<u8>, FileError> {
+    Err(FileError::Write(std::io::ErrorKind::Unsupported.into()))
 }
 
 #[cfg(test)]

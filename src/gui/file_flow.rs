@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, ViewportCommand};
 
 use super::document::Document;
-use super::export::{ExportError, ExportKind, Exporting, Task};
+use super::export::{ExportError, ExportKind, Exporting, Task, chart_bytes};
 use super::file_kind::FileKind;
 use super::gallery::Source;
 use super::native::{FileAnswer, OpenFileDialog, Wanted};
@@ -20,7 +20,7 @@ use super::state::{
 };
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, read, update};
-use crate::files::{self, FileChange, Overwrite, disk};
+use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::scene::Shape;
 use crate::share;
 
@@ -123,19 +123,14 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
     match purpose {
         Purpose::Open => open(state, path),
         Purpose::Save(then) => write(ctx, state, path, then, agreed),
-        Purpose::Export(_) | Purpose::Animation(_) | Purpose::Progress
+        Purpose::Export(_) | Purpose::Animation(_) | Purpose::Chart(_) | Purpose::Progress
             if !agreed.read_only && files::is_read_only(path) =>
         {
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::Mesh(which) => mesh(state, which, path),
-        Purpose::Progress => {
-            let table = state.exercises.progress.to_csv();
-            match files::save(path, table.as_bytes(), agreed.overwrite()) {
-                Ok(()) => say_saved(state, path.to_owned()),
-                Err(error) => state.say(Message::File(path.to_owned(), error)),
-            }
-        }
+        Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
+        Purpose::Chart(block) => save_bytes(state, path, chart_bytes(&block, path), &agreed),
         Purpose::Animation(decomposition) => {
             let what = ExportKind::Animation(decomposition, state.settings.theme);
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
@@ -148,6 +143,13 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Export(options) => {
             export(ctx, state, ExportKind::Pictures(options), (path.to_owned(), agreed.overwrite()));
         }
+    }
+}
+
+fn save_bytes(state: &mut State, path: &Path, bytes: Result<Vec<u8>, FileError>, agreed: &Agreed) {
+    match bytes.and_then(|bytes| files::save(path, &bytes, agreed.overwrite())) {
+        Ok(()) => say_saved(state, path.to_owned()),
+        Err(error) => state.say(Message::File(path.to_owned(), error)),
     }
 }
 

@@ -59,6 +59,11 @@ impl FileKind {
                 let name = format!("{stem}-{}.gif", decomposition.name());
                 (Wanted::NewFile, t.export_title, t.save_action, filters, name)
             }
+            Purpose::Chart(_) => {
+                let filters = [("SVG", &["svg"][..]), ("PDF", &["pdf"]), ("PNG", &["png"])];
+                let filters = filters.map(|(name, endings)| (format!("{} {name}", t.chart_filter), endings)).to_vec();
+                (Wanted::NewFile, t.export_chart_title, t.save_action, filters, format!("{stem}-{}.svg", t.chart_file))
+            }
             Purpose::Progress => {
                 let (filters, name) = (vec![("CSV".to_owned(), &["csv"][..])], exercises.progress_file.to_owned());
                 (Wanted::NewFile, exercises.export_title, t.save_action, filters, name)

@@ -5,6 +5,7 @@
 //! | `about` | the dialog About: version, licence, components |
 //! | `app` | the sequence of a frame |
 //! | `canvas/` | the three pictures in the middle of the window |
+//! | `chart_export` | charts of the window as files |
 //! | `coach` | the coach: why an image is empty, health of the camera, repairs |
 //! | `command` | the commands: label, tooltip and shortcut of each one |
 //! | `compare_dialog` | the dialog that compares the figure with itself in another way |
@@ -62,6 +63,7 @@
 mod about;
 pub mod app;
 pub mod canvas;
+mod chart_export;
 mod coach;
 pub mod command;
 pub mod compare_dialog;

@@ -32,6 +32,7 @@ texts! {
     too_large: "The image is too large to be drawn.", "A imagem é grande demais para ser desenhada.";
     about_depth: "Depth, z-fighting: what a depth buffer can tell apart →", "Profundidade, z-fighting: o que um z-buffer distingue →";
     depth_hint: "z_n against the distance from the eye, from F to B, in the convention in use: in perspective, linear as in parallel projection, and reversed (from 1 to 0). The thick curve is that of this camera", "z_n em função da distância ao olho, de F a B, na convenção em uso: em perspectiva, linear como na projeção paralela, e invertida (de 1 a 0). A curva grossa é a desta câmera";
+    depth_chart: "Depth against the distance from the eye", "Profundidade em função da distância ao olho";
     distance: "distance from the eye", "distância ao olho";
     perspective: "perspective", "perspectiva";
     parallel: "parallel", "paralela";

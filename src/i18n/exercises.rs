@@ -2,14 +2,13 @@
 
 use super::exercise_texts::texts;
 use super::notes::{self, Note};
-use super::{Lang, figure_files, messages, told, window};
+use super::{Lang, exercise_cameras, messages, told, window};
 use crate::exercises::{
     Answer, AnswerError, Ask, Cause, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table, Unit,
     Worked,
 };
 use crate::explain::{Notation, Style};
 use crate::expression::marked;
-use crate::figure::{Figure, write::to_toml};
 use crate::numbers::{DecimalMark, exact_form};
 use crate::sanitize::escaped;
 
@@ -384,12 +383,7 @@ pub fn understood(lang: Lang, ask: &Ask, answer: &Answer) -> String {
             let rows: Vec<String> = entries.chunks((*columns).max(1)).map(row).collect();
             format!("[{}]", rows.join(mark.separator()))
         }
-        (Answer::Camera(parameters), _) => {
-            let figure = Figure { camera: **parameters, ..Figure::default() };
-            let text = to_toml(&figure);
-            let camera = text.lines().skip_while(|line| *line != "[camera]").skip(1);
-            camera.take_while(|line| !line.starts_with('[')).filter(|l| !l.is_empty()).collect::<Vec<_>>().join("; ")
-        }
+        (Answer::Camera(parameters), _) => exercise_cameras::typed(lang, parameters),
         (Answer::Choice(_), _) => String::new(),
     }
 }
@@ -408,7 +402,7 @@ pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
             };
             format!("{place}: {}: {}", marked(text, &error.span), messages::expression(lang, &error.problem))
         }
-        (_, AnswerError::Camera(error)) => figure_files::without_line(lang, error),
+        (_, AnswerError::Camera(error)) => exercise_cameras::refused(lang, error),
         (Lang::En, AnswerError::Choice { given, choices }) => {
             format!("“{}” is not a choice; allowed: {}", escaped(given), list_of_choices(lang, choices))
         }

@@ -10,6 +10,7 @@
 //! | `compare` | the words of the dialog that compares a figure with itself in another way, and of the wiper, in both languages |
 //! | `conventions` | the words of conventions: whose NDC, rows or columns, left or right hand |
 //! | `dialects` | the words of other vocabularies, and of a pasted matrix |
+//! | `exercise_cameras` | cameras of answers, by the names of the notes |
 //! | `exercise_messages` | the words of the command line about exercises, besides the exercises themselves |
 //! | `exercise_sheet` | a sheet of exercises, as Markdown or LaTeX |
 //! | `exercise_texts` | the texts of exercises, read from `assets/exercises` |
@@ -87,6 +88,7 @@ pub mod command_line;
 pub mod compare;
 pub mod conventions;
 pub mod dialects;
+mod exercise_cameras;
 pub mod exercise_messages;
 pub mod exercise_sheet;
 mod exercise_texts;

@@ -58,6 +58,14 @@ texts! {
     fixed_16: "depth: 16 bits", "profundidade: 16 bits";
     fixed_24: "depth: 24 bits", "profundidade: 24 bits";
     float: "depth: f32 reversed", "profundidade: f32 invertido";
+    // Parts of the world.
+    part_grid: "grid", "grade";
+    part_axes: "axes x, y, z", "eixos x, y, z";
+    part_camera_body: "camera body", "câmera";
+    part_volume: "view volume", "volume";
+    part_window: "view window", "janela";
+    part_ground_marks: "feet on the ground", "pés no chão";
+    part_names: "names", "nomes";
     hidden_dashed: "hidden lines: dashed", "linhas ocultas: tracejadas";
     hidden_hidden: "hidden lines: not drawn", "linhas ocultas: não desenhadas";
     hidden_shown: "hidden lines: drawn", "linhas ocultas: desenhadas";
@@ -193,6 +201,19 @@ const fn of(t: &Texts) -> Labels {
             ("world.section", t.section),
             ("world.dimensions", style.dimensions),
             ("image.undistorted", t.undistorted),
+        ],
+        world_parts: [
+            t.part_grid,
+            t.part_axes,
+            t.part_camera_body,
+            "u, v, n",
+            "VUP",
+            "DOP",
+            "PF",
+            t.part_volume,
+            t.part_window,
+            t.part_ground_marks,
+            t.part_names,
         ],
         yes_no: [t.yes, t.no],
         shadings: [style.shading_wireframe, style.shading_flat, style.shading_gouraud, style.shading_phong],

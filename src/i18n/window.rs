@@ -241,6 +241,8 @@ texts! {
     dimensions: "Dimensions", "Cotas";
     dimensions_hint: "F, B, D, W, H and θ/2 as dimension lines. Point at a parameter to see its own", "F, B, D, W, H e θ/2 como linhas de cota. Aponte para um parâmetro para ver a dele";
     dimensions_in_section: "The section along u has its own dimension lines", "O corte ao longo de u tem suas próprias cotas";
+    world_parts: "Drawn in it", "Desenhado nele";
+    world_parts_hint: "What stands in the world beside the scene. What is left out here is in no picture of the world, on the screen or on paper", "O que está no mundo além da cena. O que se deixa de fora aqui não está em nenhuma imagem do mundo, na tela ou no papel";
     section_view: "Section along u", "Corte ao longo de u";
     section_view_hint: "The section through C, as in the side figures of the notes: similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its own", "O corte por C, como nas figuras de perfil das notas: triângulos semelhantes, θ/2, H/2, F, B, um ponto e seu y_p. Aponte para um vértice para ver o dele";
 
@@ -270,6 +272,11 @@ texts! {
     open_action: "Open", "Abrir";
     save_title: "Save the figure", "Salvar a figura";
     save_action: "Save", "Salvar";
+    export_chart: "Export the chart…", "Exportar o gráfico…";
+    export_chart_hint: "The chart as SVG or PDF for print, or as PNG", "O gráfico como SVG ou PDF para impressão, ou como PNG";
+    export_chart_title: "Export the chart", "Exportar o gráfico";
+    chart_filter: "Chart", "Gráfico";
+    chart_file: "chart", "grafico";
     export_title: "Export the picture", "Exportar a imagem";
     figure_filter: "Figure, or picture with a figure in it", "Figura, ou imagem com uma figura dentro";
     picture_filter: "Picture", "Imagem";

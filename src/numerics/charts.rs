@@ -81,6 +81,7 @@ impl Findings {
             x_label: words.parameter.to_owned(),
             y_label: error_label.clone(),
             series: series(&curve, &|row| Some([row.parameter, error(row)])),
+            ..Chart::default()
         };
         let stiffest = rows.last().map_or(0.0, |row| row.parameter);
         let at_stiffest = |row: &Row| row.parameter == stiffest;
@@ -96,6 +97,7 @@ impl Findings {
             x_label: words.time.to_owned(),
             y_label: error_label,
             series: by_time,
+            ..Chart::default()
         };
         Pair { by_parameter, by_time, floor }
     }

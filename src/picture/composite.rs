@@ -3,8 +3,8 @@
 use crate::appearance::Rgba;
 use crate::limits::MAX_PIXELS;
 use crate::views::{
-    Arrangement, Captions, ObserverOf, Palette, Picture, Request, Shot, Size, Views, aspect_shown, best_arrangement,
-    share_of_first, used_area,
+    Arrangement, Captions, Finish, ObserverOf, Palette, Picture, Request, Shot, Size, Views, aspect_shown,
+    best_arrangement, share_of_first, used_area,
 };
 
 /// Room between two pictures on a sheet, in pixels at scale 1.
@@ -159,6 +159,8 @@ impl Composite {
             sizes = sizes_of(pictures.len(), arrangement, whole).filter(fit).ok_or(no_room)?;
             crowded = paper.and_then(|paper| lettered(&mut sizes, paper));
         }
+        let framed = !matches!(views, Views::One(_)) || paper.is_some_and(|paper| paper.letters.is_some());
+        let request = &Request { finish: Finish { framed, ..request.finish }, ..request.clone() };
         let requests = pictures.iter().zip(sizes).map(|(picture, size)| of(request, picture, size, shot, paper));
         let ground = Palette::of(request.shot.look.style.theme).surround;
         let ground = if request.finish.transparent { ground.with_alpha(0) } else { ground };

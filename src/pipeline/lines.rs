@@ -35,6 +35,8 @@ pub(super) struct Strokes<'a> {
     projector: &'a Projector,
     screen: &'a Screen,
     scale: f32,
+    /// Pixels for one unit of what belongs to the scene, and of marks.
+    fine: f32,
     background: Rgba,
     clipper: Clipper,
     pub(super) sets: Vec<StrokeSet>,
@@ -43,11 +45,12 @@ pub(super) struct Strokes<'a> {
 }
 
 impl<'a> Strokes<'a> {
-    pub(super) fn new(projector: &'a Projector, screen: &'a Screen, target: Target) -> Self {
+    pub(super) fn new(projector: &'a Projector, screen: &'a Screen, target: Target, fineness: f32) -> Self {
         Self {
             projector,
             screen,
             scale: target.scale,
+            fine: target.scale * fineness,
             background: target.background,
             clipper: Clipper::default(),
             sets: Vec::new(),
@@ -55,9 +58,10 @@ impl<'a> Strokes<'a> {
         }
     }
 
-    /// A polyline through points of view space. Where it leaves the volume it ends, and where it comes back another
-    /// begins; an arrow head stays only at the true end.
-    pub(super) fn polyline(&mut self, points: impl IntoIterator<Item = DVec3>, style: LineStyle) {
+    /// A polyline through points of view space, `scale` pixels for one unit of its style. Where it leaves the volume it
+    /// ends, and where it comes back another begins; an arrow head stays only at the true end.
+    fn polyline(&mut self, points: impl IntoIterator<Item = DVec3>, style: LineStyle, scale: f32) {
+        let style = LineStyle { width: style.width * scale, ..style };
         let mut points = points.into_iter().map(|p| self.projector.clip(p)).peekable();
         let Some(mut from) = points.next() else { return };
         let mut run: Vec<[f32; 3]> = Vec::new();
@@ -88,7 +92,7 @@ impl<'a> Strokes<'a> {
         self.asked += object.mesh.edges.len();
         for edge in &object.mesh.edges {
             if edge.iter().all(|&i| (i as usize) < vertices.len()) {
-                self.polyline(edge.map(|i| vertices.view(i)), line_style);
+                self.polyline(edge.map(|i| vertices.view(i)), line_style, self.fine);
             }
         }
         2 * object.mesh.edges.len()
@@ -100,7 +104,7 @@ impl<'a> Strokes<'a> {
         let polylines = outline(&object.mesh, vertices.view_from_object.seen_from());
         self.asked += polylines.len();
         for polyline in &polylines {
-            self.polyline(polyline.iter().map(|&i| vertices.view(i)), line_style);
+            self.polyline(polyline.iter().map(|&i| vertices.view(i)), line_style, self.fine);
         }
         polylines.iter().map(Vec::len).sum()
     }
@@ -109,8 +113,9 @@ impl<'a> Strokes<'a> {
     pub(super) fn lines(&mut self, scenes: Scenes) {
         let projector = self.projector;
         self.asked += scenes.line_count();
-        for line in scenes.lines() {
-            self.polyline(line.points.iter().map(|&p| projector.view(p)), line.style);
+        for (i, line) in scenes.lines().enumerate() {
+            let scale = if i < scenes.own_line_count() { self.fine } else { self.scale };
+            self.polyline(line.points.iter().map(|&p| projector.view(p)), line.style, scale);
         }
     }
 
@@ -125,7 +130,7 @@ impl<'a> Strokes<'a> {
             Some(Mark {
                 position: self.inside(mark.position)?,
                 shape: mark.shape,
-                radius: mark.radius * self.scale,
+                radius: mark.radius * self.fine,
                 color: mark.color,
                 outline: background,
                 fade_if_hidden: mark.fade_if_hidden,
@@ -164,7 +169,7 @@ impl<'a> Strokes<'a> {
     /// Ends a run; `whole_end` says that its last point is the last of the line.
     fn flush(&mut self, run: &mut Vec<[f32; 3]>, style: LineStyle, whole_end: bool) {
         if run.len() >= 2 {
-            let style = LineStyle { width: style.width * self.scale, arrow: style.arrow && whole_end, ..style };
+            let style = LineStyle { arrow: style.arrow && whole_end, ..style };
             push(&mut self.sets, run, style);
         }
         run.clear();

@@ -207,7 +207,7 @@ impl Pipeline {
         let context =
             PassContext { plan: &plan, projector: &projector, screen: &screen, lights: &lights, style, options };
         let mut recorder = Recorder::new(meter, misplaced, scenes, context);
-        let mut strokes = Strokes::new(&projector, &screen, target);
+        let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness());
         let mut unordered = Unordered::default();
 
         let (faces, pool) = (&mut self.faces, &mut self.pool);

@@ -8,7 +8,7 @@ use super::clip::Clipper;
 use super::depths::{DepthScale, InView, Sheet};
 use super::light::{Lights, ObjectLight};
 use super::lines;
-use super::planes::{NEAR, NOT_A_NUMBER, outcode};
+use super::planes::{NEAR, NOT_A_NUMBER, PLANES, outcode};
 use super::projector::{ClipPoint, Projector};
 use super::resample::{Remake, VertexOrigin, color_at, face_color, object_paint};
 use super::transform::{Vertices, each_chunk};
@@ -49,15 +49,19 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
         let p = projector.clip(projector.view(p_world));
         (outcode(projector, p) == 0).then(|| displayed(projector, p))
     };
+    let mut borders = Vec::new();
     let mut clip = |object| {
-        let (clipped, depths) = clipped_object(object, projector, lights.as_ref(), shading)?;
+        let (clipped, depths, cuts) = clipped_object(object, projector, lights.as_ref(), shading)?;
         in_view = in_view.and(depths);
+        borders.extend(cuts);
         Some(clipped)
     };
+    let objects = scene.objects.iter().filter_map(&mut clip).collect();
+    let lines = scene.lines.iter().flat_map(|line| clipped_line(line, projector));
     let clipped = Scene {
-        objects: scene.objects.iter().filter_map(&mut clip).collect(),
+        objects,
         lights: Vec::new(),
-        lines: scene.lines.iter().flat_map(|line| clipped_line(line, projector)).collect(),
+        lines: lines.chain(borders).collect(),
         marks: scene
             .marks
             .iter()
@@ -171,6 +175,8 @@ struct Projected<'a> {
     positions: Vec<DVec3>,
     in_view: InView,
     cut: bool,
+    /// The sides along which triangles were cut.
+    borders: Vec<[DVec3; 2]>,
 }
 
 fn clipped_object(
@@ -178,7 +184,7 @@ fn clipped_object(
     projector: &Projector,
     lights: Option<&Lights>,
     shading: Shading,
-) -> Option<(Object, InView)> {
+) -> Option<(Object, InView, Vec<Line>)> {
     let view_from_object = projector.view_from_object(object.world_from_object);
     let vertices = Vertices { projector, view_from_object: &view_from_object, positions: &object.mesh.positions };
     let mut outcodes = vec![0; vertices.len()];
@@ -195,6 +201,7 @@ fn clipped_object(
         positions: Vec::new(),
         in_view: InView::NOTHING,
         cut: false,
+        borders: Vec::new(),
     };
     projected.triangles(&object.mesh.triangles, view_from_object.mirrored());
     projected.edges(&object.mesh.edges);
@@ -212,7 +219,11 @@ fn clipped_object(
     }
     let whole = !projected.cut && projected.remake.sources.len() == object.mesh.triangles.len();
     let paint = projected.paint(object, lights.filter(|_| object.lit), shading);
-    let Projected { remake: Remake { triangles, edges, shared, .. }, positions, in_view, .. } = projected;
+    let Projected { remake: Remake { triangles, edges, shared, .. }, positions, in_view, borders, .. } = projected;
+    // What has edges or an outline has them where it was cut too; of a wireframe only edges are seen.
+    let border = object.edges.or(object.outline).filter(|_| shading != Shading::Wireframe && object.faces);
+    let cuts = border
+        .map_or_else(Vec::new, |style| borders.into_iter().map(|ends| Line { points: ends.to_vec(), style }).collect());
     let (closed, convex) = (whole && object.mesh.closed, whole && object.mesh.convex);
     let clipped = Object {
         part_of: object.part_of.clone(),
@@ -234,7 +245,7 @@ fn clipped_object(
         edges: object.edges,
         outline: object.outline,
     };
-    Some((clipped, in_view))
+    Some((clipped, in_view, cuts))
 }
 
 impl Projected<'_> {
@@ -255,8 +266,16 @@ impl Projected<'_> {
             self.cut = true;
             let corners = triangle.map(|i| self.vertices.clip(i));
             let mut polygon: Vec<u32> = Vec::new();
-            for corner in clipper.triangle(self.projector, corners, either) {
+            let kept = clipper.triangle(self.projector, corners, either);
+            for corner in kept {
                 polygon.push(self.vertex(corner.point, corner.origin(triangle)));
+            }
+            // A side whose ends both lie in a plane that the triangle crosses is where that plane cuts it.
+            for (corner, next) in kept.iter().zip(kept.iter().cycle().skip(1)) {
+                let lies_in = |plane: usize| corner.distances[plane] == 0.0 && next.distances[plane] == 0.0;
+                if (0..PLANES).any(|plane| either >> plane & 1 == 1 && lies_in(plane)) {
+                    self.borders.push([corner, next].map(|end| displayed(self.projector, end.point)));
+                }
             }
             self.remake.polygon(&polygon, source);
         }

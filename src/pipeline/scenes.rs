@@ -8,6 +8,7 @@ pub struct Scenes<'a> {
     scene: &'a Scene,
     gear: &'a Scene,
     lights: &'a [Light],
+    fineness: f32,
 }
 
 static NOTHING: Scene = Scene {
@@ -30,7 +31,18 @@ impl<'a> Scenes<'a> {
     /// A scene with gear, which is lit by the lights of the scene.
     #[must_use]
     pub fn new(scene: &'a Scene, gear: &'a Scene) -> Self {
-        Self { scene, gear, lights: &scene.lights }
+        Self { scene, gear, lights: &scene.lights, fineness: 1.0 }
+    }
+
+    /// The same with edges and outlines of objects, lines of the scene, and marks so many times as wide as their
+    /// styles say, so that a scene that is small in the picture is not lost in its own strokes.
+    #[must_use]
+    pub fn with_fineness(self, fineness: f32) -> Self {
+        Self { fineness, ..self }
+    }
+
+    pub(super) fn fineness(self) -> f32 {
+        self.fineness
     }
 
     /// The same in the dark: everything shows its own colours.
@@ -49,6 +61,11 @@ impl<'a> Scenes<'a> {
 
     pub(super) fn lines(self) -> impl Iterator<Item = &'a Line> {
         self.scene.lines.iter().chain(&self.gear.lines)
+    }
+
+    /// Number of [`Self::lines`] that are of the scene: they come first.
+    pub(super) fn own_line_count(self) -> usize {
+        self.scene.lines.len()
     }
 
     pub(super) fn marks(self) -> impl Iterator<Item = &'a PointMark> {

@@ -9,6 +9,7 @@ use crate::appearance::{Dash, HiddenLines};
 use crate::camera::Basis;
 use crate::figure::{Observer, Outside};
 use crate::geometry::Aabb;
+use crate::pipeline::project::displayed_ndc;
 use crate::pipeline::{Frame, Scenes};
 use crate::scene::Scene;
 
@@ -114,9 +115,17 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     probe::in_canonical(&mut builder, request, palette);
     triangle_overlay::in_canonical(&mut builder, request, palette);
     cube(&mut builder, &canonical, request.labels, palette);
-    let drawn = pipeline.frame(request, Scenes::new(&scene, &builder.gear), screen.camera(), target, &style);
+    let fineness = screen.fineness(request, |p| screen.place(shown(request, &canonical, p)?));
+    let scenes = Scenes::new(&scene, &builder.gear).with_fineness(fineness);
+    let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     settled(drawn, request, revealed.rows, &["x_n", "y_n", "z_n"], palette)
+}
+
+/// Where a point of the world is shown, or the nearest place of the volume.
+pub(super) fn shown(request: &Request, canonical: &CanonicalBox, p: DVec3) -> Option<DVec3> {
+    let ndc = displayed_ndc(&request.camera, p)?;
+    Some(canonical.place(ndc.clamp(DVec3::NEG_ONE, DVec3::ONE)))
 }
 
 fn axes(builder: &mut GearBuilder, canonical: &CanonicalBox, palette: Palette) {
@@ -165,12 +174,12 @@ pub(super) fn settled(
     palette: Palette,
 ) -> Frame {
     let target = request.size.target(palette.paper);
-    let legend = revealed_scene::legend(request, rows, &target, palette);
+    let legend = revealed_scene::legend(request, rows, PixelRect::whole(request.size), target.scale, palette);
     let rules = Rules {
         background: &[],
         reserved: revealed_scene::room(legend.as_ref()),
         first,
-        dispensable: Some(palette.soft),
+        beside: Some(palette.soft),
         leader: Some((palette.soft, 0.8 * request.size.scale)),
     };
     label_layout::settle(&mut drawn.drawing, &rules);

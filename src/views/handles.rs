@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::camera::Parameters;
-use crate::figure::Observer;
+use crate::figure::{Observer, WorldPart};
 use crate::geometry::{Ray, try_unit};
 
 use super::camera_gizmo::Gear;
@@ -33,15 +33,20 @@ pub fn handle_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Handle
         .map(|(handle, _)| handle)
 }
 
-/// The places of the handles in the world.
+/// The places of the handles in the world; a part that is left out has none.
 pub(super) fn on_screen(request: &Request, screen: &Screen, volume: &DrawnVolume) -> Vec<(Handle, DVec3)> {
     let camera = &request.camera;
-    let mut all = vec![
-        (Handle::Position, camera.position()),
-        (Handle::FocalPoint, camera.focal_point()),
-        (Handle::ViewUp, Gear::new(screen, camera).view_up_tip(camera)),
-    ];
-    all.extend(on_axis(request, screen, volume, 20.0));
+    let parts = request.shot.look.world.parts;
+    let mut all = vec![(Handle::Position, camera.position())];
+    if parts.has(WorldPart::FocalPoint) {
+        all.push((Handle::FocalPoint, camera.focal_point()));
+    }
+    if parts.has(WorldPart::ViewUp) {
+        all.push((Handle::ViewUp, Gear::new(screen, camera).view_up_tip(camera)));
+    }
+    if parts.has(WorldPart::Volume) {
+        all.extend(on_axis(request, screen, volume, 20.0));
+    }
     all
 }
 

@@ -26,8 +26,18 @@ pub(super) fn screen(request: &Request) -> Screen {
     Screen::new(request.camera.clone(), frame(request), request.size.scale)
 }
 
-fn frame(request: &Request) -> PixelRect {
-    image_frame(request.size, request.shot.look.image_aspect(&request.camera))
+pub(super) fn frame(request: &Request) -> PixelRect {
+    /// Room for half a mark, in units of stroke width.
+    const MARGIN: f32 = 6.0;
+    let Size { width, height, scale } = request.size;
+    let aspect = request.shot.look.image_aspect(&request.camera);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a hundred or so")]
+    let margin = (MARGIN * request.size.type_scale()).ceil() as u32;
+    if !request.finish.framed || request.finish.bare || width.min(height) < 8 * margin {
+        return image_frame(request.size, aspect);
+    }
+    let inner = image_frame(Size { width: width - 2 * margin, height: height - 2 * margin, scale }, aspect);
+    PixelRect { x: inner.x + margin, y: inner.y + margin, ..inner }
 }
 
 /// Draws the image.
@@ -52,7 +62,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     revealed.mark(&mut builder, palette);
     probe::in_image(&mut builder, request, palette);
     triangle_overlay::in_image(&mut builder, request, palette);
-    let scenes = Scenes::new(&scene, &builder.gear);
+    let scenes = Scenes::new(&scene, &builder.gear).with_fineness(screen.fineness(request, |p| screen.place(p)));
     let marks = Cell::new(false);
     let repaint = |drawing: &mut Drawing, scale: DepthScale| {
         marks.set(!drawing.marks.is_empty());
@@ -95,13 +105,15 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     if request.shot.look.reveal.vanishing {
         rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
     }
-    let legend = revealed_scene::legend(request, rows, &whole, palette);
+    // It does not cover the border.
+    let part = if request.finish.framed { rect } else { PixelRect::whole(request.size) };
+    let legend = revealed_scene::legend(request, rows, part, whole.scale, palette);
     // The legend lies in the whole picture, of which the image may be the middle.
     let reserved = revealed_scene::room(legend.as_ref())
         .map(|room| Box2 { center: room.center - DVec2::new(f64::from(rect.x), f64::from(rect.y)), ..room });
     label_layout::settle(
         &mut drawn.drawing,
-        &Rules { background: &[], reserved, first: &[], dispensable: None, leader: None },
+        &Rules { background: &[], reserved, first: &[], beside: None, leader: None },
     );
     if rect != PixelRect::whole(request.size) {
         let mount = |drawing: Drawing| {

@@ -59,8 +59,8 @@ pub(super) struct Rules<'a> {
     pub(super) reserved: Option<Box2>,
     /// The texts that have the choice before all others, the first of them first; of the rest, larger ones come first.
     pub(super) first: &'a [&'a str],
-    /// Texts in this colour are left out where they would cover a body.
-    pub(super) dispensable: Option<Rgba>,
+    /// Texts in this colour do not stand before bodies.
+    pub(super) beside: Option<Rgba>,
     /// Colour and width of the lines that lead from a text to its point where there is no space beside it.
     pub(super) leader: Option<(Rgba, f32)>,
 }
@@ -78,12 +78,14 @@ pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
     for mut label in std::mem::take(&mut drawing.labels) {
         let important = rank(&label) < rules.first.len();
         taken.come_near(&label);
-        let best = candidates(&label, rules.leader.is_some())
+        let beside = rules.beside == Some(label.color);
+        let on_a_body = taken.covered(&Box2 { center: point(label.position), half: DVec2::splat(1.0) }) > 0.5;
+        let best = candidates(&label, rules.leader.is_some(), on_a_body)
+            .filter(|c| !beside || taken.covered(&c.place) <= 0.2)
             .map(|c| (c, c.dislike + taken.cost(&c)))
             .min_by(|a, b| a.1.total_cmp(&b.1));
         let Some((best, cost)) = best else { continue };
-        let dispensable = rules.dispensable == Some(label.color) && taken.covered(&best.place) > 0.2;
-        if !cost.is_finite() || (cost > COVERS && !important) || dispensable {
+        if !cost.is_finite() || (cost > COVERS && !important) {
             continue;
         }
         let offset = best.place.center - best.at;
@@ -262,30 +264,24 @@ impl Candidate {
 /// Greatest distance of a text, in heights of its type.
 const FARTHEST: f64 = 6.0;
 
-/// Places around a label's point and how little each is liked; those farther off if a line may lead to the point.
-fn candidates(label: &Label, leaders: bool) -> impl Iterator<Item = Candidate> + use<> {
+/// Places around a label's point and how little each is liked; those farther off if a line may lead to the point, which
+/// is harder to tell on a body.
+fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<Item = Candidate> + use<> {
     let half = half_size(&label.text, label.size);
     let offset = DVec2::new(f64::from(label.offset[0]), f64::from(label.offset[1]));
     let (direction, gap) = (offset.normalize_or(DVec2::X), offset.length());
     let (at, em) = (point(label.position), f64::from(label.size));
     let angles = [0.0_f64, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0, 110.0, -110.0, 145.0, -145.0, 180.0];
-    let gaps = [
-        (0.0, false),
-        (0.5, false),
-        (1.0, false),
-        (1.6, true),
-        (2.4, true),
-        (3.4, true),
-        (4.6, true),
-        (FARTHEST, true),
-    ];
+    let gaps =
+        [(0.0, false), (0.5, false), (1.0, true), (1.6, true), (2.4, true), (3.4, true), (4.6, true), (FARTHEST, true)];
     gaps.into_iter().filter(move |(_, leads)| leaders || !leads).flat_map(move |(more, leads)| {
         angles.into_iter().map(move |angle| {
             let d = DVec2::from_angle(angle.to_radians()).rotate(direction);
             let reach = gap + more * em + (d.abs() * half).element_sum();
             // On the other side of its point and not close to it, a text would be read as the name of something else.
-            let dislike = angle.abs() / 90.0 + if leads { 2.5 + more } else { 1.5 * more };
-            let leads = leads || leaders && angle.abs() > 80.0 && more > 0.0;
+            let dislike = angle.abs() / 90.0 + if more > 1.0 { 2.5 + more } else { 1.5 * more };
+            let is_aside = angle.abs() > 80.0;
+            let leads = leads || leaders && is_aside && (more > 0.0 || on_a_body);
             Candidate { place: Box2 { center: at + d * reach, half }, at, em, dislike, leads }
         })
     })
@@ -307,7 +303,7 @@ mod tests {
     use super::*;
     use crate::drawing::Surface;
 
-    const RULES: Rules<'_> = Rules { background: &[], reserved: None, first: &[], dispensable: None, leader: None };
+    const RULES: Rules<'_> = Rules { background: &[], reserved: None, first: &[], beside: None, leader: None };
 
     fn label(x: f32, y: f32, text: &str) -> Label {
         Label {
@@ -453,12 +449,12 @@ mod tests {
     }
 
     #[test]
-    fn a_dispensable_text_is_left_out_where_it_would_hide_a_body() {
+    fn a_text_that_stands_beside_bodies_is_left_out_where_there_is_no_other_place() {
         let (soft, ink) = (Rgba::rgb(120, 120, 120), Rgba::rgb(0, 0, 0));
         let with = |color| Label { color, ..label(40.0, 50.0, "(1, 1, 1)") };
         let mut d = drawing(vec![with(soft), with(ink)]);
         d.surfaces.push(body());
-        settle(&mut d, &Rules { dispensable: Some(soft), ..RULES });
+        settle(&mut d, &Rules { beside: Some(soft), ..RULES });
         assert_eq!(d.labels.iter().map(|l| l.color).collect::<Vec<_>>(), [ink]);
     }
 

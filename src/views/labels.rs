@@ -1,6 +1,7 @@
 //! The words in the pictures.
 
 use crate::camera::{Ndc, Step};
+use crate::figure::WorldPart;
 use crate::numbers::DecimalMark;
 use crate::pipeline::{NEAR, PlaneSet};
 use crate::stage::Stage;
@@ -86,6 +87,8 @@ pub struct Labels {
     pub operations: [&'static str; 8],
     /// Keys of figure files that are on or off, with their names.
     pub switches: [(&'static str, &'static str); 7],
+    /// The parts of the world, in the order of [`WorldPart::ALL`].
+    pub world_parts: [&'static str; WorldPart::ALL.len()],
     /// Of a switch.
     pub yes_no: [&'static str; 2],
     /// The values of `[style] shading`, in the order of their words.

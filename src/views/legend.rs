@@ -8,6 +8,7 @@ use crate::drawing::{Anchor, Area, Drawing, Label, Mark, single};
 use super::Palette;
 use super::gizmos::SMALL_TYPE;
 use super::label_layout::{Box2, half_size};
+use super::pixels::PixelRect;
 
 /// Height of a line, in heights of its letters.
 const LINE: f64 = 1.45;
@@ -59,20 +60,21 @@ impl LegendRow {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Legend {
     rows: Vec<LegendRow>,
-    /// Width and height of the picture.
-    picture: DVec2,
+    /// The corner of the part of the picture in which it stands, and the size of that part.
+    part: [DVec2; 2],
     /// Height of the letters in pixels.
     em: f64,
     palette: Palette,
 }
 
 impl Legend {
-    /// `scale`: pixels for one unit of stroke width or type size. `None` where there is nothing to say, or no room.
-    pub(super) fn new(rows: Vec<LegendRow>, [width, height]: [u32; 2], scale: f32, palette: Palette) -> Option<Self> {
-        let picture = DVec2::new(f64::from(width), f64::from(height));
+    /// `part`: the part of the picture in which it stands; `scale`: pixels for one unit of stroke width or type size.
+    /// `None` where there is nothing to say, or no room.
+    pub(super) fn new(rows: Vec<LegendRow>, part: PixelRect, scale: f32, palette: Palette) -> Option<Self> {
+        let part = [(part.x, part.y), (part.width, part.height)].map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
         let wanted = f64::from(SMALL_TYPE * scale);
-        let legend = Self { rows, picture, em: wanted, palette };
-        let room = DVec2::new(0.96, 0.5) * picture / legend.size();
+        let legend = Self { rows, part, em: wanted, palette };
+        let room = DVec2::new(0.96, 0.5) * part[1] / legend.size();
         let fit = room.min_element().min(1.0);
         (!legend.rows.is_empty() && fit >= SMALLEST).then_some(Self { em: wanted * fit, ..legend })
     }
@@ -88,7 +90,8 @@ impl Legend {
     pub(super) fn place(&self) -> Box2 {
         let half = self.size() / 2.0;
         let edge = 0.5 * self.em;
-        Box2 { center: DVec2::new(edge + half.x, self.picture.y - edge - half.y), half }
+        let [corner, size] = self.part;
+        Box2 { center: corner + DVec2::new(edge + half.x, size.y - edge - half.y), half }
     }
 
     /// Draws it over everything else.
@@ -201,11 +204,12 @@ mod tests {
 
     #[test]
     fn a_legend_lies_inside_its_picture_or_is_left_out() {
+        let square = |side| PixelRect { x: 0, y: 0, width: side, height: side };
         let rows = || vec![LegendRow::Swatch(Rgba::rgb(1, 2, 3), "outside the volume".to_owned()); 3];
         let palette = Palette::of(crate::appearance::Theme::Light);
         let mut smaller = 0;
         for side in (0..400).step_by(8) {
-            let Some(legend) = Legend::new(rows(), [side, side], 1.0, palette) else {
+            let Some(legend) = Legend::new(rows(), square(side), 1.0, palette) else {
                 assert!(side < 150, "{side}");
                 continue;
             };
@@ -214,6 +218,6 @@ mod tests {
             assert!((center - half).min_element() >= 0.0 && (center + half).max_element() <= f64::from(side));
         }
         assert!(smaller > 2);
-        assert_eq!(Legend::new(Vec::new(), [400, 400], 1.0, palette), None);
+        assert_eq!(Legend::new(Vec::new(), square(400), 1.0, palette), None);
     }
 }

@@ -187,7 +187,9 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     probe::on_the_way(&mut builder, request, palette, |p| {
         mapped(&now, p).filter(|p| p.distance(bounds.center()) <= FARTHEST * reach)
     });
-    let drawn = pipeline.frame(request, Scenes::new(&scene, &builder.gear), screen.camera(), target, &style);
+    let place = |p| screen.place(mapped(&matrix, canonical::shown(request, &the_box, p)?)?);
+    let scenes = Scenes::new(&scene, &builder.gear).with_fineness(screen.fineness(request, place));
+    let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
     Some(canonical::settled(drawn, request, way.said(request, palette), &["x", "y", "z"], palette))
 }
 

@@ -67,7 +67,7 @@ impl Size {
     }
 
     /// Pixels for one unit of stroke width and of type size.
-    fn type_scale(self) -> f32 {
+    pub(super) fn type_scale(self) -> f32 {
         #[expect(clippy::cast_precision_loss, reason = "pixels")]
         let (width, height) = (self.width as f32, self.height as f32);
         self.scale * growth(height.min(0.8 * width) / self.scale.max(0.1))

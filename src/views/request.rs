@@ -49,6 +49,8 @@ pub struct Finish {
     pub transparent: bool,
     /// The factor of stroke widths; `None`: in proportion to the letters.
     pub stroke_factor: Option<f32>,
+    /// The image has a border, with room around it for the marks at its sides: on paper, and beside other pictures.
+    pub framed: bool,
 }
 
 impl Request {

@@ -12,13 +12,14 @@ use crate::pipeline::clip_parts::{Parts, clip_parts};
 use crate::pipeline::cull_result::{CullResult, cull_result};
 use crate::pipeline::divide_before_clip::{DividedFirst, divided_first};
 use crate::pipeline::project::{clipped_scene, displayed_ndc, legible_clipped_scene};
-use crate::pipeline::{Frame, OverBudget, Target, with_triangles};
+use crate::pipeline::{Frame, OverBudget, with_triangles};
 use crate::scene::{Object, ObjectPaint, Scene};
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{GearBuilder, SMALL_TYPE};
 use super::label_layout::Box2;
 use super::legend::{Legend, LegendRow};
+use super::pixels::PixelRect;
 use super::{Labels, Palette, Request, stage_overlay};
 
 /// Range in which parts outside the canonical volume are shown, in its own half sides.
@@ -78,10 +79,15 @@ impl<'a> PipelineReveal<'a> {
     }
 }
 
-/// A legend of `rows`, where there is room for one.
-pub(super) fn legend(request: &Request, rows: Vec<LegendRow>, target: &Target, palette: Palette) -> Option<Legend> {
-    let size = [request.size.width, request.size.height];
-    Legend::new(rows, size, target.scale, palette).filter(|_| !request.finish.bare)
+/// A legend of `rows` in a part of the picture, where there is room for one; `scale`: pixels for one unit of type size.
+pub(super) fn legend(
+    request: &Request,
+    rows: Vec<LegendRow>,
+    part: PixelRect,
+    scale: f32,
+    palette: Palette,
+) -> Option<Legend> {
+    Legend::new(rows, part, scale, palette).filter(|_| !request.finish.bare)
 }
 
 /// The legend of a stage in a drawing, and its shortfalls.

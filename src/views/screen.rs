@@ -3,8 +3,10 @@
 use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, Projection};
+use crate::drawing::single;
 use crate::geometry::Ray;
 
+use super::Request;
 use super::pixels::PixelRect;
 
 /// A camera and the rectangle of the picture that its view window fills.
@@ -60,6 +62,30 @@ impl Screen {
     /// The middle of the rectangle (pixels).
     pub(super) fn middle(&self) -> DVec2 {
         self.origin + self.extent * 0.5
+    }
+
+    /// Width of the edges of the scene, and size of marks, in units of their own (`Scenes::with_fineness`): less than 1
+    /// where the scene is small in the picture, unless the width of edges was asked for. `place`: where a point of the
+    /// world is seen.
+    pub(super) fn fineness(&self, request: &Request, place: impl Fn(DVec3) -> Option<DVec2>) -> f32 {
+        /// Distance of the corners of a scene from its middle from which on its strokes have their own width, in units
+        /// of stroke width.
+        const SMALL: f64 = 40.0;
+        const LEAST: f64 = 0.4;
+        const SPECK: f64 = 4.0;
+        let Some(bounds) = request.scene.bounds().filter(|_| request.finish.stroke_factor.is_none()) else {
+            return 1.0;
+        };
+        let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        for corner in bounds.corners() {
+            let Some(px) = place(corner) else { return 1.0 };
+            let px = px.clamp(self.origin, self.origin + self.extent);
+            (low, high) = (low.min(px), high.max(px));
+        }
+        let radius = 0.5 * (high - low).length();
+        let radius = radius / f64::from(request.size.type_scale());
+        // What is no larger than its marks is seen by them alone.
+        if radius > SPECK { single((radius / SMALL).clamp(LEAST, 1.0)) } else { 1.0 }
     }
 
     /// True for a place (pixels) within the rectangle.

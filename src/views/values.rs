@@ -2,6 +2,7 @@
 
 use super::Labels;
 use crate::camera::{Ndc, Operation};
+use crate::figure::WorldPart;
 use crate::figure::variation::VariedValue;
 use crate::figure::words::{self, DEPTH_FORMATS, HIDDEN_LINES, NDCS, PROJECTIONS, SHADINGS, STAGES, VISIBILITIES};
 use crate::geometry::Angle;
@@ -64,7 +65,9 @@ pub(super) fn said(key: &str, value: Option<&str>, labels: &Labels) -> String {
         }
         _ => None,
     };
+    let part = key.strip_prefix("world.").and_then(|key| WorldPart::ALL.iter().position(|(_, known)| *known == key));
     let switch = labels.switches.iter().find(|(known, _)| *known == key).map(|(_, name)| *name);
+    let switch = switch.or(part.map(|part| labels.world_parts[part]));
     known.unwrap_or_else(|| match (switch, value) {
         (Some(name), Some("true")) => format!("{name}: {}", labels.yes_no[0]),
         (Some(name), Some("false")) => format!("{name}: {}", labels.yes_no[1]),

@@ -7,6 +7,7 @@ use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Texture};
 use crate::camera::Projection;
+use crate::figure::WorldPart;
 use crate::pipeline::{Frame, Scenes};
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
@@ -14,6 +15,7 @@ use super::camera_gizmo::Gear;
 use super::framing::Content;
 use super::gizmos::{self, GearBuilder, SMALL_TYPE, TYPE};
 use super::label_layout::Rules;
+use super::pixels::PixelRect;
 use super::revealed_scene::PipelineReveal;
 use super::timed_pipeline::TimedPipeline;
 use super::world_framing::{screen_of, seen_from};
@@ -50,8 +52,9 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         world.aim();
         let names = world.planes();
         world.axes();
-        world.speck();
         world.drop_lines();
+        world.unnamed();
+        world.speck();
         dimensions::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
         components::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
         object_parts::in_world(&mut world.builder, request, palette);
@@ -69,14 +72,15 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         triangle_overlay::in_world(&mut world.builder, request, palette);
         transform_gizmo::in_world(&mut world.builder, request, palette);
     }
-    let mut drawn = pipeline.frame(request, Scenes::new(&scene, &world.builder.gear), screen.camera(), target, &style);
+    let scenes = Scenes::new(&scene, &world.builder.gear).with_fineness(screen.fineness(request, |p| screen.place(p)));
+    let mut drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
-    let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
+    let legend = revealed_scene::legend(request, revealed.rows, PixelRect::whole(request.size), target.scale, palette);
     let rules = Rules {
         background: &[palette.grid],
         reserved: revealed_scene::room(legend.as_ref()),
         first: &["C", "PF", "u", "v", "n", "VUP", &names[0], &names[1], "DOP"],
-        dispensable: None,
+        beside: None,
         leader: Some((palette.soft, 0.8 * request.size.scale)),
     };
     label_layout::settle(&mut drawn.drawing, &rules);
@@ -98,17 +102,29 @@ struct World<'a> {
 }
 
 impl World<'_> {
+    fn has(&self, part: WorldPart) -> bool {
+        self.request.shot.look.world.parts.has(part)
+    }
+
+    /// Takes the names of what has been drawn so far away, where the figure has none.
+    fn unnamed(&mut self) {
+        if !self.has(WorldPart::Names) {
+            self.builder.gear.texts.clear();
+        }
+    }
+
     /// The section along **u**: lines alone, without the scene. The names of its planes, as they are written.
     fn section(&mut self) -> [String; 2] {
         section::draw(&mut self.builder, self.request, self.palette, &self.content);
         self.camera();
         self.aim();
+        self.unnamed();
         [format!("{} (F)", self.request.labels.window), format!("{} (B)", self.request.labels.far)]
     }
 
     /// The grid on y = 0.
     fn ground(&mut self) {
-        let Some(ground) = self.content.ground() else { return };
+        let Some(ground) = self.content.ground().filter(|_| self.has(WorldPart::Grid)) else { return };
         let style = LineStyle {
             color: self.palette.grid,
             width: 1.0,
@@ -121,6 +137,9 @@ impl World<'_> {
 
     /// The view volume, from the corners that the matrices in use give.
     fn volume(&mut self) {
+        if !self.has(WorldPart::Volume) {
+            return;
+        }
         let volume = self.content.volume;
         let far = volume.far_face();
         let mut faces = vec![far];
@@ -166,6 +185,9 @@ impl World<'_> {
 
     /// The window at distance F, with the image on it, and the rays through its corners.
     fn window(&mut self) {
+        if !self.has(WorldPart::Window) {
+            return;
+        }
         let camera = &self.request.camera;
         let volume = self.content.volume;
         let (near, color) = (volume.window(), self.palette.volume_edge);
@@ -246,8 +268,13 @@ impl World<'_> {
             None => format!("{} (B)", labels.far),
             Some(_) => format!("{} (B = {})", labels.far, labels.mark.number(self.request.camera.far(), 4)),
         };
-        self.name_face(&volume.window(), &window);
-        self.name_face(&volume.far_face(), &far);
+        for (part, face, name) in
+            [(WorldPart::Window, volume.window(), &window), (WorldPart::Volume, volume.far_face(), &far)]
+        {
+            if self.has(part) {
+                self.name_face(&face, name);
+            }
+        }
         [window, far]
     }
 
@@ -276,36 +303,66 @@ impl World<'_> {
         let camera = &self.request.camera;
         let (c, basis, gear) = (camera.position(), camera.basis(), self.gear);
         let edge = gizmos::stroke(self.palette.body_edge, 0.8, Dash::Solid, HiddenLines::Hidden);
-        self.builder.gear.objects.push(Object {
-            part_of: None,
-            name: "camera".to_owned(),
-            mesh: Arc::new(gizmos::camera_body()),
-            world_from_object: camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
-            paint: ObjectPaint::Solid(self.palette.body),
-            lit: false,
-            two_sided: false,
-            faces: true,
-            edges: Some(edge),
-            outline: None,
-        });
+        if self.has(WorldPart::CameraBody) {
+            self.builder.gear.objects.push(Object {
+                part_of: None,
+                name: "camera".to_owned(),
+                mesh: Arc::new(gizmos::camera_body()),
+                world_from_object: camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
+                paint: ObjectPaint::Solid(self.palette.body),
+                lit: false,
+                two_sided: false,
+                faces: true,
+                edges: Some(edge),
+                outline: None,
+            });
+        }
         self.builder.mark_above(c, MarkShape::Disc, 2.4, self.palette.ink);
         let screen = self.builder.screen;
         let crowd = screen.heading(c, basis.u) + screen.heading(c, basis.v) + screen.heading(c, basis.n);
         self.builder.text(c, "C", -crowd, TYPE, self.palette.ink);
-        let [x, y, z] = self.palette.axes;
-        self.builder.vector(c, basis.u * gear.axis, x, 2.0, "u");
-        self.builder.vector(c, basis.v * gear.axis, y, 2.0, "v");
-        self.builder.vector(c, basis.n * gear.axis, z, 2.0, "n");
-        let tip = gear.view_up_tip(camera);
-        self.builder.arrow(vec![c, tip], self.palette.view_up, 1.8, Dash::Dashed);
-        self.builder.text(tip, "VUP", screen.heading(c, tip - c), TYPE, self.palette.view_up);
+        if self.has(WorldPart::Vrc) {
+            let [x, y, z] = self.palette.axes;
+            self.builder.vector(c, basis.u * gear.axis, x, 2.0, "u");
+            self.builder.vector(c, basis.v * gear.axis, y, 2.0, "v");
+            self.builder.vector(c, basis.n * gear.axis, z, 2.0, "n");
+        }
+        if self.has(WorldPart::ViewUp) {
+            let tip = gear.view_up_tip(camera);
+            self.builder.arrow(vec![c, tip], self.palette.view_up, 1.8, Dash::Dashed);
+            self.builder.text(tip, "VUP", screen.heading(c, tip - c), TYPE, self.palette.view_up);
+        }
     }
 
     /// PF, and DOP from C towards it.
     fn aim(&mut self) {
-        let camera = &self.request.camera;
-        let (c, pf, dop) = (camera.position(), camera.focal_point(), camera.direction_of_projection());
+        if self.has(WorldPart::FocalPoint) {
+            self.focal_point();
+        }
+        if self.has(WorldPart::Dop) {
+            self.dop();
+        }
+        if self.has(WorldPart::Volume) {
+            let c = self.request.camera.position();
+            for (handle, place) in handles::on_axis(self.request, self.builder.screen, &self.content.volume, 0.0) {
+                if handle != Handle::Near || place.distance(c) > 0.3 * self.gear.axis {
+                    self.builder.mark(place, MarkShape::Square, 2.6, self.palette.volume_edge);
+                }
+            }
+        }
+    }
+
+    fn focal_point(&mut self) {
+        let (c, pf) = (self.request.camera.position(), self.request.camera.focal_point());
         self.builder.line(vec![c, pf], self.palette.aim, 1.1, Dash::DashDot);
+        self.builder.mark(pf, MarkShape::Diamond, 5.0, self.palette.aim);
+        self.builder.text(pf, "PF", DVec2::new(0.7, 0.7), TYPE, self.palette.aim);
+    }
+
+    /// DOP at C, and its axis through the volume behind PF.
+    fn dop(&mut self) {
+        let camera = &self.request.camera;
+        let (c, dop) = (camera.position(), camera.direction_of_projection());
         let volume = self.content.volume;
         let before = volume.before.map_or_else(Vec::new, |_| volume.parts_before());
         for [from, to] in before.into_iter().chain(volume.parts()) {
@@ -317,8 +374,6 @@ impl World<'_> {
         for [from, to] in volume.before.into_iter().chain(volume.gap) {
             self.builder.breaks(c + dop * from, c + dop * to, self.palette.soft);
         }
-        self.builder.mark(pf, MarkShape::Diamond, 5.0, self.palette.aim);
-        self.builder.text(pf, "PF", DVec2::new(0.7, 0.7), TYPE, self.palette.aim);
         let length = (1.2 * self.gear.axis).min(0.8 * camera.distance());
         self.builder.arrow(vec![c, c + dop * length], self.palette.aim, 1.8, Dash::Solid);
         let beside = self.builder.screen.heading(c, dop).perp();
@@ -329,16 +384,11 @@ impl World<'_> {
             SMALL_TYPE,
             self.palette.aim,
         );
-        for (handle, place) in handles::on_axis(self.request, self.builder.screen, &self.content.volume, 0.0) {
-            if handle != Handle::Near || place.distance(c) > 0.3 * self.gear.axis {
-                self.builder.mark(place, MarkShape::Square, 2.6, self.palette.volume_edge);
-            }
-        }
     }
 
     /// The axes of the world.
     fn axes(&mut self) {
-        let Some(tips) = self.content.axis_tips() else { return };
+        let Some(tips) = self.content.axis_tips().filter(|_| self.has(WorldPart::Axes)) else { return };
         for ((tip, color), name) in tips.into_iter().zip(self.palette.axes).zip(["x", "y", "z"]) {
             self.builder.vector(DVec3::ZERO, tip, color, 1.5, name);
         }
@@ -358,6 +408,9 @@ impl World<'_> {
 
     /// From C and PF down (or up) to the ground: people judge distance by the foot of a thing.
     fn drop_lines(&mut self) {
+        if !self.has(WorldPart::GroundMarks) {
+            return;
+        }
         let reach = 4.0 * self.content.radius();
         for p in [self.request.camera.position(), self.request.camera.focal_point()] {
             if p.y.abs() > reach || p.y.abs() < 1e-6 * reach {

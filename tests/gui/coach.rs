@@ -10,6 +10,7 @@ use camera_lab::scene::Preset;
 use eframe::egui::{Event, Key, Modifiers, PointerButton};
 use egui_kittest::kittest::Queryable;
 
+use super::files::Folder;
 use super::window::Window;
 
 /// A window with a cube, which there is little to draw of.
@@ -171,4 +172,24 @@ fn repairs_are_told_in_the_symbols_and_the_numbers_of_the_panel() {
             assert!(!told.iter().any(|text| text.contains(key)), "{key} in {told:?}");
         }
     }
+}
+
+#[test]
+fn the_chart_of_depths_is_written_as_its_name_says() {
+    let folder = Folder::new("depth-chart");
+    let mut window = window(Lang::En);
+    window.app_mut().state.file_flow.native = false;
+    window.explain(Explanation::Depth);
+    let mut written = |name: &str| {
+        window.harness.get_by_label("Export the chart…").scroll_to_me();
+        window.run();
+        window.click("Export the chart…");
+        window.choose(&folder.file(name));
+    };
+    written("depths");
+    let svg = std::fs::read_to_string(folder.file("depths.svg")).expect("a chart");
+    assert!(svg.contains("distance from the eye") && svg.contains("zₙ"), "{svg}");
+    assert!(svg.matches("<polyline").count() >= 3, "{svg}");
+    written("depths.pdf");
+    assert!(std::fs::read(folder.file("depths.pdf")).expect("a chart").starts_with(b"%PDF"));
 }

@@ -77,6 +77,7 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
 const BLENDER: &str = "<Matrix 4x4 (0.6859, -0.3240,  0.6516,  7.3589)\n            (0.7277,  0.3054, -0.6142, -6.9258)\n\
     (0.0000,  0.8954,  0.4453,  4.9583)\n            (0.0000,  0.0000,  0.0000,  1.0000)>";
 
+/// B18.
 #[test]
 fn a_rigid_matrix_is_recognised_and_its_other_reading_is_one_click_away() {
     for (lang, said, instead, other, take) in [
@@ -100,6 +101,7 @@ fn a_rigid_matrix_is_recognised_and_its_other_reading_is_one_click_away() {
     }
 }
 
+/// B19.
 #[test]
 fn k_r_t_asks_for_its_image_and_leaves_the_clipping_planes() {
     let mut window = window(Lang::En, Explanation::Dialects);
@@ -125,6 +127,7 @@ fn k_r_t_asks_for_its_image_and_leaves_the_clipping_planes() {
     assert_eq!(*window.state().document.draft(), before);
 }
 
+/// B20.
 #[test]
 fn the_words_of_computer_vision_switch_a_parallel_camera() {
     let mut window = window(Lang::En, Explanation::Dialects);

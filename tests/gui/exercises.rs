@@ -250,6 +250,7 @@ fn the_camera_of_the_window_is_an_answer_and_the_picture_to_match_is_shown() {
     assert!(window.says(&format!("✓ {}", t.right)));
 }
 
+/// B16: a question comes before what answers it.
 #[test]
 fn what_is_to_be_predicted_is_shown_only_after_the_answer() {
     let mut window = working_on("predict-visible", 4, Lang::En);
@@ -268,6 +269,7 @@ fn what_is_to_be_predicted_is_shown_only_after_the_answer() {
     assert_eq!(points[1].position, exercise.subject.points[1]);
 }
 
+/// B17.
 #[test]
 fn the_figure_shows_the_answer_once_every_question_has_been_tried() {
     let mut window = working_on("0-5.1", 1, Lang::En);
@@ -335,6 +337,7 @@ fn numbers_left_open_are_chosen_and_answers_may_depend_on_them() {
     assert!(window.state().exercises.checked["Mp"].judged.right);
 }
 
+/// B15: the next exercise, and why it is the next.
 #[test]
 fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     let folder = Folder::new("progress");

@@ -26,7 +26,7 @@ fn view_matrix(last: [&str; 3]) -> String {
     format!("[[2/√13, 0, -3/√13, {x}], [-3/√182, 13/√182, -2/√182, {y}], [3/√14, 1/√14, 2/√14, {z}], [0, 0, 0, 1]]")
 }
 
-/// M_p of `perspective-matrix` with seed 1, by hand: θ = 60°, A = 5/4, F = 1/2, B = 40.
+/// M_p of `perspective-matrix` with seed 1, by hand: θ = 60°, A = 5/4, F = 2/5, B = 8.
 fn projection_matrix([first, second]: [&str; 2], [scale, shift]: [&str; 2], w: &str) -> String {
     format!("[[{first}, 0, 0, 0], [0, {second}, 0, 0], [0, 0, {scale}, {shift}], [0, 0, {w}, 0]]")
 }
@@ -34,7 +34,7 @@ fn projection_matrix([first, second]: [&str; 2], [scale, shift]: [&str; 2], w: &
 #[test]
 fn each_mistake_gets_its_code() {
     let perspective = ["4√3/5", "√3"];
-    let depth = ["-81/79", "-80/79"];
+    let depth = ["-21/19", "-16/19"];
     assert!(judge("view-matrix", 1, "Mv", &view_matrix(["-1/√13", "-5/√182", "-9/√14"])).right);
     assert!(judge("perspective-matrix", 1, "Mp", &projection_matrix(perspective, depth, "-1")).right);
     let cases: [(&str, &str, String, &str); 24] = [
@@ -61,23 +61,23 @@ fn each_mistake_gets_its_code() {
         ),
         ("view-matrix", "Mv", view_matrix(["-2", "-1", "-1"]), "translation-not-rotated"),
         ("view-matrix", "Mv", view_matrix(["1/√13", "5/√182", "9/√14"]), "position-not-negated"),
-        // θ = 40°, A = 5/4, F = 1/2; the tangent of 20 rad.
-        ("window", "H", "2.2371609442247422".to_owned(), "radians"),
-        ("window", "H", "tan(40°)".to_owned(), "whole-angle"),
-        ("window", "W", "tan(20°)/1.25".to_owned(), "aspect-inverted"),
+        // θ = 40°, A = 5/4, F = 2/5; the tangent of 20 rad.
+        ("window", "H", "0.8*2.2371609442247422".to_owned(), "radians"),
+        ("window", "H", "0.8*tan(40°)".to_owned(), "whole-angle"),
+        ("window", "W", "0.8*tan(20°)/1.25".to_owned(), "aspect-inverted"),
         // θ = 40°, s = 3.
         ("zoom", "theta", "40/3".to_owned(), "zoom-on-angle"),
-        // The point is (1/(2√5), −7/(3√5), −25/6) in the VRC; θ = 50°, A = 4/3, F = 1/2, B = 25/2.
-        ("ndc", "ndc", "[0.5/√5*3/4/tan(25°), -7/(3√5)/tan(25°), 125/36]".to_owned(), "no-divide"),
+        // The point is (1/(2√5), −7/(3√5), −25/6) in the VRC; θ = 50°, A = 4/3, F = 3/2, B = 75/2.
+        ("ndc", "ndc", "[0.5/√5*3/4/tan(25°), -7/(3√5)/tan(25°), 25/18]".to_owned(), "no-divide"),
         ("perspective-matrix", "Mp", projection_matrix(perspective, depth, "1"), "z-sign"),
-        ("perspective-matrix", "Mp", projection_matrix(perspective, ["-80/79", "-40/79"], "-1"), "z-range"),
-        ("perspective-matrix", "Mp", projection_matrix(["-4√3/5", "-√3"], ["-81/79", "80/79"], "-1"), "near-far-as-coordinates"),
-        // x_p = −6 + 12·51/96 = 0.375 and y_p = 3 − 6·47/48 = −2.875 along u = (−2, 3, 0)/√13 and v = (18, 12,
+        ("perspective-matrix", "Mp", projection_matrix(perspective, ["-20/19", "-8/19"], "-1"), "z-range"),
+        ("perspective-matrix", "Mp", projection_matrix(["-4√3/5", "-√3"], ["-21/19", "16/19"], "-1"), "near-far-as-coordinates"),
+        // x_p = −21/4 + (21/2)·15/84 = −3.375 and y_p = 3 − 6·47/48 = −2.875 along u = (−2, 3, 0)/√13 and v = (18, 12,
         // 13)/(7√13).
         (
             "ray",
             "origin",
-            "[3 - 0.75/√13 - 51.75/(7√13), 1.125/√13 - 34.5/(7√13), -8 - 37.375/(7√13)]".to_owned(),
+            "[3 + 6.75/√13 - 51.75/(7√13), -10.125/√13 - 34.5/(7√13), -8 - 37.375/(7√13)]".to_owned(),
             "pixel-corner",
         ),
         // T(5, −4, 1), R(45° about z), S(3, 1, 1/2): S R T.
@@ -91,7 +91,7 @@ fn each_mistake_gets_its_code() {
         // way.
         ("elevation", "n", "[1/√6 - 1/2, 1/√6 + 1/2, 1/√6]".to_owned(), "other-operation"),
         ("elevation", "n", "[1/√6 - 1/√12, 1/√6 - 1/√12, 1/√6 + 2/√12]".to_owned(), "opposite-angle"),
-        ("window", "H", "0.36".to_owned(), "rounded-too-early"),
+        ("window", "H", "0.29".to_owned(), "rounded-too-early"),
         ("basis", "u", "[1/√2, 0]".to_owned(), "wrong-shape"),
     ];
     for (id, name, answer, code) in &cases {
@@ -120,8 +120,8 @@ fn axes_in_the_columns_of_the_view_matrix_are_told() {
 
 #[test]
 fn the_whole_angle_is_found_with_and_without_the_factor_of_two() {
-    // θ = 40°, A = 5/4, F = 1/2: H = 2 F tan θ, H = F tan θ, and what follows for W.
-    for (name, answer) in [("H", "tan(40°)"), ("H", "tan(40°)/2"), ("W", "1.25*tan(40°)/2")] {
+    // θ = 40°, A = 5/4, F = 2/5: H = 2 F tan θ, H = F tan θ, and what follows for W.
+    for (name, answer) in [("H", "0.8*tan(40°)"), ("H", "0.4*tan(40°)"), ("W", "0.5*tan(40°)")] {
         assert_eq!(codes(&judge("window", 1, name, answer)), ["whole-angle"], "{name} = {answer}");
     }
 }
@@ -134,7 +134,7 @@ fn two_mistakes_together_are_told_both() {
     // One number, or two, may come from anything: W = H/A with H = 2 F tan θ, and (j, i) with rows from the bottom.
     let [i, j] = [0, 1].map(|k| super::exercise_verdicts::right("pixel", 1, "pixel")[k]);
     for (id, name, answer) in
-        [("window", "W", "tan(40°)/1.25".to_owned()), ("pixel", "pixel", format!("[{}, {i}]", 299.0 - j))]
+        [("window", "W", "0.8*tan(40°)/1.25".to_owned()), ("pixel", "pixel", format!("[{}, {i}]", 479.0 - j))]
     {
         assert_eq!(codes(&judge(id, 1, name, &answer)), [""; 0], "{id} {answer}");
     }

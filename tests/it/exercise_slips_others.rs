@@ -194,6 +194,7 @@ fn of_vocabulary(exercise: &Exercise) -> Vec<Wrong> {
         ("frustum", vec![-right, -top, right, top], "order-reversed"),
         ("K", k(focal, [centre[0] - 0.5, centre[1] - 0.5]), "pixel-corner"),
         ("K", k(focal, [centre[1], centre[0]]), "columns-and-rows-exchanged"),
+        ("K", k([m * f / (2.0 * top), focal[1]], centre), "aspect-inverted"),
         ("K", k(focal, [0.0, 0.0]), "offset-ignored"),
         ("K", k(focal, [m, n]), "factor-two"),
         ("K", k(focal.map(|x| 2.0 * x), centre), "factor-two"),

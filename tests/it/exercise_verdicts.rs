@@ -435,14 +435,14 @@ fn answers_are_read_as_students_write_them() {
     ] {
         assert!(judged("basis", 1, "n", text).right, "{text}");
     }
-    assert!(judged("window", 1, "H", "tan 20°").right);
-    assert!(judged("window", 1, "H", "2*(0,5)/2 + tan(20°) − 0,5").right);
+    assert!(judged("window", 1, "H", "0.8 tan 20°").right);
+    assert!(judged("window", 1, "H", "2*(0,5)/2 + 0,8*tan(20°) − 0,5").right);
     for text in ["1 + 2*[1, 1, 1]", "[1, 1, 1]/2 + 1", "[1, 1, 1]2", "x*[1, 1, 1]"] {
         let exercise = exercise("basis", 1);
         let ask = exercise.asks.iter().find(|ask| ask.name == "n").unwrap();
         assert!(read_answer(text, ask, &[]).is_err(), "{text}");
     }
-    assert!(judged("window", 1, "H", r"\tan{20^\circ}").right);
+    assert!(judged("window", 1, "H", r"0.8\tan{20^\circ}").right);
     let rows = right("view-matrix", 1, "Mv");
     let blanks: Vec<String> =
         rows.chunks(4).map(|row| row.iter().map(|x| format!("{x:.5}")).collect::<Vec<_>>().join(" ")).collect();

@@ -2,8 +2,11 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::exercises::{Judged, read_answer};
+use camera_lab::camera::{Parameters, Projection, ViewWindow};
+use camera_lab::exercises::{Answer, Expected, Judged, entry, read_answer};
+use camera_lab::expression::{Dimension, evaluate};
 use camera_lab::i18n::{Lang, exercises as said};
+use glam::DVec3;
 
 use super::exercise_verdicts::{exercise, right, text, together, told, verdict};
 
@@ -49,8 +52,9 @@ fn a_lost_sign_is_told_where_an_axis_is_right_and_beside_it_otherwise() {
     let view = ("view", "[-1.11803,-1.36931,-3.06186]");
     let judged = typed("ndc", 303, &[view, ("clip", "[0.496904,-0.456435,-0.573023,1]")]);
     assert_eq!(judged.iter().map(told).collect::<Vec<_>>(), ["", "sign"]);
-    assert_eq!(verdict("ndc", 300, "view", "[-1.41421,1.17851,-3.33333]"), "u-reversed|sign");
     let view = right("ndc", 300, "view");
+    let turned = format!("[{:.6}, {:.6}, {:.6}]", -view[0], view[1], view[2]);
+    assert_eq!(verdict("ndc", 300, "view", turned), "u-reversed|sign");
     let turned = format!("[{:.6}, {:.6}, {:.6}]", view[0], -view[1], view[2]);
     assert_eq!(verdict("ndc", 300, "view", turned), "v-reversed|sign");
 }
@@ -106,5 +110,121 @@ fn shapes_and_brackets_are_told_as_they_are() {
         let error = read_answer(answer, ask, &[]).unwrap_err();
         assert!(said::answer_error(Lang::En, &error).contains("sqrt(3)"), "{answer}: {error:?}");
         assert!(said::answer_error(Lang::PtBr, &error).contains("sqrt(3)"), "{answer}");
+    }
+}
+
+/// A camera of an answer, read as it is typed.
+fn camera(text: &str) -> Result<Parameters, String> {
+    let exercise = exercise("canonical-camera", 4);
+    let read = read_answer(text, &exercise.asks[0], &[]);
+    match read {
+        Ok(Answer::Camera(parameters)) => Ok(*parameters),
+        other => Err(said::answer_error(Lang::En, &other.unwrap_err())),
+    }
+}
+
+#[test]
+fn cameras_are_told_by_the_names_of_the_notes_and_read_again_to_the_last_digit() {
+    let ask = &exercise("canonical-camera", 4).asks[0];
+    let window = ViewWindow { left: -0.1, right: 1.0 / 3.0, bottom: -0.25, top: 0.7 };
+    let odd = Parameters {
+        position: DVec3::new(1.0 / 3.0, -2.5, 1e-7),
+        view_angle: 50.1,
+        height: 0.1 + 0.2,
+        ..Parameters::default()
+    };
+    let parallel = Parameters { projection: Projection::Parallel, ..odd };
+    for (parameters, en, pt) in [
+        (odd, "projection = perspective; θ = 50.1; A = ", "projeção = perspectiva; θ = 50,1; A = "),
+        (
+            parallel,
+            "projection = parallel; H = 0.30000000000000004; A",
+            "projeção = paralela; H = 0,30000000000000004; A",
+        ),
+        (Parameters { window: Some(window), ..odd }, "window = (-0.1, 0.33", "janela = (-0,1; 0,33"),
+    ] {
+        for (lang, part) in [(Lang::En, en), (Lang::PtBr, pt)] {
+            let text = said::understood(lang, ask, &Answer::Camera(Box::new(parameters)));
+            assert!(text.starts_with("C = (0") && text.contains(part), "{text}");
+            assert!(!text.contains(['_', '"', '{']), "{text}");
+            let again = camera(&text).unwrap();
+            assert_eq!(
+                (again.position, again.window, again.near),
+                (parameters.position, parameters.window, parameters.near)
+            );
+            assert_eq!(again.projection, parameters.projection);
+            if parameters.window.is_none() {
+                let size = |p: &Parameters| if p.projection == Projection::Parallel { p.height } else { p.view_angle };
+                assert_eq!((size(&again), again.aspect), (size(&parameters), parameters.aspect));
+            }
+        }
+    }
+}
+
+#[test]
+fn parameters_of_a_camera_may_stand_between_commas() {
+    let apart = camera("C=(0,0,2); PF=(0,0,0); F=0.5; B=1/3+9").unwrap();
+    for text in [
+        "C=(0,0,2), PF=(0,0,0), F=0.5, B=1/3+9",
+        "C=(0; 0; 2), PF=(0;0;0), F=0,5, B=1/3+9",
+        "C=[0,0,2],PF=[0,0,0]\nF=.5,B=28/3",
+    ] {
+        let read = camera(text).unwrap();
+        assert_eq!((read.position, read.near), (apart.position, apart.near), "{text}");
+        assert!((read.far - apart.far).abs() < 1e-12, "{text}");
+    }
+}
+
+#[test]
+fn a_camera_that_cannot_be_is_told_by_the_names_of_the_notes() {
+    for (text, told) in [
+        ("C=(0,0,2); F=0", "F must be greater than 0"),
+        ("C=(0,0,2), F=-1", "F must be greater than 0"),
+        ("F=2; B=1", "F must be less than B"),
+        ("C=(1,1,1); PF=(1,1,1)", "PF must differ from C"),
+        ("θ=180", "θ must be greater than 0° and less than 180°"),
+        ("window=(1, 0, -1, 1)", "l must be less than r"),
+        ("window=(1, 0)", "window is [1, 0]"),
+        ("window={x", "window is"),
+        ("C=(1, 2)", "C is [1, 2]"),
+        ("F=abc", "F is"),
+        ("F=1; near=2", "F appears twice"),
+    ] {
+        let error = camera(text).unwrap_err();
+        assert!(error.contains(told), "{text}: {error}");
+        assert!(!error.contains("[camera]") && !error.contains("TOML"), "{text}: {error}");
+    }
+}
+
+/// B11.
+#[test]
+fn cameras_that_are_to_be_found_have_a_way() {
+    for id in ["match-picture", "place-camera", "canonical-camera", "0-5.3"] {
+        for seed in 0..5 {
+            let exercise = exercise(id, seed);
+            let ask = exercise.asks.last().unwrap();
+            let Expected::Camera(_, model, ..) = ask.expected() else { panic!("{id}") };
+            for lang in [Lang::En, Lang::PtBr] {
+                let way = said::steps(lang, &exercise, ask, 6).join("\n");
+                for (name, value) in ["C_x", "C_y", "C_z"].into_iter().zip(model.position.to_array()) {
+                    let row = way.lines().skip_while(|line| !line.trim_start().starts_with(name)).nth(1).unwrap();
+                    let (_, end) = row.rsplit_once("= ").unwrap();
+                    let told = evaluate(end, Dimension::Number).unwrap();
+                    assert!(
+                        (told - value).abs() <= 1e-5 * value.abs(),
+                        "{id} {seed} {lang:?}: {name} = {value} in {way}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// B12.
+#[test]
+fn an_operation_that_the_notes_do_not_have_cites_what_it_follows_from() {
+    for (id, source) in [("dolly", "[0] §5.2, (5.2)"), ("pan", "[0] §5.2, (5.3)"), ("zoom-or-dolly", "[0] §5.6, (5.5)")]
+    {
+        assert_eq!(entry(id).unwrap().source, source, "{id}");
     }
 }

@@ -419,6 +419,7 @@ fn exercise_5_1_is_judged_as_a_teacher_would() {
     assert_eq!(code("0-5.1", 0, "parallel_direction", "[-3/5, -4/5]"), "wrong-shape");
 }
 
+/// B13, B17.
 #[test]
 fn the_figures_of_the_notes_exercises_are_those_of_the_gallery_and_hold_no_answer() {
     for (id, name) in [("0-5.1", "exercise-5.1"), ("0-5.2", "exercise-5.2"), ("0-5.3", "exercise-5.3")] {
@@ -447,6 +448,7 @@ fn the_figures_of_the_notes_exercises_are_those_of_the_gallery_and_hold_no_answe
     assert_eq!((after.camera, after.image), (before.camera, before.image));
 }
 
+/// B14.
 #[test]
 fn statements_say_where_the_notes_have_it_otherwise() {
     for (id, en, pt) in [

@@ -12,7 +12,7 @@ const LEAVES: &[&str] = &["appearance", "chart", "sanitize", "limits", "progress
 /// Each module with the modules that it may import, besides [`LEAVES`].
 const TABLE: &[(&str, &[&str])] = &[
     ("appearance", &[]),
-    ("chart", &[]),
+    ("chart", &["numbers"]),
     ("sanitize", &[]),
     ("limits", &[]),
     ("progress", &[]),

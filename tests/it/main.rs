@@ -52,6 +52,7 @@ mod other_programs;
 mod outline;
 mod own_exercises;
 mod paper;
+mod paper_pictures;
 mod pipeline;
 mod pipeline_bounds;
 mod pipeline_counts;

@@ -11,7 +11,7 @@ use camera_lab::progress::at_once;
 use camera_lab::share;
 use camera_lab::stage::Stage;
 use camera_lab::views::observer::Viewpoint;
-use camera_lab::views::{Picture, Request, SharedScene, Shot, Size, Views};
+use camera_lab::views::{Finish, Picture, Request, SharedScene, Shot, Size, Views};
 use proptest::prelude::*;
 
 use crate::cli::pixels;
@@ -282,9 +282,13 @@ fn pictures_are_a_list_a_second_observer_and_a_stereo_pair_are_entries_of_it() {
     let mut renderer = Renderer::default();
     let whole = at_once(renderer.sheet(&composite, false)).unwrap().0;
     assert_eq!((whole.width(), whole.height()), (sheet.size.width, 72));
-    for (i, (request, alone)) in composite.requests.iter().zip(&alone).enumerate() {
-        assert_eq!(request, alone);
-        let pixels = renderer.pixels(alone).unwrap();
+    let beside_others = |request: &Request| {
+        let finish = Finish { framed: true, ..request.finish };
+        Request { finish, ..request.clone() }
+    };
+    for (i, (request, alone)) in composite.requests.iter().zip(alone.iter().map(beside_others)).enumerate() {
+        assert_eq!(*request, alone);
+        let pixels = renderer.pixels(&alone).unwrap();
         let rows = whole.rgba().chunks_exact(4 * whole.width() as usize).map(|row| &row[4 * 100 * i..][..4 * 96]);
         assert!(rows.zip(pixels.rgba().chunks_exact(4 * 96)).all(|(ours, own)| ours == own), "picture {i}");
     }

@@ -46,8 +46,8 @@ const TO_VIEWER: [[f64; 3]; 16] = [
 /// forgotten step.
 const UPS: [[f64; 3]; 5] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 2.0, 0.0], [0.0, 2.0, 1.0], [1.0, 2.0, 0.0]];
 
-/// Heights to widths.
-const ASPECTS: [f64; 5] = [4.0 / 3.0, 3.0 / 2.0, 5.0 / 4.0, 2.0, 3.0 / 4.0];
+/// Heights to widths. A 2 would make of A, left out, a lost factor of 2.
+const ASPECTS: [f64; 5] = [4.0 / 3.0, 3.0 / 2.0, 5.0 / 4.0, 7.0 / 4.0, 3.0 / 4.0];
 
 fn whole(random: &mut Random, low: i64, high: i64) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a few units")]
@@ -110,14 +110,24 @@ pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters 
     }
 }
 
-/// A camera as of [`camera`]; in perspective with an F that is not 1, which would hide that it was forgotten.
+/// Distances F by which nothing is multiplied or divided as by another known factor: 1 would hide that F was forgotten,
+/// 2 and 1/2 would make of it a lost factor of 2.
+const NEARS: [f64; 6] = [0.8, 0.4, 1.5, 2.5, 3.0, 5.0];
+
+/// A camera as of [`camera`]; in perspective with an F of [`NEARS`].
 pub(super) fn lens_camera(random: &mut Random, projection: Projection) -> Parameters {
-    loop {
-        let parameters = camera(random, projection);
-        if projection == Projection::Parallel || parameters.near != 1.0 {
-            return parameters;
-        }
+    let parameters = camera(random, projection);
+    if projection == Projection::Parallel {
+        return parameters;
     }
+    let distance = (parameters.position - parameters.focal_point).length();
+    let near = loop {
+        let near = random.one_of(&NEARS);
+        if near < 0.7 * distance {
+            break near;
+        }
+    };
+    seeing(Parameters { near, far: near * random.one_of(&[10.0, 20.0, 25.0]), ..parameters }, distance)
 }
 
 /// A camera with PF at a distance, inside its volume.

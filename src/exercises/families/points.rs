@@ -147,7 +147,7 @@ fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wan
 fn pixel(seed: u64) -> Exercise {
     let mut random = numbers("pixel", seed);
     let projection = any_projection(&mut random);
-    let mut slips = vec![Slip::AxesAsColumns, Slip::PositionNotNegated, Slip::RoundedNotFloored];
+    let mut slips = vec![Slip::AxesAsColumns, Slip::PositionNotNegated, Slip::RoundedNotFloored, Slip::ColumnsAndRows];
     if projection == Projection::Perspective {
         slips.push(Slip::NearForgotten);
     }
@@ -183,7 +183,7 @@ fn pixel_of(subject: Subject) -> Exercise {
 
 /// A subject whose point is not on the border of two pixels, where the last digit of a calculator decides.
 fn off_borders(random: &mut Random, space: PointNumber, mut make: impl FnMut(&mut Random) -> Subject) -> Subject {
-    for _ in 0..50 {
+    for _ in 0..200 {
         let subject = make(random);
         let Some(at) = subject.value(Quantity::Point(0, space)) else { continue };
         let ImageSize { width, height } = subject.figure.image;
@@ -205,8 +205,11 @@ fn off_borders(random: &mut Random, space: PointNumber, mut make: impl FnMut(&mu
         let up = if subject.figure.viewport.is_some() { 1.0 } else { -1.0 };
         let share = |k: usize| f64::from(size[k]) * ([1.0, up][k] * at.entries[k] / window[k] + 0.5);
         let is_rounded_up = |k: usize| share(k).round() > share(k);
+        // Near the middle of the window few digits are left of a coordinate.
+        let is_off_middle = (0..2).all(|k| (at.entries[k] / window[k]).abs() > 0.02);
         // In one of them ⌊ ⌋ is not what rounding gives; in both it would be what counting from 1 gives.
-        if (0..2).all(|k| (share(k) - share(k).round()).abs() > 0.02) && is_rounded_up(0) != is_rounded_up(1) {
+        let is_inside = (0..2).all(|k| (share(k) - share(k).round()).abs() > 0.02);
+        if is_off_middle && is_inside && is_rounded_up(0) != is_rounded_up(1) {
             return subject;
         }
     }

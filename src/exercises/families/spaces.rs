@@ -6,7 +6,7 @@ use glam::{DMat3, DMat4, DVec3};
 use super::cameras::{about, camera, lens_camera, numbers, plain, small, subject};
 use crate::camera::{Parameters, Projection};
 use crate::exercises::products::{ENTRIES, multiplied};
-use crate::exercises::textbook::half_tangent;
+use crate::exercises::textbook::{half_tangent, over_height};
 use crate::exercises::worked::{Worked, angle, named};
 use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Nature, Slip, Slips, Table, follows, notes};
 use crate::explain::{Formula, Function, over, times};
@@ -113,8 +113,7 @@ fn frustum(parameters: &Parameters, slips: Slips) -> [f64; 4] {
         1.0
     };
     let top = times * near * half_tangent(parameters.view_angle, slips);
-    let aspect = if slips.has(Slip::AspectInverted) { 1.0 / parameters.aspect } else { parameters.aspect };
-    let right = top * aspect;
+    let right = top * over_height(parameters.aspect, slips);
     [-right, right, -top, top]
 }
 

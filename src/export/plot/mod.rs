@@ -11,7 +11,7 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 use plotters::prelude::*;
 
 use crate::appearance::Rgba;
-use crate::chart::{Chart, Look, Series, power_of_ten};
+use crate::chart::{Axis, Chart, Look, Series};
 
 /// A file of charts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,8 +48,8 @@ pub enum PlotError {
 pub struct Block {
     /// The title of its charts.
     pub title: String,
-    /// Two side by side.
-    pub rows: Vec<[Chart; 2]>,
+    /// The charts of a row stand side by side.
+    pub rows: Vec<Vec<Chart>>,
 }
 
 /// Width of a chart in units, of which an SVG has as many pixels; a PNG has twice as many.
@@ -84,7 +84,7 @@ pub fn encode(blocks: &[Block], format: PlotFormat) -> Result<Vec<u8>, PlotError
         return Err(PlotError::Drawing("font".to_owned()));
     }
     let height: u32 = blocks.iter().map(|block| TITLE + rows(block) * HEIGHT).sum();
-    let size = (2 * WIDTH, height.max(1));
+    let size = (columns(blocks) * WIDTH, height.max(1));
     match format {
         PlotFormat::Svg => {
             let mut svg = String::new();
@@ -132,6 +132,12 @@ fn rows(block: &Block) -> u32 {
     u32::try_from(block.rows.len()).unwrap_or(u32::MAX)
 }
 
+/// The number of charts in the longest row, at least 1.
+fn columns(blocks: &[Block]) -> u32 {
+    let longest = blocks.iter().flat_map(|block| &block.rows).map(Vec::len).max().unwrap_or(1);
+    u32::try_from(longest).unwrap_or(u32::MAX).max(1)
+}
+
 /// A drawing area of any kind of file.
 type Area<DB> = DrawingArea<DB, Shift>;
 
@@ -140,14 +146,15 @@ fn draw<DB: DrawingBackend>(root: Area<DB>, blocks: &[Block], zoom: u32) -> Resu
     let error = |e: DrawingAreaErrorKind<DB::ErrorType>| PlotError::Drawing(e.to_string());
     root.fill(&WHITE).map_err(error)?;
     let mut rest = root.clone();
+    let columns = columns(blocks) as usize;
     for block in blocks {
         let (title, below) = rest.split_vertically(TITLE * zoom);
         let (charts, below) = below.split_vertically(HEIGHT * zoom * rows(block));
         let style = (FONT, 19 * zoom).into_font().color(&BLACK);
         let (x, y) = (i32::try_from(16 * zoom).unwrap_or(0), i32::try_from(14 * zoom).unwrap_or(0));
         title.draw_text(&block.title, &style, (x, y)).map_err(error)?;
-        for (pair, row) in block.rows.iter().zip(charts.split_evenly((block.rows.len(), 1))) {
-            for (chart, area) in pair.iter().zip(row.split_evenly((1, 2))) {
+        for (charts, row) in block.rows.iter().zip(charts.split_evenly((block.rows.len(), 1))) {
+            for (chart, area) in charts.iter().zip(row.split_evenly((1, columns))) {
                 draw_chart(&area, chart, zoom).map_err(error)?;
             }
         }
@@ -161,7 +168,16 @@ fn draw_chart<DB: DrawingBackend>(
     chart: &Chart,
     zoom: u32,
 ) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
-    let [x, y] = chart.range().map(|[low, high]| Decades { low: low.log10().round(), high: high.log10().round() });
+    let range = chart.range();
+    let [x, y] = [0, 1].map(|k| {
+        let [low, high] = range[k].map(|end| chart.axes[k].along(end));
+        match chart.axes[k] {
+            Axis::Logarithmic => Places { low: low.round(), high: high.round(), axis: Axis::Logarithmic },
+            Axis::Linear => Places { low, high, axis: Axis::Linear },
+        }
+    });
+    let written = |k: usize| move |place: &f64| chart.axes[k].written(*place, chart.mark);
+    let [x_mark, y_mark] = [written(0), written(1)];
     let letters = |size: u32| (FONT, size * zoom).into_font();
     let mut plot = ChartBuilder::on(area)
         .caption(&chart.title, letters(15))
@@ -173,6 +189,8 @@ fn draw_chart<DB: DrawingBackend>(
     plot.configure_mesh()
         .x_labels(9)
         .y_labels(12)
+        .x_label_formatter(&x_mark)
+        .y_label_formatter(&y_mark)
         .x_desc(&chart.x_label)
         .y_desc(&chart.y_label)
         .label_style(letters(12))
@@ -181,22 +199,24 @@ fn draw_chart<DB: DrawingBackend>(
         .bold_line_style(BLACK.mix(0.12))
         .draw()?;
     for series in &chart.series {
-        draw_series(&mut plot, series, zoom)?;
+        draw_series(&mut plot, series, chart.axes, zoom)?;
     }
     draw_legend(area, chart, zoom)
 }
 
 fn draw_series<DB: DrawingBackend>(
-    plot: &mut ChartContext<'_, DB, Cartesian2d<Decades, Decades>>,
+    plot: &mut ChartContext<'_, DB, Cartesian2d<Places, Places>>,
     series: &Series,
+    axes: [Axis; 2],
     zoom: u32,
 ) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
     let color = color_of(series);
-    let points = || series.points.iter().map(|p| (p[0].log10(), p[1].log10()));
+    let points = || series.points.iter().map(|p| (axes[0].along(p[0]), axes[1].along(p[1])));
     let line = match series.look {
         Look::Curve => Some(color.stroke_width(2 * zoom)),
         Look::BoldCurve => Some(color.stroke_width(4 * zoom)),
         Look::Line => Some(color.stroke_width(zoom)),
+        Look::BoldLine => Some(color.stroke_width(3 * zoom)),
         Look::Dots | Look::Shadow => None,
     };
     if let Some(line) = line {
@@ -207,7 +227,7 @@ fn draw_series<DB: DrawingBackend>(
         Look::BoldCurve => 4,
         Look::Dots => 6,
         Look::Shadow => 3,
-        Look::Line => return Ok(()),
+        Look::Line | Look::BoldLine => return Ok(()),
     };
     let fill = if series.look == Look::Shadow { color.mix(0.3) } else { color.to_rgba() };
     plot.draw_series(points().map(|p| Circle::new(p, radius * zoom, fill.filled())))?;
@@ -231,7 +251,7 @@ fn draw_legend<DB: DrawingBackend>(
         } else {
             area.draw(&PathElement::new(
                 vec![(left, middle), (left + 16 * zoom_i, middle)],
-                color.stroke_width(if series.look == Look::BoldCurve { 4 } else { 2 } * zoom),
+                color.stroke_width(if matches!(series.look, Look::BoldCurve | Look::BoldLine) { 4 } else { 2 } * zoom),
             ))?;
         }
         let style = (FONT, 12 * zoom).into_font().color(&BLACK);
@@ -247,14 +267,15 @@ fn color_of(series: &Series) -> RGBColor {
     })
 }
 
-/// An axis of whole decades; its values are logarithms.
+/// The places along an axis: logarithms, or the numbers themselves.
 #[derive(Clone, Copy)]
-struct Decades {
+struct Places {
     low: f64,
     high: f64,
+    axis: Axis,
 }
 
-impl Ranged for Decades {
+impl Ranged for Places {
     type FormatOption = NoDefaultFormatting;
     type ValueType = f64;
 
@@ -264,13 +285,11 @@ impl Ranged for Decades {
         limit.0 + (f64::from(limit.1 - limit.0) * share).round() as i32
     }
 
-    #[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "a small number of decades")]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "a small number of marks")]
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        let decades = self.high - self.low;
-        let step = [1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0]
-            .into_iter()
-            .find(|step| decades / step <= hint.max_num_points() as f64)
-            .unwrap_or(decades);
+        let length = self.high - self.low;
+        let most = hint.max_num_points() as f64;
+        let step = self.axis.step(length, most);
         let first = (self.low / step).ceil() as i64;
         (first..).map(|k| k as f64 * step).take_while(|x| *x <= self.high).collect()
     }
@@ -280,8 +299,9 @@ impl Ranged for Decades {
     }
 }
 
-impl ValueFormatter<f64> for Decades {
+impl ValueFormatter<f64> for Places {
+    /// The marks are written by the formatters of the chart.
     fn format(value: &f64) -> String {
-        power_of_ten(10f64.powf(*value))
+        value.to_string()
     }
 }

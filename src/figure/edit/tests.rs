@@ -9,6 +9,7 @@ use crate::figure::words::{
 use crate::figure::{
     Bilingual, Comparison, Depth, Measured, NamedPoint, Observer, Observers, Outside, Reveal, Screen, ScreenEntry,
     Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep, View, WorldLook,
+    WorldPart, WorldParts,
 };
 use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
@@ -169,6 +170,7 @@ fn figure() -> impl Strategy<Value = Figure> {
                 section: undistorted,
                 dimensions: reveal.culled,
                 window_opacity: reveal.clipping.then_some(0.4),
+                parts: parts(width),
             },
             observers: Observers { world, canonical },
             show,
@@ -176,6 +178,15 @@ fn figure() -> impl Strategy<Value = Figure> {
             compare,
         },
     )
+}
+
+/// Parts of the world, one for each bit.
+fn parts(bits: u32) -> WorldParts {
+    let mut parts = WorldParts::default();
+    for (k, (part, _)) in WorldPart::ALL.into_iter().enumerate() {
+        parts.set(part, bits >> k & 1 == 0);
+    }
+    parts
 }
 
 /// A text in both languages; `None` where one is empty.

@@ -25,7 +25,7 @@ use toml_edit::{Document, TableLike};
 
 use super::error::{Allowed, FigureError, Problem};
 use super::words::{DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
-use super::{Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook};
+use super::{Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook, WorldPart, WorldParts};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
@@ -257,9 +257,18 @@ fn world(mut section: Section<'_>, faults: &mut Vec<Fault>) -> WorldLook {
         section: section.switch("section"),
         dimensions: section.switch("dimensions"),
         window_opacity: given.then_some(opacity),
+        parts: world_parts(&mut section),
     };
     faults.extend(section.finish());
     world
+}
+
+fn world_parts(section: &mut Section<'_>) -> WorldParts {
+    let mut parts = WorldParts::default();
+    for (part, key) in WorldPart::ALL {
+        parts.set(part, section.switch_else(key, true));
+    }
+    parts
 }
 
 fn observers(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observers {

@@ -191,7 +191,12 @@ impl<'a> Section<'a> {
     }
 
     pub(crate) fn switch(&mut self, key: &'static str) -> bool {
-        self.read(key, false, Allowed::Switch, Value::as_bool)
+        self.switch_else(key, false)
+    }
+
+    /// A switch that has this value where nothing is said.
+    pub(crate) fn switch_else(&mut self, key: &'static str, default: bool) -> bool {
+        self.read(key, default, Allowed::Switch, Value::as_bool)
     }
 
     /// One of two values, or one of `words`; the first where there is nothing.

@@ -7,8 +7,8 @@ use egui_plot::{Line, Plot, PlotPoints, Text, VLine};
 
 use crate::appearance::DepthFormat;
 use crate::camera::{Camera, Ndc, Parameters, Projection};
+use crate::chart::{Axis, Chart, Look, Series};
 use crate::figure::Depth;
-use crate::gui::compare_dialog;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::numerics::color_of;
 use crate::gui::panels::{choice, row};
@@ -16,6 +16,7 @@ use crate::gui::plotting::{linear_x, logarithmic_x, still};
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
+use crate::gui::{chart_export, compare_dialog};
 use crate::i18n::{Lang, coach as words, compare, window};
 use crate::numerics::health::{suggested_planes, with_planes};
 use crate::numerics::{Resolution, Seen, TwoPlanes, resolutions};
@@ -78,6 +79,9 @@ fn of_camera(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Paramete
     let said = words::depth_in(lang, space.ndc());
     theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().text_color());
     plot(ui, lang, camera, space.ndc(), probe);
+    ui.horizontal(|ui| {
+        chart_export::button(ui, state, t.depth_chart, || chart(lang, camera, space.ndc(), &said));
+    });
     let depth = probe.unwrap_or_else(|| camera.distance().clamp(near, far));
     let n = |x: f64| lang.mark().number(x, 3);
     ui.horizontal_wrapped(|ui| {
@@ -200,6 +204,29 @@ fn curves(t: &'static words::Texts, camera: &Camera, ndc: Ndc, across: impl Fn(f
     all.into_iter().filter_map(curve).collect()
 }
 
+/// The curves as a chart.
+fn chart(lang: Lang, camera: &Camera, ndc: Ndc, said: &str) -> Chart {
+    let t = words::texts(lang);
+    let series = |(i, (name, points, is_own)): (usize, Curve)| {
+        let look = if is_own { Look::BoldLine } else { Look::Line };
+        Series { name: name.to_owned(), color: Some(i), points, look }
+    };
+    let across = if is_wide(camera) { Axis::Logarithmic } else { Axis::Linear };
+    Chart {
+        title: said.replace("z_n", "zₙ"),
+        x_label: t.distance.to_owned(),
+        y_label: "zₙ".to_owned(),
+        axes: [across, Axis::Linear],
+        mark: lang.mark(),
+        series: curves(t, camera, ndc, |d| d).into_iter().enumerate().map(series).collect(),
+    }
+}
+
+/// Whether distances are shown by their logarithms.
+fn is_wide(camera: &Camera) -> bool {
+    camera.far() / camera.near() > WIDE_RANGE
+}
+
 /// For each curve the point at which it is farthest from the others, and the corner of its name that goes there: the
 /// name lies beside the curve, on the side where no other is.
 fn places_of_names(curves: &[Curve], [low, high]: [f64; 2]) -> Vec<([f64; 2], Align2)> {
@@ -233,7 +260,7 @@ fn places_of_names(curves: &[Curve], [low, high]: [f64; 2]) -> Vec<([f64; 2], Al
 fn plot(ui: &mut Ui, lang: Lang, camera: &Camera, ndc: Ndc, probe: Option<f64>) {
     let t = words::texts(lang);
     let (f, b) = (camera.near(), camera.far());
-    let logarithmic = b / f > WIDE_RANGE;
+    let logarithmic = is_wide(camera);
     let across = move |d: f64| if logarithmic { d.log10() } else { d };
     let curves = curves(t, camera, ndc, across);
     let depths = curves.iter().flat_map(|(_, points, _)| points).map(|point| point[1]);

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::{CompareForm, Message};
 use crate::camera::Decomposition;
+use crate::export::plot::Block;
 use crate::files::Overwrite;
 use crate::gui::comparison::Comparison;
 use crate::gui::export::{Export, Exported, Exporting};
@@ -48,6 +49,8 @@ pub enum Purpose {
     Mesh(MeshFor),
     /// A folder, whose figures the gallery is to show.
     Folder,
+    /// To write a chart.
+    Chart(Box<Block>),
     /// To export progress in exercises, as a table for spreadsheets.
     Progress,
     /// A folder of a lecturer's own exercises.

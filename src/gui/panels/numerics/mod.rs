@@ -13,10 +13,10 @@ use std::time::Duration;
 
 use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
 
-use crate::gui::file_flow;
 use crate::gui::focus::keep_in_sight;
 use crate::gui::state::{AfterSave, State};
 use crate::gui::tooltip::Explained;
+use crate::gui::{chart_export, file_flow};
 use crate::i18n::numerics as words;
 use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
@@ -136,6 +136,11 @@ fn chart(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
             list.response.accessible_name(t.case);
             ui.selectable_value(&mut state.numerics.over_time, false, t.over_parameter);
             ui.selectable_value(&mut state.numerics.over_time, true, t.over_time);
+            let over_time = state.numerics.over_time;
+            chart_export::button(ui, state, words::title(lang, findings.study), || {
+                let pair = words::with_words(lang, findings.study, |words| findings.charts(case, words));
+                if over_time { pair.by_time } else { pair.by_parameter }
+            });
         });
         let over_time = state.numerics.over_time;
         let pair = words::with_words(lang, findings.study, |words| findings.charts(case, words));

@@ -68,6 +68,7 @@ fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
             Look::Curve => Some(1.5),
             Look::BoldCurve => Some(3.0),
             Look::Line => Some(1.0),
+            Look::BoldLine => Some(3.0),
             Look::Dots | Look::Shadow => None,
         };
         if let Some(width) = width {
@@ -85,7 +86,7 @@ fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
             Look::BoldCurve => 4.0,
             Look::Dots => 5.5,
             Look::Shadow => 2.0,
-            Look::Line => continue,
+            Look::Line | Look::BoldLine => continue,
         };
         let color = if series.look == Look::Shadow { color.gamma_multiply(0.4) } else { color };
         plot_ui.points(Points::new(series.name.clone(), points()).color(color).radius(radius));

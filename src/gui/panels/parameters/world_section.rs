@@ -3,14 +3,32 @@
 use eframe::egui;
 
 use super::row;
+use crate::figure::{WorldPart, WorldParts};
 use crate::gui::panels::{choice, section};
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
-use crate::i18n::window;
+use crate::i18n::pictures::labels;
+use crate::i18n::{Lang, window};
 use crate::numbers::significant;
 
 /// The steps of opacity that are offered, in percent.
 const STEPS: [u8; 5] = [0, 25, 50, 75, 100];
+
+/// A switch for each part, in two columns.
+fn parts(ui: &mut egui::Ui, lang: Lang, parts: &mut WorldParts) {
+    let all: Vec<_> = WorldPart::ALL.into_iter().zip(labels(lang).world_parts).collect();
+    let half = all.len().div_ceil(2);
+    ui.columns_const(|columns: &mut [egui::Ui; 2]| {
+        for (ui, column) in columns.iter_mut().zip(all.chunks(half)) {
+            for ((part, _), name) in column {
+                let mut drawn = parts.has(*part);
+                if ui.checkbox(&mut drawn, *name).changed() {
+                    parts.set(*part, drawn);
+                }
+            }
+        }
+    });
+}
 
 /// One control for each key of `[world]`.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
@@ -31,6 +49,8 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
             .explained(t.dimensions_hint)
             .explained_disabled(t.dimensions_in_section);
         ui.checkbox(&mut world.section, t.section_view).explained(t.section_view_hint);
+        ui.label(t.world_parts).explained(t.world_parts_hint);
+        parts(ui, state.settings.lang, &mut world.parts);
     });
     if world != old {
         state.document.edit(|figure| figure.world = world);
