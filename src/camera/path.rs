@@ -1,9 +1,9 @@
 //! The way from one camera to another: arcs about what stays, never a mixture of matrices.
 //!
 //! The axes **u**, **v**, **n** turn together about one axis at an even speed; D changes by equal factors. Where PF
-//! stays, C goes round it on an arc (azimuth, elevation, and on a spiral with dolly); where C stays, PF goes round C (yaw,
-//! pitch); where both move, PF goes straight and C round PF. tan(θ/2), H, A, F and B − F change by equal factors too, so
-//! that things grow evenly, and every camera on the way is one.
+//! stays, C goes round it on an arc (azimuth, elevation), or on a spiral where D changes; where C stays, PF goes round C
+//! (yaw, pitch); where both move, PF goes straight and C round PF. tan(θ/2), H, A, F and (B − F)/F change by equal
+//! factors too, so that things grow evenly, and every camera on the way is one.
 
 use glam::{DMat3, DQuat, DVec3};
 
@@ -70,8 +70,8 @@ fn pose(from: &Camera, to: &Camera, t: f64, parameters: &mut Parameters) {
         parameters.position = from.position();
         parameters.focal_point = parameters.position - n * distance;
     } else {
-        let mix = |a: DVec3, b: DVec3| if a == b { a } else { a * (1.0 - t) + b * t };
-        parameters.focal_point = mix(from.focal_point(), to.focal_point());
+        let (a, b) = (from.focal_point(), to.focal_point());
+        parameters.focal_point = if a == b { a } else { a * (1.0 - t) + b * t };
         parameters.position = parameters.focal_point + n * distance;
     }
 }

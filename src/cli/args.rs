@@ -1,7 +1,6 @@
 //! The arguments, and how their values are read.
 
 use std::ffi::OsString;
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, CommandFactory as _, Parser, Subcommand, ValueEnum};
@@ -9,7 +8,7 @@ use glam::DVec3;
 
 use super::Failure;
 use super::exercise_args::ExerciseArgs;
-use super::figure_args::{FigureArgs, size};
+use super::figure_args::{FigureArgs, number, size};
 use super::matrix_args::MatrixArgs;
 use super::output_args::OutputArgs;
 use super::sheet_args::{FamilyArgs, SheetArgs};
@@ -233,7 +232,7 @@ pub(super) struct AnimateArgs {
     /// Number of pictures of a range FROM..TO, or of the way of --to; without it, 40 in an animation and 5 in a strip
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     frames: Option<String>,
-    /// Which picture --vary and --to show; without it, the world
+    /// Which picture --vary and --to show; without it, the image
     #[arg(long, value_enum)]
     pub(super) view: Option<View>,
     /// Width and height of each picture in pixels
@@ -322,26 +321,6 @@ impl InspectArgs {
             Format::Json => json(),
         }
     }
-}
-
-/// The number of an option that is given, with the range that it takes and an example.
-pub(super) fn option(
-    name: &str,
-    text: &Option<String>,
-    range: (&RangeInclusive<f64>, f64),
-    lang: Lang,
-) -> Result<Option<f64>, Failure> {
-    text.as_ref().map(|text| number(name, text, range, lang)).transpose()
-}
-
-pub(super) fn number(
-    option: &str,
-    text: &str,
-    (range, example): (&RangeInclusive<f64>, f64),
-    lang: Lang,
-) -> Result<f64, Failure> {
-    let number = text.trim().parse().ok().filter(|number| range.contains(number));
-    number.ok_or_else(|| Failure::BadInput(texts::number(lang, option, text, range, example)))
 }
 
 impl ExplainArgs {

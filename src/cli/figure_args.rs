@@ -1,4 +1,6 @@
-//! The arguments of every command that takes a figure.
+//! The arguments of every command that takes a figure, and how sizes and numbers are read.
+
+use std::ops::RangeInclusive;
 
 use clap::Args;
 
@@ -65,6 +67,26 @@ pub(super) fn size(text: Option<&str>, lang: Lang) -> Result<Option<ImageSize>, 
     text.split_once(['x', 'X', '×'])
         .and_then(|(width, height)| Some(Some(ImageSize { width: side(width)?, height: side(height)? })))
         .ok_or_else(|| Failure::BadInput(texts::size(lang, text)))
+}
+
+/// The number of an option that is given, with the range that it takes and an example.
+pub(super) fn option(
+    name: &str,
+    text: &Option<String>,
+    range: (&RangeInclusive<f64>, f64),
+    lang: Lang,
+) -> Result<Option<f64>, Failure> {
+    text.as_ref().map(|text| number(name, text, range, lang)).transpose()
+}
+
+pub(super) fn number(
+    option: &str,
+    text: &str,
+    (range, example): (&RangeInclusive<f64>, f64),
+    lang: Lang,
+) -> Result<f64, Failure> {
+    let number = text.trim().parse().ok().filter(|number| range.contains(number));
+    number.ok_or_else(|| Failure::BadInput(texts::number(lang, option, text, range, example)))
 }
 
 fn operations_help() -> String {

@@ -14,7 +14,7 @@
 //! | `exercise` | `exercise`: exercises, their statements, and answers that are judged |
 //! | `exercise_args` | the arguments of `exercise` |
 //! | `explain` | `explain`: the stages that a picture needs |
-//! | `figure_args` | the arguments of every command that takes a figure |
+//! | `figure_args` | the arguments of every command that takes a figure, and how sizes and numbers are read |
 //! | `inspect` | `inspect`: every number of a figure's camera |
 //! | `manual` | `manual`: manual pages and completions |
 //! | `matrix` | `matrix`: the camera of a matrix from another program |

@@ -5,8 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Failure;
-use super::args::option;
-use super::figure_args::size;
+use super::figure_args::{option, size};
 use super::words::ThemeArg;
 use crate::appearance;
 use crate::camera::ImageSize;

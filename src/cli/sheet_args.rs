@@ -22,7 +22,7 @@ pub(super) struct SheetArgs {
     #[command(flatten)]
     pub(super) family: FamilyArgs,
     /// Which picture; several are below one another, a row for each
-    #[arg(long, value_enum, default_value_t = Views::One(View::World))]
+    #[arg(long, value_enum, default_value_t = Views::One(View::Image))]
     pub(super) view: Views,
     /// Number of pictures in a row; without it, as many as have room, at most 4, or with two --vary the values of the
     /// second
@@ -38,11 +38,11 @@ pub(super) struct SheetArgs {
     pub(super) out: OutputArgs,
 }
 
-/// What varies.
+/// The keys and operations that vary.
 #[derive(Debug, Args)]
 pub(super) struct FamilyArgs {
-    /// Key of the figure or operation with its values, one picture for each: camera.view_angle=20,40,60,90;
-    /// style.visibility=painter,depth-buffer; show.step.at=0..4:5 (five numbers from 0 to 4); azimuth=0,30,60. Commas
+    /// Key of the figure or operation with its values, one picture for each: `camera.view_angle=20,40,60,90`;
+    /// `style.visibility=painter,depth-buffer`; `show.step.at=0..4:5` (five numbers from 0 to 4); azimuth=0,30,60. Commas
     /// between brackets belong to a value; given twice, the values of the first are rows and those of the second
     /// columns
     #[arg(long, value_name = "KEY=V1,V2,…", allow_hyphen_values = true)]

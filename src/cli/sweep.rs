@@ -18,8 +18,8 @@ use crate::views::{Request, SharedScene, Shot, Size, View, with_one_observer};
 
 /// The number of pictures where none is given: of an animation, and of a strip of stills.
 const FRAMES: [usize; 2] = [40, 5];
-/// The pictures.
-const VIEW: View = View::World;
+/// The picture that is shown where none is named.
+const VIEW: View = View::Image;
 
 pub(super) fn run(args: &AnimateArgs, format: FilmFormat, size: ImageSize, lang: Lang) -> Result<(), Failure> {
     let name = sanitize::path(&args.output);

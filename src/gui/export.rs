@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::document::Document;
-use super::family::FamilyChoice;
+use super::family_choice::FamilyChoice;
 use super::worker::{Running, Worker};
 use crate::appearance::Theme;
 use crate::camera::{Camera, CameraError, Convention, Decomposition};
@@ -312,7 +312,13 @@ impl ExportSource {
         }
         let FamilyChoice { columns, parts, .. } = self.family;
         let family = Family { members, views: export.what, columns, parts, captions: Vec::new(), observer_of: None };
-        let size = SheetSize::Whole([export.width, export.height]);
+        // In multiples of the screen, each picture is as large as there.
+        let size = if export.on_paper || export.times.is_none() {
+            SheetSize::Whole([export.width, export.height])
+        } else {
+            let side_by_side = u32::try_from(export.what.views().count()).unwrap_or(1).max(1);
+            SheetSize::Pictures([(export.width / side_by_side).max(1), export.height])
+        };
         let paper = export.on_paper.then(|| export.paper.asked());
         Ok(family.sheet(request, size, Some(export.scale), paper.as_ref()).map_err(PictureError::from)?)
     }

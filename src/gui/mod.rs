@@ -20,6 +20,7 @@
 //! | `export` | exports, in the same way as `camera-lab render`, byte for byte |
 //! | `export_dialog` | the export dialog, with a preview |
 //! | `family` | a family in the export dialog |
+//! | `family_choice` | the family that is exported: a key or an operation, with its values |
 //! | `file_flow` | opening, saving and closing: the questions, their order, the actions |
 //! | `file_kind` | the kinds of files: title, endings, proposed name, whether they are written |
 //! | `focus` | the keyboard's way through the window: regions, focus ring, scrolling |
@@ -76,7 +77,8 @@ mod exercises;
 pub mod explain;
 pub mod export;
 mod export_dialog;
-pub mod family;
+mod family;
+pub mod family_choice;
 pub mod file_flow;
 mod file_kind;
 mod focus;

@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use super::export::{Export, ExportError, ExportSource};
-use super::family::FamilyChoice;
+use super::family_choice::FamilyChoice;
 use super::worker::Worker;
 use crate::clock;
 use crate::export::format::PictureFormat;

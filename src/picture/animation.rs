@@ -105,7 +105,7 @@ impl Animation {
         let size = [self.request.size.width, self.request.size.height];
         let at = |picture: u32| {
             let time = f64::from(picture / per_step) + eased(f64::from(picture % per_step) / f64::from(per_step));
-            let still = picture % per_step == 0;
+            let still = picture.is_multiple_of(per_step);
             Some((self.at(time), if still { REST } else { 1.0 / f64::from(PER_SECOND) }))
         };
         filmed(format, size, pictures, at, progress).await

@@ -57,7 +57,7 @@ impl Family {
         let count = self.members.len();
         let columns =
             self.columns.unwrap_or_else(|| self.usual_columns(views.len(), size, paper)).clamp(1, count.max(1));
-        if views.len() > 1 && count % columns != 0 {
+        if views.len() > 1 && !count.is_multiple_of(columns) {
             return Err(NoComposite::UnevenRows { count, columns });
         }
         let rows = count.div_ceil(columns) * views.len();

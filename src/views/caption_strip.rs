@@ -28,8 +28,8 @@ pub struct Captions {
 }
 
 impl Captions {
-    /// The captions of a family: its values, or texts of one's own in their place; with letters before them, (a), (b) …,
-    /// where `parts` are wanted.
+    /// The captions of a family: its values, or texts of one's own in their place; with letters before them, (a), (b)
+    /// …, where `parts` are wanted.
     #[must_use]
     pub fn of(
         values: &[&[VariedValue]],

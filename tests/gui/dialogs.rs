@@ -270,12 +270,20 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
     window.run();
     let family = |window: &Window| window.state().family.clone();
+    let type_values = |window: &mut Window, text: &str| {
+        window.harness.get_by_role_and_label(Role::TextInput, "values").click();
+        window.run();
+        window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        window.harness.event(Event::Text(text.to_owned()));
+        window.run();
+        window.key(Key::Enter);
+    };
     assert_eq!(family(&window).values, "20, 40, 60, 90", "it begins with the view angle");
     window.quick_choice("family", "Azimuth");
     assert_eq!(family(&window).values, "0, 90, 180, 270");
-    window.enter("values", "0, 200, x");
+    type_values(&mut window, "0, 200, x");
     window.wait_for("azimuth = x");
-    window.enter("values", "0..90:4");
+    type_values(&mut window, "0..90:4");
     window.quick_choice("columns", "2");
     window.click("(a), (b) …");
     assert_eq!((family(&window).columns, family(&window).parts), (Some(2), true));

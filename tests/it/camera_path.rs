@@ -1,5 +1,7 @@
 //! The way from one camera to another: exact ends, cameras in between, and arcs about what stays.
 
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 use camera_lab::camera::{Camera, CameraPath, Parameters, Projection, ViewWindow};
 use glam::DVec3;
 use proptest::prelude::*;

@@ -99,7 +99,7 @@ fn a_series_has_one_observer_who_has_every_camera_in_the_picture() {
     assert_ne!(own, series);
     assert_eq!(with(&[], "plain.png"), with(&["--observer-of", "figure.toml"], "same.png"), "its own observer");
     // The observer of a sheet sees nothing cut off: no picture touches the border of its place.
-    bench.run(&["sheet", "figure.toml", "--vary", "azimuth=0,90,180,270", "-o", "sheet.png"]).done();
+    bench.run(&["sheet", "figure.toml", "--vary", "azimuth=0,90,180,270", "--view", "world", "-o", "sheet.png"]).done();
     let sheet = picture(&bench, "sheet.png");
     for k in 0..4 {
         let ground = part(&sheet, [0, 0], [1, 1]);

@@ -101,7 +101,7 @@ pub use view_history::ViewHistory;
 use super::Start;
 use super::document::Document;
 use super::export::Export;
-use super::family::FamilyChoice;
+use super::family_choice::FamilyChoice;
 use super::gallery::{Gallery, Source};
 use super::memo::Memo;
 use super::scene_cache::SceneCache;
