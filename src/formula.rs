@@ -2,11 +2,18 @@
 //!
 //! LaTeX, which sets it on a sheet, is a language in which a text can read files and run programs. So only the commands
 //! listed here are allowed: no others, and none that come later.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `in_line` | formulas on one line, as labels in pictures have them |
+
+mod in_line;
 
 use std::fmt::Write as _;
 
 use crate::limits::MAX_FORMULA;
 use crate::sanitize::escaped;
+pub use in_line::{bold, set};
 
 /// A formula that is not only mathematics.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -39,6 +46,9 @@ pub enum FormulaProblem {
     /// A brace, a `\left` or a `\begin` without its other half.
     #[error("{} without a counterpart", escaped(.0))]
     Unbalanced(String),
+    /// Mathematics that does not fit on one line of a label.
+    #[error("{}, which a label on one line cannot show", escaped(.0))]
+    NotOnALine(String),
     /// More, or deeper in each other, than anybody writes.
     #[error("more than {} characters, or more than {} nested pairs", MAX_FORMULA.0, MAX_FORMULA.1)]
     TooLong,

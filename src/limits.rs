@@ -69,6 +69,20 @@ pub const MAX_LIGHTS: usize = 1024;
 /// The most named points of a figure: more names and rays can hardly be distinguished in a picture.
 pub const MAX_NAMED_POINTS: usize = 32;
 
+/// The most notes of a figure, and the most labels that it hides, renames, moves or styles: a picture has no room for
+/// more.
+pub const MAX_LABELS: usize = 256;
+
+/// The longest text of a label and the longest name that one is called by, in characters: a line across a picture.
+pub const MAX_LABEL_TEXT: usize = 120;
+
+/// The greatest distance of a label from its point, to the side and upwards, in heights of its type: from one end of a
+/// large picture to the other.
+pub const MAX_LABEL_MOVE: f64 = 1000.0;
+
+/// The factor of a label's size: from what can hardly be read to a title.
+pub const LABEL_SIZE: RangeInclusive<f64> = 0.25..=8.0;
+
 /// The longest title of a figure in characters: a line of a slide.
 pub const MAX_TITLE: usize = 120;
 

@@ -116,6 +116,8 @@ pub enum Anchor {
 /// A text. `_c` in the text lowers one character, `_{prp}` several (subscripts).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
+    /// The name by which an author changes it: the same in every language, and where the text says another number.
+    pub name: String,
     /// x, y in pixels (before `offset`) and depth.
     pub position: [f32; 3],
     /// Moves the text, in pixels.

@@ -144,6 +144,10 @@ pub enum Allowed {
     TomlValue,
     /// Two finite numbers.
     Pair,
+    /// `[x, y]`, two numbers between two, both included.
+    PairIn(f64, f64),
+    /// What a note is about.
+    NotePlace,
     /// `[i, j]`, two whole numbers.
     Pixel,
     /// Four rows of four numbers.
@@ -152,6 +156,11 @@ pub enum Allowed {
     Bilingual,
     /// A text, or one for each language, of one line each.
     BilingualLine {
+        /// The longest in characters.
+        limit: usize,
+    },
+    /// A text of one line that is not empty.
+    Line {
         /// The longest in characters.
         limit: usize,
     },

@@ -7,6 +7,7 @@
 //! | `comparison` | the same figure in another way, shown beside it: the `[compare]` section of a figure |
 //! | `edit/` | a change of a figure → the change of its text, with comments and order kept |
 //! | `error` | why a text is not a figure |
+//! | `labels` | the author's changes of labels, and notes: the `[labels]` section of a figure |
 //! | `near` | the key that was probably meant |
 //! | `observer` | the observer of a three-dimensional picture, and the camera equivalent to it |
 //! | `other_side` | the figure on the other side of a comparison, and the figures that a comparison makes |
@@ -26,6 +27,7 @@ mod bilingual;
 mod comparison;
 mod edit;
 pub mod error;
+pub mod labels;
 mod near;
 pub mod observer;
 mod other_side;
@@ -48,6 +50,9 @@ pub use bilingual::Bilingual;
 pub use comparison::Comparison;
 pub use edit::{show_with, update, varied, varied_together};
 pub use error::FigureError;
+pub use labels::{
+    LabelChange, LabelledMeasure, Labels, Letters, MeasureText, MovedLabel, Note, NotePlace, RenamedLabel, StyledLabel,
+};
 pub use observer::Observer;
 pub use other_side::OtherSide;
 pub use points::NamedPoint;
@@ -96,6 +101,8 @@ pub struct Figure {
     pub screen: Screen,
     /// `[compare]`: the same figure in another way, beside it.
     pub compare: Option<Comparison>,
+    /// `[labels]`: the author's changes of labels, and notes.
+    pub labels: Labels,
 }
 
 impl Figure {
@@ -125,6 +132,7 @@ impl Figure {
             show: _,
             screen,
             compare,
+            labels,
         } = self;
         Self {
             title: title.clone(),
@@ -142,6 +150,7 @@ impl Figure {
             show: Show::default(),
             screen: *screen,
             compare: compare.clone(),
+            labels: labels.clone(),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The words of a figure file: each name as it is written there, with its value.
 
 use super::{
-    Arrangement, Depth, Explanation, Measure, Measured, Outside, ScreenMatrix, StagePicture, TriangleStep, View,
-    WindowSide,
+    Arrangement, Depth, Explanation, Letters, Measure, MeasureText, Measured, Outside, ScreenMatrix, StagePicture,
+    TriangleStep, View, WindowSide,
 };
 use crate::appearance::{DepthFormat, HiddenLines, Shading, Theme, Visibility};
 use crate::camera::{Decomposition, Ndc, Projection};
@@ -192,6 +192,23 @@ pub const MEASURES: Words<Measured> = &[
     ("scale.y", Measured::Scale(1)),
     ("scale.z", Measured::Scale(2)),
 ];
+
+/// `[labels] letters`
+pub const LETTERS: Words<Letters> = &[("plain", Letters::Plain), ("mathematics", Letters::Mathematics)];
+
+/// `[[labels.measures]] name`
+pub const DIMENSIONS: Words<Measure> = &[
+    ("F", Measure::Near),
+    ("B", Measure::Far),
+    ("D", Measure::Distance),
+    ("W", Measure::Width),
+    ("H", Measure::Height),
+    ("theta", Measure::HalfAngle),
+];
+
+/// `[[labels.measures]] as`
+pub const MEASURE_TEXTS: Words<MeasureText> =
+    &[("symbol", MeasureText::Symbol), ("value", MeasureText::Value), ("both", MeasureText::Both)];
 
 /// The value called `name`.
 #[must_use]

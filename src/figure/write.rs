@@ -3,9 +3,11 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `comparison` | `Comparison` → the `[compare]` of a figure file |
+//! | `labels` | `Labels` → the `[labels]` of a figure file |
 //! | `show` | `Show` → the `[show]` of a figure file |
 
 mod comparison;
+mod labels;
 mod show;
 
 use glam::DVec3;
@@ -16,8 +18,8 @@ use super::words::{
     THEMES, VISIBILITIES,
 };
 use super::{
-    Bilingual, Depth, Figure, NamedPoint, Observer, Outside, Reveal, Screen, ScreenEntry, Show, View, WorldLook,
-    WorldPart,
+    Bilingual, Depth, Figure, Labels, NamedPoint, Observer, Outside, Reveal, Screen, ScreenEntry, Show, View,
+    WorldLook, WorldPart,
 };
 use crate::appearance::{DepthFormat, Style};
 use crate::camera::{Parameters, Projection, Viewport};
@@ -80,6 +82,9 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     }
     if let Some(comparison) = &figure.compare {
         put("compare", comparison::comparison(comparison));
+    }
+    if figure.labels != Labels::default() {
+        put("labels", labels::labels(&figure.labels));
     }
     let points: ArrayOfTables = figure.points.iter().map(point).collect();
     if !points.is_empty() {

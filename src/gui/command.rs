@@ -61,6 +61,7 @@ pub enum Command {
     Dimensions,
     Compare,
     LinkOrbits,
+    Labels,
     Pipeline,
     Numerics,
     Explain,

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, Operation, Parameters};
-use crate::figure::{Figure, Observers, Show};
+use crate::figure::{Figure, Labels, Observers, Show};
 use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
 
 /// The figure that is being edited.
@@ -167,6 +167,12 @@ impl Document {
         change(&mut self.figure);
         self.figure.camera = camera;
         self.has_scene(Revision::new());
+    }
+
+    /// Changes the author's labels. The scene stays what it is.
+    pub fn edit_labels(&mut self, change: impl FnOnce(&mut Labels)) {
+        change(&mut self.figure.labels);
+        self.note_change();
     }
 
     /// Notes that the figure has this scene now.

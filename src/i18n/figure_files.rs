@@ -113,7 +113,7 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
 }
 
 /// Why a formula of a text is refused.
-fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> String {
+pub(super) fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> String {
     let (limit, depth) = MAX_FORMULA;
     let why = match (lang, problem) {
         (Lang::En, FormulaProblem::Open) => "no dollar sign closes it".to_owned(),
@@ -134,6 +134,12 @@ fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> Stri
         (Lang::PtBr, FormulaProblem::Character(c)) => format!("o caractere {} não é permitido ali", named(*c)),
         (Lang::En, FormulaProblem::Unbalanced(what)) => format!("{} has no counterpart", escaped(what)),
         (Lang::PtBr, FormulaProblem::Unbalanced(what)) => format!("{} não tem par", escaped(what)),
+        (Lang::En, FormulaProblem::NotOnALine(what)) => {
+            format!("{} cannot be shown on the one line of a label", escaped(what))
+        }
+        (Lang::PtBr, FormulaProblem::NotOnALine(what)) => {
+            format!("{} não cabe na única linha de um rótulo", escaped(what))
+        }
         (Lang::En, FormulaProblem::TooLong) => {
             format!("it has more than {limit} characters, or more than {depth} nested pairs of braces")
         }
@@ -253,6 +259,7 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         | Allowed::BilingualLine { .. }
         | Allowed::ToldList
         | Allowed::Texts
+        | Allowed::Line { .. }
         | Allowed::Name { .. }
         | Allowed::FreeName => allowed_text(lang, allowed),
         Allowed::Operations => match lang {
@@ -292,6 +299,14 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             Lang::En => "a wrong answer, which the message explains".to_owned(),
             Lang::PtBr => "uma resposta errada, que a mensagem explica".to_owned(),
         },
+        Allowed::NotePlace => match lang {
+            Lang::En => "[x, y, z] of the world, [x, y] of the picture from 0 to 1, { object = \"…\", vertex = 0 } or { object = \"…\", edge = 0 }".to_owned(),
+            Lang::PtBr => "[x, y, z] do mundo, [x, y] da figura de 0 a 1, { object = \"…\", vertex = 0 } ou { object = \"…\", edge = 0 }".to_owned(),
+        },
+        Allowed::PairIn(least, most) => match lang {
+            Lang::En => format!("two numbers, [x, y], each from {least} to {most}"),
+            Lang::PtBr => format!("dois números, [x, y], cada um de {least} a {most}"),
+        },
         Allowed::Section => match lang {
             Lang::En => "a section with keys".to_owned(),
             Lang::PtBr => "uma seção com chaves".to_owned(),
@@ -322,6 +337,10 @@ fn allowed_text(lang: Lang, allowed: &Allowed) -> String {
         }
         (Lang::PtBr, Allowed::ToldList) => {
             "uma lista de textos, cada um como \"…\" ou { en = \"…\", \"pt-BR\" = \"…\" }".to_owned()
+        }
+        (Lang::En, Allowed::Line { limit }) => format!("a text in quotes, of 1 to {limit} characters on one line"),
+        (Lang::PtBr, Allowed::Line { limit }) => {
+            format!("um texto entre aspas, de 1 a {limit} caracteres em uma linha")
         }
         (Lang::En, Allowed::Texts) => "a list of texts in quotes".to_owned(),
         (Lang::PtBr, Allowed::Texts) => "uma lista de textos entre aspas".to_owned(),

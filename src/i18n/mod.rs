@@ -26,6 +26,7 @@
 //! | `gallery` | the words of the gallery: its parts, and the headings of the figures of the program |
 //! | `homogeneous` | the words of the explanation of w |
 //! | `meshes` | faults of a mesh file, in both languages |
+//! | `labels` | the words of the mode *Labels*, in both languages |
 //! | `messages` | errors and warnings, in both languages, for both shells |
 //! | `notes` | the notes, read from `assets/notes` |
 //! | `numerics` | the words of the studies: titles, parameters, cases, methods, units |
@@ -103,6 +104,7 @@ mod figure_files;
 mod files;
 pub mod gallery;
 pub mod homogeneous;
+pub mod labels;
 mod meshes;
 pub mod messages;
 pub mod notes;

@@ -5,6 +5,7 @@ use std::time::Duration;
 use crate::drawing::{Drawing, Surface};
 use crate::pipeline::{Frame, ObjectReport, OverBudget, Stage, StageReport};
 use crate::raster::Work;
+use crate::views::LabelPlace;
 
 /// The report of a picture; without a clock it has only the shortfall.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,6 +18,8 @@ pub struct RenderReport {
     pub total: Duration,
     /// The shortfall; also without a clock.
     pub too_much: Option<OverBudget>,
+    /// Where its labels are; also without a clock. Of a picture that is compared, none.
+    pub labels: Vec<LabelPlace>,
 }
 
 impl RenderReport {
@@ -33,7 +36,8 @@ impl RenderReport {
         if let Some(traversal) = stages.iter_mut().find(|report| report.stage == Stage::Traverse) {
             traversal.time = Some(traversal.time.unwrap_or_default() + total.saturating_sub(known));
         }
-        Self { stages, objects: frame.objects.clone(), total, too_much: frame.too_much.clone() }
+        let labels = LabelPlace::all(&frame.drawing);
+        Self { stages, objects: frame.objects.clone(), total, too_much: frame.too_much.clone(), labels }
     }
 }
 

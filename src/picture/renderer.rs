@@ -12,7 +12,7 @@ use crate::pipeline::{Frame, OverBudget};
 use crate::progress::{Progress, at_once};
 use crate::raster::Rasterizer;
 use crate::scene::Scene;
-use crate::views::{self, Palette, Request, SharedScene, Size, TimedPipeline, View, overlay};
+use crate::views::{self, LabelPlace, Palette, Request, SharedScene, Size, TimedPipeline, View, overlay};
 
 /// Makes pictures; keeps its buffers, and the image on the view window, from one to the next.
 ///
@@ -71,6 +71,7 @@ impl Renderer {
         let of_other = self.one_into(&other, &mut pictures[1]).await?;
         let mut account = self.one_into(&sides[0].request, &mut pictures[0]).await?;
         account.too_much = account.too_much.or(of_other.too_much);
+        account.labels.clear();
         let Size { width, height, scale } = request.size;
         let mut whole = Pixels::from(Pixmap::new(width, height)?);
         let compared = request.shot.compared.as_ref();
@@ -123,7 +124,10 @@ impl Renderer {
         let (work, total) = (self.rasterizer.work(), now().saturating_sub(start));
         let account = match self.clock {
             Some(_) => RenderReport::of(&frame, work, on_window, total),
-            None => RenderReport { too_much: frame.too_much.take(), ..RenderReport::default() },
+            None => {
+                let labels = LabelPlace::all(&frame.drawing);
+                RenderReport { too_much: frame.too_much.take(), labels, ..RenderReport::default() }
+            }
         };
         self.show_stage(&mut frame, &mut pixmap)?;
         *picture = pixmap.into();

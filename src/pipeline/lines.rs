@@ -143,6 +143,7 @@ impl<'a> Strokes<'a> {
     pub(super) fn labels(&self, scenes: Scenes, background: Rgba) -> Vec<Label> {
         let labels = scenes.texts().filter_map(|text| {
             Some(Label {
+                name: text.name.clone(),
                 position: self.inside(text.position)?,
                 offset: text.offset.map(|c| c * self.scale),
                 text: text.text.clone(),

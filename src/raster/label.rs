@@ -249,7 +249,11 @@ mod tests {
         let depth = DepthBuffer::default();
         let (text, halo) = ("PF_c".to_owned(), Rgba::rgb(255, 255, 255));
         let (anchor, offset, fade_if_hidden) = (Anchor::Center, [3.0, -2.0], false);
-        label(&mut pixmap, &depth, &Label { position, text, size, color, halo, anchor, offset, fade_if_hidden });
+        label(
+            &mut pixmap,
+            &depth,
+            &Label { name: text.clone(), position, text, size, color, halo, anchor, offset, fade_if_hidden },
+        );
         let faces = Occluders { opaque: &depth, tints: None };
         mark(&mut pixmap, faces, &Mark { position, shape, radius: size, color, outline: halo, fade_if_hidden });
         area(&mut pixmap, &Area { corner: [x, y], size: [size; 2], radius: 3.0, fill: color });

@@ -17,5 +17,13 @@ pub(super) fn point_mark(position: DVec3, shape: MarkShape, color: Rgba) -> Poin
 
 /// The name beside a point.
 pub(super) fn point_name(position: DVec3, text: &str, color: Rgba) -> Text {
-    Text { position, text: text.to_owned(), offset: [8.0, -8.0], size: NAME_SIZE, color, fade_if_hidden: true }
+    Text {
+        name: text.to_owned(),
+        position,
+        text: text.to_owned(),
+        offset: [8.0, -8.0],
+        size: NAME_SIZE,
+        color,
+        fade_if_hidden: true,
+    }
 }

@@ -229,6 +229,8 @@ pub struct PointMark {
 /// A text in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
+    /// The name by which an author changes it: the same in every language, and where the text says another number.
+    pub name: String,
     /// World.
     pub position: DVec3,
     /// The text, with `_` for subscripts as in the labels of a drawing.

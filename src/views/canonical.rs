@@ -13,6 +13,7 @@ use crate::pipeline::project::displayed_ndc;
 use crate::pipeline::{Frame, Scenes};
 use crate::scene::Scene;
 
+use super::author_labels::{self, Author};
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{self, GearBuilder, SMALL_TYPE};
 use super::label_layout::Rules;
@@ -144,12 +145,16 @@ fn cube(builder: &mut GearBuilder, canonical: &CanonicalBox, labels: &Labels, pa
 
     let [at_near, at_far] = canonical.ndc.depths().map(|depth| labels.mark.number(depth, 2));
     let back = if canonical.ndc.infinite { "B → ∞" } else { labels.far };
-    let names = [(near[3], format!("{} (z_n = {at_near})", labels.near)), (far[2], format!("{back} (z_n = {at_far})"))];
-    for (p, text) in names {
-        builder.text(p, &text, outwards(builder.screen, p), SMALL_TYPE, palette.ink);
+    let names = [
+        ("near", near[3], format!("{} (z_n = {at_near})", labels.near)),
+        ("far", far[2], format!("{back} (z_n = {at_far})")),
+    ];
+    for (name, p, text) in names {
+        builder.named(name, p, &text, outwards(builder.screen, p), SMALL_TYPE, palette.ink);
     }
     for (p, text) in corner_names(builder.screen, canonical) {
-        builder.text(p, &text, outwards(builder.screen, p), SMALL_TYPE - 1.0, palette.soft);
+        let toward = outwards(builder.screen, p);
+        builder.named(&corner_name(p), p, &text, toward, SMALL_TYPE - 1.0, palette.soft);
     }
 }
 
@@ -181,7 +186,9 @@ pub(super) fn settled(
         first,
         beside: Some(palette.soft),
         leader: Some((palette.soft, 0.8 * request.size.scale)),
+        author: Some(Author::of(request, palette)),
     };
+    author_labels::add_notes(&mut drawn.drawing, request, DVec2::ZERO);
     label_layout::settle(&mut drawn.drawing, &rules);
     revealed_scene::explain(&mut drawn, request, legend.as_ref());
     drawn
@@ -217,6 +224,13 @@ fn corner_names(screen: &Screen, canonical: &CanonicalBox) -> Vec<(DVec3, String
         names.push((p, format!("({x}, {y}, {z})")));
     }
     names
+}
+
+/// The name by which an author changes the coordinates of a corner of the box.
+fn corner_name(p: DVec3) -> String {
+    let side = |is_high, [low, high]: [&'static str; 2]| if is_high { high } else { low };
+    let depth = side(p.z > 0.0, ["far", "near"]);
+    format!("corner:{depth}-{}-{}", side(p.x > 0.0, ["left", "right"]), side(p.y > 0.0, ["bottom", "top"]))
 }
 
 /// A coordinate of a corner, or of two in one place.

@@ -56,6 +56,7 @@ impl Captions {
             let text = self.texts.get(*place).map_or("", String::as_str);
             for (row, line) in (0_u8..).zip(lines(text, self.letters, *width)) {
                 drawing.labels.push(Label {
+                    name: String::new(),
                     position: [left + width / 2.0, self.letters * (ABOVE + (f32::from(row) + 0.5) * LINE), 1.0],
                     offset: [0.0; 2],
                     text: line,

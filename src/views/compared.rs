@@ -172,6 +172,7 @@ fn plate(
     let size = [2.0 * (half_width + pad), 2.0 * (half_height + pad)];
     drawing.areas.push(Area { corner, size, radius: pad, fill: Rgba { a: 235, ..palette.paper } });
     drawing.labels.push(Label {
+        name: String::new(),
         position: [x, y, 1.0],
         offset: [0.0; 2],
         text: text.to_owned(),

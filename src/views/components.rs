@@ -42,7 +42,8 @@ pub(super) fn in_world(
             }
             Measured::Side(side) => {
                 let ends = to_side(request, volume, side);
-                span(builder, &Span { ends, aside: DVec3::ZERO, text: &text, gap: None }, pen);
+                let name = text.split_once(" = ").map_or(&*text, |(symbol, _)| symbol);
+                span(builder, &Span { ends, aside: DVec3::ZERO, name, text: &text, gap: None }, pen);
             }
         }
     }

@@ -9,13 +9,15 @@ use super::camera_gizmo::Gear;
 use super::gizmos::{GearBuilder, SMALL_TYPE};
 use super::volume::DrawnVolume;
 use super::{Palette, Request};
-use crate::figure::{Measure, Measured};
+use crate::figure::words::{self, DIMENSIONS};
+use crate::figure::{Measure, MeasureText, Measured};
 
 /// A length between two points, measured on a line beside them.
 pub(super) struct Span<'a> {
     pub(super) ends: [DVec3; 2],
     /// From the points to the line.
     pub(super) aside: DVec3,
+    pub(super) name: &'a str,
     pub(super) text: &'a str,
     /// The gap between the ends, as shares of the length.
     pub(super) gap: Option<[f64; 2]>,
@@ -30,7 +32,7 @@ pub(super) struct Pen {
 
 /// Draws the length of a span.
 pub(super) fn span(builder: &mut GearBuilder, span: &Span<'_>, pen: Pen) {
-    let Span { ends: [a, b], aside, text, gap } = *span;
+    let Span { ends: [a, b], aside, name, text, gap } = *span;
     for p in [a, b] {
         builder.line(vec![p, p + aside * 1.06], pen.color, 0.6 * pen.width, Dash::Solid);
     }
@@ -43,7 +45,7 @@ pub(super) fn span(builder: &mut GearBuilder, span: &Span<'_>, pen: Pen) {
     }
     let middle = p.lerp(q, 0.5);
     let toward = builder.screen.heading(middle, aside);
-    builder.text(middle, text, toward, SMALL_TYPE, pen.color);
+    builder.named(name, middle, text, toward, SMALL_TYPE, pen.color);
 }
 
 /// An angle at `corner` from one direction to another (unit vectors), with an arc of a radius.
@@ -52,7 +54,7 @@ pub(super) fn angle(
     corner: DVec3,
     [from, to]: [DVec3; 2],
     radius: f64,
-    text: &str,
+    (name, text): (&str, &str),
     pen: Pen,
 ) {
     const STEPS: u32 = 24;
@@ -66,7 +68,8 @@ pub(super) fn angle(
     builder.arrow((0..=STEPS).map(at).collect(), pen.color, pen.width, Dash::Solid);
     let middle = at(STEPS / 2);
     let toward = builder.screen.heading(middle, middle - corner);
-    builder.text(middle, text, if toward == DVec2::ZERO { DVec2::X } else { toward }, SMALL_TYPE, pen.color);
+    let toward = if toward == DVec2::ZERO { DVec2::X } else { toward };
+    builder.named(name, middle, text, toward, SMALL_TYPE, pen.color);
 }
 
 /// The dimension lines of the world: all that the figure asks for, and those that are pointed at in a panel.
@@ -80,7 +83,8 @@ pub(super) fn in_world(
     let lit: Vec<Measured> = request.measured().collect();
     for measure in Measure::ALL {
         let hovered = lit.contains(&Measured::Dimension(measure));
-        if hovered || request.shot.look.world.dimensions {
+        let by_author = request.shot.labels.measures.iter().any(|labelled| labelled.measure == measure);
+        if hovered || by_author || request.shot.look.world.dimensions {
             let pen = if hovered {
                 Pen { color: palette.probe, width: 2.0 }
             } else {
@@ -98,10 +102,10 @@ fn one(builder: &mut GearBuilder, request: &Request, volume: &DrawnVolume, gear:
     let camera = &request.camera;
     let (c, dop, basis) = (camera.position(), camera.direction_of_projection(), camera.basis());
     let [_, rb, rt, lt] = volume.window();
-    let text = text(request, measure);
+    let (name, text) = (words::name(DIMENSIONS, measure), text(request, measure));
     let mut along_axis = |to: f64, below: f64, gap: Option<[f64; 2]>| {
         let aside = basis.v * (-below * gear.axis);
-        span(builder, &Span { ends: [c, c + dop * to], aside, text: &text, gap }, pen);
+        span(builder, &Span { ends: [c, c + dop * to], aside, name, text: &text, gap }, pen);
     };
     match measure {
         Measure::Near => along_axis(volume.start, 0.75, volume.before.map(|gap| gap.map(|d| d / volume.start))),
@@ -109,15 +113,15 @@ fn one(builder: &mut GearBuilder, request: &Request, volume: &DrawnVolume, gear:
         Measure::Far => along_axis(volume.end, LOWEST, volume.gap.map(|gap| gap.map(|d| d / volume.end))),
         Measure::Width => {
             let aside = basis.v * (0.35 * gear.axis);
-            span(builder, &Span { ends: [lt, rt], aside, text: &text, gap: None }, pen);
+            span(builder, &Span { ends: [lt, rt], aside, name, text: &text, gap: None }, pen);
         }
         Measure::Height => {
             let aside = basis.u * (0.35 * gear.axis);
-            span(builder, &Span { ends: [rb, rt], aside, text: &text, gap: None }, pen);
+            span(builder, &Span { ends: [rb, rt], aside, name, text: &text, gap: None }, pen);
         }
         Measure::HalfAngle => {
             if let Some(top) = half_angle(request) {
-                angle(builder, c, [dop, top], 1.6 * gear.axis, &text, pen);
+                angle(builder, c, [dop, top], 1.6 * gear.axis, (name, &text), pen);
             }
         }
     }
@@ -131,7 +135,7 @@ pub(super) fn half_angle(request: &Request) -> Option<DVec3> {
     has_angle.then(|| (rt.lerp(lt, 0.5) - camera.position()).normalize_or_zero())
 }
 
-/// The symbol and the number of a measure.
+/// The symbol and the number of a measure, or one of them, as the author wants it.
 pub(super) fn text(request: &Request, measure: Measure) -> String {
     let (camera, window, mark) = (&request.camera, request.camera.window(), request.labels.mark);
     let (symbol, value) = match measure {
@@ -142,8 +146,15 @@ pub(super) fn text(request: &Request, measure: Measure) -> String {
         Measure::Height => ("H", window.height()),
         Measure::HalfAngle => {
             let half = (window.height() / 2.0).atan2(camera.near()).to_degrees();
-            return format!("θ/2 = {}°", mark.number(half, 4));
+            ("θ/2", half)
         }
     };
-    format!("{symbol} = {}", mark.number(value, 4))
+    let unit = if measure == Measure::HalfAngle { "°" } else { "" };
+    let value = format!("{}{unit}", mark.number(value, 4));
+    let labelled = request.shot.labels.measures.iter().find(|labelled| labelled.measure == measure);
+    match labelled.map(|labelled| labelled.shown).unwrap_or_default() {
+        MeasureText::Symbol => symbol.to_owned(),
+        MeasureText::Value => value,
+        MeasureText::Both => format!("{symbol} = {value}"),
+    }
 }

@@ -41,7 +41,7 @@ fn camera_before(builder: &mut GearBuilder, request: &Request, palette: Palette,
     let moved = c.distance(request.camera.position()) > 0.5 * gear.axis;
     if moved {
         builder.mark(c, MarkShape::Ring, 3.0, color);
-        builder.text(c, request.labels.before, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
+        builder.named("before", c, request.labels.before, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
     }
 }
 
@@ -54,7 +54,7 @@ fn camera_answered(builder: &mut GearBuilder, request: &Request, palette: Palett
         builder.vector(c, axis * gear.axis, color, 1.4, name);
     }
     builder.mark(c, MarkShape::Ring, 4.0, color);
-    builder.text(c, request.labels.answered, DVec2::new(-0.6, 0.8), SMALL_TYPE, color);
+    builder.named("answered", c, request.labels.answered, DVec2::new(-0.6, 0.8), SMALL_TYPE, color);
 }
 
 /// A camera that is not the one of the picture, faintly: body, line to PF, and where its window is.

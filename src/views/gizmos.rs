@@ -91,8 +91,16 @@ impl<'a> GearBuilder<'a> {
     /// A text beside a point, if there is room in this direction (pixels, y down); texts that come first have the
     /// choice.
     pub(super) fn text(&mut self, position: DVec3, text: &str, toward: DVec2, size: f32, color: Rgba) {
+        // What says a value is called by its symbol.
+        let name = text.split_once(" = ").map_or(text, |(symbol, _)| symbol);
+        self.named(name, position, text, toward, size, color);
+    }
+
+    /// A text as [`text`](Self::text) puts it, by whose name an author changes it.
+    pub(super) fn named(&mut self, name: &str, position: DVec3, text: &str, toward: DVec2, size: f32, color: Rgba) {
         let d = toward.normalize_or(DVec2::X) * GAP;
         self.gear.texts.push(Text {
+            name: name.to_owned(),
             position,
             text: text.to_owned(),
             offset: [single(d.x), single(d.y)],

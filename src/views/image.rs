@@ -10,6 +10,7 @@ use crate::pipeline::depths::DepthScale;
 use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
 use crate::scene::Scene;
 
+use super::author_labels::{self, Author};
 use super::depth::{self, Greys};
 use super::gizmos::{GearBuilder, SceneChange, stroke};
 use super::label_layout::{Box2, Rules};
@@ -111,9 +112,13 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     // The legend lies in the whole picture, of which the image may be the middle.
     let reserved = revealed_scene::room(legend.as_ref())
         .map(|room| Box2 { center: room.center - DVec2::new(f64::from(rect.x), f64::from(rect.y)), ..room });
+    #[expect(clippy::cast_precision_loss, reason = "pixels")]
+    let corner = DVec2::new(rect.x as f64, rect.y as f64);
+    author_labels::add_notes(&mut drawn.drawing, request, corner);
+    let author = Some(Author { page: Some(Author::page(request, corner)), ..Author::of(request, palette) });
     label_layout::settle(
         &mut drawn.drawing,
-        &Rules { background: &[], reserved, first: &[], beside: None, leader: None },
+        &Rules { background: &[], reserved, first: &[], beside: None, leader: None, author },
     );
     if rect != PixelRect::whole(request.size) {
         let mount = |drawing: Drawing| {

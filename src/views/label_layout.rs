@@ -6,6 +6,7 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba};
 use crate::drawing::{Anchor, Drawing, Label, StrokeSet, single};
 use crate::text::{measure, x_height};
 
+use super::author_labels::Author;
 use super::coverage_grid::Solids;
 
 /// A rectangle in pixels: its middle and half its size.
@@ -57,12 +58,15 @@ pub(super) struct Rules<'a> {
     pub(super) background: &'a [Rgba],
     /// The area that must stay free.
     pub(super) reserved: Option<Box2>,
-    /// The texts that have the choice before all others, the first of them first; of the rest, larger ones come first.
+    /// The names of the texts that have the choice before all others, the first of them first; of the rest, larger ones
+    /// come first. Those that the author changed come before them.
     pub(super) first: &'a [&'a str],
     /// Texts in this colour do not stand before bodies.
     pub(super) beside: Option<Rgba>,
     /// Colour and width of the lines that lead from a text to its point where there is no space beside it.
     pub(super) leader: Option<(Rgba, f32)>,
+    /// The author's wishes.
+    pub(super) author: Option<Author<'a>>,
 }
 
 /// Places the labels of a drawing: the offset of each is its preferred direction and distance. One that finds no free
@@ -72,16 +76,40 @@ pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
         return;
     }
     let mut taken = Taken::of(drawing, rules);
-    let rank = |label: &Label| rules.first.iter().position(|text| *text == label.text).unwrap_or(rules.first.len());
-    drawing.labels.sort_by(|a, b| rank(a).cmp(&rank(b)).then(b.size.total_cmp(&a.size)));
     let mut kept = Vec::with_capacity(drawing.labels.len());
+    let mut of_author = Vec::new();
+    if let Some(author) = rules.author {
+        let page = author.page.unwrap_or(Box2 { center: 0.5 * taken.picture, half: 0.5 * taken.picture });
+        for mut label in std::mem::take(&mut drawing.labels) {
+            let change = author.labels.change(&label.name, author.view);
+            if change.hidden {
+                continue;
+            }
+            author.apply(change, &mut label);
+            match change.by {
+                Some(by) => kept.push(taken.put(label, by, &page)),
+                None => {
+                    if !change.is_automatic() {
+                        of_author.push(label.name.clone());
+                    }
+                    drawing.labels.push(label);
+                }
+            }
+        }
+    }
+    let is_authors = |label: &Label| of_author.contains(&label.name);
+    let rank = |label: &Label| {
+        let first = rules.first.iter().position(|name| *name == label.name).unwrap_or(rules.first.len());
+        if is_authors(label) { 0 } else { 1 + first }
+    };
+    drawing.labels.sort_by(|a, b| rank(a).cmp(&rank(b)).then(b.size.total_cmp(&a.size)));
     for mut label in std::mem::take(&mut drawing.labels) {
-        let important = rank(&label) < rules.first.len();
+        let important = rank(&label) <= rules.first.len();
         taken.come_near(&label);
         let beside = rules.beside == Some(label.color);
         let on_a_body = taken.covered(&Box2 { center: point(label.position), half: DVec2::splat(1.0) }) > 0.5;
         let best = candidates(&label, rules.leader.is_some(), on_a_body)
-            .filter(|c| !beside || taken.covered(&c.place) <= 0.2)
+            .filter(|c| !beside || important || taken.covered(&c.place) <= 0.2)
             .map(|c| (c, c.dislike + taken.cost(&c)))
             .min_by(|a, b| a.1.total_cmp(&b.1));
         let Some((best, cost)) = best else { continue };
@@ -98,7 +126,8 @@ pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
         kept.push(label);
     }
     drawing.labels = kept;
-    if let (Some((color, width)), false) = (rules.leader, taken.leaders.is_empty()) {
+    let leader = rules.leader.or(rules.author.map(|author| author.leader));
+    if let (Some((color, width)), false) = (leader, taken.leaders.is_empty()) {
         drawing.strokes.push(leading(&taken.leaders, color, width));
     }
 }
@@ -130,6 +159,26 @@ impl Taken {
             lines: lines(&drawing.strokes, rules.background),
             solids: Solids::of(drawing),
         }
+    }
+
+    /// Puts a text where its author wants it (`by`: from its point to its middle, to the right and upwards, in heights of
+    /// its type), but not off the page. A line leads to its point where it is far from it.
+    fn put(&mut self, mut label: Label, by: DVec2, page: &Box2) -> Label {
+        /// The distance from the border of a text's box to its point from which on a line leads there, in heights of its
+        /// type.
+        const NEAR: f64 = 1.0;
+        let (at, em, half) = (point(label.position), f64::from(label.size), half_size(&label.text, label.size));
+        let room = (page.half - half).max(DVec2::ZERO);
+        let wanted = at + DVec2::new(by.x, -by.y) * em;
+        let place = Box2 { center: wanted.clamp(page.center - room, page.center + room), half };
+        let offset = place.center - at;
+        label.offset = [single(offset.x), single(offset.y)];
+        label.anchor = Anchor::Center;
+        let apart = ((offset.abs() - half).max(DVec2::ZERO)).length();
+        let candidate = Candidate { place, at, em, dislike: 0.0, leads: apart > NEAR * em };
+        self.leaders.extend(candidate.leader());
+        self.texts.push(place);
+        label
     }
 
     /// Prepares for a text: there are thousands of lines in a picture, and few near its places.
@@ -303,10 +352,12 @@ mod tests {
     use super::*;
     use crate::drawing::Surface;
 
-    const RULES: Rules<'_> = Rules { background: &[], reserved: None, first: &[], beside: None, leader: None };
+    const RULES: Rules<'_> =
+        Rules { background: &[], reserved: None, first: &[], beside: None, leader: None, author: None };
 
     fn label(x: f32, y: f32, text: &str) -> Label {
         Label {
+            name: text.to_owned(),
             position: [x, y, 0.5],
             offset: [6.0, 0.0],
             text: text.to_owned(),

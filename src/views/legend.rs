@@ -116,6 +116,7 @@ impl Legend {
         let em = self.em;
         let mut text = |at: DVec2, text: &str, color: Rgba, anchor: Anchor| {
             drawing.labels.push(Label {
+                name: String::new(),
                 position: [single(at.x), single(at.y), 1.0],
                 offset: [0.0; 2],
                 text: text.to_owned(),

@@ -29,6 +29,7 @@
 //! | `hits` | intersections of a segment with the faces of a scene |
 //! | `hover` | `Hover`: the part of pictures made by the pointer alone |
 //! | `image` | the image: the scene as the figure's camera sees it |
+//! | `author_labels` | the author's labels and notes in a picture |
 //! | `label_layout` | the layout of texts, so that none covers another |
 //! | `labels` | the words in the pictures |
 //! | `legend` | the legend of a picture's colours, in its lower left corner |
@@ -61,6 +62,7 @@
 //! | `world_framing` | the framing of the world: its observer, and the sizes of the camera's gear |
 
 mod arrangement;
+mod author_labels;
 mod camera_gizmo;
 mod canonical;
 mod canonical_box;
@@ -118,6 +120,7 @@ use crate::pipeline::Frame;
 use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use arrangement::{Arrangement, aspect_shown, best_arrangement, share_of_first, used_area};
+pub use author_labels::{LabelPlace, note_place};
 pub use caption_strip::{Captions, caption_height};
 pub use compared::{Side, overlay};
 pub use hover::{

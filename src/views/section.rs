@@ -170,8 +170,8 @@ fn outline(builder: &mut GearBuilder, request: &Request, palette: Palette, profi
     builder.line(profile.sides(camera.near()).to_vec(), palette.ink, 2.4, Dash::Solid);
     builder.line(profile.sides(volume.end).to_vec(), palette.volume_edge, 1.5, Dash::Dashed);
     let (near, far) = (profile.sides(camera.near())[1], profile.sides(volume.end)[1]);
-    builder.text(near, &format!("{} (F)", request.labels.window), DVec2::NEG_Y, TYPE, palette.ink);
-    builder.text(far, &format!("{} (B)", request.labels.far), DVec2::NEG_Y, TYPE, palette.ink);
+    builder.named("window", near, &format!("{} (F)", request.labels.window), DVec2::NEG_Y, TYPE, palette.ink);
+    builder.named("far", far, &format!("{} (B)", request.labels.far), DVec2::NEG_Y, TYPE, palette.ink);
 }
 
 /// The point, its projector and its image.
@@ -200,23 +200,25 @@ fn lengths(builder: &mut GearBuilder, request: &Request, palette: Palette, profi
     let pen = |color| Pen { color, width: 1.2 };
     let (soft, probe) = (pen(palette.soft), pen(palette.probe));
     let lowest = profile.lowest();
-    let along = |builder: &mut GearBuilder, to: f64, row: f64, text: &str, gap, pen| {
+    let along = |builder: &mut GearBuilder, to: f64, row: f64, (name, text): (&str, &str), gap, pen| {
         let ends = [camera.position(), profile.at(to, 0.0)];
         let aside = v * (lowest - row * step);
-        dimensions::span(builder, &Span { ends, aside, text, gap }, pen);
+        dimensions::span(builder, &Span { ends, aside, name, text, gap }, pen);
     };
     let number = |value| request.labels.mark.number(value, 4);
-    along(builder, camera.near(), 1.0, &dimensions::text(request, Measure::Near), None, soft);
+    along(builder, camera.near(), 1.0, ("F", &dimensions::text(request, Measure::Near)), None, soft);
     let end = profile.volume.end;
     let gap = profile.volume.gap.map(|gap| gap.map(|d| d / end));
-    along(builder, end, 3.0, &dimensions::text(request, Measure::Far), gap, soft);
-    along(builder, profile.distance(), 2.0, &format!("−z_c = {}", number(profile.distance())), None, probe);
+    along(builder, end, 3.0, ("B", &dimensions::text(request, Measure::Far)), gap, soft);
+    let depth = format!("−z_c = {}", number(profile.distance()));
+    along(builder, profile.distance(), 2.0, ("−z_c", &depth), None, probe);
 
     let window = camera.window();
     let upright = |builder: &mut GearBuilder, at: f64, to: f64, aside: DVec3, text: &str, pen| {
         if to.abs() > 0.05 * step {
             let ends = [profile.at(at, 0.0), profile.at(at, to)];
-            dimensions::span(builder, &Span { ends, aside, text, gap: None }, pen);
+            let name = text.split_once(" = ").map_or(text, |(symbol, _)| symbol);
+            dimensions::span(builder, &Span { ends, aside, name, text, gap: None }, pen);
         }
     };
     let near = camera.near();
@@ -239,6 +241,6 @@ fn lengths(builder: &mut GearBuilder, request: &Request, palette: Palette, profi
         let side = profile.sides(near)[usize::from(profile.height() < 0.0)];
         let toward = (side - camera.position()).normalize_or_zero();
         let text = dimensions::text(request, Measure::HalfAngle);
-        dimensions::angle(builder, camera.position(), [dop, toward], 1.8 * step, &text, soft);
+        dimensions::angle(builder, camera.position(), [dop, toward], 1.8 * step, ("theta", &text), soft);
     }
 }

@@ -8,7 +8,9 @@ use glam::DMat4;
 use super::{ObjectTransform, Picture, View};
 use crate::appearance::{DepthFormat, Style};
 use crate::camera::{Camera, ImageSize, Ndc, Viewport};
-use crate::figure::{Comparison, Depth, Figure, NamedPoint, OtherSide, Outside, Reveal, Show, StagePicture, WorldLook};
+use crate::figure::{
+    Comparison, Depth, Figure, Labels, NamedPoint, OtherSide, Outside, Reveal, Show, StagePicture, WorldLook,
+};
 use crate::scene::SceneSpec;
 use crate::scene::edit::{object_named, placements};
 use crate::scene::transform::Trs;
@@ -25,6 +27,8 @@ pub struct Shot {
     pub ndc: Ndc,
     /// The pictures, each with its observer and its camera.
     pub pictures: Vec<Picture>,
+    /// The author's labels.
+    pub labels: Labels,
     /// Explanations in the pictures.
     pub show: Show,
     /// The second camera of `show`.
@@ -105,6 +109,7 @@ impl Shot {
             pictures: Picture::of_figure(&figure.observers),
             answered: show.answer.and_then(|parameters| Camera::new(&parameters).ok()),
             measured_object: object.and_then(|name| transform_of(scene, name)),
+            labels: figure.labels.clone(),
             show,
             compared: None,
         }
@@ -146,6 +151,7 @@ impl Shot {
             points: Arc::clone(&self.points),
             ndc: self.ndc,
             pictures: Vec::new(),
+            labels: self.labels.seen_in(view),
             show: everywhere,
             answered: None,
             measured_object: None,

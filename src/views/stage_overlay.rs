@@ -160,6 +160,7 @@ fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Pal
     drawing.marks.extend(work.vertices.iter().take(MOST_MARKS).map(|v| mark(v.image, color_out, 2.6, request)));
     let mut label = |position: [f32; 3], text: String| {
         drawing.labels.push(Label {
+            name: String::new(),
             position,
             offset: [7.0 * request.size.scale, -7.0 * request.size.scale],
             text,
@@ -241,6 +242,7 @@ pub(super) fn part(frame: &mut Frame, request: &Request) {
         let sides = [(-6.0, Anchor::Right, request.labels.goes_in), (6.0, Anchor::Left, request.labels.comes_out)];
         for (aside, anchor, text) in sides {
             drawing.labels.push(Label {
+                name: String::new(),
                 position: [middle + aside * scale, 14.0 * scale, 1.0],
                 offset: [0.0; 2],
                 text: text.to_owned(),

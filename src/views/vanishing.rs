@@ -172,6 +172,7 @@ impl WindowPicture<'_> {
 
 fn label(at: DVec2, text: &str, size: f32, color: crate::appearance::Rgba, palette: Palette) -> Label {
     Label {
+        name: text.to_owned(),
         position: [single(at.x), single(at.y), 1.0],
         offset: [0.6 * size, -0.6 * size],
         text: text.to_owned(),

@@ -11,6 +11,7 @@ use crate::figure::WorldPart;
 use crate::pipeline::{Frame, Scenes};
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
+use super::author_labels::{self, Author};
 use super::camera_gizmo::Gear;
 use super::framing::Content;
 use super::gizmos::{self, GearBuilder, SMALL_TYPE, TYPE};
@@ -42,15 +43,15 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let scene = pipeline.scene(request, std::mem::take(&mut revealed.scene), change);
     let builder = GearBuilder::new(&screen, style.hidden_lines);
     let mut world = World { request, palette, content, gear: Gear::new(&screen, &request.camera), on_window, builder };
-    let names = if request.shot.look.world.section {
-        world.section()
+    if request.shot.look.world.section {
+        world.section();
     } else {
         world.ground();
         world.volume();
         world.window();
         world.camera();
         world.aim();
-        let names = world.planes();
+        world.planes();
         world.axes();
         world.drop_lines();
         world.unnamed();
@@ -58,8 +59,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         dimensions::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
         components::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
         object_parts::in_world(&mut world.builder, request, palette);
-        names
-    };
+    }
     world.hot_handle();
     ghost::in_world(&mut world.builder, request, palette, world.gear);
     transform_preview::in_world(&mut world.builder, request, palette);
@@ -79,10 +79,12 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let rules = Rules {
         background: &[palette.grid],
         reserved: revealed_scene::room(legend.as_ref()),
-        first: &["C", "PF", "u", "v", "n", "VUP", &names[0], &names[1], "DOP"],
+        first: &["C", "PF", "u", "v", "n", "VUP", "window", "far", "DOP"],
         beside: None,
         leader: Some((palette.soft, 0.8 * request.size.scale)),
+        author: Some(Author::of(request, palette)),
     };
+    author_labels::add_notes(&mut drawn.drawing, request, DVec2::ZERO);
     label_layout::settle(&mut drawn.drawing, &rules);
     revealed_scene::explain(&mut drawn, request, legend.as_ref());
     drawn
@@ -113,13 +115,12 @@ impl World<'_> {
         }
     }
 
-    /// The section along **u**: lines alone, without the scene. The names of its planes, as they are written.
-    fn section(&mut self) -> [String; 2] {
+    /// The section along **u**: lines alone, without the scene.
+    fn section(&mut self) {
         section::draw(&mut self.builder, self.request, self.palette, &self.content);
         self.camera();
         self.aim();
         self.unnamed();
-        [format!("{} (F)", self.request.labels.window), format!("{} (B)", self.request.labels.far)]
     }
 
     /// The grid on y = 0.
@@ -257,8 +258,8 @@ impl World<'_> {
         1.0 - (1.0 - FAINTEST * (1.0 - wall)) * share
     }
 
-    /// The names of window and far face, as they are written.
-    fn planes(&mut self) -> [String; 2] {
+    /// The names of window and far face.
+    fn planes(&mut self) {
         let (labels, volume) = (self.request.labels, self.content.volume);
         let window = match volume.before {
             None => format!("{} (F)", labels.window),
@@ -268,19 +269,19 @@ impl World<'_> {
             None => format!("{} (B)", labels.far),
             Some(_) => format!("{} (B = {})", labels.far, labels.mark.number(self.request.camera.far(), 4)),
         };
-        for (part, face, name) in
-            [(WorldPart::Window, volume.window(), &window), (WorldPart::Volume, volume.far_face(), &far)]
-        {
+        for (part, name, face, text) in [
+            (WorldPart::Window, "window", volume.window(), &window),
+            (WorldPart::Volume, "far", volume.far_face(), &far),
+        ] {
             if self.has(part) {
-                self.name_face(&face, name);
+                self.name_face(name, &face, text);
             }
         }
-        [window, far]
     }
 
     /// Writes a face's name at the uppermost of its visible corners, unless the face is too small to be distinguished
     /// from a point.
-    fn name_face(&mut self, face: &[DVec3; 4], text: &str) {
+    fn name_face(&mut self, name: &str, face: &[DVec3; 4], text: &str) {
         let screen = self.builder.screen;
         let Some(middle) = screen.place(face.iter().sum::<DVec3>() / 4.0) else { return };
         let in_frame = face.iter().filter_map(|p| Some((*p, screen.place_inside(*p)?)));
@@ -294,7 +295,7 @@ impl World<'_> {
         let faces: usize = self.request.scene.objects.iter().map(|o| o.mesh.triangles.len()).sum();
         let seen = |p: DVec3| faces > MOST_FACES || hits::can_be_seen(p, &self.request.scene, screen.camera());
         if let Some((corner, px)) = corners.into_iter().find(|(p, _)| seen(*p)) {
-            self.builder.text(corner, text, px - middle, SMALL_TYPE, self.palette.ink);
+            self.builder.named(name, corner, text, px - middle, SMALL_TYPE, self.palette.ink);
         }
     }
 
@@ -402,7 +403,8 @@ impl World<'_> {
         let middle = bounds.center();
         if bounds.radius() < SMALL * screen.scale() * screen.units_per_pixel(middle) {
             self.builder.mark_above(middle, MarkShape::Ring, 4.5, self.palette.soft);
-            self.builder.text(middle, self.request.labels.scene, DVec2::new(1.0, 0.4), SMALL_TYPE, self.palette.ink);
+            let toward = DVec2::new(1.0, 0.4);
+            self.builder.named("scene", middle, self.request.labels.scene, toward, SMALL_TYPE, self.palette.ink);
         }
     }
 

@@ -4,18 +4,20 @@ use super::*;
 use crate::appearance::{HiddenLines, Rgba, Style, Theme};
 use crate::camera::{Decomposition, ImageSize, Ndc, Operation, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{
-    ARRANGEMENTS, DEPTH_FORMATS, MEASURES, PANELS, PRESETS, SCREEN_MATRICES, SHADINGS, VISIBILITIES,
+    ARRANGEMENTS, DEPTH_FORMATS, DIMENSIONS, MEASURE_TEXTS, MEASURES, PANELS, PRESETS, SCREEN_MATRICES, SHADINGS,
+    VISIBILITIES,
 };
 use crate::figure::{
-    Bilingual, Comparison, Depth, Measured, NamedPoint, Observer, Observers, Outside, Reveal, Screen, ScreenEntry,
-    Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep, View, WorldLook,
-    WorldPart, WorldParts,
+    Bilingual, Comparison, Depth, LabelledMeasure, Labels, Letters, Measured, MovedLabel, NamedPoint, Note, NotePlace,
+    Observer, Observers, Outside, RenamedLabel, Reveal, Screen, ScreenEntry, Show, ShownProbe, ShownStep,
+    ShownTriangle, StagePicture, StyledLabel, TransformPreview, TriangleStep, View, WorldLook, WorldPart, WorldParts,
 };
 use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
 use crate::scene::{Light, ObjectSpec, Preset, SceneSpec, Shape};
 use crate::stage::Stage;
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec2, DVec3};
+use proptest::collection::vec;
 use proptest::prelude::*;
 
 fn point() -> impl Strategy<Value = DVec3> {
@@ -140,7 +142,7 @@ fn figure() -> impl Strategy<Value = Figure> {
             Comparison { with, ops, wiper, beside, differences }
         },
     ));
-    let seen = (seen, compare);
+    let seen = (seen, compare, labels());
     (parameters(), 1_u32..=16_384, viewport, scene(), (style, points), reveal, seen, show).prop_map(
         |(
             camera,
@@ -149,7 +151,7 @@ fn figure() -> impl Strategy<Value = Figure> {
             scene,
             (style, points),
             (reveal, undistorted),
-            ((world, canonical), compare),
+            ((world, canonical), compare, labels),
             (show, screen, texts),
         )| Figure {
             title: told(&texts[0], &texts[0]),
@@ -176,6 +178,7 @@ fn figure() -> impl Strategy<Value = Figure> {
             show,
             screen,
             compare,
+            labels,
         },
     )
 }
@@ -193,6 +196,45 @@ fn parts(bits: u32) -> WorldParts {
 fn told(en: &str, pt_br: &str) -> Option<Bilingual> {
     let is_there = |text: &str| !text.trim().is_empty() && !text.contains(crate::sanitize::is_obeyed);
     (is_there(en) && is_there(pt_br)).then(|| [en.to_owned(), pt_br.to_owned()].into())
+}
+
+/// Any changes of labels, and notes.
+fn labels() -> impl Strategy<Value = Labels> {
+    let name =
+        || "\\PC{1,9}".prop_filter("a name", |name| crate::figure::labels::set_text(&name.replace('$', "S")).is_ok());
+    let text = || "\\PC{1,9}".prop_filter("a text", |text| crate::figure::labels::set_text(text).is_ok());
+    let pair = || (-9.0..9.0_f64, -9.0..9.0_f64).prop_map(|(x, y)| DVec2::new(x, y));
+    let view = || proptest::option::of(select(&View::ALL));
+    let look = || (proptest::option::of(0.25..8.0_f64), proptest::option::of(any::<[u8; 3]>()));
+    let color = |color: Option<[u8; 3]>| color.map(|[r, g, b]| Rgba::rgb(r, g, b));
+    let at = (0..4_usize, point(), name()).prop_map(|(kind, p, object)| match kind {
+        0 => NotePlace::World(p),
+        1 => NotePlace::Vertex { object, vertex: 3 },
+        2 => NotePlace::Edge { object, edge: 7 },
+        _ => NotePlace::Picture(DVec2::new(0.25, 1.0)),
+    });
+    let note =
+        (view(), at, proptest::option::of(pair()), text(), look()).prop_map(move |(view, at, by, text, (size, of))| {
+            let view = view.or(matches!(at, NotePlace::Picture(_)).then_some(View::Image));
+            Note { view, at, by, text, size, color: color(of) }
+        });
+    let styled = (name(), look()).prop_map(move |(name, (size, of))| StyledLabel { name, size, color: color(of) });
+    let moved = (name(), view(), pair()).prop_map(|(name, view, by)| MovedLabel { name, view, by });
+    let renamed = (name(), text()).prop_map(|(name, text)| RenamedLabel { name, text });
+    let measure = (select(DIMENSIONS), select(MEASURE_TEXTS))
+        .prop_map(|((_, measure), (_, shown))| LabelledMeasure { measure, shown });
+    let lists = (vec(name(), 0..3), vec(renamed, 0..3), vec(moved, 0..3), vec(styled, 0..3));
+    (any::<bool>(), lists, vec(measure, 0..3), vec(note, 0..3)).prop_map(
+        |(letters, (hidden, renamed, moved, styled), measures, notes)| Labels {
+            letters: if letters { Letters::Mathematics } else { Letters::Plain },
+            hidden,
+            renamed,
+            moved,
+            styled,
+            measures,
+            notes,
+        },
+    )
 }
 
 /// Any state of a window.

@@ -3,6 +3,7 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `comparison` | the `[compare]` of a figure file |
+//! | `labels` | the `[labels]` of a figure file |
 //! | `points` | the `[[points]]` of a figure file |
 //! | `scene` | the `[scene]` section: a preset, a tree of objects, lights |
 //! | `screen` | the `title`, the `caption` and the `[screen]` of a figure file |
@@ -11,6 +12,7 @@
 //! | `syntax` | a text that is not TOML: which line, which key, and why |
 
 mod comparison;
+mod labels;
 mod points;
 mod scene;
 mod screen;
@@ -130,8 +132,8 @@ pub(crate) fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
     let point_sections = root.sections("points", &format!("[{}]", inside(&root, "points")));
     let [style_section, reveal_section, world_section, observers_section] =
         ["style", "reveal", "world", "observers"].map(|key| root.section(key, &inside(&root, key)));
-    let [show_section, screen_section, compare_section] =
-        ["show", "screen", "compare"].map(|key| root.section(key, &inside(&root, key)));
+    let [show_section, screen_section, compare_section, labels_section] =
+        ["show", "screen", "compare", "labels"].map(|key| root.section(key, &inside(&root, key)));
     faults.extend(root.finish());
     let (image, undistorted) = image(image_section, faults);
     Figure {
@@ -150,6 +152,7 @@ pub(crate) fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         show: show::show(show_section, faults),
         screen: screen::screen(screen_section, faults),
         compare: comparison::comparison(compare_section, faults),
+        labels: labels::labels(labels_section, faults),
     }
 }
 

@@ -282,6 +282,31 @@ impl<'a> Section<'a> {
         })
     }
 
+    /// Two finite numbers between two, both included.
+    pub(crate) fn pair_in(&mut self, key: &'static str, least: f64, most: f64) -> Option<DVec2> {
+        let before = self.faults.len();
+        let pair = self.pair(key)?;
+        if !pair.to_array().iter().all(|x| (least..=most).contains(x)) && self.faults.len() == before {
+            self.refuse(key, Allowed::PairIn(least, most));
+            return None;
+        }
+        Some(pair)
+    }
+
+    /// A text of one line, of at most `limit` characters.
+    pub(crate) fn line(&mut self, key: &'static str, limit: usize) -> Option<String> {
+        self.read(key, None, Allowed::Line { limit }, |value| {
+            let text = value.as_str()?;
+            let is_line = !text.trim().is_empty() && !text.contains(crate::sanitize::is_obeyed);
+            (is_line && text.chars().count() <= limit).then(|| Some(text.to_owned()))
+        })
+    }
+
+    /// How many values the list at `key` has; `None` where there is no list.
+    pub(crate) fn list_length(&self, key: &str) -> Option<usize> {
+        Some(self.item(key)?.as_array()?.len())
+    }
+
     /// Two whole numbers from `least` on.
     pub(crate) fn whole_pair<T: TryFrom<i64>>(&mut self, key: &'static str, least: i64) -> Option<[T; 2]> {
         self.read(key, None, Allowed::Pixel, |value| {

@@ -5,6 +5,7 @@ use eframe::egui::{CursorIcon, Key, PointerButton, PopupAnchor, Pos2, RichText, 
 use glam::DVec2;
 
 use super::followed::PointDrag;
+use super::label_drag::LabelDrag;
 use super::status::Status;
 use super::{Canvas, Pane, orbit};
 use crate::figure::Observer;
@@ -35,6 +36,8 @@ pub(super) enum Drag {
     Gizmo(usize, Box<GizmoDrag>),
     /// A point that is followed is moved.
     Point(usize, Box<PointDrag>),
+    /// A label is moved.
+    Label(usize, Box<LabelDrag>),
 }
 
 /// A part of the gizmo that is held.
@@ -54,7 +57,9 @@ impl Drag {
     pub(super) fn picture(&self) -> usize {
         match self {
             Self::Orbit { picture, .. } | Self::Pan { picture, .. } => *picture,
-            Self::Handle(picture, _) | Self::Gizmo(picture, _) | Self::Point(picture, _) => *picture,
+            Self::Handle(picture, _) | Self::Gizmo(picture, _) | Self::Point(picture, _) | Self::Label(picture, _) => {
+                *picture
+            }
         }
     }
 }
@@ -89,7 +94,13 @@ impl Canvas {
         let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
         let from = pane.rect.pixel(origin);
         let point = || PointDrag::taken(request.clone(), from, pane);
-        let is_own = pane.is_own(origin);
+        if state.label_mode.on && primary {
+            let labels = &self.pictures[picture].labels;
+            if let Some(held) = LabelDrag::taken(labels, *view, from, state) {
+                return Some(Drag::Label(picture, Box::new(held)));
+            }
+        }
+        let is_own = pane.is_own(origin) && !state.label_mode.on;
         if *view == View::Image {
             return (primary && is_own).then(point)?.map(|held| Drag::Point(picture, Box::new(held)));
         }
@@ -144,6 +155,7 @@ impl Canvas {
                 }
             }
             Some(Drag::Point(_, held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
+            Some(Drag::Label(_, held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
             Some(Drag::Gizmo(_, held)) => {
                 let GizmoDrag { movable, before, part, observer, from, is_sheared } = held.as_mut();
                 let request = request.clone().seen_by(*observer);
@@ -184,6 +196,7 @@ impl Canvas {
             Some(Drag::Handle(_, held)) => state.document.set_camera(held.before()),
             Some(Drag::Gizmo(_, held)) => state.document.edit(|figure| figure.scene = held.before),
             Some(Drag::Point(_, held)) => held.give_up(state),
+            Some(Drag::Label(_, held)) => held.give_up(state),
         }
     }
 
@@ -222,6 +235,10 @@ impl Canvas {
                 status.message = lines.join(" · ");
                 tooltip(ui, &lines);
                 ui.set_cursor_icon(handle_drag::cursor(true));
+            }
+            Some(Drag::Label(_, held)) => {
+                status.message = held.line(state);
+                ui.set_cursor_icon(CursorIcon::Grabbing);
             }
             Some(Drag::Gizmo(_, held)) => {
                 if let Some(gizmo) = &mut self.hover.gizmo {

@@ -41,7 +41,13 @@ impl Canvas {
         if !panes.iter().any(|pane| self.drag.as_ref().is_some_and(|drag| drag.picture() == pane.picture)) {
             self.drag = None;
         }
-        if self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape)) {
+        let escape = self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape));
+        if escape && state.label_mode.on {
+            // A field that is being typed in gives the key up first.
+            if !state.label_mode.is_typing {
+                state.label_mode.step_back();
+            }
+        } else if escape {
             // One thing after the other.
             if state.pinned().is_none() && !self.is_probing() && state.release_shown() {
                 ui.request_repaint();
@@ -92,6 +98,10 @@ impl Canvas {
 
     fn click(&mut self, state: &mut State, pane: &Pane, hovered: Option<Probe>) {
         let response = &pane.response;
+        if state.label_mode.on {
+            self.label_click(state, pane);
+            return;
+        }
         if response.double_clicked_by(PointerButton::Primary) {
             self.stop_probing();
             state.pin(self.pinned_before);
@@ -145,6 +155,10 @@ impl Canvas {
         let is_own = pane.is_own(place);
         let (camera, digits) = (state.document.camera(), state.settings.digits.min(6));
         status.aside = format!("{} × {} px", pane.rect.size.width, pane.rect.size.height);
+        if state.label_mode.on {
+            self.label_hover(ui, state, pane, place, status);
+            return None;
+        }
         if pane.view == View::World
             && is_own
             && let Some(handle) = handle_at(request, pointer, pane.rect.pixels(handle_drag::REACH))
@@ -225,7 +239,7 @@ impl Canvas {
             i.events.iter().filter_map(key).collect()
         });
         for (key, modifiers) in pressed {
-            if !self.probe_by_key(state, pane, key, modifiers) {
+            if !self.label_by_key(state, pane, key, modifiers) && !self.probe_by_key(state, pane, key, modifiers) {
                 self.key(state, pane, key, modifiers);
             }
             ui.request_repaint();
@@ -306,7 +320,7 @@ impl Canvas {
 }
 
 /// The direction of an arrow key: x right, y up; zero for any other.
-fn arrow_of(key: Key) -> DVec2 {
+pub(super) fn arrow_of(key: Key) -> DVec2 {
     match key {
         Key::ArrowRight => DVec2::X,
         Key::ArrowLeft => DVec2::NEG_X,

@@ -13,6 +13,8 @@
 //! | `icons` | small buttons with drawn icons |
 //! | `interaction` | keys, and the pointer without a drag; drags are in `held` |
 //! | `keyboard_probe` | probing without a pointer: the arrow keys move the probe from pixel to pixel |
+//! | `label_drag` | dragging a label, and the keys that move it |
+//! | `labels_card` | the card of the mode *Labels*: the chosen label, hidden ones, notes |
 //! | `long_work` | work that takes longer than half a second: reported under the pictures, and cancelled with Esc |
 //! | `observers` | the observers of the pictures in a frame |
 //! | `orbit` | the observers of the two three-dimensional pictures, and their changes by pointer and keys |
@@ -37,6 +39,8 @@ mod held;
 mod icons;
 mod interaction;
 mod keyboard_probe;
+mod label_drag;
+mod labels_card;
 mod long_work;
 mod observers;
 mod orbit;
@@ -89,7 +93,7 @@ use crate::i18n::pictures::labels;
 use crate::picture::RenderReport;
 use crate::pipeline::OverBudget;
 use crate::views::image_frame;
-use crate::views::{Hover, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
+use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
 
 /// Time that a frame waits for its pictures. Slower ones are shown when they are done.
 const PATIENCE: Duration = Duration::from_millis(30);
@@ -150,6 +154,8 @@ struct ScreenPicture {
     auto: Auto,
     /// The observer that a button or a key framed last, with the size of the picture.
     framed: Option<(Observer, Size)>,
+    /// Where its labels are.
+    labels: Vec<LabelPlace>,
     /// Where it is, in points.
     place: Option<Rect>,
 }
@@ -224,7 +230,11 @@ impl Canvas {
     /// True where Esc would let go of something in a picture.
     #[must_use]
     pub fn holds_something(&self, state: &State) -> bool {
-        self.drag.is_some() || self.is_probing() || state.pinned().is_some() || state.can_release_shown()
+        self.drag.is_some()
+            || state.label_mode.on
+            || self.is_probing()
+            || state.pinned().is_some()
+            || state.can_release_shown()
     }
 
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
@@ -273,6 +283,8 @@ impl Canvas {
         state.seen = Picture::observers(&self.shot.pictures);
         self.draw(ui, state, &mut panes);
         self.decorate(ui, state, &panes, texts);
+        self.outline_labels(ui, state, &panes);
+        self.labels_card(ui, state, &panes);
         Self::wipers(ui, state, &panes);
 
         if state.layout.strip {
@@ -441,8 +453,8 @@ impl Canvas {
         for (i, done) in self.rendering.collect(self.patience).into_iter().enumerate() {
             let (Some(rendered), Some(shown)) = (done, self.shot.pictures.get(i)) else { continue };
             let missing = rendered.as_ref().err().copied();
-            let (tiles, account, too_much) =
-                rendered.map_or((None, None, None), |r| (Some(r.tiles), r.account, r.too_much));
+            let (tiles, account, too_much, labels) =
+                rendered.map_or((None, None, None, Vec::new()), |r| (Some(r.tiles), r.account, r.too_much, r.labels));
             // Reported when it comes up; as long as it holds, a note is in the picture.
             let is_known =
                 |new: &OverBudget| self.pictures.iter().any(|picture| picture.too_much.as_ref() == Some(new));
@@ -452,6 +464,7 @@ impl Canvas {
             let picture = &mut self.pictures[i];
             picture.texture.set(ctx, words::texts(state.settings.lang).view(shown.kind), tiles);
             (picture.missing, picture.account, picture.too_much) = (missing, account, too_much);
+            picture.labels = labels;
         }
         self.report(ctx, state);
         let palette = Palette::of(style.theme);

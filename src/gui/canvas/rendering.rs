@@ -10,7 +10,7 @@ use crate::gui::worker::{Running, Worker};
 use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
-use crate::views::{Hover, MAX_PICTURES, Request};
+use crate::views::{Hover, LabelPlace, MAX_PICTURES, Request};
 
 /// A picture to draw. Two equal jobs make the same pixels.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +33,8 @@ pub(super) struct Rendered {
     pub(super) account: Option<RenderReport>,
     /// A shortfall of the picture.
     pub(super) too_much: Option<OverBudget>,
+    /// Where its labels are.
+    pub(super) labels: Vec<LabelPlace>,
 }
 
 /// Why there is no picture.
@@ -98,6 +100,7 @@ fn work() -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome {
         let rendered = account.map(|account| Rendered {
             tiles: Tiles::of(pixels, max_side),
             too_much: account.too_much.clone(),
+            labels: account.labels.clone(),
             account: accounted.then_some(account),
         });
         DrawOutcome { rendered: rendered.ok_or_else(|| Missing::of(progress)), draft }

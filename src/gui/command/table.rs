@@ -13,7 +13,7 @@ use crate::gui::state::{
     self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory,
 };
 use crate::i18n::window::Texts;
-use crate::i18n::{Lang, canvas, compare, sharing};
+use crate::i18n::{Lang, canvas, compare, labels, sharing};
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 
@@ -135,6 +135,7 @@ pub const MENUS: &[Menu] = &[
                     .disabled_because(|t| t.dimensions_in_section),
                 Row::new(Compare, ctrl_shift(Key::D), compare_words, |s, _| show_compare(s)),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch layout.linked),
+                Row::new(Labels, alt(Key::T), label_words, |s, _| s.label_mode.toggle()).on(|s| s.label_mode.on),
             ],
         ],
     },
@@ -303,6 +304,11 @@ fn link_words(t: &Texts) -> (&'static str, &'static str) {
 
 fn compare_words(t: &Texts) -> (&'static str, &'static str) {
     let t = compare::texts(t.lang);
+    (t.command, t.command_hint)
+}
+
+fn label_words(t: &Texts) -> (&'static str, &'static str) {
+    let t = labels::texts(t.lang);
     (t.command, t.command_hint)
 }
 

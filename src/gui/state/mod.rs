@@ -12,6 +12,7 @@
 //! | `files` | questions about files, and pending work with them |
 //! | `follow` | the followed point, and the text being typed for it |
 //! | `insert` | objects that are put into the scene |
+//! | `label_mode` | the mode in which labels are the author's: the chosen label, and its text as it is typed |
 //! | `layout` | the layout of the window, and requests to the pictures |
 //! | `matrices` | the explanation of matrices: its content, and the effect of the last change |
 //! | `message` | messages at the bottom of the window, as values |
@@ -37,6 +38,7 @@ mod explain;
 mod files;
 mod follow;
 mod insert;
+mod label_mode;
 mod layout;
 mod matrices;
 mod message;
@@ -76,6 +78,7 @@ pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, Mesh
 pub use follow::Follow;
 pub(super) use follow::Space;
 pub(super) use insert::{free_place, rounded};
+pub use label_mode::LabelMode;
 pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
 pub(in crate::gui) use matrices::symbols_of;
 pub use matrices::{Matrices, Reading};
@@ -228,6 +231,8 @@ pub struct State {
     pub family: FamilyChoice,
     /// Annotations over the pictures.
     pub annotations: Annotations,
+    /// The mode in which labels are the author's.
+    pub label_mode: LabelMode,
     /// The studies of error against run time.
     pub numerics: Numerics,
     /// The side of explanations.
@@ -312,6 +317,7 @@ impl State {
             export: Export::new([[640, 480]; View::COUNT], 1.0),
             family: FamilyChoice::default(),
             annotations: Annotations::default(),
+            label_mode: LabelMode::default(),
             numerics: Numerics::default(),
             explain: Explain::default(),
             exercises: Exercises::default(),

@@ -1,0 +1,258 @@
+//! Formulas on one line, as labels in pictures have them: LaTeX → signs, with `_{…}` for what is lowered.
+
+use super::{FormulaError, FormulaProblem, check_one};
+
+/// A text whose formulas, between dollar signs, become signs: `$\theta_c$` → `θ_c`, `$\frac{H}{2}$` → `H/2`, and
+/// `\mathbf{u}` the bold letter of Unicode. What is raised are the raised signs of Unicode, so few things can be.
+///
+/// # Errors
+/// [`FormulaError`] for the first formula that is none, or needs more than one line.
+pub fn set(text: &str) -> Result<String, FormulaError> {
+    let mut set = String::with_capacity(text.len());
+    for (i, part) in text.split('$').enumerate() {
+        let error = |problem| FormulaError { formula: part.to_owned(), problem };
+        if i % 2 == 0 {
+            set.push_str(part);
+            continue;
+        }
+        if text.split('$').count() == i + 1 {
+            return Err(error(FormulaProblem::Open));
+        }
+        check_one(part).map_err(error)?;
+        set.push_str(Setter { rest: part }.all(None).map_err(error)?.trim());
+    }
+    Ok(set)
+}
+
+/// LaTeX words that are one sign.
+#[rustfmt::skip]
+const SIGNS: &[(&str, &str)] = &[
+    ("alpha", "α"), ("beta", "β"), ("gamma", "γ"), ("delta", "δ"), ("epsilon", "ϵ"), ("varepsilon", "ε"), ("zeta", "ζ"), ("eta", "η"),
+    ("theta", "θ"), ("vartheta", "ϑ"), ("iota", "ι"), ("kappa", "κ"), ("lambda", "λ"), ("mu", "μ"), ("nu", "ν"), ("xi", "ξ"), ("pi", "π"),
+    ("rho", "ρ"), ("sigma", "σ"), ("tau", "τ"), ("upsilon", "υ"), ("phi", "ϕ"), ("varphi", "φ"), ("chi", "χ"), ("psi", "ψ"), ("omega", "ω"),
+    ("Gamma", "Γ"), ("Delta", "Δ"), ("Theta", "Θ"), ("Lambda", "Λ"), ("Xi", "Ξ"), ("Pi", "Π"), ("Sigma", "Σ"), ("Phi", "Φ"), ("Psi", "Ψ"),
+    ("Omega", "Ω"), ("ell", "ℓ"), ("partial", "∂"), ("nabla", "∇"), ("infty", "∞"),
+    ("cdot", "·"), ("circ", "∘"), ("ast", "∗"), ("prime", "′"), ("surd", "√"), ("angle", "∠"), ("triangle", "△"), ("square", "□"),
+    ("ldots", "…"), ("dots", "…"), ("cdots", "⋯"), ("colon", ":"), ("langle", "⟨"), ("rangle", "⟩"), ("lfloor", "⌊"), ("rfloor", "⌋"),
+    ("lceil", "⌈"), ("rceil", "⌉"), ("vert", "|"), ("lvert", "|"), ("rvert", "|"), ("Vert", "‖"), ("lVert", "‖"), ("rVert", "‖"),
+    ("lbrack", "["), ("rbrack", "]"), ("lbrace", "{"), ("rbrace", "}"), ("quad", " "), ("qquad", "  "), ("enspace", " "), ("thinspace", " "),
+];
+
+/// LaTeX words that stand between two things, with room on both sides.
+#[rustfmt::skip]
+const BETWEEN: &[(&str, &str)] = &[
+    ("times", "×"), ("div", "÷"), ("pm", "±"), ("mp", "∓"), ("le", "≤"), ("leq", "≤"), ("ge", "≥"), ("geq", "≥"), ("ne", "≠"), ("neq", "≠"),
+    ("equiv", "≡"), ("sim", "∼"), ("approx", "≈"), ("propto", "∝"), ("perp", "⊥"), ("parallel", "∥"), ("in", "∈"), ("to", "→"),
+    ("rightarrow", "→"), ("leftarrow", "←"), ("gets", "←"), ("leftrightarrow", "↔"), ("Rightarrow", "⇒"), ("implies", "⇒"), ("iff", "⇔"),
+    ("mapsto", "↦"), ("cap", "∩"), ("cup", "∪"), ("subset", "⊂"), ("otimes", "⊗"), ("oplus", "⊕"), ("wedge", "∧"), ("vee", "∨"),
+];
+
+/// Functions, which are written as they are called.
+const FUNCTIONS: &[&str] =
+    &["sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "exp", "log", "ln", "min", "max", "det", "arg", "lim"];
+
+/// Words whose braces hold what is shown as it is.
+const AS_IT_IS: &[&str] = &["mathrm", "mathit", "text", "textrm", "textit", "operatorname", "left", "right"];
+
+/// Words that change how large things are.
+const SIZES: &[&str] = &["displaystyle", "textstyle", "big", "Big", "bigl", "bigr", "Bigl", "Bigr", "limits"];
+
+/// Signs that Unicode has raised.
+const RAISED: [&str; 2] = ["0123456789+−=()ni", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁿⁱ"];
+
+/// The bold letter of mathematics for a letter or digit of ASCII; others as they are.
+#[must_use]
+pub fn bold(c: char) -> char {
+    let at = |first: u32, from: char| char::from_u32(first + (u32::from(c) - u32::from(from))).unwrap_or(c);
+    match c {
+        'A'..='Z' => at(0x1d400, 'A'),
+        'a'..='z' => at(0x1d41a, 'a'),
+        '0'..='9' => at(0x1d7ce, '0'),
+        c => c,
+    }
+}
+
+/// Reads a formula that [`check_one`] lets through.
+struct Setter<'a> {
+    rest: &'a str,
+}
+
+impl Setter<'_> {
+    /// Everything up to the end, or up to a closing sign.
+    fn all(&mut self, end: Option<char>) -> Result<String, FormulaProblem> {
+        let mut line = String::new();
+        while let Some(c) = self.rest.chars().next() {
+            if Some(c) == end {
+                self.rest = &self.rest[c.len_utf8()..];
+                break;
+            }
+            match c {
+                ' ' | '\n' | '\t' => self.rest = &self.rest[1..],
+                '_' => {
+                    self.rest = &self.rest[1..];
+                    let lowered = self.one()?;
+                    if lowered.contains(['_', '{', '}']) {
+                        return Err(FormulaProblem::NotOnALine(format!("_{{{lowered}}}")));
+                    }
+                    line.push_str(&format!("_{{{}}}", lowered.trim()));
+                }
+                '^' => {
+                    self.rest = &self.rest[1..];
+                    line.push_str(&raised(&self.one()?)?);
+                }
+                '=' | '<' | '>' | '+' => {
+                    self.rest = &self.rest[1..];
+                    between(&mut line, &c.to_string());
+                }
+                '-' | '−' => {
+                    self.rest = &self.rest[c.len_utf8()..];
+                    between(&mut line, "−");
+                }
+                ',' => {
+                    self.rest = &self.rest[1..];
+                    line.push_str(", ");
+                }
+                _ => line.push_str(&self.one()?),
+            }
+        }
+        Ok(line)
+    }
+
+    /// The next thing: a sign, a word with what it takes, or what stands in braces.
+    fn one(&mut self) -> Result<String, FormulaProblem> {
+        self.rest = self.rest.trim_start_matches([' ', '\n', '\t']);
+        let Some(c) = self.rest.chars().next() else { return Ok(String::new()) };
+        self.rest = &self.rest[c.len_utf8()..];
+        match c {
+            '{' => self.all(Some('}')),
+            '\\' => self.word(),
+            '\'' => Ok("′".to_owned()),
+            '&' | '~' => Ok(" ".to_owned()),
+            c => Ok(c.to_string()),
+        }
+    }
+
+    fn word(&mut self) -> Result<String, FormulaProblem> {
+        let end = self.rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(self.rest.len());
+        let (word, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        if word.is_empty() {
+            let sign = rest.chars().next().unwrap_or(' ');
+            self.rest = &rest[sign.len_utf8().min(rest.len())..];
+            return match sign {
+                '!' => Ok(String::new()),
+                '|' => Ok("‖".to_owned()),
+                '\\' => Err(FormulaProblem::NotOnALine("\\\\".to_owned())),
+                '{' | '}' | '_' => Err(FormulaProblem::NotOnALine(format!("\\{sign}"))),
+                ',' | ';' | ':' | '>' | ' ' => Ok(" ".to_owned()),
+                sign => Ok(sign.to_string()),
+            };
+        }
+        let named =
+            |table: &[(&str, &'static str)]| table.iter().find(|(name, _)| *name == word).map(|(_, sign)| *sign);
+        if let Some(sign) = named(SIGNS) {
+            return if "{}".contains(sign) { Err(not_on_a_line(word)) } else { Ok(sign.to_owned()) };
+        }
+        if let Some(sign) = named(BETWEEN) {
+            return Ok(format!(" {sign} "));
+        }
+        match word {
+            word if FUNCTIONS.contains(&word) => Ok(format!("{word} ")),
+            word if SIZES.contains(&word) => Ok(String::new()),
+            "text" | "textrm" | "textit" | "textbf" => {
+                // Spaces count in words.
+                let inside = self.rest.trim_start_matches(' ').strip_prefix('{').unwrap_or_default();
+                let (words, rest) = inside.split_once('}').unwrap_or((inside, ""));
+                if words.contains(['{', '\\']) {
+                    return Err(not_on_a_line(word));
+                }
+                let words = if word == "textbf" { words.chars().map(bold).collect() } else { words.to_owned() };
+                self.rest = rest;
+                Ok(words)
+            }
+            word if AS_IT_IS.contains(&word) => self.one(),
+            "mathbf" | "boldsymbol" => Ok(self.one()?.chars().map(bold).collect()),
+            "frac" | "dfrac" | "tfrac" => Ok(format!("{}/{}", together(&self.one()?), together(&self.one()?))),
+            "sqrt" if !self.rest.trim_start().starts_with('[') => Ok(format!("√{}", together(&self.one()?))),
+            word => Err(not_on_a_line(word)),
+        }
+    }
+}
+
+fn not_on_a_line(word: &str) -> FormulaProblem {
+    FormulaProblem::NotOnALine(format!("\\{word}"))
+}
+
+/// A sum or a product in parentheses; a single thing as it is.
+fn together(part: &str) -> String {
+    if part.contains([' ', '/', '·', '(']) { format!("({part})") } else { part.to_owned() }
+}
+
+/// Adds a sign between what there is and what comes; a sign of what comes, where there is nothing before it.
+fn between(line: &mut String, sign: &str) {
+    let is_first = line.is_empty() || line.ends_with([' ', '(', '[', '|', '/']);
+    if is_first && "+−".contains(sign) {
+        line.push_str(sign);
+    } else {
+        line.push_str(&format!(" {sign} "));
+    }
+}
+
+fn raised(text: &str) -> Result<String, FormulaProblem> {
+    match text.trim() {
+        "∘" => return Ok("°".to_owned()),
+        "′" | "″" => return Ok(text.trim().to_owned()),
+        "T" => return Ok("ᵀ".to_owned()),
+        _ => {}
+    }
+    let [plain, high] = RAISED;
+    let raise = |c: char| plain.chars().zip(high.chars()).find(|(p, _)| *p == c).map(|(_, high)| high);
+    let signs: Option<String> = text.chars().filter(|c| *c != ' ').map(raise).collect();
+    signs.ok_or_else(|| FormulaProblem::NotOnALine(format!("^{{{text}}}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn formulas_become_signs() {
+        for (text, expected) in [
+            ("window", "window"),
+            (r"angle $\theta/2$ of view", "angle θ/2 of view"),
+            (r"$\mathbf{u}$", "𝐮"),
+            (r"$\frac{H}{2} = F\tan\frac{\theta}{2}$", "H/2 = Ftan θ/2"),
+            (r"$\frac{a+b}{2}$", "(a + b)/2"),
+            (r"$x_c^2 + y_{c}$", "x_{c}² + y_{c}"),
+            (r"$-1 \le z_n \le 1$", "−1 ≤ z_{n} ≤ 1"),
+            (r"$60^\circ$", "60°"),
+            (r"$M_p^{-1}$", "M_{p}⁻¹"),
+            (r"$\text{near face}, F$", "near face, F"),
+            (r"$\sqrt{2}\,\sqrt{a-b}$", "√2 √(a − b)"),
+            (r"$P'$ and $Q$", "P′ and Q"),
+        ] {
+            assert_eq!(set(text).as_deref(), Ok(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_needs_more_than_a_line_is_named() {
+        for text in [r"$\begin{matrix}a\end{matrix}$", r"$x^{k}$", r"$\hat x$", r"$x_{y_z}$", r"$a\\b$", r"$\{a\}$"] {
+            let problem = set(text).map_err(|error| error.problem);
+            assert!(matches!(problem, Err(FormulaProblem::NotOnALine(_))), "{text}: {problem:?}");
+        }
+        assert_eq!(set("5 $").map_err(|error| error.problem), Err(FormulaProblem::Open));
+        assert_eq!(set(r"$\input{x}$").map_err(|error| error.problem), Err(FormulaProblem::Word(r"\input".to_owned())));
+    }
+
+    proptest! {
+        #[test]
+        fn any_text_is_set_or_refused(text in "[$\\\\_^{}a-c θ&'-]{0,24}|\\PC{0,30}") {
+            if let Ok(line) = set(&text) {
+                prop_assert!(!line.contains('\n') || text.contains('\n'));
+            }
+        }
+    }
+}

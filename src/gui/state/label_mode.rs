@@ -1,0 +1,43 @@
+//! The mode in which labels are the author's: the chosen label, and its text as it is typed.
+
+use crate::views::View;
+
+/// The mode *Labels*.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LabelMode {
+    /// The pointer chooses and drags labels.
+    pub on: bool,
+    /// The chosen label, and the picture in which it was chosen.
+    pub chosen: Option<(View, String)>,
+    /// The next click puts a note.
+    pub adding: bool,
+    /// The text of the chosen label as it is typed; `None`: the figure's.
+    pub typed: Option<String>,
+    /// The text was put there just now: its field gets the focus.
+    pub is_new: bool,
+    /// The field of the text has the focus.
+    pub is_typing: bool,
+}
+
+impl LabelMode {
+    /// Enters or leaves the mode.
+    pub fn toggle(&mut self) {
+        *self = Self { on: !self.on, ..Self::default() };
+    }
+
+    /// Chooses a label, or none.
+    pub fn choose(&mut self, label: Option<(View, String)>) {
+        if self.chosen != label {
+            (self.chosen, self.typed) = (label, None);
+        }
+    }
+
+    /// One thing after the other: no note, then out of the mode.
+    pub fn step_back(&mut self) {
+        if self.adding {
+            self.adding = false;
+        } else {
+            *self = Self::default();
+        }
+    }
+}

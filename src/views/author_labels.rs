@@ -1,0 +1,216 @@
+//! The author's labels and notes in a picture: the `[labels]` of a figure.
+
+use glam::{DVec2, DVec3};
+
+use crate::appearance::Rgba;
+use crate::drawing::{Anchor, Drawing, Label, single};
+use crate::figure::labels::{note_name, set_text};
+use crate::figure::{LabelChange, Labels, Note, NotePlace, View};
+use crate::limits::MAX_LABEL_MOVE;
+
+use super::gizmos::SMALL_TYPE;
+use super::label_layout::{Box2, half_size};
+use super::named_points::point_at;
+use super::{Palette, Request, SharedScene, pick};
+
+/// The author's wishes for the labels of a picture.
+#[derive(Clone, Copy)]
+pub(super) struct Author<'a> {
+    pub(super) labels: &'a Labels,
+    pub(super) view: View,
+    /// Colour and width of the lines from labels to their points.
+    pub(super) leader: (Rgba, f32),
+    /// The area that labels stay in, in the pixels of the drawing; `None`: all of it.
+    pub(super) page: Option<Box2>,
+}
+
+impl<'a> Author<'a> {
+    pub(super) fn of(request: &'a Request, palette: Palette) -> Self {
+        let leader = (palette.soft, 0.8 * request.size.scale);
+        Self { labels: &request.shot.labels, view: request.view, leader, page: None }
+    }
+
+    /// The whole picture, in the pixels of a drawing that begins at `corner` of it.
+    pub(super) fn page(request: &Request, corner: DVec2) -> Box2 {
+        let half = 0.5 * extent(request);
+        Box2 { center: half - corner, half }
+    }
+
+    /// Gives a label the author's text, size and colour.
+    pub(super) fn apply(&self, change: LabelChange<'_>, label: &mut Label) {
+        // Texts were checked where they came from.
+        if let Some(text) = change.text.and_then(|text| set_text(text).ok()) {
+            label.text = text;
+        }
+        if let Some(size) = change.size {
+            label.size *= single(size);
+        }
+        if let Some(color) = change.color {
+            label.color = color;
+        }
+    }
+}
+
+fn extent(request: &Request) -> DVec2 {
+    DVec2::new(f64::from(request.size.width), f64::from(request.size.height))
+}
+
+/// Adds the notes of a picture, in a drawing that begins at `corner` of it. A note about what the picture does not show
+/// is left out.
+pub(super) fn add_notes(drawing: &mut Drawing, request: &Request, corner: DVec2) {
+    let notes = &request.shot.labels.notes;
+    if notes.is_empty() || request.finish.bare {
+        return;
+    }
+    let palette = Palette::of(request.shot.look.style.theme);
+    let places = pick::places(request);
+    let seen = notes.iter().enumerate().filter(|(_, note)| note.view.is_none_or(|view| view == request.view));
+    for (i, note) in seen {
+        let at = match &note.at {
+            NotePlace::Picture(p) => Some(DVec2::new(p.x, 1.0 - p.y) * extent(request)),
+            _ => places.as_ref().zip(world_point(note, &request.scene)).and_then(|(places, p)| places(p)),
+        };
+        let Some(at) = at.map(|at| at - corner) else { continue };
+        let size = SMALL_TYPE * request.size.scale;
+        // A text at a place of the picture stands there, others beside what they are about.
+        let offset = if matches!(note.at, NotePlace::Picture(_)) { [0.0; 2] } else { [0.6 * size, -0.6 * size] };
+        drawing.labels.push(Label {
+            name: note_name(i),
+            position: [single(at.x), single(at.y), 1.0],
+            offset,
+            text: String::new(),
+            size,
+            color: palette.ink,
+            halo: drawing.background,
+            anchor: Anchor::Left,
+            fade_if_hidden: false,
+        });
+    }
+}
+
+/// The place of a label in a picture, in its pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LabelPlace {
+    /// The name by which an author changes it.
+    pub name: String,
+    /// The text that is there.
+    pub text: String,
+    /// What it names.
+    pub point: DVec2,
+    /// The middle of its text.
+    pub center: DVec2,
+    /// Half its width and height.
+    pub half: DVec2,
+    /// Height of its type.
+    pub em: f64,
+    /// The colour of its letters.
+    pub color: Rgba,
+}
+
+impl LabelPlace {
+    /// The labels of a drawing that have names, as they are laid out.
+    #[must_use]
+    pub fn all(drawing: &Drawing) -> Vec<Self> {
+        let named = drawing.labels.iter().filter(|label| !label.name.is_empty());
+        named.map(Self::of).collect()
+    }
+
+    fn of(label: &Label) -> Self {
+        let [x, y, _] = label.position;
+        let point = DVec2::new(f64::from(x), f64::from(y));
+        let half = half_size(&label.text, label.size);
+        let aside = match label.anchor {
+            Anchor::Left => half.x,
+            Anchor::Center => 0.0,
+            Anchor::Right => -half.x,
+        };
+        let offset = DVec2::new(f64::from(label.offset[0]) + aside, f64::from(label.offset[1]));
+        Self {
+            name: label.name.clone(),
+            text: label.text.clone(),
+            point,
+            center: point + offset,
+            half,
+            em: f64::from(label.size),
+            color: label.color,
+        }
+    }
+
+    /// True where a place (pixels) is on its text.
+    #[must_use]
+    pub fn holds(&self, place: DVec2) -> bool {
+        (place - self.center).abs().cmple(self.half).all()
+    }
+
+    /// The wish that puts the middle of its text at a place (pixels), as
+    /// [`MovedLabel::by`](crate::figure::MovedLabel::by).
+    #[must_use]
+    pub fn moved_to(&self, center: DVec2) -> DVec2 {
+        let by = (center - self.point) / self.em.max(1e-9) * DVec2::new(1.0, -1.0);
+        // Hundredths are fine enough for the eye, and short in a file.
+        ((by * 100.0).round() / 100.0).clamp(DVec2::splat(-MAX_LABEL_MOVE), DVec2::splat(MAX_LABEL_MOVE))
+    }
+}
+
+/// What a note at a place (pixels) of a picture is about: a named point, a vertex or an edge of the scene within `reach`,
+/// else the place itself.
+#[must_use]
+pub fn note_place(request: &Request, pointer: DVec2, reach: f64) -> NotePlace {
+    if let Some(point) = point_at(request, pointer, reach).and_then(|i| request.shot.points.get(i)) {
+        return NotePlace::World(point.position);
+    }
+    let of_scene = pick::vertex(request, pointer, reach).map(|p| vertex_of(&request.scene, p));
+    of_scene.or_else(|| edge_at(request, pointer, reach)).unwrap_or_else(|| {
+        let share = (pointer / extent(request).max(DVec2::ONE)).clamp(DVec2::ZERO, DVec2::ONE);
+        NotePlace::Picture(((DVec2::new(share.x, 1.0 - share.y)) * 1000.0).round() / 1000.0)
+    })
+}
+
+/// The vertex of an object that is at a point of the world.
+fn vertex_of(scene: &SharedScene, p: DVec3) -> NotePlace {
+    for object in &scene.objects {
+        let at = object.mesh.positions.iter().position(|v| object.world_from_object.transform_point3(*v) == p);
+        if let Some(vertex) = at.and_then(|i| u32::try_from(i).ok()) {
+            return NotePlace::Vertex { object: object.name.clone(), vertex };
+        }
+    }
+    NotePlace::World(p)
+}
+
+/// The edge of an object whose line in the picture is nearest to a place, within `reach` of it.
+fn edge_at(request: &Request, pointer: DVec2, reach: f64) -> Option<NotePlace> {
+    let places = pick::places(request)?;
+    let mut best: Option<(f64, NotePlace)> = None;
+    for object in &request.scene.objects {
+        let place = |i: u32| places(object.world_from_object.transform_point3(*object.mesh.positions.get(i as usize)?));
+        for (edge, [a, b]) in (0_u32..).zip(object.mesh.edges.iter().copied()) {
+            let (Some(a), Some(b)) = (place(a), place(b)) else { continue };
+            let along = ((pointer - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+            let distance = pointer.distance(a.lerp(b, along));
+            if distance <= reach && best.as_ref().is_none_or(|(nearest, _)| distance < *nearest) {
+                best = Some((distance, NotePlace::Edge { object: object.name.clone(), edge }));
+            }
+        }
+    }
+    best.map(|(_, place)| place)
+}
+
+/// The point of the world that a note is about; `None` for a place of the picture, and where the object or the part of it
+/// is not there.
+fn world_point(note: &Note, scene: &SharedScene) -> Option<DVec3> {
+    let of_object = |name: &str| scene.objects.iter().find(|object| object.name == name);
+    match &note.at {
+        NotePlace::World(p) => Some(*p),
+        NotePlace::Picture(_) => None,
+        NotePlace::Vertex { object, vertex } => {
+            let object = of_object(object)?;
+            Some(object.world_from_object.transform_point3(*object.mesh.positions.get(*vertex as usize)?))
+        }
+        NotePlace::Edge { object, edge } => {
+            let object = of_object(object)?;
+            let [a, b] = *object.mesh.edges.get(*edge as usize)?;
+            let [a, b] = [object.mesh.positions.get(a as usize)?, object.mesh.positions.get(b as usize)?];
+            Some(object.world_from_object.transform_point3(a.lerp(*b, 0.5)))
+        }
+    }
+}
