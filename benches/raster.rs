@@ -126,6 +126,8 @@ fn parts(antialias: u8) -> Vec<(&'static str, Drawing)> {
         vec![StrokeSet { points, polylines, style }]
     };
     let label = |k: u32| Label {
+        name: String::new(),
+        mathematical: false,
         position: [100.0 + (k % 10) as f32 * 170.0, 80.0 + (k / 10) as f32 * 200.0, 0.5],
         offset: [0.0, 0.0],
         text: "(x_n, y_n) = (0.25, −1)".to_owned(),

@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 
 use crate::limits::MAX_FORMULA;
 use crate::sanitize::escaped;
-pub use in_line::{bold, set};
+pub use in_line::{bold, italic, set, symbols};
 
 /// A formula that is not only mathematics.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -25,6 +25,71 @@ macro_rules! font {
 
 /// `DejaVu Sans`: free licence (beside it), Latin with accents, Greek, arrows and mathematical signs.
 pub static FONT_BYTES: &[u8] = font!("DejaVuSans.ttf");
+/// The letters of mathematics, those of `KaTeX`: free licence (beside them).
+pub(crate) const ROMAN_BYTES: &[u8] = include_bytes!("../assets/fonts/KaTeX_Main-Regular.ttf");
+/// Vectors.
+pub(crate) const BOLD_BYTES: &[u8] = include_bytes!("../assets/fonts/KaTeX_Main-Bold.ttf");
+/// Other symbols.
+pub(crate) const ITALIC_BYTES: &[u8] = include_bytes!("../assets/fonts/KaTeX_Math-Italic.ttf");
+
+/// The font of a letter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Face {
+    /// `DejaVu Sans`.
+    #[default]
+    Plain,
+    /// Words and digits of mathematics.
+    Roman,
+    /// Vectors.
+    Bold,
+    /// Other symbols.
+    Italic,
+}
+
+impl Face {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Plain, Self::Roman, Self::Bold, Self::Italic];
+
+    /// The bytes of its font.
+    #[must_use]
+    pub fn bytes(self) -> &'static [u8] {
+        match self {
+            Self::Plain => FONT_BYTES,
+            Self::Roman => ROMAN_BYTES,
+            Self::Bold => BOLD_BYTES,
+            Self::Italic => ITALIC_BYTES,
+        }
+    }
+
+    fn font(self) -> Option<&'static Font> {
+        FONTS[self as usize].as_ref()
+    }
+
+    fn has(self, c: char) -> bool {
+        self.font().is_some_and(|font| font.charmap.map(c).is_some())
+    }
+}
+
+/// The font of a character, and the character that it has there: the bold and italic letters of Unicode's mathematics are
+/// letters of other fonts. `mathematical`: the rest of the text too is in the letters of mathematics, where these have
+/// it.
+#[must_use]
+pub fn face(c: char, mathematical: bool) -> (Face, char) {
+    let letter = |from: u32, to: char| char::from_u32(u32::from(to) + (u32::from(c) - from)).unwrap_or(c);
+    let italic = |letter| (if mathematical { Face::Italic } else { Face::Plain }, letter);
+    match c {
+        '\u{1d400}'..='\u{1d419}' => (Face::Bold, letter(0x1d400, 'A')),
+        '\u{1d41a}'..='\u{1d433}' => (Face::Bold, letter(0x1d41a, 'a')),
+        '\u{1d7ce}'..='\u{1d7d7}' => (Face::Bold, letter(0x1d7ce, '0')),
+        '\u{1d434}'..='\u{1d44d}' => italic(letter(0x1d434, 'A')),
+        '\u{1d44e}'..='\u{1d467}' => italic(letter(0x1d44e, 'a')),
+        '\u{210e}' => italic('h'),
+        'α'..='ω' if mathematical && Face::Italic.has(c) => (Face::Italic, c),
+        c if mathematical && Face::Roman.has(c) => (Face::Roman, c),
+        c => (Face::Plain, c),
+    }
+}
+
 /// `DejaVu Sans Mono`, for code and columns of numbers: of the window alone.
 #[cfg(feature = "gui")]
 pub(crate) static MONOSPACED_FONT_BYTES: &[u8] = font!("DejaVuSansMono.ttf");
@@ -46,22 +111,31 @@ struct Font {
 }
 
 /// `None` only if the bundled bytes were not a font; a test holds them to be one.
-static FONT: LazyLock<Option<Font>> = LazyLock::new(|| {
-    let font = FontRef::new(FONT_BYTES).ok()?;
-    let metrics = font.metrics(Size::unscaled(), LocationRef::default());
-    let glyph_metrics = font.glyph_metrics(Size::unscaled(), LocationRef::default());
-    let charmap = font.charmap();
-    let em = f32::from(metrics.units_per_em);
-    // The font's table is too old to hold the height of x: the letter itself tells it.
-    let x_height = charmap.map('x').and_then(|x| glyph_metrics.bounds(x)).map_or(0.5 * em, |b| b.y_max);
-    Some(Font {
-        charmap,
-        metrics: glyph_metrics,
-        outlines: font.outline_glyphs(),
-        units_per_em: em,
-        x_height: x_height / em,
-    })
-});
+static FONTS: [LazyLock<Option<Font>>; 4] = [
+    LazyLock::new(|| Font::of(FONT_BYTES)),
+    LazyLock::new(|| Font::of(ROMAN_BYTES)),
+    LazyLock::new(|| Font::of(BOLD_BYTES)),
+    LazyLock::new(|| Font::of(ITALIC_BYTES)),
+];
+
+impl Font {
+    fn of(bytes: &'static [u8]) -> Option<Self> {
+        let font = FontRef::new(bytes).ok()?;
+        let metrics = font.metrics(Size::unscaled(), LocationRef::default());
+        let glyph_metrics = font.glyph_metrics(Size::unscaled(), LocationRef::default());
+        let charmap = font.charmap();
+        let em = f32::from(metrics.units_per_em);
+        // The font's table is too old to hold the height of x: the letter itself tells it.
+        let x_height = charmap.map('x').and_then(|x| glyph_metrics.bounds(x)).map_or(0.5 * em, |b| b.y_max);
+        Some(Self {
+            charmap,
+            metrics: glyph_metrics,
+            outlines: font.outline_glyphs(),
+            units_per_em: em,
+            x_height: x_height / em,
+        })
+    }
+}
 
 /// The room that a text takes, in the unit of its size (pixels).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -100,6 +174,7 @@ pub enum Element {
 
 /// One character with its place: `x` and the baseline `y` (downwards) in ems of the text, `scale` of its own size.
 struct Placed {
+    font: &'static Font,
     glyph: GlyphId,
     x: f32,
     y: f32,
@@ -108,11 +183,10 @@ struct Placed {
 
 /// The room that `text` takes at `size` (height of the em in pixels), subscripts included.
 #[must_use]
-pub fn measure(text: &str, size: f32) -> Extent {
-    let Some(font) = FONT.as_ref() else { return Extent::default() };
-    let (glyphs, width) = set(font, text);
+pub fn measure(text: &str, size: f32, mathematical: bool) -> Extent {
+    let (glyphs, width) = set(text, mathematical);
     let mut extent = Extent { width: width * size, above: 0.0, below: 0.0 };
-    for Placed { glyph, y, scale, .. } in glyphs {
+    for Placed { font, glyph, y, scale, .. } in glyphs {
         let Some(bounds) = font.metrics.bounds(glyph) else { continue };
         let to_ems = scale / font.units_per_em;
         extent.above = extent.above.max((bounds.y_max * to_ems - y) * size);
@@ -124,7 +198,7 @@ pub fn measure(text: &str, size: f32) -> Extent {
 /// Height of the letter x at `size`.
 #[must_use]
 pub fn x_height(size: f32) -> f32 {
-    FONT.as_ref().map_or(0.0, |font| font.x_height * size)
+    Face::Plain.font().map_or(0.0, |font| font.x_height * size)
 }
 
 /// The outline of `text` at `size` (height of the em in pixels): filled by the non-zero rule it is the text. The origin
@@ -132,10 +206,13 @@ pub fn x_height(size: f32) -> f32 {
 /// lacks becomes the font's box. Empty where there is nothing to fill (no text, blanks only, or a size that is not
 /// positive).
 #[must_use]
-pub fn outline(text: &str, size: f32) -> Vec<Element> {
+pub fn outline(text: &str, size: f32, mathematical: bool) -> Vec<Element> {
     let mut elements = Vec::new();
-    let Some(font) = FONT.as_ref().filter(|_| size.is_finite() && size > 0.0) else { return elements };
-    for placed in set(font, text).0 {
+    if !(size.is_finite() && size > 0.0) {
+        return elements;
+    }
+    for placed in set(text, mathematical).0 {
+        let font = placed.font;
         let Some(glyph) = font.outlines.get(placed.glyph) else { continue };
         let settings = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
         let scale = placed.scale * size / font.units_per_em;
@@ -147,14 +224,16 @@ pub fn outline(text: &str, size: f32) -> Vec<Element> {
 }
 
 /// Sets a line: every glyph at its place, and the width, in ems.
-fn set(font: &Font, text: &str) -> (Vec<Placed>, f32) {
+fn set(text: &str, mathematical: bool) -> (Vec<Placed>, f32) {
     let mut placed = Vec::with_capacity(text.len());
     let mut x = 0.0;
     for run in runs(text) {
         let (scale, y) = if run.lowered { (SUBSCRIPT_SIZE, SUBSCRIPT_DROP) } else { (1.0, 0.0) };
         for c in run.text.chars().filter(|c| !c.is_control()) {
+            let (face, c) = face(c, mathematical);
+            let Some(font) = face.font() else { continue };
             let glyph = font.charmap.map(c).unwrap_or(GlyphId::NOTDEF);
-            placed.push(Placed { glyph, x, y, scale });
+            placed.push(Placed { font, glyph, x, y, scale });
             x += scale * font.metrics.advance_width(glyph).unwrap_or(0.0) / font.units_per_em;
         }
     }
@@ -202,11 +281,13 @@ pub fn moved(outline: &[Element], by: [f32; 2]) -> Vec<Element> {
     outline.iter().map(element).collect()
 }
 
-/// A run of a text with its place in a line.
+/// A run of a text in one font, with its place in a line.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SetRun<'a> {
+pub struct SetRun {
     /// The characters.
-    pub text: &'a str,
+    pub text: String,
+    /// Their font.
+    pub face: Face,
     /// From the left end of the text's baseline to that of the run, in pixels; y points down.
     pub at: [f32; 2],
     /// Height of its em in pixels.
@@ -215,34 +296,37 @@ pub struct SetRun<'a> {
 
 /// The runs of `text` at `size` (height of the em in pixels), where [`outline`] draws them.
 #[must_use]
-pub fn set_runs(text: &str, size: f32) -> Vec<SetRun<'_>> {
+pub fn set_runs(text: &str, size: f32, mathematical: bool) -> Vec<SetRun> {
     let mut x = 0.0;
-    let mut set = Vec::new();
+    let mut set: Vec<SetRun> = Vec::new();
     for run in runs(text) {
         let (scale, y) = if run.lowered { (SUBSCRIPT_SIZE, SUBSCRIPT_DROP) } else { (1.0, 0.0) };
-        let at = [x, y * size];
-        x += measure_plain(run.text, scale * size);
-        set.push(SetRun { text: run.text, at, size: scale * size });
+        let size_here = scale * size;
+        let mut last = None;
+        for c in run.text.chars().filter(|c| !c.is_control()) {
+            let (face, c) = face(c, mathematical);
+            match set.last_mut().filter(|_| last == Some(face)) {
+                Some(run) => run.text.push(c),
+                None => set.push(SetRun { text: c.to_string(), face, at: [x, y * size], size: size_here }),
+            }
+            last = Some(face);
+            x += advance(face, glyph(face, c)) * size_here;
+        }
     }
     set
 }
 
-/// The width of characters in a line without subscripts.
-fn measure_plain(text: &str, size: f32) -> f32 {
-    text.chars().filter(|c| !c.is_control()).map(|c| advance(glyph(c)) * size).sum()
-}
-
-/// The number of a character's glyph in the font; 0 where the font lacks it.
+/// The number of a character's glyph in a font; 0 where the font lacks it.
 #[must_use]
-pub fn glyph(c: char) -> u16 {
-    let found = FONT.as_ref().and_then(|font| font.charmap.map(c)).unwrap_or(GlyphId::NOTDEF);
+pub fn glyph(face: Face, c: char) -> u16 {
+    let found = face.font().and_then(|font| font.charmap.map(c)).unwrap_or(GlyphId::NOTDEF);
     u16::try_from(found.to_u32()).unwrap_or_default()
 }
 
 /// From a glyph to the next one, in ems.
 #[must_use]
-pub fn advance(glyph: u16) -> f32 {
-    let font = FONT.as_ref();
+pub fn advance(face: Face, glyph: u16) -> f32 {
+    let font = face.font();
     font.map_or(0.0, |font| font.metrics.advance_width(glyph.into()).unwrap_or(0.0) / font.units_per_em)
 }
 
@@ -290,7 +374,7 @@ mod tests {
 
     #[test]
     fn the_font_is_there_and_has_what_the_labels_need() {
-        let font = FONT.as_ref().unwrap();
+        let font = Face::Plain.font().unwrap();
         for c in "ABCxyzuvn0123456789áàâãçéêíóôõúüÁÀÂÃÇÉÊÍÓÔÕÚαβθφλμ·×°−±√≤≥≠→←↑↓′″½²³".chars()
         {
             assert!(font.charmap.map(c).is_some(), "{c} is missing");
@@ -363,9 +447,9 @@ mod tests {
 
     #[test]
     fn widths_add_up_and_scale() {
-        let w = |t| measure(t, 20.0).width;
+        let w = |t| measure(t, 20.0, false).width;
         assert!((w("ab") - w("a") - w("b")).abs() < 1e-3);
-        assert!((measure("abc", 40.0).width - 2.0 * w("abc")).abs() < 1e-3);
+        assert!((measure("abc", 40.0, false).width - 2.0 * w("abc")).abs() < 1e-3);
         assert!((w("x_c") - w("x") - 0.7 * w("c")).abs() < 1e-3);
         // DejaVu Sans: the letter x is 1212 of 2048 units wide and 1120 high.
         assert!((w("x") - 20.0 * 1212.0 / 2048.0).abs() < 1e-3);
@@ -385,7 +469,7 @@ mod tests {
 
     #[test]
     fn an_outline_stands_on_its_baseline_and_spans_the_x_height() {
-        let [_, top, _, bottom] = bounds(&outline("x", 2048.0));
+        let [_, top, _, bottom] = bounds(&outline("x", 2048.0, false));
         assert!(bottom.abs() < 1.0 && (top + 1120.0).abs() < 1.0, "{top} {bottom}");
     }
 
@@ -393,8 +477,8 @@ mod tests {
     fn what_is_measured_is_what_is_drawn() {
         for text in ["x", "PF", "far (B)", "fffttt", "@@@@", "WWWW", "x_c", "M_{prp}", "Ângulo θ", "gjpqy", "x_{gq}"]
         {
-            let Extent { width, above, below } = measure(text, 100.0);
-            let [left, top, right, bottom] = bounds(&outline(text, 100.0));
+            let Extent { width, above, below } = measure(text, 100.0, false);
+            let [left, top, right, bottom] = bounds(&outline(text, 100.0, false));
             assert!((above + top).abs() < 0.1 && (below - bottom.max(0.0)).abs() < 0.1, "{text}: {above} {below}");
             // Side bearings: letters keep a little distance from the ends of their room.
             assert!(
@@ -406,17 +490,17 @@ mod tests {
 
     #[test]
     fn a_missing_character_shows_as_a_box() {
-        let [left, top, right, bottom] = bounds(&outline("\u{10FFFD}", 20.0));
+        let [left, top, right, bottom] = bounds(&outline("\u{10FFFD}", 20.0, false));
         assert!(right - left > 4.0 && bottom - top > 8.0);
     }
 
     #[test]
     fn nothing_to_draw_is_empty() {
         for text in ["", "  ", "\n\t"] {
-            assert_eq!(outline(text, 12.0), []);
+            assert_eq!(outline(text, 12.0, false), []);
         }
         for size in [0.0, -3.0, f32::NAN, f32::INFINITY] {
-            assert_eq!(outline("a", size), []);
+            assert_eq!(outline("a", size, false), []);
         }
     }
 }

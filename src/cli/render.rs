@@ -10,12 +10,12 @@ use super::{Failure, open, progress, say, scene};
 use crate::camera::{Camera, ImageSize};
 use crate::figure::update;
 use crate::files::{self, Overwrite};
-use crate::i18n::{Lang, command_line as texts, compare, families, messages, pictures};
+use crate::i18n::{Lang, command_line as texts, compare, families, labels as labels_words, messages, pictures};
 use crate::picture::{self, Beside, Composite, NoComposite, OnPaper, PictureError, PictureFile, gap};
 use crate::pipeline::OverBudget;
 use crate::progress::at_once;
 use crate::sanitize;
-use crate::views::{Finish, ObserverOf, Request, SharedScene, Shot, Size, View};
+use crate::views::{Finish, ObserverOf, Request, SharedScene, Shot, Size, View, unknown_labels};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let out = &args.out;
@@ -55,6 +55,10 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     report(&file, &sheet, form.dpi, [&messages::opened(lang, &args.figure), &name], lang);
     if let Some(Err(error)) = figure.compare.as_ref().map(|comparison| comparison.other_side(figure)) {
         say(&format!("{}: {}", messages::opened(lang, &args.figure), compare::impossible(lang, &error)));
+    }
+    for (unknown, near) in unknown_labels(&shot, &scene) {
+        let opened = messages::opened(lang, &args.figure);
+        say(&format!("{opened}: {}", labels_words::unknown(lang, &unknown, near.as_deref())));
     }
     save(&out.output, &file.bytes, file.beside, lang)
 }

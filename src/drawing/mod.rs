@@ -124,6 +124,8 @@ pub struct Label {
     pub offset: [f32; 2],
     /// The text.
     pub text: String,
+    /// In the letters of mathematics, where these have them.
+    pub mathematical: bool,
     /// Height of the type in pixels.
     pub size: f32,
     /// Colour of the letters.

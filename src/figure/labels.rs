@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Measure, View};
+use super::{Measure, View, near};
 use crate::appearance::Rgba;
 use crate::formula::{self, FormulaError};
 use crate::limits::MAX_LABEL_TEXT;
@@ -274,6 +274,18 @@ impl Labels {
         let moved = self.moved.iter().map(|moved| moved.name.as_str());
         let styled = self.styled.iter().map(|styled| styled.name.as_str());
         self.hidden.iter().map(String::as_str).chain(renamed).chain(moved).chain(styled)
+    }
+
+    /// The names that none of `known` is and that are not `allowed`, each once, with the one that was probably meant.
+    #[must_use]
+    pub fn unknown(&self, known: &[&str], allowed: impl Fn(&str) -> bool) -> Vec<(String, Option<String>)> {
+        let mut unknown: Vec<(String, Option<String>)> = Vec::new();
+        for name in self.names().filter(|name| !known.contains(name) && !allowed(name)) {
+            if !unknown.iter().any(|(other, _)| other == name) {
+                unknown.push((name.to_owned(), near::name(name, known)));
+            }
+        }
+        unknown
     }
 
     /// Follows an object to another name.

@@ -138,6 +138,12 @@ pub(super) fn word(word: &str, known: &[&str]) -> Option<String> {
     synonym(word, known).or_else(|| by_letters(word, known.iter().copied()))
 }
 
+/// The one of the names of labels that `name` probably means.
+pub(super) fn name(name: &str, known: &[&str]) -> Option<String> {
+    let same = known.iter().find(|other| other.eq_ignore_ascii_case(name));
+    same.map(|same| (*same).to_owned()).or_else(|| by_letters(name, known.iter().copied()))
+}
+
 fn synonym(word: &str, known: &[&str]) -> Option<String> {
     let word = word.to_lowercase().replace('-', "_");
     SYNONYMS.iter().find(|(other, key)| *other == word && known.contains(key)).map(|(_, key)| (*key).to_owned())

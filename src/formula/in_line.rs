@@ -72,6 +72,38 @@ pub fn bold(c: char) -> char {
     }
 }
 
+/// The italic letter of mathematics for a letter of ASCII; others as they are.
+#[must_use]
+pub fn italic(c: char) -> char {
+    let at = |first: u32, from: char| char::from_u32(first + (u32::from(c) - u32::from(from))).unwrap_or(c);
+    match c {
+        'A'..='Z' => at(0x1d434, 'A'),
+        // Unicode has it as the constant of Planck.
+        'h' => 'ℎ',
+        'a'..='z' => at(0x1d44e, 'a'),
+        c => c,
+    }
+}
+
+/// A text of the pictures in the letters of mathematics: single letters are symbols, **u**, **v** and **n** vectors.
+#[must_use]
+pub fn symbols(text: &str) -> String {
+    let mut set = String::with_capacity(2 * text.len());
+    let letters: Vec<char> = text.chars().collect();
+    for (i, &c) in letters.iter().enumerate() {
+        let before = i.checked_sub(1).and_then(|i| letters.get(i).copied());
+        let is_letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
+        let is_single = !is_letter(before) && !is_letter(letters.get(i + 1).copied());
+        let is_lowered = before == Some('_');
+        set.push(match c {
+            'u' | 'v' | 'n' if is_single && !is_lowered => bold(c),
+            c if is_single => italic(c),
+            c => c,
+        });
+    }
+    set
+}
+
 /// Reads a formula that [`check_one`] lets through.
 struct Setter<'a> {
     rest: &'a str,
@@ -128,7 +160,7 @@ impl Setter<'_> {
             '\\' => self.word(),
             '\'' => Ok("′".to_owned()),
             '&' | '~' => Ok(" ".to_owned()),
-            c => Ok(c.to_string()),
+            c => Ok(italic(c).to_string()),
         }
     }
 
@@ -170,13 +202,18 @@ impl Setter<'_> {
                 self.rest = rest;
                 Ok(words)
             }
-            word if AS_IT_IS.contains(&word) => self.one(),
-            "mathbf" | "boldsymbol" => Ok(self.one()?.chars().map(bold).collect()),
+            word if AS_IT_IS.contains(&word) => Ok(self.one()?.chars().map(upright).collect()),
+            "mathbf" | "boldsymbol" => Ok(self.one()?.chars().map(upright).map(bold).collect()),
             "frac" | "dfrac" | "tfrac" => Ok(format!("{}/{}", together(&self.one()?), together(&self.one()?))),
             "sqrt" if !self.rest.trim_start().starts_with('[') => Ok(format!("√{}", together(&self.one()?))),
             word => Err(not_on_a_line(word)),
         }
     }
+}
+
+/// The letter of ASCII for an italic one; others as they are.
+fn upright(c: char) -> char {
+    ('A'..='Z').chain('a'..='z').find(|letter| italic(*letter) == c).unwrap_or(c)
 }
 
 fn not_on_a_line(word: &str) -> FormulaProblem {
@@ -199,6 +236,7 @@ fn between(line: &mut String, sign: &str) {
 }
 
 fn raised(text: &str) -> Result<String, FormulaProblem> {
+    let text: String = text.chars().map(upright).collect();
     match text.trim() {
         "∘" => return Ok("°".to_owned()),
         "′" | "″" => return Ok(text.trim().to_owned()),
@@ -233,8 +271,16 @@ mod tests {
             (r"$\sqrt{2}\,\sqrt{a-b}$", "√2 √(a − b)"),
             (r"$P'$ and $Q$", "P′ and Q"),
         ] {
-            assert_eq!(set(text).as_deref(), Ok(expected), "{text}");
+            let upright: Result<String, _> = set(text).map(|line| line.chars().map(upright).collect());
+            assert_eq!(upright.as_deref(), Ok(expected), "{text}");
         }
+    }
+
+    #[test]
+    fn single_letters_are_symbols() {
+        assert_eq!(symbols("u, x_n and PF"), "𝐮, 𝑥_𝑛 and PF");
+        assert_eq!(symbols("window (F)"), "window (𝐹)");
+        assert_eq!(set("$x + \\mathrm{h}$").as_deref(), Ok("𝑥 + h"));
     }
 
     #[test]

@@ -13,12 +13,13 @@ use ratex_types::display_item::{DisplayItem, DisplayList};
 
 use crate::drawing::single;
 use crate::i18n::notes::plain;
+use crate::text;
 
 /// The fonts, by the names that `RaTeX` has for them. What would need another one is written as text.
 const FONTS: [(&str, &[u8]); 7] = [
-    ("Main-Regular", include_bytes!("../../assets/fonts/KaTeX_Main-Regular.ttf")),
-    ("Main-Bold", include_bytes!("../../assets/fonts/KaTeX_Main-Bold.ttf")),
-    ("Math-Italic", include_bytes!("../../assets/fonts/KaTeX_Math-Italic.ttf")),
+    ("Main-Regular", text::ROMAN_BYTES),
+    ("Main-Bold", text::BOLD_BYTES),
+    ("Math-Italic", text::ITALIC_BYTES),
     ("Size1-Regular", include_bytes!("../../assets/fonts/KaTeX_Size1-Regular.ttf")),
     ("Size2-Regular", include_bytes!("../../assets/fonts/KaTeX_Size2-Regular.ttf")),
     ("Size3-Regular", include_bytes!("../../assets/fonts/KaTeX_Size3-Regular.ttf")),

@@ -171,7 +171,7 @@ fn toml_in_portuguese(detail: &str) -> &str {
     known.find(|(english, _)| detail.starts_with(english)).map_or(detail, |(_, portuguese)| portuguese)
 }
 
-fn meant(lang: Lang, near: Option<&str>) -> String {
+pub(super) fn meant(lang: Lang, near: Option<&str>) -> String {
     near.map(escaped).map_or_else(String::new, |near| match lang {
         Lang::En => format!(" (did you mean {near}?)"),
         Lang::PtBr => format!(" (você quis dizer {near}?)"),

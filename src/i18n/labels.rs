@@ -3,6 +3,7 @@
 use super::{Lang, figure_files};
 use crate::figure::labels::LabelTextError;
 use crate::limits::MAX_LABEL_TEXT;
+use crate::sanitize::escaped;
 
 texts! {
     command: "Labels", "Rótulos";
@@ -47,5 +48,16 @@ pub fn refused(lang: Lang, error: &LabelTextError) -> String {
         }
         (Lang::En, LabelTextError::Formula(error)) => format!("The text {}.", figure_files::formula(lang, error)),
         (Lang::PtBr, LabelTextError::Formula(error)) => format!("O texto {}.", figure_files::formula(lang, error)),
+    }
+}
+
+/// A name in `[labels]` that no label has.
+#[must_use]
+pub fn unknown(lang: Lang, name: &str, near: Option<&str>) -> String {
+    let name = escaped(name);
+    let meant = figure_files::meant(lang, near);
+    match lang {
+        Lang::En => format!("[labels] names \"{name}\", which no label of the pictures is called{meant}"),
+        Lang::PtBr => format!("[labels] cita \"{name}\", nome que nenhum rótulo das imagens tem{meant}"),
     }
 }

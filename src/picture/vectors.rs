@@ -405,6 +405,7 @@ fn over_faces(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
         items.push(Item::Text {
             at,
             text: label.text.clone(),
+            mathematical: label.mathematical,
             size: label.size,
             color,
             halo,

@@ -144,6 +144,7 @@ impl<'a> Strokes<'a> {
         let labels = scenes.texts().filter_map(|text| {
             Some(Label {
                 name: text.name.clone(),
+                mathematical: false,
                 position: self.inside(text.position)?,
                 offset: text.offset.map(|c| c * self.scale),
                 text: text.text.clone(),

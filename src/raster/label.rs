@@ -30,7 +30,7 @@ pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
     if !finite(label.position, label.size) || !label.offset.iter().all(|v| v.is_finite()) {
         return;
     }
-    let Some(path) = text_path(&label.text, label.size) else { return };
+    let Some(path) = text_path(label) else { return };
     let [x, y] = baseline(label);
     let place = Transform::from_translate(x, y);
     let opacity = opacity(label.fade_if_hidden && !depth.shows(label.position));
@@ -45,7 +45,7 @@ pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
 /// The left end of the baseline of a label.
 #[must_use]
 pub fn baseline(label: &Label) -> [f32; 2] {
-    let width = text::measure(&label.text, label.size).width;
+    let width = text::measure(&label.text, label.size, label.mathematical).width;
     let left = match label.anchor {
         Anchor::Left => 0.0,
         Anchor::Center => 0.5 * width,
@@ -56,9 +56,9 @@ pub fn baseline(label: &Label) -> [f32; 2] {
 }
 
 /// The outline of a text; `None` where there is nothing to fill.
-fn text_path(text: &str, size: f32) -> Option<Path> {
+fn text_path(label: &Label) -> Option<Path> {
     let mut builder = PathBuilder::new();
-    for element in text::outline(text, size) {
+    for element in text::outline(&label.text, label.size, label.mathematical) {
         match element {
             Element::Move([x, y]) => builder.move_to(x, y),
             Element::Line([x, y]) => builder.line_to(x, y),
@@ -252,7 +252,18 @@ mod tests {
         label(
             &mut pixmap,
             &depth,
-            &Label { name: text.clone(), position, text, size, color, halo, anchor, offset, fade_if_hidden },
+            &Label {
+                name: text.clone(),
+                mathematical: false,
+                position,
+                text,
+                size,
+                color,
+                halo,
+                anchor,
+                offset,
+                fade_if_hidden,
+            },
         );
         let faces = Occluders { opaque: &depth, tints: None };
         mark(&mut pixmap, faces, &Mark { position, shape, radius: size, color, outline: halo, fade_if_hidden });

@@ -5,7 +5,8 @@ use glam::{DVec2, DVec3};
 use crate::appearance::Rgba;
 use crate::drawing::{Anchor, Drawing, Label, single};
 use crate::figure::labels::{note_name, set_text};
-use crate::figure::{LabelChange, Labels, Note, NotePlace, View};
+use crate::figure::{LabelChange, Labels, Letters, Note, NotePlace, View};
+use crate::formula::symbols;
 use crate::limits::MAX_LABEL_MOVE;
 
 use super::gizmos::SMALL_TYPE;
@@ -39,8 +40,12 @@ impl<'a> Author<'a> {
     /// Gives a label the author's text, size and colour.
     pub(super) fn apply(&self, change: LabelChange<'_>, label: &mut Label) {
         // Texts were checked where they came from.
-        if let Some(text) = change.text.and_then(|text| set_text(text).ok()) {
+        let text = change.text.and_then(|text| set_text(text).ok());
+        label.mathematical = self.labels.letters == Letters::Mathematics;
+        if let Some(text) = text {
             label.text = text;
+        } else if label.mathematical {
+            label.text = symbols(&label.text);
         }
         if let Some(size) = change.size {
             label.size *= single(size);
@@ -76,6 +81,7 @@ pub(super) fn add_notes(drawing: &mut Drawing, request: &Request, corner: DVec2)
         let offset = if matches!(note.at, NotePlace::Picture(_)) { [0.0; 2] } else { [0.6 * size, -0.6 * size] };
         drawing.labels.push(Label {
             name: note_name(i),
+            mathematical: false,
             position: [single(at.x), single(at.y), 1.0],
             offset,
             text: String::new(),
@@ -118,7 +124,7 @@ impl LabelPlace {
     fn of(label: &Label) -> Self {
         let [x, y, _] = label.position;
         let point = DVec2::new(f64::from(x), f64::from(y));
-        let half = half_size(&label.text, label.size);
+        let half = half_size(label);
         let aside = match label.anchor {
             Anchor::Left => half.x,
             Anchor::Center => 0.0,

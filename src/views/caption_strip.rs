@@ -1,7 +1,7 @@
 //! The captions under a row of pictures.
 
 use super::compared::on_clear_ground;
-use super::label_layout::half_size;
+use super::label_layout::half_size_of;
 use super::{Palette, values};
 use crate::appearance::{Rgba, Theme};
 use crate::drawing::{Anchor, Drawing, Label, single};
@@ -57,6 +57,7 @@ impl Captions {
             for (row, line) in (0_u8..).zip(lines(text, self.letters, *width)) {
                 drawing.labels.push(Label {
                     name: String::new(),
+                    mathematical: false,
                     position: [left + width / 2.0, self.letters * (ABOVE + (f32::from(row) + 0.5) * LINE), 1.0],
                     offset: [0.0; 2],
                     text: line,
@@ -93,7 +94,7 @@ fn part(place: usize) -> String {
 
 /// A text in lines that fit into a width.
 fn lines(text: &str, letters: f32, width: f32) -> Vec<String> {
-    let fits = |line: &str| 2.0 * single(half_size(line, letters).x) <= width;
+    let fits = |line: &str| 2.0 * single(half_size_of(line, letters, false).x) <= width;
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {
@@ -125,7 +126,7 @@ mod tests {
         for width in [40.0, 90.0, 200.0, 2000.0] {
             let broken = lines(text, 14.0, width);
             assert!(broken.len() <= MOST_LINES, "{broken:?}");
-            let widest = broken.iter().map(|line| 2.0 * half_size(line, 14.0).x).fold(0.0, f64::max);
+            let widest = broken.iter().map(|line| 2.0 * half_size_of(line, 14.0, false).x).fold(0.0, f64::max);
             assert!(widest <= f64::from(width), "{width}: {broken:?}");
         }
         assert_eq!(lines(text, 14.0, 2000.0), [text]);

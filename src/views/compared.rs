@@ -1,7 +1,7 @@
 //! A picture in two ways: the request of each side, and the line and the words over both.
 
 use super::gizmos::SMALL_TYPE;
-use super::label_layout::half_size;
+use super::label_layout::half_size_of;
 use super::values::{done, said};
 use super::{Compared, Labels, Palette, Request, Shot, Size};
 use crate::appearance::{Dash, HiddenLines, Rgba};
@@ -157,7 +157,7 @@ fn plate(
     em: f32,
     palette: Palette,
 ) {
-    let half = half_size(text, em);
+    let half = half_size_of(text, em, false);
     let (half_width, half_height) = (single(half.x), single(half.y));
     let middle = match anchor {
         Anchor::Left => x + half_width,
@@ -173,6 +173,7 @@ fn plate(
     drawing.areas.push(Area { corner, size, radius: pad, fill: Rgba { a: 235, ..palette.paper } });
     drawing.labels.push(Label {
         name: String::new(),
+        mathematical: false,
         position: [x, y, 1.0],
         offset: [0.0; 2],
         text: text.to_owned(),

@@ -167,7 +167,7 @@ impl Taken {
         /// The distance from the border of a text's box to its point from which on a line leads there, in heights of its
         /// type.
         const NEAR: f64 = 1.0;
-        let (at, em, half) = (point(label.position), f64::from(label.size), half_size(&label.text, label.size));
+        let (at, em, half) = (point(label.position), f64::from(label.size), half_size(&label));
         let room = (page.half - half).max(DVec2::ZERO);
         let wanted = at + DVec2::new(by.x, -by.y) * em;
         let place = Box2 { center: wanted.clamp(page.center - room, page.center + room), half };
@@ -183,7 +183,7 @@ impl Taken {
 
     /// Prepares for a text: there are thousands of lines in a picture, and few near its places.
     fn come_near(&mut self, label: &Label) {
-        let (at, half) = (point(label.position), half_size(&label.text, label.size));
+        let (at, half) = (point(label.position), half_size(label));
         let far = f64::from(label.size) * FARTHEST + f64::from(label.offset[0]).hypot(f64::from(label.offset[1]));
         let around = Box2 { center: at, half: 2.0 * half + (half.x + half.y + far) };
         self.near.clear();
@@ -316,7 +316,7 @@ const FARTHEST: f64 = 6.0;
 /// Places around a label's point and how little each is liked; those farther off if a line may lead to the point, which
 /// is harder to tell on a body.
 fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<Item = Candidate> + use<> {
-    let half = half_size(&label.text, label.size);
+    let half = half_size(label);
     let offset = DVec2::new(f64::from(label.offset[0]), f64::from(label.offset[1]));
     let (direction, gap) = (offset.normalize_or(DVec2::X), offset.length());
     let (at, em) = (point(label.position), f64::from(label.size));
@@ -337,10 +337,15 @@ fn candidates(label: &Label, leaders: bool, on_a_body: bool) -> impl Iterator<It
 }
 
 /// Half the width and height in pixels of a text around its middle, its halo included.
-pub(super) fn half_size(text: &str, size: f32) -> DVec2 {
+pub(super) fn half_size(label: &Label) -> DVec2 {
+    half_size_of(&label.text, label.size, label.mathematical)
+}
+
+/// As [`half_size`], of a text.
+pub(super) fn half_size_of(text: &str, size: f32, mathematical: bool) -> DVec2 {
     /// The part of the halo that should stay free, in ems.
     const HALO: f64 = 0.08;
-    let extent = measure(text, size);
+    let extent = measure(text, size, mathematical);
     // A label's point is at half the height of an x.
     let middle = 0.5 * x_height(size);
     let half = DVec2::new(f64::from(0.5 * extent.width), f64::from((extent.above - middle).max(extent.below + middle)));
@@ -358,6 +363,7 @@ mod tests {
     fn label(x: f32, y: f32, text: &str) -> Label {
         Label {
             name: text.to_owned(),
+            mathematical: false,
             position: [x, y, 0.5],
             offset: [6.0, 0.0],
             text: text.to_owned(),
@@ -387,7 +393,7 @@ mod tests {
 
     fn boxes(d: &Drawing) -> Vec<Box2> {
         let at = |l: &Label| point(l.position) + DVec2::new(f64::from(l.offset[0]), f64::from(l.offset[1]));
-        d.labels.iter().map(|l| Box2 { center: at(l), half: half_size(&l.text, l.size) }).collect()
+        d.labels.iter().map(|l| Box2 { center: at(l), half: half_size(l) }).collect()
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::drawing::{Anchor, Area, Drawing, Label, Mark, single};
 
 use super::Palette;
 use super::gizmos::SMALL_TYPE;
-use super::label_layout::{Box2, half_size};
+use super::label_layout::{Box2, half_size_of};
 use super::pixels::PixelRect;
 
 /// Height of a line, in heights of its letters.
@@ -47,7 +47,7 @@ impl LegendRow {
 
     /// Width in heights of letters.
     fn width(&self) -> f64 {
-        let text = |text: &str| 2.0 * half_size(text, 1.0).x;
+        let text = |text: &str| 2.0 * half_size_of(text, 1.0, false).x;
         match self {
             Self::Title(title, _) => text(title),
             Self::Swatch(_, meaning) | Self::Warning(_, meaning) | Self::Mark(_, _, meaning) => INDENT + text(meaning),
@@ -117,6 +117,7 @@ impl Legend {
         let mut text = |at: DVec2, text: &str, color: Rgba, anchor: Anchor| {
             drawing.labels.push(Label {
                 name: String::new(),
+                mathematical: false,
                 position: [single(at.x), single(at.y), 1.0],
                 offset: [0.0; 2],
                 text: text.to_owned(),

@@ -31,6 +31,7 @@
 //! | `image` | the image: the scene as the figure's camera sees it |
 //! | `author_labels` | the author's labels and notes in a picture |
 //! | `label_layout` | the layout of texts, so that none covers another |
+//! | `label_names` | the names of labels, by which an author changes them |
 //! | `labels` | the words in the pictures |
 //! | `legend` | the legend of a picture's colours, in its lower left corner |
 //! | `named_points` | the figure's points under the pointer: which one is there, and where it goes when it is dragged |
@@ -80,6 +81,7 @@ mod hits;
 mod hover;
 mod image;
 mod label_layout;
+mod label_names;
 mod labels;
 mod legend;
 pub mod named_points;
@@ -126,6 +128,7 @@ pub use compared::{Side, overlay};
 pub use hover::{
     Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, TransformGizmo, Transforming, TriangleOverlay,
 };
+pub use label_names::unknown_labels;
 pub use labels::Labels;
 use observer::Viewpoint;
 pub use observer_of::ObserverOf;

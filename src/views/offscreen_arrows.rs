@@ -70,6 +70,7 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
         let inwards = (tail - tip).normalize_or(DVec2::NEG_Y) * f64::from(0.7 * type_size);
         drawing.labels.push(Label {
             name: sanitize::escaped(look.name),
+            mathematical: false,
             position: [single(tail.x), single(tail.y), 1.0],
             offset: [single(inwards.x), single(inwards.y)],
             text,

@@ -63,7 +63,7 @@ impl<'a> PipelineReveal<'a> {
             }
         }
         for (p, name) in &self.names {
-            builder.text(*p, name, glam::DVec2::NEG_Y, SMALL_TYPE, palette.ink);
+            builder.named("outside", *p, name, glam::DVec2::NEG_Y, SMALL_TYPE, palette.ink);
         }
     }
 

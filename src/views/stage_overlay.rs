@@ -161,6 +161,7 @@ fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Pal
     let mut label = |position: [f32; 3], text: String| {
         drawing.labels.push(Label {
             name: String::new(),
+            mathematical: false,
             position,
             offset: [7.0 * request.size.scale, -7.0 * request.size.scale],
             text,
@@ -243,6 +244,7 @@ pub(super) fn part(frame: &mut Frame, request: &Request) {
         for (aside, anchor, text) in sides {
             drawing.labels.push(Label {
                 name: String::new(),
+                mathematical: false,
                 position: [middle + aside * scale, 14.0 * scale, 1.0],
                 offset: [0.0; 2],
                 text: text.to_owned(),

@@ -112,7 +112,8 @@ fn horizon(drawing: &mut Drawing, picture: &WindowPicture<'_>, request: &Request
         let left = if from.x < to.x { from } else { to };
         let size = SMALL_TYPE * request.size.scale;
         let at = left + (from.max(to) - left) * 0.04 - DVec2::Y * (0.9 * f64::from(size));
-        drawing.labels.push(label(at, request.labels.horizon, size, palette.soft, palette));
+        let name = "horizon".to_owned();
+        drawing.labels.push(Label { name, ..label(at, request.labels.horizon, size, palette.soft, palette) });
     }
 }
 
@@ -173,6 +174,7 @@ impl WindowPicture<'_> {
 fn label(at: DVec2, text: &str, size: f32, color: crate::appearance::Rgba, palette: Palette) -> Label {
     Label {
         name: text.to_owned(),
+        mathematical: false,
         position: [single(at.x), single(at.y), 1.0],
         offset: [0.6 * size, -0.6 * size],
         text: text.to_owned(),

@@ -203,7 +203,7 @@ fn along_u_is_the_side_figure_of_the_notes_and_along_n_what_the_camera_sees() {
 
 /// Left, top, right, bottom of a text in pixels.
 fn text_box(label: &Label) -> [f32; 4] {
-    let extent = measure(&label.text, label.size);
+    let extent = measure(&label.text, label.size, label.mathematical);
     let (x, y) = (label.position[0] + label.offset[0], label.position[1] + label.offset[1]);
     let left = if label.anchor == Anchor::Center { x - extent.width / 2.0 } else { x };
     let middle = x_height(label.size) / 2.0;

@@ -66,7 +66,7 @@ fn nothing_is_blank_nan_or_crowded_past_reading() {
             let (few, least) = if figure.name == "zoomed-out" && view == View::Image { (5, 1e-4) } else { (8, 0.01) };
             assert!(colours.len() >= few && covered > least, "{what}: {} colours, {covered}", colours.len());
             for label in &drawing.labels {
-                let size = measure(&label.text, label.size);
+                let size = measure(&label.text, label.size, label.mathematical);
                 let x = label.position[0] + label.offset[0];
                 let y = label.position[1] + label.offset[1];
                 let inside = x > -size.width && x < 400.0 + size.width && y > 0.0 && y < 300.0;

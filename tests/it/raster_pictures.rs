@@ -42,6 +42,8 @@ fn stroke(points: Vec<[f32; 3]>, hidden: HiddenLines, arrow: bool) -> StrokeSet 
 
 fn label(position: [f32; 3], text: &str, fade_if_hidden: bool) -> Label {
     Label {
+        name: text.to_owned(),
+        mathematical: false,
         position,
         offset: [0.0, 0.0],
         text: text.into(),

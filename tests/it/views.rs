@@ -164,7 +164,7 @@ const VIEWPOINTS: [Viewpoint; 4] = [Viewpoint::Front, Viewpoint::Top, Viewpoint:
 
 /// Left, top, right, bottom of a text in pixels.
 fn text_box(label: &Label) -> [f32; 4] {
-    let extent = measure(&label.text, label.size);
+    let extent = measure(&label.text, label.size, label.mathematical);
     assert_eq!(label.anchor, Anchor::Center);
     let (x, y) = (label.position[0] + label.offset[0], label.position[1] + label.offset[1]);
     let (half, middle) = (extent.width / 2.0, x_height(label.size) / 2.0);

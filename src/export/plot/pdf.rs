@@ -173,7 +173,7 @@ impl DrawingBackend for PdfBackend<'_> {
             return Ok(());
         }
         let size = style.size() as f32;
-        let width = text::measure(text, size).width;
+        let width = text::measure(text, size, false).width;
         let left = match style.anchor().h_pos {
             HPos::Left => 0.0,
             HPos::Center => -width / 2.0,
@@ -196,7 +196,7 @@ impl DrawingBackend for PdfBackend<'_> {
         operators.save_state();
         operators.transform([turn[0], turn[1], turn[2], turn[3], x as f32, y as f32]);
         operators.transform([1.0, 0.0, 0.0, 1.0, left, down]);
-        path_of(operators, &text::outline(text, size));
+        path_of(operators, &text::outline(text, size, false));
         operators.fill_nonzero().restore_state();
         Ok(())
     }
@@ -208,6 +208,6 @@ impl DrawingBackend for PdfBackend<'_> {
         style: &S,
     ) -> Result<(u32, u32), DrawingErrorKind<Infallible>> {
         let size = style.size() as f32;
-        Ok((text::measure(text, size).width.ceil() as u32, size.ceil() as u32))
+        Ok((text::measure(text, size, false).width.ceil() as u32, size.ceil() as u32))
     }
 }

@@ -83,6 +83,8 @@ pub enum Item {
         at: [f32; 2],
         /// The text.
         text: String,
+        /// In the letters of mathematics, where these have them.
+        mathematical: bool,
         /// Height of the em.
         size: f32,
         /// The colour of its letters.

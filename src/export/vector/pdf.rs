@@ -4,10 +4,10 @@ use pdf_writer::types::{AssociationKind, LineCapStyle, LineJoinStyle, StructRole
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
 use tiny_skia::Pixmap;
 
-use super::font::{FONT, Glyphs};
+use super::font::{FONTS_NAMED, Glyphs};
 use super::{Item, Letters, Page, straight};
 use crate::appearance::Rgba;
-use crate::text::{self, Element};
+use crate::text::{self, Element, Face};
 
 /// The objects whose references are known beforehand.
 const CATALOG: Ref = Ref::new(1);
@@ -20,9 +20,10 @@ const DOCUMENT: Ref = Ref::new(7);
 const FIGURE: Ref = Ref::new(8);
 const ATTACHED: Ref = Ref::new(9);
 const ATTACHMENT: Ref = Ref::new(10);
-const FONTS: [Ref; 5] = [Ref::new(11), Ref::new(12), Ref::new(13), Ref::new(14), Ref::new(15)];
+/// The first of the fonts: each has five.
+const FONTS: i32 = 11;
 /// The first of the pictures: each has two.
-const PICTURES: i32 = 16;
+const PICTURES: i32 = FONTS + 5 * 4;
 
 /// The page as a PDF file, tagged as a figure with its description, and with a figure file attached; an empty one is
 /// none. `None` where the font can't be cut.
@@ -34,7 +35,7 @@ pub fn pdf(page: &Page, letters: Letters, figure: &str) -> Option<Vec<u8>> {
     let mut writer = Writer {
         operators: Content::new(),
         letters,
-        glyphs: Glyphs::default(),
+        glyphs: Face::ALL.map(Glyphs::of),
         opacities: Vec::new(),
         pictures: Vec::new(),
     };
@@ -73,8 +74,12 @@ pub fn pdf(page: &Page, letters: Letters, figure: &str) -> Option<Vec<u8>> {
     let mut leaf = pdf.page(PAGE);
     leaf.media_box(Rect::new(0.0, 0.0, width, height)).parent(PAGES).contents(CONTENT).struct_parents(0);
     let mut resources = leaf.resources();
-    if !glyphs.is_empty() {
-        resources.fonts().pair(FONT, FONTS[0]);
+    let used = || glyphs.iter().enumerate().filter(|(_, glyphs)| !glyphs.is_empty());
+    if used().next().is_some() {
+        let mut fonts = resources.fonts();
+        for (k, _) in used() {
+            fonts.pair(FONTS_NAMED[k], font_refs(k)[0]);
+        }
     }
     let mut states = resources.ext_g_states();
     for opacity in &opacities {
@@ -95,8 +100,8 @@ pub fn pdf(page: &Page, letters: Letters, figure: &str) -> Option<Vec<u8>> {
     leaf.finish();
     let packed = packed(&operators.finish());
     pdf.stream(CONTENT, &packed).filter(Filter::FlateDecode);
-    if !glyphs.is_empty() {
-        glyphs.write(&mut pdf, FONTS)?;
+    for (k, glyphs) in used() {
+        glyphs.write(&mut pdf, font_refs(k))?;
     }
     for (k, picture) in pictures.iter().enumerate() {
         write_picture(&mut pdf, picture, picture_refs(k))?;
@@ -125,6 +130,12 @@ fn picture_name(k: usize) -> String {
 }
 
 /// The references of a picture and of its opacities.
+/// A font, its descendant, its description, its file, its characters.
+fn font_refs(k: usize) -> [Ref; 5] {
+    let first = FONTS.saturating_add(i32::try_from(5 * k).unwrap_or(0));
+    [0, 1, 2, 3, 4].map(|i| Ref::new(first + i))
+}
+
 fn picture_refs(k: usize) -> [Ref; 2] {
     let first = PICTURES.saturating_add(i32::try_from(2 * k).unwrap_or(0));
     [Ref::new(first), Ref::new(first + 1)]
@@ -154,7 +165,8 @@ fn write_picture(pdf: &mut Pdf, pixels: &Pixmap, [itself, mask]: [Ref; 2]) -> Op
 struct Writer<'a> {
     operators: Content,
     letters: Letters,
-    glyphs: Glyphs,
+    /// By [`Face`].
+    glyphs: [Glyphs; 4],
     /// Opacities that are used, each a graphics state.
     opacities: Vec<u8>,
     pictures: Vec<&'a Pixmap>,
@@ -193,19 +205,19 @@ impl<'a> Writer<'a> {
                 self.path(path);
                 self.operators.stroke();
             }
-            Item::Text { at, text, size, color, halo, halo_width, .. } => {
+            Item::Text { at, text, mathematical, size, color, halo, halo_width, .. } => {
                 if halo.a > 0 {
                     self.color(*halo);
                     self.operators.set_line_width(*halo_width).set_line_join(LineJoinStyle::RoundJoin);
                     self.operators.set_dash_pattern([], 0.0);
-                    self.path(&text::moved(&text::outline(text, *size), *at));
+                    self.path(&text::moved(&text::outline(text, *size, *mathematical), *at));
                     self.operators.stroke();
                 }
                 self.color(*color);
                 match self.letters {
-                    Letters::Text => self.text(*at, text, *size),
+                    Letters::Text => self.text(*at, (text, *mathematical), *size),
                     Letters::Outlines => {
-                        self.path(&text::moved(&text::outline(text, *size), *at));
+                        self.path(&text::moved(&text::outline(text, *size, *mathematical), *at));
                         self.operators.fill_nonzero();
                     }
                 }
@@ -223,11 +235,12 @@ impl<'a> Writer<'a> {
     }
 
     /// One text of PDF for each: what is selected in a viewer is the whole name.
-    fn text(&mut self, [x, y]: [f32; 2], text: &str, size: f32) {
+    fn text(&mut self, [x, y]: [f32; 2], (text, mathematical): (&str, bool), size: f32) {
         self.operators.begin_text();
-        for run in text::set_runs(text, size) {
-            let bytes = self.glyphs.show(run.text);
-            self.operators.set_font(FONT, run.size);
+        for run in text::set_runs(text, size, mathematical) {
+            let font = run.face as usize;
+            let bytes = self.glyphs[font].show(&run.text);
+            self.operators.set_font(FONTS_NAMED[font], run.size);
             self.operators.set_text_matrix([1.0, 0.0, 0.0, -1.0, x + run.at[0], y + run.at[1]]).show(Str(&bytes));
         }
         self.operators.end_text();

@@ -7,7 +7,7 @@ use xmlwriter::{Indent, Options, XmlWriter};
 use super::embedded::write_in_svg;
 use super::{Item, Letters, Page, number, straight};
 use crate::appearance::Rgba;
-use crate::text::{self, Element};
+use crate::text::{self, Element, Face};
 
 /// The page as an SVG file, with a figure file in it; an empty one is none.
 ///
@@ -80,9 +80,9 @@ impl Writer {
                 }
                 self.xml.end_element();
             }
-            Item::Text { at, text, size, color, halo, halo_width, .. } => match self.letters {
-                Letters::Text => self.text(*at, text, *size, [*color, *halo], *halo_width),
-                Letters::Outlines => self.outlines(*at, text, *size, [*color, *halo], *halo_width),
+            Item::Text { at, text, mathematical, size, color, halo, halo_width, .. } => match self.letters {
+                Letters::Text => self.text(*at, (text, *mathematical), *size, [*color, *halo], *halo_width),
+                Letters::Outlines => self.outlines(*at, (text, *mathematical), *size, [*color, *halo], *halo_width),
             },
             Item::Picture { corner, size, pixels } => {
                 let Some(png) = png_of(pixels) else { return };
@@ -139,7 +139,14 @@ impl Writer {
     }
 
     /// One element with its halo painted first, so that each text is there once.
-    fn text(&mut self, [x, y]: [f32; 2], text: &str, size: f32, [color, halo]: [Rgba; 2], halo_width: f32) {
+    fn text(
+        &mut self,
+        [x, y]: [f32; 2],
+        (text, mathematical): (&str, bool),
+        size: f32,
+        [color, halo]: [Rgba; 2],
+        halo_width: f32,
+    ) {
         self.xml.start_element("text");
         self.xml.write_attribute("x", &number(x));
         self.xml.write_attribute("y", &number(y));
@@ -152,12 +159,13 @@ impl Writer {
             self.xml.write_attribute("stroke-width", &number(halo_width));
             self.xml.write_attribute("stroke-linejoin", "round");
         }
-        let runs = text::set_runs(text, size);
+        let runs = text::set_runs(text, size, mathematical);
         if let [run] = runs.as_slice()
             && run.size == size
+            && run.face == Face::Plain
         {
             self.xml.set_preserve_whitespaces(true);
-            self.xml.write_text(&escaped(run.text));
+            self.xml.write_text(&escaped(&run.text));
         } else {
             self.xml.set_preserve_whitespaces(true);
             for run in runs {
@@ -165,10 +173,11 @@ impl Writer {
                 // The places of the font that is meant: another one's letters follow them.
                 self.xml.write_attribute("x", &number(x + run.at[0]));
                 self.xml.write_attribute("y", &number(y + run.at[1]));
+                self.font(run.face);
                 if run.size != size {
                     self.xml.write_attribute("font-size", &number(run.size));
                 }
-                self.xml.write_text(&escaped(run.text));
+                self.xml.write_text(&escaped(&run.text));
                 self.xml.end_element();
             }
         }
@@ -176,8 +185,30 @@ impl Writer {
         self.xml.set_preserve_whitespaces(false);
     }
 
-    fn outlines(&mut self, at: [f32; 2], text: &str, size: f32, [color, halo]: [Rgba; 2], halo_width: f32) {
-        let path = text::moved(&text::outline(text, size), at);
+    /// The font of a run, where it is not that of the text.
+    fn font(&mut self, face: Face) {
+        let family = match face {
+            Face::Plain => return,
+            Face::Roman | Face::Bold => "KaTeX_Main, Latin Modern Roman, CMU Serif, serif",
+            Face::Italic => "KaTeX_Math, Latin Modern Math, CMU Serif, serif",
+        };
+        self.xml.write_attribute("font-family", family);
+        match face {
+            Face::Bold => self.xml.write_attribute("font-weight", "bold"),
+            Face::Italic => self.xml.write_attribute("font-style", "italic"),
+            Face::Plain | Face::Roman => {}
+        }
+    }
+
+    fn outlines(
+        &mut self,
+        at: [f32; 2],
+        (text, mathematical): (&str, bool),
+        size: f32,
+        [color, halo]: [Rgba; 2],
+        halo_width: f32,
+    ) {
+        let path = text::moved(&text::outline(text, size, mathematical), at);
         self.xml.start_element("g");
         self.xml.write_attribute("aria-label", &escaped(text));
         if halo.a > 0 {

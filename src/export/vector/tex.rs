@@ -43,8 +43,8 @@ fn labels(page: &Page, items: &[Item], by: [f32; 2], latex: &mut String) {
     for item in items {
         match item {
             Item::Group { corner, items, .. } => labels(page, items, [by[0] + corner[0], by[1] + corner[1]], latex),
-            Item::Text { at, text, size, color, anchor, .. } => {
-                let width = text::measure(text, *size).width;
+            Item::Text { at, text, mathematical, size, color, anchor, .. } => {
+                let width = text::measure(text, *size, *mathematical).width;
                 let (share, before, after) = match anchor {
                     Anchor::Left => (0.0, "", r"\hss"),
                     Anchor::Center => (0.5, r"\hss", r"\hss"),
@@ -94,6 +94,9 @@ fn label(text: &str) -> String {
 fn word(part: &str) -> String {
     let name = part.trim_end_matches(|c: char| !c.is_alphabetic());
     let rest = formula::words(&part[name.len()..]);
+    if let Some(symbol) = letter_of_mathematics(name) {
+        return format!("${symbol}${rest}");
+    }
     let is_symbol = matches!(name, "u" | "v" | "n" | "x" | "y" | "z" | "w" | "t" | "PF" | "VUP" | "DOP")
         || (name.chars().count() == 1 && name.chars().all(char::is_uppercase) && name.is_ascii());
     let name = if is_symbol { format!("${}$", mathematics(name)) } else { formula::words(name) };
@@ -102,6 +105,9 @@ fn word(part: &str) -> String {
 
 /// The name of a symbol in mathematics.
 fn mathematics(name: &str) -> String {
+    if let Some(symbol) = letter_of_mathematics(name) {
+        return symbol;
+    }
     match name {
         "u" | "v" | "n" => format!("\\mathbf{{{name}}}"),
         name if name.chars().count() > 1 => format!("\\mathrm{{{}}}", formula::words(name)),
@@ -109,7 +115,22 @@ fn mathematics(name: &str) -> String {
     }
 }
 
+/// A bold or an italic letter of Unicode's mathematics in LaTeX; `None` for any other word.
+fn letter_of_mathematics(name: &str) -> Option<String> {
+    let letters: Vec<(text::Face, char)> = name.chars().map(|c| text::face(c, true)).collect();
+    let all = |face| letters.iter().all(|(other, letter)| *other == face && letter.is_ascii());
+    let plain: String = letters.iter().map(|(_, letter)| letter).collect();
+    match name.chars().next() {
+        Some(first) if !first.is_ascii() && all(text::Face::Bold) => Some(format!("\\mathbf{{{plain}}}")),
+        Some(first) if !first.is_ascii() && all(text::Face::Italic) => Some(plain),
+        _ => None,
+    }
+}
+
 fn subscript(name: &str) -> String {
+    if let Some(symbol) = letter_of_mathematics(name) {
+        return symbol;
+    }
     let plain = formula::words(name).replace('$', "");
     if name.chars().count() > 1 { format!("\\mathrm{{{plain}}}") } else { plain }
 }

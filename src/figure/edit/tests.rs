@@ -54,7 +54,7 @@ fn shape() -> impl Strategy<Value = Option<Shape>> {
     prop_oneof![
         Just(None),
         Just(Some(Shape::Torus)),
-        proptest::collection::vec(point(), 0..4).prop_map(|points| Some(Shape::Points(points))),
+        vec(point(), 0..4).prop_map(|points| Some(Shape::Points(points))),
         (point(), point()).prop_map(|(a, b)| Some(Shape::Segments(vec![[a, b]; 2]))),
         "[a-z\"'\\\\\n ç]{1,9}".prop_map(|path| Some(Shape::Mesh { path })),
     ]
@@ -65,9 +65,9 @@ fn scene() -> impl Strategy<Value = SceneSpec> {
     let light = (any::<bool>(), point()).prop_map(|(directional, p)| {
         if directional { Light::directional(p + DVec3::new(0.5, 0.5, 0.25)) } else { Light::point(p) }
     });
-    let lights = proptest::collection::vec(light, 0..3);
-    (proptest::sample::select(PRESETS), proptest::collection::vec(object, 0..5), lights).prop_map(
-        |((_, preset), objects, lights)| SceneSpec {
+    let lights = vec(light, 0..3);
+    (proptest::sample::select(PRESETS), vec(object, 0..5), lights).prop_map(|((_, preset), objects, lights)| {
+        SceneSpec {
             preset,
             objects: objects
                 .into_iter()
@@ -84,8 +84,8 @@ fn scene() -> impl Strategy<Value = SceneSpec> {
                 })
                 .collect(),
             lights: lights.into_iter().filter(|l| *l != Light::directional(DVec3::ZERO)).collect(),
-        },
-    )
+        }
+    })
 }
 
 fn figure() -> impl Strategy<Value = Figure> {
@@ -130,7 +130,7 @@ fn figure() -> impl Strategy<Value = Figure> {
             (reveal, undistorted)
         },
     );
-    let points = proptest::collection::vec(point(), 0..4);
+    let points = vec(point(), 0..4);
     let seen = (observer(), observer());
     let texts = proptest::array::uniform3("\\PC{0,9}");
     let show = (show(), screen(), texts);
@@ -264,8 +264,7 @@ fn show() -> impl Strategy<Value = Show> {
             (!object.is_empty()).then_some(ShownTriangle { object, index, step, pixel })
         });
     let measures: Vec<Measured> = MEASURES.iter().map(|(_, measured)| *measured).collect();
-    let measure =
-        (proptest::collection::vec(proptest::sample::select(measures), 0..4), proptest::option::of("[^\\PC]+"));
+    let measure = (vec(proptest::sample::select(measures), 0..4), proptest::option::of("[^\\PC]+"));
     let probe = prop_oneof![
         point().prop_map(ShownProbe::World),
         point().prop_map(|p| ShownProbe::Window(p.truncate())),
@@ -280,7 +279,7 @@ fn show() -> impl Strategy<Value = Show> {
             wrong,
         },
     );
-    let moved = proptest::collection::vec(preview, 0..3);
+    let moved = vec(preview, 0..3);
     let painted = proptest::option::of(0.0..=1.0_f64);
     let answer = proptest::option::of(parameters());
     let ndc = proptest::option::of(proptest::sample::select(&Ndc::ALL[..]));

@@ -12,7 +12,7 @@ use crate::gui::tooltip::Explained;
 use crate::i18n::labels::{self as words, Texts};
 use crate::limits::{LABEL_SIZE, MAX_LABEL_TEXT, MAX_LABELS};
 use crate::sanitize::escaped;
-use crate::views::View;
+use crate::views::{View, unknown_labels};
 
 /// The factor of one press of *larger*.
 const LARGER: f64 = 1.25;
@@ -34,6 +34,10 @@ impl Canvas {
             }
             ui.separator();
             whole(ui, state, t);
+            for (name, near) in unknown_labels(&self.shot, state.scene_cache.scene()) {
+                let text = words::unknown(state.settings.lang, &name, near.as_deref());
+                ui.colored_label(ui.visuals().warn_fg_color, text);
+            }
         });
     }
 
