@@ -193,6 +193,15 @@ impl Window {
         self.run();
     }
 
+    /// Clicks a place of the window.
+    pub(crate) fn click_at(&mut self, place: Pos2) {
+        self.harness.hover_at(place);
+        self.run();
+        self.harness.drag_at(place);
+        self.harness.drop_at(place);
+        self.run();
+    }
+
     /// Takes the pointer to `from`, presses, moves it by `way` in steps, and lets go after `held` has looked at the
     /// window.
     pub(crate) fn drag(&mut self, from: Pos2, way: Vec2, held: impl FnOnce(&mut Self)) {

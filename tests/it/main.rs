@@ -38,6 +38,7 @@ mod guides;
 mod hostile;
 mod image_pixels;
 mod inspect_report;
+mod labels;
 mod layers;
 mod manual;
 mod meshes;

@@ -25,9 +25,10 @@ impl Canvas {
         let Some(room) = room.filter(|_| state.label_mode.on) else { return };
         let t = words::texts(state.settings.lang);
         let window = Window::new(t.title).id(Id::unique("card of labels")).constrain_to(room).resizable(false);
-        let window = window.pivot(Align2::RIGHT_BOTTOM).default_pos(room.right_bottom() - vec2(8.0, 8.0));
+        let window =
+            window.default_width(250.0).pivot(Align2::RIGHT_BOTTOM).default_pos(room.right_bottom() - vec2(8.0, 8.0));
         window.collapsible(false).show(ui.ctx(), |ui| {
-            ui.set_max_width(270.0);
+            ui.set_max_width(250.0);
             self.choice(ui, state, panes, t);
             if let Some((view, name)) = state.label_mode.chosen.clone() {
                 self.chosen(ui, state, (view, &name), t);
@@ -167,7 +168,7 @@ fn whole(ui: &mut Ui, state: &mut State, t: &Texts) {
     }
     ui.horizontal_wrapped(|ui| {
         let has_room = notes < MAX_LABELS;
-        let add = ui.add_enabled(has_room, egui::Button::selectable(state.label_mode.adding, t.add));
+        let add = ui.add_enabled(has_room, egui::Button::new(t.add).selected(state.label_mode.adding));
         if add.explained(if has_room { t.add_hint } else { t.full }).clicked() {
             state.label_mode.adding ^= true;
         }

@@ -214,6 +214,12 @@ impl Canvas {
         self.shot.pictures.iter().zip(&self.pictures).filter_map(|(shown, screen)| Some((shown.kind, screen.place?)))
     }
 
+    /// The labels of the picture of a kind, in its pixels.
+    #[must_use]
+    pub fn labels(&self, kind: View) -> &[LabelPlace] {
+        self.picture_of(kind).map(|picture| picture.labels.as_slice()).unwrap_or_default()
+    }
+
     /// A picture of the shot with what the pointer adds to it.
     fn request(&self, state: &State, picture: &Picture, size: Size) -> Request {
         let (camera, scene) = (state.document.camera(), state.scene_cache.scene());

@@ -111,6 +111,7 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str
             if edit::rename(&mut base, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
                 state.document.edit(|figure| figure.scene = base.clone());
                 state.document.show_mut().rename_object(name, &wanted);
+                state.document.edit_labels(|labels| labels.rename_object(name, &wanted));
                 form.base = base;
                 state.tree.select(Some(Selected::Object(wanted)));
             }
