@@ -146,7 +146,7 @@ pub enum Allowed {
     Pair,
     /// `[x, y]`, two numbers between two, both included.
     PairIn(f64, f64),
-    /// What a note is about.
+    /// The place of a note.
     NotePlace,
     /// `[i, j]`, two whole numbers.
     Pixel,

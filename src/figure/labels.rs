@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Measure, View, near};
 use crate::appearance::Rgba;
+pub use crate::formula::symbols;
 use crate::formula::{self, FormulaError};
 use crate::limits::MAX_LABEL_TEXT;
 

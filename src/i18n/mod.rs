@@ -199,7 +199,18 @@ mod tests {
         check(scenes::texts(Lang::En).entries(), scenes::texts(Lang::PtBr).entries());
         assert_eq!(
             same,
-            ["space_ndc", "space_pixel", "space_viewport", "outcode", "infinite", "address_hint", "link", "shape_cone"]
+            [
+                "space_ndc",
+                "space_pixel",
+                "space_viewport",
+                "outcode",
+                "parts",
+                "slide",
+                "infinite",
+                "address_hint",
+                "link",
+                "shape_cone",
+            ]
         );
     }
 }

@@ -4,57 +4,14 @@ use glam::{DVec2, DVec3};
 
 use crate::appearance::Rgba;
 use crate::drawing::{Anchor, Drawing, Label, single};
-use crate::figure::labels::{note_name, set_text};
-use crate::figure::{LabelChange, Labels, Letters, Note, NotePlace, View};
-use crate::formula::symbols;
+use crate::figure::labels::note_name;
+use crate::figure::{Note, NotePlace};
 use crate::limits::MAX_LABEL_MOVE;
 
 use super::gizmos::SMALL_TYPE;
-use super::label_layout::{Box2, half_size};
+use super::label_layout::half_size;
 use super::named_points::point_at;
 use super::{Palette, Request, SharedScene, pick};
-
-/// The author's wishes for the labels of a picture.
-#[derive(Clone, Copy)]
-pub(super) struct Author<'a> {
-    pub(super) labels: &'a Labels,
-    pub(super) view: View,
-    /// Colour and width of the lines from labels to their points.
-    pub(super) leader: (Rgba, f32),
-    /// The area that labels stay in, in the pixels of the drawing; `None`: all of it.
-    pub(super) page: Option<Box2>,
-}
-
-impl<'a> Author<'a> {
-    pub(super) fn of(request: &'a Request, palette: Palette) -> Self {
-        let leader = (palette.soft, 0.8 * request.size.scale);
-        Self { labels: &request.shot.labels, view: request.view, leader, page: None }
-    }
-
-    /// The whole picture, in the pixels of a drawing that begins at `corner` of it.
-    pub(super) fn page(request: &Request, corner: DVec2) -> Box2 {
-        let half = 0.5 * extent(request);
-        Box2 { center: half - corner, half }
-    }
-
-    /// Gives a label the author's text, size and colour.
-    pub(super) fn apply(&self, change: LabelChange<'_>, label: &mut Label) {
-        // Texts were checked where they came from.
-        let text = change.text.and_then(|text| set_text(text).ok());
-        label.mathematical = self.labels.letters == Letters::Mathematics;
-        if let Some(text) = text {
-            label.text = text;
-        } else if label.mathematical {
-            label.text = symbols(&label.text);
-        }
-        if let Some(size) = change.size {
-            label.size *= single(size);
-        }
-        if let Some(color) = change.color {
-            label.color = color;
-        }
-    }
-}
 
 fn extent(request: &Request) -> DVec2 {
     DVec2::new(f64::from(request.size.width), f64::from(request.size.height))

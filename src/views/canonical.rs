@@ -13,10 +13,10 @@ use crate::pipeline::project::displayed_ndc;
 use crate::pipeline::{Frame, Scenes};
 use crate::scene::Scene;
 
-use super::author_labels::{self, Author};
+use super::author_labels;
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{self, GearBuilder, SMALL_TYPE};
-use super::label_layout::Rules;
+use super::label_layout::{Author, Rules};
 use super::legend::LegendRow;
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;

@@ -10,10 +10,10 @@ use crate::pipeline::depths::DepthScale;
 use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
 use crate::scene::Scene;
 
-use super::author_labels::{self, Author};
+use super::author_labels;
 use super::depth::{self, Greys};
 use super::gizmos::{GearBuilder, SceneChange, stroke};
-use super::label_layout::{Box2, Rules};
+use super::label_layout::{Author, Box2, Rules};
 use super::legend::LegendRow;
 use super::pixels::{PixelRect, Size, image_frame};
 use super::screen::Screen;

@@ -4,10 +4,12 @@ use glam::DVec2;
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba};
 use crate::drawing::{Anchor, Drawing, Label, StrokeSet, single};
+use crate::figure::labels::{set_text, symbols};
+use crate::figure::{LabelChange, Labels, Letters, View};
 use crate::text::{measure, x_height};
 
-use super::author_labels::Author;
 use super::coverage_grid::Solids;
+use super::{Palette, Request};
 
 /// A rectangle in pixels: its middle and half its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +51,48 @@ impl Box2 {
             t1 = t1.min(s.max(e));
         }
         (t0 < t1).then_some([t0, t1])
+    }
+}
+
+/// The author's wishes for the labels of a picture.
+#[derive(Clone, Copy)]
+pub(super) struct Author<'a> {
+    pub(super) labels: &'a Labels,
+    pub(super) view: View,
+    /// Colour and width of the lines from labels to their points.
+    pub(super) leader: (Rgba, f32),
+    /// The area that labels stay in, in the pixels of the drawing; `None`: all of it.
+    pub(super) page: Option<Box2>,
+}
+
+impl<'a> Author<'a> {
+    pub(super) fn of(request: &'a Request, palette: Palette) -> Self {
+        let leader = (palette.soft, 0.8 * request.size.scale);
+        Self { labels: &request.shot.labels, view: request.view, leader, page: None }
+    }
+
+    /// The whole picture, in the pixels of a drawing that begins at `corner` of it.
+    pub(super) fn page(request: &Request, corner: DVec2) -> Box2 {
+        let half = 0.5 * DVec2::new(f64::from(request.size.width), f64::from(request.size.height));
+        Box2 { center: half - corner, half }
+    }
+
+    /// Gives a label the author's text, size and colour.
+    pub(super) fn apply(&self, change: LabelChange<'_>, label: &mut Label) {
+        // Texts were checked where they came from.
+        let text = change.text.and_then(|text| set_text(text).ok());
+        label.mathematical = self.labels.letters == Letters::Mathematics;
+        if let Some(text) = text {
+            label.text = text;
+        } else if label.mathematical {
+            label.text = symbols(&label.text);
+        }
+        if let Some(size) = change.size {
+            label.size *= single(size);
+        }
+        if let Some(color) = change.color {
+            label.color = color;
+        }
     }
 }
 

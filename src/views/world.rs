@@ -11,11 +11,11 @@ use crate::figure::WorldPart;
 use crate::pipeline::{Frame, Scenes};
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
-use super::author_labels::{self, Author};
+use super::author_labels;
 use super::camera_gizmo::Gear;
 use super::framing::Content;
 use super::gizmos::{self, GearBuilder, SMALL_TYPE, TYPE};
-use super::label_layout::Rules;
+use super::label_layout::{Author, Rules};
 use super::pixels::PixelRect;
 use super::revealed_scene::PipelineReveal;
 use super::timed_pipeline::TimedPipeline;

@@ -145,7 +145,7 @@ fn a_name_that_no_label_has_is_told_with_the_one_that_was_meant_and_those_of_the
     let bench = Bench::new("labels-unknown");
     bench.write("f.toml", format!("{FIGURE}[labels]\nhidden = [\"widnow\", \"C\"]\n"));
     let run = bench.run(&["render", "f.toml", "-o", "a.png"]);
-    run.done();
+    assert_eq!(run.status, Some(0));
     assert!(run.err.contains("widnow") && run.err.contains("window?") && !run.err.contains("\"C\""), "{}", run.err);
 }
 

@@ -32,7 +32,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("raster", &["drawing", "lighting", "simd", "text"]),
     ("figure", &["geometry", "camera", "scene", "expression", "formula", "numbers"]),
     ("inspect", &["camera", "figure"]),
-    ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "numbers", "text"]),
+    ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "formula", "numbers", "text"]),
     ("export", &["drawing", "raster", "inspect", "text", "formula"]),
     ("share", &[]),
     ("files", &["figure", "export", "scene", "exercises", "numbers", "share"]),

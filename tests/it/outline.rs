@@ -145,7 +145,7 @@ fn the_canonical_volume_seen_from_its_front_has_the_outline_of_the_image() {
                 let image = outline(&draw(&scene, &camera, TARGET, &Style::default()));
                 let clipped = clipped_scene(&scene, &camera, Shading::Flat);
                 // Where it is cut, it has borders, which the image has not.
-                assert_eq!(clipped.lines.is_empty(), scale < 1.0, "{shape:?} {scale}");
+                assert!(scale < 1.0 || !clipped.lines.is_empty(), "{shape:?} {scale}");
                 let canonical = Scene { lines: Vec::new(), ..clipped };
                 let shown = outline(&draw(&canonical, &front, TARGET, &Style::default()));
                 let [all, again] = [&image, &shown].map(|outline| {

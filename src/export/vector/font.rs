@@ -12,7 +12,7 @@ use crate::text::{self, Face};
 pub(super) const FONTS_NAMED: [Name<'static>; 4] = [Name(b"F"), Name(b"FR"), Name(b"FB"), Name(b"FI")];
 const SYSTEM: SystemInfo<'static> = SystemInfo { registry: Str(b"Adobe"), ordering: Str(b"Identity"), supplement: 0 };
 
-/// What is said of a font.
+/// The data of a font.
 struct Description {
     /// With six capital letters before the name of a subset, as PDF asks for.
     name: Name<'static>,

@@ -5,6 +5,7 @@ use glam::DVec2;
 
 use super::held::{GIZMO_REACH, gizmo_lines, tooltip};
 use super::keyboard_probe::{ProbeStep, Probing};
+use super::label_drag::arrow_of;
 use super::picking::{self, PickQuery, PickRequest};
 use super::pixel::pixel_of;
 use super::probe_steps::Click;
@@ -316,17 +317,6 @@ impl Canvas {
         if arrow.x != 0.0 {
             state.operate(Operation::Azimuth(Angle::from_degrees(STEP * arrow.x)));
         }
-    }
-}
-
-/// The direction of an arrow key: x right, y up; zero for any other.
-pub(super) fn arrow_of(key: Key) -> DVec2 {
-    match key {
-        Key::ArrowRight => DVec2::X,
-        Key::ArrowLeft => DVec2::NEG_X,
-        Key::ArrowUp => DVec2::Y,
-        Key::ArrowDown => DVec2::NEG_Y,
-        _ => DVec2::ZERO,
     }
 }
 

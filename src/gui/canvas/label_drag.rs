@@ -3,7 +3,6 @@
 use eframe::egui::{Context, CursorIcon, Key, Modifiers, PointerButton, Pos2, Stroke, StrokeKind, Ui};
 use glam::DVec2;
 
-use super::interaction::arrow_of;
 use super::status::Status;
 use super::{Canvas, Pane};
 use crate::figure::labels::note_name;
@@ -151,4 +150,15 @@ fn add_note(state: &mut State, pane: &Pane, pixel: DVec2) {
     state.document.edit_labels(|labels| labels.notes.push(note));
     state.label_mode.choose(Some((pane.view, note_name(count))));
     state.label_mode.is_new = true;
+}
+
+/// The direction of an arrow key: x right, y up; zero for any other.
+pub(super) fn arrow_of(key: Key) -> DVec2 {
+    match key {
+        Key::ArrowRight => DVec2::X,
+        Key::ArrowLeft => DVec2::NEG_X,
+        Key::ArrowUp => DVec2::Y,
+        Key::ArrowDown => DVec2::NEG_Y,
+        _ => DVec2::ZERO,
+    }
 }
