@@ -70,8 +70,8 @@ impl Face {
     }
 }
 
-/// The font of a character, and the character that it has there: the bold and italic letters of Unicode's mathematics are
-/// letters of other fonts. `mathematical`: the rest of the text too is in the letters of mathematics, where these have
+/// The font of a character, and the character that it has there: the bold and italic letters of Unicode's mathematics
+/// are letters of other fonts. `mathematical`: the rest of the text too is in the letters of mathematics, where these have
 /// it.
 #[must_use]
 pub fn face(c: char, mathematical: bool) -> (Face, char) {

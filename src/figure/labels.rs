@@ -76,7 +76,7 @@ pub struct StyledLabel {
 pub struct LabelledMeasure {
     /// The length or angle.
     pub measure: Measure,
-    /// What is written at it.
+    /// The text at it.
     pub shown: MeasureText,
 }
 
@@ -97,7 +97,7 @@ pub enum MeasureText {
 pub struct Note {
     /// In which picture; `None`: in all. A note at a place of the picture is in one.
     pub view: Option<View>,
-    /// What it is about.
+    /// Its subject.
     pub at: NotePlace,
     /// From there to the middle of its text, as [`MovedLabel::by`]; `None`: where there is room.
     pub by: Option<DVec2>,
@@ -109,7 +109,7 @@ pub struct Note {
     pub color: Option<Rgba>,
 }
 
-/// What a note is about.
+/// The subject of a note.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotePlace {
     /// A point of the world.
@@ -305,7 +305,7 @@ impl Labels {
     }
 }
 
-/// What the name of a note begins with; its number follows, from 1.
+/// The beginning of the name of a note; its number follows, from 1.
 const NOTE: &str = "note:";
 
 /// The name of the label of a note, by its place in the list.

@@ -8,29 +8,30 @@ use crate::figure::labels::note_name;
 use crate::figure::{Note, NotePlace};
 use crate::limits::MAX_LABEL_MOVE;
 
+use super::canonical_box::shown_at;
 use super::gizmos::SMALL_TYPE;
 use super::label_layout::half_size;
-use super::named_points::point_at;
-use super::{Palette, Request, SharedScene, pick};
+use super::screen::Screen;
+use super::{Palette, Request, SharedScene};
 
-fn extent(request: &Request) -> DVec2 {
+pub(super) fn extent(request: &Request) -> DVec2 {
     DVec2::new(f64::from(request.size.width), f64::from(request.size.height))
 }
 
 /// Adds the notes of a picture, in a drawing that begins at `corner` of it. A note about what the picture does not show
 /// is left out.
-pub(super) fn add_notes(drawing: &mut Drawing, request: &Request, corner: DVec2) {
+pub(super) fn add_notes(drawing: &mut Drawing, request: &Request, corner: DVec2, screen: Option<&Screen>) {
     let notes = &request.shot.labels.notes;
     if notes.is_empty() || request.finish.bare {
         return;
     }
     let palette = Palette::of(request.shot.look.style.theme);
-    let places = pick::places(request);
+    let place = |p| screen?.place_inside(shown_at(request, p)?);
     let seen = notes.iter().enumerate().filter(|(_, note)| note.view.is_none_or(|view| view == request.view));
     for (i, note) in seen {
         let at = match &note.at {
             NotePlace::Picture(p) => Some(DVec2::new(p.x, 1.0 - p.y) * extent(request)),
-            _ => places.as_ref().zip(world_point(note, &request.scene)).and_then(|(places, p)| places(p)),
+            _ => world_point(note, &request.scene).and_then(place),
         };
         let Some(at) = at.map(|at| at - corner) else { continue };
         let size = SMALL_TYPE * request.size.scale;
@@ -115,51 +116,8 @@ impl LabelPlace {
     }
 }
 
-/// What a note at a place (pixels) of a picture is about: a named point, a vertex or an edge of the scene within `reach`,
-/// else the place itself.
-#[must_use]
-pub fn note_place(request: &Request, pointer: DVec2, reach: f64) -> NotePlace {
-    if let Some(point) = point_at(request, pointer, reach).and_then(|i| request.shot.points.get(i)) {
-        return NotePlace::World(point.position);
-    }
-    let of_scene = pick::vertex(request, pointer, reach).map(|p| vertex_of(&request.scene, p));
-    of_scene.or_else(|| edge_at(request, pointer, reach)).unwrap_or_else(|| {
-        let share = (pointer / extent(request).max(DVec2::ONE)).clamp(DVec2::ZERO, DVec2::ONE);
-        NotePlace::Picture(((DVec2::new(share.x, 1.0 - share.y)) * 1000.0).round() / 1000.0)
-    })
-}
-
-/// The vertex of an object that is at a point of the world.
-fn vertex_of(scene: &SharedScene, p: DVec3) -> NotePlace {
-    for object in &scene.objects {
-        let at = object.mesh.positions.iter().position(|v| object.world_from_object.transform_point3(*v) == p);
-        if let Some(vertex) = at.and_then(|i| u32::try_from(i).ok()) {
-            return NotePlace::Vertex { object: object.name.clone(), vertex };
-        }
-    }
-    NotePlace::World(p)
-}
-
-/// The edge of an object whose line in the picture is nearest to a place, within `reach` of it.
-fn edge_at(request: &Request, pointer: DVec2, reach: f64) -> Option<NotePlace> {
-    let places = pick::places(request)?;
-    let mut best: Option<(f64, NotePlace)> = None;
-    for object in &request.scene.objects {
-        let place = |i: u32| places(object.world_from_object.transform_point3(*object.mesh.positions.get(i as usize)?));
-        for (edge, [a, b]) in (0_u32..).zip(object.mesh.edges.iter().copied()) {
-            let (Some(a), Some(b)) = (place(a), place(b)) else { continue };
-            let along = ((pointer - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
-            let distance = pointer.distance(a.lerp(b, along));
-            if distance <= reach && best.as_ref().is_none_or(|(nearest, _)| distance < *nearest) {
-                best = Some((distance, NotePlace::Edge { object: object.name.clone(), edge }));
-            }
-        }
-    }
-    best.map(|(_, place)| place)
-}
-
-/// The point of the world that a note is about; `None` for a place of the picture, and where the object or the part of it
-/// is not there.
+/// The point of the world that a note is about; `None` for a place of the picture, and where the object or the part
+/// of it is not there.
 fn world_point(note: &Note, scene: &SharedScene) -> Option<DVec3> {
     let of_object = |name: &str| scene.objects.iter().find(|object| object.name == name);
     match &note.at {

@@ -188,7 +188,7 @@ pub(super) fn settled(
         leader: Some((palette.soft, 0.8 * request.size.scale)),
         author: Some(Author::of(request, palette)),
     };
-    author_labels::add_notes(&mut drawn.drawing, request, DVec2::ZERO);
+    author_labels::add_notes(&mut drawn.drawing, request, DVec2::ZERO, screen(request).as_ref());
     label_layout::settle(&mut drawn.drawing, &rules);
     revealed_scene::explain(&mut drawn, request, legend.as_ref());
     drawn

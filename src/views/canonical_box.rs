@@ -9,7 +9,8 @@ use crate::camera::{Camera, Ndc, Projection};
 use crate::geometry::Aabb;
 use crate::scene::Scene;
 
-use super::Request;
+use super::{Request, View};
+use crate::pipeline::project::displayed_ndc;
 
 /// A box in display space, from that of the notes: (x_n, y_n, −z_n) in \[−1, 1\]³.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,6 +95,17 @@ impl CanonicalBox {
         scene.lines.iter_mut().flat_map(|line| &mut line.points).for_each(place);
         scene.marks.iter_mut().for_each(|mark| place(&mut mark.position));
         scene.texts.iter_mut().for_each(|text| place(&mut text.position));
+    }
+}
+
+/// Where a vertex (world) is shown, in the space of the picture; in the canonical volume and in the image only those
+/// inside the view volume are.
+pub(super) fn shown_at(request: &Request, p: DVec3) -> Option<DVec3> {
+    let inside = || displayed_ndc(&request.camera, p).filter(|n| n.abs().max_element() <= 1.0);
+    match request.view {
+        View::World => Some(p),
+        View::Canonical => inside().map(|shown| CanonicalBox::of(request).place(shown)),
+        View::Image => inside().map(|_| p),
     }
 }
 

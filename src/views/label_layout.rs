@@ -205,11 +205,11 @@ impl Taken {
         }
     }
 
-    /// Puts a text where its author wants it (`by`: from its point to its middle, to the right and upwards, in heights of
-    /// its type), but not off the page. A line leads to its point where it is far from it.
+    /// Puts a text where its author wants it (`by`: from its point to its middle, to the right and upwards, in heights
+    /// of its type), but not off the page. A line leads to its point where it is far from it.
     fn put(&mut self, mut label: Label, by: DVec2, page: &Box2) -> Label {
-        /// The distance from the border of a text's box to its point from which on a line leads there, in heights of its
-        /// type.
+        /// The distance from the border of a text's box to its point from which on a line leads there, in heights of
+        /// its type.
         const NEAR: f64 = 1.0;
         let (at, em, half) = (point(label.position), f64::from(label.size), half_size(&label));
         let room = (page.half - half).max(DVec2::ZERO);

@@ -36,6 +36,7 @@
 //! | `legend` | the legend of a picture's colours, in its lower left corner |
 //! | `named_points` | the figure's points under the pointer: which one is there, and where it goes when it is dragged |
 //! | `normalizing` | the view volume on its way to the canonical one |
+//! | `note_place` | the subject of a new note, from a place in a picture |
 //! | `object_parts` | measures of an object's own transform in the world |
 //! | `observer` | the sides from which a 3D picture is seen, and the observer that fits |
 //! | `observer_of` | the observer of another figure, who sees a series |
@@ -86,6 +87,7 @@ mod labels;
 mod legend;
 pub mod named_points;
 mod normalizing;
+mod note_place;
 mod object_parts;
 pub mod observer;
 mod observer_of;
@@ -122,7 +124,7 @@ use crate::pipeline::Frame;
 use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use arrangement::{Arrangement, aspect_shown, best_arrangement, share_of_first, used_area};
-pub use author_labels::{LabelPlace, note_place};
+pub use author_labels::LabelPlace;
 pub use caption_strip::{Captions, caption_height};
 pub use compared::{Side, overlay};
 pub use hover::{
@@ -130,6 +132,7 @@ pub use hover::{
 };
 pub use label_names::unknown_labels;
 pub use labels::Labels;
+pub use note_place::note_place;
 use observer::Viewpoint;
 pub use observer_of::ObserverOf;
 pub use palette::Palette;

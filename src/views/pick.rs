@@ -6,10 +6,9 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::Camera;
 use crate::geometry::Ray;
-use crate::pipeline::project::displayed_ndc;
 use crate::scene::Scene;
 
-use super::canonical_box::CanonicalBox;
+use super::canonical_box::shown_at;
 use super::hits::{can_be_seen, crossing, fronts_only, triangle_hit};
 use super::probe::Pixel;
 use super::screen::Screen;
@@ -26,7 +25,7 @@ pub fn ray_in_world(request: &Request, pointer: DVec2) -> Option<Ray> {
 /// volume are.
 #[must_use]
 pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
-    let points = vertices(&request.scene).filter_map(|p| Some((shown(request, p)?, p)));
+    let points = vertices(&request.scene).filter_map(|p| Some((shown_at(request, p)?, p)));
     nearest(points, &faces(request), &screen(request)?, pointer, reach)
 }
 
@@ -73,7 +72,7 @@ pub fn image_pixel(request: &Request, pointer: DVec2) -> Option<[u32; 2]> {
 #[must_use]
 pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> Option<DVec3> {
     let (screen, faces) = (screen(request)?, faces(request));
-    let of_shown = |p: DVec3| screen.place_inside(shown(request, p)?);
+    let of_shown = |p: DVec3| screen.place_inside(shown_at(request, p)?);
     let start = match from {
         Some(p) => of_shown(p)?,
         None => screen.middle(),
@@ -89,7 +88,7 @@ pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> O
         .collect();
     next.sort_by(|a, b| a.0.total_cmp(&b.0));
     next.dedup_by(|a, b| a.1 == b.1);
-    let seen = |p: &DVec3| shown(request, *p).is_some_and(|shown| can_be_seen(shown, &faces, screen.camera()));
+    let seen = |p: &DVec3| shown_at(request, *p).is_some_and(|shown| can_be_seen(shown, &faces, screen.camera()));
     next.into_iter().map(|(_, p)| p).find(seen)
 }
 
@@ -111,7 +110,7 @@ pub fn point_of(request: &Request, probe: Probe) -> DVec3 {
 #[must_use]
 pub fn places(request: &Request) -> Option<impl Fn(DVec3) -> Option<DVec2>> {
     let screen = screen(request)?;
-    Some(move |p_world| screen.place_inside(shown(request, p_world)?))
+    Some(move |p_world| screen.place_inside(shown_at(request, p_world)?))
 }
 
 /// The screen of a picture; `None` for an observer that is not a camera.
@@ -120,17 +119,6 @@ fn screen(request: &Request) -> Option<Screen> {
         View::World => world_framing::screen(request),
         View::Canonical => canonical::screen(request),
         View::Image => Some(image::screen(request)),
-    }
-}
-
-/// Where a vertex (world) is shown, in the space of the picture; in the canonical volume and in the image only those
-/// inside the view volume are.
-fn shown(request: &Request, p: DVec3) -> Option<DVec3> {
-    let inside = || displayed_ndc(&request.camera, p).filter(|n| n.abs().max_element() <= 1.0);
-    match request.view {
-        View::World => Some(p),
-        View::Canonical => inside().map(|shown| CanonicalBox::of(request).place(shown)),
-        View::Image => inside().map(|_| p),
     }
 }
 

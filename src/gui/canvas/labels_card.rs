@@ -68,7 +68,7 @@ impl Canvas {
         state.label_mode.choose(chosen);
     }
 
-    /// What the author says of a label.
+    /// The author's wishes for a label.
     fn chosen(&self, ui: &mut Ui, state: &mut State, (view, name): (View, &str), t: &Texts) {
         let change = state.document.figure().labels.change(name, view);
         let (size, color) = (change.size, change.color);
