@@ -200,6 +200,7 @@ mod tests {
     use crate::camera::{Camera, Parameters};
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures};
+    use crate::pipeline::project::displayed_ndc;
     use crate::views::hits::first_hit;
     use crate::views::observer::Viewpoint;
     use crate::views::{SharedScene, Size};
