@@ -112,8 +112,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     // The legend lies in the whole picture, of which the image may be the middle.
     let reserved = revealed_scene::room(legend.as_ref())
         .map(|room| Box2 { center: room.center - DVec2::new(f64::from(rect.x), f64::from(rect.y)), ..room });
-    #[expect(clippy::cast_precision_loss, reason = "pixels")]
-    let corner = DVec2::new(rect.x as f64, rect.y as f64);
+    let corner = DVec2::new(f64::from(rect.x), f64::from(rect.y));
     author_labels::add_notes(&mut drawn.drawing, request, corner, Some(&screen));
     let author = Some(Author { page: Some(Author::page(request, corner)), ..Author::of(request, palette) });
     label_layout::settle(
