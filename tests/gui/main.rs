@@ -24,7 +24,6 @@ mod guide_pictures;
 mod heavy;
 mod homogeneous;
 mod keyboard;
-mod labels;
 mod language;
 mod notes;
 mod numerics;
