@@ -2,7 +2,7 @@
 //!
 //! The axes **u**, **v**, **n** turn together about one axis at an even speed; D changes by equal factors. Where PF
 //! stays, C goes round it on an arc (azimuth, elevation), or on a spiral where D changes; where C stays, PF goes round
-//! it (yaw, pitch); where both move, PF goes straight and C round PF. tan(θ/2), H, A, F and (B − F)/F change by equal
+//! C (yaw, pitch); where both move, PF goes straight and C round PF. tan(θ/2), H, A, F and (B − F)/F change by equal
 //! factors too, so that things grow evenly, and every camera on the way is one.
 
 use glam::{DMat3, DQuat, DVec3};

@@ -43,8 +43,8 @@ pub(super) struct SheetArgs {
 pub(super) struct FamilyArgs {
     /// Key of the figure or operation with its values, one picture for each: `camera.view_angle=20,40,60,90`;
     /// `style.visibility=painter,depth-buffer`; `show.step.at=0..4:5` (five numbers from 0 to 4); azimuth=0,30,60.
-    /// Commas between brackets belong to a value; given twice, the values of the first are rows and those of the second
-    /// columns
+    /// Commas between brackets belong to a value; given twice, the values of the first are rows and those of the
+    /// second columns
     #[arg(long, value_name = "KEY=V1,V2,…", allow_hyphen_values = true)]
     pub(super) vary: Vec<String>,
 }

@@ -7,7 +7,7 @@ use crate::figure::Observer;
 /// A figure whose observers others take.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObserverOf {
-    /// What its pictures show.
+    /// The content of its pictures.
     pub shot: Shot,
     /// Its camera.
     pub camera: Camera,
