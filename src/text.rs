@@ -71,8 +71,8 @@ impl Face {
 }
 
 /// The font of a character, and the character that it has there: the bold and italic letters of Unicode's mathematics
-/// are letters of other fonts. `mathematical`: the rest of the text too is in the letters of mathematics, where these have
-/// it.
+/// are letters of other fonts. `mathematical`: the rest of the text too is in the letters of mathematics, where these
+/// have it.
 #[must_use]
 pub fn face(c: char, mathematical: bool) -> (Face, char) {
     let letter = |from: u32, to: char| char::from_u32(u32::from(to) + (u32::from(c) - from)).unwrap_or(c);

@@ -59,7 +59,7 @@ pub struct LabelPlace {
     pub name: String,
     /// The text that is there.
     pub text: String,
-    /// What it names.
+    /// The point that it names.
     pub point: DVec2,
     /// The middle of its text.
     pub center: DVec2,

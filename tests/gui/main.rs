@@ -24,6 +24,7 @@ mod guide_pictures;
 mod heavy;
 mod homogeneous;
 mod keyboard;
+mod labels;
 mod language;
 mod notes;
 mod numerics;

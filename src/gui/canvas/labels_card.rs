@@ -147,7 +147,7 @@ fn select_all(ctx: &egui::Context, id: Id, count: usize) {
     edit.store(ctx, id);
 }
 
-/// What is for all labels.
+/// The part for all labels.
 fn whole(ui: &mut Ui, state: &mut State, t: &Texts) {
     let labels = &state.document.figure().labels;
     let (hidden, notes) = (labels.hidden.clone(), labels.notes.len());

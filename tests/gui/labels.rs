@@ -1,0 +1,147 @@
+//! The mode *Labels*: labels are dragged, renamed, hidden, brought back, and notes added; all of it is undone.
+
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+use camera_lab::camera::Parameters;
+use camera_lab::figure::{Labels, NotePlace};
+use camera_lab::i18n::Lang;
+use camera_lab::views::{LabelPlace, View};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers, Pos2, vec2};
+use egui_kittest::kittest::Queryable;
+use glam::DVec2;
+
+use super::window::Window;
+
+/// A window in the mode.
+fn window(lang: Lang) -> Window {
+    let mut window = Window::new(lang);
+    let state = &mut window.app_mut().state;
+    state.document.set_parameters(Parameters { near: 2.0, far: 12.0, ..Parameters::default() });
+    state.document.commit();
+    window.run();
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::T);
+    window.run();
+    assert!(window.state().label_mode.on);
+    window
+}
+
+fn labels(window: &Window) -> &Labels {
+    &window.state().document.figure().labels
+}
+
+/// A label of the world, and where its middle is on the screen.
+fn shown(window: &mut Window, name: &str) -> Option<(LabelPlace, Pos2)> {
+    let canvas = &window.app_mut().canvas;
+    let label = canvas.labels(View::World).iter().find(|label| label.name == name)?.clone();
+    let (_, rect) = canvas.places().find(|(view, _)| *view == View::World)?;
+    #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
+    let [x, y] = label.center.to_array().map(|v| v as f32);
+    Some((label, rect.min + vec2(x, y)))
+}
+
+/// Types another text into a field.
+fn write(window: &mut Window, field: &str, text: &str) {
+    window.harness.get_by_role_and_label(Role::TextInput, field).click();
+    window.run();
+    window.command_key(Key::A);
+    window.harness.event(Event::Text(text.to_owned()));
+    window.run();
+}
+
+#[test]
+fn a_label_is_dragged_in_one_step_and_undone() {
+    let mut window = window(Lang::En);
+    let (before, place) = shown(&mut window, "C").unwrap();
+    window.drag(place, vec2(40.0, 60.0), |_| {});
+    let (after, _) = shown(&mut window, "C").unwrap();
+    assert!((after.center - before.center).abs_diff_eq(DVec2::new(40.0, 60.0), 1.0), "{before:?} {after:?}");
+    assert!(after.point.abs_diff_eq(before.point, 0.1), "its point stays");
+    assert_eq!(labels(&window).moved.len(), 1);
+    assert_eq!(window.state().label_mode.chosen, Some((View::World, "C".to_owned())));
+    window.command_key(Key::Z);
+    assert_eq!(*labels(&window), Labels::default(), "the whole drag is one step");
+    // Esc while it is held puts it back.
+    window.drag(place, vec2(30.0, 30.0), |window| window.key(Key::Escape));
+    assert_eq!(*labels(&window), Labels::default());
+    window.key(Key::Escape);
+    assert!(!window.state().label_mode.on);
+}
+
+#[test]
+fn the_chosen_label_is_renamed_styled_hidden_and_automatic_again() {
+    for (lang, text, larger, hide, automatic) in [
+        (Lang::En, "text", "size larger", "Hide", "Automatic again"),
+        (Lang::PtBr, "texto", "tamanho maior", "Ocultar", "Automático de novo"),
+    ] {
+        let mut window = window(lang);
+        let (_, place) = shown(&mut window, "C").unwrap();
+        window.click_at(place);
+        write(&mut window, text, r"eye $\mathbf{e}$");
+        assert_eq!(labels(&window).renamed[0].text, r"eye $\mathbf{e}$");
+        assert_eq!(shown(&mut window, "C").unwrap().0.text, "eye 𝐞");
+        write(&mut window, text, r"$\begin{matrix}a\end{matrix}$");
+        assert_eq!(labels(&window).renamed[0].text, r"eye $\mathbf{e}$", "what no label can show is not taken");
+        window.click(larger);
+        assert_eq!(labels(&window).styled[0].size, Some(1.25));
+        window.click(automatic);
+        assert_eq!(*labels(&window), Labels::default());
+        window.click(hide);
+        assert_eq!(labels(&window).hidden, ["C"]);
+        assert!(shown(&mut window, "C").is_none());
+        // The list of hidden ones brings it back.
+        window.click("C");
+        assert!(shown(&mut window, "C").is_some() && labels(&window).hidden.is_empty());
+    }
+}
+
+#[test]
+fn a_note_is_put_by_a_click_or_by_enter_typed_and_deleted() {
+    let mut window = window(Lang::En);
+    window.click("Add a note");
+    let (c, place) = shown(&mut window, "C").unwrap();
+    // Far from everything: in the corner above on the left.
+    let corner = place - vec2(0.0, 0.0) + vec2(8.0, 8.0) - {
+        #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
+        let [x, y] = c.center.to_array().map(|v| v as f32);
+        vec2(x, y)
+    };
+    window.click_at(corner);
+    assert!(matches!(labels(&window).notes[0].at, NotePlace::Picture(_)) && !window.state().label_mode.adding);
+    window.harness.event(Event::Text("see (5.3)".to_owned()));
+    window.run();
+    assert_eq!(labels(&window).notes[0].text, "see (5.3)", "its text is chosen, ready to be typed over");
+    assert_eq!(shown(&mut window, "note:1").unwrap().0.text, "see (5.3)");
+    window.click("Delete");
+    assert_eq!(*labels(&window), Labels::default());
+    window.command_key(Key::Z);
+    assert_eq!(labels(&window).notes.len(), 1);
+}
+
+#[test]
+fn the_arrow_keys_move_the_chosen_label() {
+    let mut window = window(Lang::En);
+    let (before, place) = shown(&mut window, "C").unwrap();
+    window.click_at(place);
+    let camera = window.state().document.camera().clone();
+    window.key(Key::ArrowRight);
+    let (after, _) = shown(&mut window, "C").unwrap();
+    assert!((after.center - before.center).abs_diff_eq(DVec2::new(0.25 * before.em, 0.0), 0.5));
+    assert_eq!(*window.state().document.camera(), camera, "the camera stays");
+}
+
+#[test]
+fn all_are_automatic_again_and_notes_stay() {
+    let mut window = window(Lang::En);
+    window.app_mut().state.document.edit_labels(|labels| {
+        labels.hide("u");
+        labels.move_to("C", View::World, DVec2::X);
+        labels.rename("v", Some("up"));
+    });
+    window.run();
+    window.click("All automatic again");
+    assert_eq!(*labels(&window), Labels::default());
+    window.click("Done");
+    assert!(!window.state().label_mode.on);
+    assert!(window.harness.query_by_label("All automatic again").is_none());
+}
