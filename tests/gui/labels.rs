@@ -17,6 +17,8 @@ use super::window::Window;
 fn window(lang: Lang) -> Window {
     let mut window = Window::new(lang);
     let state = &mut window.app_mut().state;
+    // Its labels are dragged in the world.
+    state.layout.maximized = Some(View::World);
     state.document.set_parameters(Parameters { near: 2.0, far: 12.0, ..Parameters::default() });
     state.document.commit();
     window.run();
@@ -90,7 +92,8 @@ fn the_chosen_label_is_renamed_styled_hidden_and_automatic_again() {
         assert_eq!(labels(&window).hidden, ["C"]);
         assert!(shown(&mut window, "C").is_none());
         // The list of hidden ones brings it back.
-        window.click("C");
+        window.harness.get_by_role_and_label(Role::Button, "C").click();
+        window.run();
         assert!(shown(&mut window, "C").is_some() && labels(&window).hidden.is_empty());
     }
 }
