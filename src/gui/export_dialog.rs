@@ -27,6 +27,9 @@ const PICTURE: Vec2 = vec2(360.0, 240.0);
 const BETWEEN: f32 = 20.0;
 pub(super) const WIDTH: f32 = SETTINGS + BETWEEN + PICTURE.x;
 
+/// The height of what stands above and below the settings, in points.
+const AROUND: f32 = 130.0;
+
 /// The narrowest picture that is worth its room.
 const LEAST_PICTURE: f32 = 120.0;
 
@@ -36,7 +39,10 @@ pub(super) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut 
     ui.heading(t.export_heading);
     ui.add_space(6.0);
     let room = (ui.available_width() - SETTINGS - BETWEEN).min(PICTURE.x);
-    let errors = ui.horizontal_top(|ui| {
+    // In a low window the settings scroll, and the buttons stay in sight.
+    let height = (ui.ctx().content_rect().height() - AROUND).max(LEAST_PICTURE);
+    let area = egui::ScrollArea::vertical().max_height(height).auto_shrink([false, true]);
+    let row = |ui: &mut egui::Ui| {
         ui.spacing_mut().item_spacing.x = BETWEEN;
         let width = SETTINGS.min(ui.available_width());
         let column = |ui: &mut egui::Ui| {
@@ -52,8 +58,8 @@ pub(super) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut 
             });
         }
         errors
-    });
-    let errors = errors.inner;
+    };
+    let errors = area.show(ui, |ui| ui.horizontal_top(row).inner).inner;
     ui.add_space(10.0);
     let pressed = match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
         Pressed::Nothing if enter => Pressed::Action(0),
