@@ -32,11 +32,14 @@ pub(super) fn frame(request: &Request) -> PixelRect {
     const MARGIN: f32 = 6.0;
     let Size { width, height, scale } = request.size;
     let aspect = request.shot.look.image_aspect(&request.camera);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a hundred or so")]
-    let margin = (MARGIN * request.size.type_scale()).ceil() as u32;
-    if !request.finish.framed || request.finish.bare || width.min(height) < 8 * margin {
+    let margin = (MARGIN * request.size.type_scale()).ceil();
+    #[expect(clippy::cast_precision_loss, reason = "sizes of pictures")]
+    let room = width.min(height) as f32 / 8.0;
+    if !request.finish.framed || request.finish.bare || room < margin {
         return image_frame(request.size, aspect);
     }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most an eighth of the picture")]
+    let margin = margin as u32;
     let inner = image_frame(Size { width: width - 2 * margin, height: height - 2 * margin, scale }, aspect);
     PixelRect { x: inner.x + margin, y: inner.y + margin, ..inner }
 }

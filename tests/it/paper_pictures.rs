@@ -123,3 +123,15 @@ fn a_framed_image_has_four_sides_and_whole_marks() {
     assert!(border.points.iter().all(|[x, y, _]| (1.0..399.0).contains(x) && (1.0..299.0).contains(y)));
     assert_eq!(border.points.len(), 5);
 }
+
+#[test]
+fn a_frame_that_letters_leave_no_room_for_is_left_out() {
+    let image = Pictured::of(house()).sized(64, 48).request().clone();
+    for scale in [1e-30, 1e9, 1e30, f32::MAX] {
+        let size = Size { scale, ..image.size };
+        let bare = Request { size, finish: Finish { framed: false, ..image.finish }, ..image.clone() };
+        let framed = Request { finish: Finish { framed: true, ..image.finish }, ..bare.clone() };
+        let [bare, framed] = [&bare, &framed].map(|request| draw(request).strokes.len());
+        assert_eq!(framed, if scale < 1.0 { bare + 1 } else { bare });
+    }
+}
