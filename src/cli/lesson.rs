@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use super::lesson_args::{
     CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, ListArgs, PlayArgs, ShowArgs, WhichArgs,
 };
+use super::lesson_handout;
 use super::render::{no_picture, save};
 use super::words::{LangArg, TableFormat};
 use super::{Failure, Opening, print, say};
@@ -23,7 +24,7 @@ use crate::picture::{self, Composite, FileOptions, gap};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::Scene;
-use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
+use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
 
 /// The size of a picture of a step, where none is given; of several, each.
 const SIZE: ImageSize = ImageSize { width: 640, height: 480 };
@@ -41,10 +42,10 @@ pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>,
 }
 
 /// A lesson, and where it comes from.
-struct Found {
-    lesson: Arc<Lesson>,
+pub(super) struct Found {
+    pub(super) lesson: Arc<Lesson>,
     /// `None`: one of the program.
-    path: Option<PathBuf>,
+    pub(super) path: Option<PathBuf>,
 }
 
 /// The lesson with an identifier, or in a file.
@@ -248,7 +249,11 @@ fn scene(figure: &Figure, path: Option<&PathBuf>, allow_files: bool, lang: Lang)
 
 fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     let size = args.size(lang)?;
-    let Found { lesson, path } = find(&args.which, lang)?;
+    let found = find(&args.which, lang)?;
+    if lesson_handout::is_handout(&args.output) {
+        return lesson_handout::write(args, &found, lang);
+    }
+    let lesson = &found.lesson;
     let written = args.which.lang.map_or(Lang::En, LangArg::lang);
     fs::create_dir_all(&args.output).map_err(|error| {
         Failure::Failed(messages::file(lang, &sanitize::path(&args.output), &FileError::Write(error)))
@@ -257,23 +262,39 @@ fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     for (k, step) in lesson.steps.iter().enumerate() {
         let name = format!("{:0digits$}-{}.{}", k + 1, lesson.id, args.format.ending());
         let output = args.output.join(name);
-        let failed = |why: String| Failure::BadInput(texts::of_step(lang, k + 1, &why));
-        let scene = scene(&step.figure, path.as_ref(), args.which.allow_files, lang).map_err(failed)?;
-        let camera = Camera::new(&step.figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
-        let views = args.view.unwrap_or_else(|| views_of(&step.figure));
-        let size = size_of(size, views);
-        let (shot, scene) = (Shot::of(&step.figure), SharedScene::new(scene));
-        let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(written), size);
-        let request = Request { finish: Finish::default(), ..request };
-        let pixels = [size.width, size.height].map(u64::from);
-        let refused = |error| no_picture(lang, &sanitize::path(&output), error, pixels);
-        let sheet = Composite::of(views, &request, &shot, None).map_err(|error| refused(error.into()))?;
+        let sheet = composite(args, &found, (k, step), size, lang)?;
         let told = pictures::told_of(written, &step.figure, &sheet, to_toml(&step.figure)).for_file(&output);
         let options = FileOptions::of(args.format.format());
-        let file = at_once(picture::file(&sheet, options, &told, &Progress::default())).map_err(refused)?;
+        let made = at_once(picture::file(&sheet, options, &told, &Progress::default()));
+        let file = made.map_err(|error| no_picture(lang, &sanitize::path(&output), error, pixels_of(&sheet)))?;
         save(&output, &file.bytes, file.beside, lang)?;
     }
     Ok(())
+}
+
+fn pixels_of(sheet: &Composite) -> [u64; 2] {
+    sheet.requests.first().map_or([0; 2], |request| [request.size.width, request.size.height].map(u64::from))
+}
+
+/// The pictures of a step on a sheet.
+pub(super) fn composite(
+    args: &LessonRenderArgs,
+    found: &Found,
+    (k, step): (usize, &Step),
+    size: Option<ImageSize>,
+    lang: Lang,
+) -> Result<Composite, Failure> {
+    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let failed = |why: String| Failure::BadInput(texts::of_step(lang, k + 1, &why));
+    let scene = scene(&step.figure, found.path.as_ref(), args.which.allow_files, lang).map_err(failed)?;
+    let camera = Camera::new(&step.figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
+    let views = args.view.unwrap_or_else(|| views_of(&step.figure));
+    let size = size_of(size, views);
+    let (shot, scene) = (Shot::of(&step.figure), SharedScene::new(scene));
+    let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(written), size);
+    Composite::of(views, &request, &shot, None).map_err(|error| {
+        no_picture(lang, &sanitize::path(&args.output), error.into(), [size.width, size.height].map(u64::from))
+    })
 }
 
 /// The pictures that a step shows.

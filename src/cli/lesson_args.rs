@@ -26,7 +26,7 @@ pub(super) enum LessonCommand {
     Show(ShowArgs),
     /// Check lesson files: every figure, number, question and goal; reports faults by line and key
     Check(CheckArgs),
-    /// Write the numbered pictures of a lesson's steps into a folder
+    /// Write the numbered pictures of a lesson's steps into a folder, or a handout as PDF
     Render(LessonRenderArgs),
     /// Open the window with a lesson
     Play(PlayArgs),
@@ -120,12 +120,25 @@ pub(super) struct LessonRenderArgs {
     /// Format of the pictures
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: StepFormat,
-    /// Folder to write to; created if missing
-    #[arg(short, long, value_name = "FOLDER")]
+    /// Steps on a page of a handout: 2 or 4
+    #[arg(long, value_name = "N", default_value = "2", allow_hyphen_values = true)]
+    per_page: String,
+    /// Put the solutions of the questions at the end of a handout
+    #[arg(long)]
+    pub(super) answers: bool,
+    /// Folder for the pictures, created if missing; or OUT.pdf for a handout with figure, text and questions of each
+    /// step
+    #[arg(short, long, value_name = "FOLDER|OUT.pdf")]
     pub(super) output: PathBuf,
 }
 
 impl LessonRenderArgs {
+    /// The number of steps on a page of a handout.
+    pub(super) fn per_page(&self, lang: Lang) -> Result<usize, Failure> {
+        let number = self.per_page.trim().parse().ok().filter(|number| [2, 4].contains(number));
+        number.ok_or_else(|| Failure::BadInput(texts::per_page(lang, &self.per_page)))
+    }
+
     /// Width and height of each file, if they are given.
     pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
         size(self.size.as_deref(), lang)

@@ -18,6 +18,7 @@
 //! | `inspect` | `inspect`: every number of a figure's camera |
 //! | `lesson` | `lesson`: lessons, their steps, and their pictures |
 //! | `lesson_args` | the arguments of `lesson` |
+//! | `lesson_handout` | `lesson render -o OUT.pdf`: a lesson as a handout |
 //! | `manual` | `manual`: manual pages and completions |
 //! | `matrix` | `matrix`: the camera of a matrix from another program |
 //! | `matrix_args` | the arguments of `matrix` |
@@ -43,6 +44,7 @@ mod figure_args;
 mod inspect;
 mod lesson;
 mod lesson_args;
+mod lesson_handout;
 mod manual;
 mod matrix;
 mod matrix_args;

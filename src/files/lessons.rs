@@ -49,6 +49,13 @@ pub fn read_lessons(folder: &Path) -> Result<OwnLessons, FileError> {
     Ok(found)
 }
 
+/// True where there is a file that is meant as a lesson.
+#[must_use]
+pub fn is_lesson_file(path: &Path) -> bool {
+    let is_toml = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    is_toml && read_at_most(path, MAX_LESSON_BYTES as u64).is_ok_and(|bytes| is_lesson(&bytes))
+}
+
 /// True where a file is meant as a lesson.
 fn is_lesson(bytes: &[u8]) -> bool {
     String::from_utf8_lossy(bytes).lines().any(|line| line.trim_start().starts_with("[[step]]"))

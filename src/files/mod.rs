@@ -40,7 +40,7 @@ use crate::share::{self, ShareError};
 pub use disk::{is_read_only, read_at_most, remove_left_over, save};
 pub use file_access::{FigureFiles, FileAccess};
 pub use file_change::{FileChange, Stamp, look};
-pub use lessons::{OwnLessons, read_lesson, read_lessons};
+pub use lessons::{OwnLessons, is_lesson_file as is_lesson, read_lesson, read_lessons};
 pub use mesh_paths::{for_folder, named_in_figure};
 pub use own_exercises::{BadExercise, OwnExercises, read_exercises};
 #[cfg(not(target_arch = "wasm32"))]

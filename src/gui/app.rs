@@ -188,6 +188,8 @@ impl App {
             self.recovery(ui);
             panels::session_news::bar(ui, &mut self.state);
             panels::changed_file::bar(ui, &mut self.state);
+            let welcomed = lesson::welcome(ui, &mut self.state);
+            welcomed.into_iter().for_each(|command| self.perform(&ctx, command));
         }
         panels::status::error(ui, &mut self.state);
         if presenting {
@@ -408,6 +410,7 @@ impl eframe::App for App {
     }
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        self.state.leave_lesson();
         if let Some(preferences) = &mut self.preferences {
             preferences.finish(&mut self.state);
         }

@@ -67,6 +67,7 @@ pub enum Command {
     Explain,
     Exercises,
     Lessons,
+    AddStep,
     StepAgain,
     StepText,
     StepQuestion,

@@ -6,6 +6,7 @@
 //! ```
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use eframe::egui::{self, ViewportCommand};
 
@@ -13,6 +14,7 @@ use super::document::Document;
 use super::export::{ExportError, ExportKind, Exporting, Task, chart_bytes};
 use super::file_kind::FileKind;
 use super::gallery::Source;
+use super::lesson;
 use super::native::{FileAnswer, OpenFileDialog, Wanted};
 use super::sequence::source_of;
 use super::state::{
@@ -21,6 +23,7 @@ use super::state::{
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
+use crate::lessons::OpenLesson;
 use crate::scene::Shape;
 use crate::share;
 
@@ -112,7 +115,9 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
         }
     }
     let own = state.document.path() == Some(&path);
-    if kind.wanted == Wanted::NewFile && !own && disk::exists(&path) {
+    // A step is added to what is there.
+    let adds = matches!(purpose, Purpose::Step);
+    if kind.wanted == Wanted::NewFile && !own && !adds && disk::exists(&path) {
         state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path));
     } else {
         confirmed(ctx, state, purpose, &path, Agreed::default());
@@ -124,13 +129,14 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
     match purpose {
         Purpose::Open => open(state, path),
         Purpose::Save(then) => write(ctx, state, path, then, agreed),
-        Purpose::Export(_) | Purpose::Animation(_) | Purpose::Chart(_) | Purpose::Progress
+        Purpose::Export(_) | Purpose::Animation(_) | Purpose::Chart(_) | Purpose::Progress | Purpose::Step
             if !agreed.read_only && files::is_read_only(path) =>
         {
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::Mesh(which) => mesh(state, which, path),
         Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
+        Purpose::Step => lesson::add_step(state, path, &agreed),
         Purpose::Chart(block) => save_bytes(state, path, chart_bytes(&block, path), &agreed),
         Purpose::Animation(decomposition) => {
             let what = ExportKind::Animation(decomposition, state.settings.theme);
@@ -175,6 +181,16 @@ fn mesh(state: &mut State, which: MeshFor, path: &Path) {
 }
 
 fn open(state: &mut State, path: &Path) {
+    if files::is_lesson(path) {
+        return match files::read_lesson(path) {
+            Ok((lesson, _)) => {
+                let path = files::whole(path);
+                state.recent.add(&path);
+                state.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path), step: 0 });
+            }
+            Err(error) => state.say(Message::File(path.to_owned(), error)),
+        };
+    }
     if let Some(kept) = state.take_kept(Some(&Source::File(files::whole(path)))) {
         state.take_over(kept);
         state.file_flow.look = true;

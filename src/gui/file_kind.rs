@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::native::{FileQuestion, Wanted};
 use super::state::{MESH_ENDINGS, Purpose, State};
 use crate::export::format::PictureFormat;
-use crate::i18n::{exercise_window, explain, gallery, scenes, window};
+use crate::i18n::{exercise_window, explain, gallery, lessons, scenes, window};
 
 /// A kind of files.
 pub(super) struct FileKind {
@@ -58,6 +58,11 @@ impl FileKind {
                 filters.extend(PictureFormat::ALL.map(|of| format(film.strip, of)));
                 let name = format!("{stem}-{}.gif", decomposition.name());
                 (Wanted::NewFile, t.export_title, t.save_action, filters, name)
+            }
+            Purpose::Step => {
+                let t = lessons::texts(lang);
+                let filters = vec![(t.lesson.to_owned(), &["toml"][..])];
+                (Wanted::NewFile, t.step_title, t.step_action, filters, t.step_file.to_owned())
             }
             Purpose::Chart(_) => {
                 let filters = [("SVG", &["svg"][..]), ("PDF", &["pdf"]), ("PNG", &["png"])];

@@ -1,5 +1,5 @@
 //! Launch options of one window, which are not stored: from the command line, or from the address of a page
-//! (`?view=image&panels=none&lang=pt-BR&theme=dark`), as in lecture notes that show a figure inside a page.
+//! (`?view=image&panels=none&lang=pt-BR&theme=dark`, `?lesson=basis&step=3`), as in lecture notes that show a figure inside a page.
 
 use percent_encoding::percent_decode_str;
 
@@ -7,6 +7,7 @@ use super::state::State;
 use crate::appearance::Theme;
 use crate::figure::words::{self, THEMES, Words};
 use crate::i18n::Lang;
+use crate::lessons::{OpenLesson, shipped};
 use crate::views::{View, Views};
 
 /// The languages, by the names that `--lang` has for them.
@@ -23,6 +24,10 @@ pub struct LaunchOptions {
     pub views: Option<Views>,
     /// The pictures alone: neither panels nor menus.
     pub bare: bool,
+    /// The lesson of the program that is played, by its place.
+    pub lesson: Option<usize>,
+    /// Its step, from 1.
+    pub step: Option<usize>,
 }
 
 impl LaunchOptions {
@@ -38,6 +43,8 @@ impl LaunchOptions {
                 "lang" => put(&mut asked.lang, words::value(LANGUAGES, &value)),
                 "theme" => put(&mut asked.theme, words::value(THEMES, &value)),
                 "view" => put(&mut asked.views, Views::CHOICES.into_iter().find(|views| views.name() == value)),
+                "lesson" => put(&mut asked.lesson, shipped().iter().position(|shipped| shipped.lesson.id == value)),
+                "step" => put(&mut asked.step, value.parse().ok().filter(|step| *step > 0)),
                 "panels" => {
                     asked.bare = value == "none";
                     asked.bare
@@ -63,6 +70,11 @@ impl LaunchOptions {
         }
         if let Some(views) = self.views {
             state.layout.shown = View::ALL.map(|view| views.contains(view));
+        }
+        if let Some(shipped) = self.lesson.and_then(|lesson| shipped().get(lesson)) {
+            let last = shipped.lesson.steps.len().saturating_sub(1);
+            let step = self.step.map_or(0, |step| step - 1).min(last);
+            state.play(OpenLesson { lesson: shipped.lesson.clone(), path: None, step });
         }
     }
 }
@@ -90,6 +102,7 @@ mod tests {
             theme: Some(Theme::Dark),
             views: Some(Views::One(View::Image)),
             bare: true,
+            ..LaunchOptions::default()
         };
         assert_eq!(asked, all);
         let mut state = State::new(Start::default()).unwrap();
@@ -105,5 +118,12 @@ mod tests {
             LaunchOptions { lang: Some(Lang::PtBr), views: Some(Views::All), ..LaunchOptions::default() }
         );
         assert_eq!(LaunchOptions::of_query(""), Default::default());
+
+        let (asked, unknown) = LaunchOptions::of_query("?lesson=basis&step=3");
+        assert_eq!(unknown, [""; 0]);
+        asked.apply(&mut state);
+        let playing = state.lesson.as_ref().unwrap();
+        assert_eq!((playing.lesson.id.as_str(), playing.step), ("basis", 2));
+        assert_eq!(LaunchOptions::of_query("lesson=none&step=0").1, ["lesson=none", "step=0"]);
     }
 }

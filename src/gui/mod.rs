@@ -173,8 +173,10 @@ pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 /// # Errors
 /// [`GuiError::NoWindow`] where there is no display or no usable OpenGL.
 #[cfg(not(target_arch = "wasm32"))]
-pub fn run(start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
+pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
     let restore = start.file.is_none() && start.lesson.is_none() && start.figure == fresh();
+    // After the preferences, among which are the panels.
+    let lesson = start.lesson.take();
     let state = State::new(start)?;
     let mut viewport = eframe::egui::ViewportBuilder::default()
         .with_title("Camera Lab")
@@ -196,6 +198,9 @@ pub fn run(start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
                 app.keep_session(folders.data_dir(), restore);
             } else {
                 app.state.file_flow.news.tell(session::News::NoHome);
+            }
+            if let Some(open) = lesson {
+                app.state.play(open);
             }
             Ok(Box::new(app))
         }),

@@ -19,6 +19,7 @@ use crate::files::SHIPPED_FIGURES;
 use crate::i18n::search::{self as words, also_called, folded, has_words};
 use crate::i18n::window;
 use crate::i18n::{exercises as exercise_words, explain as explain_words, notes, told};
+use crate::lessons::{OpenLesson, shipped};
 use crate::limits::MAX_TYPED_NAME;
 
 /// The width of the dialog.
@@ -38,6 +39,8 @@ enum Target {
     Note(&'static str),
     Exercise(String),
     Figure(&'static str),
+    /// A lesson of the program, by its place, and a step of it.
+    Step(usize, usize),
 }
 
 /// Something that can be found.
@@ -117,6 +120,25 @@ fn entries(state: &State) -> Vec<Entry> {
             title: title.into(),
             about: about.into(),
         });
+    }
+    for (place, shipped) in shipped().iter().enumerate() {
+        let lesson = &shipped.lesson;
+        let of_lesson = told(lang, &lesson.title);
+        let about = lesson.sentence.as_ref().map_or("", |sentence| told(lang, sentence));
+        all.push(Entry {
+            target: Target::Step(place, 0),
+            kind: t.lesson,
+            title: of_lesson.into(),
+            about: about.into(),
+        });
+        for (k, step) in lesson.steps.iter().enumerate() {
+            all.push(Entry {
+                target: Target::Step(place, k),
+                kind: t.step,
+                title: told(lang, &step.title).into(),
+                about: of_lesson.into(),
+            });
+        }
     }
     for note in notes::notes(lang) {
         all.push(Entry {
@@ -264,6 +286,12 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
             entry.iter().for_each(|entry| list::open(&mut state.exercises, entry));
         }
         Target::Figure(name) => file_flow::begin(ctx, state, AfterSave::Shipped(name)),
+        Target::Step(place, step) => {
+            if let Some(shipped) = shipped().get(place) {
+                let open = OpenLesson { lesson: shipped.lesson.clone(), path: None, step };
+                file_flow::begin(ctx, state, AfterSave::Lesson(open));
+            }
+        }
     }
 }
 

@@ -4,9 +4,10 @@ use serde_json::Value;
 
 use super::Lang;
 pub use super::told;
+use crate::exercises;
 use crate::figure::{Bilingual, Figure};
 use crate::inspect::Report;
-use crate::lessons::{self, Lesson, Step, Task};
+use crate::lessons::{self, Lesson, Link, Step, Task};
 use crate::numbers::significant;
 use crate::sanitize::escaped;
 
@@ -20,6 +21,7 @@ texts! {
     step: "Step", "Passo";
     of: "of", "de";
     keep: "To keep", "Para guardar";
+    solutions: "Solutions", "Soluções";
     // Messages.
     first_step: "This is the first step of the lesson", "Este é o primeiro passo da lição";
     last_step: "This is the last step of the lesson", "Este é o último passo da lição";
@@ -50,9 +52,25 @@ texts! {
     exercise_at_side: "Answer the exercise in the panel at the side.", "Responda o exercício no painel ao lado.";
     open_exercise: "Open the exercise", "Abrir o exercício";
     hidden_question: "Q shows the question", "Q mostra a pergunta";
+    // Recording.
+    add_step: "Add as step", "Adicionar como passo";
+    add_step_hint: "Adds what is on the screen to a lesson of your own, as its next step: only the difference from the step before is written", "Adiciona o que está na tela a uma lição sua, como o próximo passo: só a diferença do passo anterior é escrita";
+    step_title: "The lesson to which the step is added", "A lição à qual o passo é adicionado";
+    step_action: "Add", "Adicionar";
+    step_file: "lesson.toml", "licao.toml";
+    // The texts of a recorded step and lesson.
+    new_lesson: "A new lesson", "Uma nova lição";
+    new_text: "Say here what is to be seen.", "Diga aqui o que se vê.";
+    // A line of the window at its first start.
+    new_here: "New here?", "Primeira vez aqui?";
+    or_gallery: "Gallery of figures", "Galeria de figuras";
+    no_welcome: "Close this line; the lessons are in the menu Help", "Fechar esta linha; as lições estão no menu Ajuda";
     // The list of lessons.
     lessons_command: "Lessons…", "Lições…";
     lessons_hint: "A way through the chapter, step by step", "Um caminho pelo capítulo, passo a passo";
+    learn_next: "Learn next", "Aprender a seguir";
+    leads_to: "Exercises", "Exercícios";
+    finished: "finished", "concluída";
     afterwards: "Afterwards you know", "Depois você sabe";
     read_more: "Read", "Ler";
     practise: "Practise", "Praticar";
@@ -124,6 +142,58 @@ pub fn to_read(lang: Lang, lesson: &Lesson) -> String {
         out.push_str(&format!("\n{}: {}\n", t.keep, told(lang, sentence).trim()));
     }
     out
+}
+
+/// The titles of the exercises to which a lesson leads, each once.
+#[must_use]
+pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
+    let of_step = |step: &Step| {
+        let asked = match &step.task {
+            Some(Task::Exercise { id, .. }) => Some(id.clone()),
+            _ => None,
+        };
+        let linked = step.links.iter().filter_map(|link| match link {
+            Link::Exercise(id, _) => Some(id.clone()),
+            Link::Note(_) | Link::Lesson(_) => None,
+        });
+        asked.into_iter().chain(linked.collect::<Vec<_>>())
+    };
+    let mut ids: Vec<String> = Vec::new();
+    for id in lesson.steps.iter().flat_map(of_step) {
+        if !ids.contains(&id) {
+            ids.push(id);
+        }
+    }
+    ids.iter().filter_map(|id| Some(super::exercises::title(lang, exercises::entry(id)?))).collect()
+}
+
+/// A step was added to a file.
+#[must_use]
+pub fn step_added(lang: Lang, file: &str, number: usize) -> String {
+    match lang {
+        Lang::En => format!("Step {number} was added to {file}"),
+        Lang::PtBr => format!("O passo {number} foi adicionado a {file}"),
+    }
+}
+
+/// The texts of the recorded step with this number.
+#[must_use]
+pub fn draft(number: usize) -> lessons::Draft {
+    let both =
+        |text: fn(&'static Texts) -> String| Bilingual { en: text(texts(Lang::En)), pt_br: text(texts(Lang::PtBr)) };
+    let title = |lang| format!("{} {number}", texts(lang).step);
+    lessons::Draft {
+        lesson: both(|t| t.new_lesson.to_owned()),
+        title: Bilingual { en: title(Lang::En), pt_br: title(Lang::PtBr) },
+        text: both(|t| t.new_text.to_owned()),
+    }
+}
+
+/// The title of a lesson, and the minutes that it takes.
+#[must_use]
+pub fn with_minutes(lang: Lang, lesson: &Lesson) -> String {
+    let minutes = lesson.minutes.map_or_else(String::new, |minutes| format!(" ({} min)", significant(minutes, 3)));
+    format!("{}{minutes}", told(lang, &lesson.title))
 }
 
 /// The step of how many.
@@ -217,6 +287,16 @@ pub const fn not_reached(lang: Lang) -> &'static str {
     match lang {
         Lang::En => "[step.try] way does not lead to where until holds",
         Lang::PtBr => "[step.try] way não leva até onde until vale",
+    }
+}
+
+/// A handout has another number of steps on a page.
+#[must_use]
+pub fn per_page(lang: Lang, found: &str) -> String {
+    let found = escaped(found);
+    match lang {
+        Lang::En => format!("--per-page is {found}; allowed: 2 or 4"),
+        Lang::PtBr => format!("--per-page é {found}; permitido: 2 ou 4"),
     }
 }
 

@@ -3,7 +3,7 @@
 
 texts! {
     title: "Search", "Procurar";
-    field: "Command, explanation, note, exercise, figure…", "Comando, explicação, nota, exercício, figura…";
+    field: "Command, explanation, lesson, note, exercise, figure…", "Comando, explicação, lição, nota, exercício, figura…";
     keys: "↑ ↓: choose · Enter: go there · Esc: close", "↑ ↓: escolher · Enter: ir · Esc: fechar";
     nothing: "Nothing has these words. Try fewer letters, or another name for it.", "Nada tem estas palavras. Tente menos letras, ou outro nome.";
     command: "command", "comando";
@@ -11,6 +11,8 @@ texts! {
     note: "note", "nota";
     exercise: "exercise", "exercício";
     figure: "figure", "figura";
+    lesson: "lesson", "lição";
+    step: "step of a lesson", "passo de lição";
 }
 
 /// Groups of names for one thing, without accents: those of the notes, of other books and of libraries, in both

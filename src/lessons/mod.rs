@@ -8,6 +8,7 @@
 //! | `numbers_in_texts` | the numbers of a figure in the texts of a lesson, in place of the paths in braces |
 //! | `passage` | the way from the figure of one step to that of the next |
 //! | `read` | the text of a lesson file → `Lesson` |
+//! | `record` | a step of a lesson from what is on the screen |
 //! | `shipped` | the lessons that are part of the program |
 
 mod condition;
@@ -15,6 +16,7 @@ mod lesson;
 mod numbers_in_texts;
 mod passage;
 mod read;
+mod record;
 mod shipped;
 
 pub use condition::{Condition, Goal, Seen, Subject, objects_named};
@@ -22,4 +24,5 @@ pub use lesson::{Lesson, Link, OpenLesson, Step, Task};
 pub use numbers_in_texts::{filled, numbers_of};
 pub use passage::Passage;
 pub use read::{parse, parse_bytes};
+pub use record::{Draft, with_step};
 pub use shipped::{ShippedLesson, shipped};

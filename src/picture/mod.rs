@@ -9,6 +9,7 @@
 //! | `error` | why there is no picture file |
 //! | `family` | the same figure at several values of a key, on a sheet |
 //! | `file` | pictures as files, in the requested format |
+//! | `handout` | pictures with texts on pages of paper, to be handed out |
 //! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
 //! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
 //! | `sweep` | pictures one after the other: a family, or the way to another camera |
@@ -21,6 +22,7 @@ mod composite;
 mod error;
 mod family;
 mod file;
+mod handout;
 mod render_report;
 mod renderer;
 mod sweep;
@@ -41,6 +43,7 @@ pub use composite::{Composite, Crowded, NoComposite, OnPaper, gap};
 pub use error::PictureError;
 pub use family::{Family, SheetSize};
 pub use file::{Beside, FileOptions, PER_INCH, PictureFile, Told, assembled, file};
+pub use handout::{Handout, HandoutEntry, Paragraph};
 pub use render_report::RenderReport;
 pub use renderer::Renderer;
 pub use sweep::Sweep;

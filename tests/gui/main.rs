@@ -26,6 +26,7 @@ mod homogeneous;
 mod keyboard;
 mod labels;
 mod language;
+mod lessons;
 mod notes;
 mod numerics;
 mod order;

@@ -40,6 +40,7 @@ mod image_pixels;
 mod inspect_report;
 mod labels;
 mod layers;
+mod lessons;
 mod manual;
 mod meshes;
 mod meshes_gltf;

@@ -22,7 +22,7 @@ use crate::drawing::Anchor;
 use crate::text::Element;
 pub use embedded::figure_in;
 pub(super) use pdf::path_of;
-pub use pdf::pdf;
+pub use pdf::{pdf, pdf_of};
 pub use svg::svg;
 pub use tex::{tex, without_texts};
 

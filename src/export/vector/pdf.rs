@@ -31,7 +31,13 @@ const PICTURES: i32 = FONTS + 5 * 4;
 /// *Guarantees*: the same page and figure give the same bytes.
 #[must_use]
 pub fn pdf(page: &Page, letters: Letters, figure: &str) -> Option<Vec<u8>> {
-    let [width, height] = page.size.map(|side| side * page.points);
+    pdf_of(std::slice::from_ref(page), letters, figure)
+}
+
+/// Several pages as a PDF file, as [`pdf`]; the file has title and language of the first.
+#[must_use]
+pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>> {
+    let first = pages.first()?;
     let mut writer = Writer {
         operators: Content::new(),
         letters,
@@ -39,67 +45,93 @@ pub fn pdf(page: &Page, letters: Letters, figure: &str) -> Option<Vec<u8>> {
         opacities: Vec::new(),
         pictures: Vec::new(),
     };
-    writer.operators.begin_marked_content_with_properties(Name(b"Figure")).properties().identify(0);
-    writer.operators.save_state();
-    // From here on y goes down, and the unit is that of the page.
-    writer.operators.transform([page.points, 0.0, 0.0, -page.points, 0.0, height]);
-    writer.items(&page.items);
-    writer.operators.restore_state();
-    writer.operators.end_marked_content();
-    let Writer { operators, glyphs, opacities, pictures, .. } = writer;
+    let contents: Vec<Vec<u8>> = pages.iter().map(|page| writer.page(page)).collect();
+    let Writer { glyphs, opacities, pictures, .. } = writer;
+    // Pages after the first come after all else.
+    let refs = |k: usize| match k {
+        0 => [PAGE, CONTENT, FIGURE, TREE],
+        _ => {
+            let at = |k: usize| i32::try_from(2 * pictures.len() + 4 * (k - 1)).unwrap_or(0);
+            [0, 1, 2, 3].map(|i| Ref::new(PICTURES + at(k) + i))
+        }
+    };
 
     let mut pdf = Pdf::new();
     let mut catalog = pdf.catalog(CATALOG);
-    catalog.pages(PAGES).lang(TextStr(page.language));
+    catalog.pages(PAGES).lang(TextStr(first.language));
     catalog.mark_info().marked(true);
     catalog.viewer_preferences().display_doc_title(true);
     let mut tree = catalog.struct_tree_root();
     tree.child(DOCUMENT);
-    tree.parent_tree().nums().insert(0, TREE);
+    let mut parents = tree.parent_tree();
+    let mut numbers = parents.nums();
+    for k in 0..pages.len() {
+        numbers.insert(i32::try_from(k).unwrap_or(0), refs(k)[3]);
+    }
+    numbers.finish();
+    parents.finish();
     tree.finish();
     if !figure.is_empty() {
         catalog.names().embedded_files().names().insert(Str(b"figure.toml"), ATTACHED);
     }
     catalog.finish();
-    pdf.indirect(TREE).array().item(FIGURE);
-    pdf.struct_element(DOCUMENT).kind(StructRole::Document).parent(Ref::new(CATALOG.get())).child(FIGURE);
-    let mut element = pdf.struct_element(FIGURE);
-    element.kind(StructRole::Figure).parent(DOCUMENT).page(PAGE).title(TextStr(&page.title));
-    element.alt(TextStr(&page.description)).lang(TextStr(page.language));
-    element.children().marked_content_id(0);
-    element.finish();
-    pdf.document_info(INFO).title(TextStr(&page.title)).creator(TextStr("Camera Lab"));
-    pdf.pages(PAGES).kids([PAGE]).count(1);
+    for k in 0..pages.len() {
+        pdf.indirect(refs(k)[3]).array().item(refs(k)[2]);
+    }
+    let mut document = pdf.struct_element(DOCUMENT);
+    document.kind(StructRole::Document).parent(Ref::new(CATALOG.get()));
+    let mut children = document.children();
+    for k in 0..pages.len() {
+        children.struct_element(refs(k)[2]);
+    }
+    children.finish();
+    document.finish();
+    for (k, page) in pages.iter().enumerate() {
+        let [leaf, _, figure, _] = refs(k);
+        let mut element = pdf.struct_element(figure);
+        element.kind(StructRole::Figure).parent(DOCUMENT).page(leaf).title(TextStr(&page.title));
+        element.alt(TextStr(&page.description)).lang(TextStr(page.language));
+        element.children().marked_content_id(0);
+        element.finish();
+    }
+    pdf.document_info(INFO).title(TextStr(&first.title)).creator(TextStr("Camera Lab"));
+    let count = i32::try_from(pages.len()).unwrap_or(i32::MAX);
+    pdf.pages(PAGES).kids((0..pages.len()).map(|k| refs(k)[0])).count(count);
 
-    let mut leaf = pdf.page(PAGE);
-    leaf.media_box(Rect::new(0.0, 0.0, width, height)).parent(PAGES).contents(CONTENT).struct_parents(0);
-    let mut resources = leaf.resources();
     let used = || glyphs.iter().enumerate().filter(|(_, glyphs)| !glyphs.is_empty());
-    if used().next().is_some() {
-        let mut fonts = resources.fonts();
-        for (k, _) in used() {
-            fonts.pair(FONTS_NAMED[k], font_refs(k)[0]);
+    for (k, page) in pages.iter().enumerate() {
+        let [width, height] = page.size.map(|side| side * page.points);
+        let mut leaf = pdf.page(refs(k)[0]);
+        leaf.media_box(Rect::new(0.0, 0.0, width, height)).parent(PAGES).contents(refs(k)[1]);
+        leaf.struct_parents(i32::try_from(k).unwrap_or(0));
+        let mut resources = leaf.resources();
+        if used().next().is_some() {
+            let mut fonts = resources.fonts();
+            for (k, _) in used() {
+                fonts.pair(FONTS_NAMED[k], font_refs(k)[0]);
+            }
         }
+        let mut states = resources.ext_g_states();
+        for opacity in &opacities {
+            let share = f32::from(*opacity) / 255.0;
+            states
+                .insert(Name(state_name(*opacity).as_bytes()))
+                .start::<pdf_writer::writers::ExtGraphicsState>()
+                .stroking_alpha(share)
+                .non_stroking_alpha(share);
+        }
+        states.finish();
+        let mut objects = resources.x_objects();
+        for k in 0..pictures.len() {
+            objects.pair(Name(picture_name(k).as_bytes()), picture_refs(k)[0]);
+        }
+        objects.finish();
+        resources.finish();
+        leaf.finish();
     }
-    let mut states = resources.ext_g_states();
-    for opacity in &opacities {
-        let share = f32::from(*opacity) / 255.0;
-        states
-            .insert(Name(state_name(*opacity).as_bytes()))
-            .start::<pdf_writer::writers::ExtGraphicsState>()
-            .stroking_alpha(share)
-            .non_stroking_alpha(share);
+    for (k, content) in contents.iter().enumerate() {
+        pdf.stream(refs(k)[1], &packed(content)).filter(Filter::FlateDecode);
     }
-    states.finish();
-    let mut objects = resources.x_objects();
-    for k in 0..pictures.len() {
-        objects.pair(Name(picture_name(k).as_bytes()), picture_refs(k)[0]);
-    }
-    objects.finish();
-    resources.finish();
-    leaf.finish();
-    let packed = packed(&operators.finish());
-    pdf.stream(CONTENT, &packed).filter(Filter::FlateDecode);
     for (k, glyphs) in used() {
         glyphs.write(&mut pdf, font_refs(k))?;
     }
@@ -173,6 +205,20 @@ struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
+    /// The operators of a page; fonts and pictures are collected over all of them.
+    fn page(&mut self, page: &'a Page) -> Vec<u8> {
+        self.operators = Content::new();
+        self.operators.begin_marked_content_with_properties(Name(b"Figure")).properties().identify(0);
+        self.operators.save_state();
+        // From here on y goes down, and the unit is that of the page.
+        let height = page.size[1] * page.points;
+        self.operators.transform([page.points, 0.0, 0.0, -page.points, 0.0, height]);
+        self.items(&page.items);
+        self.operators.restore_state();
+        self.operators.end_marked_content();
+        std::mem::replace(&mut self.operators, Content::new()).finish().into_vec()
+    }
+
     fn items(&mut self, items: &'a [Item]) {
         for item in items {
             self.item(item);

@@ -2,8 +2,10 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `difference` | the difference of two figures, as a step of a lesson says it |
 //! | `vary` | one key of a figure, set from outside of its file |
 
+mod difference;
 mod vary;
 
 use std::collections::{HashMap, VecDeque};
@@ -14,6 +16,7 @@ use super::Figure;
 use super::read;
 use super::write::{document, to_toml};
 
+pub use difference::{Difference, difference};
 pub use vary::{show_with, varied, varied_together};
 pub(super) use vary::{value_of, varied_whole};
 

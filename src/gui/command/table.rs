@@ -8,6 +8,7 @@ use crate::appearance;
 use crate::figure::{Explanation, Observers};
 use crate::gui::file_flow;
 use crate::gui::gallery::Part;
+use crate::gui::lesson;
 use crate::gui::number_tables;
 use crate::gui::state::{
     self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory,
@@ -203,6 +204,13 @@ pub const MENUS: &[Menu] = &[
                 row!(Freeze, alt(Key::F), freeze, freeze_hint, switch annotations.frozen),
                 row!(Blank, alt(Key::B), blank, blank_hint, switch annotations.blank),
             ],
+            &[Row::new(
+                AddStep,
+                ctrl_shift(Key::A),
+                |t| lesson_words(t, |t| (t.add_step, t.add_step_hint)),
+                lesson::record,
+            )
+            .not_in_browser()],
             &[
                 Row::new(
                     StepAgain,
@@ -456,6 +464,9 @@ fn toggle_presentation(state: &mut State, ctx: &Context) {
     // What the figure wants to be explained is open in the presentation too, where it is open now.
     let explained = state.document.figure().screen.panel.flatten().filter(|panel| state.shows_explanation(*panel));
     state.settings.presentation ^= true;
+    if let Some(playing) = &mut state.lesson {
+        playing.shows_question = !state.settings.presentation;
+    }
     explained.into_iter().for_each(|panel| state.show_explanation(panel));
     ctx.send_viewport_cmd(ViewportCommand::Fullscreen(state.settings.presentation));
     state.message = None;

@@ -1,13 +1,12 @@
 //! The list of lessons.
 
-use eframe::egui::{Key, Modifiers, RichText, ScrollArea, Ui};
+use eframe::egui::{Key, Label, Modifiers, RichText, ScrollArea, Ui};
 
 use crate::gui::file_flow;
 use crate::gui::prose;
 use crate::gui::state::{AfterSave, Dialog, State};
 use crate::i18n::{gallery, lessons as words, told};
 use crate::lessons::{OpenLesson, shipped};
-use crate::numbers::significant;
 
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 620.0;
@@ -20,17 +19,37 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
     ui.add_space(4.0);
     let mut chosen = None;
     let most = (ui.ctx().content_rect().height() - 160.0).max(120.0);
+    let next = state.next_lesson();
     ScrollArea::vertical().max_height(most).auto_shrink([false, true]).show(ui, |ui| {
         for (k, shipped) in shipped().iter().enumerate() {
             let lesson = &shipped.lesson;
-            let minutes =
-                lesson.minutes.map_or_else(String::new, |minutes| format!("  ·  {} min", significant(minutes, 3)));
-            let title = format!("{}. {}{minutes}", k + 1, told(lang, &lesson.title));
-            if ui.link(RichText::new(title).strong()).clicked() {
-                chosen = Some(lesson.clone());
-            }
+            let taken = state.lessons_taken.get(&lesson.id).copied();
+            let last = lesson.steps.len().saturating_sub(1);
+            ui.horizontal_wrapped(|ui| {
+                let title = format!("{}. {}", k + 1, words::with_minutes(lang, lesson));
+                if ui.link(RichText::new(title).strong()).clicked() {
+                    // One goes on where one was, and begins anew what is finished.
+                    let step = taken.filter(|step| *step < last).unwrap_or_default();
+                    chosen = Some((lesson.clone(), step));
+                }
+                match taken {
+                    Some(step) if step >= last => drop(ui.label(RichText::new(format!("✓ {}", t.finished)).weak())),
+                    Some(step) => {
+                        ui.label(RichText::new(words::place(lang, step + 1, last + 1)).weak());
+                    }
+                    None => {}
+                }
+                if next == Some(k) {
+                    ui.label(RichText::new(format!("◀ {}", t.learn_next)).strong());
+                }
+            });
             if let Some(sentence) = &lesson.sentence {
                 prose::show(ui, told(lang, sentence).trim());
+            }
+            let exercises = words::exercises_of(lang, lesson);
+            if !exercises.is_empty() {
+                let text = format!("{}: {}", t.leads_to, exercises.join(" · "));
+                ui.add(Label::new(RichText::new(text).small().weak()).wrap());
             }
             ui.add_space(6.0);
         }
@@ -39,8 +58,8 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
     let closes = ui.button(gallery::texts(lang).close).clicked()
         || ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
     match chosen {
-        Some(lesson) => {
-            file_flow::begin(ui.ctx(), state, AfterSave::Lesson(OpenLesson { lesson, path: None, step: 0 }));
+        Some((lesson, step)) => {
+            file_flow::begin(ui.ctx(), state, AfterSave::Lesson(OpenLesson { lesson, path: None, step }));
         }
         None if closes => {}
         None => state.file_flow.dialog = Some(Dialog::Lessons),

@@ -3,14 +3,16 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `list` | the list of lessons |
+//! | `record` | adding a step to a lesson of the user's own |
 //! | `task` | what there is to do in a step: a question, an exercise, a goal |
 
 mod list;
+mod record;
 mod task;
 
 use std::time::Duration;
 
-use eframe::egui::{self, Button, Key, Modifiers, RichText, ScrollArea, Ui};
+use eframe::egui::{self, Button, Id, Key, Modifiers, RichText, ScrollArea, Ui};
 
 use super::command::Command;
 use super::focus::{self, Region};
@@ -22,11 +24,12 @@ use crate::i18n::lessons::{self as words, Texts};
 use crate::i18n::{exercises, notes, told};
 use crate::lessons::{self, Link};
 pub(super) use list::{WIDTH as LIST_WIDTH, show as list};
+pub(super) use record::{add_step, record};
 
 /// The share of the window that text and task may take; what is longer is scrolled.
 const SHARE: f32 = 0.42;
-/// Lines of text are not longer than this, in ems.
-const LINE: f32 = 64.0;
+/// Lines of text that read well, in heights of a line.
+const LINE: f32 = 44.0;
 /// Seconds after which a typed number is one.
 const TYPED: f64 = 0.9;
 
@@ -38,6 +41,40 @@ pub(super) fn advance(ctx: &egui::Context, state: &mut State) {
     }
     typed_step(ctx, state, now);
     state.look_at_goal();
+}
+
+/// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time; gives a
+/// command that is to be done.
+pub(super) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
+    let is_fresh = state.document.path().is_none() && state.lesson.is_none() && !state.settings.bare;
+    if !(state.welcome && is_fresh) {
+        return None;
+    }
+    let first = lessons::shipped().first()?.lesson.clone();
+    let t = words::texts(state.settings.lang);
+    let mut command = None;
+    let shown = egui::Panel::top("welcome").show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.label(t.new_here);
+            let plays = ui.link(words::with_minutes(t.lang, &first)).clicked();
+            ui.label("·");
+            if ui.link(t.or_gallery).clicked() {
+                command = Some(Command::Gallery);
+            }
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                if ui.button("✕").explained(t.no_welcome).accessible_name(t.no_welcome).clicked() {
+                    state.welcome = false;
+                }
+            });
+            plays
+        })
+        .inner
+    });
+    if shown.inner {
+        state.play(lessons::OpenLesson { lesson: first, path: None, step: 0 });
+    }
+    state.welcome &= !shown.inner && command.is_none();
+    command
 }
 
 /// In a presentation, digits are the number of a step: it is gone to after a moment, or at Enter.
@@ -69,24 +106,39 @@ const DIGITS: [Key; 10] =
 /// done.
 pub(super) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
     let playing = state.lesson.as_ref()?;
-    let (key, step) = (playing.lesson.id.clone(), playing.step);
+    let key = (playing.lesson.id.clone(), playing.step);
     let t = words::texts(state.settings.lang);
-    let most = SHARE * ui.ctx().content_rect().height();
-    let panel = egui::Panel::bottom("lesson").resizable(false).show(ui, |ui| {
+    let ctx = ui.ctx().clone();
+    let most = SHARE * ctx.content_rect().height();
+    // As high as what it showed in the last frame; a panel does not grow with what scrolls in it.
+    let id = Id::unique("height of the lesson");
+    let height = ctx.data(|data| data.get_temp(id)).unwrap_or(0.5 * most);
+    let panel = egui::Panel::bottom("lesson").resizable(false).exact_size(height).show(ui, |ui| {
         focus::region(ui, ui.max_rect(), Region::Lesson, t.region);
+        let top = ui.max_rect().top();
         let command = bar(ui, t, state);
         let shows = state.lesson.as_ref().is_some_and(|playing| {
             playing.shows_text || playing.shows_notes || playing.shows_question && !playing.is_done()
         });
+        let mut wanted = ui.min_rect().bottom() - top;
         if shows {
-            ui.separator();
-            ScrollArea::vertical().id_salt((key, step)).max_height(most).auto_shrink([false, true]).show(ui, |ui| {
-                content(ui, t, state);
-            });
+            ui.add_space(2.0);
+            let area = ScrollArea::vertical().id_salt(key).auto_shrink(false);
+            let shown = area.show(ui, |ui| ui.scope(|ui| content(ui, t, state)).response.rect.height());
+            wanted += ui.spacing().item_spacing.y + 2.0 + shown.inner;
         }
-        command
+        let margin = egui::Frame::side_top_panel(ui.style()).total_margin().sum().y;
+        (command, wanted, wanted.min(most) + margin + 2.0)
     });
-    panel.inner
+    let (command, whole, wanted) = panel.inner;
+    if let Some(playing) = &mut state.lesson {
+        playing.is_cut = whole > most;
+    }
+    if (wanted - height).abs() > 0.5 {
+        ctx.data_mut(|data| data.insert_temp(id, wanted));
+        ctx.request_repaint();
+    }
+    command
 }
 
 /// One line: title, number of the step, the ways on.
@@ -142,21 +194,34 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     let Some(playing) = state.lesson.as_ref() else { return };
     let Some(step) = playing.now().cloned() else { return };
     let (shows_text, shows_notes) = (playing.shows_text, playing.shows_notes);
-    let width = ui.available_width().min(LINE * ui.text_style_height(&egui::TextStyle::Body));
-    ui.set_max_width(width);
     // The numbers are those of what is on the screen.
     let report = lessons::numbers_of(state.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let text = |text: &Bilingual| match &report {
         Some(report) => words::filled_from(t.lang, text, report),
         None => told(t.lang, text).to_owned(),
     };
-    if shows_text {
-        if !state.settings.presentation {
+    let presents = state.settings.presentation;
+    let say = |ui: &mut Ui| {
+        if !presents {
             ui.add(egui::Label::new(RichText::new(told(t.lang, &step.title)).strong()).wrap());
         }
         prose::show(ui, text(&step.text).trim());
+    };
+    let asks = step.task.is_some() && state.lesson.as_ref().is_some_and(|playing| playing.shows_question);
+    let line = LINE * ui.text_style_height(&egui::TextStyle::Body);
+    if shows_text && asks && ui.available_width() > 1.4 * line {
+        // Side by side they leave the pictures more room.
+        ui.columns(2, |columns| {
+            say(&mut columns[0]);
+            task::show(&mut columns[1], t, state, &step, &text);
+        });
+    } else {
+        ui.set_max_width(ui.available_width().min(1.4 * line));
+        if shows_text {
+            say(ui);
+        }
+        task::show(ui, t, state, &step, &text);
     }
-    task::show(ui, t, state, &step, &text);
     links(ui, t, state, &step.links);
     if let Some(notes) = step.notes.as_ref().filter(|_| shows_notes) {
         ui.separator();

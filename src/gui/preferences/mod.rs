@@ -72,7 +72,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 36] = [
+const KEYS: [Key; 38] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -84,8 +84,16 @@ const KEYS: [Key; 36] = [
             put(&mut state.settings.zoom, zoom.map(|zoom| zoom as f32));
         },
     },
-    key!("parameters_panel", switch, settings.panels.wanted[0]),
-    key!("numbers_panel", switch, settings.panels.wanted[1]),
+    Key {
+        name: "parameters_panel",
+        of: |state| state.own_panels().wanted[Side::Left as usize].into(),
+        apply: |state, value| put(&mut state.settings.panels.wanted[Side::Left as usize], value.as_bool()),
+    },
+    Key {
+        name: "numbers_panel",
+        of: |state| state.own_panels().wanted[Side::Right as usize].into(),
+        apply: |state, value| put(&mut state.settings.panels.wanted[Side::Right as usize], value.as_bool()),
+    },
     Key {
         name: "explanations",
         of: |state| state.preferred_layout().is_open.into(),
@@ -134,6 +142,20 @@ const KEYS: [Key; 36] = [
         },
     },
     key!("reduce_motion", switch, settings.reduce_motion),
+    key!("welcomed", switch, settings.welcomed),
+    // Each as `id=step`, from 1.
+    Key {
+        name: "lessons",
+        of: |state| state.lessons_taken.iter().map(|(id, step)| format!("{id}={}", step + 1)).collect(),
+        apply: |state, value| {
+            let texts = value.as_array().into_iter().flatten().filter_map(Value::as_str);
+            let taken = |text: &str| {
+                let (id, step) = text.split_once('=')?;
+                Some((id.to_owned(), step.parse::<usize>().ok()?.checked_sub(1)?))
+            };
+            state.lessons_taken = texts.filter_map(taken).collect();
+        },
+    },
     key!("save_explained", switch, settings.saves_explained),
     key!("convention", one of CONVENTIONS, operations.convention),
     Key {

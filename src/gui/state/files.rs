@@ -52,6 +52,8 @@ pub enum Purpose {
     Mesh(MeshFor),
     /// A folder, whose figures the gallery is to show.
     Folder,
+    /// To add a step to a lesson.
+    Step,
     /// To write a chart.
     Chart(Box<Block>),
     /// To export progress in exercises, as a table for spreadsheets.

@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::{Chosen, Message, State};
+use super::{Chosen, Message, Panels, State};
 use crate::camera::Camera;
 use crate::figure::Figure;
 use crate::gui::document::Document;
 use crate::gui::history::Revision;
-use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task};
+use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
 
 /// A lesson that is played.
 #[derive(Debug)]
@@ -28,6 +28,8 @@ pub struct Playing {
     pub shows_question: bool,
     /// The speaker's notes are shown.
     pub shows_notes: bool,
+    /// Not all of text and task is in sight; written by the panel.
+    pub is_cut: bool,
     /// The steps whose task is done, or was passed over.
     done: BTreeSet<usize>,
     /// The step whose task is passed over by the next wish to go on.
@@ -37,6 +39,8 @@ pub struct Playing {
     /// The figure at which the goal was looked at last.
     looked_at: Option<Revision>,
     seen: Seen,
+    /// The panels as they were before the lesson, out of a presentation.
+    panels_before: Panels,
 }
 
 /// A move from one step to another.
@@ -76,6 +80,20 @@ impl State {
         self.document.is_changed() && self.lesson.is_none()
     }
 
+    /// The panels at the sides as the user wants them without a lesson.
+    #[must_use]
+    pub fn own_panels(&self) -> &Panels {
+        self.lesson.as_ref().map_or(&self.settings.panels, |playing| &playing.panels_before)
+    }
+
+    /// The lesson of the program to be taken next, by its place: the first that is not finished.
+    #[must_use]
+    pub fn next_lesson(&self) -> Option<usize> {
+        let is_finished =
+            |lesson: &Lesson| self.lessons_taken.get(&lesson.id).is_some_and(|step| step + 1 >= lesson.steps.len());
+        shipped().iter().position(|shipped| !is_finished(&shipped.lesson))
+    }
+
     /// Plays a lesson.
     pub fn play(&mut self, open: OpenLesson) {
         let OpenLesson { lesson, path, step } = open;
@@ -87,11 +105,13 @@ impl State {
             shows_text: true,
             shows_question: !self.settings.presentation,
             shows_notes: false,
+            is_cut: false,
             done: BTreeSet::new(),
             warned: None,
             typed: None,
             looked_at: None,
             seen: Seen::default(),
+            panels_before: *self.own_panels(),
         };
         self.show_step(playing, step, false);
     }
@@ -99,7 +119,14 @@ impl State {
     /// Ends the lesson; the figure of its step stays.
     pub fn leave_lesson(&mut self) {
         self.end_move();
-        self.lesson = None;
+        self.let_lesson_go();
+    }
+
+    /// Forgets the lesson, and gives the panels back.
+    pub(in crate::gui) fn let_lesson_go(&mut self) {
+        if let Some(playing) = self.lesson.take() {
+            self.settings.panels.wanted = playing.panels_before.wanted;
+        }
         self.exercises.of_lesson.clear();
     }
 
@@ -192,7 +219,10 @@ impl State {
             Some(Task::Exercise { id, seed }) => Some(Chosen { id: id.clone(), seed: *seed }),
             _ => None,
         };
+        // The pictures and the text have the room; where something is to be tried, the camera's numbers are at hand.
+        let tries = matches!(shown.task, Some(Task::Try(_)));
         self.take_over(document.clone());
+        self.settings.panels.wanted = [tries, false, self.settings.panels.wanted[2]];
         if let Some(entry) = question {
             self.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
             self.exercises.of_lesson = vec![entry];
@@ -205,6 +235,8 @@ impl State {
         if moves && seconds > 0.0 && !passage.is_at_once() {
             playing.moving = Some(Moving { passage, target: Box::new(document), seconds, began: None });
         }
+        let furthest = self.lessons_taken.entry(playing.lesson.id.clone()).or_default();
+        *furthest = step.max(*furthest);
         self.lesson = Some(playing);
     }
 

@@ -34,6 +34,8 @@ pub enum Message {
     FirstFigure,
     /// No figure after this one.
     LastFigure,
+    /// A step was added to the lesson in a file: its number.
+    StepAdded(PathBuf, usize),
     /// No step of the lesson before this one.
     FirstStep,
     /// No step of the lesson after this one.
@@ -125,6 +127,7 @@ impl Message {
             Self::NumbersCopied => (News, t.copied.to_owned()),
             Self::Step { number, of } => (News, format!("{number} / {of}")),
             Self::AndMore(first, more) => (Error, exercise_messages::and_more(lang, &first.text(lang), *more)),
+            Self::StepAdded(path, number) => (News, lessons::step_added(lang, &sanitize::path(path), *number)),
             Self::FirstStep => (News, lessons::texts(lang).first_step.to_owned()),
             Self::LastStep => (News, lessons::texts(lang).last_step.to_owned()),
             Self::TaskFirst => (News, lessons::texts(lang).task_first.to_owned()),

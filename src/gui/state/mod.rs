@@ -56,6 +56,9 @@ mod steps;
 mod triangle;
 mod view_history;
 
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
 use glam::DVec3;
 
 use crate::appearance::{Style, Theme};
@@ -142,6 +145,8 @@ pub struct Settings {
     pub theme: Theme,
     /// Skip animations.
     pub reduce_motion: bool,
+    /// The first lesson and the gallery have been offered.
+    pub welcomed: bool,
     /// Save explanations with the figure.
     pub saves_explained: bool,
     /// The pictures alone, without menus: a figure in somebody's page.
@@ -244,6 +249,12 @@ pub struct State {
     pub exercises: Exercises,
     /// The lesson that is played.
     pub lesson: Option<Playing>,
+    /// The lesson of the user's own to which steps are added.
+    pub lesson_file: Option<PathBuf>,
+    /// The furthest step of each lesson that was taken, from 0, by the lesson's identifier.
+    pub lessons_taken: BTreeMap<String, usize>,
+    /// The first lesson and the gallery are offered, in one line.
+    pub welcome: bool,
     /// The followed point.
     pub follow: Follow,
     /// The faults of the picture, and the health of the camera.
@@ -291,6 +302,7 @@ impl State {
                 digits: 5,
                 theme: Theme::default(),
                 reduce_motion: false,
+                welcomed: false,
                 saves_explained: true,
                 bare: false,
             },
@@ -329,6 +341,9 @@ impl State {
             follow: Follow::default(),
             coach: Coach::default(),
             lesson: None,
+            lesson_file: None,
+            lessons_taken: BTreeMap::new(),
+            welcome: false,
         };
         state.show_screen(screen);
         if let Some(open) = start.lesson {
@@ -343,8 +358,7 @@ impl State {
         self.settings.aspect_follows_image =
             document.draft().aspect == f64::from(image.width) / f64::from(image.height);
         self.operations.motion = None;
-        self.lesson = None;
-        self.exercises.of_lesson.clear();
+        self.let_lesson_go();
         self.document = document;
         self.file_flow.theirs = None;
         self.file_flow.decided = None;

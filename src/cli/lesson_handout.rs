@@ -1,0 +1,170 @@
+//! `camera-lab lesson render -o OUT.pdf`: a lesson as a handout.
+
+use std::path::Path;
+
+use super::lesson::{Found, composite};
+use super::lesson_args::LessonRenderArgs;
+use super::render::{no_picture, save};
+use super::words::LangArg;
+use super::{Failure, progress};
+use crate::camera::ImageSize;
+use crate::exercises::{self, Exercise, Kind};
+use crate::i18n::{Lang, exercise_sheet, exercises as said, lessons as texts};
+use crate::lessons::{Lesson, Step, Task};
+use crate::picture::{Handout, HandoutEntry, Paragraph};
+use crate::progress::at_once;
+use crate::sanitize;
+
+/// Digits of the numbers in worked steps.
+const DIGITS: usize = 5;
+/// Lines to write on, for a question with numbers and for one with choices.
+const ROOM: [usize; 2] = [4, 1];
+/// Width of the picture of a step in pixels, and the height of its parts.
+const WIDTH: u32 = 900;
+const HEIGHT: u32 = 330;
+
+/// Writes the handout.
+pub(super) fn write(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Result<(), Failure> {
+    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let columns = if args.per_page(lang)? > 2 { 2 } else { 1 };
+    let lesson = &found.lesson;
+    let mut entries = vec![HandoutEntry { picture: None, paragraphs: beginning(written, lesson) }];
+    for (k, step) in lesson.steps.iter().enumerate() {
+        let size = ImageSize { width: WIDTH, height: HEIGHT * if columns > 1 { 3 } else { 2 } / 2 };
+        let picture = composite(args, found, (k, step), Some(size), lang)?;
+        entries.push(HandoutEntry { picture: Some(picture), paragraphs: of_step(written, k, step) });
+    }
+    if let Some(sentence) = &lesson.sentence {
+        let text = format!("{}: {}", texts::texts(written).keep, in_line(texts::told(written, sentence)));
+        entries.push(HandoutEntry { picture: None, paragraphs: vec![Paragraph::Text(text)] });
+    }
+    if args.answers {
+        let heading = vec![Paragraph::Heading(texts::texts(written).solutions.to_owned())];
+        entries.push(HandoutEntry { picture: None, paragraphs: heading });
+        entries.extend(lesson.steps.iter().enumerate().filter_map(|(k, step)| solution(written, k, step)));
+    }
+    let title = texts::told(written, &lesson.title).to_owned();
+    let handout = Handout { title, language: written.tag(), entries, columns };
+    let made = progress::watched(lang, |progress| at_once(handout.pdf(progress)));
+    let bytes =
+        made.map_err(|error| no_picture(lang, &sanitize::path(&args.output), error, [WIDTH, HEIGHT].map(u64::from)))?;
+    save(&args.output, &bytes, None, lang)
+}
+
+/// True where a handout is wanted, and not a folder of pictures.
+pub(super) fn is_handout(output: &Path) -> bool {
+    output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) && !output.is_dir()
+}
+
+fn beginning(lang: Lang, lesson: &Lesson) -> Vec<Paragraph> {
+    let mut paragraphs = Vec::new();
+    if !lesson.aims.is_empty() {
+        paragraphs.push(Paragraph::Text(format!("{}:", texts::texts(lang).aims)));
+        let aim = |aim| Paragraph::Text(format!("• {}", in_line(texts::told(lang, aim))));
+        paragraphs.extend(lesson.aims.iter().map(aim));
+    }
+    paragraphs
+}
+
+/// Heading, text and task of a step.
+fn of_step(lang: Lang, k: usize, step: &Step) -> Vec<Paragraph> {
+    let mut paragraphs = vec![Paragraph::Heading(format!("{}. {}", k + 1, in_line(texts::told(lang, &step.title))))];
+    paragraphs.extend(set(&texts::text(lang, step)));
+    match &step.task {
+        Some(Task::Question(entry)) => {
+            let exercise = entry.exercise(0, &Default::default());
+            paragraphs.extend(questions(lang, &exercise));
+        }
+        Some(Task::Exercise { id, seed }) => {
+            let Some(exercise) = exercises::entry(id).map(|entry| entry.exercise(*seed, &Default::default())) else {
+                return paragraphs;
+            };
+            paragraphs.push(Paragraph::Text(said::exercise_title(lang, &exercise).to_owned()));
+            let statement = said::statement(lang, &exercise);
+            paragraphs.extend(statement.iter().flat_map(|paragraph| set(paragraph)));
+            paragraphs.extend(questions(lang, &exercise));
+        }
+        Some(Task::Try(goal)) => {
+            let text = texts::filled(lang, &goal.text, &step.figure);
+            paragraphs.push(Paragraph::Text(format!("{}: {}", texts::texts(lang).to_try, in_line(&text))));
+        }
+        None => {}
+    }
+    paragraphs
+}
+
+/// The questions of an exercise, with room for the answers.
+fn questions(lang: Lang, exercise: &Exercise) -> Vec<Paragraph> {
+    let mut paragraphs = Vec::new();
+    for ask in &exercise.asks {
+        paragraphs.extend(set(&said::ask(lang, exercise, ask)));
+        if let Kind::Choice(choices) = &ask.kind {
+            let choice = |name| Paragraph::Text(format!("☐ {}", in_line(said::choice_of(lang, ask, name))));
+            paragraphs.extend(choices.iter().map(|name| choice(name.as_str())));
+            paragraphs.push(Paragraph::Room(ROOM[1]));
+        } else {
+            paragraphs.push(Paragraph::Remark(said::tolerance(lang, ask)));
+            paragraphs.push(Paragraph::Room(ROOM[0]));
+        }
+    }
+    paragraphs
+}
+
+/// The answers to the questions of a step, with their worked steps; `None` where nothing is asked.
+fn solution(lang: Lang, k: usize, step: &Step) -> Option<HandoutEntry> {
+    let exercise = match step.task.as_ref()? {
+        Task::Question(entry) => entry.exercise(0, &Default::default()),
+        Task::Exercise { id, seed } => exercises::entry(id)?.exercise(*seed, &Default::default()),
+        Task::Try(_) => return None,
+    };
+    let title = in_line(texts::told(lang, &step.title));
+    let mut paragraphs = vec![Paragraph::Text(format!("{}. {title}", k + 1))];
+    for ask in &exercise.asks {
+        paragraphs.push(Paragraph::Text(format!("→ {}", in_line(&exercise_sheet::answer(lang, ask)))));
+    }
+    let steps = exercise.new_steps();
+    let worked = steps.iter().flatten().map(|step| said::step(lang, &exercise, step, DIGITS));
+    paragraphs.extend(worked.map(|text| Paragraph::Remark(in_line(&text))));
+    Some(HandoutEntry { picture: None, paragraphs })
+}
+
+/// Markdown as paragraphs; formulas on lines of their own are ones.
+fn set(markdown: &str) -> Vec<Paragraph> {
+    let mut paragraphs = Vec::new();
+    for (k, part) in markdown.split("$$").enumerate() {
+        if k % 2 == 1 {
+            paragraphs.push(Paragraph::Formula(in_line(&format!("${part}$"))));
+            continue;
+        }
+        let texts = part.split("\n\n").map(|text| in_line(text.trim())).filter(|text| !text.is_empty());
+        paragraphs.extend(texts.map(Paragraph::Text));
+    }
+    paragraphs
+}
+
+/// Markdown on a line: without its marks, formulas as signs.
+fn in_line(markdown: &str) -> String {
+    let text = markdown.replace("$$", "$").replace("**", "").replace('\n', " ");
+    let part = |(k, part): (usize, &str)| match k % 2 {
+        1 => crate::formula::set(&format!("${part}$")).unwrap_or_else(|_| crate::i18n::notes::plain(part)),
+        _ => part.replace('*', ""),
+    };
+    text.split('$').enumerate().map(part).collect::<String>().trim().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markdown_becomes_paragraphs_and_formulas_signs() {
+        let paragraphs = set("The *eye* is **C**, $z_c = -D$.\n\nThen\n\n$$H = 2F\\tan(\\theta/2)$$");
+        let text = |text: &str| Paragraph::Text(text.to_owned());
+        assert_eq!(paragraphs.len(), 3);
+        assert_eq!(paragraphs[1], text("Then"));
+        assert!(
+            matches!(&paragraphs[0], Paragraph::Text(text) if text.starts_with("The eye is C, ") && !text.contains('$'))
+        );
+        assert!(matches!(&paragraphs[2], Paragraph::Formula(text) if text.contains('θ')));
+    }
+}

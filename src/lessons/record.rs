@@ -1,0 +1,130 @@
+//! A step of a lesson from what is on the screen: only the difference from the step before is written.
+
+use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
+
+use super::lesson::Lesson;
+use super::read::parse;
+use crate::figure::{Bilingual, Difference, Figure, FigureError, difference};
+use crate::limits::MAX_EXERCISE_NAME;
+
+/// The texts of a new step, to be written by its author.
+#[derive(Clone, Debug)]
+pub struct Draft {
+    /// The title of a lesson that has none yet.
+    pub lesson: Bilingual,
+    /// The title of the step.
+    pub title: Bilingual,
+    /// Its text.
+    pub text: Bilingual,
+}
+
+/// The text of a lesson file with one step more, which shows `now`; an empty text becomes a lesson with the identifier
+/// `id`. What is written already stays as it is.
+///
+/// # Guarantees
+/// Reading the text gives the lesson with that figure in its last step.
+///
+/// # Errors
+/// [`FigureError`]: the text is no lesson, or has as many steps as one may have.
+pub fn with_step(text: &str, id: &str, draft: &Draft, now: &Figure) -> Result<(String, Lesson), FigureError> {
+    let (mut out, last) = if text.trim().is_empty() {
+        let mut head = DocumentMut::new();
+        head.insert("id", Item::Value(identifier(id).into()));
+        head.insert("title", Item::Value(told(&draft.lesson)));
+        (head.to_string(), None)
+    } else {
+        let lesson = parse(text)?;
+        (text.to_owned(), lesson.steps.last().map(|step| step.figure.clone()))
+    };
+    let Difference { changed, without } = difference(last.as_deref(), now);
+    let mut step = Table::new();
+    step.insert("title", Item::Value(told(&draft.title)));
+    step.insert("text", Item::Value(told(&draft.text)));
+    if !without.is_empty() {
+        step.insert("without", Item::Value(without.into_iter().collect::<Array>().into()));
+    }
+    for (section, item) in changed.iter() {
+        step.insert(section, item.clone());
+    }
+    let mut steps = ArrayOfTables::new();
+    steps.push(step);
+    let mut document = DocumentMut::new();
+    document.insert("step", Item::ArrayOfTables(steps));
+    if !out.ends_with('\n') {
+        out.push('\n');
+    }
+    out.push('\n');
+    out.push_str(document.to_string().trim_start());
+    let lesson = parse(&out)?;
+    Ok((out, lesson))
+}
+
+/// The letters of a name that an identifier may have.
+fn identifier(name: &str) -> String {
+    let is_of_name = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    let id: String = name.chars().map(|c| if is_of_name(c) { c } else { '-' }).take(MAX_EXERCISE_NAME).collect();
+    if id.is_empty() { "lesson".to_owned() } else { id }
+}
+
+fn told(text: &Bilingual) -> Value {
+    if text.en == text.pt_br {
+        return text.en.as_str().into();
+    }
+    let mut table = InlineTable::new();
+    table.insert("en", text.en.as_str().into());
+    table.insert("pt-BR", text.pt_br.as_str().into());
+    table.into()
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::figure::read;
+    use crate::lessons::shipped;
+
+    fn draft() -> Draft {
+        let text = |en: &str| Bilingual { en: en.to_owned(), pt_br: format!("{en} (pt)") };
+        Draft { lesson: text("Lesson"), title: text("Step"), text: text("Text") }
+    }
+
+    /// Steps of all lessons one after the other, each recorded after the one before: whatever changes, and back.
+    #[test]
+    fn recorded_steps_are_the_figures_that_were_shown() {
+        for shipped in shipped() {
+            let (mut text, mut figures) = (String::new(), Vec::new());
+            let forwards = shipped.lesson.steps.iter();
+            for step in forwards.clone().chain(forwards.rev()) {
+                let (with, lesson) = with_step(&text, "my lesson", &draft(), &step.figure).unwrap();
+                figures.push(Figure { title: Some(draft().title), ..(*step.figure).clone() });
+                text = with;
+                assert_eq!(lesson.id, "my-lesson");
+            }
+            let lesson = parse(&text).unwrap();
+            assert_eq!(lesson.steps.len(), figures.len());
+            for (step, figure) in lesson.steps.iter().zip(&figures) {
+                assert_eq!(*step.figure, *figure, "{}\n{text}", shipped.lesson.id);
+            }
+        }
+    }
+
+    #[test]
+    fn only_what_changes_is_written_and_what_was_written_stays() {
+        let figure = read::parse("[camera]\nposition = [0, 0, 5]\n[show]\nmeasure = [\"F\"]\n").unwrap();
+        let (first, _) = with_step("", "mine", &draft(), &figure).unwrap();
+        let commented = first.replace("[[step]]", "# The first.\n[[step]]");
+        let mut nearer = figure.clone();
+        nearer.camera.near = 2.0;
+        nearer.show.measure.clear();
+        let (second, _) = with_step(&commented, "mine", &draft(), &nearer).unwrap();
+        let added = second.strip_prefix(&commented).unwrap();
+        assert!(added.contains("near = 2.0") && added.contains("without = [\"show\"]"), "{added}");
+        assert!(!added.contains("position") && !added.contains("[step.scene]"), "{added}");
+    }
+
+    #[test]
+    fn a_text_that_is_no_lesson_is_refused_and_none_is_written() {
+        assert!(with_step("[camera]\nnear = 1\n", "x", &draft(), &Figure::default()).is_err());
+    }
+}

@@ -1,0 +1,280 @@
+//! Pictures with texts on pages of paper, to be handed out.
+
+use super::error::PictureError;
+use super::vectors::{Faces, page};
+use super::{Composite, PER_INCH};
+use crate::appearance::Rgba;
+use crate::drawing::Anchor;
+use crate::export::vector::{Item, Letters, Page, pdf_of};
+use crate::progress::Progress;
+use crate::text::{Element, measure};
+
+/// Width and height of a page in points: A4.
+const PAPER: [f32; 2] = [595.0, 842.0];
+/// The free border of a page.
+const BORDER: f32 = 48.0;
+/// Between columns.
+const GUTTER: f32 = 22.0;
+/// Below an entry.
+const GAP: f32 = 16.0;
+/// From line to line, in heights of the letters.
+const LEADING: f32 = 1.35;
+/// From line to line where a student writes, in points.
+const WRITING: f32 = 21.0;
+/// Resolution of shaded faces, in pixels per inch.
+const DPI: f64 = 200.0;
+
+const INK: Rgba = Rgba::rgb(0x1a, 0x1a, 0x1a);
+const FAINT: Rgba = Rgba::rgb(0x66, 0x66, 0x66);
+
+/// A text of a handout. `_c` and `_{abc}` in it are subscripts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Paragraph {
+    /// The heading of an entry.
+    Heading(String),
+    /// A text; its lines are broken.
+    Text(String),
+    /// A formula on a line of its own.
+    Formula(String),
+    /// A remark in small letters.
+    Remark(String),
+    /// Lines to write on.
+    Room(usize),
+}
+
+/// A picture with its texts.
+#[derive(Clone, Debug, Default)]
+pub struct HandoutEntry {
+    /// The pictures; `None`: only texts.
+    pub picture: Option<Composite>,
+    /// The texts below them.
+    pub paragraphs: Vec<Paragraph>,
+}
+
+/// Pictures with texts, on pages.
+#[derive(Clone, Debug)]
+pub struct Handout {
+    /// The title on the first page.
+    pub title: String,
+    /// The language, as a tag.
+    pub language: &'static str,
+    /// The entries.
+    pub entries: Vec<HandoutEntry>,
+    /// The number of columns: two make entries small, about four on a page.
+    pub columns: usize,
+}
+
+impl Handout {
+    /// The width of a picture in points.
+    #[must_use]
+    pub fn picture_width(columns: usize) -> f32 {
+        #[expect(clippy::cast_precision_loss, reason = "one or two")]
+        let columns = columns.max(1) as f32;
+        (PAPER[0] - 2.0 * BORDER - (columns - 1.0) * GUTTER) / columns
+    }
+
+    /// The handout as a PDF file, whose texts can be selected.
+    ///
+    /// # Errors
+    /// [`PictureError`]
+    pub async fn pdf(&self, progress: &Progress) -> Result<Vec<u8>, PictureError> {
+        let width = Self::picture_width(self.columns);
+        let mut pages = Pages::new(self, width);
+        pages.title(&self.title);
+        for entry in &self.entries {
+            let mut block = Block { items: Vec::new(), height: 0.0, width };
+            if let Some(sheet) = &entry.picture {
+                let drawn = page(sheet, Faces::Auto, [PER_INCH, DPI], false, progress).await?;
+                block.picture(drawn.page);
+            }
+            let size = if self.columns > 1 { 8.5 } else { 10.0 };
+            entry.paragraphs.iter().for_each(|paragraph| block.paragraph(paragraph, size));
+            pages.put(block);
+        }
+        pdf_of(&pages.finish(), Letters::Text, "").ok_or(PictureError::Font)
+    }
+}
+
+/// An entry, laid out at (0, 0), in points.
+struct Block {
+    items: Vec<Item>,
+    height: f32,
+    width: f32,
+}
+
+impl Block {
+    fn picture(&mut self, page: Page) {
+        let scale = self.width / page.size[0].max(1.0);
+        let items = page.items.into_iter().map(|item| scaled(item, scale)).collect();
+        let [width, height] = [self.width, page.size[1] * scale];
+        self.items.push(Item::Group { corner: [0.0, 0.0], clip: [0.0, 0.0, width, height], items });
+        self.height += height + 6.0;
+    }
+
+    fn paragraph(&mut self, paragraph: &Paragraph, size: f32) {
+        let (text, size, color, indent) = match paragraph {
+            Paragraph::Heading(text) => (text, 1.15 * size, INK, 0.0),
+            Paragraph::Text(text) => (text, size, INK, 0.0),
+            Paragraph::Formula(text) => (text, size, INK, 14.0),
+            Paragraph::Remark(text) => (text, 0.88 * size, FAINT, 0.0),
+            Paragraph::Room(lines) => return self.room(*lines),
+        };
+        let bold = matches!(paragraph, Paragraph::Heading(_));
+        for line in lines(text, size, self.width - indent) {
+            self.height += LEADING * size;
+            let at = [indent, self.height - 0.3 * size];
+            self.items.push(written(line.clone(), at, size, color));
+            if bold {
+                // The bundled font has one weight: a heading is drawn a little heavier.
+                self.items.push(written(line, [at[0] + 0.03 * size, at[1]], size, color));
+            }
+        }
+        self.height += 0.35 * size;
+    }
+
+    fn room(&mut self, lines: usize) {
+        for _ in 0..lines {
+            self.height += WRITING;
+            let path = vec![Element::Move([0.0, self.height]), Element::Line([self.width, self.height])];
+            self.items.push(Item::Stroke {
+                path,
+                color: Rgba::rgb(0xbb, 0xbb, 0xbb),
+                width: 0.5,
+                dashes: Vec::new(),
+                phase: 0.0,
+                round: false,
+            });
+        }
+        self.height += 6.0;
+    }
+}
+
+fn written(text: String, at: [f32; 2], size: f32, color: Rgba) -> Item {
+    let halo = Rgba::rgba(0, 0, 0, 0);
+    Item::Text { at, text, mathematical: false, size, color, halo, halo_width: 0.0, anchor: Anchor::Left }
+}
+
+/// The lines of a text that are no wider than `width`; a word that is wider has a line of its own.
+fn lines(text: &str, size: f32, width: f32) -> Vec<String> {
+    let mut lines = Vec::new();
+    for hard in text.lines() {
+        let mut line = String::new();
+        for word in hard.split_whitespace() {
+            let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
+            if !line.is_empty() && measure(&longer, size, false).width > width {
+                lines.push(std::mem::replace(&mut line, word.to_owned()));
+            } else {
+                line = longer;
+            }
+        }
+        lines.push(line);
+    }
+    lines
+}
+
+/// A thing in another scale about (0, 0).
+fn scaled(item: Item, scale: f32) -> Item {
+    let point = |[x, y]: [f32; 2]| [x * scale, y * scale];
+    let path = |path: Vec<Element>| -> Vec<Element> {
+        let element = |element| match element {
+            Element::Move(p) => Element::Move(point(p)),
+            Element::Line(p) => Element::Line(point(p)),
+            Element::Quad(a, p) => Element::Quad(point(a), point(p)),
+            Element::Cubic(a, b, p) => Element::Cubic(point(a), point(b), point(p)),
+            Element::Close => Element::Close,
+        };
+        path.into_iter().map(element).collect()
+    };
+    match item {
+        Item::Group { corner, clip, items } => Item::Group {
+            corner: point(corner),
+            clip: clip.map(|side| side * scale),
+            items: items.into_iter().map(|item| scaled(item, scale)).collect(),
+        },
+        Item::Fill { path: of, color } => Item::Fill { path: path(of), color },
+        Item::Stroke { path: of, color, width, dashes, phase, round } => Item::Stroke {
+            path: path(of),
+            color,
+            width: width * scale,
+            dashes: dashes.into_iter().map(|dash| dash * scale).collect(),
+            phase: phase * scale,
+            round,
+        },
+        Item::Text { at, text, mathematical, size, color, halo, halo_width, anchor } => Item::Text {
+            at: point(at),
+            text,
+            mathematical,
+            size: size * scale,
+            color,
+            halo,
+            halo_width: halo_width * scale,
+            anchor,
+        },
+        Item::Picture { corner, size, pixels } => Item::Picture { corner: point(corner), size: point(size), pixels },
+    }
+}
+
+/// The pages as they fill, column after column.
+struct Pages<'a> {
+    handout: &'a Handout,
+    done: Vec<Page>,
+    items: Vec<Item>,
+    column: usize,
+    width: f32,
+    /// The upper end of the columns of this page, and of the room left in this column.
+    top: f32,
+    y: f32,
+}
+
+impl<'a> Pages<'a> {
+    fn new(handout: &'a Handout, width: f32) -> Self {
+        Self { handout, done: Vec::new(), items: Vec::new(), column: 0, width, top: BORDER, y: BORDER }
+    }
+
+    fn title(&mut self, title: &str) {
+        for line in lines(title, 16.0, PAPER[0] - 2.0 * BORDER) {
+            self.y += 1.3 * 16.0;
+            self.items.push(written(line, [BORDER, self.y - 5.0], 16.0, INK));
+        }
+        self.y += 10.0;
+        self.top = self.y;
+    }
+
+    /// An entry stays whole where a column has room for it.
+    fn put(&mut self, block: Block) {
+        if self.y + block.height > PAPER[1] - BORDER && self.y > self.top {
+            self.column += 1;
+            self.y = self.top;
+            if self.column >= self.handout.columns.max(1) {
+                self.turn();
+            }
+        }
+        #[expect(clippy::cast_precision_loss, reason = "one or two")]
+        let x = BORDER + self.column as f32 * (self.width + GUTTER);
+        let clip = [-4.0, -4.0, self.width + GUTTER, block.height + GAP];
+        self.items.push(Item::Group { corner: [x, self.y], clip, items: block.items });
+        self.y += block.height + GAP;
+    }
+
+    fn turn(&mut self) {
+        let number = (self.done.len() + 1).to_string();
+        let place = [PAPER[0] / 2.0 - 0.5 * measure(&number, 9.0, false).width, PAPER[1] - 0.55 * BORDER];
+        self.items.push(written(number, place, 9.0, FAINT));
+        self.done.push(Page {
+            size: PAPER,
+            points: 1.0,
+            title: self.handout.title.clone(),
+            description: self.handout.title.clone(),
+            language: self.handout.language,
+            items: std::mem::take(&mut self.items),
+        });
+        (self.column, self.top, self.y) = (0, BORDER, BORDER);
+    }
+
+    fn finish(mut self) -> Vec<Page> {
+        if !self.items.is_empty() {
+            self.turn();
+        }
+        self.done
+    }
+}

@@ -1,0 +1,194 @@
+//! A lesson in the window: its steps by buttons and keys, its questions and goals, and every step of every lesson.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use camera_lab::gui::state::Side;
+use camera_lab::gui::{LaunchOptions, Start, State};
+use camera_lab::i18n::exercises::choice_of;
+use camera_lab::i18n::{Lang, exercise_sheet, lessons as words, told};
+use camera_lab::lessons::{OpenLesson, Task, shipped};
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+
+use super::files::Folder;
+use super::window::Window;
+
+fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
+    let lesson = shipped()[lesson].lesson.clone();
+    let figure = (*lesson.steps[step].figure).clone();
+    let start = Start { figure, lang, lesson: Some(OpenLesson { lesson, path: None, step }), ..Start::default() };
+    let mut state = State::new(start).unwrap();
+    state.file_flow.native = false;
+    let mut window = Window::with_state(state, [1280.0, 720.0]);
+    window.run();
+    window
+}
+
+fn step(window: &Window) -> usize {
+    window.state().lesson.as_ref().unwrap().step
+}
+
+#[test]
+fn a_question_is_answered_before_the_next_step_is_shown() {
+    let mut window = playing(0, 0, Lang::En);
+    let lesson = &shipped()[0].lesson;
+    let Some(Task::Question(entry)) = &lesson.steps[0].task else { panic!("a question") };
+    let exercise = entry.exercise(0, &Default::default());
+    let ask = &exercise.asks[0];
+    // Page down says what is to be done first.
+    window.harness.key_press(Key::PageDown);
+    window.run();
+    assert_eq!(step(&window), 0);
+    let right = exercise_sheet::answer(Lang::En, ask);
+    window.harness.get_by_label(&right).click();
+    window.run();
+    window.harness.get_by_label_contains("Check").click();
+    window.run();
+    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    window.harness.get_by_label_contains("Next").click();
+    for _ in 0..200 {
+        window.harness.step();
+    }
+    assert_eq!(step(&window), 1);
+    assert_eq!(window.state().document.figure().camera, lesson.steps[1].figure.camera);
+    assert!(!window.state().document.can_undo(), "the move is no change");
+    // Back, and the question is still answered.
+    window.harness.key_press(Key::PageUp);
+    window.run();
+    assert_eq!(step(&window), 0);
+    assert!(window.state().lesson.as_ref().unwrap().is_done());
+}
+
+#[test]
+fn a_wrong_answer_is_told_why_in_both_languages() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let mut window = playing(0, 0, lang);
+        let Some(Task::Question(entry)) = &shipped()[0].lesson.steps[0].task else { panic!("a question") };
+        let exercise = entry.exercise(0, &Default::default());
+        let ask = &exercise.asks[0];
+        let mistake = &ask.own_mistakes[0];
+        let camera_lab::exercises::ExpectedAnswer::Choice(wrong) = mistake.answer else { panic!("a choice") };
+        let camera_lab::exercises::Kind::Choice(choices) = &ask.kind else { panic!("a choice") };
+        window.harness.get_by_label(choice_of(lang, ask, &choices[wrong])).click();
+        window.run();
+        let check = camera_lab::i18n::exercise_window::texts(lang).check;
+        window.harness.get_by_label_contains(check).click();
+        window.run();
+        let checked = &window.state().exercises.checked[&ask.name];
+        assert!(!checked.judged.right);
+        assert!(!window.state().lesson.as_ref().unwrap().is_done());
+        let said = camera_lab::i18n::exercises::diagnosis(lang, ask, &checked.judged).unwrap();
+        assert!(said.contains(told(lang, &mistake.message).trim()), "{said}");
+    }
+}
+
+#[test]
+fn a_goal_is_noticed_and_the_way_to_it_is_shown_and_undone() {
+    let lesson = &shipped()[0].lesson;
+    let with_goal = lesson.steps.iter().position(|step| matches!(step.task, Some(Task::Try(_)))).unwrap();
+    let mut window = playing(0, with_goal, Lang::En);
+    assert!(window.state().settings.panels().is_shown(Side::Left), "the camera's numbers are at hand");
+    assert!(!window.state().lesson.as_ref().unwrap().is_done());
+    let t = words::texts(Lang::En);
+    window.harness.get_by_label(t.show_way).click();
+    window.run();
+    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    window.harness.get_by_label_contains(t.done);
+    assert_ne!(window.state().document.figure().camera, lesson.steps[with_goal].figure.camera);
+    // Nothing that is tried is lost work, and the step comes back.
+    assert!(window.state().document.is_changed() && !window.state().has_unsaved());
+    window.harness.get_by_label(t.again).click();
+    window.run();
+    assert_eq!(window.state().document.figure().camera, lesson.steps[with_goal].figure.camera);
+}
+
+#[test]
+fn a_presentation_has_keys_for_all_of_it() {
+    let mut window = playing(0, 0, Lang::En);
+    window.harness.key_press(Key::F11);
+    window.run();
+    window.app_mut().state.go_to_step(1);
+    window.run();
+    window.app_mut().state.go_to_step(0);
+    window.run();
+    let lesson = |window: &Window| {
+        let playing = window.state().lesson.as_ref().unwrap();
+        (playing.shows_text, playing.shows_question, playing.shows_notes)
+    };
+    assert_eq!(lesson(&window), (true, false, false), "the question waits for the lecturer");
+    for (key, after) in [(Key::Q, (true, true, false)), (Key::C, (false, true, false)), (Key::N, (false, true, true))] {
+        window.harness.key_press(key);
+        window.run();
+        assert_eq!(lesson(&window), after);
+    }
+    window.harness.key_press(Key::Num4);
+    window.harness.key_press(Key::Enter);
+    window.run();
+    assert_eq!(step(&window), 3);
+}
+
+#[test]
+fn whoever_leaves_has_the_figure_and_the_panels_back() {
+    let mut window = Window::new(Lang::En);
+    window.run();
+    let panels = window.state().settings.panels.wanted;
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::L);
+    window.run();
+    let title = told(Lang::En, &shipped()[1].lesson.title);
+    window.harness.get_by_label_contains(title).click();
+    window.run();
+    assert_eq!(window.state().lesson.as_ref().unwrap().lesson.id, shipped()[1].lesson.id);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
+    window.run();
+    assert!(window.state().lesson.is_none());
+    assert_eq!(window.state().settings.panels.wanted, panels);
+    assert_eq!(window.state().document.figure().camera, shipped()[1].lesson.steps[0].figure.camera);
+}
+
+#[test]
+fn the_first_start_offers_the_first_lesson_and_no_later_one_does() {
+    let folder = Folder::new("welcome");
+    for first in [true, false] {
+        let mut window = Window::new(Lang::En);
+        let ctx = window.harness.ctx.clone();
+        window.run();
+        window.app_mut().keep_preferences(&ctx, &folder.file("config"), LaunchOptions::default());
+        window.run();
+        let t = words::texts(window.state().settings.lang);
+        assert_eq!(window.harness.query_by_label(t.new_here).is_some(), first);
+        if first {
+            let lang = window.state().settings.lang;
+            window.harness.get_by_label(&words::with_minutes(lang, &shipped()[0].lesson)).click();
+            window.run();
+            assert_eq!(step(&window), 0);
+        }
+    }
+}
+
+/// Everything of a step is in sight without scrolling: in the window, and on a projector with the question hidden.
+#[test]
+fn every_step_has_room_for_its_text() {
+    let mut cut = Vec::new();
+    for (place, shipped) in shipped().iter().enumerate() {
+        let mut window = playing(place, 0, Lang::En);
+        for presents in [false, true] {
+            if presents {
+                window.harness.key_press(Key::F11);
+                window.run();
+            }
+            for lang in [Lang::En, Lang::PtBr] {
+                window.app_mut().state.settings.lang = lang;
+                for k in 0..shipped.lesson.steps.len() {
+                    window.app_mut().state.settings.reduce_motion = true;
+                    window.app_mut().state.go_to_step(k);
+                    window.run();
+                    let playing = window.state().lesson.as_ref().unwrap();
+                    if playing.is_cut {
+                        cut.push(format!("{} {} {lang:?} presents: {presents}", shipped.lesson.id, k + 1));
+                    }
+                }
+            }
+        }
+    }
+    assert!(cut.is_empty(), "{cut:#?}");
+}

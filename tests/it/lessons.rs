@@ -1,0 +1,206 @@
+//! Lessons: the format, the command line, and every step of the lessons of the program.
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+use camera_lab::camera::Camera;
+use camera_lab::exercises::{self, Expected, Kind};
+use camera_lab::figure::read;
+use camera_lab::figure::write::to_toml;
+use camera_lab::formula;
+use camera_lab::i18n::{Lang, exercise_sheet, lessons as words, notes, told};
+use camera_lab::lessons::{Link, Seen, Subject, Task, objects_named, parse, shipped};
+use camera_lab::scene::no_files;
+use camera_lab::views::scene_of;
+
+use crate::common::program::Bench;
+
+const LESSON: &str = r#"
+id = "small"
+title = { en = "Small", pt-BR = "Pequena" }
+[[step]]
+title = "One"
+text.en = "D is {distance}."
+text.pt-BR = "D é {distance}."
+[step.camera]
+position = [0, 0, 5]
+near = 1
+[step.show]
+measure = ["F"]
+stage = "clip"
+[[step]]
+title = "Two"
+text = "$F = {camera.near}$"
+without = ["show.stage"]
+seconds = 0
+[step.camera]
+near = 2
+[step.ask]
+text = "Is F {camera.near}?"
+choices = { yes = { en = "it is", pt-BR = "é" }, no = "no" }
+answer = "yes"
+[[step.ask.mistake]]
+answer = "no"
+message = "It is."
+"#;
+
+#[test]
+fn a_step_has_all_of_the_steps_before_but_what_it_changes() {
+    let lesson = parse(LESSON).unwrap();
+    let [one, two] = &lesson.steps[..] else { panic!("two steps") };
+    assert_eq!((one.figure.camera.near, two.figure.camera.near), (1.0, 2.0));
+    assert_eq!(one.figure.camera.position, two.figure.camera.position);
+    assert_eq!(one.figure.show.measure, two.figure.show.measure);
+    assert!(one.figure.show.stage.is_some() && two.figure.show.stage.is_none());
+    assert_eq!((one.seconds, two.seconds), (1.5, 0.0));
+    assert_eq!(words::text(Lang::PtBr, one), "D é 5.");
+    assert_eq!(words::text(Lang::En, two), "$F = 2$");
+    let Some(Task::Question(entry)) = &two.task else { panic!("a question") };
+    let exercise = entry.exercise(0, &Default::default());
+    let ask = &exercise.asks[0];
+    assert_eq!(camera_lab::i18n::exercises::ask(Lang::En, &exercise, ask), "Is F 2?");
+    assert!(exercises::check(entry, &exercise, ask, "yes").unwrap().right);
+    let wrong = exercises::check(entry, &exercise, ask, "no").unwrap();
+    assert!(!wrong.right);
+    assert!(camera_lab::i18n::exercises::diagnosis(Lang::En, ask, &wrong).unwrap().contains("It is."));
+}
+
+#[test]
+fn faults_name_line_and_key() {
+    for (from, to, line, key) in [
+        ("near = 1", "neer = 1", 10, "[step.camera] neer"),
+        ("near = 2", "near = 0", 20, "[step.camera] near"),
+        ("{distance}.\"\ntext.pt", "{distence.x}.\"\ntext.pt", 6, "[[step]] text"),
+        ("without = [\"show.stage\"]", "without = [\"show.painted\"]", 17, "[[step]] without"),
+        ("answer = \"yes\"", "answer = \"maybe\"", 24, "[step.ask] answer"),
+        ("seconds = 0", "seconds = 99", 18, "[[step]] seconds"),
+        ("title = \"Two\"", "title = \"Two\"\nlinks = [{ exercise = \"nope\" }]", 16, "[[step.links]] exercise"),
+        ("title = \"Two\"", "titel = \"Two\"", 15, "[[step]] titel"),
+    ] {
+        assert!(LESSON.contains(from), "{from}");
+        let error = parse(&LESSON.replacen(from, to, 1)).unwrap_err();
+        assert_eq!((error.line, error.key.as_str()), (line, key), "{to}: {error}");
+    }
+    let endless = format!("id = \"a\"\ntitle = \"A\"\n{}", "[[step]]\ntitle = \"B\"\ntext = \"C\"\n".repeat(101));
+    assert_eq!(parse(&endless).unwrap_err().key, "[[step]]");
+    assert_eq!(parse("id = \"a\"\ntitle = \"A\"\n").unwrap_err().key, "step");
+}
+
+#[test]
+fn the_lessons_of_the_guides_are_good() {
+    for (guide, heading) in [("guide.en.md", "## Lessons"), ("guide.pt-BR.md", "## Lições")] {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(guide);
+        let text = std::fs::read_to_string(path).unwrap();
+        let (_, section) = text.split_once(heading).unwrap();
+        let (_, example) = section.split_once("```toml\n").unwrap();
+        let (example, _) = example.split_once("```").unwrap();
+        // The first two steps show all that a step may say; `show.measure` is of nobody there.
+        let lesson =
+            parse(&example.replace("without = [\"show.measure\"]", "")).unwrap_or_else(|e| panic!("{guide}: {e}"));
+        assert_eq!(lesson.steps.len(), 3);
+    }
+}
+
+#[test]
+fn every_step_of_the_lessons_of_the_program_is_good() {
+    assert_eq!(shipped().len(), 12, "each file is a lesson");
+    let ids: Vec<&str> = shipped().iter().map(|shipped| shipped.lesson.id.as_str()).collect();
+    let mut seen = Seen::default();
+    for lesson in shipped().iter().map(|shipped| &shipped.lesson) {
+        let id = &lesson.id;
+        assert!((7..=12).contains(&lesson.steps.len()), "{id}");
+        assert!(lesson.minutes.is_some() && !lesson.aims.is_empty() && lesson.sentence.is_some(), "{id}");
+        assert!(lesson.before.iter().all(|before| ids.contains(&before.as_str())), "{id}");
+        let asked = lesson.steps.iter().take(2).any(|step| matches!(step.task, Some(Task::Question(_))));
+        assert!(asked, "{id} begins with a question");
+        let exercises = lesson.steps.iter().filter(|step| matches!(step.task, Some(Task::Exercise { .. }))).count();
+        assert!(exercises >= 2, "{id} ends with exercises");
+        for (k, step) in lesson.steps.iter().enumerate() {
+            let place = format!("{id}, step {}", k + 1);
+            let again = read::parse(&to_toml(&step.figure)).unwrap_or_else(|error| panic!("{place}: {error}"));
+            assert_eq!(again, *step.figure, "{place} opens by itself");
+            for lang in [Lang::En, Lang::PtBr] {
+                let text = words::text(lang, step);
+                assert!(!text.contains('{') || text.contains('$'), "{place}: {text}");
+                formula::check(&text).unwrap_or_else(|error| panic!("{place}: {error}"));
+                assert!(told(lang, &step.title).chars().count() <= 60, "{place}");
+                for link in &step.links {
+                    match link {
+                        Link::Note(note) => assert!(notes::note(lang, note).is_some(), "{place}: {note}"),
+                        Link::Lesson(other) => assert!(ids.contains(&other.as_str()), "{place}: {other}"),
+                        Link::Exercise(..) => {}
+                    }
+                }
+            }
+            let camera = Camera::new(&step.figure.camera).unwrap();
+            let scene = scene_of(&step.figure, &mut no_files, &Default::default());
+            match &step.task {
+                Some(Task::Question(entry)) => {
+                    let exercise = entry.exercise(0, &Default::default());
+                    let ask = &exercise.asks[0];
+                    let right = exercise_sheet::answer(Lang::En, ask);
+                    assert!(exercises::check(entry, &exercise, ask, &right).unwrap().right, "{place}: {right}");
+                    let (Expected::Choice(right, ..), Kind::Choice(choices)) = (ask.expected(), &ask.kind) else {
+                        continue;
+                    };
+                    for (_, wrong) in choices.iter().enumerate().filter(|(k, _)| k != right) {
+                        let judged = exercises::check(entry, &exercise, ask, wrong).unwrap();
+                        for lang in [Lang::En, Lang::PtBr] {
+                            let said = camera_lab::i18n::exercises::diagnosis(lang, ask, &judged).unwrap_or_default();
+                            assert!(said.chars().count() > 20, "{place}: {wrong} has no message");
+                        }
+                    }
+                }
+                Some(Task::Try(goal)) => {
+                    let scene = scene.unwrap();
+                    for name in goal.until.iter().filter_map(|condition| condition.object()) {
+                        assert!(objects_named(&scene, name).next().is_some(), "{place}: {name}");
+                    }
+                    let at_first = Subject { figure: &step.figure, camera: &camera, scene: &scene };
+                    assert!(!goal.is_reached(at_first, &mut seen), "{place} is reached from the start");
+                    let after = goal.reached_from(&step.figure, &camera).unwrap();
+                    let there = Subject { figure: &after.figure, camera: &after.camera, scene: &scene };
+                    assert!(!goal.way.is_empty() && goal.is_reached(there, &mut seen), "{place} cannot be reached");
+                }
+                Some(Task::Exercise { id, .. }) => assert!(exercises::entry(id).is_some(), "{place}"),
+                None => {}
+            }
+        }
+    }
+}
+
+#[test]
+fn the_command_line_lists_shows_checks_and_draws() {
+    let bench = Bench::new("lessons");
+    let list = bench.run(&["lesson", "list", "--format", "json"]).json();
+    assert_eq!(list.as_array().unwrap().len(), 12);
+    assert_eq!(list[0]["id"], "camera");
+    let show = bench.run(&["lesson", "show", "basis", "--format", "json"]).json();
+    let steps = show["steps"].as_array().unwrap();
+    assert_eq!(steps.len(), shipped()[1].lesson.steps.len());
+    for step in steps {
+        read::parse(step["figure"].as_str().unwrap()).unwrap();
+    }
+    assert!(steps.iter().any(|step| step["ask"]["id"] == "basis" && step["ask"]["seed"].is_u64()));
+    let read = String::from_utf8(bench.run(&["lesson", "show", "basis", "--lang", "pt-BR"]).done().to_vec()).unwrap();
+    assert!(read.contains("Pergunta:") && read.contains("Experimente:"), "{read}");
+
+    bench.write("small.toml", LESSON);
+    assert!(bench.run(&["lesson", "check", "small.toml"]).done().starts_with(b"the lesson is good"));
+    bench.run(&["lesson", "render", "small.toml", "-o", "pictures", "--size", "300x100"]).done();
+    for number in ["01", "02"] {
+        assert!(bench.path("pictures").join(format!("{number}-small.png")).exists());
+    }
+    bench.run(&["lesson", "render", "small.toml", "-o", "pictures", "--view", "image", "--format", "svg"]).done();
+    let drawn = std::fs::read_to_string(bench.path("pictures").join("01-small.svg")).unwrap();
+    assert!(drawn.contains("<title>One</title>"));
+    let listed = bench.run(&["lesson", "list", "--folder", ".", "--format", "json"]).json();
+    assert_eq!(listed[12]["id"], "small");
+
+    bench.write("small.toml", LESSON.replace("near = 2", "near = -2"));
+    let refused = bench.run(&["lesson", "check", "small.toml"]);
+    assert!(refused.refused(2).contains("line 20"), "{}", refused.err);
+    bench.write("links.toml", LESSON.replace("seconds = 0", "links = [{ lesson = \"nope\" }, { note = \"nope\" }]"));
+    let refused = bench.run(&["lesson", "check", "links.toml"]);
+    assert!(refused.refused(2).contains("step 2: there is no note"), "{}", refused.err);
+    assert!(bench.run(&["lesson", "show", "bassis"]).refused(2).contains("did you mean \"basis\""));
+    assert!(bench.run(&["lesson", "play", "basis", "--step", "99"]).refused(2).contains("from 1 to"));
+}
