@@ -21,8 +21,20 @@ macro_rules! lessons {
 }
 
 /// Their files, in the order in which they are taken.
-const TEXTS: [&str; 8] =
-    lessons!["01-camera", "02-basis", "03-window", "04-view", "05-cube", "06-w", "07-clip", "08-pixel"];
+const TEXTS: [&str; 12] = lessons![
+    "01-camera",
+    "02-basis",
+    "03-window",
+    "04-view",
+    "05-cube",
+    "06-w",
+    "07-clip",
+    "08-pixel",
+    "09-moves",
+    "10-hidden",
+    "11-light",
+    "12-limits"
+];
 
 /// All of them, in the order in which they are taken.
 #[must_use]
