@@ -27,6 +27,7 @@ pub enum Command {
     /// Pictures of a family into a file.
     ExportFamily,
     CopyLink,
+    QrCode,
     Search,
     Quit,
     Undo,

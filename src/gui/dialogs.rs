@@ -21,6 +21,7 @@ use super::link_dialog;
 use super::menu;
 use super::native::Wanted;
 use super::panels::{complaint, scene};
+use super::qr;
 use super::search;
 use super::sequence::source_of;
 use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
@@ -47,6 +48,10 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     let t = window::texts(state.settings.lang);
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
     let id = Id::unique("dialog").with(kind);
+    if dialog == Dialog::Qr {
+        qr::show(ctx, state);
+        return None;
+    }
     if let Dialog::Compare(form) = dialog {
         compare_dialog::show(ctx, t, state, form);
         return None;
@@ -66,6 +71,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             | Dialog::Overwrite(..)
             | Dialog::ReadOnly(..)
             | Dialog::Closing
+            | Dialog::Qr
             | Dialog::Compare(_) => 380.0_f32,
         };
         ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
@@ -102,6 +108,8 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             }
             Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
             Dialog::Export(export) => export_dialog::show(ui, t, state, export, first),
+            // It has no frame.
+            Dialog::Qr => {}
             Dialog::Lessons => lesson::list(ui, state),
             Dialog::Closing => {
                 text(ui, t.closing_title, t.closing_text);

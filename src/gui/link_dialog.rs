@@ -14,7 +14,7 @@ use crate::i18n::{messages, sharing};
 use crate::limits::{MAX_LINK_CHARACTERS, MAX_TYPED};
 use crate::sanitize;
 use crate::scene::Shape;
-use crate::share;
+use crate::share::{self, ShareError};
 
 /// Shows the dialog; `first`: it has just been opened.
 pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool) {
@@ -25,7 +25,7 @@ pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool)
     ui.add_space(6.0);
     let address = address(ui, words, state);
     ui.add_space(6.0);
-    let link = share::link(&address, &file_flow::text_as_shown(state));
+    let link = link(state, &address);
     match &link {
         Ok(link) => {
             // Where the clipboard is out of reach, it can be copied from here.
@@ -43,8 +43,13 @@ pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool)
         complaint(ui, &format!("{} {}", words.own_files, sanitize::within(&own.join(", "), 200)));
     }
     ui.add_space(10.0);
-    let actions: &[&str] = if link.is_ok() { &[words.copy] } else { &[] };
+    let actions: &[&str] = match &link {
+        Ok(_) if !address.is_empty() => &[words.copy, words.code],
+        Ok(_) => &[words.copy],
+        Err(_) => &[],
+    };
     match buttons(ui, t.cancel, actions, first.then_some(0)) {
+        Pressed::Action(1) => state.file_flow.dialog = Some(Dialog::Qr),
         Pressed::Action(_) => {
             if let Ok(link) = link {
                 let length = link.len();
@@ -55,6 +60,19 @@ pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool)
         Pressed::Cancel => {}
         Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Link),
     }
+}
+
+/// The link to what is on the screen: of a lesson of the program to its step, else with the whole figure in it.
+///
+/// # Errors
+/// [`ShareError`] where the figure makes it too long.
+pub(super) fn link(state: &mut State, address: &str) -> Result<String, ShareError> {
+    let of_program = state.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
+    if let Some(playing) = of_program {
+        let lang = state.settings.lang.tag();
+        return Ok(format!("{address}?lesson={}&step={}&lang={lang}", playing.lesson.id, playing.step + 1));
+    }
+    share::link(address, &file_flow::text_as_shown(state))
 }
 
 /// The address that the link begins with: that of the page itself, else the one that the user knows.

@@ -45,6 +45,7 @@
 //! | `presentation` | the presentation: its keys, and the annotations over the pictures |
 //! | `preview` | the picture in the export dialog, and the one it copies |
 //! | `prose` | text in Markdown, with mathematics between dollar signs |
+//! | `qr` | a link as a QR code over the whole window |
 //! | `repair` | one-click repairs of impossible camera parameters |
 //! | `scene_cache` | the scene of the pictures; mesh files are read beside the window's thread |
 //! | `search` | one search for everything in the window |
@@ -104,6 +105,7 @@ pub mod preferences;
 mod presentation;
 pub mod preview;
 mod prose;
+mod qr;
 pub mod repair;
 pub mod scene_cache;
 mod search;

@@ -1,6 +1,10 @@
 //! Links to figures, and the differences in a page of a browser, in both languages.
 
 texts! {
+    code: "QR code", "Código QR";
+    code_hint: "The link as a QR code over the whole window, for the telephones of a class", "O link como código QR na janela inteira, para os telefones da turma";
+    too_long_for_code: "The link is too long for a QR code: it holds at most 2953 characters", "O link é longo demais para um código QR: cabem no máximo 2953 caracteres";
+    address_first: "A QR code needs the address of a page with this program", "Um código QR precisa do endereço de uma página com este programa";
     copy_link: "Copy a link…", "Copiar um link…";
     copy_link_hint: "Copies the figure as a link that opens it in a browser", "Copia a figura como um link que a abre em um navegador";
     title: "A link to this figure", "Um link para esta figura";

@@ -136,7 +136,8 @@ mod tests {
     use crate::figure::read::parse;
 
     fn report() -> Report {
-        let text = "[camera]\nposition = [3, 0, 4]\nnear = 1\nfar = 1e12\n[[points]]\nname = \"P\"\nat = [0, 0, 0]\n";
+        let text =
+            "[camera]\nposition = [3, 0, 4]\nnear = 1\nfar = 1e12\n[[points]]\nname = \"P\"\nposition = [0, 0, 0]\n";
         numbers_of(&parse(text).unwrap()).unwrap()
     }
 

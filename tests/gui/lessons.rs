@@ -192,3 +192,39 @@ fn every_step_has_room_for_its_text() {
     }
     assert!(cut.is_empty(), "{cut:#?}");
 }
+
+#[test]
+fn steps_are_recorded_from_the_screen_and_played() {
+    let folder = Folder::new("record");
+    let file = folder.file("mine.toml");
+    let mut window = Window::new(Lang::En);
+    window.run();
+    let record = |window: &mut Window| {
+        window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::A);
+        window.run();
+    };
+    record(&mut window);
+    window.choose(&file);
+    window.run();
+    let mut second = *window.state().document.camera().parameters();
+    second.near = 2.5;
+    window.app_mut().state.document.set_parameters(second);
+    window.run();
+    // The file is known now.
+    record(&mut window);
+    let (lesson, text) = camera_lab::files::read_lesson(&file).unwrap();
+    assert_eq!((lesson.id.as_str(), lesson.steps.len()), ("mine", 2));
+    assert_eq!(lesson.steps[1].figure.camera, second);
+    let added = text.rsplit("[[step]]").next().unwrap();
+    assert!(added.contains("near = 2.5") && !added.contains("position"), "{added}");
+    // It opens as any file does.
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    window.run();
+    if window.state().file_flow.dialog.is_some() && window.state().document.is_changed() {
+        window.harness.get_by_label_contains("Don't save").click();
+        window.run();
+    }
+    window.choose(&file);
+    window.run();
+    assert_eq!(window.state().lesson.as_ref().unwrap().lesson.id, "mine");
+}

@@ -100,6 +100,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("eframe", &["gui"]),
     ("egui", &["gui"]),
     ("rfd", &["gui"]),
+    ("qrcode", &["gui"]),
     ("clap", &["cli", "i18n"]),
     ("dashu_float", &["numerics"]),
     ("egui_commonmark", &["gui"]),

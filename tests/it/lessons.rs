@@ -192,6 +192,15 @@ fn the_command_line_lists_shows_checks_and_draws() {
     bench.run(&["lesson", "render", "small.toml", "-o", "pictures", "--view", "image", "--format", "svg"]).done();
     let drawn = std::fs::read_to_string(bench.path("pictures").join("01-small.svg")).unwrap();
     assert!(drawn.contains("<title>One</title>"));
+    for (name, options) in [("two.pdf", &[][..]), ("four.pdf", &["--per-page", "4", "--answers", "--lang", "pt-BR"])] {
+        let given = ["lesson", "render", "small.toml", "-o", name];
+        bench.run(&[&given[..], options].concat()).done();
+        let handout = bench.read(name);
+        assert!(handout.starts_with(b"%PDF") && handout.len() > 10_000, "{name}");
+    }
+    assert!(
+        bench.run(&["lesson", "render", "small.toml", "-o", "a.pdf", "--per-page", "3"]).refused(2).contains("2 or 4")
+    );
     let listed = bench.run(&["lesson", "list", "--folder", ".", "--format", "json"]).json();
     assert_eq!(listed[12]["id"], "small");
 

@@ -9,10 +9,10 @@ use crate::figure::{Explanation, Observers};
 use crate::gui::file_flow;
 use crate::gui::gallery::Part;
 use crate::gui::lesson;
-use crate::gui::number_tables;
 use crate::gui::state::{
     self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory,
 };
+use crate::gui::{number_tables, qr};
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, canvas, compare, labels, lessons, sharing};
 use crate::views::observer::Viewpoint;
@@ -82,6 +82,7 @@ pub const MENUS: &[Menu] = &[
                     s.family = std::mem::take(&mut s.family).or_first();
                     show_export(s);
                 }),
+                Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| qr::ask(s)),
                 Row::new(CopyLink, ctrl(Key::K), link_words, |s, _| show_dialog(s, Dialog::Link)),
             ],
             &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::Quit))
@@ -360,6 +361,11 @@ impl Row {
 fn link_words(t: &Texts) -> (&'static str, &'static str) {
     let t = sharing::texts(t.lang);
     (t.copy_link, t.copy_link_hint)
+}
+
+fn code_words(t: &Texts) -> (&'static str, &'static str) {
+    let t = sharing::texts(t.lang);
+    (t.code, t.code_hint)
 }
 
 fn compare_words(t: &Texts) -> (&'static str, &'static str) {

@@ -31,7 +31,11 @@ pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask:
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
     let opened = state.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
     let rest = opened.way.as_ref().is_none_or(|way| opened.steps < way.len());
-    if !rest {
+    let has_none = match ask.expected() {
+        Expected::Choice(_, _, steps) | Expected::Computed(_, steps) => steps.is_empty(),
+        Expected::Quantity(..) | Expected::Camera(..) => false,
+    };
+    if !rest || has_none {
         return;
     }
     let label = if opened.steps == 0 { t.first_step } else { t.next_step };

@@ -133,8 +133,10 @@ fn chooser(ui: &mut Ui, t: &Texts, state: &mut State) {
             .response;
         response.explained(t.object).accessible_name(t.object);
         if let Some((name, index)) = &mut chosen {
-            let count = objects.iter().find(|(object, _)| object == name).map_or(0, |(_, count)| *count);
-            let last = u32::try_from(count.saturating_sub(1)).unwrap_or(u32::MAX);
+            let count = objects.iter().find(|(object, _)| object == name).map(|(_, count)| *count);
+            let last = |count: usize| u32::try_from(count.saturating_sub(1)).unwrap_or(u32::MAX);
+            // The scene of a figure that has just been opened is built after this panel is shown.
+            let last = count.map_or(*index, last);
             *index = whole_number(ui, t.lang, (t.number, t.number), *index, last);
             ui.label(format!("0 … {last}"));
             if ui.button("✕").explained(t.release).accessible_name(t.release).clicked() {

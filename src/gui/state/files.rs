@@ -147,6 +147,8 @@ pub enum Dialog {
     Link,
     /// The lessons.
     Lessons,
+    /// The link as a QR code.
+    Qr,
 }
 
 /// The state of work with files.

@@ -36,6 +36,8 @@ pub enum Message {
     LastFigure,
     /// A step was added to the lesson in a file: its number.
     StepAdded(PathBuf, usize),
+    /// A QR code needs the address of a page.
+    AddressFirst,
     /// No step of the lesson before this one.
     FirstStep,
     /// No step of the lesson after this one.
@@ -128,6 +130,7 @@ impl Message {
             Self::Step { number, of } => (News, format!("{number} / {of}")),
             Self::AndMore(first, more) => (Error, exercise_messages::and_more(lang, &first.text(lang), *more)),
             Self::StepAdded(path, number) => (News, lessons::step_added(lang, &sanitize::path(path), *number)),
+            Self::AddressFirst => (News, sharing::texts(lang).address_first.to_owned()),
             Self::FirstStep => (News, lessons::texts(lang).first_step.to_owned()),
             Self::LastStep => (News, lessons::texts(lang).last_step.to_owned()),
             Self::TaskFirst => (News, lessons::texts(lang).task_first.to_owned()),
