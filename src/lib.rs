@@ -33,6 +33,7 @@
 //! | `gui/` | the window: a thin shell over the library |
 //! | `i18n/` | every text in both languages, as typed Rust values |
 //! | `inspect` | every number of a figure, as the command line prints it and the window shows it |
+//! | `lessons/` | lessons: figures one after the other, each with a text, a question or something to do |
 //! | `lighting` | the reflection model of `[2]` and `[3]`, for faces, vertices and pixels |
 //! | `limits` | every limit, once, with its reason |
 //! | `numbers` | numbers as people read them: digits, steps that read well, times and counts |
@@ -67,6 +68,7 @@ pub mod geometry;
 pub mod gui;
 pub mod i18n;
 pub mod inspect;
+pub mod lessons;
 pub mod lighting;
 pub mod limits;
 pub mod numbers;

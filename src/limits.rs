@@ -181,3 +181,9 @@ pub const MAX_SESSIONS: usize = 16;
 
 /// Of larger images the pixels of a single triangle are not looked at: that is done while the window waits.
 pub const MAX_STEPPED_PIXELS: u64 = 1 << 22;
+
+/// Steps of a lesson: more than fit into an hour.
+pub const MAX_LESSON_STEPS: usize = 100;
+
+/// Bytes of a lesson file: a hundred steps with their texts and figures.
+pub const MAX_LESSON_BYTES: usize = 4 << 20;

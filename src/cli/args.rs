@@ -9,6 +9,7 @@ use glam::DVec3;
 use super::Failure;
 use super::exercise_args::ExerciseArgs;
 use super::figure_args::{FigureArgs, number, size};
+use super::lesson_args::LessonArgs;
 use super::matrix_args::MatrixArgs;
 use super::output_args::OutputArgs;
 use super::sheet_args::{FamilyArgs, SheetArgs};
@@ -64,6 +65,8 @@ pub(super) enum Command {
     Matrix(MatrixArgs),
     /// List and show exercises, check answers, write sheets
     Exercise(ExerciseArgs),
+    /// List, show and check lessons, write their pictures, and play them in the window
+    Lesson(LessonArgs),
     /// Write the manual pages, and completion scripts for bash, zsh, fish and PowerShell
     Manual(ManualArgs),
 }

@@ -163,7 +163,7 @@ fn described(lang: Lang, exercise: &Exercise, with_solution: bool) -> Value {
     object
 }
 
-fn asked(lang: Lang, exercise: &Exercise, ask: &Ask) -> Value {
+pub(super) fn asked(lang: Lang, exercise: &Exercise, ask: &Ask) -> Value {
     let (kind, choices) = match &ask.kind {
         Kind::Number => ("number", None),
         Kind::Vector(_) => ("vector", None),

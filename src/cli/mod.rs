@@ -16,6 +16,8 @@
 //! | `explain` | `explain`: the stages that a picture needs |
 //! | `figure_args` | the arguments of every command that takes a figure, and how sizes and numbers are read |
 //! | `inspect` | `inspect`: every number of a figure's camera |
+//! | `lesson` | `lesson`: lessons, their steps, and their pictures |
+//! | `lesson_args` | the arguments of `lesson` |
 //! | `manual` | `manual`: manual pages and completions |
 //! | `matrix` | `matrix`: the camera of a matrix from another program |
 //! | `matrix_args` | the arguments of `matrix` |
@@ -39,6 +41,8 @@ mod exercise_args;
 mod explain;
 mod figure_args;
 mod inspect;
+mod lesson;
+mod lesson_args;
 mod manual;
 mod matrix;
 mod matrix_args;
@@ -64,6 +68,7 @@ use crate::figure::read::line_of_object;
 use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, SourceFile};
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::inspect::{InspectError, camera_after};
+use crate::lessons::OpenLesson;
 use crate::progress::Progress;
 use crate::sanitize;
 use crate::scene::Scene;
@@ -115,6 +120,8 @@ pub struct Opening {
     pub lang: Lang,
     /// The language that the arguments ask for.
     pub asked_lang: Option<Lang>,
+    /// The lesson that is played, from which step (from 0), and its file.
+    pub lesson: Option<OpenLesson>,
 }
 
 /// Runs the program with the arguments of a process (the program's name first), up to the window.
@@ -135,6 +142,10 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
             Some(Command::Diagnose(args)) => diagnose::run(&args, lang),
             Some(Command::Exercise(args)) => exercise::run(&args, lang),
             Some(Command::Manual(args)) => manual::run(&args, lang),
+            Some(Command::Lesson(args)) => match lesson::run(&args, lang) {
+                Ok(Some(opening)) => return Asked::Window(opening),
+                other => other.map(|_| ()),
+            },
             None => match opening::opening(&line.window, lang) {
                 Ok(opening) => return Asked::Window(Box::new(opening)),
                 Err(Failure::BadInput(message)) => return Asked::NoWindow { status: 2, message },

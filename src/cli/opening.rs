@@ -12,11 +12,11 @@ pub(super) fn opening(args: &WindowArgs, lang: Lang) -> Result<Opening, Failure>
     if let Some(path) = &args.figure {
         let (opened, _) = super::open(path, &args.common, lang)?;
         let (figure, file) = opened.at(path);
-        return Ok(Opening { figure, file: Some(file), allow_files, lang, asked_lang });
+        return Ok(Opening { figure, file: Some(file), allow_files, lang, asked_lang, lesson: None });
     }
     let mut figure = Figure::of_preset(Preset::default());
     figure.show = args.common.shown(figure.show, lang)?;
     super::operate(&mut figure, &args.common.operations(lang)?, args.common.convention())
         .map_err(|error| Failure::BadInput(messages::inspect(lang, &error)))?;
-    Ok(Opening { figure, file: None, allow_files, lang, asked_lang })
+    Ok(Opening { figure, file: None, allow_files, lang, asked_lang, lesson: None })
 }

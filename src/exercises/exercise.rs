@@ -1,5 +1,6 @@
 //! An exercise: the facts of its statement, its questions, and the right answers.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
@@ -13,7 +14,7 @@ use super::textbook;
 use super::value::Table;
 use super::worked::{Worked, worked};
 use crate::camera::{Camera, ParameterKey, Parameters};
-use crate::figure::Figure;
+use crate::figure::{Bilingual, Figure};
 use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath, RayNumber, WindowNumber};
 
 /// An exercise with its numbers.
@@ -117,6 +118,8 @@ pub struct Ask {
     /// The readings of the question: an answer that is right in one of them is right. The first is the one that the
     /// assumptions settle; the others have the name of their text.
     pub readings: Vec<Reading>,
+    /// The texts of a lecturer's choices, by their names.
+    pub own_choices: BTreeMap<String, Bilingual>,
     /// Wrong answers that a lecturer expects.
     pub own_mistakes: Vec<Arc<OwnMistake>>,
     /// The ways to it from other answers.
@@ -261,6 +264,7 @@ impl Ask {
             whole: false,
             quantity: None,
             readings: vec![Reading { name: "", expected, is_real: false }],
+            own_choices: BTreeMap::new(),
             own_mistakes: Vec::new(),
             follows: Vec::new(),
         }

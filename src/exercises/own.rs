@@ -20,6 +20,32 @@ use crate::inspect::quantity::QuantityPath;
 use crate::limits::{MAX_ASKS, MAX_EXERCISE_BYTES, MAX_EXERCISE_NAME};
 use crate::scene::Preset;
 
+impl Entry {
+    /// Changes each text of a lecturer's own question: what is asked, the choices, the messages and hints.
+    ///
+    /// # Errors
+    /// Those of `change`.
+    pub(crate) fn with_texts<E>(&mut self, mut change: impl FnMut(&mut Bilingual) -> Result<(), E>) -> Result<(), E> {
+        let Make::Own(exercise) = &mut self.make else { return Ok(()) };
+        let exercise = Arc::make_mut(exercise);
+        if let Some(texts) = &mut exercise.texts {
+            Arc::make_mut(texts).asks.values_mut().try_for_each(&mut change)?;
+        }
+        for ask in &mut exercise.asks {
+            ask.own_choices.values_mut().try_for_each(&mut change)?;
+            for mistake in &mut ask.own_mistakes {
+                let mistake = Arc::make_mut(mistake);
+                change(&mut mistake.message)?;
+                mistake.hints.iter_mut().try_for_each(&mut change)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The name of the only question of an exercise.
+pub(crate) const QUESTION: &str = "answer";
+
 /// `unit`
 const UNITS: Words<Unit> =
     &[("none", Unit::None), ("scene", Unit::Scene), ("degrees", Unit::Degrees), ("pixels", Unit::Pixels)];
@@ -55,7 +81,11 @@ pub fn parse_bytes(bytes: &[u8]) -> Result<Entry, FigureError> {
 /// As for [`parse_bytes`].
 pub fn parse(text: &str) -> Result<Entry, FigureError> {
     let exercise = read::parse_with(text, exercise)?;
-    Ok(Entry { id: exercise.id.clone().into(), source: "", is_family: false, make: Make::Own(Arc::new(exercise)) })
+    Ok(entry(exercise))
+}
+
+fn entry(exercise: Exercise) -> Entry {
+    Entry { id: exercise.id.clone().into(), source: "", is_family: false, make: Make::Own(Arc::new(exercise)) }
 }
 
 /// The identifier in the bytes of a file that may be at fault elsewhere.
@@ -116,20 +146,38 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
     faults.extend(root.finish());
     // The questions about a faulty figure are not checked.
     let is_good = faults.iter().all(Fault::is_unknown_key);
-    let (mut asks, mut texts): (Vec<Ask>, BTreeMap<String, Bilingual>) = (Vec::new(), BTreeMap::new());
-    for section in sections.into_iter().filter(|_| is_good) {
-        if let Some((ask, text)) = ask(section, &subject, &asks, faults) {
-            texts.insert(ask.name.clone(), text);
-            asks.push(ask);
+    let mut asks: Vec<Ask> = Vec::new();
+    let mut texts = OwnTexts { title, statement, assumptions, ..OwnTexts::default() };
+    for mut section in sections.into_iter().filter(|_| is_good) {
+        let name = name(&mut section, "name");
+        if asks.iter().any(|other| other.name == name) && !name.is_empty() {
+            section.fault("name", Problem::Duplicate);
         }
+        asks.extend(ask(section, name, &subject, &mut texts, faults));
     }
-    let texts = OwnTexts { title, statement, assumptions, asks: texts };
+    own(id, subject, asks, texts)
+}
+
+fn own(id: String, subject: Subject, asks: Vec<Ask>, texts: OwnTexts) -> Exercise {
     // Its statement has its numbers already; braces in it are those of formulas.
     Exercise { id, facts: Vec::new(), asks, texts: Some(Arc::new(texts)), ..about(subject) }
 }
 
+/// An exercise of one question, in a section of its own; `None`, and a fault, where it is impossible.
+pub(crate) fn question(
+    section: Section<'_>,
+    id: String,
+    subject: Subject,
+    title: Bilingual,
+    faults: &mut Vec<Fault>,
+) -> Option<Entry> {
+    let mut texts = OwnTexts { title, ..OwnTexts::default() };
+    let ask = ask(section, QUESTION.to_owned(), &subject, &mut texts, faults)?;
+    Some(entry(own(id, subject, vec![ask], texts)))
+}
+
 /// A name that is valid in a command line and in a file.
-fn name(section: &mut Section<'_>, key: &'static str) -> String {
+pub(crate) fn name(section: &mut Section<'_>, key: &'static str) -> String {
     let allowed = || Allowed::Name { limit: MAX_EXERCISE_NAME };
     let Some(text) = section.text(key) else {
         if !section.is_present(key) {
@@ -146,7 +194,7 @@ fn name(section: &mut Section<'_>, key: &'static str) -> String {
 }
 
 /// A text that has to be there.
-fn told(section: &mut Section<'_>, key: &'static str) -> Bilingual {
+pub(crate) fn told(section: &mut Section<'_>, key: &'static str) -> Bilingual {
     if !section.is_present(key) {
         section.missing(key, Allowed::Bilingual);
     }
@@ -155,13 +203,13 @@ fn told(section: &mut Section<'_>, key: &'static str) -> Bilingual {
 }
 
 /// A list of texts, which may be missing.
-fn told_list(section: &mut Section<'_>, key: &'static str) -> Vec<Bilingual> {
+pub(crate) fn told_list(section: &mut Section<'_>, key: &'static str) -> Vec<Bilingual> {
     let all = section.told_list(key);
     all.into_iter().filter_map(|texts| harmless(section, key, texts)).collect()
 }
 
 /// A text that can be shown, and set on a sheet; `None`, and a fault, where it is more than words and mathematics.
-fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2]) -> Option<Bilingual> {
+pub(crate) fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2]) -> Option<Bilingual> {
     // Files from Windows end their lines so.
     let texts = texts.map(|text| text.replace("\r\n", "\n"));
     for text in &texts {
@@ -177,26 +225,24 @@ fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2]) -> Option<
     Some(texts.into())
 }
 
-/// A question, and its text; `None`, and a fault, where it is impossible.
+/// A question; `None`, and a fault, where it is impossible.
 fn ask(
     mut section: Section<'_>,
+    name: String,
     subject: &Subject,
-    before: &[Ask],
+    texts: &mut OwnTexts,
     faults: &mut Vec<Fault>,
-) -> Option<(Ask, Bilingual)> {
-    let name = name(&mut section, "name");
-    if before.iter().any(|other| other.name == name) && !name.is_empty() {
-        section.fault("name", Problem::Duplicate);
-    }
+) -> Option<Ask> {
     let text = told(&mut section, "text");
     let unit = section.choice("unit", UNITS);
     let whole = section.is_present("whole").then(|| section.switch("whole"));
     let tolerance = section.is_present("tolerance").then(|| section.positive("tolerance", 1.0));
-    let choices = section.list("choices", Allowed::Texts, |text| (!text.trim().is_empty()).then(|| text.to_owned()));
+    let (choices, own_choices) = choices(&mut section);
     let ask = asked(&mut section, &name, subject, choices, unit);
     let mistakes = section.sections("mistake", "[[ask.mistake]]");
     faults.extend(section.finish());
     let mut ask = ask?;
+    ask.own_choices = own_choices;
     ask.unit = unit.unwrap_or(ask.unit);
     ask.whole = whole.unwrap_or(ask.whole);
     if let Some(tolerance) = tolerance {
@@ -206,7 +252,20 @@ fn ask(
         let own = own_mistake(section, &ask, faults);
         ask.own_mistakes.extend(own.map(Arc::new));
     }
-    Some((ask, text))
+    texts.asks.insert(name, text);
+    Some(ask)
+}
+
+/// `choices`: a list of words that are the same in both languages, or a table of names, each with its text.
+fn choices(section: &mut Section<'_>) -> (Vec<String>, BTreeMap<String, Bilingual>) {
+    if section.is_list("choices") || !section.is_present("choices") {
+        let word = |text: &str| (!text.trim().is_empty()).then(|| text.to_owned());
+        return (section.list("choices", Allowed::Texts, word), BTreeMap::new());
+    }
+    let told = section.told_table("choices");
+    let names = told.iter().map(|(name, _)| name.clone()).collect();
+    let texts = told.into_iter().filter_map(|(name, text)| Some((name, harmless(section, "choices", text)?)));
+    (names, texts.collect())
 }
 
 /// An ask by its `quantity` or its `answer`.

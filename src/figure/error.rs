@@ -183,6 +183,12 @@ pub enum Allowed {
     Numbers,
     /// A path to numbers in the output of `inspect`.
     Quantity,
+    /// A key or a section of the steps of a lesson so far.
+    KeyOfSteps,
+    /// The identifier of an exercise of the program.
+    Exercise,
+    /// A list of operations and keys with their values.
+    Ways,
     /// Either of two keys.
     Either(&'static str, &'static str),
     /// One of the values of another key.

@@ -185,10 +185,14 @@ pub fn variants(
         let values = variations.iter().enumerate();
         values.map(|(depth, variation)| (&*variation.key, &*variation.values[place(index, depth)])).collect()
     };
-    (0..count).map(|index| variant(figure, camera, &chosen(index), convention)).collect()
+    (0..count).map(|index| varied_by(figure, camera, &chosen(index), convention)).collect()
 }
 
-fn variant(
+/// The figure with keys set, and operations applied in their order; `camera` is that of the figure.
+///
+/// # Errors
+/// [`VariationError`] names the value that is impossible.
+pub fn varied_by(
     figure: &Figure,
     camera: &Camera,
     values: &[(&str, &str)],

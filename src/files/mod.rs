@@ -5,6 +5,7 @@
 //! | `disk/` | the one door to stored and chosen files |
 //! | `file_access` | the files that a figure may make the program read, and their total size |
 //! | `file_change` | detection of changes of a file since it was read or saved |
+//! | `lessons` | lessons in files: one, or those of a lecturer's folder |
 //! | `mesh_paths` | names of mesh files in figures |
 //! | `own_exercises` | a folder of a lecturer's own exercises |
 //! | `save` | saving whole or not at all |
@@ -14,6 +15,7 @@
 pub mod disk;
 mod file_access;
 mod file_change;
+mod lessons;
 mod mesh_paths;
 mod own_exercises;
 #[cfg(not(target_arch = "wasm32"))]
@@ -38,6 +40,7 @@ use crate::share::{self, ShareError};
 pub use disk::{is_read_only, read_at_most, remove_left_over, save};
 pub use file_access::{FigureFiles, FileAccess};
 pub use file_change::{FileChange, Stamp, look};
+pub use lessons::{OwnLessons, read_lesson, read_lessons};
 pub use mesh_paths::{for_folder, named_in_figure};
 pub use own_exercises::{BadExercise, OwnExercises, read_exercises};
 #[cfg(not(target_arch = "wasm32"))]

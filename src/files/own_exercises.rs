@@ -34,6 +34,21 @@ pub struct BadExercise {
 /// [`FileError`]: the folder cannot be read, or has too many of them. The fault of a single file is in `faults`, and
 /// the others can be used.
 pub fn read_exercises(folder: &Path) -> Result<OwnExercises, FileError> {
+    let mut found = OwnExercises::default();
+    for path in toml_files(folder)? {
+        match read_exercise(&path, &found.entries) {
+            Ok(entry) => found.entries.push(entry),
+            Err(bad) => found.faults.push(*bad),
+        }
+    }
+    Ok(found)
+}
+
+/// The files of a folder that end with `.toml`, in the order in which people expect them.
+///
+/// # Errors
+/// [`FileError`]: the folder cannot be read, or has too many of them.
+pub(super) fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     if super::is_network(folder) {
         return Err(FileError::Network);
     }
@@ -49,14 +64,7 @@ pub fn read_exercises(folder: &Path) -> Result<OwnExercises, FileError> {
     }
     let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     files.sort_by(|a, b| natural_order(&name(a), &name(b)).then_with(|| a.cmp(b)));
-    let mut found = OwnExercises::default();
-    for path in files {
-        match read_exercise(&path, &found.entries) {
-            Ok(entry) => found.entries.push(entry),
-            Err(bad) => found.faults.push(*bad),
-        }
-    }
-    Ok(found)
+    Ok(files)
 }
 
 /// The exercise in a file.

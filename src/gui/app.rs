@@ -20,7 +20,7 @@ use super::state::{AfterSave, PanelHover, Side, State};
 use super::tab_order::KeyOrder;
 #[cfg(not(target_arch = "wasm32"))]
 use super::window_size::Opening;
-use super::{context_help, dialogs, explain, menu, panels, presentation, sequence, text_field, theme, tooltip};
+use super::{context_help, dialogs, explain, lesson, menu, panels, presentation, sequence, text_field, theme, tooltip};
 use crate::appearance::Theme;
 use crate::i18n::window;
 use crate::sanitize;
@@ -145,6 +145,7 @@ impl App {
         let ctx = ui.ctx().clone();
         ctx.input_mut(|input| text_field::cut_pasted(&mut input.events));
         motion::advance(&ctx, &mut self.state);
+        lesson::advance(&ctx, &mut self.state);
         if ctx.input(|input| self.held_key.follow(input)) {
             self.state.document.commit();
         }
@@ -192,6 +193,7 @@ impl App {
         if presenting {
             presentation::caption(ui, &self.state);
         }
+        let of_lesson = lesson::panel(ui, &mut self.state);
         if self.state.numerics.shown {
             egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numerics, t.numerics);
@@ -237,6 +239,9 @@ impl App {
         if let Some(command) = bar {
             self.perform(&ctx, command);
         }
+        if let Some(command) = of_lesson {
+            self.perform(&ctx, command);
+        }
         if let Some(command) = dialogs::show(&ctx, &mut self.state) {
             self.perform(&ctx, command);
             ctx.request_repaint();
@@ -245,7 +250,8 @@ impl App {
         self.focus.end(&ctx);
         self.apply_settings(&ctx);
         self.update_title(&ctx);
-        let moving = self.state.operations.motion.is_some() || self.state.explain.steps.plays();
+        let moves = self.state.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
+        let moving = self.state.operations.motion.is_some() || moves || self.state.explain.steps.plays();
         if !moving && !ctx.input(|input| input.pointer.any_down()) && !self.held_key.is_held(&ctx) {
             self.state.document.commit();
             let now = ctx.input(|input| input.time);
@@ -289,6 +295,10 @@ impl App {
                 shortcuts.extend(presentation::ARROWS);
             }
         }
+        if self.state.lesson.is_some() && !typing && !ctx.any_popup_open() {
+            shortcuts.extend(presentation::PAGES);
+        }
+        shortcuts.retain(|(_, command)| command.is_enabled(&self.state));
         // Ctrl+Shift+S is Ctrl+S as well: shortcuts with more keys are tested first.
         shortcuts.sort_by_key(|(keys, _)| !keys.modifiers.shift);
         let called_by = |event: &egui::Event| match event {
@@ -309,6 +319,7 @@ impl App {
     fn perform(&mut self, ctx: &egui::Context, command: Command) {
         match command.run() {
             Run::Change(change) => change(&mut self.state, ctx),
+            Run::Step { forwards } if self.state.lesson.is_some() => self.state.step_lesson(forwards),
             Run::Step { forwards } => self.step(ctx, forwards),
         }
     }

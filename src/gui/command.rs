@@ -66,6 +66,12 @@ pub enum Command {
     Numerics,
     Explain,
     Exercises,
+    Lessons,
+    StepAgain,
+    StepText,
+    StepQuestion,
+    StepNotes,
+    LeaveLesson,
     Help,
     About,
 }

@@ -16,6 +16,7 @@ use super::export_dialog;
 use super::file_flow;
 use super::file_kind::FileKind;
 use super::gallery::{self, Chosen, Source};
+use super::lesson;
 use super::link_dialog;
 use super::menu;
 use super::native::Wanted;
@@ -55,6 +56,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress | Dialog::Link => 520.0,
             Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,
             Dialog::Gallery => 1110.0,
+            Dialog::Lessons => lesson::LIST_WIDTH,
             Dialog::Coach => coach::WIDTH,
             Dialog::Search => search::WIDTH,
             Dialog::Export(_) => export_dialog::WIDTH,
@@ -100,6 +102,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             }
             Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
             Dialog::Export(export) => export_dialog::show(ui, t, state, export, first),
+            Dialog::Lessons => lesson::list(ui, state),
             Dialog::Closing => {
                 text(ui, t.closing_title, t.closing_text);
                 match buttons(ui, t.cancel, &[t.close_now], first.then_some(CANCEL)) {

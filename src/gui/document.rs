@@ -118,6 +118,15 @@ impl Document {
         Some(Self { path: None, shipped: Some(name), ..document })
     }
 
+    /// A figure of a lesson, which looks for meshes in the folder of the lesson's file. Saving asks for a file.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new).
+    pub(in crate::gui) fn of_lesson(figure: Figure, lesson: Option<&Path>) -> Result<Self, CameraError> {
+        let file = |path: &Path| SourceFile { path: path.to_owned(), text: String::new(), is_picture: false };
+        Ok(Self { path: None, ..Self::new(figure, lesson.map(file))? })
+    }
+
     /// The figure as it is drawn: its camera is always possible.
     #[must_use]
     pub fn figure(&self) -> &Figure {
@@ -192,7 +201,7 @@ impl Document {
 
     /// A number that says which document it is, without a look at it: not from where it is seen, nor what is explained
     /// in it.
-    pub(super) fn version(&self) -> Revision {
+    pub(in crate::gui) fn version(&self) -> Revision {
         self.version
     }
 

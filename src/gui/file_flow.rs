@@ -27,7 +27,7 @@ use crate::share;
 /// Does the `next` action, after asking about changes that would be lost.
 pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     state.document.commit();
-    if state.document.is_changed() {
+    if state.has_unsaved() {
         state.file_flow.dialog = Some(Dialog::Unsaved(next));
     } else {
         go_on(ctx, state, next);
@@ -51,11 +51,12 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
             // The program wrote it, of a camera that it had measured: a test opens every one.
             Err(_) => {}
         },
+        AfterSave::Lesson(open) => state.play(open),
         AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
         AfterSave::Quit if !state.kept.is_empty() => {
             if let Some((_, document)) = state.kept.pop() {
                 // Whoever does not close after all has it still.
-                if state.document.is_changed() {
+                if state.has_unsaved() {
                     state.given_up.push((source_of(&state.document), state.document.clone()));
                 }
                 state.take_over(document);
@@ -337,7 +338,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     }
     if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
         state.document.commit();
-        if state.document.is_changed() || !state.kept.is_empty() || !state.file_flow.exporting.is_empty() {
+        if state.has_unsaved() || !state.kept.is_empty() || !state.file_flow.exporting.is_empty() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             begin(ctx, state, AfterSave::Quit);
         } else {

@@ -18,6 +18,8 @@ pub(super) enum Region {
     Picture(usize),
     /// The stages of the pipeline.
     Strip,
+    /// The lesson that is played.
+    Lesson,
     /// The studies of error against run time.
     Numerics,
     /// Operations and numbers, or the explanations.

@@ -11,7 +11,7 @@ use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
 /// The number of a scene or of a document: equal numbers mean equal content, without a comparison of it, which can be
 /// large. Different numbers mean nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Revision(u64);
+pub(in crate::gui) struct Revision(u64);
 
 impl Revision {
     /// One that nothing has.

@@ -30,6 +30,7 @@
 //! | `history` | undo and redo: snapshots of the figure, which share the scenes that have not changed |
 //! | `key_repeat` | the held key: all its repeats are one step |
 //! | `launch_options` | options of one window, from the command line or the address of a page |
+//! | `lesson/` | the lesson that is played: bar, text, task, list of lessons |
 //! | `link_dialog` | the dialog of the figure as a link |
 //! | `mathematics` | formulas, set as `KaTeX` sets them |
 //! | `memo` | values computed once for each thing that they are computed from, at once or beside the window's thread |
@@ -88,6 +89,7 @@ mod highlight;
 mod history;
 mod key_repeat;
 pub mod launch_options;
+mod lesson;
 mod link_dialog;
 mod mathematics;
 mod memo;
@@ -123,6 +125,7 @@ mod worker;
 use crate::figure::Figure;
 use crate::files::SourceFile;
 use crate::i18n::Lang;
+use crate::lessons::OpenLesson;
 use crate::scene::Preset;
 pub use app::App;
 pub use launch_options::LaunchOptions;
@@ -139,6 +142,8 @@ pub struct Start {
     pub lang: Lang,
     /// The user lets the figure name any file of this machine.
     pub allow_files: bool,
+    /// The lesson that is played; its step has the figure.
+    pub lesson: Option<OpenLesson>,
 }
 
 /// Why there is no window.
@@ -169,7 +174,7 @@ pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 /// [`GuiError::NoWindow`] where there is no display or no usable OpenGL.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn run(start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
-    let restore = start.file.is_none() && start.figure == fresh();
+    let restore = start.file.is_none() && start.lesson.is_none() && start.figure == fresh();
     let state = State::new(start)?;
     let mut viewport = eframe::egui::ViewportBuilder::default()
         .with_title("Camera Lab")

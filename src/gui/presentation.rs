@@ -20,7 +20,7 @@ const FADES: f64 = 0.7;
 const INK: Color32 = Color32::from_rgb(0xe0, 0x2a, 0x1f);
 
 /// The plain keys of a presentation: those of a remote control among them.
-pub(super) const KEYS: [(KeyboardShortcut, Command); 7] = [
+pub(super) const KEYS: [(KeyboardShortcut, Command); 10] = [
     (KeyboardShortcut::new(Modifiers::NONE, Key::PageDown), Command::NextFigure),
     (KeyboardShortcut::new(Modifiers::NONE, Key::PageUp), Command::PreviousFigure),
     (KeyboardShortcut::new(Modifiers::NONE, Key::P), Command::Pen),
@@ -28,7 +28,13 @@ pub(super) const KEYS: [(KeyboardShortcut, Command); 7] = [
     (KeyboardShortcut::new(Modifiers::NONE, Key::F), Command::Freeze),
     (KeyboardShortcut::new(Modifiers::NONE, Key::B), Command::Blank),
     (KeyboardShortcut::new(Modifiers::NONE, Key::Period), Command::Blank),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::C), Command::StepText),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::Q), Command::StepQuestion),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::N), Command::StepNotes),
 ];
+
+/// The keys of a remote control, which turn the steps of a lesson without a presentation too.
+pub(super) const PAGES: [(KeyboardShortcut, Command); 2] = [KEYS[0], KEYS[1]];
 
 /// The arrows of a remote control, where no picture and no field has the keyboard.
 pub(super) const ARROWS: [(KeyboardShortcut, Command); 2] = [

@@ -109,7 +109,7 @@ pub fn answer(lang: Lang, ask: &Ask) -> String {
     let mark = lang.mark();
     match (ask.expected(), ask.expected().table(), &ask.kind) {
         (Expected::Choice(right, ..), _, Kind::Choice(choices)) => {
-            choices.get(*right).map_or_else(String::new, |name| exercises::choice(lang, name).to_owned())
+            choices.get(*right).map_or_else(String::new, |name| exercises::choice_of(lang, ask, name).to_owned())
         }
         (Expected::Camera(_, model, ..), ..) => {
             exercises::understood(lang, ask, &crate::exercises::Answer::Camera(model.clone()))

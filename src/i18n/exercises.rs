@@ -91,7 +91,8 @@ pub fn reading(lang: Lang, name: &'static str) -> &'static str {
 pub fn typed_choice<'a>(ask: &'a Ask, typed: &'a str) -> &'a str {
     let Kind::Choice(choices) = &ask.kind else { return typed };
     let wanted = typed.trim().to_lowercase();
-    let is_it = |name: &&String| [Lang::En, Lang::PtBr].iter().any(|lang| choice(*lang, name).to_lowercase() == wanted);
+    let is_it =
+        |name: &&String| [Lang::En, Lang::PtBr].iter().any(|lang| choice_of(*lang, ask, name).to_lowercase() == wanted);
     let truth = [("yes", "sim", ["true", "verdadeiro"]), ("no", "não", ["false", "falso"])];
     let of_truth = |(en, pt_br, words): &(&str, &str, [&str; 2])| {
         let is_asked = |name: &&String| [en, pt_br].iter().any(|word| word.eq_ignore_ascii_case(name));
@@ -101,10 +102,16 @@ pub fn typed_choice<'a>(ask: &'a Ask, typed: &'a str) -> &'a str {
     found.map_or(typed, String::as_str)
 }
 
-/// A choice.
+/// A choice for which the program has a text.
 #[must_use]
 pub fn choice(lang: Lang, name: &str) -> &str {
     listed(lang, "choices", name)
+}
+
+/// A choice of a question.
+#[must_use]
+pub fn choice_of<'a>(lang: Lang, ask: &'a Ask, name: &'a str) -> &'a str {
+    ask.own_choices.get(name).map_or_else(|| choice(lang, name), |text| told(lang, text))
 }
 
 /// A condition on a camera.
@@ -283,8 +290,12 @@ pub fn kind(lang: Lang, ask: &Ask) -> String {
         (Lang::PtBr, Kind::Vector(rows)) => format!("{rows} números [a; b; …]"),
         (Lang::En, Kind::Matrix(rows, columns)) => format!("{rows} × {columns} numbers [[a, …], …]"),
         (Lang::PtBr, Kind::Matrix(rows, columns)) => format!("{rows} × {columns} números [[a; …]; …]"),
-        (Lang::En, Kind::Choice(choices)) => format!("one of: {}", list_of_choices(lang, choices)),
-        (Lang::PtBr, Kind::Choice(choices)) => format!("um destes: {}", list_of_choices(lang, choices)),
+        (Lang::En, Kind::Choice(choices)) => {
+            format!("one of: {}", list_of_choices(choices, |name| choice_of(lang, ask, name)))
+        }
+        (Lang::PtBr, Kind::Choice(choices)) => {
+            format!("um destes: {}", list_of_choices(choices, |name| choice_of(lang, ask, name)))
+        }
         (Lang::En, Kind::Camera) => "a camera: C=[0, 0, 2]; PF=[0, 0, 0]; projection=parallel; H=2; F=1; …".to_owned(),
         (Lang::PtBr, Kind::Camera) => {
             "uma câmera: C=[0; 0; 2]; PF=[0; 0; 0]; projeção=paralela; H=2; F=1; …".to_owned()
@@ -294,10 +305,10 @@ pub fn kind(lang: Lang, ask: &Ask) -> String {
     if tolerance.is_empty() { kind } else { format!("{kind}; {tolerance}") }
 }
 
-fn list_of_choices(lang: Lang, choices: &[String]) -> String {
-    let choice = |name: &String| {
-        let said = choice(lang, name);
-        if said == name { name.clone() } else { format!("{name} ({said})") }
+fn list_of_choices<'a>(choices: &'a [String], said: impl Fn(&'a str) -> &'a str) -> String {
+    let choice = |name: &'a String| match said(name) {
+        said if said == name => name.clone(),
+        said => format!("{name} ({said})"),
     };
     choices.iter().map(choice).collect::<Vec<_>>().join(", ")
 }
@@ -368,7 +379,7 @@ pub fn understood(lang: Lang, ask: &Ask, answer: &Answer) -> String {
     let entry = |entry: &Option<f64>| entry.map_or_else(|| "?".to_owned(), |value| number(mark, value));
     match (answer, &ask.kind) {
         (Answer::Choice(index), Kind::Choice(choices)) => {
-            choices.get(*index).map_or_else(String::new, |name| choice(lang, name).to_owned())
+            choices.get(*index).map_or_else(String::new, |name| choice_of(lang, ask, name).to_owned())
         }
         (Answer::Numbers { rows: 1, columns: 1, entries }, _) => entries.iter().map(entry).collect(),
         (Answer::Numbers { columns: 1, entries, .. }, _) => {
@@ -404,10 +415,18 @@ pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
         }
         (_, AnswerError::Camera(error)) => exercise_cameras::refused(lang, error),
         (Lang::En, AnswerError::Choice { given, choices }) => {
-            format!("“{}” is not a choice; allowed: {}", escaped(given), list_of_choices(lang, choices))
+            format!(
+                "“{}” is not a choice; allowed: {}",
+                escaped(given),
+                list_of_choices(choices, |name| choice(lang, name))
+            )
         }
         (Lang::PtBr, AnswerError::Choice { given, choices }) => {
-            format!("“{}” não é uma opção; permitido: {}", escaped(given), list_of_choices(lang, choices))
+            format!(
+                "“{}” não é uma opção; permitido: {}",
+                escaped(given),
+                list_of_choices(choices, |name| choice(lang, name))
+            )
         }
         (Lang::En, AnswerError::Pair(text)) => format!("“{}” is not NAME=VALUE, as in C=[0, 0, 2]", escaped(text)),
         (Lang::PtBr, AnswerError::Pair(text)) => format!("“{}” não é NOME=VALOR, como em C=[0; 0; 2]", escaped(text)),

@@ -270,6 +270,24 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
                 "uma lista de operações que esta câmera pode executar, como [\"azimuth=30\", \"zoom=2\"]".to_owned()
             }
         },
+        Allowed::KeyOfSteps => match lang {
+            Lang::En => "keys or sections that the steps before have, such as [\"show.stage\", \"labels\"]".to_owned(),
+            Lang::PtBr => "chaves ou seções que os passos anteriores têm, como [\"show.stage\", \"labels\"]".to_owned(),
+        },
+        Allowed::Exercise => match lang {
+            Lang::En => "an exercise of the program, as `camera-lab exercise list` names it".to_owned(),
+            Lang::PtBr => "um exercício do programa, como o nomeia `camera-lab exercise list`".to_owned(),
+        },
+        Allowed::Ways => match lang {
+            Lang::En => {
+                "a list of operations and keys that the step's figure can have, such as [\"azimuth=30\",                  \"camera.near=2\"]"
+                    .to_owned()
+            }
+            Lang::PtBr => {
+                "uma lista de operações e chaves que a figura do passo pode ter, como [\"azimuth=30\",                  \"camera.near=2\"]"
+                    .to_owned()
+            }
+        },
         Allowed::Pixels => match lang {
             Lang::En => "a list of pixels, [[i, j], …], in whole numbers".to_owned(),
             Lang::PtBr => "uma lista de pixels, [[i, j], …], em números inteiros".to_owned(),

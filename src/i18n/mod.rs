@@ -26,6 +26,7 @@
 //! | `gallery` | the words of the gallery: its parts, and the headings of the figures of the program |
 //! | `homogeneous` | the words of the explanation of w |
 //! | `meshes` | faults of a mesh file, in both languages |
+//! | `lessons` | the texts of lessons with their numbers, and the words around them |
 //! | `labels` | the words of the mode *Labels*, in both languages |
 //! | `messages` | errors and warnings, in both languages, for both shells |
 //! | `notes` | the notes, read from `assets/notes` |
@@ -105,6 +106,7 @@ mod files;
 pub mod gallery;
 pub mod homogeneous;
 pub mod labels;
+pub mod lessons;
 mod meshes;
 pub mod messages;
 pub mod notes;

@@ -35,12 +35,13 @@ const TABLE: &[(&str, &[&str])] = &[
     ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "formula", "numbers", "text"]),
     ("export", &["drawing", "raster", "inspect", "text", "formula"]),
     ("share", &[]),
-    ("files", &["figure", "export", "scene", "exercises", "numbers", "share"]),
+    ("files", &["figure", "export", "scene", "exercises", "lessons", "numbers", "share"]),
     ("clock", &[]),
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export", "text"]),
     ("numerics", &["geometry", "numbers", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),
     ("explain", &["geometry", "camera", "scene", "figure", "inspect", "numbers"]),
     ("exercises", &["geometry", "camera", "scene", "figure", "inspect", "explain", "expression", "formula", "numbers"]),
+    ("lessons", &["camera", "scene", "figure", "inspect", "exercises", "numerics", "numbers"]),
     // The enums of errors, warnings, labels and stages.
     (
         "i18n",
@@ -60,6 +61,7 @@ const TABLE: &[(&str, &[&str])] = &[
             "numerics",
             "explain",
             "exercises",
+            "lessons",
             "share",
         ],
     ),
@@ -69,6 +71,7 @@ const TABLE: &[(&str, &[&str])] = &[
 
 const EVERYTHING: &[&str] = &[
     "exercises",
+    "lessons",
     "explain",
     "numerics",
     "numbers",

@@ -9,6 +9,7 @@
 //! | `screen` | the `title`, the `caption` and the `[screen]` of a figure file |
 //! | `section` | one section of a figure file, whose keys are read one by one; the keys left over are unknown |
 //! | `show` | the `[show]` of a figure file |
+//! | `stacked` | sections of figures put over one another: each says only what changes |
 //! | `syntax` | a text that is not TOML: which line, which key, and why |
 
 mod comparison;
@@ -18,6 +19,7 @@ mod scene;
 mod screen;
 mod section;
 mod show;
+mod stacked;
 mod syntax;
 
 use std::ops::Range;
@@ -35,6 +37,7 @@ use crate::sanitize;
 pub use comparison::typed_comparison;
 pub use scene::line_of_object;
 pub(crate) use section::{Fault, Section};
+pub(crate) use stacked::Stacked;
 
 /// Reads the bytes of a figure file, whatever they are.
 ///

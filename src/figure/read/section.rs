@@ -70,6 +70,16 @@ impl<'a> Section<'a> {
         self.table.is_some()
     }
 
+    /// The tables and values in it, as they are written.
+    pub(super) fn items(&self) -> Option<&'a dyn TableLike> {
+        self.table
+    }
+
+    /// The text of the file that it is in.
+    pub(super) fn file(&self) -> &'a str {
+        self.text
+    }
+
     /// True where no key is there.
     pub(crate) fn is_empty(&self) -> bool {
         self.table.is_none_or(|table| table.iter().next().is_none())
@@ -242,7 +252,29 @@ impl<'a> Section<'a> {
     /// A text that is the same in all languages, or one for each: `{ en = "…", "pt-BR" = "…" }`; in English and in
     /// Portuguese.
     pub(crate) fn told(&mut self, key: &'static str) -> Option<[String; 2]> {
-        self.read(key, None, Allowed::Bilingual, |value| told(value).map(Some))
+        // `text.en = "…"` is a table, `text = { en = "…" }` a value.
+        let found = self.ask(key).map(|item| match item.as_table_like() {
+            Some(table) => told_in(table),
+            None => item.as_value().and_then(told),
+        })?;
+        if found.is_none() {
+            self.refuse(key, Allowed::Bilingual);
+        }
+        found
+    }
+
+    /// A table of such texts, in the order of the file.
+    pub(crate) fn told_table(&mut self, key: &'static str) -> Vec<(String, [String; 2])> {
+        let Some(table) = self.ask(key).and_then(Item::as_table_like) else { return Vec::new() };
+        let of = |item: &Item| match item.as_table_like() {
+            Some(table) => told_in(table),
+            None => item.as_value().and_then(told),
+        };
+        let texts: Option<Vec<_>> = table.iter().map(|(name, item)| Some((name.to_owned(), of(item)?))).collect();
+        if texts.is_none() {
+            self.refuse(key, Allowed::Bilingual);
+        }
+        texts.unwrap_or_default()
     }
 
     /// A list of such texts.
@@ -473,9 +505,18 @@ fn number(value: &Value, dimension: Dimension) -> Result<f64, Refused> {
 
 /// A text for both languages; one that is missing is the other.
 fn told(value: &Value) -> Option<[String; 2]> {
-    let text = |value: &Value| value.as_str().filter(|text| !text.trim().is_empty()).map(str::to_owned);
-    let Some(table) = value.as_inline_table() else { return text(value).map(|text| [text.clone(), text]) };
-    let of = |key: &str| table.get(key).map(text);
+    match value.as_inline_table() {
+        Some(table) => told_in(table),
+        None => words_of(value).map(|text| [text.clone(), text]),
+    }
+}
+
+fn words_of(value: &Value) -> Option<String> {
+    value.as_str().filter(|text| !text.trim().is_empty()).map(str::to_owned)
+}
+
+fn told_in(table: &dyn TableLike) -> Option<[String; 2]> {
+    let of = |key: &str| table.get(key).map(|item| item.as_value().and_then(words_of));
     let [en, pt_br] = ["en", "pt-BR"].map(of);
     let known = usize::from(en.is_some()) + usize::from(pt_br.is_some());
     match (en.or(pt_br.clone())?, pt_br) {

@@ -13,7 +13,7 @@ use crate::gui::state::{
     self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory,
 };
 use crate::i18n::window::Texts;
-use crate::i18n::{Lang, canvas, compare, labels, sharing};
+use crate::i18n::{Lang, canvas, compare, labels, lessons, sharing};
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 
@@ -203,6 +203,52 @@ pub const MENUS: &[Menu] = &[
                 row!(Freeze, alt(Key::F), freeze, freeze_hint, switch annotations.frozen),
                 row!(Blank, alt(Key::B), blank, blank_hint, switch annotations.blank),
             ],
+            &[
+                Row::new(
+                    StepAgain,
+                    alt(Key::Z),
+                    |t| lesson_words(t, |t| (t.again, t.again_hint)),
+                    |s, _| s.step_again(),
+                )
+                .enabled(|s| s.lesson.is_some()),
+                Row::new(
+                    StepText,
+                    alt(Key::C),
+                    |t| lesson_words(t, |t| (t.text_command, t.text_hint)),
+                    |s, _| {
+                        change_lesson(s, |playing| playing.shows_text ^= true);
+                    },
+                )
+                .enabled(|s| s.lesson.is_some())
+                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_text)),
+                Row::new(
+                    StepQuestion,
+                    alt(Key::A),
+                    |t| lesson_words(t, |t| (t.question_command, t.question_hint)),
+                    |s, _| change_lesson(s, |playing| playing.shows_question ^= true),
+                )
+                .enabled(|s| s.lesson.is_some())
+                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_question)),
+                Row::new(
+                    StepNotes,
+                    alt(Key::N),
+                    |t| lesson_words(t, |t| (t.notes_command, t.notes_hint)),
+                    |s, _| {
+                        change_lesson(s, |playing| playing.shows_notes ^= true);
+                    },
+                )
+                .enabled(|s| s.lesson.is_some())
+                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_notes)),
+                Row::new(
+                    LeaveLesson,
+                    alt(Key::W),
+                    |t| lesson_words(t, |t| (t.leave, t.leave_hint)),
+                    |s, _| {
+                        s.leave_lesson();
+                    },
+                )
+                .enabled(|s| s.lesson.is_some()),
+            ],
             &[row!(ClearAnnotations, alt(Key::Backspace), clear_annotations, clear_annotations_hint, |s, _| s
                 .annotations
                 .clear())
@@ -213,6 +259,12 @@ pub const MENUS: &[Menu] = &[
         title: |t| t.menu_help,
         in_bar: true,
         groups: &[&[
+            Row::new(
+                Lessons,
+                ctrl_shift(Key::L),
+                |t| lesson_words(t, |t| (t.lessons_command, t.lessons_hint)),
+                |s, _| show_dialog(s, Dialog::Lessons),
+            ),
             row!(Search, ctrl_shift(Key::P), search, search_hint, |s, _| show_search(s)).browsers_keys(),
             row!(Help, plain(Key::F1), help, help_hint, |s, _| show_dialog(s, Dialog::Help)),
             row!(About, shift(Key::F1), about, about_hint, |s, _| show_dialog(s, Dialog::About)),
@@ -310,6 +362,16 @@ fn compare_words(t: &Texts) -> (&'static str, &'static str) {
 fn label_words(t: &Texts) -> (&'static str, &'static str) {
     let t = labels::texts(t.lang);
     (t.command, t.command_hint)
+}
+
+fn lesson_words(t: &Texts, of: fn(&lessons::Texts) -> (&'static str, &'static str)) -> (&'static str, &'static str) {
+    of(lessons::texts(t.lang))
+}
+
+fn change_lesson(state: &mut State, change: impl FnOnce(&mut state::Playing)) {
+    if let Some(playing) = &mut state.lesson {
+        change(playing);
+    }
 }
 
 fn show_compare(state: &mut State) {

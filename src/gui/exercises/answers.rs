@@ -62,7 +62,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
     let marks = marks(state, ask, &fields);
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
     let mut typing = match &ask.kind {
-        Kind::Choice(choices) => choice(ui, t.lang, choices, &mut fields[0]),
+        Kind::Choice(choices) => choice(ui, t.lang, ask, choices, &mut fields[0]),
         Kind::Camera => camera(ui, state, sheet, ask, &mut fields[0]),
         Kind::Number | Kind::Vector(_) | Kind::Matrix(..) => {
             numbers(ui, sheet, ask, (&name, broken), &marks, &mut fields)
@@ -146,7 +146,7 @@ fn marks(state: &State, ask: &Ask, fields: &[String]) -> Vec<Option<bool>> {
 }
 
 /// The colour of right and wrong answers.
-pub(super) fn color(ui: &Ui, right: bool) -> Color32 {
+pub(in crate::gui) fn color(ui: &Ui, right: bool) -> Color32 {
     match (right, ui.visuals().dark_mode) {
         (false, _) => ui.visuals().error_fg_color,
         (true, true) => Color32::from_rgb(0x6c, 0xc6, 0x7a),
@@ -253,11 +253,11 @@ fn sign_field(ui: &Ui, rect: egui::Rect, right: bool, broken: bool) {
 }
 
 /// One of several; chosen by name, so that it is the same in every language.
-fn choice(ui: &mut Ui, lang: Lang, choices: &[String], text: &mut String) -> Typing {
+fn choice(ui: &mut Ui, lang: Lang, ask: &Ask, choices: &[String], text: &mut String) -> Typing {
     let mut typing = Typing::default();
     ui.horizontal_wrapped(|ui| {
         for name in choices {
-            let response = ui.radio(text == name, said::choice(lang, name));
+            let response = ui.radio(text == name, said::choice_of(lang, ask, name));
             typing.in_focus |= response.has_focus();
             if response.clicked() {
                 text.clone_from(name);

@@ -32,6 +32,7 @@ use crate::clock;
 use crate::exercises::{self, Ask, Entry, Exercise};
 use crate::i18n::exercise_messages as messages;
 use crate::i18n::exercise_window::{self as words, Texts};
+pub(super) use answers::color;
 
 /// The exercise that is worked on, and the words of the window.
 #[derive(Clone, Copy)]
@@ -107,12 +108,9 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         let mut in_focus = None;
         for ask in &exercise.asks {
             ui.separator();
-            ui.push_id(&ask.name, |ui| {
-                if answers::ui(ui, state, sheet, ask) {
-                    in_focus = Some(ask);
-                }
-                verdict::ui(ui, state, sheet, ask, just_said.as_ref() == Some(&ask.name));
-            });
+            if question(ui, state, sheet, ask, just_said.as_ref() == Some(&ask.name)) {
+                in_focus = Some(ask);
+            }
         }
         if all_wanted {
             let wanted = in_focus.map_or_else(|| exercise.asks.iter().collect(), |ask| vec![ask]);
@@ -122,6 +120,30 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         verdict::all(ui, state, sheet);
         ui.add_space(12.0);
     });
+}
+
+/// Shows a question with its fields and the verdict; returns whether one of the fields has the focus.
+fn question(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_said: bool) -> bool {
+    ui.push_id(&ask.name, |ui| {
+        let in_focus = answers::ui(ui, state, sheet, ask);
+        verdict::ui(ui, state, sheet, ask, just_said);
+        in_focus
+    })
+    .inner
+}
+
+/// Shows the questions of the exercise that is worked on, without its statement: a step of a lesson asks them.
+pub(super) fn questions(ui: &mut Ui, state: &mut State) {
+    let t = words::texts(state.settings.lang);
+    let Some((entry, exercise)) = state.exercises.exercise() else { return };
+    let sheet = Sheet { t, entry: &entry, exercise: &exercise };
+    let just_said = state.exercises.take_said();
+    if just_said.is_some() {
+        ui.ctx().request_repaint();
+    }
+    for ask in &exercise.asks {
+        question(ui, state, sheet, ask, just_said.as_ref() == Some(&ask.name));
+    }
 }
 
 /// Judges the typed answer, if it can be read.

@@ -156,6 +156,8 @@ pub struct Exercises {
     pub(in crate::gui) forgets: bool,
     /// The folder of a lecturer's own exercises.
     pub own: Option<Arc<OwnFolder>>,
+    /// The questions of the lesson that is played: in no list.
+    pub(in crate::gui) of_lesson: Vec<Entry>,
     /// Why an exercise was chosen to be practised next.
     pub(in crate::gui) why: Option<(Chosen, Why)>,
     /// The exercise as it was made last.
@@ -172,7 +174,7 @@ impl Exercises {
     /// The exercise or family with an identifier.
     #[must_use]
     pub fn entry(&self, id: &str) -> Option<&Entry> {
-        self.entries().find(|entry| entry.id == id)
+        self.entries().chain(&self.of_lesson).find(|entry| entry.id == id)
     }
 
     /// Reads a folder of a lecturer's own exercises; `None`: there is none any more.
@@ -380,6 +382,10 @@ impl Exercises {
 
     /// Records progress, for this window and for the file.
     pub(in crate::gui) fn note(&mut self, done: Done) {
+        // Questions of lessons are no exercises to be practised.
+        if self.of_lesson.iter().any(|entry| Some(&*entry.id) == self.open.as_ref().map(|open| &*open.id)) {
+            return;
+        }
         done.note(&mut self.progress);
         self.unwritten.push(done);
     }

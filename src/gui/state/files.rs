@@ -14,6 +14,7 @@ use crate::gui::preview::Preview;
 use crate::gui::session::NewsList;
 use crate::gui::watch::Watch;
 use crate::gui::worker::Running;
+use crate::lessons::OpenLesson;
 
 /// An action to be done once nothing can be lost any more.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,6 +29,8 @@ pub enum AfterSave {
     Shipped(&'static str),
     /// Open the figure of this text.
     Text(String),
+    /// Play this lesson.
+    Lesson(OpenLesson),
     /// Restore the session of this slot.
     Restore(usize),
     /// Close the window.
@@ -140,6 +143,8 @@ pub enum Dialog {
     DeleteProgress,
     /// The figure as a link.
     Link,
+    /// The lessons.
+    Lessons,
 }
 
 /// The state of work with files.

@@ -8,7 +8,7 @@ use crate::files::FileError;
 use crate::gui::export::ExportError;
 use crate::gui::session::{Keeping, News};
 use crate::i18n::{
-    Lang, canvas, exercise_messages, explain_point, faults, messages, scenes, sessions, sharing, window,
+    Lang, canvas, exercise_messages, explain_point, faults, lessons, messages, scenes, sessions, sharing, window,
 };
 use crate::limits::MAX_SESSIONS;
 use crate::pipeline::OverBudget;
@@ -34,6 +34,12 @@ pub enum Message {
     FirstFigure,
     /// No figure after this one.
     LastFigure,
+    /// No step of the lesson before this one.
+    FirstStep,
+    /// No step of the lesson after this one.
+    LastStep,
+    /// A step of the lesson has something to be done first.
+    TaskFirst,
     /// The observer of a picture went back, so that everything stays in it.
     WentBack(View),
     /// A file has been opened.
@@ -119,6 +125,9 @@ impl Message {
             Self::NumbersCopied => (News, t.copied.to_owned()),
             Self::Step { number, of } => (News, format!("{number} / {of}")),
             Self::AndMore(first, more) => (Error, exercise_messages::and_more(lang, &first.text(lang), *more)),
+            Self::FirstStep => (News, lessons::texts(lang).first_step.to_owned()),
+            Self::LastStep => (News, lessons::texts(lang).last_step.to_owned()),
+            Self::TaskFirst => (News, lessons::texts(lang).task_first.to_owned()),
             Self::FirstFigure => (News, t.first_figure.to_owned()),
             Self::LastFigure => (News, t.last_figure.to_owned()),
             Self::WentBack(view) => (News, canvas::went_back(lang, *view)),

@@ -14,6 +14,7 @@
 //! | `insert` | objects that are put into the scene |
 //! | `label_mode` | the mode in which labels are the author's: the chosen label, and its text as it is typed |
 //! | `layout` | the layout of the window, and requests to the pictures |
+//! | `lesson` | the lesson that is played: its step, the move to it, and what is done |
 //! | `matrices` | the explanation of matrices: its content, and the effect of the last change |
 //! | `message` | messages at the bottom of the window, as values |
 //! | `notes` | the notes: search text, and the note that is read |
@@ -40,6 +41,7 @@ mod follow;
 mod insert;
 mod label_mode;
 mod layout;
+mod lesson;
 mod matrices;
 mod message;
 mod notes;
@@ -80,6 +82,7 @@ pub(super) use follow::Space;
 pub(super) use insert::{free_place, rounded};
 pub use label_mode::LabelMode;
 pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
+pub use lesson::{Moving, Playing};
 pub(in crate::gui) use matrices::symbols_of;
 pub use matrices::{Matrices, Reading};
 pub(in crate::gui) use message::about_session;
@@ -239,6 +242,8 @@ pub struct State {
     pub explain: Explain,
     /// The exercises.
     pub exercises: Exercises,
+    /// The lesson that is played.
+    pub lesson: Option<Playing>,
     /// The followed point.
     pub follow: Follow,
     /// The faults of the picture, and the health of the camera.
@@ -323,8 +328,12 @@ impl State {
             exercises: Exercises::default(),
             follow: Follow::default(),
             coach: Coach::default(),
+            lesson: None,
         };
         state.show_screen(screen);
+        if let Some(open) = start.lesson {
+            state.play(open);
+        }
         Ok(state)
     }
 
@@ -334,6 +343,8 @@ impl State {
         self.settings.aspect_follows_image =
             document.draft().aspect == f64::from(image.width) / f64::from(image.height);
         self.operations.motion = None;
+        self.lesson = None;
+        self.exercises.of_lesson.clear();
         self.document = document;
         self.file_flow.theirs = None;
         self.file_flow.decided = None;

@@ -10,7 +10,7 @@ use crate::scene::{Object, ObjectPaint, Scene};
 
 /// Draws images in order to count their pixels; keeps its buffers.
 #[derive(Debug, Default)]
-pub(super) struct Counter {
+pub struct Counter {
     pipeline: Pipeline,
     rasterizer: Rasterizer,
 }
@@ -33,12 +33,31 @@ impl Counter {
 
     /// Of each of these objects, the pixels on which a face is seen that turns its back to the eye.
     pub(super) fn back_faces(&mut self, scene: &Scene, of: &[usize], camera: &Camera, image: ImageSize) -> Vec<u64> {
+        self.faces(scene, of, camera, image, |object, triangle| turns_back(object, triangle, camera))
+    }
+
+    /// Of each of these objects, by their places in the scene, the pixels on which one of its faces is seen; 0 where the
+    /// image is too large to be drawn.
+    #[must_use]
+    pub fn seen(&mut self, scene: &Scene, of: &[usize], camera: &Camera, image: ImageSize) -> Vec<u64> {
+        self.faces(scene, of, camera, image, |_, _| true)
+    }
+
+    /// Of each of these objects, the pixels on which a face of it is seen that counts.
+    fn faces(
+        &mut self,
+        scene: &Scene,
+        of: &[usize],
+        camera: &Camera,
+        image: ImageSize,
+        counts_as: impl Fn(&Object, usize) -> bool,
+    ) -> Vec<u64> {
         let mut marked = Scene::default();
         for (i, object) in scene.objects.iter().enumerate().filter(|(_, object)| object.faces) {
             let mark = of.iter().position(|&j| j == i).and_then(|k| u32::try_from(k + 1).ok()).unwrap_or(0);
             let [_, r, g, b] = mark.to_be_bytes();
-            let color = |back: bool| if back { Rgba::rgb(r, g, b) } else { Rgba::rgb(0, 0, 0) };
-            let colors = (0..object.mesh.triangles.len()).map(|t| color(turns_back(object, t, camera)));
+            let color = |counts: bool| if counts { Rgba::rgb(r, g, b) } else { Rgba::rgb(0, 0, 0) };
+            let colors = (0..object.mesh.triangles.len()).map(|t| color(counts_as(object, t)));
             marked.objects.push(Object {
                 paint: ObjectPaint::Faces(Arc::new(colors.collect())),
                 lit: false,

@@ -23,9 +23,9 @@ use crate::appearance::{Shading, Style};
 use crate::camera::{Camera, ImageSize};
 use crate::pipeline::{FacesDone, ObjectReport};
 use crate::scene::Scene;
+pub use count::Counter;
 pub use repair::{Repair, Value, changes};
 
-use count::Counter;
 use place::{Side, Whereabouts};
 use subject::NamedThing;
 

@@ -1,0 +1,301 @@
+//! `camera-lab lesson`: lessons, their steps, and their pictures.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde_json::{Value, json};
+
+use super::lesson_args::{
+    CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, ListArgs, PlayArgs, ShowArgs, WhichArgs,
+};
+use super::render::{no_picture, save};
+use super::words::{LangArg, TableFormat};
+use super::{Failure, Opening, print, say};
+use crate::camera::{Camera, ImageSize};
+use crate::exercises::Entry;
+use crate::figure::{Figure, write::to_toml};
+use crate::files::{self, FigureFiles, FileAccess, FileError};
+use crate::i18n::{Lang, lessons as texts, messages, pictures};
+use crate::inspect::json_text;
+use crate::lessons::{Goal, Lesson, Link, OpenLesson, Seen, Step, Subject, Task, objects_named, shipped};
+use crate::picture::{self, Composite, FileOptions, gap};
+use crate::progress::{Progress, at_once};
+use crate::sanitize;
+use crate::scene::Scene;
+use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
+
+/// The size of a picture of a step, where none is given; of several, each.
+const SIZE: ImageSize = ImageSize { width: 640, height: 480 };
+
+/// Runs the command; for `play`, gives what the window opens with.
+pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>, Failure> {
+    match &args.command {
+        LessonCommand::List(args) => list(args, lang)?,
+        LessonCommand::Show(args) => show(args, lang)?,
+        LessonCommand::Check(args) => check(args, lang)?,
+        LessonCommand::Render(args) => render(args, lang)?,
+        LessonCommand::Play(args) => return play(args, lang).map(Some),
+    }
+    Ok(None)
+}
+
+/// A lesson, and where it comes from.
+struct Found {
+    lesson: Arc<Lesson>,
+    /// `None`: one of the program.
+    path: Option<PathBuf>,
+}
+
+/// The lesson with an identifier, or in a file.
+fn find(args: &WhichArgs, lang: Lang) -> Result<Found, Failure> {
+    if let Some(shipped) = shipped().iter().find(|shipped| shipped.lesson.id == args.id) {
+        return Ok(Found { lesson: shipped.lesson.clone(), path: None });
+    }
+    let path = PathBuf::from(&args.id);
+    if !path.exists() && !args.id.contains(['.', '/', '\\']) {
+        let near = shipped()
+            .iter()
+            .map(|shipped| (strsim::jaro_winkler(&shipped.lesson.id, &args.id), &*shipped.lesson.id))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .filter(|(likeness, _)| *likeness > 0.7);
+        return Err(Failure::BadInput(texts::unknown(lang, &args.id, near.map(|(_, id)| id))));
+    }
+    let (lesson, _) = read(&path, lang)?;
+    Ok(Found { lesson: Arc::new(lesson), path: Some(path) })
+}
+
+fn read(path: &Path, lang: Lang) -> Result<(Lesson, String), Failure> {
+    files::read_lesson(path).map_err(|error| of_file(path, &error, lang))
+}
+
+fn of_file(path: &Path, error: &FileError, lang: Lang) -> Failure {
+    Failure::BadInput(messages::file(lang, &sanitize::path(path), error))
+}
+
+fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
+    let written = args.lang.map_or(Lang::En, LangArg::lang);
+    let own = match &args.folder {
+        Some(folder) => files::read_lessons(folder).map_err(|error| of_file(folder, &error, lang))?,
+        None => files::OwnLessons::default(),
+    };
+    own.faults.iter().for_each(|(path, error)| say(&messages::file(lang, &sanitize::path(path), error)));
+    let of_program = shipped().iter().map(|shipped| (&shipped.lesson, None));
+    let all = of_program.chain(own.lessons.iter().map(|(path, lesson)| (lesson, Some(path))));
+    let lines: Vec<Value> = all
+        .map(|(lesson, path)| {
+            json!({
+                "id": lesson.id,
+                "title": texts::told(written, &lesson.title),
+                "minutes": lesson.minutes,
+                "steps": lesson.steps.len(),
+                "file": path.map(|path| path.to_string_lossy()),
+            })
+        })
+        .collect();
+    let text = match args.format {
+        TableFormat::Json => json_text(&Value::Array(lines)),
+        TableFormat::Text => lines.iter().map(|line| texts::line(written, line)).collect(),
+    };
+    print(text.as_bytes(), lang)
+}
+
+fn show(args: &ShowArgs, lang: Lang) -> Result<(), Failure> {
+    let Found { lesson, .. } = find(&args.which, lang)?;
+    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let text = match args.format {
+        TableFormat::Json => json_text(&described(written, &lesson)),
+        TableFormat::Text => texts::to_read(written, &lesson),
+    };
+    print(text.as_bytes(), lang)
+}
+
+/// The JSON output for a lesson.
+fn described(lang: Lang, lesson: &Lesson) -> Value {
+    json!({
+        "id": lesson.id,
+        "title": texts::told(lang, &lesson.title),
+        "sentence": lesson.sentence.as_ref().map(|text| texts::told(lang, text)),
+        "minutes": lesson.minutes,
+        "aims": lesson.aims.iter().map(|text| texts::told(lang, text)).collect::<Vec<_>>(),
+        "before": lesson.before,
+        "steps": lesson.steps.iter().map(|step| described_step(lang, step)).collect::<Vec<_>>(),
+    })
+}
+
+fn described_step(lang: Lang, step: &Step) -> Value {
+    let mut object = json!({
+        "title": texts::told(lang, &step.title),
+        "text": texts::text(lang, step),
+        "figure": to_toml(&step.figure),
+        "seconds": step.seconds,
+    });
+    match &step.task {
+        Some(Task::Exercise { id, seed }) => object["ask"] = json!({ "id": id, "seed": seed }),
+        Some(Task::Question(entry)) => object["ask"] = asked(lang, entry),
+        Some(Task::Try(goal)) => object["try"] = tried(lang, step, goal),
+        None => {}
+    }
+    if let Some(notes) = texts::notes(lang, step) {
+        object["notes"] = json!(notes);
+    }
+    if !step.links.is_empty() {
+        object["links"] = step.links.iter().map(linked).collect();
+    }
+    object
+}
+
+fn asked(lang: Lang, entry: &Entry) -> Value {
+    let exercise = entry.exercise(0, &Default::default());
+    let asks = exercise.asks.iter().map(|ask| super::exercise::asked(lang, &exercise, ask)).collect::<Vec<_>>();
+    json!({ "id": entry.id, "seed": 0, "asks": asks })
+}
+
+fn tried(lang: Lang, step: &Step, goal: &Goal) -> Value {
+    let way = goal.way.iter().map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>();
+    json!({ "text": texts::filled(lang, &goal.text, &step.figure), "way": way })
+}
+
+fn linked(link: &Link) -> Value {
+    match link {
+        Link::Note(note) => json!({ "note": note }),
+        Link::Exercise(id, seed) => json!({ "exercise": id, "seed": seed }),
+        Link::Lesson(id) => json!({ "lesson": id }),
+    }
+}
+
+fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
+    let mut faults = Vec::new();
+    for path in &args.files {
+        let name = sanitize::path(path);
+        match files::read_lesson(path) {
+            Err(error) => faults.push(messages::file(lang, &name, &error)),
+            Ok((lesson, _)) => {
+                let of_lesson = faults_of(&lesson, Some(path), args.allow_files, lang);
+                faults.extend(of_lesson.into_iter().map(|fault| format!("{name}: {fault}")));
+            }
+        }
+    }
+    match faults.is_empty() {
+        true => print(texts::all_good(lang, args.files.len()).as_bytes(), lang),
+        false => Err(Failure::BadInput(faults.join("\n"))),
+    }
+}
+
+/// The faults of a lesson that only its scenes show, and its links.
+fn faults_of(lesson: &Lesson, path: Option<&PathBuf>, allow_files: bool, lang: Lang) -> Vec<String> {
+    let mut faults = Vec::new();
+    let mut seen = Seen::default();
+    let ids = || shipped().iter().map(|shipped| &*shipped.lesson.id).chain([&*lesson.id]);
+    for unknown in lesson.before.iter().filter(|id| ids().all(|other| other != *id)) {
+        faults.push(texts::no_lesson(lang, unknown));
+    }
+    for (k, step) in lesson.steps.iter().enumerate() {
+        let mut say = |why: String| faults.push(texts::of_step(lang, k + 1, &why));
+        for link in &step.links {
+            match link {
+                Link::Lesson(id) if ids().all(|other| other != id) => say(texts::no_lesson(lang, id)),
+                Link::Note(id) if crate::i18n::notes::note(lang, id).is_none() => say(texts::no_note(lang, id)),
+                _ => {}
+            }
+        }
+        match scene(&step.figure, path, allow_files, lang) {
+            Err(why) => say(why),
+            Ok(scene) => {
+                if let Some(Task::Try(goal)) = &step.task {
+                    faults_of_goal(goal, &step.figure, &scene, &mut seen, lang).into_iter().for_each(say);
+                }
+            }
+        }
+    }
+    faults
+}
+
+fn faults_of_goal(goal: &Goal, figure: &Figure, scene: &Scene, seen: &mut Seen, lang: Lang) -> Vec<String> {
+    let unknown = goal.until.iter().filter_map(|condition| condition.object());
+    let mut faults: Vec<String> = unknown
+        .filter(|name| objects_named(scene, name).next().is_none())
+        .map(|name| {
+            let names: Vec<&str> = scene.objects.iter().map(|object| object.name.as_str()).collect();
+            crate::i18n::command_line::no_such_object(lang, name, &names)
+        })
+        .collect();
+    let Ok(camera) = Camera::new(&figure.camera) else { return faults };
+    if goal.is_reached(Subject { figure, camera: &camera, scene }, seen) {
+        faults.push(texts::reached_already(lang).to_owned());
+    }
+    if !goal.way.is_empty()
+        && let Ok(after) = goal.reached_from(figure, &camera)
+        && !goal.is_reached(Subject { figure: &after.figure, camera: &after.camera, scene }, seen)
+    {
+        faults.push(texts::not_reached(lang).to_owned());
+    }
+    faults
+}
+
+/// The scene of a step, whose meshes are beside the lesson.
+fn scene(figure: &Figure, path: Option<&PathBuf>, allow_files: bool, lang: Lang) -> Result<Scene, String> {
+    let folder = path.and_then(|path| path.parent()).unwrap_or(Path::new(""));
+    let mut files = FigureFiles::new(folder, FileAccess::of(path.map_or(folder, |path| path), false, allow_files));
+    scene_of(figure, &mut |wanted| files.read(wanted), &Progress::default())
+        .map_err(|error| messages::scene(lang, &error))
+}
+
+fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
+    let size = args.size(lang)?;
+    let Found { lesson, path } = find(&args.which, lang)?;
+    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    fs::create_dir_all(&args.output).map_err(|error| {
+        Failure::Failed(messages::file(lang, &sanitize::path(&args.output), &FileError::Write(error)))
+    })?;
+    let digits = lesson.steps.len().to_string().len().max(2);
+    for (k, step) in lesson.steps.iter().enumerate() {
+        let name = format!("{:0digits$}-{}.{}", k + 1, lesson.id, args.format.ending());
+        let output = args.output.join(name);
+        let failed = |why: String| Failure::BadInput(texts::of_step(lang, k + 1, &why));
+        let scene = scene(&step.figure, path.as_ref(), args.which.allow_files, lang).map_err(failed)?;
+        let camera = Camera::new(&step.figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
+        let views = args.view.unwrap_or_else(|| views_of(&step.figure));
+        let size = size_of(size, views);
+        let (shot, scene) = (Shot::of(&step.figure), SharedScene::new(scene));
+        let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(written), size);
+        let request = Request { finish: Finish::default(), ..request };
+        let pixels = [size.width, size.height].map(u64::from);
+        let refused = |error| no_picture(lang, &sanitize::path(&output), error, pixels);
+        let sheet = Composite::of(views, &request, &shot, None).map_err(|error| refused(error.into()))?;
+        let told = pictures::told_of(written, &step.figure, &sheet, to_toml(&step.figure)).for_file(&output);
+        let options = FileOptions::of(args.format.format());
+        let file = at_once(picture::file(&sheet, options, &told, &Progress::default())).map_err(refused)?;
+        save(&output, &file.bytes, file.beside, lang)?;
+    }
+    Ok(())
+}
+
+/// The pictures that a step shows.
+fn views_of(figure: &Figure) -> Views {
+    let shown = figure.screen.pictures.unwrap_or([true; View::COUNT]);
+    let is_it = |views: &Views| View::ALL.iter().zip(shown).all(|(view, shown)| views.contains(*view) == shown);
+    Views::CHOICES.into_iter().find(is_it).unwrap_or(Views::All)
+}
+
+/// The size of a file: as given, or of that many pictures.
+fn size_of(given: Option<ImageSize>, views: Views) -> Size {
+    let count = u32::try_from(views.views().count()).unwrap_or(1);
+    let ImageSize { width, height } =
+        given.unwrap_or(ImageSize { width: SIZE.width * count + gap(1.0) * (count - 1), height: SIZE.height });
+    Size::as_on_a_screen(width, height)
+}
+
+fn play(args: &PlayArgs, lang: Lang) -> Result<Box<Opening>, Failure> {
+    let Found { lesson, path } = find(&args.which, lang)?;
+    let step = args.step(lesson.steps.len(), lang)?;
+    let figure = lesson.steps.get(step).map_or_else(Figure::default, |step| (*step.figure).clone());
+    Ok(Box::new(Opening {
+        figure,
+        file: None,
+        allow_files: args.which.allow_files,
+        lang,
+        asked_lang: args.which.lang.map(LangArg::lang),
+        lesson: Some(OpenLesson { lesson, path, step }),
+    }))
+}

@@ -1,0 +1,55 @@
+//! Lessons in files: one, or those of a lecturer's folder.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::own_exercises::toml_files;
+use super::{FileError, read_at_most};
+use crate::lessons::{Lesson, parse_bytes};
+use crate::limits::MAX_LESSON_BYTES;
+
+/// The lessons of a folder.
+#[derive(Debug, Default)]
+pub struct OwnLessons {
+    /// The lessons with their files, in the order of the names of these.
+    pub lessons: Vec<(PathBuf, Arc<Lesson>)>,
+    /// The files that cannot be used, in the same order.
+    pub faults: Vec<(PathBuf, FileError)>,
+}
+
+/// Reads a lesson, and the text of its file.
+///
+/// # Errors
+/// [`FileError`]: the file cannot be read, or holds no lesson.
+pub fn read_lesson(path: &Path) -> Result<(Lesson, String), FileError> {
+    let bytes = read_at_most(path, MAX_LESSON_BYTES as u64)?;
+    let lesson = parse_bytes(&bytes)?;
+    Ok((lesson, String::from_utf8_lossy(&bytes).into_owned()))
+}
+
+/// Reads the lessons of a folder: each file that ends with `.toml` and has a `[[step]]`. Folders in it are not looked
+/// into.
+///
+/// # Errors
+/// [`FileError`]: the folder cannot be read, or has too many files. The fault of a single file is in `faults`, and the
+/// others can be used.
+pub fn read_lessons(folder: &Path) -> Result<OwnLessons, FileError> {
+    let mut found = OwnLessons::default();
+    for path in toml_files(folder)? {
+        match read_at_most(&path, MAX_LESSON_BYTES as u64) {
+            Ok(bytes) if is_lesson(&bytes) => match parse_bytes(&bytes) {
+                Ok(lesson) => found.lessons.push((path, Arc::new(lesson))),
+                Err(error) => found.faults.push((path, error.into())),
+            },
+            // A figure beside the lessons.
+            Ok(_) => {}
+            Err(error) => found.faults.push((path, error)),
+        }
+    }
+    Ok(found)
+}
+
+/// True where a file is meant as a lesson.
+fn is_lesson(bytes: &[u8]) -> bool {
+    String::from_utf8_lossy(bytes).lines().any(|line| line.trim_start().starts_with("[[step]]"))
+}

@@ -1,0 +1,277 @@
+//! The lesson that is played: its step, the move to it, and what is done.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::{Chosen, Message, State};
+use crate::camera::Camera;
+use crate::figure::Figure;
+use crate::gui::document::Document;
+use crate::gui::history::Revision;
+use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task};
+
+/// A lesson that is played.
+#[derive(Debug)]
+pub struct Playing {
+    /// The lesson.
+    pub lesson: Arc<Lesson>,
+    /// Its file; `None`: one of the program.
+    pub path: Option<PathBuf>,
+    /// The step, from 0.
+    pub step: usize,
+    /// The move to the step, while it goes on.
+    pub(in crate::gui) moving: Option<Moving>,
+    /// The text of the step is shown.
+    pub shows_text: bool,
+    /// The question of the step is shown.
+    pub shows_question: bool,
+    /// The speaker's notes are shown.
+    pub shows_notes: bool,
+    /// The steps whose task is done, or was passed over.
+    done: BTreeSet<usize>,
+    /// The step whose task is passed over by the next wish to go on.
+    warned: Option<usize>,
+    /// The digits of the number of a step as they are typed, and when the last was.
+    pub(in crate::gui) typed: Option<(usize, f64)>,
+    /// The figure at which the goal was looked at last.
+    looked_at: Option<Revision>,
+    seen: Seen,
+}
+
+/// A move from one step to another.
+#[derive(Debug)]
+pub struct Moving {
+    passage: Passage,
+    /// The step's document, as it is at the end.
+    target: Box<Document>,
+    seconds: f64,
+    began: Option<f64>,
+}
+
+impl Playing {
+    /// The step that is shown.
+    #[must_use]
+    pub fn now(&self) -> Option<&Step> {
+        self.lesson.steps.get(self.step)
+    }
+
+    /// True where the step has nothing to be done any more.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.now().is_none_or(|step| step.task.is_none()) || self.done.contains(&self.step)
+    }
+
+    /// True where this step is the last one.
+    #[must_use]
+    pub fn is_last(&self) -> bool {
+        self.step + 1 >= self.lesson.steps.len()
+    }
+}
+
+impl State {
+    /// True where closing the window would lose changes. What is tried in a step of a lesson is no such change.
+    #[must_use]
+    pub fn has_unsaved(&self) -> bool {
+        self.document.is_changed() && self.lesson.is_none()
+    }
+
+    /// Plays a lesson.
+    pub fn play(&mut self, open: OpenLesson) {
+        let OpenLesson { lesson, path, step } = open;
+        let playing = Playing {
+            lesson,
+            path,
+            step,
+            moving: None,
+            shows_text: true,
+            shows_question: !self.settings.presentation,
+            shows_notes: false,
+            done: BTreeSet::new(),
+            warned: None,
+            typed: None,
+            looked_at: None,
+            seen: Seen::default(),
+        };
+        self.show_step(playing, step, false);
+    }
+
+    /// Ends the lesson; the figure of its step stays.
+    pub fn leave_lesson(&mut self) {
+        self.end_move();
+        self.lesson = None;
+        self.exercises.of_lesson.clear();
+    }
+
+    /// Shows the figure of the step as it was at first.
+    pub fn step_again(&mut self) {
+        if let Some(playing) = self.lesson.take() {
+            let step = playing.step;
+            self.show_step(playing, step, false);
+        }
+    }
+
+    /// Goes to a step, from 0; nothing where there is none.
+    pub fn go_to_step(&mut self, step: usize) {
+        if let Some(playing) = self.lesson.take_if(|playing| step < playing.lesson.steps.len()) {
+            let moves = step == playing.step + 1;
+            self.show_step(playing, step, moves);
+        }
+    }
+
+    /// Goes on to the next step, or back to the one before. What is to be done first is said once, and passed over
+    /// then.
+    pub fn step_lesson(&mut self, forwards: bool) {
+        if self.end_move() && forwards {
+            return;
+        }
+        let Some(playing) = &mut self.lesson else { return };
+        let step = playing.step;
+        if !forwards {
+            match step.checked_sub(1) {
+                Some(before) => self.go_to_step(before),
+                None => self.say(Message::FirstStep),
+            }
+            return;
+        }
+        if !playing.is_done() && playing.warned != Some(step) {
+            playing.warned = Some(step);
+            playing.shows_question = true;
+            return self.say(Message::TaskFirst);
+        }
+        playing.done.insert(step);
+        if playing.is_last() {
+            return self.say(Message::LastStep);
+        }
+        self.go_to_step(step + 1);
+    }
+
+    /// Counts the task of the step as done.
+    pub(in crate::gui) fn pass_over(&mut self) {
+        if let Some(playing) = &mut self.lesson {
+            playing.done.insert(playing.step);
+        }
+    }
+
+    /// Changes the figure by the way that a lesson knows to its goal, from the figure of the step, as one change.
+    pub(in crate::gui) fn go_the_way(&mut self, goal: &Goal) {
+        let Some(figure) = self.lesson.as_ref().and_then(|playing| Some(playing.now()?.figure.clone())) else { return };
+        let Ok(camera) = Camera::new(&figure.camera) else { return };
+        // A lesson that was read has tried it.
+        let Ok(after) = goal.reached_from(&figure, &camera) else { return };
+        let seen = self.document.figure().observers;
+        let done = self.document.replace(Figure { observers: seen, ..after.figure });
+        self.say_camera_error(done);
+    }
+
+    /// Shows a step: at once, or by the move to it from what is on the screen.
+    fn show_step(&mut self, mut playing: Playing, step: usize, moves: bool) {
+        self.end_move();
+        let Some(shown) = playing.lesson.steps.get(step) else { return };
+        let document = match Document::of_lesson((*shown.figure).clone(), playing.path.as_deref()) {
+            Ok(document) => document,
+            Err(error) => {
+                self.lesson = Some(playing);
+                return self.say(Message::Camera(error));
+            }
+        };
+        let seconds = if self.settings.reduce_motion { 0.0 } else { shown.seconds };
+        let seen = self.as_seen();
+        let from = Figure { observers: seen.observers, show: seen.show, ..self.document.figure().clone() };
+        let from = Arc::new(from);
+        let to = shown.figure.clone();
+        playing.step = step;
+        playing.warned = None;
+        playing.looked_at = None;
+        playing.shows_question = !self.settings.presentation;
+        let question = match &shown.task {
+            Some(Task::Question(entry)) => Some((**entry).clone()),
+            _ => None,
+        };
+        let exercise = match &shown.task {
+            Some(Task::Exercise { id, seed }) => Some(Chosen { id: id.clone(), seed: *seed }),
+            _ => None,
+        };
+        self.take_over(document.clone());
+        if let Some(entry) = question {
+            self.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
+            self.exercises.of_lesson = vec![entry];
+        }
+        if let Some(chosen) = exercise {
+            self.exercises.work_on(chosen);
+            self.show_explanation(crate::figure::Explanation::Exercises);
+        }
+        let passage = Passage::new(from, to);
+        if moves && seconds > 0.0 && !passage.is_at_once() {
+            playing.moving = Some(Moving { passage, target: Box::new(document), seconds, began: None });
+        }
+        self.lesson = Some(playing);
+    }
+
+    /// Goes on with the move to the step; true while it goes on. `now`: a time in seconds.
+    pub(in crate::gui) fn go_on_moving(&mut self, now: f64) -> bool {
+        let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
+        let share = (now - *moving.began.get_or_insert(now)) / moving.seconds;
+        if share >= 1.0 {
+            self.end_move();
+            return false;
+        }
+        // It begins and ends slowly.
+        let figure = moving.passage.at(share * share * (3.0 - 2.0 * share));
+        if let Ok(camera) = Camera::new(&figure.camera) {
+            self.document.set_camera(camera);
+        }
+        *self.document.observers_mut() = figure.observers;
+        *self.document.show_mut() = figure.show;
+        true
+    }
+
+    /// Ends the move to the step, where there is one: the step is there exactly.
+    pub(in crate::gui) fn end_move(&mut self) -> bool {
+        let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
+        self.document = *moving.target;
+        true
+    }
+
+    /// Notes what is reached in the step.
+    pub(in crate::gui) fn look_at_goal(&mut self) {
+        let Some(mut playing) = self.lesson.take() else { return };
+        let step = playing.step;
+        let reached = match playing.now().and_then(|now| now.task.as_ref()) {
+            _ if playing.is_done() || playing.moving.is_some() => false,
+            Some(Task::Question(_) | Task::Exercise { .. }) => self.is_answered(&playing),
+            Some(Task::Try(goal)) if playing.looked_at != Some(self.document.version()) => {
+                // Once for each figure: pixels are counted.
+                let subject = Subject {
+                    figure: self.document.figure(),
+                    camera: self.document.camera(),
+                    scene: self.scene_cache.scene(),
+                };
+                let goal = goal.clone();
+                let is_ready = self.scene_cache.loading().is_empty();
+                if is_ready {
+                    playing.looked_at = Some(self.document.version());
+                }
+                is_ready && goal.is_reached(subject, &mut playing.seen)
+            }
+            Some(Task::Try(_)) | None => false,
+        };
+        if reached {
+            playing.done.insert(step);
+        }
+        self.lesson = Some(playing);
+    }
+
+    /// True where every question of the step has its right answer.
+    fn is_answered(&self, playing: &Playing) -> bool {
+        let (id, seed) = match playing.now().and_then(|now| now.task.as_ref()) {
+            Some(Task::Question(entry)) => (&*entry.id, 0),
+            Some(Task::Exercise { id, seed }) => (id.as_str(), *seed),
+            _ => return false,
+        };
+        let is_open = self.exercises.open.as_ref().is_some_and(|open| open.id == id && open.seed == seed);
+        let right = self.exercises.right();
+        let asks = self.exercises.entry(id).map(|entry| entry.exercise(seed, &Default::default()).asks);
+        is_open && asks.is_some_and(|asks| asks.iter().all(|ask| right.contains(ask.name.as_str())))
+    }
+}

@@ -1,0 +1,232 @@
+//! The texts of lessons with their numbers, and the words around them, in both languages.
+
+use serde_json::Value;
+
+use super::Lang;
+pub use super::told;
+use crate::figure::{Bilingual, Figure};
+use crate::inspect::Report;
+use crate::lessons::{self, Lesson, Step, Task};
+use crate::numbers::significant;
+use crate::sanitize::escaped;
+
+texts! {
+    lessons: "Lessons", "Lições";
+    lesson: "lesson", "lição";
+    minutes: "min", "min";
+    aims: "Afterwards you can", "Depois você sabe";
+    question: "Question", "Pergunta";
+    to_try: "Try", "Experimente";
+    step: "Step", "Passo";
+    of: "of", "de";
+    keep: "To keep", "Para guardar";
+    // Messages.
+    first_step: "This is the first step of the lesson", "Este é o primeiro passo da lição";
+    last_step: "This is the last step of the lesson", "Este é o último passo da lição";
+    task_first: "There is something to do in this step; go on once more to pass over it", "Há algo a fazer neste passo; avance de novo para pulá-lo";
+    // The bar of a lesson.
+    back: "Back", "Voltar";
+    back_hint: "The step before", "O passo anterior";
+    next: "Next", "Avançar";
+    next_hint: "The next step", "O próximo passo";
+    pass: "Skip", "Pular";
+    pass_hint: "Go on without the task of this step", "Seguir sem a tarefa deste passo";
+    all_steps: "All steps of the lesson", "Todos os passos da lição";
+    again: "Back to the step", "De volta ao passo";
+    again_hint: "Shows the figure of the step as it was at first", "Mostra a figura do passo como era no início";
+    text_command: "Text of the step", "Texto do passo";
+    text_hint: "Shows or hides the text under the pictures; key C in a presentation", "Mostra ou oculta o texto sob as imagens; tecla C na apresentação";
+    question_command: "Question of the step", "Pergunta do passo";
+    question_hint: "Shows or hides the question under the pictures; key Q in a presentation", "Mostra ou oculta a pergunta sob as imagens; tecla Q na apresentação";
+    notes_command: "Speaker's notes", "Notas do apresentador";
+    notes_hint: "Shows or hides the notes of the step for the speaker", "Mostra ou oculta as notas do passo para quem apresenta";
+    leave: "Leave the lesson", "Sair da lição";
+    leave_hint: "The figure of the step stays", "A figura do passo fica";
+    region: "Lesson", "Lição";
+    done: "Done", "Feito";
+    not_yet: "Not there yet: the step notices when it is done", "Ainda não: o passo percebe quando está feito";
+    show_way: "Show how", "Mostrar como";
+    show_way_hint: "Moves the camera to where the task leads", "Move a câmera até onde a tarefa leva";
+    exercise_at_side: "Answer the exercise in the panel at the side.", "Responda o exercício no painel ao lado.";
+    open_exercise: "Open the exercise", "Abrir o exercício";
+    hidden_question: "Q shows the question", "Q mostra a pergunta";
+    // The list of lessons.
+    lessons_command: "Lessons…", "Lições…";
+    lessons_hint: "A way through the chapter, step by step", "Um caminho pelo capítulo, passo a passo";
+    afterwards: "Afterwards you know", "Depois você sabe";
+    read_more: "Read", "Ler";
+    practise: "Practise", "Praticar";
+    go_on_with: "Go on with", "Continue com";
+}
+
+/// A text with the numbers of a figure; as it is written where it has none.
+#[must_use]
+pub fn filled(lang: Lang, text: &Bilingual, figure: &Figure) -> String {
+    match lessons::numbers_of(figure) {
+        Ok(report) => filled_from(lang, text, &report),
+        Err(_) => told(lang, text).to_owned(),
+    }
+}
+
+/// A text with the numbers of a report; as it is written where the report lacks one of them.
+#[must_use]
+pub fn filled_from(lang: Lang, text: &Bilingual, report: &Report) -> String {
+    let text = told(lang, text);
+    lessons::filled(text, report, lang.mark()).unwrap_or_else(|_| text.to_owned())
+}
+
+/// The text of a step, in Markdown.
+#[must_use]
+pub fn text(lang: Lang, step: &Step) -> String {
+    filled(lang, &step.text, &step.figure)
+}
+
+/// The speaker's notes of a step, in Markdown.
+#[must_use]
+pub fn notes(lang: Lang, step: &Step) -> Option<String> {
+    step.notes.as_ref().map(|notes| filled(lang, notes, &step.figure))
+}
+
+/// A lesson to read in a terminal.
+#[must_use]
+pub fn to_read(lang: Lang, lesson: &Lesson) -> String {
+    let t = texts(lang);
+    let mut out = format!("{} ({})\n", told(lang, &lesson.title), lesson.id);
+    if !lesson.aims.is_empty() {
+        out.push_str(&format!("\n{}:\n", t.aims));
+        lesson.aims.iter().for_each(|aim| out.push_str(&format!("- {}\n", told(lang, aim).trim())));
+    }
+    for (k, step) in lesson.steps.iter().enumerate() {
+        out.push_str(&format!("\n{}. {}\n\n{}\n", k + 1, told(lang, &step.title), text(lang, step).trim()));
+        match &step.task {
+            Some(Task::Exercise { id, seed }) => {
+                out.push_str(&format!("\n{}: camera-lab exercise show {id} --seed {seed}\n", t.question));
+            }
+            Some(Task::Question(entry)) => {
+                let exercise = entry.exercise(0, &Default::default());
+                for ask in &exercise.asks {
+                    let asked = super::exercises::ask(lang, &exercise, ask);
+                    out.push_str(&format!(
+                        "\n{}: {} ({})\n",
+                        t.question,
+                        asked.trim(),
+                        super::exercises::kind(lang, ask)
+                    ));
+                }
+            }
+            Some(Task::Try(goal)) => {
+                out.push_str(&format!("\n{}: {}\n", t.to_try, filled(lang, &goal.text, &step.figure).trim()));
+            }
+            None => {}
+        }
+    }
+    if let Some(sentence) = &lesson.sentence {
+        out.push_str(&format!("\n{}: {}\n", t.keep, told(lang, sentence).trim()));
+    }
+    out
+}
+
+/// The step of how many.
+#[must_use]
+pub fn place(lang: Lang, number: usize, of: usize) -> String {
+    let t = texts(lang);
+    format!("{} {number} {} {of}", t.step, t.of)
+}
+
+/// A line of the list of lessons, from its data.
+#[must_use]
+pub fn line(lang: Lang, line: &Value) -> String {
+    let text = |key: &str| line[key].as_str().unwrap_or_default();
+    let minutes = line["minutes"].as_f64().map_or_else(String::new, |minutes| significant(minutes, 3) + " min");
+    let steps = match lang {
+        Lang::En => "steps",
+        Lang::PtBr => "passos",
+    };
+    format!("{:<16} {:>7} {:>3} {steps}   {}\n", text("id"), minutes, line["steps"], text("title"))
+}
+
+/// There is no such lesson.
+#[must_use]
+pub fn unknown(lang: Lang, id: &str, near: Option<&str>) -> String {
+    let id = escaped(id);
+    match (lang, near) {
+        (Lang::En, Some(near)) => {
+            format!("there is no lesson {id:?}; did you mean {near:?}? `camera-lab lesson list` lists them")
+        }
+        (Lang::En, None) => {
+            format!("there is no lesson {id:?}; allowed: a lesson file, or an id of `camera-lab lesson list`")
+        }
+        (Lang::PtBr, Some(near)) => {
+            format!("não há lição {id:?}; você quis dizer {near:?}? `camera-lab lesson list` as lista")
+        }
+        (Lang::PtBr, None) => {
+            format!("não há lição {id:?}; permitido: um arquivo de lição, ou um id de `camera-lab lesson list`")
+        }
+    }
+}
+
+/// A lesson names another that does not exist.
+#[must_use]
+pub fn no_lesson(lang: Lang, id: &str) -> String {
+    match lang {
+        Lang::En => format!("there is no lesson {:?}", escaped(id)),
+        Lang::PtBr => format!("não há lição {:?}", escaped(id)),
+    }
+}
+
+/// A lesson names a note that does not exist.
+#[must_use]
+pub fn no_note(lang: Lang, id: &str) -> String {
+    match lang {
+        Lang::En => format!("there is no note {:?}", escaped(id)),
+        Lang::PtBr => format!("não há nota {:?}", escaped(id)),
+    }
+}
+
+/// A message about a step, from 1.
+#[must_use]
+pub fn of_step(lang: Lang, number: usize, why: &str) -> String {
+    match lang {
+        Lang::En => format!("step {number}: {why}"),
+        Lang::PtBr => format!("passo {number}: {why}"),
+    }
+}
+
+/// There is no step with this number.
+#[must_use]
+pub fn no_step(lang: Lang, found: &str, count: usize) -> String {
+    let found = escaped(found);
+    match lang {
+        Lang::En => format!("--step is {found}; allowed: a number from 1 to {count}"),
+        Lang::PtBr => format!("--step é {found}; permitido: um número de 1 a {count}"),
+    }
+}
+
+/// The goal of a step holds from the start.
+#[must_use]
+pub const fn reached_already(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "[step.try] until holds already in the figure of the step; allowed: a condition that does not",
+        Lang::PtBr => "[step.try] until já vale na figura do passo; permitido: uma condição que ainda não valha",
+    }
+}
+
+/// The way of a goal does not lead to it.
+#[must_use]
+pub const fn not_reached(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "[step.try] way does not lead to where until holds",
+        Lang::PtBr => "[step.try] way não leva até onde until vale",
+    }
+}
+
+/// All files hold good lessons.
+#[must_use]
+pub fn all_good(lang: Lang, count: usize) -> String {
+    match (lang, count) {
+        (Lang::En, 1) => "the lesson is good\n".to_owned(),
+        (Lang::En, _) => format!("{count} lessons are good\n"),
+        (Lang::PtBr, 1) => "a lição está boa\n".to_owned(),
+        (Lang::PtBr, _) => format!("{count} lições estão boas\n"),
+    }
+}

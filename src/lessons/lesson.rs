@@ -1,0 +1,92 @@
+//! A lesson and its steps as values.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::condition::Goal;
+use crate::exercises::Entry;
+use crate::figure::{Bilingual, Figure};
+
+/// A lesson.
+#[derive(Clone, Debug)]
+pub struct Lesson {
+    /// Its identifier: a name that is valid in a command line.
+    pub id: String,
+    /// Its title.
+    pub title: Bilingual,
+    /// The sentence to keep, in Markdown.
+    pub sentence: Option<Bilingual>,
+    /// Minutes that it takes.
+    pub minutes: Option<f64>,
+    /// What one knows afterwards, in Markdown.
+    pub aims: Vec<Bilingual>,
+    /// The identifiers of the lessons that come before it.
+    pub before: Vec<String>,
+    /// Its steps: at least one.
+    pub steps: Vec<Step>,
+}
+
+/// A lesson that is played from a step on.
+#[derive(Clone, Debug)]
+pub struct OpenLesson {
+    /// The lesson.
+    pub lesson: Arc<Lesson>,
+    /// Its file, in whose folder its steps look for meshes; `None`: one of the program.
+    pub path: Option<PathBuf>,
+    /// The step, from 0.
+    pub step: usize,
+}
+
+impl Eq for OpenLesson {}
+
+impl PartialEq for OpenLesson {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.lesson, &other.lesson) && (&self.path, self.step) == (&other.path, other.step)
+    }
+}
+
+/// A step of a lesson.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// Its title.
+    pub title: Bilingual,
+    /// Its text in Markdown, with `{quantity}` for the numbers of its figure.
+    pub text: Bilingual,
+    /// The speaker's notes, in Markdown.
+    pub notes: Option<Bilingual>,
+    /// The whole figure.
+    pub figure: Arc<Figure>,
+    /// Seconds of the move from the step before; 0: at once.
+    pub seconds: f64,
+    /// What there is to do before the next step.
+    pub task: Option<Task>,
+    /// Where to read or practise further.
+    pub links: Vec<Link>,
+}
+
+/// Something to do in a step.
+#[derive(Clone, Debug)]
+pub enum Task {
+    /// An exercise of the program.
+    Exercise {
+        /// Its identifier.
+        id: String,
+        /// The source of its numbers.
+        seed: u64,
+    },
+    /// A question of the lesson's own: an exercise with one question.
+    Question(Arc<Entry>),
+    /// Something to reach with the controls.
+    Try(Goal),
+}
+
+/// A way on from a step.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Link {
+    /// A note, by its name.
+    Note(String),
+    /// An exercise with its seed.
+    Exercise(String, u64),
+    /// Another lesson, by its identifier.
+    Lesson(String),
+}

@@ -1,0 +1,25 @@
+//! Lessons: figures one after the other, each with a text, a question or something to do. A lesson is a file, and each
+//! of its steps is a whole figure.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `condition` | what a student is asked to reach: a condition on the camera, or on what is seen |
+//! | `lesson` | a lesson and its steps as values |
+//! | `numbers_in_texts` | the numbers of a figure in the texts of a lesson, in place of the paths in braces |
+//! | `passage` | the way from the figure of one step to that of the next |
+//! | `read` | the text of a lesson file → `Lesson` |
+//! | `shipped` | the lessons that are part of the program |
+
+mod condition;
+mod lesson;
+mod numbers_in_texts;
+mod passage;
+mod read;
+mod shipped;
+
+pub use condition::{Condition, Goal, Seen, Subject, objects_named};
+pub use lesson::{Lesson, Link, OpenLesson, Step, Task};
+pub use numbers_in_texts::{filled, numbers_of};
+pub use passage::Passage;
+pub use read::{parse, parse_bytes};
+pub use shipped::{ShippedLesson, shipped};

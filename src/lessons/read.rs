@@ -1,0 +1,249 @@
+//! The text of a lesson file → [`Lesson`].
+
+use std::sync::Arc;
+
+use super::condition::{Condition, Goal};
+use super::lesson::{Lesson, Link, Step, Task};
+use super::numbers_in_texts::{filled, numbers_of, pixels_of};
+use crate::camera::Camera;
+use crate::exercises::own::{harmless, name, question, told, told_list};
+use crate::exercises::{self, Subject};
+use crate::figure::error::{Allowed, Problem};
+use crate::figure::read::{Fault, Section, Stacked, parse_with, text_of};
+use crate::figure::{Bilingual, Figure, FigureError};
+use crate::inspect::Report;
+use crate::inspect::quantity::QuantityPath;
+use crate::limits::{MAX_LESSON_BYTES, MAX_LESSON_STEPS, MAX_TITLE};
+use crate::numbers::DecimalMark;
+
+/// Seconds of the move to a step where a lesson does not say them.
+const SECONDS: f64 = 1.5;
+/// The longest move.
+const MOST_SECONDS: f64 = 20.0;
+/// The longest lesson in minutes.
+const MOST_MINUTES: f64 = 600.0;
+/// The decimal marks of English and Portuguese.
+const MARKS: [DecimalMark; 2] = [DecimalMark::Point, DecimalMark::Comma];
+
+/// Reads the bytes of a file that holds a lesson.
+///
+/// # Guarantees
+/// Each step is a figure with a camera; its questions have right answers, and every `{quantity}` is a number of it.
+///
+/// # Errors
+/// [`FigureError`] names the first faulty line: the line, the key, the value found and the values allowed.
+pub fn parse_bytes(bytes: &[u8]) -> Result<Lesson, FigureError> {
+    parse(text_of(bytes, MAX_LESSON_BYTES)?)
+}
+
+/// Reads a lesson.
+///
+/// # Errors
+/// As for [`parse_bytes`].
+pub fn parse(text: &str) -> Result<Lesson, FigureError> {
+    parse_with(text, lesson)
+}
+
+fn lesson(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Lesson {
+    let id = name(&mut root, "id");
+    let title = line(&mut root, "title");
+    let sentence = optional(&mut root, "sentence");
+    let minutes = root.is_present("minutes").then(|| root.number_in("minutes", 0.5, MOST_MINUTES, 5.0));
+    let aims = told_list(&mut root, "aims");
+    let before = root.list("before", Allowed::Texts, |text| (!text.trim().is_empty()).then(|| text.to_owned()));
+    let mut sections = root.sections("step", "[[step]]");
+    if let Some(beyond) = sections.get(MAX_LESSON_STEPS) {
+        let problem = Problem::TooMany { count: sections.len(), limit: MAX_LESSON_STEPS };
+        faults.push(Fault { at: beyond.start(), key: "[[step]]".to_owned(), problem });
+        sections.clear();
+    } else if sections.is_empty() && root.faults.is_empty() {
+        root.missing("step", Allowed::Sections);
+    }
+    faults.extend(root.finish());
+    let mut stacked = Stacked::default();
+    let steps = sections.into_iter().enumerate();
+    let steps = steps.map(|(k, section)| step(section, &mut stacked, &format!("{id}.{}", k + 1), faults)).collect();
+    Lesson { id, title, sentence, minutes, aims, before, steps }
+}
+
+/// A text of one line, which has to be there.
+fn line(section: &mut Section<'_>, key: &'static str) -> Bilingual {
+    let text = told(section, key);
+    let is_line = |text: &String| text.chars().count() <= MAX_TITLE && !text.contains('\n');
+    if !(is_line(&text.en) && is_line(&text.pt_br)) {
+        section.refuse(key, Allowed::BilingualLine { limit: MAX_TITLE });
+    }
+    text
+}
+
+/// A text that may be missing.
+fn optional(section: &mut Section<'_>, key: &'static str) -> Option<Bilingual> {
+    let texts = section.told(key)?;
+    harmless(section, key, texts)
+}
+
+fn step(mut section: Section<'_>, stacked: &mut Stacked, id: &str, faults: &mut Vec<Fault>) -> Step {
+    let title = line(&mut section, "title");
+    let seconds = section.number_in("seconds", 0.0, MOST_SECONDS, SECONDS);
+    let without = section.list("without", Allowed::Texts, |text| Some(text.to_owned()));
+    if let Some(unknown) = without.iter().find(|path| !stacked.take_away(path)) {
+        let problem = Problem::Value { found: unknown.clone(), allowed: Allowed::KeyOfSteps };
+        section.fault("without", problem);
+    }
+    stacked.put(&mut section);
+    let before = faults.len();
+    let figure = stacked.figure(&section, faults);
+    let is_good = faults[before..].iter().all(Fault::is_unknown_key);
+    let figure = Figure { title: Some(title.clone()).filter(|title| !title.en.is_empty()), ..figure };
+    // The numbers of a faulty figure are not asked for.
+    let report = numbers_of(&figure).ok().filter(|_| is_good);
+    let text = with_numbers(&mut section, "text", report.as_ref());
+    let notes = section.is_present("notes").then(|| with_numbers(&mut section, "notes", report.as_ref()));
+    let [asked, to_try] = ["ask", "try"].map(|key| section.section(key, &format!("[step.{key}]")));
+    let links = section.sections("links", "[[step.links]]");
+    if asked.is_table() && to_try.is_table() {
+        section.refuse("try", Allowed::Either("ask", "try"));
+    }
+    faults.extend(section.finish());
+    let task = if asked.is_table() {
+        let subject = Subject {
+            points: figure.points.iter().map(|point| point.position).collect(),
+            pixels: pixels_of(&figure),
+            figure: figure.clone(),
+            operations: Vec::new(),
+        };
+        report.as_ref().and_then(|report| task(asked, id, subject, &title, report, faults))
+    } else {
+        report.filter(|_| to_try.is_table()).map(|report| Task::Try(goal(to_try, &figure, &report, faults)))
+    };
+    let links = links.into_iter().filter_map(|section| link(section, faults)).collect();
+    Step { title, text, notes, figure: Arc::new(figure), seconds, task, links }
+}
+
+/// A text with the numbers of a figure, which has to be there; without a report they are not checked.
+fn with_numbers(section: &mut Section<'_>, key: &'static str, report: Option<&Report>) -> Bilingual {
+    if !section.is_present(key) {
+        section.missing(key, Allowed::Bilingual);
+    }
+    let Some(texts) = section.told(key) else { return Bilingual::default() };
+    if let Some(report) = report {
+        match in_both(&texts, report) {
+            Ok(filled) => drop(harmless(section, key, filled)),
+            Err(found) => section.fault(key, Problem::Value { found, allowed: Allowed::Quantity }),
+        }
+    }
+    texts.map(|text| text.replace("\r\n", "\n")).into()
+}
+
+/// A text in both languages with the numbers of a report.
+fn in_both([en, pt_br]: &[String; 2], report: &Report) -> Result<[String; 2], String> {
+    Ok([filled(en, report, MARKS[0])?, filled(pt_br, report, MARKS[1])?])
+}
+
+/// `[step.ask]`: an exercise of the program, or a question of its own.
+fn task(
+    mut section: Section<'_>,
+    id: &str,
+    subject: Subject,
+    title: &Bilingual,
+    report: &Report,
+    faults: &mut Vec<Fault>,
+) -> Option<Task> {
+    if section.is_present("exercise") {
+        let exercise = exercise(&mut section);
+        faults.extend(section.finish());
+        return exercise.map(|(id, seed)| Task::Exercise { id, seed });
+    }
+    let at = section.start();
+    let mut entry = question(section, id.to_owned(), subject, title.clone(), faults)?;
+    if let Err(found) = entry.with_texts(|text| {
+        let filled = in_both(&[text.en.clone(), text.pt_br.clone()], report)?;
+        *text = filled.into();
+        Ok(())
+    }) {
+        let problem = Problem::Value { found, allowed: Allowed::Quantity };
+        faults.push(Fault { at, key: "[step.ask] text".to_owned(), problem });
+    }
+    Some(Task::Question(Arc::new(entry)))
+}
+
+/// `exercise` and `seed`.
+fn exercise(section: &mut Section<'_>) -> Option<(String, u64)> {
+    let id = section.text("exercise");
+    let seed = section.integer("seed", 0, i64::MAX, 0_u64);
+    if id.as_ref().is_some_and(|id| exercises::entry(id).is_none()) {
+        section.refuse("exercise", Allowed::Exercise);
+        return None;
+    }
+    id.map(|id| (id, seed))
+}
+
+fn goal(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut Vec<Fault>) -> Goal {
+    let text = with_numbers(&mut section, "text", Some(report));
+    let written = section.list("way", Allowed::Ways, |text| {
+        let (key, value) = text.split_once('=')?;
+        Some((key.trim().to_owned(), value.trim().to_owned()))
+    });
+    let conditions = section.sections("until", "[step.try] until.");
+    if conditions.is_empty() && section.faults.is_empty() {
+        section.missing("until", Allowed::Sections);
+    }
+    let goal = Goal {
+        text,
+        until: conditions.into_iter().filter_map(|section| condition(section, report, faults)).collect(),
+        way: written,
+    };
+    if let Ok(camera) = Camera::new(&figure.camera)
+        && goal.reached_from(figure, &camera).is_err()
+    {
+        section.refuse("way", Allowed::Ways);
+    }
+    faults.extend(section.finish());
+    goal
+}
+
+fn condition(mut section: Section<'_>, report: &Report, faults: &mut Vec<Fault>) -> Option<Condition> {
+    let [seen, hidden, path] = ["seen", "hidden", "quantity"].map(|key| section.text(key));
+    let [least, most] = ["least", "most"].map(|key| section.is_present(key).then(|| section.number(key, 0.0)));
+    let condition = match (seen, hidden, path) {
+        (Some(name), None, None) => Some(Condition::Seen(name)),
+        (None, Some(name), None) => Some(Condition::Hidden(name)),
+        (None, None, Some(path)) => {
+            let known = QuantityPath::of(&path).filter(|path| path.numbers(report).is_some());
+            match (known, least.is_none() && most.is_none()) {
+                (None, _) => {
+                    section.refuse("quantity", Allowed::Quantity);
+                    None
+                }
+                (_, true) => {
+                    section.missing("least", Allowed::Number);
+                    None
+                }
+                (Some(path), false) => Some(Condition::Quantity { path, least, most }),
+            }
+        }
+        _ => {
+            section.missing("quantity", Allowed::Either("quantity, seen", "hidden"));
+            None
+        }
+    };
+    faults.extend(section.finish());
+    condition
+}
+
+fn link(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Link> {
+    let [note, lesson] = ["note", "lesson"].map(|key| section.text(key));
+    let exercise = section.is_present("exercise").then(|| exercise(&mut section)).flatten();
+    let link = match (note, lesson, exercise) {
+        (Some(note), None, None) => Some(Link::Note(note)),
+        (None, Some(lesson), None) => Some(Link::Lesson(lesson)),
+        (None, None, Some((id, seed))) => Some(Link::Exercise(id, seed)),
+        _ if !section.faults.is_empty() => None,
+        _ => {
+            section.missing("note", Allowed::Either("note, exercise", "lesson"));
+            None
+        }
+    };
+    faults.extend(section.finish());
+    link
+}
