@@ -78,7 +78,7 @@ pub const MENUS: &[Menu] = &[
             &[
                 row!(Export, ctrl(Key::E), export, export_hint, |s, _| show_export(s)),
                 row!(ExportFamily, ctrl_shift(Key::E), export_family, export_family_hint, |s, _| {
-                    s.family = std::mem::take(&mut s.family).or_first();
+                    s.family = std::mem::take(&mut s.family).or_last();
                     show_export(s);
                 }),
                 Row::new(CopyLink, ctrl(Key::K), link_words, |s, _| show_dialog(s, Dialog::Link)),
