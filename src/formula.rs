@@ -201,9 +201,16 @@ pub fn check(text: &str) -> Result<(), FormulaError> {
     let mut parts = text.split('$');
     // The text before the first dollar sign.
     parts.next();
-    while let Some(formula) = parts.next() {
+    while let Some(mut formula) = parts.next() {
+        // Between two dollar signs on each side it is on a line of its own.
+        let is_display = formula.is_empty() && parts.clone().next().is_some_and(|inner| !inner.trim().is_empty());
+        let mut is_closed = true;
+        if is_display {
+            formula = parts.next().unwrap_or_default();
+            is_closed = parts.next() == Some("");
+        }
         let error = |problem| FormulaError { formula: formula.to_owned(), problem };
-        parts.next().ok_or_else(|| error(FormulaProblem::Open))?;
+        parts.next().filter(|_| is_closed).ok_or_else(|| error(FormulaProblem::Open))?;
         check_one(formula).map_err(error)?;
     }
     Ok(())

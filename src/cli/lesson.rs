@@ -166,35 +166,40 @@ fn linked(link: &Link) -> Value {
 
 fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     let mut faults = Vec::new();
+    let mut read = Vec::new();
     for path in &args.files {
-        let name = sanitize::path(path);
         match files::read_lesson(path) {
-            Err(error) => faults.push(messages::file(lang, &name, &error)),
-            Ok((lesson, _)) => {
-                let of_lesson = faults_of(&lesson, Some(path), args.allow_files, lang);
-                faults.extend(of_lesson.into_iter().map(|fault| format!("{name}: {fault}")));
-            }
+            Err(error) => faults.push(messages::file(lang, &sanitize::path(path), &error)),
+            Ok((lesson, _)) => read.push((path, lesson)),
         }
     }
-    match faults.is_empty() {
-        true => print(texts::all_good(lang, args.files.len()).as_bytes(), lang),
-        false => Err(Failure::BadInput(faults.join("\n"))),
+    let of_program = shipped().iter().map(|shipped| shipped.lesson.id.as_str());
+    let ids: Vec<&str> = of_program.chain(read.iter().map(|(_, lesson)| lesson.id.as_str())).collect();
+    for (path, lesson) in &read {
+        let of_lesson = faults_of(lesson, &ids, Some(path), args.allow_files, lang);
+        faults.extend(of_lesson.into_iter().map(|fault| format!("{}: {fault}", sanitize::path(path))));
+    }
+    match faults.pop() {
+        None => print(texts::all_good(lang, args.files.len()).as_bytes(), lang),
+        Some(last) => {
+            faults.iter().for_each(|fault| say(fault));
+            Err(Failure::BadInput(last))
+        }
     }
 }
 
 /// The faults of a lesson that only its scenes show, and its links.
-fn faults_of(lesson: &Lesson, path: Option<&PathBuf>, allow_files: bool, lang: Lang) -> Vec<String> {
+fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files: bool, lang: Lang) -> Vec<String> {
     let mut faults = Vec::new();
     let mut seen = Seen::default();
-    let ids = || shipped().iter().map(|shipped| &*shipped.lesson.id).chain([&*lesson.id]);
-    for unknown in lesson.before.iter().filter(|id| ids().all(|other| other != *id)) {
+    for unknown in lesson.before.iter().filter(|id| !ids.contains(&id.as_str())) {
         faults.push(texts::no_lesson(lang, unknown));
     }
     for (k, step) in lesson.steps.iter().enumerate() {
         let mut say = |why: String| faults.push(texts::of_step(lang, k + 1, &why));
         for link in &step.links {
             match link {
-                Link::Lesson(id) if ids().all(|other| other != id) => say(texts::no_lesson(lang, id)),
+                Link::Lesson(id) if !ids.contains(&id.as_str()) => say(texts::no_lesson(lang, id)),
                 Link::Note(id) if crate::i18n::notes::note(lang, id).is_none() => say(texts::no_note(lang, id)),
                 _ => {}
             }
