@@ -18,7 +18,7 @@ use super::window::Window;
 fn window(lang: Lang, shown: Explanation) -> Window {
     let mut figure = camera_lab::gui::fresh();
     figure.scene.preset = Preset::Empty;
-    let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
     state.layout.maximized = Some(View::Image);
     // So high that nothing has to be scrolled.
     let mut window = Window::with_state(state, [1100.0, 1900.0]);

@@ -245,7 +245,8 @@ fn operations_of_the_command_line_are_a_change_of_the_file() {
     let text = "[camera]\nnear = 0.5\n";
     let mut figure = camera_lab::figure::read::parse(text).expect("a figure");
     let file = files::SourceFile { path: "f.toml".into(), text: text.to_owned(), is_picture: false };
-    let start = |figure| gui::Start { figure, file: Some(file.clone()), lang: Lang::En, allow_files: false };
+    let start =
+        |figure| gui::Start { figure, file: Some(file.clone()), lang: Lang::En, allow_files: false, lesson: None };
     assert!(!gui::State::new(start(figure.clone())).expect("a camera").document.is_changed());
     figure.camera.position.y = 7.0;
     let state = gui::State::new(start(figure)).expect("a camera");

@@ -20,7 +20,7 @@ fn window(lang: Lang, points: &[(&str, DVec3)]) -> Window {
     figure.camera = Parameters { position: DVec3::new(0.0, 0.0, 5.0), ..figure.camera };
     figure.points =
         points.iter().map(|(name, position)| NamedPoint { name: (*name).to_owned(), position: *position }).collect();
-    let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None }).unwrap();
     state.layout.maximized = Some(View::Image);
     let mut window = Window::with_state(state, [1000.0, 1300.0]);
     window.explain(Explanation::Homogeneous);

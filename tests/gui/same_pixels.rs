@@ -54,8 +54,9 @@ impl Opened {
         fs::write(&path, figure).expect("written");
         let opened = open_figure(&path).expect("a figure");
         let (figure, file) = opened.at(&path);
-        let mut state = State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false })
-            .expect("a possible camera");
+        let mut state =
+            State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false, lesson: None })
+                .expect("a possible camera");
         state.file_flow.native = false;
         state.layout.maximized = Some(view);
         state.settings.panels = Panels::default();

@@ -68,7 +68,8 @@ impl Window {
         let mut figure = camera_lab::gui::fresh();
         figure.scene.preset = Preset::Empty;
         figure.style.antialias = 1;
-        let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).expect("a possible camera");
+        let mut state = State::new(Start { figure, file: None, lang, allow_files: false, lesson: None })
+            .expect("a possible camera");
         state.file_flow.native = false;
         state.layout.maximized = Some(View::Image);
         Self::with_state(state, [1280.0, 800.0])
@@ -78,8 +79,9 @@ impl Window {
     pub(crate) fn opened(path: &std::path::Path) -> Self {
         let opened = camera_lab::files::open_figure(path).expect("a figure file");
         let (figure, file) = opened.at(path);
-        let mut state = State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false })
-            .expect("a possible camera");
+        let mut state =
+            State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false, lesson: None })
+                .expect("a possible camera");
         state.file_flow.native = false;
         state.layout.maximized = Some(View::Image);
         Self::with_state(state, [1280.0, 800.0])
