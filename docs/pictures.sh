@@ -1,29 +1,44 @@
 #!/bin/sh
-# Draws the pictures of the guides' chapter on the pipeline anew: docs/pictures.sh [CAMERA_LAB]
+# Draws every figure of the guides anew: docs/pictures.sh [CAMERA_LAB [FOLDER]]
+# Lines and faces of one colour are vectors, with letters as outlines, so that a page that shows them needs no font.
+# Colours that vary over faces, and depths, are pixels; so are windows, which the window's own tests draw. With a FOLDER,
+# figures go there, and windows are not drawn. The charts of numerics.*.md are measured, and numerics.sh draws them.
 set -eu
 program=${1:-$(dirname "$0")/../target/release/camera-lab}
+to=${2:-$(dirname "$0")/images}
 # The folder changes below.
-program=$(realpath "$program")
+program=$(realpath "$program") to=$(realpath "$to")
 cd "$(dirname "$0")"
+figures=../assets/figures/pipeline
+scratch=$(mktemp -d)
+trap 'rm -r "$scratch"' EXIT
 
 draw() { # FIGURE PICTURE [OPTION]...
-    figure=../assets/figures/pipeline/$1.toml picture=images/pipeline-$2.png
+    figure=$1 picture=$2
     shift 2
-    "$program" render "$figure" "$@" -o "$picture"
+    "$program" render "$figure" "$@" --outlines -o "$to/$picture"
 }
 
-for name in wireframe flat gouraud phong painter bsp; do
-    draw $name $name
+for name in wireframe flat painter bsp; do
+    draw $figures/$name.toml pipeline-$name.svg
 done
-sed 's/^divide_first = true/divide_first = false/' ../assets/figures/pipeline/divide-first.toml >figures/right.toml
-"$program" render figures/right.toml -o images/pipeline-divide-right.png
-rm figures/right.toml
+for name in gouraud phong; do
+    draw $figures/$name.toml pipeline-$name.png
+done
+sed 's/^divide_first = true/divide_first = false/' $figures/divide-first.toml >"$scratch/right.toml"
+draw "$scratch/right.toml" pipeline-divide-right.svg
 for lang in en pt-BR; do
-    "$program" render figures/points.toml --view all --size 960x320 --lang $lang -o images/points.$lang.png
-    draw depth depth.$lang --lang $lang
-    draw depth-linear depth-linear.$lang --lang $lang
-    draw clipping clipping-world.$lang --view world --size 480x360 --lang $lang
-    draw clipping clipping-canonical.$lang --view canonical --size 480x360 --lang $lang
-    draw divide-first divide-first.$lang --lang $lang
-    draw culled culled.$lang --view world --size 640x480 --lang $lang
+    draw figures/points.toml points.$lang.svg --view all --size 960x320 --lang $lang
+    for name in depth depth-linear; do
+        draw $figures/$name.toml pipeline-$name.$lang.png --lang $lang
+    done
+    for view in world canonical; do
+        draw $figures/clipping.toml pipeline-clipping-$view.$lang.svg --view $view --size 480x360 --lang $lang
+    done
+    draw $figures/divide-first.toml pipeline-divide-first.$lang.svg --lang $lang
+    draw $figures/culled.toml pipeline-culled.$lang.svg --view world --size 640x480 --lang $lang
 done
+
+if [ $# -lt 2 ]; then
+    cargo test --locked --test gui guide_pictures -- --ignored
+fi

@@ -218,6 +218,7 @@ pub(super) struct DiagnoseArgs {
 
 /// The arguments of `animate`.
 #[derive(Debug, Args)]
+#[command(group(clap::ArgGroup::new("swept").args(["vary", "to"]).multiple(true)))]
 pub(super) struct AnimateArgs {
     /// Figure file, or a PNG that camera-lab wrote
     pub(super) figure: PathBuf,
@@ -238,6 +239,10 @@ pub(super) struct AnimateArgs {
     /// Which picture --vary and --to show; without it, the image
     #[arg(long, value_enum)]
     pub(super) view: Option<View>,
+    /// Figure file whose observers see the pictures of --vary and --to, as they see its own pictures; without it, one
+    /// observer sees all of them
+    #[arg(long, value_name = "FIGURE", requires = "swept")]
+    pub(super) observer_of: Option<PathBuf>,
     /// Width and height of each picture in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,

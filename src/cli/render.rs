@@ -4,7 +4,6 @@ use std::path::Path;
 
 use super::args::RenderArgs;
 use super::figure_args::FigureArgs;
-use super::output_args::OutputArgs;
 use super::words::LangArg;
 use super::{Failure, open, progress, say, scene};
 use crate::camera::{Camera, ImageSize};
@@ -43,7 +42,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let request = Request { force_all_stages: args.force_all_stages, finish, ..request };
     let mut sheet = Composite::of(args.view, &request, &shot, paper.as_ref())
         .map_err(|error| no_picture(lang, &name, error.into(), [width, height]))?;
-    if let Some(other) = observer_of(out, &args.common, lang)? {
+    if let Some(other) = observer_of(out.observer_of.as_deref(), &args.common, lang)? {
         sheet = sheet.seen_by(&other);
     }
     let text = update(&opened.text, &opened.figure);
@@ -80,8 +79,8 @@ pub(super) fn report(file: &PictureFile, sheet: &Composite, dpi: Option<f64>, [f
 }
 
 /// The figure of `--observer-of`, with its scene.
-pub(super) fn observer_of(out: &OutputArgs, args: &FigureArgs, lang: Lang) -> Result<Option<ObserverOf>, Failure> {
-    let Some(path) = &out.observer_of else { return Ok(None) };
+pub(super) fn observer_of(path: Option<&Path>, args: &FigureArgs, lang: Lang) -> Result<Option<ObserverOf>, Failure> {
+    let Some(path) = path else { return Ok(None) };
     let name = messages::opened(lang, path);
     let opened = files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
     let camera = Camera::new(&opened.figure.camera)

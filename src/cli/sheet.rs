@@ -70,7 +70,7 @@ pub(super) fn run(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
         columns,
         parts: args.parts,
         captions: args.captions.clone(),
-        observer_of: observer_of(&args.out, &args.common, lang)?,
+        observer_of: observer_of(args.out.observer_of.as_deref(), &args.common, lang)?,
     };
     let sheet = family
         .sheet(&Request { finish, ..request }, size, scale, paper.as_ref())

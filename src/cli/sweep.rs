@@ -1,7 +1,7 @@
 //! `camera-lab animate --vary` and `--to`: a family, or the way to another camera, one picture after the other.
 
 use super::args::AnimateArgs;
-use super::render::{no_picture, save};
+use super::render::{no_picture, observer_of, save};
 use super::sheet::members;
 use super::words::LangArg;
 use super::{Failure, open, progress, scene};
@@ -14,7 +14,7 @@ use crate::limits::MAX_FRAMES;
 use crate::picture::{FilmFormat, Sweep};
 use crate::progress::at_once;
 use crate::sanitize;
-use crate::views::{Request, SharedScene, Shot, Size, View, with_one_observer};
+use crate::views::{Request, SharedScene, Shot, Size, View, with_observer};
 
 /// The number of pictures where none is given: of an animation, and of a strip of stills.
 const FRAMES: [usize; 2] = [40, 5];
@@ -47,7 +47,8 @@ pub(super) fn run(args: &AnimateArgs, format: FilmFormat, size: ImageSize, lang:
     let picture = |(variant, scene): &(Variant, SharedScene)| {
         Request::new(&Shot::of(&variant.figure), view, &variant.camera, scene, labels, size)
     };
-    let requests = with_one_observer(members.iter().map(picture).collect());
+    let other = observer_of(args.observer_of.as_deref(), &args.common, lang)?;
+    let requests = with_observer(members.iter().map(picture).collect(), other.as_ref());
     let film = Sweep { requests, seconds };
     let refused = |error| no_picture(lang, &name, error, [width, height].map(u64::from));
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);

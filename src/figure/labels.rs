@@ -233,6 +233,15 @@ impl Labels {
         }
     }
 
+    /// Shows a length or an angle with a text, or no longer.
+    pub fn measure(&mut self, measure: Measure, shown: Option<MeasureText>) {
+        match (self.measures.iter_mut().find(|labelled| labelled.measure == measure), shown) {
+            (Some(labelled), Some(shown)) => labelled.shown = shown,
+            (None, Some(shown)) => self.measures.push(LabelledMeasure { measure, shown }),
+            (_, None) => self.measures.retain(|labelled| labelled.measure != measure),
+        }
+    }
+
     /// Leaves a label to the pictures again; a note stays, where there is room for it.
     pub fn reset(&mut self, name: &str) {
         if let Some(note) = self.note_mut(name) {

@@ -152,13 +152,51 @@ pub enum Measure {
     Width,
     /// H
     Height,
+    /// W/2
+    HalfWidth,
+    /// H/2
+    HalfHeight,
+    /// θ
+    Angle,
     /// θ/2
     HalfAngle,
 }
 
 impl Measure {
     /// All.
-    pub const ALL: [Self; 6] = [Self::Near, Self::Far, Self::Distance, Self::Width, Self::Height, Self::HalfAngle];
+    pub const ALL: [Self; 9] = [
+        Self::Near,
+        Self::Far,
+        Self::Distance,
+        Self::Width,
+        Self::Height,
+        Self::HalfWidth,
+        Self::HalfHeight,
+        Self::Angle,
+        Self::HalfAngle,
+    ];
+
+    /// Its symbol in the notes.
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::Near => "F",
+            Self::Far => "B",
+            Self::Distance => "D",
+            Self::Width => "W",
+            Self::Height => "H",
+            Self::HalfWidth => "W/2",
+            Self::HalfHeight => "H/2",
+            Self::Angle => "θ",
+            Self::HalfAngle => "θ/2",
+        }
+    }
+
+    /// True where its line is one of those of `[world] dimensions`: the others are there for an author.
+    #[must_use]
+    pub const fn is_among_dimensions(self) -> bool {
+        !matches!(self, Self::HalfWidth | Self::HalfHeight | Self::Angle)
+    }
 }
 
 /// The measure of a parameter, or of the entry of a matrix, in the world. Axes are 0 … 2: of the camera **u**, **v**,

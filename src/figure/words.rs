@@ -203,7 +203,10 @@ pub const DIMENSIONS: Words<Measure> = &[
     ("D", Measure::Distance),
     ("W", Measure::Width),
     ("H", Measure::Height),
-    ("theta", Measure::HalfAngle),
+    ("W/2", Measure::HalfWidth),
+    ("H/2", Measure::HalfHeight),
+    ("theta", Measure::Angle),
+    ("theta/2", Measure::HalfAngle),
 ];
 
 /// `[[labels.measures]] as`

@@ -290,13 +290,13 @@ impl ExportSource {
     fn family(
         &self,
         (export, request): (&Export, &Request),
-        variation: Variation,
+        variations: &[Variation],
         camera: &Camera,
         progress: &Progress,
     ) -> Result<Composite, ExportError> {
         let mut files = FigureFiles::new(&self.folder, self.reach);
         let mut members: Vec<(Variant, SharedScene)> = Vec::new();
-        for variant in variants(&self.figure, camera, &[variation], self.convention, MAX_FAMILY)? {
+        for variant in variants(&self.figure, camera, variations, self.convention, MAX_FAMILY)? {
             let same = |(other, _): &&(Variant, SharedScene)| {
                 other.figure.scene == variant.figure.scene && other.figure.style == variant.figure.style
             };
@@ -311,7 +311,10 @@ impl ExportSource {
             return Err(VariationError::TooMany { count, limit: MAX_FAMILY }.into());
         }
         let FamilyChoice { columns, parts, .. } = self.family;
-        let family = Family { members, views: export.what, columns, parts, captions: Vec::new(), observer_of: None };
+        // Two keys are a table.
+        let columns = columns.or_else(|| variations.get(1).map(|second| second.values.len()));
+        let captions = self.family.captions();
+        let family = Family { members, views: export.what, columns, parts, captions, observer_of: None };
         // In multiples of the screen, each picture is as large as there.
         let size = if export.on_paper || export.times.is_none() {
             SheetSize::Whole([export.width, export.height])
@@ -349,8 +352,8 @@ impl ExportSource {
         let request = Request::new(shot, View::Image, &camera, &scene, labels, export.size());
         let finish = Finish { transparent: export.is_without_ground(), ..Finish::default() };
         let request = Request { finish, ..request };
-        if let Some(variation) = self.family.variation() {
-            return self.family((export, &request), variation?, &camera, progress);
+        if let Some(variations) = self.family.variations() {
+            return self.family((export, &request), &variations?, &camera, progress);
         }
         let paper = export.on_paper.then(|| export.paper.asked());
         Ok(Composite::of(export.what, &request, shot, paper.as_ref()).map_err(PictureError::from)?)

@@ -1,4 +1,4 @@
-//! The family that is exported: a key or an operation, with its values.
+//! The family that is exported: one or two keys or operations, with their values.
 
 use crate::figure::variation::{Variation, VariationError};
 
@@ -14,11 +14,13 @@ pub const READY: [(&str, &str); 9] = [
     ("style.shading", "wireframe, flat, gouraud, phong"),
     ("style.antialias", "1, 4, 16"),
 ];
+/// Between captions, which may have commas.
+pub const BETWEEN_CAPTIONS: char = ';';
 
 /// The key or operation that varies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Subject {
-    /// Nothing: the figure alone.
+    /// Nothing: the figure alone, or no second key.
     #[default]
     Nothing,
     /// One of [`READY`].
@@ -27,30 +29,42 @@ pub enum Subject {
     Typed,
 }
 
-/// The settings of a family.
+/// The word of a typed key in the preferences.
+const TYPED: &str = "typed";
+
+impl Subject {
+    /// Its word in the preferences: that of its key.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Nothing => "",
+            Self::Ready(place) => READY.get(place).map_or("", |(key, _)| key),
+            Self::Typed => TYPED,
+        }
+    }
+
+    /// The subject with a word; `None` where none has it.
+    #[must_use]
+    pub fn of_word(word: &str) -> Option<Self> {
+        match word {
+            "" => Some(Self::Nothing),
+            TYPED => Some(Self::Typed),
+            word => READY.iter().position(|(key, _)| *key == word).map(Self::Ready),
+        }
+    }
+}
+
+/// A key or an operation, and its values.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct FamilyChoice {
+pub struct Varied {
     /// The key or operation.
     pub subject: Subject,
     /// Its values as they are typed; with the key before them, where that is typed too.
     pub values: String,
-    /// The number of pictures in a row; `None`: as many as there is room for.
-    pub columns: Option<usize>,
-    /// Letters before the captions.
-    pub parts: bool,
 }
 
-impl FamilyChoice {
-    /// A family of the view angle, or the one that was there.
-    #[must_use]
-    pub fn or_first(mut self) -> Self {
-        if self.subject == Subject::Nothing {
-            self.choose(Subject::Ready(0));
-        }
-        self
-    }
-
-    /// The variation; `None`: no family is wanted.
+impl Varied {
+    /// The variation; `None`: there is none.
     #[must_use]
     pub fn variation(&self) -> Option<Result<Variation, VariationError>> {
         match self.subject {
@@ -60,13 +74,81 @@ impl FamilyChoice {
         }
     }
 
-    pub(super) fn choose(&mut self, subject: Subject) {
+    /// Takes a subject, with the values that it begins with.
+    pub fn choose(&mut self, subject: Subject) {
         self.subject = subject;
         match subject {
             Subject::Nothing => {}
             Subject::Ready(place) => self.values = READY.get(place).map_or("", |(_, values)| values).to_owned(),
             Subject::Typed => self.values = "camera.near=1, 2".to_owned(),
         }
+    }
+}
+
+/// The settings of a family.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct FamilyChoice {
+    /// What varies; nothing: no family is wanted.
+    pub first: Varied,
+    /// What varies along the rows, where something does; the first then varies from row to row.
+    pub second: Varied,
+    /// The number of pictures in a row; `None`: as many as there is room for, or as the second has values.
+    pub columns: Option<usize>,
+    /// Letters before the captions.
+    pub parts: bool,
+    /// Captions in place of the values, as they are typed, with [`BETWEEN_CAPTIONS`] between them.
+    pub captions: String,
+    /// What varied in the last family, also of an earlier session.
+    pub last: [Varied; 2],
+}
+
+impl FamilyChoice {
+    /// The family that was there last, or one of the view angle.
+    #[must_use]
+    pub fn or_last(mut self) -> Self {
+        if self.first.subject == Subject::Nothing {
+            [self.first, self.second] = self.last.clone();
+        }
+        if self.first.subject == Subject::Nothing {
+            self.first.choose(Subject::Ready(0));
+        }
+        self
+    }
+
+    /// Takes a subject; nothing ends the family, which is remembered.
+    pub fn choose(&mut self, subject: Subject) {
+        if subject == Subject::Nothing {
+            self.last = self.remembered();
+        }
+        self.first.choose(subject);
+    }
+
+    /// What varies, or varied last.
+    #[must_use]
+    pub fn remembered(&self) -> [Varied; 2] {
+        match self.first.subject {
+            Subject::Nothing => self.last.clone(),
+            _ => [self.first.clone(), self.second.clone()],
+        }
+    }
+
+    /// The variations; `None`: no family is wanted.
+    ///
+    /// # Errors
+    /// [`VariationError`] of the first that is at fault.
+    #[must_use]
+    pub fn variations(&self) -> Option<Result<Vec<Variation>, VariationError>> {
+        let first = self.first.variation()?;
+        Some([Some(first), self.second.variation()].into_iter().flatten().collect())
+    }
+
+    /// The captions; empty where none are typed.
+    #[must_use]
+    pub fn captions(&self) -> Vec<String> {
+        if self.captions.trim().is_empty() {
+            return Vec::new();
+        }
+        self.captions.split(BETWEEN_CAPTIONS).map(|caption| caption.trim().to_owned()).collect()
     }
 }
 
@@ -87,11 +169,31 @@ mod tests {
         for (place, (key, _)) in READY.iter().enumerate() {
             let mut family = FamilyChoice::default();
             family.choose(Subject::Ready(place));
-            let variation = family.variation().unwrap().unwrap();
-            let made = variants(&figure, &camera, &[variation], Convention::default(), MAX_FAMILY).unwrap();
+            let variations = family.variations().unwrap().unwrap();
+            let made = variants(&figure, &camera, &variations, Convention::default(), MAX_FAMILY).unwrap();
             assert!(made.len() > 1, "{key}");
+            assert_eq!(Subject::of_word(Subject::Ready(place).word()), Some(Subject::Ready(place)));
         }
-        assert_eq!(FamilyChoice::default().variation(), None);
-        assert_eq!(FamilyChoice::default().or_first().subject, Subject::Ready(0));
+        assert_eq!(FamilyChoice::default().variations(), None);
+        assert_eq!(FamilyChoice::default().or_last().first.subject, Subject::Ready(0));
+    }
+
+    #[test]
+    fn a_family_that_is_given_up_comes_back() {
+        let mut family = FamilyChoice::default().or_last();
+        family.second.choose(Subject::Ready(5));
+        family.first.values = "10, 20".to_owned();
+        let was = family.clone();
+        family.choose(Subject::Nothing);
+        assert_eq!(family.variations(), None);
+        let back = family.or_last();
+        assert_eq!([back.first, back.second], [was.first, was.second]);
+    }
+
+    #[test]
+    fn captions_are_typed_with_semicolons() {
+        let captions = |text: &str| FamilyChoice { captions: text.to_owned(), ..FamilyChoice::default() }.captions();
+        assert_eq!(captions(" "), Vec::<String>::new());
+        assert_eq!(captions("near, large; ;far"), ["near, large", "", "far"]);
     }
 }

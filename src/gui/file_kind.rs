@@ -45,7 +45,7 @@ impl FileKind {
                 let mut formats = PictureFormat::ALL;
                 formats.sort_by_key(|format| *format != export.format);
                 let filters = formats.map(|of| format(t.picture_filter, of)).to_vec();
-                let is_family = state.family.variation().is_some();
+                let is_family = state.family.variations().is_some();
                 let what = if is_family { "family".to_owned() } else { export.what.name().replace(',', "-") };
                 let name = format!("{stem}-{what}.{}", export.format.ending());
                 (Wanted::NewFile, t.export_title, t.save_action, filters, name)

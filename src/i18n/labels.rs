@@ -31,6 +31,12 @@ texts! {
     adding: "Click where the note belongs · Esc: no note", "Clique onde fica a nota · Esc: nenhuma nota";
     note: "note", "nota";
     full: "There is no room for more notes", "Não há lugar para mais notas";
+    measures: "measures:", "medidas:";
+    measures_hint: "Shows this length or angle in the world", "Mostra este comprimento ou ângulo no mundo";
+    shown: "shown as", "mostrar";
+    symbol: "symbol", "símbolo";
+    value: "value", "valor";
+    both: "both", "ambos";
     mathematics: "letters of mathematics", "letras de matemática";
     mathematics_hint: "Symbols as in the explanations: vectors bold, others in italics", "Símbolos como nas explicações: vetores em negrito, outros em itálico";
     leave: "Done", "Concluir";

@@ -6,7 +6,7 @@ use crate::figure::variation::Variant;
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::views::{
     Arrangement, Captions, ObserverOf, Palette, Request, SharedScene, Shot, Size, View, Views, caption_height,
-    with_one_observer,
+    with_observer,
 };
 
 /// The most pictures of a row, where their number is not given and they have room.
@@ -124,16 +124,7 @@ impl Family {
                 of(&template, &shot.picture(view), size, &shot, paper)
             };
             let pictures: Vec<Request> = self.members.iter().map(picture).collect();
-            match &self.observer_of {
-                Some(other) => {
-                    let seen = |own: Request| {
-                        let observer = other.observer(&own);
-                        own.seen_by(observer)
-                    };
-                    pictures.into_iter().map(seen).collect()
-                }
-                None => with_one_observer(pictures),
-            }
+            with_observer(pictures, self.observer_of.as_ref())
         };
         let of_views: Vec<Vec<Request>> = self.views.views().map(of_view).collect();
         let starts = (0..self.members.len()).step_by(columns.max(1));

@@ -14,6 +14,7 @@
 //! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
 //! | `sweep` | pictures one after the other: a family, or the way to another camera |
 //! | `triangle` | one triangle: its pixels, and its depth tests |
+//! | `vector_faces` | the faces of a page of vectors, in the order of painting |
 //! | `vectors` | pictures as pages of vectors |
 
 mod animation;
@@ -27,6 +28,7 @@ mod render_report;
 mod renderer;
 mod sweep;
 mod triangle;
+mod vector_faces;
 mod vectors;
 
 use tiny_skia::{IntSize, Pixmap};

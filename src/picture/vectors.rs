@@ -1,15 +1,14 @@
 //! Pictures as pages of vectors: the same display list as for pixels, with the parts of strokes that can be seen found
 //! exactly instead of pixel by pixel.
 
-use std::collections::HashMap;
-
 use glam::DVec2;
 use tiny_skia::Pixmap;
 
 use super::error::PictureError;
+use super::vector_faces::{Pictures, can_be_written, faces_of, polygon};
 use super::{Composite, Renderer};
-use crate::appearance::{LineStyle, Occlusion, Rgba, head_corners};
-use crate::drawing::{Drawing, Surface, single};
+use crate::appearance::{DepthFormat, LineStyle, Occlusion, Rgba, head_corners};
+use crate::drawing::{Drawing, single};
 use crate::export::vector::{Item, Page};
 use crate::limits::MAX_PIXELS;
 use crate::pipeline::stroke_order::painted_runs;
@@ -23,7 +22,8 @@ use crate::views::{Request, Size, overlay};
 /// How the faces of a page are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Faces {
-    /// As areas where that says what the pixels do, in a number that programs can work with; otherwise as a picture.
+    /// As areas where that says what the pixels do, in a number that programs can work with; what has a picture on it,
+    /// such as the window, is a picture among them. Otherwise as one picture.
     #[default]
     Auto,
     /// As areas.
@@ -49,16 +49,13 @@ impl Faces {
 
 /// The most triangles that are written as areas unless they are asked for.
 const MOST_AREAS: usize = 5000;
-/// The width of the strokes along common sides of neighbouring areas, in pixels: programs that paint each area by
-/// itself let the ground show there otherwise.
-const SEAM: f32 = 1.0;
 /// A dash of no length is left out by some programs.
 const DOT: f32 = 0.01;
 
 /// Why a page has its faces as a picture, although areas were asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoAreas {
-    /// Colours that vary over a face: light at vertices or pixels, textures.
+    /// Colours that vary over a face: light at vertices or pixels, textures in too many parts.
     Shaded,
     /// Faces cross too often to be put in order.
     OverBudget(OverBudget),
@@ -211,16 +208,20 @@ impl Painter {
             }
         };
         let triangles: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
-        if drawing.surfaces.iter().any(Surface::varies) || drawing.depth_format != crate::appearance::DepthFormat::Float
-        {
+        if !drawing.surfaces.iter().all(can_be_written) || drawing.depth_format != DepthFormat::Float {
             say(NoAreas::Shaded, &mut self.no_areas);
             return None;
         }
         if !is_asked && triangles > MOST_AREAS {
             return None;
         }
+        let mut pictures = Pictures { finer: self.finer, rasterizer: &mut self.rasterizer };
         if drawing.painted_in_order {
-            return Some(areas_of(drawing));
+            let items = faces_of(drawing, &mut pictures);
+            if items.is_none() {
+                say(NoAreas::Shaded, &mut self.no_areas);
+            }
+            return items;
         }
         let sorted = Request { output: Output::Vectors, ..request.clone() };
         let mut sorted = self.renderer.drawing(&sorted)?;
@@ -230,7 +231,14 @@ impl Painter {
         }
         let ordered = which(&sorted);
         let count: usize = ordered.surfaces.iter().map(|surface| surface.triangles.len()).sum();
-        (ordered.painted_in_order && (is_asked || count <= 2 * MOST_AREAS)).then(|| areas_of(ordered))
+        if !ordered.painted_in_order || (!is_asked && count > 2 * MOST_AREAS) {
+            return None;
+        }
+        let items = faces_of(ordered, &mut pictures);
+        if items.is_none() {
+            say(NoAreas::Shaded, &mut self.no_areas);
+        }
+        items
     }
 
     /// The faces alone, as pixels without a ground.
@@ -275,90 +283,6 @@ fn unit(pixels: u32) -> f32 {
 
 fn rectangle([left, top, right, bottom]: [f32; 4], color: Rgba) -> Item {
     Item::Fill { path: polygon(&[[left, top], [right, top], [right, bottom], [left, bottom]]), color }
-}
-
-fn polygon(corners: &[[f32; 2]]) -> Vec<Element> {
-    let mut path: Vec<Element> = corners.iter().map(|corner| Element::Line(*corner)).collect();
-    if let (Some(first), Some(corner)) = (path.first_mut(), corners.first()) {
-        *first = Element::Move(*corner);
-        path.push(Element::Close);
-    }
-    path
-}
-
-/// The corners of a triangle, all of one winding.
-type Corners = [[f32; 2]; 3];
-
-/// A side, the same in both directions: the bits of its ends.
-type SideKey = [[u32; 2]; 2];
-
-fn side_key([a, b]: [[f32; 2]; 2]) -> SideKey {
-    let bits = |p: [f32; 2]| p.map(f32::to_bits);
-    let (a, b) = (bits(a), bits(b));
-    if a < b { [a, b] } else { [b, a] }
-}
-
-fn sides_of([a, b, c]: Corners) -> [[[f32; 2]; 2]; 3] {
-    [[a, b], [b, c], [c, a]]
-}
-
-/// The triangles of a drawing in their order, those of one colour that follow one another as one area; along the sides
-/// that opaque ones share with others, a stroke of their colour.
-fn areas_of(drawing: &Drawing) -> Vec<Item> {
-    let mut areas: Vec<(Rgba, Vec<Corners>)> = Vec::new();
-    let mut shared: HashMap<SideKey, u32> = HashMap::new();
-    for surface in &drawing.surfaces {
-        for (k, triangle) in surface.triangles.iter().enumerate() {
-            let corner = |vertex: u32| surface.positions.get(vertex as usize).map(|p| [p[0], p[1]]);
-            let corners = triangle.map(corner);
-            let ([Some(a), Some(b), Some(c)], Some(color)) = (corners, surface.face_color(k)) else { continue };
-            let color = if surface.translucent { color } else { color.with_alpha(255) };
-            let area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
-            if !area.is_finite() || area == 0.0 {
-                continue;
-            }
-            // One winding for all, so that neighbours add up.
-            let corners = if area > 0.0 { [a, b, c] } else { [a, c, b] };
-            for side in sides_of(corners) {
-                *shared.entry(side_key(side)).or_default() += 1;
-            }
-            match areas.last_mut() {
-                Some((of, triangles)) if *of == color && (color.is_opaque() || continues(triangles, corners)) => {
-                    triangles.push(corners);
-                }
-                _ => areas.push((color, vec![corners])),
-            }
-        }
-    }
-    areas.iter().flat_map(|(color, triangles)| area_of(*color, triangles, &shared)).collect()
-}
-
-fn area_of(color: Rgba, triangles: &[Corners], shared: &HashMap<SideKey, u32>) -> Vec<Item> {
-    let path = triangles.iter().flat_map(|corners| polygon(corners)).collect();
-    let mut items = vec![Item::Fill { path, color }];
-    let mut own: HashMap<SideKey, u32> = HashMap::new();
-    for side in triangles.iter().flat_map(|corners| sides_of(*corners)) {
-        *own.entry(side_key(side)).or_default() += 1;
-    }
-    // Within one path neighbours add up.
-    let with_others = |side: &[[f32; 2]; 2]| {
-        let key = side_key(*side);
-        shared.get(&key) > own.get(&key)
-    };
-    let sides = triangles.iter().flat_map(|corners| sides_of(*corners)).filter(with_others);
-    let seam: Vec<Element> = sides.flat_map(|[a, b]| [Element::Move(a), Element::Line(b)]).collect();
-    if color.is_opaque() && !seam.is_empty() {
-        items.push(Item::Stroke { path: seam, color, width: SEAM, dashes: Vec::new(), phase: 0.0, round: true });
-    }
-    items
-}
-
-/// True where a triangle has a side in common with the last one of an area, and lies on the other side of it: both are
-/// blended with what is below once.
-fn continues(triangles: &[Corners], next: Corners) -> bool {
-    let Some(last) = triangles.last() else { return false };
-    // With one winding, a common side is passed in both directions.
-    sides_of(*last).iter().any(|[a, b]| sides_of(next).contains(&[*b, *a]))
 }
 
 /// Strokes, areas, marks and texts, in the order of the display list.

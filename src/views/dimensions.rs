@@ -48,7 +48,7 @@ pub(super) fn span(builder: &mut GearBuilder, span: &Span<'_>, pen: Pen) {
     builder.named(name, middle, text, toward, SMALL_TYPE, pen.color);
 }
 
-/// An angle at `corner` from one direction to another (unit vectors), with an arc of a radius.
+/// An angle at `corner` from one direction to another (unit vectors), with an arc of a radius and a side at its end.
 pub(super) fn angle(
     builder: &mut GearBuilder,
     corner: DVec3,
@@ -84,7 +84,8 @@ pub(super) fn in_world(
     for measure in Measure::ALL {
         let hovered = lit.contains(&Measured::Dimension(measure));
         let by_author = request.shot.labels.measures.iter().any(|labelled| labelled.measure == measure);
-        if hovered || by_author || request.shot.look.world.dimensions {
+        let for_all = request.shot.look.world.dimensions && measure.is_among_dimensions();
+        if hovered || by_author || for_all {
             let pen = if hovered {
                 Pen { color: palette.probe, width: 2.0 }
             } else {
@@ -119,6 +120,24 @@ fn one(builder: &mut GearBuilder, request: &Request, volume: &DrawnVolume, gear:
             let aside = basis.u * (0.35 * gear.axis);
             span(builder, &Span { ends: [rb, rt], aside, name, text: &text, gap: None }, pen);
         }
+        // Farther from the window than the whole, which may be there too.
+        Measure::HalfWidth => {
+            let (aside, middle) = (basis.v * (0.8 * gear.axis), lt.lerp(rt, 0.5));
+            span(builder, &Span { ends: [middle, rt], aside, name, text: &text, gap: None }, pen);
+        }
+        Measure::HalfHeight => {
+            let (aside, middle) = (basis.u * (0.8 * gear.axis), rb.lerp(rt, 0.5));
+            span(builder, &Span { ends: [middle, rt], aside, name, text: &text, gap: None }, pen);
+        }
+        Measure::Angle => {
+            if let Some(top) = half_angle(request) {
+                // The lower side, as the upper one on the other side of the axis.
+                let bottom = 2.0 * top.dot(dop) * dop - top;
+                let radius = 2.1 * gear.axis;
+                builder.line(vec![c, c + bottom * (1.15 * radius)], pen.color, 0.6 * pen.width, Dash::Solid);
+                angle(builder, c, [bottom, top], radius, (name, &text), pen);
+            }
+        }
         Measure::HalfAngle => {
             if let Some(top) = half_angle(request) {
                 angle(builder, c, [dop, top], 1.6 * gear.axis, (name, &text), pen);
@@ -138,18 +157,19 @@ pub(super) fn half_angle(request: &Request) -> Option<DVec3> {
 /// The symbol and the number of a measure, or one of them, as the author wants it.
 pub(super) fn text(request: &Request, measure: Measure) -> String {
     let (camera, window, mark) = (&request.camera, request.camera.window(), request.labels.mark);
-    let (symbol, value) = match measure {
-        Measure::Near => ("F", camera.near()),
-        Measure::Far => ("B", camera.far()),
-        Measure::Distance => ("D", camera.distance()),
-        Measure::Width => ("W", window.width()),
-        Measure::Height => ("H", window.height()),
-        Measure::HalfAngle => {
-            let half = (window.height() / 2.0).atan2(camera.near()).to_degrees();
-            ("θ/2", half)
-        }
+    let half_angle = (window.height() / 2.0).atan2(camera.near()).to_degrees();
+    let (value, unit) = match measure {
+        Measure::Near => (camera.near(), ""),
+        Measure::Far => (camera.far(), ""),
+        Measure::Distance => (camera.distance(), ""),
+        Measure::Width => (window.width(), ""),
+        Measure::Height => (window.height(), ""),
+        Measure::HalfWidth => (window.width() / 2.0, ""),
+        Measure::HalfHeight => (window.height() / 2.0, ""),
+        Measure::Angle => (2.0 * half_angle, "°"),
+        Measure::HalfAngle => (half_angle, "°"),
     };
-    let unit = if measure == Measure::HalfAngle { "°" } else { "" };
+    let symbol = measure.symbol();
     let value = format!("{}{unit}", mark.number(value, 4));
     let labelled = request.shot.labels.measures.iter().find(|labelled| labelled.measure == measure);
     match labelled.map(|labelled| labelled.shown).unwrap_or_default() {

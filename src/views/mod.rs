@@ -174,10 +174,17 @@ pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>, progress: &Progre
     scene::build_with(&figure.scene, &figure.style, read_file, &mut MeshFiles::watched(progress))
 }
 
-/// Pictures of one kind and one size, seen by one observer, so that what differs between them is what has moved; with
-/// those of their figures, where these have some.
+/// Pictures of one kind and one size, seen by one observer, so that what differs between them is what has moved: that
+/// of another figure, or else those of their figures, where these have some, or one who has all in the picture.
 #[must_use]
-pub fn with_one_observer(requests: Vec<Request>) -> Vec<Request> {
+pub fn with_observer(requests: Vec<Request>, other: Option<&ObserverOf>) -> Vec<Request> {
+    if let Some(other) = other {
+        let seen = |own: Request| {
+            let observer = other.observer(&own);
+            own.seen_by(observer)
+        };
+        return requests.into_iter().map(seen).collect();
+    }
     let has_own = |request: &Request| request.observer.is_some() || request.shot.look.world.section;
     if requests.iter().any(has_own) {
         return requests;

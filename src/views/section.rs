@@ -241,6 +241,6 @@ fn lengths(builder: &mut GearBuilder, request: &Request, palette: Palette, profi
         let side = profile.sides(near)[usize::from(profile.height() < 0.0)];
         let toward = (side - camera.position()).normalize_or_zero();
         let text = dimensions::text(request, Measure::HalfAngle);
-        dimensions::angle(builder, camera.position(), [dop, toward], 1.8 * step, ("theta", &text), soft);
+        dimensions::angle(builder, camera.position(), [dop, toward], 1.8 * step, ("theta/2", &text), soft);
     }
 }

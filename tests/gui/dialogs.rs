@@ -278,9 +278,9 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
         window.run();
         window.key(Key::Enter);
     };
-    assert_eq!(family(&window).values, "20, 40, 60, 90", "it begins with the view angle");
+    assert_eq!(family(&window).first.values, "20, 40, 60, 90", "it begins with the view angle");
     window.quick_choice("family", "Azimuth");
-    assert_eq!(family(&window).values, "0, 90, 180, 270");
+    assert_eq!(family(&window).first.values, "0, 90, 180, 270");
     type_values(&mut window, "0, 200, x");
     window.wait_for("azimuth = x");
     type_values(&mut window, "0..90:4");

@@ -1,5 +1,5 @@
-//! The pictures of the guides' chapter on the explanations, a window for each tab:
-//! `cargo test --test gui guide_pictures -- --ignored` draws them anew.
+//! The pictures of windows in the guides, a window for each explanation and the whole one:
+//! `cargo test --test gui guide_pictures -- --ignored` draws them anew, as a part of `docs/pictures.sh`.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -146,5 +146,19 @@ fn of_each_tab() {
             state.explain.matrices.entry = [2, 2];
         });
         draw(&mut window, &folder.join(format!("explain.{code}.png")));
+    }
+}
+
+#[test]
+#[ignore = "writes pictures of the guides"]
+fn of_the_whole_window() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let path = folder.join("assets/figures/corridor.toml");
+    for (lang, code) in [(Lang::En, "en"), (Lang::PtBr, "pt-BR")] {
+        let (figure, file) = camera_lab::files::open_figure(&path).unwrap().at(&path);
+        let mut state = State::new(Start { figure, file: Some(file), lang, allow_files: false, lesson: None }).unwrap();
+        state.file_flow.native = false;
+        let mut window = Window::with_state(state, [1280.0, 720.0]);
+        draw(&mut window, &folder.join(format!("docs/images/window.{code}.png")));
     }
 }

@@ -4,6 +4,7 @@ use camera_lab::camera::{Amount, Camera, Convention, Freedom, OPERATIONS, Operat
 use camera_lab::i18n::{Lang, window};
 
 use crate::common::camera::camera;
+use crate::common::program::Bench;
 
 const GUIDES: [(Lang, &str, &str); 2] = [
     (Lang::En, include_str!("../../docs/guide.en.md"), "| operation |"),
@@ -75,5 +76,52 @@ fn the_guides_list_the_operations_of_the_command_line() {
         let count = |amount| OPERATIONS.iter().filter(|descriptor| descriptor.amount == amount).count();
         assert_eq!(groups[0] - 1, count(Amount::Angle), "{lang:?}: those in degrees");
         assert_eq!(groups[1], count(Amount::Factor), "{lang:?}: those that are factors");
+    }
+}
+
+/// The pictures that a page shows, without their folder.
+fn pictures(page: &str) -> impl Iterator<Item = &str> {
+    page.split("images/").skip(1).filter_map(|rest| rest.split(')').next())
+}
+
+/// Windows are drawn by `tests/gui/guide_pictures.rs`, which is a part of the same command.
+fn is_of_the_window(name: &str) -> bool {
+    ["explain", "window"].iter().any(|start| name.starts_with(start))
+}
+
+#[cfg(unix)]
+#[test]
+fn the_figures_of_the_guides_are_those_that_their_command_draws() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let bench = Bench::new("guide-figures");
+    let script = std::process::Command::new("sh")
+        .arg(root.join("docs/pictures.sh"))
+        .args([env!("CARGO_BIN_EXE_camera-lab").as_ref(), bench.path("").as_path()])
+        .output()
+        .expect("sh runs");
+    assert!(script.status.success(), "{}", String::from_utf8_lossy(&script.stderr));
+    let drawn = bench.names();
+    let readme = include_str!("../../README.md");
+    let mut shown: Vec<String> =
+        GUIDES.iter().flat_map(|(_, guide, _)| pictures(guide)).chain(pictures(readme)).map(str::to_owned).collect();
+    shown.sort();
+    shown.dedup();
+    let (windows, figures): (Vec<String>, Vec<String>) = shown.into_iter().partition(|name| is_of_the_window(name));
+    assert_eq!(drawn, figures);
+    let images = root.join("docs/images");
+    for name in figures {
+        let kept = std::fs::read(images.join(&name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(kept == bench.read(&name), "docs/images/{name} is not what docs/pictures.sh draws: run it");
+        // Vectors are line work: no pixels but those of the image on the window, no letters whose font may be missing.
+        let of_pixels = ["gouraud", "phong", "depth"].iter().any(|word| name.contains(word));
+        assert_eq!(name.ends_with(".svg"), !of_pixels, "{name}");
+        let text = String::from_utf8_lossy(&kept);
+        let widths = text.split("<image ").skip(1).filter_map(|rest| rest.split("width=\"").nth(1)?.split('"').next());
+        let widths: Vec<f64> = widths.filter_map(|width| width.parse().ok()).collect();
+        assert!(of_pixels || (widths.len() <= 1 && widths.iter().all(|width| *width < 100.0)), "{name}: {widths:?}");
+        assert!(!text.contains("<text"), "{name}");
+    }
+    for name in windows {
+        assert!(images.join(&name).is_file(), "{name}");
     }
 }

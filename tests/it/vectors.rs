@@ -190,6 +190,39 @@ fn every_name_is_a_text_that_can_be_searched() {
 }
 
 #[test]
+fn browsers_get_the_letters_of_every_text() {
+    let text = "[scene]\npreset = \"house\"\n[labels]\nletters = \"mathematics\"\n[[labels.renamed]]\nname = \"C\"\ntext = 'eye ≠ $\\mathbf{e}_0$'\n";
+    let figure = parse(text).unwrap();
+    let sheet = sheet(&figure, Views::One(View::World), &request(&figure, SIZE));
+    let svg = svg_of(&sheet, FileOptions::of(PictureFormat::Svg), &figure);
+    let ranges: Vec<&str> = svg.split("unicode-range:").skip(1).filter_map(|rest| rest.split(';').next()).collect();
+    // The sign that the letters of mathematics lack, their upright, bold and italic ones.
+    assert_eq!(ranges.len(), 4, "{ranges:?}");
+    let embedded: BTreeSet<String> = ranges.iter().flat_map(|range| range.split(',')).map(str::to_owned).collect();
+    let used: BTreeSet<String> =
+        texts(&svg).iter().flat_map(|text| text.chars()).map(|c| format!("U+{:X}", u32::from(c))).collect();
+    assert_eq!(used, embedded);
+    let outlines = FileOptions { letters: Letters::Outlines, ..FileOptions::of(PictureFormat::Svg) };
+    assert!(!svg_of(&sheet, outlines, &figure).contains("@font-face"));
+}
+
+#[test]
+fn the_image_on_the_window_is_a_picture_among_areas() {
+    let mut figure = parse("[scene]\npreset = \"house\"\n").unwrap();
+    let images = |figure: &Figure| -> Vec<f64> {
+        let sheet = sheet(figure, Views::One(View::World), &request(figure, SIZE));
+        let svg = svg_of(&sheet, FileOptions::of(PictureFormat::Svg), figure);
+        let widths = svg.split("<image ").skip(1).filter_map(|rest| rest.split("width=\"").nth(1)?.split('"').next());
+        widths.map(|width| width.parse().unwrap()).collect()
+    };
+    let widths = images(&figure);
+    assert!(matches!(widths.as_slice(), [width] if *width < 60.0), "{widths:?}");
+    // Colours that vary over the faces of the scene are one picture of it all.
+    figure.style.shading = Shading::Gouraud;
+    assert_eq!(images(&figure), [320.0]);
+}
+
+#[test]
 fn the_same_figure_gives_the_same_bytes_and_comes_back_from_them() {
     let text = "# mine\ntitle = { en = \"A & <B>\", pt-BR = \"C\" }\n[scene]\npreset = \"house\"\n";
     let figure = parse(text).unwrap();

@@ -1,11 +1,12 @@
-//! The letters of a page as a subset of the font, for PDF.
+//! The letters of a page as subsets of the fonts, for PDF and SVG.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, Str};
 use subsetter::{GlyphRemapper, subset};
 
+use super::web_font::web_font;
 use crate::text::{self, Face};
 
 /// The names of the fonts in the resources of a page, by [`Face`].
@@ -69,6 +70,22 @@ impl Glyphs {
             bytes.extend(number.to_be_bytes());
         }
         bytes
+    }
+
+    /// Takes in a text.
+    pub(super) fn take(&mut self, text: &str) {
+        self.show(text);
+    }
+
+    /// The characters that are shown, in their order.
+    pub(super) fn characters(&self) -> impl Iterator<Item = char> {
+        self.characters.values().copied().collect::<BTreeSet<char>>().into_iter()
+    }
+
+    /// The font for browsers. `None` where it can't be cut.
+    pub(super) fn web_font(&self) -> Option<Vec<u8>> {
+        let characters: Vec<(u16, char)> = self.characters.iter().map(|(number, c)| (*number, *c)).collect();
+        web_font(self.face.bytes(), &subset(self.face.bytes(), 0, &self.numbers).ok()?, &characters)
     }
 
     /// True where no text is shown.

@@ -4,16 +4,18 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `embedded` | the figure file in a page, and finding it there |
-//! | `font` | the letters of a page as a subset of the font, for PDF |
+//! | `font` | the letters of a page as subsets of the fonts, for PDF and SVG |
 //! | `pdf` | a page as PDF |
 //! | `svg` | a page as SVG |
 //! | `tex` | a page as a figure of a LaTeX document |
+//! | `web_font` | a subset of a font for browsers |
 
 mod embedded;
 mod font;
 mod pdf;
 mod svg;
 mod tex;
+mod web_font;
 
 use tiny_skia::Pixmap;
 
@@ -110,7 +112,7 @@ pub enum Item {
 /// How letters are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Letters {
-    /// As text, which can be selected, searched and edited.
+    /// As text, which can be selected, searched and edited; the letters that it needs of the fonts go with it.
     #[default]
     Text,
     /// As the outlines of the font: the same everywhere.

@@ -5,6 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use xmlwriter::{Indent, Options, XmlWriter};
 
 use super::embedded::write_in_svg;
+use super::font::Glyphs;
 use super::{Item, Letters, Page, number, straight};
 use crate::appearance::Rgba;
 use crate::text::{self, Element, Face};
@@ -15,7 +16,7 @@ use crate::text::{self, Element, Face};
 #[must_use]
 pub fn svg(page: &Page, letters: Letters, figure: &str) -> String {
     let options = Options { use_single_quote: false, indent: Indent::Spaces(1), attributes_indent: Indent::None };
-    let mut writer = Writer { xml: XmlWriter::new(options), letters, clips: 0 };
+    let mut writer = Writer { xml: XmlWriter::new(options), letters, clips: 0, glyphs: Face::ALL.map(Glyphs::of) };
     let [width, height] = page.size;
     let xml = &mut writer.xml;
     xml.start_element("svg");
@@ -40,6 +41,7 @@ pub fn svg(page: &Page, letters: Letters, figure: &str) -> String {
         write_in_svg(xml, figure);
     }
     writer.items(&page.items);
+    writer.fonts();
     writer.xml.end_document()
 }
 
@@ -47,6 +49,8 @@ struct Writer {
     xml: XmlWriter,
     letters: Letters,
     clips: usize,
+    /// The letters of the texts, for each face.
+    glyphs: [Glyphs; 4],
 }
 
 impl Writer {
@@ -138,7 +142,8 @@ impl Writer {
         }
     }
 
-    /// One element with its halo painted first, so that each text is there once.
+    /// One element with its halo painted first, so that each text is there once. The halo of a part of it would cover
+    /// the letters of the part before: where there are several, it is that of the outlines, below the text.
     fn text(
         &mut self,
         [x, y]: [f32; 2],
@@ -147,19 +152,25 @@ impl Writer {
         [color, halo]: [Rgba; 2],
         halo_width: f32,
     ) {
+        let runs = text::set_runs(text, size, mathematical);
+        if runs.len() > 1 && halo.a > 0 {
+            self.halo(&text::moved(&text::outline(text, size, mathematical), [x, y]), halo, halo_width);
+        }
         self.xml.start_element("text");
         self.xml.write_attribute("x", &number(x));
         self.xml.write_attribute("y", &number(y));
-        self.xml.write_attribute("font-family", "DejaVu Sans, Verdana, sans-serif");
+        self.xml.write_attribute_fmt("font-family", format_args!("{}, Verdana, sans-serif", family(Face::Plain)));
         self.xml.write_attribute("font-size", &number(size));
         self.color("fill", color);
-        if halo.a > 0 {
+        if runs.len() <= 1 && halo.a > 0 {
             self.xml.write_attribute("paint-order", "stroke");
             self.color("stroke", halo);
             self.xml.write_attribute("stroke-width", &number(halo_width));
             self.xml.write_attribute("stroke-linejoin", "round");
         }
-        let runs = text::set_runs(text, size, mathematical);
+        for run in &runs {
+            self.glyphs[run.face as usize].take(&run.text);
+        }
         if let [run] = runs.as_slice()
             && run.size == size
             && run.face == Face::Plain
@@ -187,17 +198,44 @@ impl Writer {
 
     /// The font of a run, where it is not that of the text.
     fn font(&mut self, face: Face) {
-        let family = match face {
-            Face::Plain => return,
-            Face::Roman | Face::Bold => "KaTeX_Main, Latin Modern Roman, CMU Serif, serif",
-            Face::Italic => "KaTeX_Math, Latin Modern Math, CMU Serif, serif",
-        };
-        self.xml.write_attribute("font-family", family);
-        match face {
-            Face::Bold => self.xml.write_attribute("font-weight", "bold"),
-            Face::Italic => self.xml.write_attribute("font-style", "italic"),
-            Face::Plain | Face::Roman => {}
+        if face == Face::Plain {
+            return;
         }
+        let families = format!("{}, Latin Modern Roman, CMU Serif, serif", family(face));
+        self.xml.write_attribute("font-family", &families);
+        for (name, value) in look(face) {
+            self.xml.write_attribute(name, value);
+        }
+    }
+
+    /// The letters of the texts as fonts: browsers take them, and other programs the fonts of the machine.
+    fn fonts(&mut self) {
+        let mut rules = String::new();
+        for (face, glyphs) in Face::ALL.into_iter().zip(&self.glyphs) {
+            let Some(font) = (!glyphs.is_empty()).then(|| glyphs.web_font()).flatten() else { continue };
+            let look: String = look(face).iter().map(|(name, value)| format!("{name}:{value};")).collect();
+            // Other figures of a page have other letters of the same font.
+            let range: Vec<String> = glyphs.characters().map(|c| format!("U+{:X}", u32::from(c))).collect();
+            let (family, range, font) = (family(face), range.join(","), STANDARD.encode(font));
+            rules.push_str(&format!(
+                "@font-face{{font-family:\"{family}\";{look}unicode-range:{range};src:url(data:font/ttf;base64,{font})}}"
+            ));
+        }
+        if !rules.is_empty() {
+            self.xml.start_element("style");
+            self.xml.write_text(&rules);
+            self.xml.end_element();
+        }
+    }
+
+    /// A stroke around letters.
+    fn halo(&mut self, outline: &[Element], color: Rgba, width: f32) {
+        self.path(outline);
+        self.xml.write_attribute("fill", "none");
+        self.color("stroke", color);
+        self.xml.write_attribute("stroke-width", &number(width));
+        self.xml.write_attribute("stroke-linejoin", "round");
+        self.xml.end_element();
     }
 
     fn outlines(
@@ -212,17 +250,30 @@ impl Writer {
         self.xml.start_element("g");
         self.xml.write_attribute("aria-label", &escaped(text));
         if halo.a > 0 {
-            self.path(&path);
-            self.xml.write_attribute("fill", "none");
-            self.color("stroke", halo);
-            self.xml.write_attribute("stroke-width", &number(halo_width));
-            self.xml.write_attribute("stroke-linejoin", "round");
-            self.xml.end_element();
+            self.halo(&path, halo, halo_width);
         }
         self.path(&path);
         self.color("fill", color);
         self.xml.end_element();
         self.xml.end_element();
+    }
+}
+
+/// The name of a face's font.
+fn family(face: Face) -> &'static str {
+    match face {
+        Face::Plain => "DejaVu Sans",
+        Face::Roman | Face::Bold => "KaTeX_Main",
+        Face::Italic => "KaTeX_Math",
+    }
+}
+
+/// The properties by which a face is known among those of its font.
+fn look(face: Face) -> &'static [(&'static str, &'static str)] {
+    match face {
+        Face::Plain | Face::Roman => &[],
+        Face::Bold => &[("font-weight", "bold")],
+        Face::Italic => &[("font-style", "italic")],
     }
 }
 

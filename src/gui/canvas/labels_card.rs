@@ -4,8 +4,9 @@ use eframe::egui::{self, Align2, ComboBox, Id, Ui, Window, vec2};
 
 use super::{Canvas, Pane};
 use crate::appearance::Rgba;
-use crate::figure::Letters;
 use crate::figure::labels::{note_index, set_text};
+use crate::figure::words::{DIMENSIONS, value};
+use crate::figure::{Letters, Measure, MeasureText};
 use crate::gui::state::State;
 use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
@@ -34,6 +35,7 @@ impl Canvas {
                 self.chosen(ui, state, (view, &name), t);
             }
             ui.separator();
+            measures(ui, state, t);
             whole(ui, state, t);
             for (name, near) in unknown_labels(&self.shot, state.scene_cache.scene()) {
                 let text = words::unknown(state.settings.lang, &name, near.as_deref());
@@ -75,6 +77,7 @@ impl Canvas {
         let place = self.pictures.iter().flat_map(|picture| &picture.labels).find(|label| label.name == name);
         let own = change.text.map(str::to_owned).or_else(|| place.map(|place| place.text.clone()));
         self.text(ui, state, (name, own.unwrap_or_default()), t);
+        text_of_measure(ui, state, name, t);
         ui.horizontal(|ui| {
             ui.label(t.size);
             let now = size.unwrap_or(1.0);
@@ -145,6 +148,39 @@ fn select_all(ctx: &egui::Context, id: Id, count: usize) {
     let mut edit = egui::TextEdit::load_state(ctx, id).unwrap_or_default();
     edit.cursor.set_char_range(Some(CCursorRange::two(CCursor::new(0), CCursor::new(count))));
     edit.store(ctx, id);
+}
+
+/// The lengths and angles that the author shows in the world.
+fn measures(ui: &mut Ui, state: &mut State, t: &Texts) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.label(t.measures);
+        for measure in Measure::ALL {
+            let is_shown = state.document.figure().labels.measures.iter().any(|shown| shown.measure == measure);
+            let button = ui.add(egui::Button::new(measure.symbol()).selected(is_shown));
+            if button.explained(t.measures_hint).clicked() {
+                let shown = (!is_shown).then(MeasureText::default);
+                state.document.edit_labels(|labels| labels.measure(measure, shown));
+            }
+        }
+    });
+}
+
+/// The text of the chosen label, where it is that of one of these.
+fn text_of_measure(ui: &mut Ui, state: &mut State, name: &str, t: &Texts) {
+    let shown = &state.document.figure().labels.measures;
+    let measure = value(DIMENSIONS, name);
+    let Some(labelled) = shown.iter().find(|labelled| Some(labelled.measure) == measure).copied() else { return };
+    ui.horizontal(|ui| {
+        ui.label(t.shown);
+        for (text, words) in
+            [(MeasureText::Symbol, t.symbol), (MeasureText::Value, t.value), (MeasureText::Both, t.both)]
+        {
+            if ui.selectable_label(labelled.shown == text, words).clicked() {
+                state.document.edit_labels(|labels| labels.measure(labelled.measure, Some(text)));
+            }
+        }
+    });
 }
 
 /// The part for all labels.

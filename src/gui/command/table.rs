@@ -79,7 +79,7 @@ pub const MENUS: &[Menu] = &[
             &[
                 row!(Export, ctrl(Key::E), export, export_hint, |s, _| show_export(s)),
                 row!(ExportFamily, ctrl_shift(Key::E), export_family, export_family_hint, |s, _| {
-                    s.family = std::mem::take(&mut s.family).or_first();
+                    s.family = std::mem::take(&mut s.family).or_last();
                     show_export(s);
                 }),
                 Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| qr::ask(s)),

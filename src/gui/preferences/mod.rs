@@ -22,12 +22,13 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{DocumentMut, Value};
 
+use super::family_choice::{Subject, Varied};
 use super::launch_options::LANGUAGES;
 use super::state::{Side, State};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
 use crate::export::format::PictureFormat;
 use crate::figure::words::{self, ARRANGEMENTS, EXPLANATIONS, THEMES, Words};
-use crate::limits::{PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
+use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
 use crate::views::{View, Views};
@@ -72,7 +73,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 38] = [
+const KEYS: [Key; 42] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -233,6 +234,19 @@ const KEYS: [Key; 38] = [
             put(&mut state.export.faces, faces);
         },
     },
+    // Keys or operations with their values; empty: none.
+    Key { name: "family", of: |state| family_of(state, 0), apply: |state, value| set_family(state, value, 0) },
+    Key { name: "family_rows", of: |state| family_of(state, 1), apply: |state, value| set_family(state, value, 1) },
+    // 0: as many as there is room for.
+    Key {
+        name: "family_columns",
+        of: |state| state.family.columns.and_then(|n| i64::try_from(n).ok()).unwrap_or_default().into(),
+        apply: |state, value| {
+            let columns = value.as_integer().and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= 8);
+            put(&mut state.family.columns, columns.map(|n| Some(n).filter(|n| *n > 0)));
+        },
+    },
+    key!("family_parts", switch, family.parts),
     key!("export_width_cm", within PAPER_CM, export.paper.size[0]),
     key!("export_height_cm", within PAPER_CM, export.paper.size[1]),
     key!("export_dpi", within PAPER_DPI, export.paper.dpi),
@@ -247,6 +261,22 @@ const KEYS: [Key; 38] = [
         },
     },
 ];
+
+/// What varied in the last family: its word, then its values.
+fn family_of(state: &State, place: usize) -> Value {
+    let Varied { subject, values } = &state.family.remembered()[place];
+    [subject.word(), values].into_iter().collect()
+}
+
+fn set_family(state: &mut State, value: &Value, place: usize) {
+    let texts: Vec<&str> = value.as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    if let [word, values] = texts[..]
+        && let Some(subject) = Subject::of_word(word)
+        && values.chars().count() <= MAX_TYPED_NAME
+    {
+        state.family.last[place] = Varied { subject, values: values.to_owned() };
+    }
+}
 
 fn put<T>(place: &mut T, value: Option<T>) {
     if let Some(value) = value {
@@ -326,6 +356,7 @@ mod tests {
     use crate::figure::Explanation;
     use crate::gui::Start;
     use crate::gui::export::{Export, Paper};
+    use crate::gui::family_choice::FamilyChoice;
     use crate::gui::state::Conventions;
     use crate::i18n::Lang;
     use crate::views::Arrangement;
@@ -371,6 +402,9 @@ mod tests {
             paper,
             ..changed.export
         };
+        changed.family = FamilyChoice { columns: Some(3), parts: true, ..FamilyChoice::default().or_last() };
+        changed.family.first.values = "20, 30".to_owned();
+        changed.family.second.choose(Subject::Typed);
         changed.operations.steps = std::array::from_fn(|i| 2.5 + i as f64);
         changed.explain.show(Explanation::Code);
         let plain = values(&state());
