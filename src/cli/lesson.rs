@@ -262,7 +262,8 @@ fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     for (k, step) in lesson.steps.iter().enumerate() {
         let name = format!("{:0digits$}-{}.{}", k + 1, lesson.id, args.format.ending());
         let output = args.output.join(name);
-        let sheet = composite(args, &found, (k, step), size, lang)?;
+        let views = args.view.unwrap_or_else(|| views_of(&step.figure));
+        let sheet = composite(args, &found, (k, step), size_of(size, views), lang)?;
         let told = pictures::told_of(written, &step.figure, &sheet, to_toml(&step.figure)).for_file(&output);
         let options = FileOptions::of(args.format.format());
         let made = at_once(picture::file(&sheet, options, &told, &Progress::default()));
@@ -281,7 +282,7 @@ pub(super) fn composite(
     args: &LessonRenderArgs,
     found: &Found,
     (k, step): (usize, &Step),
-    size: Option<ImageSize>,
+    size: Size,
     lang: Lang,
 ) -> Result<Composite, Failure> {
     let written = args.which.lang.map_or(Lang::En, LangArg::lang);
@@ -289,7 +290,6 @@ pub(super) fn composite(
     let scene = scene(&step.figure, found.path.as_ref(), args.which.allow_files, lang).map_err(failed)?;
     let camera = Camera::new(&step.figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
     let views = args.view.unwrap_or_else(|| views_of(&step.figure));
-    let size = size_of(size, views);
     let (shot, scene) = (Shot::of(&step.figure), SharedScene::new(scene));
     let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(written), size);
     Composite::of(views, &request, &shot, None).map_err(|error| {

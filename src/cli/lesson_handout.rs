@@ -14,11 +14,14 @@ use crate::lessons::{Lesson, Step, Task};
 use crate::picture::{Handout, HandoutEntry, Paragraph};
 use crate::progress::at_once;
 use crate::sanitize;
+use crate::views::Size;
 
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 5;
 /// Lines to write on, for a question with numbers and for one with choices.
 const ROOM: [usize; 2] = [4, 1];
+/// Height of the letters in pictures, in points.
+const LETTERS: f32 = 7.5;
 /// Width of the picture of a step in pixels, and the height of its parts.
 const WIDTH: u32 = 900;
 const HEIGHT: u32 = 330;
@@ -31,7 +34,7 @@ pub(super) fn write(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Resul
     let mut entries = vec![HandoutEntry { picture: None, paragraphs: beginning(written, lesson) }];
     for (k, step) in lesson.steps.iter().enumerate() {
         let size = ImageSize { width: WIDTH, height: HEIGHT * if columns > 1 { 3 } else { 2 } / 2 };
-        let picture = composite(args, found, (k, step), Some(size), lang)?;
+        let picture = composite(args, found, (k, step), lettered(size, columns), lang)?;
         entries.push(HandoutEntry { picture: Some(picture), paragraphs: of_step(written, k, step) });
     }
     if let Some(sentence) = &lesson.sentence {
@@ -49,6 +52,13 @@ pub(super) fn write(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Resul
     let bytes =
         made.map_err(|error| no_picture(lang, &sanitize::path(&args.output), error, [WIDTH, HEIGHT].map(u64::from)))?;
     save(&args.output, &bytes, None, lang)
+}
+
+/// A size of a picture whose letters have [`LETTERS`] points on the page.
+fn lettered(size: ImageSize, columns: usize) -> Size {
+    #[expect(clippy::cast_precision_loss, reason = "pixels of a picture")]
+    let per_point = WIDTH as f32 / Handout::picture_width(columns);
+    Size::with_letters(size.width, size.height, LETTERS * per_point)
 }
 
 /// True where a handout is wanted, and not a folder of pictures.
@@ -146,10 +156,30 @@ fn set(markdown: &str) -> Vec<Paragraph> {
 fn in_line(markdown: &str) -> String {
     let text = markdown.replace("$$", "$").replace("**", "").replace('\n', " ");
     let part = |(k, part): (usize, &str)| match k % 2 {
-        1 => crate::formula::set(&format!("${part}$")).unwrap_or_else(|_| crate::i18n::notes::plain(part)),
+        1 => formula_in_line(part),
         _ => part.replace('*', ""),
     };
     text.split('$').enumerate().map(part).collect::<String>().trim().to_owned()
+}
+
+/// LaTeX as signs on a line; a matrix row by row.
+fn formula_in_line(latex: &str) -> String {
+    if let Some((before, rest)) = latex.split_once("\\begin{bmatrix}")
+        && let Some((entries, after)) = rest.split_once("\\end{bmatrix}")
+    {
+        let entry = |entry: &str| formula_in_line(entry.trim());
+        let row = |row: &str| row.split('&').map(entry).collect::<Vec<_>>().join("  ");
+        let rows: Vec<String> = entries.split("\\\\").map(row).collect();
+        let [before, after] = [before, after].map(formula_in_line);
+        return format!("{before} [{}] {after}", rows.join(" ; ")).trim().to_owned();
+    }
+    if latex.trim().is_empty() {
+        return String::new();
+    }
+    // A comma between braces is the decimal mark, and no comma of a list.
+    let points = latex.replace("{,}", ".");
+    let set = crate::formula::set(&format!("${points}$")).unwrap_or_else(|_| crate::i18n::notes::plain(&points));
+    if points == latex { set } else { set.replace('.', ",") }
 }
 
 #[cfg(test)]
@@ -166,5 +196,8 @@ mod tests {
             matches!(&paragraphs[0], Paragraph::Text(text) if text.starts_with("The eye is C, ") && !text.contains('$'))
         );
         assert!(matches!(&paragraphs[2], Paragraph::Formula(text) if text.contains('θ')));
+        assert_eq!(in_line("$D = 6{,}53$"), "D = 6,53");
+        let matrix = in_line("$$M_v = \\begin{bmatrix} 1 & 0{,}5 \\\\ 0 & -1 \\end{bmatrix}$$");
+        assert!(matrix.ends_with("= [1  0,5 ; 0  −1]"), "{matrix}");
     }
 }

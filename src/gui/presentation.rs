@@ -10,7 +10,7 @@ use eframe::egui::{
 use super::command::Command;
 use super::menu;
 use super::state::State;
-use crate::i18n::{told, window};
+use crate::i18n::{lessons, told, window};
 
 /// Duration of the display of the keys, in seconds, and of its fading.
 const SHOWN: f64 = 8.0;
@@ -172,7 +172,9 @@ pub(super) fn keys(ctx: &Context, state: &mut State) -> Option<(&'static str, f3
     ctx.request_repaint_after(Duration::from_secs_f64((left - fading).max(1.0 / 60.0)));
     #[expect(clippy::cast_possible_truncation, reason = "a share")]
     let share = if fading > 0.0 { (left / fading).min(1.0) as f32 } else { 1.0 };
-    Some((window::texts(state.settings.lang).presentation_keys, share))
+    let lang = state.settings.lang;
+    let of_lesson = state.lesson.is_some().then(|| lessons::texts(lang).presentation_keys);
+    Some((of_lesson.unwrap_or(window::texts(lang).presentation_keys), share))
 }
 
 /// A sentence on a ground of its own, whose centre is at a place, in a room so wide.

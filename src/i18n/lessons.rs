@@ -14,7 +14,6 @@ use crate::sanitize::escaped;
 texts! {
     lessons: "Lessons", "Lições";
     lesson: "lesson", "lição";
-    minutes: "min", "min";
     aims: "Afterwards you can", "Depois você sabe";
     question: "Question", "Pergunta";
     to_try: "Try", "Experimente";
@@ -65,9 +64,11 @@ texts! {
     new_here: "New here?", "Primeira vez aqui?";
     or_gallery: "Gallery of figures", "Galeria de figuras";
     no_welcome: "Close this line; the lessons are in the menu Help", "Fechar esta linha; as lições estão no menu Ajuda";
+    presentation_keys: "Esc: leave · Page ↑ ↓: steps · Q: question · C: text · N: notes · a number: that step · P: pen · S: spotlight · B: black", "Esc: sair · Page ↑ ↓: passos · Q: pergunta · C: texto · N: notas · um número: aquele passo · P: caneta · S: foco · B: preto";
     // The list of lessons.
     lessons_command: "Lessons…", "Lições…";
     lessons_hint: "A way through the chapter, step by step", "Um caminho pelo capítulo, passo a passo";
+    of_folder: "In the folder of your figures", "Na pasta de suas figuras";
     learn_next: "Learn next", "Aprender a seguir";
     leads_to: "Exercises", "Exercícios";
     finished: "finished", "concluída";

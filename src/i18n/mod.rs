@@ -174,7 +174,7 @@ impl Lang {
 #[cfg(test)]
 mod tests {
     use super::{
-        Lang, canvas, coach, conventions, exercise_window, families, order, pictures, reasons, scenes, sharing,
+        Lang, canvas, coach, conventions, exercise_window, families, lessons, order, pictures, reasons, scenes, sharing,
     };
 
     /// The words of the window itself have a test of their own, in the window.
@@ -193,6 +193,7 @@ mod tests {
         check(families::texts(Lang::En).entries(), families::texts(Lang::PtBr).entries());
         check(coach::texts(Lang::En).entries(), coach::texts(Lang::PtBr).entries());
         check(exercise_window::texts(Lang::En).entries(), exercise_window::texts(Lang::PtBr).entries());
+        check(lessons::texts(Lang::En).entries(), lessons::texts(Lang::PtBr).entries());
         check(order::texts(Lang::En).entries(), order::texts(Lang::PtBr).entries());
         check(conventions::texts(Lang::En).entries(), conventions::texts(Lang::PtBr).entries());
         check(pictures::texts(Lang::En).entries(), pictures::texts(Lang::PtBr).entries());

@@ -272,7 +272,7 @@ pub const MENUS: &[Menu] = &[
                 Lessons,
                 ctrl_shift(Key::L),
                 |t| lesson_words(t, |t| (t.lessons_command, t.lessons_hint)),
-                |s, _| show_dialog(s, Dialog::Lessons),
+                |s, _| lesson::show_list(s),
             ),
             row!(Search, ctrl_shift(Key::P), search, search_hint, |s, _| show_search(s)).browsers_keys(),
             row!(Help, plain(Key::F1), help, help_hint, |s, _| show_dialog(s, Dialog::Help)),

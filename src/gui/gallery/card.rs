@@ -206,6 +206,8 @@ pub fn figures_in(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     let entries = std::fs::read_dir(folder).map_err(FileError::Read)?.flatten();
     let is_figure = |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_figure).collect();
+    // Lessons are among the lessons.
+    paths.retain(|path| !files::is_lesson(path));
     paths.sort_by(|a, b| natural_order(&a.to_string_lossy(), &b.to_string_lossy()));
     Ok(paths)
 }

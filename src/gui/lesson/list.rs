@@ -1,15 +1,30 @@
 //! The list of lessons.
 
+use std::path::Path;
+
 use eframe::egui::{Key, Label, Modifiers, RichText, ScrollArea, Ui};
 
+use crate::files;
 use crate::gui::file_flow;
 use crate::gui::prose;
 use crate::gui::state::{AfterSave, Dialog, State};
+use crate::gui::tooltip::Explained;
 use crate::i18n::{gallery, lessons as words, told};
 use crate::lessons::{OpenLesson, shipped};
 
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 620.0;
+
+/// Opens the list, with the lessons of the folder of figures too.
+pub(in crate::gui) fn open(state: &mut State) {
+    let folders =
+        [state.lesson_file.as_deref().and_then(Path::parent), state.document.folder(), state.gallery.folder()];
+    let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
+    // A folder that cannot be read has none.
+    let found = folder.filter(|_| !state.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
+    state.own_lessons = found.unwrap_or_default().lessons;
+    state.file_flow.dialog = Some(Dialog::Lessons);
+}
 
 /// Shows the list; a lesson that is chosen is played.
 pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
@@ -27,10 +42,10 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
             let last = lesson.steps.len().saturating_sub(1);
             ui.horizontal_wrapped(|ui| {
                 let title = format!("{}. {}", k + 1, words::with_minutes(lang, lesson));
-                if ui.link(RichText::new(title).strong()).clicked() {
+                if ui.link(title).clicked() {
                     // One goes on where one was, and begins anew what is finished.
                     let step = taken.filter(|step| *step < last).unwrap_or_default();
-                    chosen = Some((lesson.clone(), step));
+                    chosen = Some(OpenLesson { lesson: lesson.clone(), path: None, step });
                 }
                 match taken {
                     Some(step) if step >= last => drop(ui.label(RichText::new(format!("✓ {}", t.finished)).weak())),
@@ -53,14 +68,22 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
             }
             ui.add_space(6.0);
         }
+        if !state.own_lessons.is_empty() {
+            ui.separator();
+            ui.label(RichText::new(t.of_folder).strong());
+        }
+        for (path, lesson) in &state.own_lessons {
+            let link = ui.link(words::with_minutes(lang, lesson)).explained(crate::sanitize::path(path));
+            if link.clicked() {
+                chosen = Some(OpenLesson { lesson: lesson.clone(), path: Some(path.clone()), step: 0 });
+            }
+        }
     });
     ui.separator();
     let closes = ui.button(gallery::texts(lang).close).clicked()
         || ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
     match chosen {
-        Some((lesson, step)) => {
-            file_flow::begin(ui.ctx(), state, AfterSave::Lesson(OpenLesson { lesson, path: None, step }));
-        }
+        Some(open) => file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open)),
         None if closes => {}
         None => state.file_flow.dialog = Some(Dialog::Lessons),
     }

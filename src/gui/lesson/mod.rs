@@ -23,13 +23,15 @@ use crate::figure::{Bilingual, Explanation};
 use crate::i18n::lessons::{self as words, Texts};
 use crate::i18n::{exercises, notes, told};
 use crate::lessons::{self, Link};
-pub(super) use list::{WIDTH as LIST_WIDTH, show as list};
+pub(super) use list::{WIDTH as LIST_WIDTH, open as show_list, show as list};
 pub(super) use record::{add_step, record};
 
 /// The share of the window that text and task may take; what is longer is scrolled.
 const SHARE: f32 = 0.42;
 /// Lines of text that read well, in heights of a line.
 const LINE: f32 = 44.0;
+/// Between a text and its task beside it.
+const GUTTER: f32 = 24.0;
 /// Seconds after which a typed number is one.
 const TYPED: f64 = 0.9;
 
@@ -120,7 +122,7 @@ pub(super) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
         let shows = state.lesson.as_ref().is_some_and(|playing| {
             playing.shows_text || playing.shows_notes || playing.shows_question && !playing.is_done()
         });
-        let mut wanted = ui.min_rect().bottom() - top;
+        let mut wanted = ui.cursor().top() - top;
         if shows {
             ui.add_space(2.0);
             let area = ScrollArea::vertical().id_salt(key).auto_shrink(false);
@@ -211,9 +213,14 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     let line = LINE * ui.text_style_height(&egui::TextStyle::Body);
     if shows_text && asks && ui.available_width() > 1.4 * line {
         // Side by side they leave the pictures more room.
-        ui.columns(2, |columns| {
-            say(&mut columns[0]);
-            task::show(&mut columns[1], t, state, &step, &text);
+        ui.horizontal_top(|ui| {
+            let half = 0.5 * (ui.available_width() - GUTTER);
+            ui.vertical(|ui| {
+                ui.set_width(half);
+                say(ui);
+            });
+            ui.add_space(GUTTER - ui.spacing().item_spacing.x);
+            ui.vertical(|ui| task::show(ui, t, state, &step, &text));
         });
     } else {
         ui.set_max_width(ui.available_width().min(1.4 * line));

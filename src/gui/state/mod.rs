@@ -58,6 +58,7 @@ mod view_history;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -68,6 +69,7 @@ use crate::figure::points::free_name;
 use crate::figure::{Explanation, Figure, NamedPoint, Observers};
 use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
+use crate::lessons::Lesson;
 use crate::limits::MAX_NAMED_POINTS;
 use crate::views::Probe;
 use crate::views::View;
@@ -249,6 +251,8 @@ pub struct State {
     pub exercises: Exercises,
     /// The lesson that is played.
     pub lesson: Option<Playing>,
+    /// The lessons of a lecturer's folder, as they were when the list was opened.
+    pub own_lessons: Vec<(PathBuf, Arc<Lesson>)>,
     /// The lesson of the user's own to which steps are added.
     pub lesson_file: Option<PathBuf>,
     /// The furthest step of each lesson that was taken, from 0, by the lesson's identifier.
@@ -341,6 +345,7 @@ impl State {
             follow: Follow::default(),
             coach: Coach::default(),
             lesson: None,
+            own_lessons: Vec::new(),
             lesson_file: None,
             lessons_taken: BTreeMap::new(),
             welcome: false,
