@@ -30,12 +30,18 @@ if command -v pdftotext >/dev/null; then
             case $text in *"$name"*) ;; *) echo "$figure.pdf lacks \"$name\"" >&2 && exit 1 ;; esac
         done
     }
-    has a-camera C PF VUP DOP u v n
-    has b-canonical 'x' 'y' 'z'
+    # Every name in them; words by the language.
+    case $lang in
+        pt-BR) window='janela (F)' far='fundo' near='frente' new='criado pelo recorte' ;;
+        *) window='window (F)' far='far' near='near' new='made by clipping' ;;
+    esac
+    corners='(1, 1, 1)'
+    has a-camera C PF VUP DOP u v n x y z "$window" "$far (B)"
+    has b-canonical xn yn zn "$near (zn = −1)" "$far (zn = 1)" "$corners" '(−1, −1, −1)'
     has c-projections '(a)' '(b)'
     has d-visibility '(a)' '(b)'
-    has e-angles 'θ = 20°' 'θ = 40°' 'θ = 60°' 'θ = 90°'
-    has f-clipping 'x' 'y'
+    has e-angles '(a) θ = 20°' '(b) θ = 40°' '(c) θ = 60°' '(d) θ = 90°'
+    has f-clipping xn yn zn "$near (zn = −1)" "$far (zn = 1)" "$corners" '(−1, −1, −1)' "$new"
 fi
 
 if command -v pdflatex >/dev/null; then

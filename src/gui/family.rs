@@ -50,7 +50,7 @@ pub(super) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut FamilyChoi
     });
 }
 
-/// What may vary.
+/// The keys and operations that may vary.
 fn subjects(t: &'static Texts, nothing: &'static str) -> Vec<(Subject, &'static str)> {
     let words = families::texts(t.lang);
     let names = [

@@ -88,9 +88,9 @@ impl Varied {
 /// The settings of a family.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FamilyChoice {
-    /// What varies; nothing: no family is wanted.
+    /// The key that varies; nothing: no family is wanted.
     pub first: Varied,
-    /// What varies along the rows, where something does; the first then varies from row to row.
+    /// The key that varies along each row, where there is one; the first then varies from row to row.
     pub second: Varied,
     /// The number of pictures in a row; `None`: as many as there is room for, or as the second has values.
     pub columns: Option<usize>,
@@ -98,7 +98,7 @@ pub struct FamilyChoice {
     pub parts: bool,
     /// Captions in place of the values, as they are typed, with [`BETWEEN_CAPTIONS`] between them.
     pub captions: String,
-    /// What varied in the last family, also of an earlier session.
+    /// The keys of the last family, also of an earlier session.
     pub last: [Varied; 2],
 }
 
@@ -123,7 +123,7 @@ impl FamilyChoice {
         self.first.choose(subject);
     }
 
-    /// What varies, or varied last.
+    /// The keys that vary, or varied last.
     #[must_use]
     pub fn remembered(&self) -> [Varied; 2] {
         match self.first.subject {

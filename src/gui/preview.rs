@@ -38,8 +38,8 @@ pub struct Preview {
 struct PreviewJob {
     subject: ExportSource,
     export: Export,
-    /// The reduction of the preview; 1: the size of the export.
-    factor: f32,
+    /// The pixels of the preview's place; `None`: the size of the export.
+    room: Option<[f32; 2]>,
     /// Vectors as text in place of pixels.
     as_svg: bool,
 }
@@ -68,8 +68,11 @@ impl Default for Preview {
 }
 
 fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
-    async |PreviewJob { subject, export, factor, as_svg }, progress: &Progress| {
-        let sheet = subject.sheet(&export, progress)?.reduced(factor);
+    async |PreviewJob { subject, export, room, as_svg }, progress: &Progress| {
+        let sheet = subject.sheet(&export, progress)?;
+        // A family may be far larger than the picture of its figure.
+        let size = sheet.size().unwrap_or([export.width, export.height]);
+        let sheet = sheet.reduced(room.map_or(1.0, |room| factor(size, room)));
         if as_svg {
             let form = FileOptions { format: PictureFormat::Svg, ..export.form() };
             let file = picture::file(&sheet, form, &subject.told(&sheet, String::new()), progress).await?;
@@ -110,8 +113,8 @@ impl Preview {
         if self.asked.as_ref().is_none_or(|(asked, of)| asked != export || of != family) {
             self.asked = Some((*export, family.clone()));
             self.copied = None;
-            let factor = factor(export, room.map(|side| FINENESS * side));
-            self.worker.ask(ctx, SHOWN, PreviewJob { subject: subject(), export: *export, factor, as_svg: false });
+            let room = Some(room.map(|side| FINENESS * side));
+            self.worker.ask(ctx, SHOWN, PreviewJob { subject: subject(), export: *export, room, as_svg: false });
         }
     }
 
@@ -127,7 +130,7 @@ impl Preview {
         self.worker.ask(
             ctx,
             COPIED,
-            PreviewJob { subject, export: *export, factor: 1.0, as_svg: export.format.is_vector() },
+            PreviewJob { subject, export: *export, room: None, as_svg: export.format.is_vector() },
         );
     }
 
@@ -147,10 +150,10 @@ fn image(picture: &Pixels) -> ColorImage {
     ColorImage::from_rgba_premultiplied(size, picture.rgba())
 }
 
-/// The reduction of the export that fits into this number of pixels; 1 where it fits.
-fn factor(export: &Export, room: [f32; 2]) -> f32 {
+/// The reduction of a picture that fits into this number of pixels; 1 where it fits.
+fn factor([width, height]: [u32; 2], room: [f32; 2]) -> f32 {
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
-    let [width, height] = [export.width.max(1) as f32, export.height.max(1) as f32];
+    let [width, height] = [width.max(1) as f32, height.max(1) as f32];
     (room[0] / width).min(room[1] / height).min(1.0)
 }
 
@@ -160,9 +163,8 @@ mod tests {
 
     #[test]
     fn what_is_larger_than_its_room_is_reduced_to_it() {
-        for ([width, height], expected) in [([6000, 3000], 0.12), ([960, 960], 0.5), ([64, 48], 1.0)] {
-            let export = Export { width, height, ..Export::new([[640, 480]; 3], 1.0) };
-            assert_eq!(factor(&export, [720.0, 480.0]), expected);
+        for (size, expected) in [([6000, 3000], 0.12), ([960, 960], 0.5), ([64, 48], 1.0)] {
+            assert_eq!(factor(size, [720.0, 480.0]), expected);
         }
     }
 }

@@ -17,7 +17,7 @@ texts! {
     samples: "samples per pixel", "amostras por pixel";
     values: "values", "valores";
     values_hint: "Separated by commas; 20..90:4 are four from 20 to 90. With another key: camera.near=1, 2", "Separados por vírgulas; 20..90:4 são quatro de 20 a 90. Com outra chave: camera.near=1, 2";
-    second: "and along the rows", "e ao longo das linhas";
+    second: "in each row", "em cada linha";
     second_hint: "A second key or operation, which varies within each row; the first then varies from row to row", "Uma segunda chave ou operação, que varia dentro de cada linha; a primeira varia então de linha em linha";
     second_values: "values along the rows", "valores ao longo das linhas";
     nothing: "nothing", "nada";

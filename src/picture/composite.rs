@@ -190,6 +190,13 @@ impl Composite {
         self
     }
 
+    /// Width and height in pixels, where they are possible.
+    #[must_use]
+    pub fn size(&self) -> Option<[u32; 2]> {
+        let sizes: Vec<[u32; 2]> = self.requests.iter().map(|own| [own.size.width, own.size.height]).collect();
+        Some(self.layout(&sizes, false)?.size)
+    }
+
     /// The same sheet, smaller by a factor, with letters and strokes: a preview.
     #[must_use]
     pub fn reduced(mut self, factor: f32) -> Self {

@@ -187,7 +187,7 @@ fn overlap(triangle: Corners, other: Corners) -> bool {
     let separates = |[a, b]: [[f32; 2]; 2], other: Corners| {
         let along = [b[0] - a[0], b[1] - a[1]];
         let distance = |p: [f32; 2]| along[0] * (p[1] - a[1]) - along[1] * (p[0] - a[0]);
-        other.iter().all(|p| distance(*p) <= TOUCH * along[0].hypot(along[1]))
+        other.iter().all(|p| distance(*p) <= TOUCH * glam::Vec2::from(along).length())
     };
     let is_apart = |own: Corners, other: Corners| sides_of(own).into_iter().any(|side| separates(side, other));
     !is_apart(triangle, other) && !is_apart(other, triangle)

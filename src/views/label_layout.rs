@@ -172,6 +172,12 @@ pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
     drawing.labels = kept;
     let leader = rules.leader.or(rules.author.map(|author| author.leader));
     if let (Some((color, width)), false) = (leader, taken.leaders.is_empty()) {
+        // As around letters: a body may be as dark as the line.
+        let over_bodies: Vec<[DVec2; 2]> =
+            taken.leaders.iter().copied().filter(|ends| taken.meets_body(*ends)).collect();
+        if let Some(halo) = drawing.labels.first().map(|label| label.halo).filter(|_| !over_bodies.is_empty()) {
+            drawing.strokes.push(leading(&over_bodies, halo, 3.0 * width));
+        }
         drawing.strokes.push(leading(&taken.leaders, color, width));
     }
 }
@@ -235,6 +241,13 @@ impl Taken {
             let middle = 0.5 * (*p + *q);
             around.overlaps(&Box2 { center: middle, half: (*q - middle).abs() })
         }));
+    }
+
+    /// True where a line runs over a body, at one of a few places of it.
+    fn meets_body(&self, [from, to]: [DVec2; 2]) -> bool {
+        const PLACES: u32 = 8;
+        let at = |k: u32| from.lerp(to, f64::from(k) / f64::from(PLACES));
+        (0..=PLACES).any(|k| self.covered(&Box2 { center: at(k), half: DVec2::splat(1.0) }) > 0.5)
     }
 
     /// The share of a place that bodies cover.
@@ -508,7 +521,7 @@ mod tests {
         let all = boxes(&d);
         assert_eq!(d.labels[0].text, "C");
         assert!((all[0].center.y - 50.0).abs() < 1e-3 && all[0].center.x > 170.0, "where it wishes");
-        let lines = &d.strokes[0];
+        let lines = &d.strokes[d.strokes.len() - 1];
         assert_eq!(lines.style.color, color);
         assert!(!lines.polylines.is_empty() && lines.polylines.len() < d.labels.len());
         for range in &lines.polylines {
@@ -546,7 +559,9 @@ mod tests {
         settle(&mut d, &Rules { leader: Some((Rgba::rgb(1, 2, 3), 1.0)), ..RULES });
         let b = boxes(&d)[0];
         assert!(b.center.x - b.half.x >= 139.0, "{b:?}");
-        assert_eq!(d.strokes[0].polylines.len(), 1);
+        let [halo, line] = d.strokes.as_slice() else { panic!("{} sets", d.strokes.len()) };
+        assert_eq!((halo.polylines.len(), halo.style.color), (1, d.labels[0].halo), "a dark body hides no line");
+        assert!(halo.style.width > 2.0 * line.style.width && halo.points == line.points);
     }
 
     #[test]
@@ -566,7 +581,7 @@ mod tests {
         d.surfaces.push(body());
         settle(&mut d, &Rules { leader: Some((Rgba::rgb(1, 2, 3), 1.0)), ..RULES });
         let all = boxes(&d);
-        let leaders = &d.strokes[0];
+        let leaders = &d.strokes[d.strokes.len() - 1];
         assert!(leaders.polylines.len() > 5);
         for range in &leaders.polylines {
             let [from, to] = [range.start, range.start + 1].map(|i| point(leaders.points[i as usize]));

@@ -281,6 +281,10 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     assert_eq!(family(&window).first.values, "20, 40, 60, 90", "it begins with the view angle");
     window.quick_choice("family", "Azimuth");
     assert_eq!(family(&window).first.values, "0, 90, 180, 270");
+    window.quick_choice("in each row", "projection");
+    assert_eq!(family(&window).second.values, "perspective, parallel");
+    assert!(family(&window).variations().is_some_and(|both| both.is_ok_and(|both| both.len() == 2)));
+    window.quick_choice("in each row", "nothing");
     type_values(&mut window, "0, 200, x");
     window.wait_for("azimuth = x");
     type_values(&mut window, "0..90:4");
@@ -306,6 +310,13 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     for caption in ["(a) Azimuth 0°", "(b) Azimuth 30°", "(c) Azimuth 60°", "(d) Azimuth 90°"] {
         assert!(svg.contains(caption), "{caption}");
     }
+    // A family that is given up is offered again.
+    window.command_key(Key::E);
+    window.quick_choice("family", "none");
+    window.key(Key::Escape);
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
+    window.run();
+    assert_eq!(family(&window).first.values, "0..90:4");
 }
 
 #[test]

@@ -71,6 +71,24 @@ fn a_label_is_dragged_in_one_step_and_undone() {
 }
 
 #[test]
+fn lengths_and_angles_are_shown_by_symbol_or_value() {
+    let mut window = window(Lang::En);
+    window.click("H/2");
+    let (label, place) = shown(&mut window, "H/2").unwrap();
+    assert!(label.text.starts_with("H/2 = "), "{}", label.text);
+    // A click chooses it, and its card has the ways of showing it.
+    window.click_at(place);
+    window.click("symbol");
+    assert_eq!(shown(&mut window, "H/2").unwrap().0.text, "H/2");
+    window.click("H/2");
+    assert!(shown(&mut window, "H/2").is_none() && labels(&window).measures.is_empty());
+    for _ in 0..3 {
+        window.command_key(Key::Z);
+    }
+    assert_eq!(*labels(&window), Labels::default());
+}
+
+#[test]
 fn the_chosen_label_is_renamed_styled_hidden_and_automatic_again() {
     for (lang, text, larger, hide, automatic) in [
         (Lang::En, "text", "size larger", "Hide", "Automatic again"),

@@ -259,6 +259,22 @@ fn an_animation_goes_through_a_family_or_to_another_camera() {
 }
 
 #[test]
+fn an_animation_is_seen_by_the_observer_of_another_figure() {
+    let bench = bench("families-film-observer");
+    let film = ["animate", "figure.toml", "--vary", "azimuth=0,40", "--view", "world", "--size", "120x90"];
+    bench.run(&[&film[..], &["--observer-of", "figure.toml", "-o", "film.png"]].concat()).done();
+    let strip = picture(&bench, "film.png");
+    let one = ["render", "figure.toml", "--op", "azimuth=40", "--view", "world", "--size", "120x90"];
+    bench.run(&[&one[..], &["--observer-of", "figure.toml", "-o", "one.png"]].concat()).done();
+    assert!(part(&strip, [strip.width() - 120, 0], [120, 90]) == picture(&bench, "one.png").data());
+    bench.run(&[&film[..], &["-o", "own.png"]].concat()).done();
+    assert!(picture(&bench, "own.png").data() != strip.data(), "one observer for all by default");
+    // The steps have their own way of looking.
+    let said = bench.run(&["animate", "figure.toml", "--observer-of", "figure.toml", "-o", "steps.png"]);
+    assert!(said.refused(2).contains("--vary"), "{}", said.err);
+}
+
+#[test]
 fn lists_are_split_between_values() {
     let values = |text: &str| Variation::parse(text, None).map(|variation| variation.values);
     assert_eq!(values("a.b=1, 2 ,3").unwrap(), ["1", "2", "3"]);

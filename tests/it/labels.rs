@@ -164,6 +164,19 @@ fn measures_are_symbols_values_or_both() {
         assert_eq!(label(&drawing(&measures, View::World), "F").unwrap().text, text);
     }
     assert!(label(&drawing(FIGURE, View::World), "F").is_none());
+    // By hand: H = 2 F tan(θ/2), W = A H.
+    let camera = parse(FIGURE).unwrap().camera;
+    let height = 2.0 * camera.near * (0.5 * camera.view_angle.to_radians()).tan();
+    let half = [("H/2", 0.5 * height), ("W/2", 0.5 * camera.aspect * height)];
+    let angles = [("theta", camera.view_angle), ("theta/2", 0.5 * camera.view_angle)];
+    for (name, value) in half.into_iter().chain(angles) {
+        let measures = format!("{FIGURE}[[labels.measures]]\nname = \"{name}\"\nas = \"value\"\n");
+        let drawing = drawing(&measures, View::World);
+        let text = &label(&drawing, name).unwrap_or_else(|| panic!("{name}")).text;
+        let shown: f64 = text.trim_end_matches('°').parse().unwrap();
+        assert!((shown - value).abs() < 1e-3 * value, "{name}: {text}");
+        assert_eq!(text.ends_with('°'), name.starts_with("theta"), "{name}: {text}");
+    }
 }
 
 #[test]

@@ -262,7 +262,7 @@ const KEYS: [Key; 42] = [
     },
 ];
 
-/// What varied in the last family: its word, then its values.
+/// A key of the last family: its word, then its values.
 fn family_of(state: &State, place: usize) -> Value {
     let Varied { subject, values } = &state.family.remembered()[place];
     [subject.word(), values].into_iter().collect()
