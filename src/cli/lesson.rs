@@ -10,24 +10,21 @@ use super::lesson_args::{
     CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, ListArgs, PlayArgs, ShowArgs, WhichArgs,
 };
 use super::lesson_handout;
+use super::lesson_pictures::{Found, composite, scene, size_of, views_of};
 use super::render::{no_picture, save};
 use super::words::{LangArg, TableFormat};
 use super::{Failure, Opening, print, say};
-use crate::camera::{Camera, ImageSize};
+use crate::camera::Camera;
 use crate::exercises::Entry;
 use crate::figure::{Figure, write::to_toml};
-use crate::files::{self, FigureFiles, FileAccess, FileError};
+use crate::files::{self, FileError};
 use crate::i18n::{Lang, lessons as texts, messages, pictures};
 use crate::inspect::json_text;
 use crate::lessons::{Goal, Lesson, Link, OpenLesson, Seen, Step, Subject, Task, objects_named, shipped};
-use crate::picture::{self, Composite, FileOptions, gap};
+use crate::picture::{self, Composite, FileOptions};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::Scene;
-use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
-
-/// The size of a picture of a step, where none is given; of several, each.
-const SIZE: ImageSize = ImageSize { width: 640, height: 480 };
 
 /// Runs the command; for `play`, gives what the window opens with.
 pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>, Failure> {
@@ -39,13 +36,6 @@ pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>,
         LessonCommand::Play(args) => return play(args, lang).map(Some),
     }
     Ok(None)
-}
-
-/// A lesson, and where it comes from.
-pub(super) struct Found {
-    pub(super) lesson: Arc<Lesson>,
-    /// `None`: one of the program.
-    pub(super) path: Option<PathBuf>,
 }
 
 /// The lesson with an identifier, or in a file.
@@ -239,14 +229,6 @@ fn faults_of_goal(goal: &Goal, figure: &Figure, scene: &Scene, seen: &mut Seen, 
     faults
 }
 
-/// The scene of a step, whose meshes are beside the lesson.
-fn scene(figure: &Figure, path: Option<&PathBuf>, allow_files: bool, lang: Lang) -> Result<Scene, String> {
-    let folder = path.and_then(|path| path.parent()).unwrap_or(Path::new(""));
-    let mut files = FigureFiles::new(folder, FileAccess::of(path.map_or(folder, |path| path), false, allow_files));
-    scene_of(figure, &mut |wanted| files.read(wanted), &Progress::default())
-        .map_err(|error| messages::scene(lang, &error))
-}
-
 fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     let size = args.size(lang)?;
     let found = find(&args.which, lang)?;
@@ -275,41 +257,6 @@ fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
 
 fn pixels_of(sheet: &Composite) -> [u64; 2] {
     sheet.requests.first().map_or([0; 2], |request| [request.size.width, request.size.height].map(u64::from))
-}
-
-/// The pictures of a step on a sheet.
-pub(super) fn composite(
-    args: &LessonRenderArgs,
-    found: &Found,
-    (k, step): (usize, &Step),
-    size: Size,
-    lang: Lang,
-) -> Result<Composite, Failure> {
-    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
-    let failed = |why: String| Failure::BadInput(texts::of_step(lang, k + 1, &why));
-    let scene = scene(&step.figure, found.path.as_ref(), args.which.allow_files, lang).map_err(failed)?;
-    let camera = Camera::new(&step.figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
-    let views = args.view.unwrap_or_else(|| views_of(&step.figure));
-    let (shot, scene) = (Shot::of(&step.figure), SharedScene::new(scene));
-    let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(written), size);
-    Composite::of(views, &request, &shot, None).map_err(|error| {
-        no_picture(lang, &sanitize::path(&args.output), error.into(), [size.width, size.height].map(u64::from))
-    })
-}
-
-/// The pictures that a step shows.
-fn views_of(figure: &Figure) -> Views {
-    let shown = figure.screen.pictures.unwrap_or([true; View::COUNT]);
-    let is_it = |views: &Views| View::ALL.iter().zip(shown).all(|(view, shown)| views.contains(*view) == shown);
-    Views::CHOICES.into_iter().find(is_it).unwrap_or(Views::All)
-}
-
-/// The size of a file: as given, or of that many pictures.
-fn size_of(given: Option<ImageSize>, views: Views) -> Size {
-    let count = u32::try_from(views.views().count()).unwrap_or(1);
-    let ImageSize { width, height } =
-        given.unwrap_or(ImageSize { width: SIZE.width * count + gap(1.0) * (count - 1), height: SIZE.height });
-    Size::as_on_a_screen(width, height)
 }
 
 fn play(args: &PlayArgs, lang: Lang) -> Result<Box<Opening>, Failure> {

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use super::lesson::{Found, composite};
 use super::lesson_args::LessonRenderArgs;
+use super::lesson_pictures::{Found, composite};
 use super::render::{no_picture, save};
 use super::words::LangArg;
 use super::{Failure, progress};
@@ -42,9 +42,13 @@ pub(super) fn write(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Resul
         entries.push(HandoutEntry { picture: None, paragraphs: vec![Paragraph::Text(text)] });
     }
     if args.answers {
-        let heading = vec![Paragraph::Heading(texts::texts(written).solutions.to_owned())];
-        entries.push(HandoutEntry { picture: None, paragraphs: heading });
-        entries.extend(lesson.steps.iter().enumerate().filter_map(|(k, step)| solution(written, k, step)));
+        let solutions = lesson.steps.iter().enumerate().filter_map(|(k, step)| solution(written, k, step));
+        let mut solutions: Vec<HandoutEntry> = solutions.collect();
+        if let Some(first) = solutions.first_mut() {
+            let heading = Paragraph::Heading(texts::texts(written).solutions.to_owned());
+            first.paragraphs.insert(0, heading);
+        }
+        entries.extend(solutions);
     }
     let title = texts::told(written, &lesson.title).to_owned();
     let handout = Handout { title, language: written.tag(), entries, columns };
@@ -134,7 +138,8 @@ fn solution(lang: Lang, k: usize, step: &Step) -> Option<HandoutEntry> {
     }
     let steps = exercise.new_steps();
     let worked = steps.iter().flatten().map(|step| said::step(lang, &exercise, step, DIGITS));
-    paragraphs.extend(worked.map(|text| Paragraph::Remark(in_line(&text))));
+    let lines = worked.flat_map(|text| text.lines().map(in_line).collect::<Vec<_>>());
+    paragraphs.extend(lines.filter(|line| !line.is_empty()).map(Paragraph::Remark));
     Some(HandoutEntry { picture: None, paragraphs })
 }
 
@@ -177,9 +182,9 @@ fn formula_in_line(latex: &str) -> String {
         return String::new();
     }
     // A comma between braces is the decimal mark, and no comma of a list.
-    let points = latex.replace("{,}", ".");
+    let points = latex.replace("{,}", ".").replace("\\qquad", ";\\ ");
     let set = crate::formula::set(&format!("${points}$")).unwrap_or_else(|_| crate::i18n::notes::plain(&points));
-    if points == latex { set } else { set.replace('.', ",") }
+    if latex.contains("{,}") { set.replace('.', ",") } else { set }
 }
 
 #[cfg(test)]

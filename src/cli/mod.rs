@@ -19,6 +19,7 @@
 //! | `lesson` | `lesson`: lessons, their steps, and their pictures |
 //! | `lesson_args` | the arguments of `lesson` |
 //! | `lesson_handout` | `lesson render -o OUT.pdf`: a lesson as a handout |
+//! | `lesson_pictures` | the scenes and pictures of the steps of a lesson |
 //! | `manual` | `manual`: manual pages and completions |
 //! | `matrix` | `matrix`: the camera of a matrix from another program |
 //! | `matrix_args` | the arguments of `matrix` |
@@ -45,6 +46,7 @@ mod inspect;
 mod lesson;
 mod lesson_args;
 mod lesson_handout;
+mod lesson_pictures;
 mod manual;
 mod matrix;
 mod matrix_args;

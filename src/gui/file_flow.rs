@@ -14,7 +14,6 @@ use super::document::Document;
 use super::export::{ExportError, ExportKind, Exporting, Task, chart_bytes};
 use super::file_kind::FileKind;
 use super::gallery::Source;
-use super::lesson;
 use super::native::{FileAnswer, OpenFileDialog, Wanted};
 use super::sequence::source_of;
 use super::state::{
@@ -136,7 +135,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         }
         Purpose::Mesh(which) => mesh(state, which, path),
         Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
-        Purpose::Step => lesson::add_step(state, path, &agreed),
+        Purpose::Step => state.add_step(path, &agreed),
         Purpose::Chart(block) => save_bytes(state, path, chart_bytes(&block, path), &agreed),
         Purpose::Animation(decomposition) => {
             let what = ExportKind::Animation(decomposition, state.settings.theme);

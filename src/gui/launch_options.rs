@@ -1,5 +1,6 @@
 //! Launch options of one window, which are not stored: from the command line, or from the address of a page
-//! (`?view=image&panels=none&lang=pt-BR&theme=dark`, `?lesson=basis&step=3`), as in lecture notes that show a figure inside a page.
+//! (`?view=image&panels=none&lang=pt-BR&theme=dark`, `?lesson=basis&step=3`), as in lecture notes that show a figure
+//! inside a page.
 
 use percent_encoding::percent_decode_str;
 

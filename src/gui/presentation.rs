@@ -10,6 +10,7 @@ use eframe::egui::{
 use super::command::Command;
 use super::menu;
 use super::state::State;
+use super::theme;
 use crate::i18n::{lessons, told, window};
 
 /// Duration of the display of the keys, in seconds, and of its fading.
@@ -106,7 +107,14 @@ pub(super) fn caption(ui: &mut Ui, state: &State) {
         ];
         for (text, font, color, rows) in rows {
             let Some(text) = text else { continue };
-            let mut job = LayoutJob::simple(told(lang, text).to_owned(), font, color, ui.available_width());
+            let text = told(lang, text);
+            let width = ui.available_width();
+            let mut job = match rows {
+                // Titles name matrices, M_p.
+                1 => theme::lowered(ui, text, &TextStyle::Heading, color),
+                _ => LayoutJob::simple(text.to_owned(), font, color, width),
+            };
+            job.wrap.max_width = width;
             job.wrap.max_rows = rows;
             ui.label(job);
         }

@@ -4,20 +4,11 @@ use eframe::egui::{self, Align2, Color32, Key, Modifiers, Rect, Sense, TextStyle
 use qrcode::{Color, EcLevel, QrCode};
 
 use super::link_dialog;
-use super::state::{Dialog, Message, State};
+use super::state::{Dialog, State};
 use crate::i18n::sharing;
 
 /// The free border around the code, in modules: as the standard asks for.
 const QUIET: usize = 4;
-
-/// Shows the code of the link to what is on the screen; without the address of a page, asks for that first.
-pub(super) fn ask(state: &mut State) {
-    let has_address = state.own_address.is_some() || !state.page_address.is_empty();
-    state.file_flow.dialog = Some(if has_address { Dialog::Qr } else { Dialog::Link });
-    if !has_address {
-        state.say(Message::AddressFirst);
-    }
-}
 
 /// Fills the window with the code, dark on light in every theme: cameras read nothing else well.
 pub(super) fn show(ctx: &egui::Context, state: &mut State) {

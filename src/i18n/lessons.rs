@@ -52,10 +52,10 @@ texts! {
     open_exercise: "Open the exercise", "Abrir o exercício";
     hidden_question: "Q shows the question", "Q mostra a pergunta";
     // Recording.
-    add_step: "Add as step", "Adicionar como passo";
-    add_step_hint: "Adds what is on the screen to a lesson of your own, as its next step: only the difference from the step before is written", "Adiciona o que está na tela a uma lição sua, como o próximo passo: só a diferença do passo anterior é escrita";
-    step_title: "The lesson to which the step is added", "A lição à qual o passo é adicionado";
-    step_action: "Add", "Adicionar";
+    add_step: "Add as step", "Acrescentar como passo";
+    add_step_hint: "Adds what is on the screen to a lesson of your own, as its next step: only the difference from the step before is written", "Acrescenta o que está na tela a uma lição sua, como o próximo passo: só a diferença do passo anterior é escrita";
+    step_title: "The lesson to which the step is added", "A lição à qual o passo é acrescentado";
+    step_action: "Add", "Acrescentar";
     step_file: "lesson.toml", "licao.toml";
     // The texts of a recorded step and lesson.
     new_lesson: "A new lesson", "Uma nova lição";
@@ -76,6 +76,7 @@ texts! {
     read_more: "Read", "Ler";
     practise: "Practise", "Praticar";
     go_on_with: "Go on with", "Continue com";
+    see_lesson: "Lesson", "Lição";
 }
 
 /// A text with the numbers of a figure; as it is written where it has none.
@@ -173,7 +174,7 @@ pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
 pub fn step_added(lang: Lang, file: &str, number: usize) -> String {
     match lang {
         Lang::En => format!("Step {number} was added to {file}"),
-        Lang::PtBr => format!("O passo {number} foi adicionado a {file}"),
+        Lang::PtBr => format!("O passo {number} foi acrescentado a {file}"),
     }
 }
 

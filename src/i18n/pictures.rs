@@ -82,8 +82,8 @@ texts! {
     to_box: "P: the frustum becomes a box", "P: o tronco de pirâmide vira uma caixa";
     centre: "T: the middle of the box moves to the origin", "T: o meio da caixa vai à origem";
     scale: "S: the box becomes the cube, z is reversed", "S: a caixa vira o cubo, z se inverte";
-    pers: "M_{pers}: depth, and division by −z", "M_pers: profundidade e divisão por −z";
-    xy_scale: "M_{xyscale}: width and height become 2", "M_xyscale: largura e altura viram 2";
+    pers: "M_{pers}: depth, and division by −z", "M_{pers}: profundidade e divisão por −z";
+    xy_scale: "M_{xyscale}: width and height become 2", "M_{xyscale}: largura e altura viram 2";
     unit_slope: "S_{xy} (1-10): the sides become x = ±z, y = ±z", "S_xy (1-10): os lados viram x = ±z, y = ±z";
     unit_depth: "S_z (1-12): the back plane moves to z = 1", "S_z (1-12): o plano de fundo vai a z = 1";
     canonical_box: "M_P (1-17), k = F/B: the frustum becomes the box", "M_P (1-17), k = F/B: o tronco vira a caixa";

@@ -1,4 +1,4 @@
-//! What a student is asked to reach: a condition on the camera, or on what is seen.
+//! Goals of a student: conditions on the camera, or on what is seen.
 
 use super::numbers_in_texts::numbers_of;
 use crate::camera::{Camera, Convention, ImageSize};
@@ -15,7 +15,7 @@ const SIDE: u32 = 640;
 /// Something to reach with the controls.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
-    /// What is to be done, in Markdown, with `{quantity}` for the numbers of the figure.
+    /// The wording, in Markdown, with `{quantity}` for the numbers of the figure.
     pub text: Bilingual,
     /// The conditions: it is reached where all hold.
     pub until: Vec<Condition>,

@@ -18,7 +18,7 @@ pub struct Lesson {
     pub sentence: Option<Bilingual>,
     /// Minutes that it takes.
     pub minutes: Option<f64>,
-    /// What one knows afterwards, in Markdown.
+    /// The things that one knows afterwards, in Markdown.
     pub aims: Vec<Bilingual>,
     /// The identifiers of the lessons that come before it.
     pub before: Vec<String>,
@@ -58,7 +58,7 @@ pub struct Step {
     pub figure: Arc<Figure>,
     /// Seconds of the move from the step before; 0: at once.
     pub seconds: f64,
-    /// What there is to do before the next step.
+    /// Its task, to be done before the next step.
     pub task: Option<Task>,
     /// Where to read or practise further.
     pub links: Vec<Link>,

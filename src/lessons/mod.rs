@@ -3,7 +3,7 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
-//! | `condition` | what a student is asked to reach: a condition on the camera, or on what is seen |
+//! | `condition` | goals of a student: conditions on the camera, or on what is seen |
 //! | `lesson` | a lesson and its steps as values |
 //! | `numbers_in_texts` | the numbers of a figure in the texts of a lesson, in place of the paths in braces |
 //! | `passage` | the way from the figure of one step to that of the next |

@@ -30,8 +30,8 @@ pub(super) fn pixels_of(figure: &Figure) -> Vec<[i64; 2]> {
     }
 }
 
-/// The text with the numbers of a report in place of `{quantity}` and `{quantity:decimals}`: a path of `inspect`. Between
-/// dollar signs braces are LaTeX where they hold no such path, or stand after a command, `^` or `_`.
+/// The text with the numbers of a report in place of `{quantity}` and `{quantity:decimals}`: a path of `inspect`.
+/// Between dollar signs braces are LaTeX where they hold no such path, or stand after a command, `^` or `_`.
 ///
 /// # Errors
 /// The text between braces that leads to no numbers.

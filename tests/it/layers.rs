@@ -117,7 +117,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("plotters", &["export"]),
     ("plotters_backend", &["export"]),
     ("csv", &["exercises", "cli"]),
-    ("toml_edit", &["exercises", "figure", "gui"]),
+    ("toml_edit", &["exercises", "figure", "gui", "lessons"]),
     ("fearless_simd", &["simd"]),
     ("gif", &["export"]),
     ("skrifa", &["text"]),

@@ -8,11 +8,10 @@ use crate::appearance;
 use crate::figure::{Explanation, Observers};
 use crate::gui::file_flow;
 use crate::gui::gallery::Part;
-use crate::gui::lesson;
+use crate::gui::number_tables;
 use crate::gui::state::{
     self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory,
 };
-use crate::gui::{number_tables, qr};
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, canvas, compare, labels, lessons, sharing};
 use crate::views::observer::Viewpoint;
@@ -82,7 +81,7 @@ pub const MENUS: &[Menu] = &[
                     s.family = std::mem::take(&mut s.family).or_last();
                     show_export(s);
                 }),
-                Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| qr::ask(s)),
+                Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| s.ask_for_code()),
                 Row::new(CopyLink, ctrl(Key::K), link_words, |s, _| show_dialog(s, Dialog::Link)),
             ],
             &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::Quit))
@@ -209,7 +208,7 @@ pub const MENUS: &[Menu] = &[
                 AddStep,
                 ctrl_shift(Key::A),
                 |t| lesson_words(t, |t| (t.add_step, t.add_step_hint)),
-                lesson::record,
+                record_step,
             )
             .not_in_browser()],
             &[
@@ -272,7 +271,7 @@ pub const MENUS: &[Menu] = &[
                 Lessons,
                 ctrl_shift(Key::L),
                 |t| lesson_words(t, |t| (t.lessons_command, t.lessons_hint)),
-                |s, _| lesson::show_list(s),
+                |s, _| s.list_lessons(),
             ),
             row!(Search, ctrl_shift(Key::P), search, search_hint, |s, _| show_search(s)).browsers_keys(),
             row!(Help, plain(Key::F1), help, help_hint, |s, _| show_dialog(s, Dialog::Help)),
@@ -380,6 +379,14 @@ fn label_words(t: &Texts) -> (&'static str, &'static str) {
 
 fn lesson_words(t: &Texts, of: fn(&lessons::Texts) -> (&'static str, &'static str)) -> (&'static str, &'static str) {
     of(lessons::texts(t.lang))
+}
+
+/// Adds what is on the screen to the lesson to which steps were added last; without one, asks for a file.
+fn record_step(state: &mut State, ctx: &Context) {
+    match state.lesson_file.clone() {
+        Some(path) => state.add_step(&path, &state::Agreed::default()),
+        None => file_flow::ask(ctx, state, Purpose::Step),
+    }
 }
 
 fn change_lesson(state: &mut State, change: impl FnOnce(&mut state::Playing)) {

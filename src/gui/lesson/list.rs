@@ -1,10 +1,7 @@
 //! The list of lessons.
 
-use std::path::Path;
-
 use eframe::egui::{Key, Label, Modifiers, RichText, ScrollArea, Ui};
 
-use crate::files;
 use crate::gui::file_flow;
 use crate::gui::prose;
 use crate::gui::state::{AfterSave, Dialog, State};
@@ -14,17 +11,6 @@ use crate::lessons::{OpenLesson, shipped};
 
 /// The width of the dialog.
 pub(in crate::gui) const WIDTH: f32 = 620.0;
-
-/// Opens the list, with the lessons of the folder of figures too.
-pub(in crate::gui) fn open(state: &mut State) {
-    let folders =
-        [state.lesson_file.as_deref().and_then(Path::parent), state.document.folder(), state.gallery.folder()];
-    let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
-    // A folder that cannot be read has none.
-    let found = folder.filter(|_| !state.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
-    state.own_lessons = found.unwrap_or_default().lessons;
-    state.file_flow.dialog = Some(Dialog::Lessons);
-}
 
 /// Shows the list; a lesson that is chosen is played.
 pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {

@@ -3,13 +3,12 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `list` | the list of lessons |
-//! | `record` | adding a step to a lesson of the user's own |
-//! | `task` | what there is to do in a step: a question, an exercise, a goal |
+//! | `task` | the task of a step: a question, an exercise, a goal |
 
 mod list;
-mod record;
 mod task;
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui::{self, Button, Id, Key, Modifiers, RichText, ScrollArea, Ui};
@@ -22,9 +21,8 @@ use super::tooltip::Explained;
 use crate::figure::{Bilingual, Explanation};
 use crate::i18n::lessons::{self as words, Texts};
 use crate::i18n::{exercises, notes, told};
-use crate::lessons::{self, Link};
-pub(super) use list::{WIDTH as LIST_WIDTH, open as show_list, show as list};
-pub(super) use record::{add_step, record};
+use crate::lessons::{self, Lesson, Link};
+pub(super) use list::{WIDTH as LIST_WIDTH, show as list};
 
 /// The share of the window that text and task may take; what is longer is scrolled.
 const SHARE: f32 = 0.42;
@@ -148,19 +146,30 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
     let lang = t.lang;
     let playing = state.lesson.as_ref()?;
     let lesson = playing.lesson.clone();
-    let (step, count, is_done, moved) =
-        (playing.step, lesson.steps.len(), playing.is_done(), state.document.is_changed() && playing.moving.is_none());
+    let (step, count, may_go_on, moved) = (
+        playing.step,
+        lesson.steps.len(),
+        playing.may_go_on(),
+        state.document.is_changed() && playing.moving.is_none(),
+    );
     let mut command = None;
     let mut go_to = None;
     ui.horizontal(|ui| {
         if ui.add_enabled(step > 0, Button::new(format!("◀ {}", t.back))).explained(t.back_hint).clicked() {
             command = Some(Command::PreviousFigure);
         }
-        let (label, hint) = if is_done { (t.next, t.next_hint) } else { (t.pass, t.pass_hint) };
-        let next = Button::new(RichText::new(format!("{label} ▶")).strong());
-        if ui.add_enabled(step + 1 < count, next).explained(hint).clicked() {
-            state.pass_over();
-            command = Some(Command::NextFigure);
+        let (label, hint) = if may_go_on { (t.next, t.next_hint) } else { (t.pass, t.pass_hint) };
+        if step + 1 < count {
+            let next = Button::new(RichText::new(format!("{label} ▶")).strong());
+            if ui.add(next).explained(hint).clicked() {
+                state.pass_over();
+                command = Some(Command::NextFigure);
+            }
+        } else if let Some(next) = after(&lesson) {
+            let name = format!("{}: {} ▶", t.go_on_with, told(lang, &next.title));
+            if ui.button(name).clicked() {
+                state.play(lessons::OpenLesson { lesson: next, path: None, step: 0 });
+            }
         }
         let place = words::place(lang, step + 1, count);
         ui.menu_button(format!("{place} ▾"), |ui| {
@@ -189,6 +198,13 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
         state.go_to_step(step);
     }
     command
+}
+
+/// The lesson of the program after another one.
+fn after(lesson: &Lesson) -> Option<Arc<Lesson>> {
+    let all = lessons::shipped();
+    let place = all.iter().position(|shipped| shipped.lesson.id == lesson.id)?;
+    all.get(place + 1).map(|shipped| shipped.lesson.clone())
 }
 
 /// Text, task, links and notes of the step.
@@ -262,7 +278,7 @@ fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
                 }
                 Link::Lesson(id) => {
                     let Some(other) = lessons::shipped().iter().find(|other| other.lesson.id == *id) else { continue };
-                    if ui.link(format!("{}: {}", t.go_on_with, told(lang, &other.lesson.title))).clicked() {
+                    if ui.link(format!("{}: {}", t.see_lesson, told(lang, &other.lesson.title))).clicked() {
                         state.play(lessons::OpenLesson { lesson: other.lesson.clone(), path: None, step: 0 });
                     }
                 }

@@ -1,4 +1,4 @@
-//! What there is to do in a step: a question, an exercise, a goal.
+//! The task of a step: a question, an exercise, a goal.
 
 use eframe::egui::{RichText, Ui};
 

@@ -30,8 +30,10 @@ pub struct Playing {
     pub shows_notes: bool,
     /// Not all of text and task is in sight; written by the panel.
     pub is_cut: bool,
-    /// The steps whose task is done, or was passed over.
+    /// The steps whose task is done.
     done: BTreeSet<usize>,
+    /// The steps whose task was passed over.
+    passed: BTreeSet<usize>,
     /// The step whose task is passed over by the next wish to go on.
     warned: Option<usize>,
     /// The digits of the number of a step as they are typed, and when the last was.
@@ -64,6 +66,12 @@ impl Playing {
     #[must_use]
     pub fn is_done(&self) -> bool {
         self.now().is_none_or(|step| step.task.is_none()) || self.done.contains(&self.step)
+    }
+
+    /// True where the next step may be shown: the task is done, or was passed over.
+    #[must_use]
+    pub fn may_go_on(&self) -> bool {
+        self.is_done() || self.passed.contains(&self.step)
     }
 
     /// True where this step is the last one.
@@ -107,6 +115,7 @@ impl State {
             shows_notes: false,
             is_cut: false,
             done: BTreeSet::new(),
+            passed: BTreeSet::new(),
             warned: None,
             typed: None,
             looked_at: None,
@@ -161,22 +170,22 @@ impl State {
             }
             return;
         }
-        if !playing.is_done() && playing.warned != Some(step) {
+        if !playing.may_go_on() && playing.warned != Some(step) {
             playing.warned = Some(step);
             playing.shows_question = true;
             return self.say(Message::TaskFirst);
         }
-        playing.done.insert(step);
+        playing.passed.insert(step);
         if playing.is_last() {
             return self.say(Message::LastStep);
         }
         self.go_to_step(step + 1);
     }
 
-    /// Counts the task of the step as done.
+    /// Passes over the task of the step.
     pub(in crate::gui) fn pass_over(&mut self) {
         if let Some(playing) = &mut self.lesson {
-            playing.done.insert(playing.step);
+            playing.passed.insert(playing.step);
         }
     }
 

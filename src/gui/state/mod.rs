@@ -22,6 +22,7 @@
 //! | `operations` | steps, signs and the slider that is held |
 //! | `order` | the explanation of order: the list of transforms, and its reading |
 //! | `recent` | the files that were opened or saved last |
+//! | `recording` | lessons of the user's own: their steps as they are recorded, and those of a folder |
 //! | `scene_tree` | the state of the tree: selection, folding, typed texts |
 //! | `search` | the search for anything in the window |
 //! | `shown` | explanations in the pictures: the `[show]` of the figure, its changes by panels |
@@ -49,6 +50,7 @@ mod numerics;
 mod operations;
 mod order;
 mod recent;
+mod recording;
 mod scene_tree;
 mod search;
 mod shown;
