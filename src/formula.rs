@@ -459,7 +459,12 @@ mod tests {
         assert_eq!(check_one(&"{".repeat(100_000)), Err(P::TooLong));
         assert_eq!(check_one(&format!("{}{}", "{".repeat(60), "}".repeat(60))), Err(P::TooLong));
         let open = check("costs 5 $ in all").map_err(|error| error.problem);
-        assert_eq!((open, check("$$x$$").map_err(|error| error.problem)), (Err(P::Open), Err(P::Empty)));
+        assert_eq!((open, check("$$").map_err(|error| error.problem)), (Err(P::Open), Err(P::Empty)));
+        // On a line of its own.
+        assert_eq!(check("so $$x$$ and $y$"), Ok(()));
+        for half in ["$$x$", "$$x$ $", "$$x"] {
+            assert_eq!(check(half).map_err(|error| error.problem), Err(P::Open), "{half}");
+        }
     }
 
     proptest! {

@@ -201,7 +201,7 @@ mod tests {
             matches!(&paragraphs[0], Paragraph::Text(text) if text.starts_with("The eye is C, ") && !text.contains('$'))
         );
         assert!(matches!(&paragraphs[2], Paragraph::Formula(text) if text.contains('θ')));
-        assert_eq!(in_line("$D = 6{,}53$"), "D = 6,53");
+        assert!(in_line("$D = 6{,}53$").ends_with(" = 6,53"));
         let matrix = in_line("$$M_v = \\begin{bmatrix} 1 & 0{,}5 \\\\ 0 & -1 \\end{bmatrix}$$");
         assert!(matrix.ends_with("= [1  0,5 ; 0  −1]"), "{matrix}");
     }

@@ -161,6 +161,12 @@ impl SceneCache {
         &self.scene
     }
 
+    /// True where the scene is that of a document, and not of one before it.
+    #[must_use]
+    pub(in crate::gui) fn is_of(&self, document: &Document, theme: Theme) -> bool {
+        self.loading().is_empty() && self.made_from.as_ref().is_some_and(|made| made.is_of(document, theme))
+    }
+
     /// A number that stays while one and the same scene is changed, and is another one after another scene has come.
     #[must_use]
     pub fn subject(&self) -> u64 {

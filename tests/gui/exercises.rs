@@ -343,6 +343,7 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     let folder = Folder::new("progress");
     let mut window = working_on("view-matrix", 1, Lang::En);
     window.app_mut().state.file_flow.native = false;
+    window.app_mut().state.settings.welcomed = true;
     let ctx = window.harness.ctx.clone();
     window.app_mut().keep_preferences(
         &ctx,

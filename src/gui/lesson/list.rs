@@ -21,7 +21,8 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
     let mut chosen = None;
     let most = (ui.ctx().content_rect().height() - 160.0).max(120.0);
     let next = state.next_lesson();
-    ScrollArea::vertical().max_height(most).auto_shrink([false, true]).show(ui, |ui| {
+    // Always as high: a dialog that grows with its first texts would move under the pointer.
+    ScrollArea::vertical().max_height(most).auto_shrink(false).show(ui, |ui| {
         for (k, shipped) in shipped().iter().enumerate() {
             let lesson = &shipped.lesson;
             let taken = state.lessons_taken.get(&lesson.id).copied();

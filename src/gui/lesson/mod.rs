@@ -64,6 +64,7 @@ pub(super) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button("✕").explained(t.no_welcome).accessible_name(t.no_welcome).clicked() {
                     state.welcome = false;
+                    state.settings.welcomed = true;
                 }
             });
             plays
@@ -73,7 +74,9 @@ pub(super) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
     if shown.inner {
         state.play(lessons::OpenLesson { lesson: first, path: None, step: 0 });
     }
-    state.welcome &= !shown.inner && command.is_none();
+    if shown.inner || command.is_some() {
+        (state.welcome, state.settings.welcomed) = (false, true);
+    }
     command
 }
 

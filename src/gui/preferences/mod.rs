@@ -377,7 +377,8 @@ mod tests {
         let settings = &mut changed.settings;
         (settings.lang, settings.theme, settings.zoom, settings.digits) = (Lang::PtBr, Theme::Dark, 1.3, 9);
         (settings.panels.wanted, settings.reduce_motion) = ([false, false, true], true);
-        settings.saves_explained = false;
+        (settings.saves_explained, settings.welcomed) = (false, true);
+        changed.lessons_taken.insert("basis".to_owned(), 2);
         changed.layout.arrangement = Some(Arrangement::Beside);
         (changed.layout.shown, changed.layout.strip) = ([true, false, true], true);
         changed.operations.convention = Convention::Vtk;

@@ -96,8 +96,7 @@ impl Preferences {
         let has_answers = answers::read(&kept_before).next().is_some();
         let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
         let kept = values(state);
-        // Once, whatever comes of it.
-        state.welcome = !std::mem::replace(&mut state.settings.welcomed, true);
+        state.welcome = !state.settings.welcomed;
         Self { file, kept, remembered, progress, has_answers }
     }
 

@@ -289,7 +289,8 @@ impl State {
                     scene: self.scene_cache.scene(),
                 };
                 let goal = goal.clone();
-                let is_ready = self.scene_cache.loading().is_empty();
+                // The scene of a step that has just begun is built after this.
+                let is_ready = self.scene_cache.is_of(&self.document, self.settings.theme);
                 if is_ready {
                     playing.looked_at = Some(self.document.version());
                 }
