@@ -96,7 +96,8 @@ impl Preferences {
         let has_answers = answers::read(&kept_before).next().is_some();
         let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
         let kept = values(state);
-        state.welcome = !state.settings.welcomed;
+        // A page may be somebody's figure in the middle of a text.
+        state.welcome = !state.settings.welcomed && !state.in_browser;
         Self { file, kept, remembered, progress, has_answers }
     }
 
