@@ -1,4 +1,4 @@
-//! A figure in a link: its text, packed, after the `#` of an address.
+//! A figure or a lesson in a link: its text, packed, after the `#` of an address.
 //!
 //! A browser does not send that part to the server of the page.
 
@@ -11,43 +11,63 @@ use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_zlib_with_limit};
 
 use crate::limits::{MAX_FIGURE_BYTES, MAX_LINK_CHARACTERS};
 
-/// The text between the address and the figure.
-const KEY: &str = "#figure=";
+/// The content of a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// A figure.
+    Figure,
+    /// A lesson.
+    Lesson,
+}
+
+impl Held {
+    const ALL: [Self; 2] = [Self::Figure, Self::Lesson];
+
+    /// The text between the address and the content.
+    const fn key(self) -> &'static str {
+        match self {
+            Self::Figure => "#figure=",
+            Self::Lesson => "#lesson=",
+        }
+    }
+}
 
 /// As small as it gets: a figure is packed in a moment.
 const LEVEL: u8 = 10;
 
-/// Why there is no link to a figure, or no figure in a link. Displayed, it is a sentence.
+/// Why there is no link to a figure or a lesson, or neither in a link. Displayed, it is a sentence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ShareError {
     /// The link would have more characters than are passed on whole.
     #[error(
-        "the link to this figure would have {0} characters; allowed: at most {MAX_LINK_CHARACTERS}, which mail and chat programs pass on whole. Save the figure and send the file instead"
+        "the link would have {0} characters; allowed: at most {MAX_LINK_CHARACTERS}, which mail and chat programs pass on whole. Save it and send the file instead"
     )]
     TooLong(usize),
     /// A part of the link is missing, or was changed.
-    #[error("the link does not hold a whole figure: a part of it is missing or was changed on the way")]
+    #[error("the link does not hold a whole figure or lesson: a part of it is missing or was changed on the way")]
     Damaged,
     /// Unpacked, the figure is longer than any.
-    #[error("the figure in the link is too long; allowed: at most {MAX_FIGURE_BYTES} bytes")]
+    #[error("the figure or lesson in the link is too long; allowed: at most {MAX_FIGURE_BYTES} bytes")]
     TooLarge,
 }
 
-/// The link to the figure with this text. `address` is that of the page which opens it; empty: only the part after the
+/// The link to the figure or lesson with this text. `address` is that of the page which opens it; empty: only the part after the
 /// address.
 ///
 /// # Errors
 /// [`ShareError::TooLong`].
-pub fn link(address: &str, text: &str) -> Result<String, ShareError> {
+pub fn link(address: &str, held: Held, text: &str) -> Result<String, ShareError> {
     let address = address.split('#').next().unwrap_or_default();
-    let link = format!("{address}{KEY}{}", URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(text.as_bytes(), LEVEL)));
+    let link =
+        format!("{address}{}{}", held.key(), URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(text.as_bytes(), LEVEL)));
     if link.len() > MAX_LINK_CHARACTERS { Err(ShareError::TooLong(link.len())) } else { Ok(link) }
 }
 
-/// The text of the figure that is in a link, or in its part from the `#` on; `None` where there is none in it.
+/// The text of the figure or lesson that is in a link, or in its part from the `#` on; `None` where there is neither in
+/// it.
 #[must_use]
 pub fn text_in(link: &str) -> Option<Result<Vec<u8>, ShareError>> {
-    let (_, packed) = link.split_once(KEY)?;
+    let (_, packed) = Held::ALL.iter().find_map(|held| link.split_once(held.key()))?;
     // Characters added at the end by a mail program or a person.
     let is_added = |c: char| c.is_whitespace() || matches!(c, '=' | '.' | ',' | ')' | '>' | '"' | '\'');
     let packed = packed.trim_end_matches(is_added).trim_start();
@@ -66,10 +86,16 @@ fn unpacked(packed: &str) -> Result<Vec<u8>, ShareError> {
     })
 }
 
+/// The content that a link says it has; `None` where the text is no such link.
+#[must_use]
+pub fn held_in(link: &str) -> Option<Held> {
+    Held::ALL.into_iter().find(|held| link.contains(held.key()))
+}
+
 /// The link in the place of a path; `None` for paths.
 #[must_use]
 pub fn link_of(path: &Path) -> Option<&str> {
-    path.to_str().filter(|text| text.contains(KEY))
+    path.to_str().filter(|text| held_in(text).is_some())
 }
 
 #[cfg(test)]
@@ -85,7 +111,7 @@ mod tests {
         for address in
             ["", "https://example.org/lab/", "https://example.org/lab/?view=image&lang=pt-BR", "file:///a%20b.html"]
         {
-            let link = link(address, TEXT).unwrap();
+            let link = link(address, Held::Figure, TEXT).unwrap();
             assert!(link.starts_with(&format!("{address}#figure=")), "{link}");
             let figure = link.rsplit('=').next().unwrap();
             assert!(figure.bytes().all(|c| c.is_ascii_alphanumeric() || c == b'-' || c == b'_'), "{figure}");
@@ -96,7 +122,8 @@ mod tests {
             }
         }
         // A link to another figure is replaced, not continued.
-        let again = link(&link("https://example.org/", TEXT).unwrap(), "[camera]\n").unwrap();
+        let again =
+            link(&link("https://example.org/", Held::Lesson, TEXT).unwrap(), Held::Figure, "[camera]\n").unwrap();
         assert_eq!(text_in(&again), Some(Ok(b"[camera]\n".to_vec())));
         assert_eq!((text_in("https://example.org/#part"), text_in("")), (None, None));
         assert_eq!(link_of(Path::new("figures/a#b.toml")), None);
@@ -104,11 +131,11 @@ mod tests {
 
     #[test]
     fn any_part_that_is_lost_or_changed_is_noticed() {
-        let link = link("", TEXT).unwrap();
-        for end in KEY.len()..link.len() {
+        let link = link("", Held::Figure, TEXT).unwrap();
+        for end in Held::Figure.key().len()..link.len() {
             assert_eq!(text_in(&link[..end]), Some(Err(ShareError::Damaged)), "{end}");
         }
-        for at in KEY.len()..link.len() - 1 {
+        for at in Held::Figure.key().len()..link.len() - 1 {
             let other = if &link[at..=at] == "A" { "B" } else { "A" };
             let changed = format!("{}{other}{}", &link[..at], &link[at + 1..]);
             assert_eq!(text_in(&changed), Some(Err(ShareError::Damaged)), "{at}");
@@ -125,12 +152,12 @@ mod tests {
                 char::from(b'0' + u8::try_from((state >> 24) % 10).unwrap())
             })
             .collect();
-        let Err(ShareError::TooLong(length)) = link("", &digits) else { panic!("too long") };
+        let Err(ShareError::TooLong(length)) = link("", Held::Figure, &digits) else { panic!("too long") };
         assert!(length > MAX_LINK_CHARACTERS);
         assert!(ShareError::TooLong(length).to_string().contains(&length.to_string()));
         let bomb = "a".repeat(MAX_FIGURE_BYTES + 1);
         let packed = URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(bomb.as_bytes(), LEVEL));
-        assert_eq!(text_in(&format!("{KEY}{packed}")), Some(Err(ShareError::TooLarge)));
-        assert_eq!(text_in(&format!("{KEY}{}", "A".repeat(2 * MAX_FIGURE_BYTES))), Some(Err(ShareError::TooLarge)));
+        assert_eq!(text_in(&format!("#lesson={packed}")), Some(Err(ShareError::TooLarge)));
+        assert_eq!(text_in(&format!("#figure={}", "A".repeat(2 * MAX_FIGURE_BYTES))), Some(Err(ShareError::TooLarge)));
     }
 }

@@ -7,6 +7,7 @@ use super::own_exercises::toml_files;
 use super::{FileError, read_at_most};
 use crate::lessons::{Lesson, parse_bytes};
 use crate::limits::MAX_LESSON_BYTES;
+use crate::share::{self, Held};
 
 /// The lessons of a folder.
 #[derive(Debug, Default)]
@@ -17,12 +18,15 @@ pub struct OwnLessons {
     pub faults: Vec<(PathBuf, FileError)>,
 }
 
-/// Reads a lesson, and the text of its file.
+/// Reads a lesson, and the text of its file or link.
 ///
 /// # Errors
-/// [`FileError`]: the file cannot be read, or holds no lesson.
+/// [`FileError`]: the file or link cannot be read, or holds no lesson.
 pub fn read_lesson(path: &Path) -> Result<(Lesson, String), FileError> {
-    let bytes = read_at_most(path, MAX_LESSON_BYTES as u64)?;
+    let bytes = match share::link_of(path).and_then(share::text_in) {
+        Some(text) => text?,
+        None => read_at_most(path, MAX_LESSON_BYTES as u64)?,
+    };
     let lesson = parse_bytes(&bytes)?;
     Ok((lesson, String::from_utf8_lossy(&bytes).into_owned()))
 }
@@ -49,9 +53,12 @@ pub fn read_lessons(folder: &Path) -> Result<OwnLessons, FileError> {
     Ok(found)
 }
 
-/// True where there is a file that is meant as a lesson.
+/// True where there is a file or a link that is meant as a lesson.
 #[must_use]
 pub fn is_lesson_file(path: &Path) -> bool {
+    if let Some(link) = share::link_of(path) {
+        return share::held_in(link) == Some(Held::Lesson);
+    }
     let is_toml = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     is_toml && read_at_most(path, MAX_LESSON_BYTES as u64).is_ok_and(|bytes| is_lesson(&bytes))
 }

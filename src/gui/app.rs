@@ -241,7 +241,8 @@ impl App {
         if let Some(command) = bar {
             self.perform(&ctx, command);
         }
-        if let Some(command) = of_lesson {
+        let of_speaker = lesson::speaker_window(&ctx, &mut self.state);
+        if let Some(command) = of_lesson.or(of_speaker) {
             self.perform(&ctx, command);
         }
         if let Some(command) = dialogs::show(&ctx, &mut self.state) {

@@ -73,6 +73,7 @@ pub enum Command {
     StepText,
     StepQuestion,
     StepNotes,
+    WriteLesson,
     LeaveLesson,
     Help,
     About,

@@ -6,6 +6,7 @@ use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, Operation, Parameters};
 use crate::figure::{Figure, Labels, Observers, Show};
 use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
+use crate::share;
 
 /// The figure that is being edited.
 #[derive(Clone, Debug)]
@@ -124,6 +125,8 @@ impl Document {
     /// As for [`new`](Self::new).
     pub(in crate::gui) fn of_lesson(figure: Figure, lesson: Option<&Path>) -> Result<Self, CameraError> {
         let file = |path: &Path| SourceFile { path: path.to_owned(), text: String::new(), is_picture: false };
+        // Beside a link there are no files.
+        let lesson = lesson.filter(|path| share::link_of(path).is_none());
         Ok(Self { path: None, ..Self::new(figure, lesson.map(file))? })
     }
 

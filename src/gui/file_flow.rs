@@ -29,6 +29,10 @@ use crate::share;
 /// Does the `next` action, after asking about changes that would be lost.
 pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     state.document.commit();
+    if !state.keep_words() {
+        // What cannot be kept is said.
+        return;
+    }
     if state.has_unsaved() {
         state.file_flow.dialog = Some(Dialog::Unsaved(next));
     } else {
@@ -128,7 +132,12 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
     match purpose {
         Purpose::Open => open(state, path),
         Purpose::Save(then) => write(ctx, state, path, then, agreed),
-        Purpose::Export(_) | Purpose::Animation(_) | Purpose::Chart(_) | Purpose::Progress | Purpose::Step
+        Purpose::Export(_)
+        | Purpose::Animation(_)
+        | Purpose::Chart(_)
+        | Purpose::Progress
+        | Purpose::Step
+        | Purpose::OwnLesson
             if !agreed.read_only && files::is_read_only(path) =>
         {
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
@@ -136,6 +145,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Mesh(which) => mesh(state, which, path),
         Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
         Purpose::Step => state.add_step(path, &agreed),
+        Purpose::OwnLesson => state.copy_lesson(path, &agreed),
         Purpose::Chart(block) => save_bytes(state, path, chart_bytes(&block, path), &agreed),
         Purpose::Animation(decomposition) => {
             let what = ExportKind::Animation(decomposition, state.settings.theme);
@@ -183,8 +193,11 @@ fn open(state: &mut State, path: &Path) {
     if files::is_lesson(path) {
         return match files::read_lesson(path) {
             Ok((lesson, _)) => {
-                let path = files::whole(path);
-                state.recent.add(&path);
+                let is_link = share::link_of(path).is_some();
+                let path = if is_link { path.to_owned() } else { files::whole(path) };
+                if !is_link {
+                    state.recent.add(&path);
+                }
                 state.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path), step: 0 });
             }
             Err(error) => state.say(Message::File(path.to_owned(), error)),

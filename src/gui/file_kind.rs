@@ -59,10 +59,14 @@ impl FileKind {
                 let name = format!("{stem}-{}.gif", decomposition.name());
                 (Wanted::NewFile, t.export_title, t.save_action, filters, name)
             }
-            Purpose::Step => {
+            Purpose::Step | Purpose::OwnLesson => {
                 let t = lessons::texts(lang);
                 let filters = vec![(t.lesson.to_owned(), &["toml"][..])];
-                (Wanted::NewFile, t.step_title, t.step_action, filters, t.step_file.to_owned())
+                let copied = matches!(purpose, Purpose::OwnLesson).then(|| state.lesson.as_ref()).flatten();
+                let name = copied.map(|playing| format!("{}.toml", playing.lesson.id));
+                let (title, action) =
+                    if name.is_some() { (t.copy_title, t.copy_action) } else { (t.step_title, t.step_action) };
+                (Wanted::NewFile, title, action, filters, name.unwrap_or_else(|| t.step_file.to_owned()))
             }
             Purpose::Chart(_) => {
                 let filters = [("SVG", &["svg"][..]), ("PDF", &["pdf"]), ("PNG", &["png"])];

@@ -1,5 +1,7 @@
 //! The figure as a link: its purpose, its address, and its length.
 
+use std::collections::BTreeSet;
+
 use eframe::egui::{self, RichText};
 
 use super::dialog_buttons::{Pressed, buttons};
@@ -7,14 +9,15 @@ use super::file_flow;
 use super::panels::complaint;
 use super::state::{Dialog, Message, State};
 use super::text_field::TextField;
+use super::tooltip::Explained;
 use crate::figure::Figure;
-use crate::files::SHIPPED;
+use crate::files::{self, SHIPPED};
 use crate::i18n::window::Texts;
 use crate::i18n::{messages, sharing};
 use crate::limits::{MAX_LINK_CHARACTERS, MAX_TYPED};
 use crate::sanitize;
 use crate::scene::Shape;
-use crate::share::{self, ShareError};
+use crate::share::{self, Held, ShareError};
 
 /// Shows the dialog; `first`: it has just been opened.
 pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool) {
@@ -25,6 +28,10 @@ pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool)
     ui.add_space(6.0);
     let address = address(ui, words, state);
     ui.add_space(6.0);
+    if let Some(playing) = state.lesson.as_mut().filter(|playing| playing.path.is_some()) {
+        ui.checkbox(&mut playing.links_whole, words.whole_lesson).explained(words.whole_lesson_hint);
+        ui.add_space(6.0);
+    }
     let link = link(state, &address);
     match &link {
         Ok(link) => {
@@ -38,7 +45,12 @@ pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool)
         }
         Err(error) => complaint(ui, &messages::link(state.settings.lang, *error)),
     }
-    let own = own_files(state.document.figure());
+    let whole = state.lesson.as_ref().filter(|playing| playing.path.is_some() && playing.links_whole);
+    let own = match whole {
+        Some(playing) => playing.lesson.steps.iter().flat_map(|step| own_files(&step.figure)).collect(),
+        None => own_files(state.document.figure()),
+    };
+    let own: Vec<String> = BTreeSet::from_iter(own).into_iter().collect();
     if !own.is_empty() {
         complaint(ui, &format!("{} {}", words.own_files, sanitize::within(&own.join(", "), 200)));
     }
@@ -72,7 +84,16 @@ pub(super) fn link(state: &mut State, address: &str) -> Result<String, ShareErro
         let lang = state.settings.lang.tag();
         return Ok(format!("{address}?lesson={}&step={}&lang={lang}", playing.lesson.id, playing.step + 1));
     }
-    share::link(address, &file_flow::text_as_shown(state))
+    if let Some(text) = whole_lesson(state) {
+        return share::link(address, Held::Lesson, &text);
+    }
+    share::link(address, Held::Figure, &file_flow::text_as_shown(state))
+}
+
+/// The text of the lesson of the user's own that is played, where the link is to hold it whole.
+fn whole_lesson(state: &State) -> Option<String> {
+    let playing = state.lesson.as_ref().filter(|playing| playing.links_whole)?;
+    files::read_lesson(playing.path.as_deref()?).ok().map(|(_, text)| text)
 }
 
 /// The address that the link begins with: that of the page itself, else the one that the user knows.

@@ -61,13 +61,13 @@ pub fn link(lang: Lang, error: ShareError) -> String {
     match (lang, error) {
         (Lang::En, error) => error.to_string(),
         (Lang::PtBr, ShareError::TooLong(length)) => format!(
-            "o link desta figura teria {length} caracteres; permitido: no máximo {MAX_LINK_CHARACTERS}, que programas de e-mail e de conversa entregam inteiros. Salve a figura, e envie o arquivo"
+            "o link teria {length} caracteres; permitido: no máximo {MAX_LINK_CHARACTERS}, que programas de e-mail e de conversa entregam inteiros. Salve e envie o arquivo"
         ),
         (Lang::PtBr, ShareError::Damaged) => {
-            "o link não contém uma figura inteira: uma parte falta ou foi mudada no caminho".to_owned()
+            "o link não contém uma figura ou lição inteira: uma parte falta ou foi mudada no caminho".to_owned()
         }
         (Lang::PtBr, ShareError::TooLarge) => {
-            format!("a figura no link é longa demais; permitido: no máximo {MAX_FIGURE_BYTES} bytes")
+            format!("a figura ou lição no link é longa demais; permitido: no máximo {MAX_FIGURE_BYTES} bytes")
         }
     }
 }

@@ -40,7 +40,9 @@ texts! {
     question_command: "Question of the step", "Pergunta do passo";
     question_hint: "Shows or hides the question under the pictures; key Q in a presentation", "Mostra ou oculta a pergunta sob as imagens; tecla Q na apresentação";
     notes_command: "Speaker's notes", "Notas do apresentador";
-    notes_hint: "Shows or hides the notes of the step for the speaker", "Mostra ou oculta as notas do passo para quem apresenta";
+    notes_hint: "Shows or hides the notes of the step for the speaker, in a window of their own", "Mostra ou oculta as notas do passo para quem apresenta, em uma janela própria";
+    no_notes: "This step has no notes", "Este passo não tem notas";
+    comes_next: "Next", "A seguir";
     leave: "Leave the lesson", "Sair da lição";
     leave_hint: "The figure of the step stays", "A figura do passo fica";
     region: "Lesson", "Lição";
@@ -57,6 +59,32 @@ texts! {
     step_title: "The lesson to which the step is added", "A lição à qual o passo é acrescentado";
     step_action: "Add", "Acrescentar";
     step_file: "lesson.toml", "licao.toml";
+    // Writing a lesson in the window.
+    write_command: "Write the lesson", "Escrever a lição";
+    write_hint: "Texts of the step beside their preview, order of the steps; of a lesson of the program, in a copy of your own", "Textos do passo ao lado da prévia, ordem dos passos; de uma lição do programa, em uma cópia sua";
+    copy_title: "A copy of the lesson, to be changed by you", "Uma cópia da lição, para você mudar";
+    copy_action: "Copy", "Copiar";
+    step_earlier: "Move up", "Para cima";
+    step_earlier_hint: "The step comes before the one above it; its picture stays the same", "O passo vem antes do anterior; sua imagem continua a mesma";
+    step_later: "Move down", "Para baixo";
+    step_later_hint: "The step comes after the next one; its picture stays the same", "O passo vem depois do próximo; sua imagem continua a mesma";
+    step_screen: "Show what is on the screen", "Mostrar o que está na tela";
+    step_screen_hint: "From now on the step shows what you see; its texts stay", "A partir de agora o passo mostra o que você vê; seus textos ficam";
+    step_another: "New step after this one", "Novo passo depois deste";
+    step_another_hint: "Adds a step that shows what is on the screen", "Acrescenta um passo que mostra o que está na tela";
+    step_remove: "Remove the step", "Remover o passo";
+    step_remove_hint: "Takes the step out of the lesson; *Take back* brings it again", "Tira o passo da lição; *Desfazer mudança* o traz de volta";
+    change_back: "Take back", "Desfazer mudança";
+    change_back_hint: "The lesson as it was before the last change of its file", "A lição como era antes da última mudança de seu arquivo";
+    read_again: "Read again", "Ler de novo";
+    read_again_hint: "Reads the file as another program has changed it; what is typed here and not written is lost", "Lê o arquivo como outro programa o mudou; o que foi digitado aqui e não está escrito se perde";
+    is_kept: "in the file", "no arquivo";
+    not_kept: "not yet in the file", "ainda não no arquivo";
+    not_written: "Not written into the file", "Não foi escrito no arquivo";
+    step_title_field: "Title", "Título";
+    step_text_field: "Text (Markdown, $formulas$, {numbers})", "Texto (Markdown, $fórmulas$, {números})";
+    forget_typed: "Back to the text of the file", "De volta ao texto do arquivo";
+    forget_typed_hint: "Forgets what was typed since it was written last", "Esquece o que foi digitado desde que foi escrito";
     // The texts of a recorded step and lesson.
     new_lesson: "A new lesson", "Uma nova lição";
     new_text: "Say here what is to be seen.", "Diga aqui o que se vê.";
@@ -175,6 +203,18 @@ pub fn step_added(lang: Lang, file: &str, number: usize) -> String {
     match lang {
         Lang::En => format!("Step {number} was added to {file}"),
         Lang::PtBr => format!("O passo {number} foi acrescentado a {file}"),
+    }
+}
+
+/// Another program has changed the file of the lesson.
+#[must_use]
+pub fn changed_elsewhere(lang: Lang, file: &str) -> String {
+    let again = texts(lang).read_again;
+    match lang {
+        Lang::En => {
+            format!("Another program has changed {file}, and nothing was written into it. *{again}* takes that over")
+        }
+        Lang::PtBr => format!("Outro programa mudou {file}, e nada foi escrito nele. *{again}* passa a usar isso"),
     }
 }
 

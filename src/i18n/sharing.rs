@@ -4,6 +4,8 @@ texts! {
     code: "QR code", "Código QR";
     code_hint: "The link as a QR code over the whole window, for the telephones of a class", "O link como código QR na janela inteira, para os telefones da turma";
     too_long_for_code: "The link is too long for a QR code: it holds at most 2953 characters", "O link é longo demais para um código QR: cabem no máximo 2953 caracteres";
+    whole_lesson: "The whole lesson", "A lição inteira";
+    whole_lesson_hint: "All its steps are in the link; without it only the figure of this step is", "Todos os passos estão no link; sem isso, só a figura deste passo";
     address_first: "A QR code needs the address of a page with this program", "Um código QR precisa do endereço de uma página com este programa";
     copy_link: "Copy a link…", "Copiar um link…";
     copy_link_hint: "Copies the figure as a link that opens it in a browser", "Copia a figura como um link que a abre em um navegador";

@@ -4,6 +4,7 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `condition` | goals of a student: conditions on the camera, or on what is seen |
+//! | `edit` | changes of a lesson file by its author in the window |
 //! | `lesson` | a lesson and its steps as values |
 //! | `numbers_in_texts` | the numbers of a figure in the texts of a lesson, in place of the paths in braces |
 //! | `passage` | the way from the figure of one step to that of the next |
@@ -12,6 +13,7 @@
 //! | `shipped` | the lessons that are part of the program |
 
 mod condition;
+mod edit;
 mod lesson;
 mod numbers_in_texts;
 mod passage;
@@ -20,6 +22,7 @@ mod record;
 mod shipped;
 
 pub use condition::{Condition, Goal, Seen, Subject, objects_named};
+pub use edit::{Edit, StepText, edited};
 pub use lesson::{Lesson, Link, OpenLesson, Step, Task};
 pub use numbers_in_texts::{filled, numbers_of};
 pub use passage::Passage;

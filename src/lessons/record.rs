@@ -1,10 +1,11 @@
 //! A step of a lesson from what is on the screen: only the difference from the step before is written.
 
-use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
+use toml_edit::{ArrayOfTables, DocumentMut, Item, Table};
 
+use super::edit::{put_figure, told_item};
 use super::lesson::Lesson;
 use super::read::parse;
-use crate::figure::{Bilingual, Difference, Figure, FigureError, difference};
+use crate::figure::{Bilingual, Figure, FigureError, difference};
 use crate::limits::MAX_EXERCISE_NAME;
 
 /// The texts of a new step, to be written by its author.
@@ -30,22 +31,16 @@ pub fn with_step(text: &str, id: &str, draft: &Draft, now: &Figure) -> Result<(S
     let (mut out, last) = if text.trim().is_empty() {
         let mut head = DocumentMut::new();
         head.insert("id", Item::Value(identifier(id).into()));
-        head.insert("title", Item::Value(told(&draft.lesson)));
+        head.insert("title", told_item(&draft.lesson));
         (head.to_string(), None)
     } else {
         let lesson = parse(text)?;
         (text.to_owned(), lesson.steps.last().map(|step| step.figure.clone()))
     };
-    let Difference { changed, without } = difference(last.as_deref(), now);
     let mut step = Table::new();
-    step.insert("title", Item::Value(told(&draft.title)));
-    step.insert("text", Item::Value(told(&draft.text)));
-    if !without.is_empty() {
-        step.insert("without", Item::Value(without.into_iter().collect::<Array>().into()));
-    }
-    for (section, item) in changed.iter() {
-        step.insert(section, item.clone());
-    }
+    step.insert("title", told_item(&draft.title));
+    step.insert("text", told_item(&draft.text));
+    put_figure(&mut step, &difference(last.as_deref(), now));
     let mut steps = ArrayOfTables::new();
     steps.push(step);
     let mut document = DocumentMut::new();
@@ -64,16 +59,6 @@ fn identifier(name: &str) -> String {
     let is_of_name = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
     let id: String = name.chars().map(|c| if is_of_name(c) { c } else { '-' }).take(MAX_EXERCISE_NAME).collect();
     if id.is_empty() { "lesson".to_owned() } else { id }
-}
-
-fn told(text: &Bilingual) -> Value {
-    if text.en == text.pt_br {
-        return text.en.as_str().into();
-    }
-    let mut table = InlineTable::new();
-    table.insert("en", text.en.as_str().into());
-    table.insert("pt-BR", text.pt_br.as_str().into());
-    table.into()
 }
 
 #[cfg(test)]

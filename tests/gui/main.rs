@@ -26,6 +26,7 @@ mod homogeneous;
 mod keyboard;
 mod labels;
 mod language;
+mod lesson_writing;
 mod lessons;
 mod notes;
 mod numerics;

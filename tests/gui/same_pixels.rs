@@ -121,7 +121,7 @@ impl Opened {
         let differ = rendered.chunks(4).zip(on_screen.chunks(4)).filter(|(a, b)| a != b).count();
         assert_eq!(differ, 0, "{what}: pixels on the screen are not the rendered ones of\n{text}");
         assert!(exported == (size, rendered), "{what}: the exported picture is not the rendered one of\n{text}");
-        let link = share::link("https://example.org/", &text).expect("short enough");
+        let link = share::link("https://example.org/", share::Held::Figure, &text).expect("short enough");
         assert!(pixels(&self.rendered(&link, view)) == exported, "{what}: the link leads elsewhere: {link}");
     }
 }

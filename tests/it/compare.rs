@@ -168,7 +168,7 @@ fn a_file_a_link_and_render_draw_the_same_comparison() {
         let text = write::to_toml(&figure);
         assert_eq!(read::parse(&text).unwrap(), figure);
         bench.write("figure.toml", &text);
-        let link = share::link("", &text).unwrap();
+        let link = share::link("", share::Held::Figure, &text).unwrap();
         for view in View::ALL {
             let own = drawn(&request(&figure, view));
             let opaque: Vec<u8> = own.rgba().chunks(4).flat_map(|pixel| &pixel[..3]).copied().collect();

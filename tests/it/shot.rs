@@ -82,7 +82,7 @@ proptest! {
         let camera = operated(Camera::new(&figure.camera).unwrap(), &operations);
         let figure = Figure { camera: *camera.parameters(), ..figure };
         let text = write::to_toml(&figure);
-        let link = share::link("https://example.org/", &text).unwrap();
+        let link = share::link("https://example.org/", share::Held::Figure, &text).unwrap();
         let followed = share::text_in(&link).unwrap().unwrap();
         let (again, linked) = (read::parse(&text).unwrap(), read::parse_bytes(&followed).unwrap());
         prop_assert_eq!(&again, &figure);
@@ -189,7 +189,7 @@ fn render_draws_what_is_shown_and_arguments_override_it() {
         render(&["plain.toml", "--show", "stage=clip", "--show", "probe={ pixel = [512, 300] }"], "b.png");
     assert!(from_file == from_arguments);
     assert!(from_file == render(&["a.png"], "c.png"), "the figure in the picture");
-    let link = share::link("", shown).unwrap();
+    let link = share::link("", share::Held::Figure, shown).unwrap();
     assert!(from_file == render(&[&link], "d.png"));
     assert!(from_file != render(&["plain.toml"], "e.png"));
     assert!(

@@ -138,6 +138,8 @@ pub struct Canvas {
     /// A click on something that has not been found yet, and its picker.
     clicked: Option<Click>,
     click_picker: Picker,
+    /// The steps of a lesson whose pictures have begun to fade in.
+    faded: u64,
 }
 
 /// A picture on the screen, and what is kept of it from one frame to the next.
@@ -186,6 +188,7 @@ impl Default for Canvas {
             clicked_pick: None,
             clicked: None,
             click_picker: Picker::default(),
+            faded: 0,
         }
     }
 }
@@ -455,6 +458,11 @@ impl Canvas {
             if !state.annotations.frozen {
                 self.rendering.ask(ctx, RenderJob { picture, request, draft: moving && heavy, max_side, accounted });
             }
+        }
+        let fades = state.lesson.as_ref().map_or(0, |playing| playing.fades);
+        if std::mem::replace(&mut self.faded, fades) < fades {
+            let now = ui.input(|input| input.time);
+            self.pictures.iter_mut().for_each(|picture| picture.texture.fade(now));
         }
         for (i, done) in self.rendering.collect(self.patience).into_iter().enumerate() {
             let (Some(rendered), Some(shown)) = (done, self.shot.pictures.get(i)) else { continue };

@@ -3,6 +3,7 @@
 use eframe::egui::{Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2};
 use glam::DVec2;
 
+use crate::gui::state::FADE;
 use crate::picture::Pixels;
 use crate::views;
 
@@ -100,9 +101,22 @@ impl Tiles {
 #[derive(Default)]
 pub(super) struct PictureTexture {
     size: [usize; 2],
-    tiles: Vec<([usize; 2], [usize; 2], TextureHandle)>,
+    tiles: Vec<PlacedTile>,
     /// The last drawing failed.
     failed: bool,
+    /// A picture that fades over this one.
+    fading: Option<Fading>,
+}
+
+/// The place of a tile in its picture, its size, both in pixels, and the tile.
+type PlacedTile = ([usize; 2], [usize; 2], TextureHandle);
+
+/// The picture before, as it disappears.
+struct Fading {
+    size: [usize; 2],
+    tiles: Vec<PlacedTile>,
+    /// A time in seconds.
+    began: f64,
 }
 
 impl PictureTexture {
@@ -124,6 +138,11 @@ impl PictureTexture {
         }
     }
 
+    /// Lets what is shown fade away over the pictures that come next. `now`: a time in seconds.
+    pub(super) fn fade(&mut self, now: f64) {
+        self.fading = Some(Fading { size: self.size, tiles: std::mem::take(&mut self.tiles), began: now });
+    }
+
     /// True where the last drawing failed.
     pub(super) fn failed(&self) -> bool {
         self.failed
@@ -131,17 +150,33 @@ impl PictureTexture {
 
     /// Paints the picture at its place; one of another size, which is there while the next is being drawn, in the
     /// middle.
-    #[expect(clippy::cast_precision_loss, reason = "sides of a screen are far below 2²⁴")]
-    pub(super) fn paint(&self, ui: &Ui, place: &PictureRect) {
-        let painter = ui.painter().with_clip_rect(place.rect.intersect(ui.clip_rect()));
-        let (width, height) = (self.size[0] as f32, self.size[1] as f32);
-        let shift_x = ((place.size.width as f32 - width) / 2.0).round();
-        let shift_y = ((place.size.height as f32 - height) / 2.0).round();
-        let all = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        for ([left, top], [w, h], texture) in &self.tiles {
-            let rect = place.rect_of(*left as f32 + shift_x, *top as f32 + shift_y, *w as f32, *h as f32);
-            painter.image(texture.id(), rect, all, Color32::WHITE);
+    pub(super) fn paint(&mut self, ui: &Ui, place: &PictureRect) {
+        paint_tiles(ui, place, self.size, &self.tiles, Color32::WHITE);
+        let Some(fading) = &self.fading else { return };
+        let left = 1.0 - (ui.input(|input| input.time) - fading.began) / FADE;
+        let is_at_its_place = fading.size == [place.size.width as usize, place.size.height as usize];
+        if left > 0.0 && is_at_its_place {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+            let tint = Color32::from_white_alpha((255.0 * left as f32).round() as u8);
+            paint_tiles(ui, place, fading.size, &fading.tiles, tint);
+            ui.ctx().request_repaint();
+        } else {
+            self.fading = None;
         }
+    }
+}
+
+/// Paints the tiles of a picture at its place.
+#[expect(clippy::cast_precision_loss, reason = "sides of a screen are far below 2²⁴")]
+fn paint_tiles(ui: &Ui, place: &PictureRect, size: [usize; 2], tiles: &[PlacedTile], tint: Color32) {
+    let painter = ui.painter().with_clip_rect(place.rect.intersect(ui.clip_rect()));
+    let (width, height) = (size[0] as f32, size[1] as f32);
+    let shift_x = ((place.size.width as f32 - width) / 2.0).round();
+    let shift_y = ((place.size.height as f32 - height) / 2.0).round();
+    let all = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    for ([left, top], [w, h], texture) in tiles {
+        let rect = place.rect_of(*left as f32 + shift_x, *top as f32 + shift_y, *w as f32, *h as f32);
+        painter.image(texture.id(), rect, all, tint);
     }
 }
 

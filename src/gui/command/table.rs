@@ -248,6 +248,15 @@ pub const MENUS: &[Menu] = &[
                 .enabled(|s| s.lesson.is_some())
                 .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_notes)),
                 Row::new(
+                    WriteLesson,
+                    alt(Key::R),
+                    |t| lesson_words(t, |t| (t.write_command, t.write_hint)),
+                    write_lesson,
+                )
+                .not_in_browser()
+                .enabled(|s| s.lesson.is_some())
+                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
+                Row::new(
                     LeaveLesson,
                     alt(Key::W),
                     |t| lesson_words(t, |t| (t.leave, t.leave_hint)),
@@ -386,6 +395,15 @@ fn record_step(state: &mut State, ctx: &Context) {
     match state.lesson_file.clone() {
         Some(path) => state.add_step(&path, &state::Agreed::default()),
         None => file_flow::ask(ctx, state, Purpose::Step),
+    }
+}
+
+/// Writes the lesson of the user's own, or a copy of one of the program.
+fn write_lesson(state: &mut State, ctx: &Context) {
+    if state.plays_own_lesson() {
+        state.write_lesson();
+    } else {
+        file_flow::ask(ctx, state, Purpose::OwnLesson);
     }
 }
 

@@ -2,10 +2,14 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `editor` | the texts of a step beside what they look like, and the order of the steps |
+//! | `speaker` | the notes of the speaker in a window of their own |
 //! | `list` | the list of lessons |
 //! | `task` | the task of a step: a question, an exercise, a goal |
 
+mod editor;
 mod list;
+mod speaker;
 mod task;
 
 use std::sync::Arc;
@@ -23,9 +27,12 @@ use crate::i18n::lessons::{self as words, Texts};
 use crate::i18n::{exercises, notes, told};
 use crate::lessons::{self, Lesson, Link};
 pub(super) use list::{WIDTH as LIST_WIDTH, show as list};
+pub(super) use speaker::window as speaker_window;
 
 /// The share of the window that text and task may take; what is longer is scrolled.
 const SHARE: f32 = 0.42;
+/// The share that they may take while they are written.
+const SHARE_WRITTEN: f32 = 0.55;
 /// Lines of text that read well, in heights of a line.
 const LINE: f32 = 44.0;
 /// Between a text and its task beside it.
@@ -112,7 +119,8 @@ pub(super) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
     let key = (playing.lesson.id.clone(), playing.step);
     let t = words::texts(state.settings.lang);
     let ctx = ui.ctx().clone();
-    let most = SHARE * ctx.content_rect().height();
+    let share = if playing.writing.is_some() { SHARE_WRITTEN } else { SHARE };
+    let most = share * ctx.content_rect().height();
     // As high as what it showed in the last frame; a panel does not grow with what scrolls in it.
     let id = Id::unique("height of the lesson");
     let height = ctx.data(|data| data.get_temp(id)).unwrap_or(0.5 * most);
@@ -120,14 +128,22 @@ pub(super) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
         focus::region(ui, ui.max_rect(), Region::Lesson, t.region);
         let top = ui.max_rect().top();
         let command = bar(ui, t, state);
+        let writes = state.lesson.as_ref().is_some_and(|playing| playing.writing.is_some());
+        if writes {
+            editor::tools(ui, t, state);
+        }
         let shows = state.lesson.as_ref().is_some_and(|playing| {
-            playing.shows_text || playing.shows_notes || playing.shows_question && !playing.is_done()
+            let notes = playing.shows_notes && !speaker::has_window(&ctx);
+            writes || playing.shows_text || notes || playing.shows_question && !playing.is_done()
         });
         let mut wanted = ui.cursor().top() - top;
         if shows {
             ui.add_space(2.0);
             let area = ScrollArea::vertical().id_salt(key).auto_shrink(false);
-            let shown = area.show(ui, |ui| ui.scope(|ui| content(ui, t, state)).response.rect.height());
+            let shown = area.show(ui, |ui| {
+                let shown = ui.scope(|ui| if writes { written(ui, t, state) } else { content(ui, t, state) });
+                shown.response.rect.height()
+            });
             wanted += ui.spacing().item_spacing.y + 2.0 + shown.inner;
         }
         let margin = egui::Frame::side_top_panel(ui.style()).total_margin().sum().y;
@@ -147,7 +163,9 @@ pub(super) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
 /// One line: title, number of the step, the ways on.
 fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
     let lang = t.lang;
+    let writes_own = state.plays_own_lesson() && !state.settings.presentation;
     let playing = state.lesson.as_ref()?;
+    let writing = playing.writing.is_some();
     let lesson = playing.lesson.clone();
     let (step, count, may_go_on, moved) = (
         playing.step,
@@ -190,6 +208,11 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
             if ui.button("✕").explained(t.leave).accessible_name(t.leave).clicked() {
                 command = Some(Command::LeaveLesson);
             }
+            if writes_own
+                && ui.selectable_label(writing, "✎").explained(t.write_hint).accessible_name(t.write_command).clicked()
+            {
+                command = Some(Command::WriteLesson);
+            }
             if ui.add_enabled(moved, Button::new(t.again)).explained(t.again_hint).clicked() {
                 command = Some(Command::StepAgain);
             }
@@ -210,21 +233,41 @@ fn after(lesson: &Lesson) -> Option<Arc<Lesson>> {
     all.get(place + 1).map(|shipped| shipped.lesson.clone())
 }
 
+/// The fields of the step, beside what they look like.
+fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
+    ui.horizontal_top(|ui| {
+        let half = 0.5 * (ui.available_width() - GUTTER);
+        ui.vertical(|ui| {
+            ui.set_width(half);
+            editor::fields(ui, t, state);
+        });
+        ui.add_space(GUTTER - ui.spacing().item_spacing.x);
+        ui.vertical(|ui| {
+            ui.set_width(half);
+            content(ui, t, state);
+        });
+    });
+}
+
 /// Text, task, links and notes of the step.
 fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     let Some(playing) = state.lesson.as_ref() else { return };
     let Some(step) = playing.now().cloned() else { return };
-    let (shows_text, shows_notes) = (playing.shows_text, playing.shows_notes);
+    let writing = playing.writing.as_ref();
+    let shows_text = playing.shows_text || writing.is_some();
+    let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx()) || writing.is_some();
+    // What is written is shown in the language of its fields.
+    let lang = writing.map_or(t.lang, |writing| writing.lang);
     // The numbers are those of what is on the screen.
     let report = lessons::numbers_of(state.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
     let text = |text: &Bilingual| match &report {
-        Some(report) => words::filled_from(t.lang, text, report),
-        None => told(t.lang, text).to_owned(),
+        Some(report) => words::filled_from(lang, text, report),
+        None => told(lang, text).to_owned(),
     };
     let presents = state.settings.presentation;
     let say = |ui: &mut Ui| {
         if !presents {
-            ui.add(egui::Label::new(RichText::new(told(t.lang, &step.title)).strong()).wrap());
+            ui.add(egui::Label::new(RichText::new(told(lang, &step.title)).strong()).wrap());
         }
         prose::show(ui, text(&step.text).trim());
     };

@@ -54,6 +54,8 @@ pub enum Purpose {
     Folder,
     /// To add a step to a lesson.
     Step,
+    /// To copy a lesson of the program, which is written on from then.
+    OwnLesson,
     /// To write a chart.
     Chart(Box<Block>),
     /// To export progress in exercises, as a table for spreadsheets.

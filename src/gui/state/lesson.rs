@@ -4,12 +4,15 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::{Chosen, Message, Panels, State};
+use super::{Chosen, Message, Panels, State, Writing};
 use crate::camera::Camera;
 use crate::figure::Figure;
 use crate::gui::document::Document;
 use crate::gui::history::Revision;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
+
+/// Seconds in which the pictures of a step before fade into those of the next one.
+pub(in crate::gui) const FADE: f64 = 0.4;
 
 /// A lesson that is played.
 #[derive(Debug)]
@@ -28,6 +31,12 @@ pub struct Playing {
     pub shows_question: bool,
     /// The speaker's notes are shown.
     pub shows_notes: bool,
+    /// The writing of the step, in a lesson of the user's own.
+    pub writing: Option<Writing>,
+    /// A link holds the whole lesson, where it is the user's own; else the figure of the step.
+    pub links_whole: bool,
+    /// The beginning of the fading of what was shown before the step, counted.
+    pub(in crate::gui) fades: u64,
     /// Not all of text and task is in sight; written by the panel.
     pub is_cut: bool,
     /// The steps whose task is done.
@@ -74,6 +83,13 @@ impl Playing {
         self.is_done() || self.passed.contains(&self.step)
     }
 
+    /// Goes on with another text of the lesson: its steps may have other places.
+    pub(super) fn take_lesson(&mut self, lesson: Arc<Lesson>) {
+        self.lesson = lesson;
+        self.done.clear();
+        self.passed.clear();
+    }
+
     /// True where this step is the last one.
     #[must_use]
     pub fn is_last(&self) -> bool {
@@ -113,6 +129,9 @@ impl State {
             shows_text: true,
             shows_question: !self.settings.presentation,
             shows_notes: false,
+            writing: None,
+            links_whole: true,
+            fades: 0,
             is_cut: false,
             done: BTreeSet::new(),
             passed: BTreeSet::new(),
@@ -125,8 +144,11 @@ impl State {
         self.show_step(playing, step, false);
     }
 
-    /// Ends the lesson; the figure of its step stays.
+    /// Ends the lesson; the figure of its step stays. Words that cannot be written into its file are said first.
     pub fn leave_lesson(&mut self) {
+        if !self.keep_words() {
+            return;
+        }
         self.end_move();
         self.let_lesson_go();
     }
@@ -149,6 +171,9 @@ impl State {
 
     /// Goes to a step, from 0; nothing where there is none.
     pub fn go_to_step(&mut self, step: usize) {
+        if !self.keep_words() {
+            return;
+        }
         if let Some(playing) = self.lesson.take_if(|playing| step < playing.lesson.steps.len()) {
             let moves = step == playing.step + 1;
             self.show_step(playing, step, moves);
@@ -201,7 +226,7 @@ impl State {
     }
 
     /// Shows a step: at once, or by the move to it from what is on the screen.
-    fn show_step(&mut self, mut playing: Playing, step: usize, moves: bool) {
+    pub(super) fn show_step(&mut self, mut playing: Playing, step: usize, moves: bool) {
         self.end_move();
         let Some(shown) = playing.lesson.steps.get(step) else { return };
         let document = match Document::of_lesson((*shown.figure).clone(), playing.path.as_deref()) {
@@ -242,17 +267,20 @@ impl State {
         }
         let passage = Passage::new(from, to);
         if moves && seconds > 0.0 && !passage.is_at_once() {
+            // What is new fades in; then the camera moves.
+            playing.fades += 1;
             playing.moving = Some(Moving { passage, target: Box::new(document), seconds, began: None });
         }
         let furthest = self.lessons_taken.entry(playing.lesson.id.clone()).or_default();
         *furthest = step.max(*furthest);
         self.lesson = Some(playing);
+        self.follow_writing();
     }
 
     /// Goes on with the move to the step; true while it goes on. `now`: a time in seconds.
     pub(in crate::gui) fn go_on_moving(&mut self, now: f64) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
-        let share = (now - *moving.began.get_or_insert(now)) / moving.seconds;
+        let share = ((now - *moving.began.get_or_insert(now + FADE)) / moving.seconds).max(0.0);
         if share >= 1.0 {
             self.end_move();
             return false;

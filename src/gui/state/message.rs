@@ -36,6 +36,10 @@ pub enum Message {
     LastFigure,
     /// A step was added to the lesson in a file: its number.
     StepAdded(PathBuf, usize),
+    /// The texts of a step cannot be written into the file of its lesson.
+    StepNotKept(PathBuf, FileError),
+    /// The file of the lesson was changed by another program.
+    LessonChanged(PathBuf),
     /// A QR code needs the address of a page.
     AddressFirst,
     /// No step of the lesson before this one.
@@ -130,6 +134,11 @@ impl Message {
             Self::Step { number, of } => (News, format!("{number} / {of}")),
             Self::AndMore(first, more) => (Error, exercise_messages::and_more(lang, &first.text(lang), *more)),
             Self::StepAdded(path, number) => (News, lessons::step_added(lang, &sanitize::path(path), *number)),
+            Self::StepNotKept(path, error) => {
+                let why = messages::file(lang, &sanitize::path(path), error);
+                (Error, format!("{}: {why}", lessons::texts(lang).not_written))
+            }
+            Self::LessonChanged(path) => (Error, lessons::changed_elsewhere(lang, &sanitize::path(path))),
             Self::AddressFirst => (News, sharing::texts(lang).address_first.to_owned()),
             Self::FirstStep => (News, lessons::texts(lang).first_step.to_owned()),
             Self::LastStep => (News, lessons::texts(lang).last_step.to_owned()),

@@ -15,6 +15,7 @@
 //! | `label_mode` | the mode in which labels are the author's: the chosen label, and its text as it is typed |
 //! | `layout` | the layout of the window, and requests to the pictures |
 //! | `lesson` | the lesson that is played: its step, the move to it, and what is done |
+//! | `lesson_writing` | a lesson of the user's own that is written in the window |
 //! | `matrices` | the explanation of matrices: its content, and the effect of the last change |
 //! | `message` | messages at the bottom of the window, as values |
 //! | `notes` | the notes: search text, and the note that is read |
@@ -43,6 +44,7 @@ mod insert;
 mod label_mode;
 mod layout;
 mod lesson;
+mod lesson_writing;
 mod matrices;
 mod message;
 mod notes;
@@ -89,7 +91,9 @@ pub(super) use follow::Space;
 pub(super) use insert::{free_place, rounded};
 pub use label_mode::LabelMode;
 pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
+pub(in crate::gui) use lesson::FADE;
 pub use lesson::{Moving, Playing};
+pub use lesson_writing::{StepChange, Writing};
 pub(in crate::gui) use matrices::symbols_of;
 pub use matrices::{Matrices, Reading};
 pub(in crate::gui) use message::about_session;

@@ -57,7 +57,7 @@ fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<usize, FileE
 }
 
 /// The figure with all that the window shows of it, and how it shows it.
-fn as_shown(state: &mut State) -> Figure {
+pub(super) fn as_shown(state: &mut State) -> Figure {
     let seen = state.as_seen();
     let panel = state.settings.panels().is_shown(Side::Explain).then(|| state.explain.shown());
     let pictures = View::ALL.map(|view| state.layout.is_shown(view));

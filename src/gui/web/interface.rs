@@ -13,7 +13,7 @@ use web_sys::Window;
 use super::{Page, arrive};
 use crate::files::disk::page;
 use crate::gui::file_flow;
-use crate::share;
+use crate::share::{self, Held};
 
 /// Offers the object to the page.
 pub(super) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> {
@@ -33,7 +33,7 @@ pub(super) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> 
     let link = Closure::<dyn Fn() -> Result<JsValue, JsValue>>::new(move || {
         let Some(page) = of.app_mut::<Page>() else { return Ok(JsValue::NULL) };
         let address = page.app.state.own_address.clone().unwrap_or_default();
-        let link = share::link(&address, &file_flow::text_as_shown(&page.app.state));
+        let link = share::link(&address, Held::Figure, &file_flow::text_as_shown(&page.app.state));
         link.map(JsValue::from).map_err(|error| js_sys::Error::new(&error.to_string()).into())
     });
     Reflect::set(&lab, &"link".into(), &link.into_js_value())?;

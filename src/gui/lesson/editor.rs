@@ -1,0 +1,90 @@
+//! The texts of a step beside what they look like, and the order of the steps: a lesson of the user's own is written
+//! where it is played.
+
+use eframe::egui::{Button, Id, RichText, Ui};
+
+use crate::gui::state::{State, StepChange};
+use crate::gui::text_field::TextField;
+use crate::gui::tooltip::Explained;
+use crate::i18n::lessons::Texts;
+use crate::i18n::{Lang, messages};
+use crate::limits::{MAX_TITLE, MAX_TYPED};
+
+/// Seconds without a key after which the text is written to the file.
+const PAUSE: f64 = 1.0;
+
+/// One line: changes of the steps.
+pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
+    let Some(playing) = state.lesson.as_ref() else { return };
+    let Some(writing) = &playing.writing else { return };
+    let (step, count) = (playing.step, playing.lesson.steps.len());
+    let (has_earlier, is_ahead) = (writing.has_earlier(), writing.is_ahead());
+    let mut change = None;
+    ui.horizontal_wrapped(|ui| {
+        use StepChange::{Another, Earlier, Later, Remove, Screen};
+        for (name, hint, is_possible, what) in [
+            (t.step_earlier, t.step_earlier_hint, step > 0, Earlier),
+            (t.step_later, t.step_later_hint, step + 1 < count, Later),
+            (t.step_screen, t.step_screen_hint, true, Screen),
+            (t.step_another, t.step_another_hint, true, Another),
+            (t.step_remove, t.step_remove_hint, count > 1, Remove),
+        ] {
+            if ui.add_enabled(is_possible, Button::new(name)).explained(hint).clicked() {
+                change = Some(what);
+            }
+        }
+        ui.separator();
+        if ui.add_enabled(has_earlier, Button::new(t.change_back)).explained(t.change_back_hint).clicked() {
+            state.take_change_back();
+        }
+        if ui.button(t.read_again).explained(t.read_again_hint).clicked() {
+            state.read_lesson_again();
+        }
+        ui.label(RichText::new(if is_ahead { t.not_kept } else { t.is_kept }).small().weak());
+    });
+    if let Some(change) = change {
+        state.change_steps(change);
+    }
+}
+
+/// The fields of the step.
+pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
+    let (lang, now) = (state.settings.lang, ui.input(|input| input.time));
+    let Some(writing) = state.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else { return };
+    ui.horizontal(|ui| {
+        for (of, name) in [(Lang::En, "English"), (Lang::PtBr, "Português")] {
+            ui.selectable_value(&mut writing.lang, of, name);
+        }
+    });
+    let (of, mut is_typed, mut is_left) = (writing.lang, false, false);
+    let width = ui.available_width();
+    let names = [(t.step_title_field, 1), (t.step_text_field, 5), (t.notes_command, 2)];
+    for (k, (told, (name, rows))) in writing.typed.iter_mut().zip(names).enumerate() {
+        let text = match of {
+            Lang::En => &mut told.en,
+            Lang::PtBr => &mut told.pt_br,
+        };
+        let label = ui.label(name);
+        let field = if rows == 1 { TextField::line(text, MAX_TITLE) } else { TextField::lines(text, MAX_TYPED) };
+        let id = Id::unique(("text of a step", k, of));
+        let response = field.with(|edit| edit.id(id).desired_width(width).desired_rows(rows)).show(ui, lang);
+        let response = response.labelled_by(label.id);
+        is_typed |= response.changed();
+        is_left |= response.lost_focus();
+    }
+    let waits = writing.is_ahead() && now - writing.typed_at > PAUSE && writing.fault.is_none();
+    if let Some(fault) = &writing.fault {
+        let text = format!("{}: {}", t.not_written, messages::without_line(lang, fault));
+        ui.label(RichText::new(text).color(ui.visuals().error_fg_color));
+    }
+    let has_fault = writing.fault.is_some();
+    if has_fault && ui.button(t.forget_typed).explained(t.forget_typed_hint).clicked() {
+        return state.forget_words();
+    }
+    if is_typed {
+        state.words_typed(now);
+        ui.ctx().request_repaint_after(std::time::Duration::from_secs_f64(PAUSE + 0.1));
+    } else if waits || is_left && !has_fault {
+        state.keep_words();
+    }
+}

@@ -1,0 +1,306 @@
+//! A lesson of the user's own that is written in the window: the texts of its step as they are typed, the changes of its
+//! file, and the way back.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::{Agreed, Message, State};
+use crate::figure::{Bilingual, FigureError};
+use crate::files::{self, FileError};
+use crate::i18n::Lang;
+use crate::lessons::{Edit, Lesson, OpenLesson, Step, StepText, edited, with_step};
+use crate::share;
+
+/// Changes that can be taken back.
+const MOST_EARLIER: usize = 100;
+
+/// The writing of the step that is shown.
+#[derive(Debug)]
+pub struct Writing {
+    /// The text of the file as it was read or written last.
+    text: String,
+    /// The step whose texts these are, from 0.
+    step: usize,
+    /// Title, text and notes as they are typed.
+    pub typed: [Bilingual; 3],
+    /// The same as they are in the file.
+    kept: [Bilingual; 3],
+    /// The file with the typed texts, which is not yet written.
+    ahead: Option<String>,
+    /// Why it cannot be written.
+    pub fault: Option<FigureError>,
+    /// The language of the fields.
+    pub lang: Lang,
+    /// The time of the last key, in seconds.
+    pub typed_at: f64,
+    /// The file before each change, and the step that was shown.
+    earlier: Vec<(String, usize)>,
+}
+
+impl Writing {
+    fn new(text: String, lang: Lang) -> Self {
+        Self {
+            text,
+            step: usize::MAX,
+            typed: Default::default(),
+            kept: Default::default(),
+            ahead: None,
+            fault: None,
+            lang,
+            typed_at: 0.0,
+            earlier: Vec::new(),
+        }
+    }
+
+    /// True where a change can be taken back.
+    #[must_use]
+    pub fn has_earlier(&self) -> bool {
+        !self.earlier.is_empty()
+    }
+
+    /// True where what is typed is not in the file.
+    #[must_use]
+    pub fn is_ahead(&self) -> bool {
+        self.typed != self.kept
+    }
+
+    /// Shows the texts of a step.
+    fn show(&mut self, number: usize, step: &Step) {
+        let texts = [step.title.clone(), step.text.clone(), step.notes.clone().unwrap_or_default()];
+        (self.step, self.typed, self.kept) = (number, texts.clone(), texts);
+        (self.ahead, self.fault) = (None, None);
+    }
+
+    /// The file with the texts as they are typed.
+    fn tried(&self) -> Result<(String, Lesson), FigureError> {
+        let mut tried = edited(&self.text, &Edit::Move(self.step, self.step))?;
+        for (which, (typed, kept)) in TEXTS.into_iter().zip(self.typed.iter().zip(&self.kept)) {
+            if typed != kept {
+                tried = edited(&tried.0, &Edit::Say(self.step, which, typed.clone()))?;
+            }
+        }
+        Ok(tried)
+    }
+}
+
+/// The texts of a step in the order of their fields.
+const TEXTS: [StepText; 3] = [StepText::Title, StepText::Text, StepText::Notes];
+
+/// A change of the steps of a lesson.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepChange {
+    /// The step comes before the one above it.
+    Earlier,
+    /// The step comes after the next one.
+    Later,
+    /// The step shows what is on the screen.
+    Screen,
+    /// A step more after this one, with what is on the screen.
+    Another,
+    /// A step less.
+    Remove,
+}
+
+impl State {
+    /// True where the lesson that is played is a file that can be written.
+    #[must_use]
+    pub fn plays_own_lesson(&self) -> bool {
+        let path = self.lesson.as_ref().and_then(|playing| playing.path.as_deref());
+        path.is_some_and(|path| share::link_of(path).is_none()) && !self.in_browser
+    }
+
+    /// Begins to write the step that is shown, or ends it.
+    pub(in crate::gui) fn write_lesson(&mut self) {
+        if !self.keep_words() || !self.plays_own_lesson() {
+            return;
+        }
+        let lang = self.settings.lang;
+        let Some(playing) = &mut self.lesson else { return };
+        if playing.writing.take().is_some() {
+            return;
+        }
+        let Some(path) = playing.path.clone() else { return };
+        match files::read_lesson(&path) {
+            Ok((lesson, text)) => {
+                playing.lesson = Arc::new(lesson);
+                playing.step = playing.step.min(playing.lesson.steps.len().saturating_sub(1));
+                playing.writing = Some(Writing::new(text, lang));
+                self.lesson_file = Some(path);
+                self.follow_writing();
+            }
+            Err(error) => self.say(Message::File(path, error)),
+        }
+    }
+
+    /// Shows the texts of the step that is played in the fields.
+    pub(in crate::gui) fn follow_writing(&mut self) {
+        let Some(playing) = &mut self.lesson else { return };
+        let (step, shown) = (playing.step, playing.lesson.steps.get(playing.step).cloned());
+        if let (Some(writing), Some(shown)) = (&mut playing.writing, shown)
+            && writing.step != step
+        {
+            writing.show(step, &shown);
+        }
+    }
+
+    /// Takes what is typed into the lesson that is shown, or finds why it cannot be.
+    pub(in crate::gui) fn words_typed(&mut self, now: f64) {
+        let Some(playing) = &mut self.lesson else { return };
+        let Some(writing) = &mut playing.writing else { return };
+        writing.typed_at = now;
+        match writing.tried() {
+            Ok((text, lesson)) => {
+                (writing.ahead, writing.fault) = (Some(text), None);
+                playing.lesson = Arc::new(lesson);
+            }
+            Err(fault) => (writing.ahead, writing.fault) = (None, Some(fault)),
+        }
+    }
+
+    /// Writes what is typed into the file. False where it cannot be written: that is said, and the texts stay in their
+    /// fields.
+    pub(in crate::gui) fn keep_words(&mut self) -> bool {
+        let Some(playing) = &mut self.lesson else { return true };
+        let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return true };
+        if !writing.is_ahead() {
+            return true;
+        }
+        let step = writing.step;
+        let Some(text) = writing.ahead.clone() else {
+            let fault = writing.fault.clone().map(FileError::Figure);
+            fault.into_iter().for_each(|fault| self.say(Message::StepNotKept(path.clone(), fault)));
+            return false;
+        };
+        let is_kept = self.store(&path, text, step);
+        if is_kept && let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
+            writing.kept = writing.typed.clone();
+            writing.ahead = None;
+        }
+        is_kept
+    }
+
+    /// Forgets what is typed and not in the file.
+    pub(in crate::gui) fn forget_words(&mut self) {
+        let Some(playing) = &mut self.lesson else { return };
+        let Some(writing) = &mut playing.writing else { return };
+        writing.typed = writing.kept.clone();
+        self.words_typed(0.0);
+    }
+
+    /// Changes the steps of the lesson in its file.
+    pub(in crate::gui) fn change_steps(&mut self, change: StepChange) {
+        if !self.keep_words() {
+            return;
+        }
+        let figure = super::recording::as_shown(self);
+        let draft = crate::i18n::lessons::draft;
+        let Some(playing) = &self.lesson else { return };
+        let (Some(path), Some(writing)) = (playing.path.clone(), &playing.writing) else { return };
+        let (step, count) = (playing.step, playing.lesson.steps.len());
+        let (changed, then) = match change {
+            StepChange::Earlier => {
+                (edited(&writing.text, &Edit::Move(step, step.saturating_sub(1))), step.saturating_sub(1))
+            }
+            StepChange::Later => (edited(&writing.text, &Edit::Move(step, step + 1)), step + 1),
+            StepChange::Screen => (edited(&writing.text, &Edit::Show(step, Box::new(figure))), step),
+            StepChange::Another => {
+                let added = with_step(&writing.text, &playing.lesson.id, &draft(count + 1), &figure);
+                (added.and_then(|(text, _)| edited(&text, &Edit::Move(count, step + 1))), step + 1)
+            }
+            StepChange::Remove => (edited(&writing.text, &Edit::Remove(step)), step.saturating_sub(1)),
+        };
+        match changed {
+            Ok((text, lesson)) => {
+                if self.store(&path, text, step) {
+                    self.play_changed(lesson, then);
+                }
+            }
+            Err(fault) => self.say(Message::StepNotKept(path, FileError::Figure(fault))),
+        }
+    }
+
+    /// Takes the last change of the file back.
+    pub(in crate::gui) fn take_change_back(&mut self) {
+        if !self.keep_words() {
+            return;
+        }
+        let Some(playing) = &mut self.lesson else { return };
+        let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return };
+        let Some((text, step)) = writing.earlier.pop() else { return };
+        let read = crate::lessons::parse(&text);
+        if let Ok(lesson) = read
+            && self.store(&path, text, step)
+        {
+            // The way back is no change to be taken back.
+            let writing = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
+            writing.into_iter().for_each(|writing| drop(writing.earlier.pop()));
+            self.play_changed(lesson, step);
+        }
+    }
+
+    /// Plays a lesson of the program as the user's own, from a copy in a file.
+    pub(in crate::gui) fn copy_lesson(&mut self, path: &Path, agreed: &Agreed) {
+        let Some(playing) = &self.lesson else { return };
+        let (id, step) = (playing.lesson.id.clone(), playing.step);
+        let Some(shipped) = crate::lessons::shipped().iter().find(|shipped| shipped.lesson.id == id) else { return };
+        match files::save(path, shipped.text.as_bytes(), agreed.overwrite()) {
+            Ok(()) => {
+                self.play(OpenLesson { lesson: shipped.lesson.clone(), path: Some(path.to_owned()), step });
+                self.write_lesson();
+            }
+            Err(error) => self.say(Message::File(path.to_owned(), error)),
+        }
+    }
+
+    /// Writes the text of the lesson into its file, unless another program has changed it; true where it is written.
+    fn store(&mut self, path: &Path, text: String, step: usize) -> bool {
+        let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else { return false };
+        let is_ours = files::read_lesson(path).is_ok_and(|(_, now)| now == writing.text);
+        if !is_ours && files::disk::exists(path) {
+            self.say(Message::LessonChanged(path.to_owned()));
+            return false;
+        }
+        match files::save(path, text.as_bytes(), Agreed::default().overwrite()) {
+            Ok(()) => {
+                let before = std::mem::replace(&mut writing.text, text);
+                if writing.earlier.len() == MOST_EARLIER {
+                    writing.earlier.remove(0);
+                }
+                writing.earlier.push((before, step));
+                true
+            }
+            Err(error) => {
+                self.say(Message::File(path.to_owned(), error));
+                false
+            }
+        }
+    }
+
+    /// Reads the lesson again that another program has changed; what is typed here is lost.
+    pub(in crate::gui) fn read_lesson_again(&mut self) {
+        let Some(playing) = &self.lesson else { return };
+        let (Some(path), step) = (playing.path.clone(), playing.step) else { return };
+        match files::read_lesson(&path) {
+            Ok((lesson, text)) => {
+                let writing = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
+                writing.into_iter().for_each(|writing| writing.text.clone_from(&text));
+                self.play_changed(lesson, step);
+            }
+            Err(error) => self.say(Message::File(path, error)),
+        }
+    }
+
+    /// Shows a step of the lesson after a change of its steps.
+    fn play_changed(&mut self, lesson: Lesson, step: usize) {
+        let Some(playing) = &mut self.lesson else { return };
+        let step = step.min(lesson.steps.len().saturating_sub(1));
+        playing.take_lesson(Arc::new(lesson));
+        if let Some(writing) = &mut playing.writing {
+            writing.step = usize::MAX;
+        }
+        if let Some(playing) = self.lesson.take() {
+            self.show_step(playing, step, false);
+        }
+        self.follow_writing();
+    }
+}

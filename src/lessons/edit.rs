@@ -1,0 +1,274 @@
+//! Changes of a lesson file as its author makes them in the window: texts, figures, and the order of steps.
+
+use toml_edit::{Array, Document, DocumentMut, InlineTable, Item, Table, Value};
+
+use super::lesson::Lesson;
+use super::read::parse;
+use crate::figure::{Bilingual, Difference, Figure, FigureError, difference};
+
+/// The keys of a step that are not part of its figure.
+const WORDS: [&str; 7] = ["title", "text", "notes", "seconds", "ask", "try", "links"];
+
+/// A text of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum StepText {
+    /// Its title, one line.
+    Title,
+    /// Its text.
+    Text,
+    /// The notes of the speaker; an empty text takes them away.
+    Notes,
+}
+
+/// A change of a lesson. Steps are counted from 0.
+#[derive(Clone, Debug)]
+pub enum Edit {
+    /// Another text of a step.
+    Say(usize, StepText, Bilingual),
+    /// Another figure of a step.
+    Show(usize, Box<Figure>),
+    /// A step in the place of another one; those between move up or down.
+    Move(usize, usize),
+    /// A step less.
+    Remove(usize),
+}
+
+/// The text of a lesson file after a change, and its lesson. Comments, and the steps that the change does not concern,
+/// stay as they are written.
+///
+/// # Guarantees
+/// The figure of a step is the same wherever the step comes to stand.
+///
+/// # Errors
+/// [`FigureError`]: the text is no lesson, or would be none after the change.
+pub fn edited(text: &str, edit: &Edit) -> Result<(String, Lesson), FigureError> {
+    let lesson = parse(text)?;
+    let figures: Vec<&Figure> = lesson.steps.iter().map(|step| &*step.figure).collect();
+    let (head, steps) = parts(text);
+    let mut steps: Vec<Part<'_>> = steps
+        .into_iter()
+        .zip(figures)
+        .enumerate()
+        .map(|(place, (text, figure))| Part { text, place, figure, said: None })
+        .collect();
+    let count = steps.len();
+    let mut shown_anew = None;
+    match edit {
+        Edit::Say(step, which, told) if *step < count => steps[*step].said = Some((*which, told)),
+        Edit::Show(step, figure) if *step < count => {
+            steps[*step].figure = figure;
+            shown_anew = Some(*step);
+        }
+        Edit::Move(from, to) if *from < count && *to < count => {
+            let moved = steps.remove(*from);
+            steps.insert(*to, moved);
+        }
+        Edit::Remove(step) if *step < count && count > 1 => drop(steps.remove(*step)),
+        _ => return Ok((text.to_owned(), lesson)),
+    }
+    let mut out = head.to_owned();
+    let mut before: Option<&Part<'_>> = None;
+    for part in &steps {
+        // It says only what changes, and so depends on the step before it.
+        let places = [Some(part.place), before.map(|before| before.place)];
+        let is_after_the_same = part.place.checked_sub(1) == places[1];
+        let stays = is_after_the_same && (shown_anew.is_none() || !places.contains(&shown_anew));
+        let figure = (!stays).then(|| difference(before.map(|before| before.figure), part.figure));
+        separate(&mut out);
+        match rewritten(part, figure.as_ref()) {
+            Some(text) => out.push_str(&text),
+            None => out.push_str(part.text),
+        }
+        before = Some(part);
+    }
+    let lesson = parse(&out)?;
+    Ok((out, lesson))
+}
+
+/// A step in the text of a file.
+struct Part<'a> {
+    text: &'a str,
+    /// The place where it is written.
+    place: usize,
+    figure: &'a Figure,
+    said: Option<(StepText, &'a Bilingual)>,
+}
+
+/// A blank line between two steps.
+fn separate(out: &mut String) {
+    let kept = out.trim_end().len();
+    out.truncate(kept);
+    out.push_str(if kept > 0 { "\n\n" } else { "" });
+}
+
+/// The text before the first step, and that of each step with the comments above it.
+fn parts(text: &str) -> (&str, Vec<&str>) {
+    let starts: Vec<usize> = Document::parse(text)
+        .ok()
+        .and_then(|document| {
+            let steps = document.get("step")?.as_array_of_tables()?;
+            Some(steps.iter().filter_map(Table::span).map(|span| with_comments(text, span.start)).collect())
+        })
+        .unwrap_or_default();
+    let ends = starts.iter().skip(1).copied().chain([text.len()]);
+    let head = &text[..starts.first().copied().unwrap_or(text.len())];
+    (head, starts.iter().zip(ends).map(|(&start, end)| &text[start..end]).collect())
+}
+
+/// The begin of the comments directly above the line at `start`.
+fn with_comments(text: &str, start: usize) -> usize {
+    let mut begin = text[..start].rfind('\n').map_or(0, |end| end + 1);
+    while let Some(above) = begin.checked_sub(1) {
+        let line = text[..above].rfind('\n').map_or(0, |end| end + 1);
+        if !text[line..above].trim_start().starts_with('#') {
+            break;
+        }
+        begin = line;
+    }
+    begin
+}
+
+/// The text of a step with other words or another figure; `None` where neither changes.
+fn rewritten(part: &Part<'_>, figure: Option<&Difference>) -> Option<String> {
+    if part.said.is_none() && figure.is_none() {
+        return None;
+    }
+    let mut document: DocumentMut = part.text.parse().ok()?;
+    let step = document.get_mut("step")?.as_array_of_tables_mut()?.get_mut(0)?;
+    if let Some((which, told)) = part.said {
+        let key = match which {
+            StepText::Title => "title",
+            StepText::Text => "text",
+            StepText::Notes => "notes",
+        };
+        if which == StepText::Notes && told.en.is_empty() && told.pt_br.is_empty() {
+            step.remove(key);
+        } else {
+            put(step, key, told_item(told));
+        }
+    }
+    if let Some(figure) = figure {
+        let of_figure: Vec<String> =
+            step.iter().map(|(key, _)| key.to_owned()).filter(|key| !WORDS.contains(&key.as_str())).collect();
+        of_figure.iter().for_each(|key| drop(step.remove(key)));
+        put_figure(step, figure);
+    }
+    Some(document.to_string())
+}
+
+/// Writes a figure into a step, as its difference from the step before.
+pub(super) fn put_figure(step: &mut Table, Difference { changed, without }: &Difference) {
+    if !without.is_empty() {
+        step.insert("without", Item::Value(without.iter().collect::<Array>().into()));
+    }
+    for (section, item) in changed.iter() {
+        step.insert(section, item.clone());
+    }
+}
+
+/// Another value in the place of a key's own.
+fn put(step: &mut Table, key: &str, item: Item) {
+    match step.get_mut(key) {
+        Some(old) => *old = item,
+        None => drop(step.insert(key, item)),
+    }
+}
+
+/// A text in both languages; once where they are the same.
+pub(super) fn told_item(text: &Bilingual) -> Item {
+    if text.en == text.pt_br {
+        return Item::Value(text.en.as_str().into());
+    }
+    let mut table = InlineTable::new();
+    table.insert("en", text.en.as_str().into());
+    table.insert("pt-BR", text.pt_br.as_str().into());
+    Item::Value(Value::InlineTable(table))
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::lessons::shipped;
+
+    fn figures(lesson: &Lesson) -> Vec<Figure> {
+        lesson.steps.iter().map(|step| (*step.figure).clone()).collect()
+    }
+
+    fn titles(lesson: &Lesson) -> Vec<String> {
+        lesson.steps.iter().map(|step| step.title.en.clone()).collect()
+    }
+
+    /// Every lesson, each step moved to each place: the steps show what they showed, in the new order.
+    #[test]
+    fn a_step_that_moves_takes_its_figure_with_it() {
+        for shipped in shipped() {
+            let count = shipped.lesson.steps.len();
+            for (from, to) in (0..count).flat_map(|from| [(from, 0), (from, count - 1), (from, (from + 1) % count)]) {
+                let (text, lesson) = edited(shipped.text, &Edit::Move(from, to)).unwrap();
+                let (mut shown, mut named) = (figures(&shipped.lesson), titles(&shipped.lesson));
+                let figure = shown.remove(from);
+                shown.insert(to, figure);
+                let title = named.remove(from);
+                named.insert(to, title);
+                assert_eq!(titles(&lesson), named, "{} {from} {to}", shipped.lesson.id);
+                assert!(figures(&lesson) == shown, "{} {from} {to}\n{text}", shipped.lesson.id);
+                // And back again.
+                let (_, back) = edited(&text, &Edit::Move(to, from)).unwrap();
+                assert!(figures(&back) == figures(&shipped.lesson));
+            }
+        }
+    }
+
+    #[test]
+    fn what_follows_a_step_that_is_removed_or_shown_anew_stays_as_it_was() {
+        let shipped = &shipped()[0];
+        let count = shipped.lesson.steps.len();
+        for step in 0..count {
+            let (_, lesson) = edited(shipped.text, &Edit::Remove(step)).unwrap();
+            let mut rest = figures(&shipped.lesson);
+            rest.remove(step);
+            assert!(figures(&lesson) == rest, "{step}");
+        }
+        // A step without a task: a goal may not be reached from another figure.
+        let step = shipped.lesson.steps.iter().position(|step| step.task.is_none()).unwrap();
+        let mut other = (*shipped.lesson.steps[step].figure).clone();
+        other.camera.near *= 1.25;
+        let (_, lesson) = edited(shipped.text, &Edit::Show(step, Box::new(other.clone()))).unwrap();
+        let mut all = figures(&shipped.lesson);
+        all[step] = other;
+        assert!(figures(&lesson) == all);
+    }
+
+    #[test]
+    fn only_what_is_said_anew_changes_in_the_file() {
+        let shipped = &shipped()[1];
+        let told = Bilingual { en: "Two\nlines".to_owned(), pt_br: "Duas\nlinhas".to_owned() };
+        for which in [StepText::Text, StepText::Notes] {
+            let (text, lesson) = edited(shipped.text, &Edit::Say(2, which, told.clone())).unwrap();
+            let said =
+                if which == StepText::Text { Some(&lesson.steps[2].text) } else { lesson.steps[2].notes.as_ref() };
+            assert_eq!(said, Some(&told));
+            // The parts before and after are the same to the letter.
+            let (old, new) = (parts(shipped.text).1, parts(&text).1);
+            for (k, (old, new)) in old.iter().zip(&new).enumerate().filter(|(k, _)| *k != 2) {
+                assert_eq!(old.trim_end(), new.trim_end(), "{k}");
+            }
+            assert!(figures(&lesson) == figures(&shipped.lesson));
+        }
+        let (_, lesson) = edited(shipped.text, &Edit::Say(2, StepText::Notes, Bilingual::default())).unwrap();
+        assert_eq!(lesson.steps[2].notes, None);
+    }
+
+    #[test]
+    fn a_change_that_leaves_no_lesson_is_refused() {
+        let shipped = &shipped()[0];
+        let unknown = Bilingual { en: "{camera.nonsense}".to_owned(), pt_br: String::new() };
+        assert!(edited(shipped.text, &Edit::Say(0, StepText::Text, unknown)).is_err());
+        assert!(edited(shipped.text, &Edit::Say(0, StepText::Title, Bilingual::default())).is_err());
+        let (only, _) =
+            edited("id = \"x\"\ntitle = \"x\"\n[[step]]\ntitle = \"a\"\ntext = \"a\"\n", &Edit::Remove(0)).unwrap();
+        assert!(only.contains("[[step]]"), "a lesson has one step at least");
+    }
+}

@@ -1,0 +1,199 @@
+//! A lesson of the user's own, written in the window: texts beside their preview, the order of steps, and the way back.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::path::{Path, PathBuf};
+
+use camera_lab::files::read_lesson;
+use camera_lab::gui::{Start, State};
+use camera_lab::i18n::{Lang, lessons as words};
+use camera_lab::lessons::{Lesson, OpenLesson, shipped};
+use camera_lab::share::{self, Held};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+
+use super::files::Folder;
+use super::window::Window;
+
+/// A window that plays the user's copy of a lesson.
+fn own(folder: &Folder, step: usize) -> (Window, PathBuf) {
+    let path = folder.file("mine.toml");
+    std::fs::write(&path, shipped()[1].text).unwrap();
+    (playing(&path, step), path)
+}
+
+fn playing(path: &Path, step: usize) -> Window {
+    let (lesson, _) = read_lesson(path).unwrap();
+    let figure = (*lesson.steps[step].figure).clone();
+    let lesson = Some(OpenLesson { lesson: lesson.into(), path: Some(path.to_owned()), step });
+    let mut state = State::new(Start { figure, lang: Lang::En, lesson, ..Start::default() }).unwrap();
+    state.file_flow.native = false;
+    let mut window = Window::with_state(state, [1280.0, 720.0]);
+    window.run();
+    window
+}
+
+fn write(window: &mut Window) {
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::R);
+    window.run();
+    // Another frame: the panel has its height by then.
+    window.run();
+}
+
+fn titles(path: &Path) -> Vec<String> {
+    read_lesson(path).unwrap().0.steps.iter().map(|step| step.title.en.clone()).collect()
+}
+
+fn of(lesson: &Lesson) -> Vec<String> {
+    lesson.steps.iter().map(|step| step.title.en.clone()).collect()
+}
+
+/// Types into a field of the editor, in the place of what is there.
+fn type_into(window: &mut Window, field: &str, text: &str) {
+    let role =
+        if field == words::texts(Lang::En).step_title_field { Role::TextInput } else { Role::MultilineTextInput };
+    window.harness.get_by_role_and_label(role, field).focus();
+    window.run();
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.run();
+    window.harness.event(Event::Text(text.to_owned()));
+    window.run();
+}
+
+#[test]
+fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
+    let folder = Folder::new("write");
+    let t = words::texts(Lang::En);
+    let (mut window, path) = own(&folder, 1);
+    write(&mut window);
+    type_into(&mut window, t.step_text_field, "The axis n is {basis.n.z:2}.");
+    let shown = &window.state().lesson.as_ref().unwrap().lesson.steps[1];
+    assert_eq!(shown.text.en, "The axis n is {basis.n.z:2}.");
+    // A second without a key.
+    for _ in 0..100 {
+        window.harness.step();
+    }
+    let (lesson, _) = read_lesson(&path).unwrap();
+    assert_eq!(lesson.steps[1].text.en, "The axis n is {basis.n.z:2}.");
+    assert_eq!(lesson.steps[1].text.pt_br, shipped()[1].lesson.steps[1].text.pt_br, "the other language stays");
+    window.click(t.change_back);
+    assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text, "to the letter");
+    assert_eq!(window.state().lesson.as_ref().unwrap().step, 1);
+}
+
+#[test]
+fn a_text_that_is_wrong_is_told_and_not_lost() {
+    let folder = Folder::new("write-wrong");
+    let t = words::texts(Lang::En);
+    let (mut window, path) = own(&folder, 1);
+    write(&mut window);
+    type_into(&mut window, t.step_text_field, "See {basis.nonsense}");
+    assert!(window.says("basis.nonsense") && window.says(t.not_written));
+    // Neither another step nor the end of the lesson takes it away.
+    for key in [Key::PageDown, Key::PageUp] {
+        window.key(key);
+        assert_eq!(window.state().lesson.as_ref().unwrap().step, 1);
+    }
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
+    window.run();
+    assert_eq!(window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed[1].en, "See {basis.nonsense}");
+    assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text);
+    window.click(t.forget_typed);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
+    window.run();
+    assert!(window.state().lesson.is_none());
+}
+
+#[test]
+fn steps_change_their_places_and_keep_their_pictures() {
+    let folder = Folder::new("write-order");
+    let t = words::texts(Lang::En);
+    let (mut window, path) = own(&folder, 1);
+    let before = of(&shipped()[1].lesson);
+    write(&mut window);
+    window.click(t.step_later);
+    let mut expected = before.clone();
+    expected.swap(1, 2);
+    assert_eq!((titles(&path), window.state().lesson.as_ref().unwrap().step), (expected, 2));
+    assert_eq!(
+        window.state().document.figure().camera,
+        shipped()[1].lesson.steps[1].figure.camera,
+        "the step is followed"
+    );
+    window.click(t.step_earlier);
+    assert_eq!(titles(&path), before);
+    window.click(t.step_remove);
+    assert_eq!(titles(&path).len(), before.len() - 1);
+    window.click(t.change_back);
+    assert_eq!(titles(&path), before);
+    // A step with what is on the screen.
+    let mut camera = *window.state().document.camera().parameters();
+    camera.near *= 1.5;
+    window.app_mut().state.document.set_parameters(camera);
+    window.run();
+    window.click(t.step_another);
+    let (lesson, _) = read_lesson(&path).unwrap();
+    assert_eq!(lesson.steps.len(), before.len() + 1);
+    let step = window.state().lesson.as_ref().unwrap().step;
+    assert_eq!(lesson.steps[step].figure.camera, camera);
+    camera.near *= 1.1;
+    window.app_mut().state.document.set_parameters(camera);
+    window.run();
+    window.click(t.step_screen);
+    assert_eq!(read_lesson(&path).unwrap().0.steps[step].figure.camera, camera);
+}
+
+#[test]
+fn what_another_program_writes_is_not_replaced() {
+    let folder = Folder::new("write-both");
+    let t = words::texts(Lang::En);
+    let (mut window, path) = own(&folder, 1);
+    write(&mut window);
+    let theirs = shipped()[1].text.replace("[[step]]", "# Theirs.\n[[step]]");
+    std::fs::write(&path, &theirs).unwrap();
+    window.click(t.step_later);
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), theirs);
+    window.click(t.read_again);
+    window.click(t.step_later);
+    assert_ne!(titles(&path), of(&shipped()[1].lesson));
+    assert!(std::fs::read_to_string(&path).unwrap().contains("# Theirs."));
+}
+
+#[test]
+fn a_lesson_of_the_program_is_written_in_a_copy() {
+    let folder = Folder::new("write-copy");
+    let lesson = shipped()[2].lesson.clone();
+    let figure = (*lesson.steps[3].figure).clone();
+    let open = Some(OpenLesson { lesson, path: None, step: 3 });
+    let mut state = State::new(Start { figure, lang: Lang::En, lesson: open, ..Start::default() }).unwrap();
+    state.file_flow.native = false;
+    let mut window = Window::with_state(state, [1280.0, 720.0]);
+    window.run();
+    write(&mut window);
+    let path = folder.file("copy.toml");
+    window.choose(&path);
+    window.run();
+    let playing = window.state().lesson.as_ref().unwrap();
+    assert_eq!((playing.path.as_deref(), playing.step), (Some(path.as_path()), 3));
+    assert!(playing.writing.is_some());
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), shipped()[2].text);
+}
+
+#[test]
+fn a_link_holds_a_whole_lesson() {
+    let text = "id = \"x\"\ntitle = \"In a link\"\n[[step]]\ntitle = \"One\"\ntext = \"First\"\n[[step]]\ntitle = \"Two\"\ntext = \"Second\"\n";
+    let link = share::link("https://example.org/lab/", Held::Lesson, text).unwrap();
+    let mut window = Window::new(Lang::En);
+    window.run();
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    window.run();
+    window.choose(Path::new(&link));
+    window.run();
+    let playing = window.state().lesson.as_ref().unwrap();
+    assert_eq!(of(&playing.lesson), ["One", "Two"]);
+    // There is no file to be written.
+    assert!(!window.state().plays_own_lesson());
+    window.key(Key::PageDown);
+    assert_eq!(window.state().lesson.as_ref().unwrap().step, 1);
+}
