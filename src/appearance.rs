@@ -1,9 +1,17 @@
 //! The words of appearance that scenes, drawings and figures share: colour, line style, and the `[style]` of a figure.
 //!
 //! A leaf module: it imports nothing of the crate.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | `texture` | pictures on surfaces: their levels of detail, and how they are asked for a colour |
+
+mod texture;
 
 use std::fmt;
 use std::str::FromStr;
+
+pub use texture::{Filter, Level, LightShare, Sampler, Texture, Wrap};
 
 /// A colour with straight (not premultiplied) alpha, 8 bits a channel, in sRGB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -330,17 +338,6 @@ pub enum MarkShape {
     Diamond,
     /// Two crossing strokes.
     Cross,
-}
-
-/// A picture that is painted on a surface: premultiplied RGBA, rows from the top.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Texture {
-    /// Width in texels.
-    pub width: u32,
-    /// Height in texels.
-    pub height: u32,
-    /// 4 bytes a texel, premultiplied.
-    pub rgba: Vec<u8>,
 }
 
 #[cfg(test)]

@@ -34,6 +34,19 @@ pub(crate) fn shade_eight<S: Simd>(
     colors: u32x8<S>,
     most: f32x8<S>,
 ) -> u32x8<S> {
+    let shares = light_eight(simd, lighting, normals, positions);
+    with_light(simd, shares, colors, most)
+}
+
+/// The light on eight points, whatever their colours: the share of its own colour that a point sends back, `ambient +
+/// diffuse Σ max(0, n·l)`, and the white that is added to it, 0 … 1.
+#[inline(always)]
+pub(crate) fn light_eight<S: Simd>(
+    simd: S,
+    lighting: &Lighting,
+    normals: Eight<S>,
+    positions: Eight<S>,
+) -> [f32x8<S>; 2] {
     let zero = f32x8::splat(simd, 0.0);
     let mut n = unit(simd, normals);
     let to_viewer = if lighting.distant_viewer {
@@ -57,8 +70,18 @@ pub(crate) fn shade_eight<S: Simd>(
             specular += cosine.simd_gt(zero).select(power, zero);
         }
     }
-    let share = diffuse * lighting.diffuse + lighting.ambient;
-    let white = specular * (most * lighting.specular);
+    [diffuse * lighting.diffuse + lighting.ambient, specular * lighting.specular]
+}
+
+/// Eight colours under the light of [`light_eight`].
+#[inline(always)]
+pub(crate) fn with_light<S: Simd>(
+    simd: S,
+    [share, white]: [f32x8<S>; 2],
+    colors: u32x8<S>,
+    most: f32x8<S>,
+) -> u32x8<S> {
+    let white = white * most;
     let red = channel(simd, colors, share, white, most);
     let green = channel(simd, colors >> 8, share, white, most) << 8;
     let blue = channel(simd, colors >> 16, share, white, most) << 16;

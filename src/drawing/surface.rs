@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use crate::appearance::{Rgba, Texture};
+use crate::appearance::{LightShare, Rgba, Sampler, Texture};
 
 /// A set of triangles painted one way.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,10 +42,12 @@ pub enum Base {
     Texture {
         /// The picture.
         image: Arc<Texture>,
-        /// Texture coordinates of each vertex, 0 … 1, (0, 0) at the top left.
+        /// How it is asked for a colour.
+        sampler: Sampler,
+        /// Texture coordinates of each vertex: (0, 0) at the top left of the picture, (1, 1) at its bottom right.
         uv: Vec<[f32; 2]>,
-        /// 255 is opaque.
-        opacity: u8,
+        /// Multiplies the colours of the picture; white leaves them as they are. Its alpha is the opacity.
+        tint: Rgba,
     },
 }
 
@@ -55,6 +57,10 @@ pub enum SurfaceLight {
     /// The base colours are final: they take no light, or hold it already, from their faces (flat) or their vertices
     /// (Gouraud).
     InBase,
+    /// Light at each triangle, on a base colour that varies over it (flat).
+    Faces(Vec<LightShare>),
+    /// Light at each vertex, interpolated, on a base colour that varies otherwise (Gouraud).
+    Vertices(Vec<LightShare>),
     /// Light at each pixel, on the base colour there (Phong).
     PerPixel(PixelLight),
 }
@@ -122,7 +128,8 @@ impl Surface {
     pub fn varies(&self) -> bool {
         match (&self.base, &self.light) {
             (Base::Solid(_) | Base::Faces(_), SurfaceLight::InBase) => false,
-            (Base::Vertices(_) | Base::Texture { .. }, SurfaceLight::InBase) | (_, SurfaceLight::PerPixel(_)) => true,
+            (Base::Vertices(_) | Base::Texture { .. }, SurfaceLight::InBase)
+            | (_, SurfaceLight::Faces(_) | SurfaceLight::Vertices(_) | SurfaceLight::PerPixel(_)) => true,
         }
     }
 
@@ -161,7 +168,7 @@ impl Surface {
                 let first = self.triangles.get(triangle)?[0];
                 self.color_at_vertex(triangle, first).map(|color| color.a)
             }
-            Base::Texture { opacity, .. } => Some(*opacity),
+            Base::Texture { tint, .. } => Some(tint.a),
         }
     }
 
@@ -184,7 +191,7 @@ impl Surface {
         match &mut self.base {
             Base::Solid(color) => color.a = 255,
             Base::Faces(colors) | Base::Vertices(colors) => colors.iter_mut().for_each(|color| color.a = 255),
-            Base::Texture { opacity, .. } => *opacity = 255,
+            Base::Texture { tint, .. } => tint.a = 255,
         }
     }
 
@@ -193,6 +200,9 @@ impl Surface {
         self.triangles.truncate(count);
         if let Base::Faces(colors) = &mut self.base {
             colors.truncate(count);
+        }
+        if let SurfaceLight::Faces(shares) = &mut self.light {
+            shares.truncate(count);
         }
     }
 }

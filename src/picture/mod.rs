@@ -122,7 +122,7 @@ impl Pixels {
 
     fn into_texture(self) -> Texture {
         let Self { width, height, rgba } = self;
-        Texture { width, height, rgba }
+        Texture::flat(width, height, rgba)
     }
 }
 

@@ -273,7 +273,7 @@ fn continues(triangles: &[Corners], next: Corners) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::appearance::Texture;
+    use crate::appearance::{Sampler, Texture};
 
     const LEFT: Corners = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]];
     const RIGHT: Corners = [[4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
@@ -292,7 +292,12 @@ mod tests {
     }
 
     fn pictured(image: &Arc<Texture>, corners: Corners) -> Surface {
-        let base = Base::Texture { image: image.clone(), uv: vec![[0.0; 2]; 3], opacity: 255 };
+        let base = Base::Texture {
+            image: image.clone(),
+            sampler: Sampler::PICTURE,
+            uv: vec![[0.0; 2]; 3],
+            tint: Rgba::rgb(255, 255, 255),
+        };
         let positions = corners.map(|[x, y]| [x, y, 0.5]).to_vec();
         Surface { base, ..Surface::solid(positions, vec![[0, 1, 2]], Rgba::rgb(0, 0, 0)) }
     }
@@ -308,7 +313,7 @@ mod tests {
 
     #[test]
     fn parts_of_a_picture_meet_past_what_does_not_cover_them() {
-        let image = Arc::new(Texture { width: 1, height: 1, rgba: vec![0; 4] });
+        let image = Arc::new(Texture::flat(1, 1, vec![0; 4]));
         let [left, right] = [LEFT, RIGHT].map(|corners| pictured(&image, corners));
         let gathered = |between: Corners| {
             let mut parts = vec![
@@ -324,7 +329,7 @@ mod tests {
         assert_eq!(gathered([[0.5, 0.5], [1.0, 0.5], [0.5, 1.0]]), "2a");
         assert_eq!(gathered(OVER), "1a1");
         // Another picture is not of the same.
-        let other = Arc::new(Texture { width: 1, height: 1, rgba: vec![0; 4] });
+        let other = Arc::new(Texture::flat(1, 1, vec![0; 4]));
         let other = pictured(&other, RIGHT);
         let mut parts = vec![Part::Pictured(vec![&left]), Part::Pictured(vec![&other])];
         gather(&mut parts);

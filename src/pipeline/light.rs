@@ -6,10 +6,10 @@ use glam::{DMat3, DVec3};
 
 use super::projector::Projector;
 use super::transform::{Vertices, each_chunk};
-use crate::appearance::{Rgba, Shading};
+use crate::appearance::{LightShare, Rgba, Shading};
 use crate::drawing::{Lighting, ViewLight, single};
 use crate::geometry::try_unit;
-use crate::lighting::{Eight, packed, shade, shade_eight, unpacked};
+use crate::lighting::{Eight, light_eight, packed, shade, unpacked, with_light};
 use crate::scene::{Light, LightKind, Mesh};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, u32x8, with_vectors};
@@ -118,12 +118,12 @@ impl<'a> ObjectLight<'a> {
     }
 
     /// The colours of faces, each from its own normal, at its centroid. `face` gives corners and colour of the k-th.
-    pub(super) fn faces(
+    pub(super) fn faces<L: OfLight>(
         &self,
-        colors: Vec<Rgba>,
+        colors: Vec<L>,
         count: usize,
         face: impl Fn(usize) -> ([u32; 3], Rgba) + Sync + Send,
-    ) -> Vec<Rgba> {
+    ) -> Vec<L> {
         let positions = self.vertices.positions;
         self.lit(colors, count, |first, n, points| {
             for l in 0..n {
@@ -145,12 +145,12 @@ impl<'a> ObjectLight<'a> {
     }
 
     /// The colours of the vertices in those groups of [`LANES`] that are `used`; black for others.
-    pub(super) fn vertices(
+    pub(super) fn vertices<L: OfLight>(
         &self,
-        colors: Vec<Rgba>,
+        colors: Vec<L>,
         used: &[AtomicBool],
         color: impl Fn(u32) -> Rgba + Sync + Send,
-    ) -> Vec<Rgba> {
+    ) -> Vec<L> {
         self.lit(colors, self.vertices.len(), |first, n, points| {
             if used.get(first / LANES).is_some_and(|used| !used.load(Ordering::Relaxed)) {
                 return false;
@@ -199,13 +199,13 @@ impl<'a> ObjectLight<'a> {
 
     /// Lights `count` points, some at a time: `points` is given the index of the first and how many, and says whether
     /// they are wanted.
-    fn lit(
+    fn lit<L: OfLight>(
         &self,
-        mut colors: Vec<Rgba>,
+        mut colors: Vec<L>,
         count: usize,
         points: impl Fn(usize, usize, &mut Points) -> bool + Sync + Send,
-    ) -> Vec<Rgba> {
-        colors.resize(count, Rgba::rgb(0, 0, 0));
+    ) -> Vec<L> {
+        colors.resize(count, L::UNLIT);
         each_chunk(&mut colors, |colors, first| {
             with_vectors!(simd => self.light(simd, colors, first, &points));
         });
@@ -213,10 +213,10 @@ impl<'a> ObjectLight<'a> {
     }
 
     #[inline(always)]
-    fn light<S: Simd>(
+    fn light<S: Simd, L: OfLight>(
         &self,
         simd: S,
-        colors: &mut [Rgba],
+        colors: &mut [L],
         first: usize,
         points: &impl Fn(usize, usize, &mut Points) -> bool,
     ) {
@@ -225,14 +225,44 @@ impl<'a> ObjectLight<'a> {
             if points(first + k * LANES, lit.len(), &mut some) {
                 let normals = times(&self.normal_matrix, eight(simd, some.normals));
                 let positions = times(&self.position_matrix, eight(simd, some.offsets));
-                let (colors, most) = (u32x8::simd_from(simd, some.colors), f32x8::splat(simd, 255.0));
-                let shaded = shade_eight(simd, &self.lighting, normals, positions, colors, most);
-                for (lit, &shaded) in lit.iter_mut().zip(shaded.as_slice()) {
-                    *lit = unpacked(shaded);
-                }
+                let shares = light_eight(simd, &self.lighting, normals, positions);
+                L::store(simd, shares, &some.colors, lit);
             } else {
-                lit.fill(Rgba::rgb(0, 0, 0));
+                lit.fill(L::UNLIT);
             }
+        }
+    }
+}
+
+/// The result of light on a point.
+pub(super) trait OfLight: Copy + Send + Sync {
+    /// Of a point that nobody asks for.
+    const UNLIT: Self;
+
+    /// The results for up to eight points, from the light on them and from their packed colours.
+    fn store<S: Simd>(simd: S, shares: [f32x8<S>; 2], colors: &[u32; LANES], lit: &mut [Self]);
+}
+
+impl OfLight for Rgba {
+    const UNLIT: Self = Self::rgb(0, 0, 0);
+
+    #[inline(always)]
+    fn store<S: Simd>(simd: S, shares: [f32x8<S>; 2], colors: &[u32; LANES], lit: &mut [Self]) {
+        let (colors, most) = (u32x8::simd_from(simd, *colors), f32x8::splat(simd, 255.0));
+        let shaded = with_light(simd, shares, colors, most);
+        for (lit, &shaded) in lit.iter_mut().zip(shaded.as_slice()) {
+            *lit = unpacked(shaded);
+        }
+    }
+}
+
+impl OfLight for LightShare {
+    const UNLIT: Self = [0.0; 2];
+
+    #[inline(always)]
+    fn store<S: Simd>(_: S, [share, white]: [f32x8<S>; 2], _: &[u32; LANES], lit: &mut [Self]) {
+        for (l, lit) in lit.iter_mut().enumerate() {
+            *lit = [share[l], white[l]];
         }
     }
 }

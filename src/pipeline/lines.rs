@@ -204,7 +204,7 @@ fn edge_style(object: &Object, wireframe: bool, background: Rgba) -> Option<Line
     });
     let color = match &object.paint {
         ObjectPaint::Solid(color) => color.with_alpha(255),
-        ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => style.color,
+        ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture(_) => style.color,
     };
     Some(LineStyle { color: color.legible_on(background), ..style })
 }

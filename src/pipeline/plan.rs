@@ -115,7 +115,7 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
     let translucent = object.paint.is_translucent();
     let vertex_colors = matches!(object.paint, ObjectPaint::Vertices(_));
     let lit = match style.shading {
-        _ if !object.lit || matches!(object.paint, ObjectPaint::Texture { .. }) => LitAt::Nowhere,
+        _ if !object.lit => LitAt::Nowhere,
         _ if dark && !force => LitAt::Nowhere,
         // Without a lamp the formula gives each colour back, wherever it is applied.
         _ if dark && vertex_colors => LitAt::Vertices,

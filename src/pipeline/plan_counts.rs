@@ -67,7 +67,7 @@ impl Survey {
             lit_pixels: lit(LitAt::Pixels),
             dark: scenes.lights().is_empty(),
             varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan.lit)).count(),
-            textured: faces.iter().filter(|(object, _)| matches!(object.paint, ObjectPaint::Texture { .. })).count(),
+            textured: faces.iter().filter(|(object, _)| matches!(object.paint, ObjectPaint::Texture(_))).count(),
             translucent: faces.iter().filter(|(_, plan)| plan.translucent).count(),
             hides_itself: faces.iter().any(|(object, plan)| hides_itself(object, plan)),
             lines_ask: in_view.iter().any(|(object, _)| object.edges.is_some_and(|style| asks(style.hidden)))

@@ -1,6 +1,6 @@
 //! Reuse of the memory of returned drawings: fresh memory costs more than writing to it.
 
-use crate::appearance::Rgba;
+use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, Drawing, SurfaceLight};
 
 use super::faces::Faces;
@@ -13,6 +13,7 @@ pub(super) struct Pool {
     inverse_w: Vec<Vec<f32>>,
     triangles: Vec<Vec<[u32; 3]>>,
     colors: Vec<Vec<Rgba>>,
+    shares: Vec<Vec<LightShare>>,
 }
 
 impl Pool {
@@ -26,6 +27,7 @@ impl Pool {
             }
             match surface.light {
                 SurfaceLight::PerPixel(light) => self.vectors.extend([light.positions, light.normals]),
+                SurfaceLight::Faces(shares) | SurfaceLight::Vertices(shares) => self.shares.push(shares),
                 SurfaceLight::InBase => {}
             }
             self.vectors.push(surface.positions);
@@ -39,6 +41,11 @@ impl Pool {
         refill(&mut faces.image.positions, &mut self.vectors);
         refill(&mut faces.image.inverse_w, &mut self.inverse_w);
         refill(&mut faces.triangles, &mut self.triangles);
+    }
+
+    /// An array of light with arbitrary content.
+    pub(super) fn shares(&mut self) -> Vec<LightShare> {
+        self.shares.pop().unwrap_or_default()
     }
 
     /// An array of colours with arbitrary content.

@@ -11,11 +11,14 @@ use super::lines;
 use super::planes::{NEAR, NOT_A_NUMBER, PLANES, outcode};
 use super::projector::{ClipPoint, Projector};
 use super::resample::{Remake, VertexOrigin, color_at, face_color, object_paint};
+use super::shade::WHITE;
 use super::transform::{Vertices, each_chunk};
-use crate::appearance::{LineStyle, Rgba, Shading};
+use crate::appearance::{LightShare, LineStyle, Rgba, Shading};
 use crate::camera::Camera;
 use crate::drawing::single;
-use crate::scene::{Adjacency, Line, Mesh, Object, ObjectPaint, PointMark, Scene, SharedEdge, Text};
+use crate::scene::{
+    Adjacency, FoundLight, Line, Mesh, Object, ObjectPaint, Pictured, PointMark, Scene, SharedEdge, Text,
+};
 
 /// All of `scene` that is in the volume of `camera`, clipped and projected to `(x_n, y_n, −z_n)`: NDC are left-handed,
 /// with z away from the eye, and this is their display in a right-handed space.
@@ -332,16 +335,44 @@ impl Projected<'_> {
         index
     }
 
+    /// The colours without light.
+    fn own_paint(&self, object: &Object) -> ObjectPaint {
+        object_paint(&object.paint, self.remake.origins.iter().copied(), &self.remake.sources)
+    }
+
+    /// A picture under the light of the world, and under the perspective that has bent it.
+    fn pictured(&self, own: Pictured, old: &Mesh, light: Option<&ObjectLight>, shading: Shading) -> Pictured {
+        let smooth = matches!(shading, Shading::Gouraud | Shading::Phong);
+        let found = match light {
+            None => FoundLight::None,
+            Some(light) if smooth => {
+                let shares: Vec<LightShare> = light.vertices(Vec::new(), &[], |_| WHITE);
+                let at = |i: u32| shares.get(i as usize).copied().unwrap_or_default();
+                FoundLight::Vertices(Arc::new(self.remake.origins.iter().map(|origin| origin.of(at)).collect()))
+            }
+            Some(light) => {
+                let sources = &self.remake.sources;
+                let face = |k: usize| (old.triangles[sources[k] as usize], WHITE);
+                FoundLight::Faces(Arc::new(light.faces(Vec::new(), sources.len(), face)))
+            }
+        };
+        let w = |i: u32| self.vertices.clip(i).w;
+        let inverse = |origin: &VertexOrigin| self.projector.depths.relative_inverse_w(origin.of(w));
+        let bent = self.projector.perspective.then(|| self.remake.origins.iter().map(inverse).collect());
+        Pictured { light: found, inverse_w: Arc::new(bent.unwrap_or_default()), ..own }
+    }
+
     /// The colours, as they are seen in the world.
     fn paint(&self, object: &Object, lights: Option<&Lights>, shading: Shading) -> ObjectPaint {
         let old = &object.mesh;
         let cut_open = old.closed && self.outcodes.iter().any(|code| code & NEAR != 0);
         let both_sides = object.two_sided || cut_open || (old.closed && object.paint.is_translucent());
         let origins = self.remake.origins.iter();
-        let Some(lights) = lights.filter(|_| !matches!(object.paint, ObjectPaint::Texture { .. })) else {
-            return object_paint(&object.paint, origins.copied(), &self.remake.sources);
-        };
-        let light = ObjectLight::new(lights, old, self.vertices, both_sides);
+        let light = lights.map(|lights| ObjectLight::new(lights, old, self.vertices, both_sides));
+        if let ObjectPaint::Texture(own) = self.own_paint(object) {
+            return ObjectPaint::Texture(self.pictured(own, old, light.as_ref(), shading));
+        }
+        let Some(light) = light else { return self.own_paint(object) };
         let vertices = |color: &dyn Fn(u32) -> Rgba| {
             let lit = |i: u32| light.vertex(i, color(i));
             ObjectPaint::Vertices(Arc::new(origins.map(|origin| origin.of(lit)).collect()))
@@ -355,7 +386,9 @@ impl Projected<'_> {
         match &object.paint {
             ObjectPaint::Solid(color) if smooth => vertices(&|_| *color),
             ObjectPaint::Vertices(colors) if smooth => vertices(&|i| color_at(colors, i)),
-            ObjectPaint::Solid(_) | ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => {
+            // `picture` has them.
+            ObjectPaint::Texture(_) => self.own_paint(object),
+            ObjectPaint::Solid(_) | ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) => {
                 ObjectPaint::Faces(Arc::new(light.faces(Vec::new(), self.remake.sources.len(), face)))
             }
         }

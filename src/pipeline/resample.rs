@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::appearance::Rgba;
 use crate::drawing::{Base, PixelLight, Surface, SurfaceLight};
 use crate::geometry::try_unit;
-use crate::scene::{Adjacency, Mesh, Object, ObjectPaint, SharedEdge};
+use crate::scene::{Adjacency, FoundLight, Mesh, Object, ObjectPaint, Pictured, SharedEdge};
 
 /// The origin of a new vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,6 +69,12 @@ impl Attribute for [f32; 3] {
     }
 }
 
+impl Attribute for f64 {
+    fn mean(of: [Self; 3], weights: [f64; 3]) -> Self {
+        (0..3).fold(0.0, |sum, i| sum + of[i] * weights[i])
+    }
+}
+
 impl Attribute for [f32; 2] {
     #[expect(clippy::cast_possible_truncation, reason = "texture coordinates are single precision")]
     fn mean(of: [Self; 3], weights: [f64; 3]) -> Self {
@@ -103,7 +109,7 @@ pub(super) fn face_color(paint: &ObjectPaint, face: u32, triangle: [u32; 3]) -> 
         ObjectPaint::Solid(color) => *color,
         ObjectPaint::Faces(colors) => color_at(colors, face),
         ObjectPaint::Vertices(colors) => mean_color(colors, triangle),
-        ObjectPaint::Texture { .. } => color_at(&[], 0),
+        ObjectPaint::Texture(_) => color_at(&[], 0),
     }
 }
 
@@ -122,22 +128,59 @@ pub(super) fn object_paint(
         ObjectPaint::Vertices(colors) => {
             ObjectPaint::Vertices(Arc::new(origins.map(|origin| origin.of(|i| color_at(colors, i))).collect()))
         }
-        ObjectPaint::Texture { image, uv, opacity } => {
-            let at = |i: u32| uv.get(i as usize).copied().unwrap_or_default();
-            let uv = Arc::new(origins.map(|origin| origin.of(at)).collect());
-            ObjectPaint::Texture { image: image.clone(), uv, opacity: *opacity }
-        }
+        ObjectPaint::Texture(old) => ObjectPaint::Texture(pictured(old, &origins.collect::<Vec<_>>(), sources)),
     }
 }
 
-/// The colours of an object as they are, for the display list.
-pub(super) fn base_of(paint: ObjectPaint) -> Base {
-    match paint {
+/// The same for a picture.
+fn pictured(old: &Pictured, origins: &[VertexOrigin], sources: &[u32]) -> Pictured {
+    let of_vertices = |values: &[[f32; 2]]| {
+        let at = |i: u32| values.get(i as usize).copied().unwrap_or_default();
+        Arc::new(origins.iter().map(|origin| origin.of(at)).collect::<Vec<_>>())
+    };
+    let light = match &old.light {
+        FoundLight::None => FoundLight::None,
+        FoundLight::Faces(old) => {
+            let at = |&face: &u32| old.get(face as usize).copied().unwrap_or_default();
+            FoundLight::Faces(Arc::new(sources.iter().map(at).collect()))
+        }
+        FoundLight::Vertices(old) => FoundLight::Vertices(of_vertices(old)),
+    };
+    let plain = || Pictured { uv: of_vertices(&old.uv), light: light.clone(), ..old.clone() };
+    if old.inverse_w.is_empty() {
+        return plain();
+    }
+    // What is affine between the vertices is divided by w.
+    let divided = |i: u32| {
+        let ([u, v], q) = (old.uv.get(i as usize).copied().unwrap_or_default(), old.inverse_w.get(i as usize).copied());
+        let q = q.unwrap_or(1.0);
+        [u * q, v * q, q]
+    };
+    let all: Vec<[f32; 3]> = origins.iter().map(|origin| origin.of(divided)).collect();
+    Pictured {
+        uv: Arc::new(all.iter().map(|[u, v, q]| [u / q, v / q]).collect()),
+        inverse_w: Arc::new(all.iter().map(|[_, _, q]| *q).collect()),
+        ..plain()
+    }
+}
+
+/// The colours of an object as they are, and the light that has been found for them, for the display list.
+pub(super) fn base_of(paint: ObjectPaint) -> (Base, SurfaceLight) {
+    let base = match paint {
         ObjectPaint::Solid(color) => Base::Solid(color),
         ObjectPaint::Faces(colors) => Base::Faces(Arc::unwrap_or_clone(colors)),
         ObjectPaint::Vertices(colors) => Base::Vertices(Arc::unwrap_or_clone(colors)),
-        ObjectPaint::Texture { image, uv, opacity } => Base::Texture { image, uv: Arc::unwrap_or_clone(uv), opacity },
-    }
+        ObjectPaint::Texture(Pictured { image, sampler, uv, tint, light, .. }) => {
+            let base = Base::Texture { image, sampler, uv: Arc::unwrap_or_clone(uv), tint };
+            let light = match light {
+                FoundLight::None => SurfaceLight::InBase,
+                FoundLight::Faces(shares) => SurfaceLight::Faces(Arc::unwrap_or_clone(shares)),
+                FoundLight::Vertices(shares) => SurfaceLight::Vertices(Arc::unwrap_or_clone(shares)),
+            };
+            return (base, light);
+        }
+    };
+    (base, SurfaceLight::InBase)
 }
 
 /// The normals of a mesh whose vertices come from those of another; none where that has none.
@@ -228,7 +271,9 @@ pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>, 
     let vertices = 0..u32::try_from(old.positions.len()).unwrap_or(u32::MAX);
     let paint = match &object.paint {
         // Vertices do not change.
-        ObjectPaint::Faces(_) => object_paint(&object.paint, vertices.map(VertexOrigin::Vertex), triangles),
+        ObjectPaint::Faces(_) | ObjectPaint::Texture(Pictured { light: FoundLight::Faces(_), .. }) => {
+            object_paint(&object.paint, vertices.map(VertexOrigin::Vertex), triangles)
+        }
         paint => paint.clone(),
     };
     Object { mesh: Arc::new(mesh), paint, ..object.clone() }
@@ -240,12 +285,14 @@ pub(super) fn surface_like(old: &Surface) -> Surface {
     let base = match &old.base {
         Base::Solid(_) | Base::Faces(_) => Base::Faces(Vec::new()),
         Base::Vertices(_) => Base::Vertices(Vec::new()),
-        Base::Texture { image, opacity, .. } => {
-            Base::Texture { image: image.clone(), uv: Vec::new(), opacity: *opacity }
+        Base::Texture { image, sampler, tint, .. } => {
+            Base::Texture { image: image.clone(), sampler: *sampler, uv: Vec::new(), tint: *tint }
         }
     };
     let light = match &old.light {
         SurfaceLight::InBase => SurfaceLight::InBase,
+        SurfaceLight::Faces(_) => SurfaceLight::Faces(Vec::new()),
+        SurfaceLight::Vertices(_) => SurfaceLight::Vertices(Vec::new()),
         SurfaceLight::PerPixel(light) => SurfaceLight::PerPixel(PixelLight {
             normals: Vec::new(),
             positions: Vec::new(),
@@ -284,16 +331,24 @@ pub(super) fn append(surface: &mut Surface, old: &Surface, origins: &[VertexOrig
         // Made by `surface_like`, a base is of the kind of the old one, and has no one colour.
         (Base::Solid(_) | Base::Faces(_) | Base::Vertices(_) | Base::Texture { .. }, _) => {}
     }
-    if let (SurfaceLight::PerPixel(light), SurfaceLight::PerPixel(old)) = (&mut surface.light, &old.light) {
-        add(&mut light.normals, origins, |i| at(&old.normals, i));
-        add(&mut light.positions, origins, |i| at(&old.positions, i));
+    match (&mut surface.light, &old.light) {
+        (SurfaceLight::Faces(shares), SurfaceLight::Faces(old)) => {
+            shares.extend(std::iter::repeat_n(at(old, source), faces));
+        }
+        (SurfaceLight::Vertices(shares), SurfaceLight::Vertices(old)) => add(shares, origins, |i| at(old, i)),
+        (SurfaceLight::PerPixel(light), SurfaceLight::PerPixel(old)) => {
+            add(&mut light.normals, origins, |i| at(&old.normals, i));
+            add(&mut light.positions, origins, |i| at(&old.positions, i));
+        }
+        // Made by `surface_like`, a light is of the kind of the old one.
+        (SurfaceLight::InBase | SurfaceLight::Faces(_) | SurfaceLight::Vertices(_) | SurfaceLight::PerPixel(_), _) => {}
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::appearance::Texture;
+    use crate::appearance::{Sampler, Texture};
     use crate::drawing::Lighting;
 
     const RED: Rgba = Rgba::rgb(255, 0, 0);
@@ -322,8 +377,9 @@ mod tests {
             taken(vertices, &[MIDDLE, VertexOrigin::Vertex(1)]),
             Base::Vertices(vec![Rgba::rgb(128, 0, 128), BLUE])
         );
-        let image = Arc::new(Texture { width: 1, height: 1, rgba: vec![0; 4] });
-        let texture = |uv| Base::Texture { image: image.clone(), uv, opacity: 255 };
+        let image = Arc::new(Texture::flat(1, 1, vec![0; 4]));
+        let texture =
+            |uv| Base::Texture { image: image.clone(), sampler: Sampler::PICTURE, uv, tint: Rgba::rgb(255, 255, 255) };
         assert_eq!(taken(texture(vec![[0.0, 0.0], [1.0, 0.5], [9.0, 9.0]]), &[MIDDLE]), texture(vec![[0.5, 0.25]]));
     }
 

@@ -9,9 +9,12 @@ use super::resample::{VertexOrigin, base_of, color_at, face_color, object_paint}
 use super::stages::LitAt;
 use super::transform::{Vertices, each_chunk};
 use super::visibility::Layer;
-use crate::appearance::Rgba;
-use crate::drawing::{Base, PixelLight, Surface, SurfaceLight};
-use crate::scene::{Object, ObjectPaint};
+use crate::appearance::{LightShare, Rgba};
+use crate::drawing::{Base, PixelLight, Surface, SurfaceLight, single};
+use crate::scene::{Object, ObjectPaint, Pictured};
+
+/// The base colour of light that is kept apart from the colours.
+pub(super) const WHITE: Rgba = Rgba::rgb(255, 255, 255);
 
 /// One object's faces as its surfaces in the picture need them.
 pub(super) struct Shaded<'a> {
@@ -31,8 +34,8 @@ impl Shaded<'_> {
     pub(super) fn interpolates(object: &Object, lit: LitAt) -> bool {
         match lit {
             LitAt::Vertices | LitAt::Pixels => true,
-            LitAt::Faces => false,
-            LitAt::Nowhere => matches!(object.paint, ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. }),
+            LitAt::Faces => matches!(object.paint, ObjectPaint::Texture(_)),
+            LitAt::Nowhere => matches!(object.paint, ObjectPaint::Vertices(_) | ObjectPaint::Texture(_)),
         }
     }
 
@@ -49,12 +52,19 @@ impl Shaded<'_> {
         }
         let light = ObjectLight::new(self.lights, &self.object.mesh, self.vertices, self.both_sides);
         let (base, light) = match (self.lit, &self.object.paint) {
-            (LitAt::Nowhere, _) => (self.own_base(faces), SurfaceLight::InBase),
+            (LitAt::Nowhere, _) => self.own_base(faces),
+            (LitAt::Faces, ObjectPaint::Texture(_)) => {
+                (self.own_base(faces).0, SurfaceLight::Faces(self.face_shares(faces, &light, pool.shares())))
+            }
+            (LitAt::Vertices, ObjectPaint::Texture(_)) => {
+                (self.own_base(faces).0, SurfaceLight::Vertices(Self::vertex_shares(faces, &light, pool.shares())))
+            }
             (LitAt::Faces, _) => (self.lit_faces(faces, &light, pool.colors()), SurfaceLight::InBase),
             (LitAt::Vertices, ObjectPaint::Faces(colors)) => return Some(self.unshared(faces, &light, colors)),
             (LitAt::Vertices, _) => (self.lit_vertices(faces, &light, pool.colors()), SurfaceLight::InBase),
-            (LitAt::Pixels, _) => (self.own_base(faces), self.per_pixel(faces, &light, pool)),
+            (LitAt::Pixels, _) => (self.own_base(faces).0, self.per_pixel(faces, &light, pool)),
         };
+        self.bend(faces);
         Some(Surface {
             positions: std::mem::take(&mut faces.image.positions),
             inverse_w: std::mem::take(&mut faces.image.inverse_w),
@@ -92,10 +102,42 @@ impl Shaded<'_> {
         }
     }
 
-    /// The object's colours as they are.
-    fn own_base(&self, faces: &Faces) -> Base {
+    /// Where the object is the image of another one under a perspective, its picture is bent by that too.
+    fn bend(&self, faces: &mut Faces) {
+        let ObjectPaint::Texture(Pictured { inverse_w, .. }) = &self.object.paint else { return };
+        if inverse_w.is_empty() {
+            return;
+        }
+        let of = |i: u32| f64::from(inverse_w.get(i as usize).copied().unwrap_or(1.0));
+        let own = (0..self.vertex_count()).map(of);
+        let cuts = faces.cuts.iter().map(|cut| cut.of(of));
+        let all = own.chain(cuts).map(|q| single(q));
+        if faces.image.inverse_w.is_empty() {
+            faces.image.inverse_w = all.collect();
+        } else {
+            faces.image.inverse_w.iter_mut().zip(all).for_each(|(own, q)| *own *= q);
+        }
+    }
+
+    /// The object's colours as they are, with the light that has been found for them.
+    fn own_base(&self, faces: &Faces) -> (Base, SurfaceLight) {
         let own = (0..self.vertex_count()).map(VertexOrigin::Vertex);
         base_of(object_paint(&self.object.paint, own.chain(faces.cuts.iter().copied()), &faces.source))
+    }
+
+    /// Light at each face, whatever its colours.
+    fn face_shares(&self, faces: &Faces, light: &ObjectLight, shares: Vec<LightShare>) -> Vec<LightShare> {
+        let triangles = &self.object.mesh.triangles;
+        light.faces(shares, faces.source.len(), |k| (triangles[faces.source[k] as usize], WHITE))
+    }
+
+    /// Light at each vertex, whatever its colour; cuts interpolate between their neighbours.
+    fn vertex_shares(faces: &Faces, light: &ObjectLight, shares: Vec<LightShare>) -> Vec<LightShare> {
+        let mut shares = light.vertices(shares, &faces.used, |_| WHITE);
+        for cut in &faces.cuts {
+            shares.push(cut.of(|i| shares[i as usize]));
+        }
+        shares
     }
 
     /// Light at each face.
@@ -112,8 +154,8 @@ impl Shaded<'_> {
         let mut colors = match &self.object.paint {
             ObjectPaint::Solid(color) => light.vertices(colors, &faces.used, |_| *color),
             ObjectPaint::Vertices(own) => light.vertices(colors, &faces.used, |i| color_at(own, i)),
-            // Faces go through `unshared`, and a picture has no colour at a vertex.
-            ObjectPaint::Faces(_) | ObjectPaint::Texture { .. } => return self.own_base(faces),
+            // Faces go through `unshared`, and light on a picture is kept apart from it.
+            ObjectPaint::Faces(_) | ObjectPaint::Texture(_) => return self.own_base(faces).0,
         };
         for cut in &faces.cuts {
             colors.push(cut.of(|i| colors[i as usize]));

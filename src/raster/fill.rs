@@ -84,7 +84,8 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
             (Base::Vertices(_), SurfaceLight::InBase) if !surface.translucent => {
                 eight::<K, S, GouraudColors<K>>(simd, band, surface, triangles, &corners, &batch, &z);
             }
-            (Base::Vertices(_) | Base::Texture { .. }, SurfaceLight::InBase) | (_, SurfaceLight::PerPixel(_)) => {
+            (Base::Vertices(_) | Base::Texture { .. }, SurfaceLight::InBase)
+            | (_, SurfaceLight::Faces(_) | SurfaceLight::Vertices(_) | SurfaceLight::PerPixel(_)) => {
                 for (l, &index) in triangles.iter().enumerate() {
                     let corners = corners_at(&corners, l);
                     if let Some(triangle) = batch.alone(l, &surface.positions, corners)

@@ -32,6 +32,7 @@ mod pixel;
 mod setup;
 mod shade;
 mod surfaces;
+mod texel;
 
 use std::time::Duration;
 

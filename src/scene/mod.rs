@@ -51,7 +51,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use crate::appearance::{LineStyle, MarkShape, Rgba};
+use crate::appearance::{LightShare, LineStyle, MarkShape, Rgba, Sampler, Texture};
 use crate::geometry::Aabb;
 pub use adjacency::{Adjacency, SharedEdge};
 pub use build::{build, build_with};
@@ -179,15 +179,53 @@ pub enum ObjectPaint {
     Faces(Arc<Vec<Rgba>>),
     /// One colour for each vertex of the mesh.
     Vertices(Arc<Vec<Rgba>>),
-    /// A picture by texture coordinates (one for each vertex of the mesh), unlit.
-    Texture {
-        /// Width, height in texels and premultiplied RGBA.
-        image: Arc<crate::appearance::Texture>,
-        /// 0 … 1, (0, 0) at the top left.
-        uv: Arc<Vec<[f32; 2]>>,
-        /// 255 is opaque.
-        opacity: u8,
-    },
+    /// A picture by texture coordinates.
+    Texture(Pictured),
+}
+
+/// A picture on an object.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pictured {
+    /// The picture.
+    pub image: Arc<Texture>,
+    /// How it is asked for a colour.
+    pub sampler: Sampler,
+    /// One for each vertex of the mesh: (0, 0) at the top left of the picture, (1, 1) at its bottom right.
+    pub uv: Arc<Vec<[f32; 2]>>,
+    /// Multiplies the colours of the picture; white leaves them as they are. Its alpha is the opacity.
+    pub tint: Rgba,
+    /// Light that has been found already, in another picture: that of the canonical volume shows the light of the world.
+    pub light: FoundLight,
+    /// 1/w of each vertex where the mesh is the image of another one under a perspective, in any unit: between the
+    /// vertices, u/w and v/w are affine. Empty: u and v are.
+    pub inverse_w: Arc<Vec<f32>>,
+}
+
+impl Pictured {
+    /// A picture that is shown once, as it is.
+    #[must_use]
+    pub fn plain(image: Arc<Texture>, uv: Vec<[f32; 2]>, opacity: u8) -> Self {
+        Self {
+            image,
+            sampler: Sampler::PICTURE,
+            uv: Arc::new(uv),
+            tint: Rgba::rgba(255, 255, 255, opacity),
+            light: FoundLight::None,
+            inverse_w: Arc::default(),
+        }
+    }
+}
+
+/// Light that has been found before a picture is made.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum FoundLight {
+    /// None: the lights of the scene fall on it, where it takes light.
+    #[default]
+    None,
+    /// At each triangle.
+    Faces(Arc<Vec<LightShare>>),
+    /// At each vertex.
+    Vertices(Arc<Vec<LightShare>>),
 }
 
 impl ObjectPaint {
@@ -197,7 +235,7 @@ impl ObjectPaint {
         match self {
             Self::Solid(color) => !color.is_opaque(),
             Self::Faces(colors) | Self::Vertices(colors) => colors.iter().any(|c| !c.is_opaque()),
-            Self::Texture { opacity, .. } => *opacity < 255,
+            Self::Texture(pictured) => !pictured.tint.is_opaque() || !pictured.image.is_opaque(),
         }
     }
 }

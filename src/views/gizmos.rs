@@ -146,7 +146,7 @@ pub(super) fn wire(scene: &mut Scene, hidden: HiddenLines) {
     for object in &mut scene.objects {
         let own = match object.paint {
             ObjectPaint::Solid(color) => color.with_alpha(255),
-            ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => {
+            ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture(_) => {
                 object.edges.map_or(Rgba::rgb(128, 128, 128), |edges| edges.color)
             }
         };

@@ -264,7 +264,7 @@ fn divide_first(request: &Request, reach: f64, palette: Palette) -> Option<(Divi
             ObjectPaint::Faces(colors) => ObjectPaint::Faces(tinted(colors)),
             ObjectPaint::Vertices(colors) => ObjectPaint::Vertices(tinted(colors)),
             // A picture can't be mixed with a colour.
-            ObjectPaint::Texture { .. } => ObjectPaint::Solid(mixed(Rgba::rgb(128, 128, 128), palette.wrong)),
+            ObjectPaint::Texture(_) => ObjectPaint::Solid(mixed(Rgba::rgb(128, 128, 128), palette.wrong)),
         };
         if let Some(edges) = &mut object.edges {
             edges.color = palette.wrong;

@@ -9,7 +9,7 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Texture};
 use crate::camera::Projection;
 use crate::figure::WorldPart;
 use crate::pipeline::{Frame, Scenes};
-use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
+use crate::scene::{Line, Mesh, Object, ObjectPaint, Pictured, Scene};
 
 use super::author_labels;
 use super::camera_gizmo::Gear;
@@ -449,7 +449,7 @@ fn painted(near: [DVec3; 4], image: &Arc<Texture>, opacity: f64) -> Object {
         name: "window".to_owned(),
         mesh: Arc::new(mesh),
         world_from_object: DMat4::IDENTITY,
-        paint: ObjectPaint::Texture { image: Arc::clone(image), uv: Arc::new(uv), opacity },
+        paint: ObjectPaint::Texture(Pictured::plain(Arc::clone(image), uv, opacity)),
         lit: false,
         two_sided: true,
         faces: true,

@@ -163,7 +163,7 @@ fn opacity(object: &Object) -> u8 {
     match &object.paint {
         ObjectPaint::Solid(color) => color.a,
         ObjectPaint::Faces(colors) | ObjectPaint::Vertices(colors) => greatest(colors),
-        ObjectPaint::Texture { opacity, .. } => *opacity,
+        ObjectPaint::Texture(pictured) => pictured.tint.a,
     }
 }
 

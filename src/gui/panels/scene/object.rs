@@ -258,7 +258,7 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usiz
     let owner = form.scene.objects[index].name.clone();
     let shown = state.scene_cache.scene().objects.iter().find_map(|o| match o.paint {
         ObjectPaint::Solid(color) if o.owner() == owner => Some(color),
-        ObjectPaint::Solid(_) | ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => None,
+        ObjectPaint::Solid(_) | ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture(_) => None,
     });
     let automatic = form.scene.objects[index].color.is_none();
     let now = form.scene.objects[index].color.or(shown).unwrap_or(crate::scene::palette::BLUE);

@@ -260,7 +260,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
         .iter()
         .filter_map(|o| match o.paint {
             ObjectPaint::Solid(color) => Some((o.name.as_str(), color)),
-            ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => None,
+            ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture(_) => None,
         })
         .collect();
     // Of a figure's object and one of the preset with the same name, children hang on the figure's.
