@@ -118,6 +118,16 @@ pub const MAX_FILE_BYTES: u64 = 1 << 30;
 /// triangles as text. In memory a mesh is several times as large.
 pub const MAX_SCENE_BYTES: usize = 512 << 20;
 
+/// The longest side of a texture in texels.
+pub const MAX_TEXTURE_SIDE: u32 = 16_384;
+
+/// The most texels of a texture, and of all textures of a scene together: 4096 × 4096, which take 90 MB with their levels
+/// of detail.
+pub const MAX_TEXELS: u64 = 1 << 24;
+
+/// The most repetitions of a texture on a surface: beyond these nothing is left of it.
+pub const MAX_TEXTURE_SCALE: f64 = 10_000.0;
+
 /// The most items of sparse accessors that are 0 because no bytes are behind them: a line of JSON can ask for billions.
 pub const MAX_ZEROS: usize = 1 << 20;
 

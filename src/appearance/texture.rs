@@ -252,7 +252,7 @@ mod tests {
     fn levels_end_in_one_texel_and_keep_the_light() {
         // Chequers of black and white: the mean of the light is a half, which is 188 in sRGB, not 128.
         let chequer = |n: u32| {
-            (0..n * n).flat_map(|i| [if (i % n + i / n) % 2 == 0 { 255 } else { 0 }; 3].into_iter().chain([255]))
+            (0..n * n).flat_map(move |i| [if (i % n + i / n) % 2 == 0 { 255 } else { 0 }; 3].into_iter().chain([255]))
         };
         for n in [2, 4, 64] {
             let texture = Texture::flat(n, n, chequer(n).collect()).with_levels();

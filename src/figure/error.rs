@@ -119,6 +119,8 @@ pub enum Allowed {
     NonZeroVector,
     /// `[x, y, z]`, none of them 0.
     NonZeroScale,
+    /// Two numbers, neither 0 nor beyond the limit.
+    TextureScale,
     /// A list of `[x, y, z]`.
     Points,
     /// A list of an even number of `[x, y, z]`.

@@ -10,7 +10,7 @@ mod comparison;
 mod labels;
 mod show;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
 use super::words::{
@@ -164,6 +164,12 @@ fn object(object: &ObjectSpec) -> Table {
     }
     if object.segments != Shape::usual_segments(object.shape.as_ref()) {
         keys.push(("segments", i64::from(object.segments).into()));
+    }
+    keys.extend(object.texture.as_ref().map(|texture| ("texture", quoted(&texture.to_string()))));
+    keys.extend(object.wrap.map(|wrap| ("wrap", wrap.name().into())));
+    keys.extend(object.filter.map(|filter| ("filter", filter.name().into())));
+    if object.texture_scale != DVec2::ONE {
+        keys.push(("texture_scale", object.texture_scale.to_array().map(number).into_iter().collect::<Array>().into()));
     }
     table(keys)
 }

@@ -8,7 +8,7 @@ use super::toml_complaints;
 use crate::figure::FigureError;
 use crate::figure::error::{Allowed, Problem};
 use crate::formula::{FormulaError, FormulaProblem};
-use crate::limits::MAX_FORMULA;
+use crate::limits::{MAX_FORMULA, MAX_TEXTURE_SCALE};
 use crate::sanitize::escaped;
 
 /// The reason why a text is not a figure: line, key, the value found, the values allowed.
@@ -211,6 +211,10 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         Allowed::NonZeroVector => match lang {
             Lang::En => "three finite numbers, [x, y, z], not all 0".to_owned(),
             Lang::PtBr => "três números finitos, [x, y, z], nem todos 0".to_owned(),
+        },
+        Allowed::TextureScale => match lang {
+            Lang::En => format!("two numbers, neither 0 and none beyond ±{MAX_TEXTURE_SCALE}"),
+            Lang::PtBr => format!("dois números, nenhum deles 0 nem além de ±{MAX_TEXTURE_SCALE}"),
         },
         Allowed::NonZeroScale => match lang {
             Lang::En => "three finite numbers, [x, y, z], none of them 0".to_owned(),

@@ -1,9 +1,10 @@
 //! Faults of a mesh file, in both languages.
 
 use super::Lang;
-use super::unreadable::unreadable;
-use crate::limits::MAX_OBJECTS;
-use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
+use super::unreadable::{read_problem, unreadable};
+
+use crate::limits::{MAX_OBJECTS, MAX_TEXELS, MAX_TEXTURE_SIDE};
+use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault, TextureError, TextureFault};
 
 /// Why a mesh file cannot be used. In English it is the error's own words.
 pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
@@ -43,10 +44,31 @@ pub fn notice(lang: Lang, notice: &MeshNotice) -> String {
             };
             format!("linha {line}: uma face com {found} vértices; {left_out}")
         }
+        (Lang::PtBr, MeshNotice::Texture(error)) => {
+            format!("a textura {}; a cor do objeto aparece em seu lugar", texture_in_portuguese(error))
+        }
+        (Lang::PtBr, MeshNotice::NoCoordinates) => {
+            "a malha não tem coordenadas de textura; sua cor aparece em lugar da textura".to_owned()
+        }
         (Lang::PtBr, MeshNotice::Invisible { material }) => {
             format!("o material \"{material}\" é inteiramente transparente (Tr 1 ou d 0); é desenhado opaco")
         }
     }
+}
+
+fn texture_in_portuguese(TextureError { file, fault }: &TextureError) -> String {
+    let why = match fault {
+        TextureFault::Unreadable(error) => read_problem(Lang::PtBr, &error.problem),
+        TextureFault::Format => "não é uma imagem conhecida; permitido: PNG, JPEG e WebP".to_owned(),
+        TextureFault::Damaged => "está danificada ou incompleta".to_owned(),
+        TextureFault::TooLarge { width, height } => format!(
+            "tem {width} × {height} pixels; permitido: no máximo {MAX_TEXTURE_SIDE} de cada lado e {MAX_TEXELS} ao todo"
+        ),
+        TextureFault::Budget => {
+            format!("ficou de fora: com ela as texturas desta figura teriam mais de {MAX_TEXELS} pixels")
+        }
+    };
+    format!("{file} {why}")
 }
 
 fn obj_in_portuguese(fault: &ObjFault) -> String {

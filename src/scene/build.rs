@@ -3,16 +3,18 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
+use super::import::PartTexture;
 use super::marks::{point_mark, point_name};
 use super::palette::{PALETTE, SceneColors};
 use super::resolve::{Placed, allowed_segments, lights, place};
+use super::texture::{Alpha, UvMesh, builtin, mapped, split};
 use super::{
-    Adjacency, Line, Mesh, MeshFiles, Object, ObjectPaint, ReadFile, Scene, SceneError, SceneSpec, Shape, presets,
-    primitives,
+    Adjacency, FoundLight, Line, Mesh, MeshFiles, MeshNotice, Object, ObjectPaint, Pictured, ReadFile, Scene,
+    SceneError, SceneSpec, Shape, TextureSource, Wanted, presets, primitives,
 };
-use crate::appearance::{LineStyle, MarkShape, Rgba, Style};
+use crate::appearance::{LineStyle, MarkShape, Rgba, Sampler, Style, Texture};
 use crate::limits::MAX_OBJECTS;
 use crate::sanitize::escaped;
 
@@ -50,7 +52,12 @@ pub fn build_with(
     let is_used =
         |path: &str| spec.objects.iter().any(|o| matches!(&o.shape, Some(Shape::Mesh { path: p }) if p == path));
     files.retain(is_used);
-    let mut maker = Maker { colors, before: std::mem::take(&mut files.primitives), read_file, files };
+    files
+        .textures
+        .retain(|path| spec.objects.iter().any(|o| o.texture.as_ref().and_then(TextureSource::file) == Some(path)));
+    let before = std::mem::take(&mut files.primitives);
+    let mapped_before = std::mem::take(&mut files.mapped);
+    let mut maker = Maker { colors, before, mapped_before, read_file, files };
     let mut turns = PALETTE.into_iter().cycle();
     let mut next_color = || turns.next().unwrap_or(PALETTE[0]);
     for placed in &placed_preset {
@@ -72,6 +79,7 @@ struct Maker<'a, 'b> {
     colors: SceneColors,
     /// The primitives of the last time; those that are used again go back to `files`.
     before: BTreeMap<(&'static str, u32), Arc<Mesh>>,
+    mapped_before: BTreeMap<(&'static str, u32), UvMesh>,
     read_file: &'a mut ReadFile<'b>,
     files: &'a mut MeshFiles,
 }
@@ -136,13 +144,31 @@ impl Maker<'_, '_> {
             if !world_from_object.is_finite() {
                 return Err(SceneError::NotFinite { name: name.clone(), key: "scale" });
             }
+            let own = part.texture.as_ref();
+            let texture = self.texture(scene, placed, own);
+            let part_color = placed.color.or(part.color).unwrap_or(color);
+            let (mesh, paint) = match texture {
+                Some(_) if part.uv.is_empty() => {
+                    scene.notices.push((name.clone(), MeshNotice::NoCoordinates));
+                    (Arc::clone(&part.mesh), ObjectPaint::Solid(part_color))
+                }
+                Some((image, sampler)) => {
+                    let made = || split(&part.mesh, &part.uv);
+                    let textured = self.files.textured.entry((path.to_owned(), k)).or_insert_with(made);
+                    // The factor of the file's material belongs to its own texture.
+                    let is_own = placed.spec.texture.is_none();
+                    let tint = placed.color.or(part.color.filter(|_| is_own)).unwrap_or(WHITE);
+                    (Arc::clone(&textured.mesh), painted(image, sampler, &textured.uv, placed, tint))
+                }
+                None => (Arc::clone(&part.mesh), ObjectPaint::Solid(part_color)),
+            };
             let part_name = if part.name.is_empty() { (k + 1).to_string() } else { part.name.clone() };
             scene.objects.push(Object {
                 name: if parts.len() == 1 { name.clone() } else { format!("{name}/{part_name}") },
                 part_of: (parts.len() > 1).then(|| Arc::from(name.as_str())),
-                mesh: Arc::clone(&part.mesh),
+                mesh,
                 world_from_object,
-                paint: ObjectPaint::Solid(placed.color.or(part.color).unwrap_or(color)),
+                paint,
                 lit: true,
                 two_sided: part.two_sided,
                 faces: true,
@@ -151,6 +177,38 @@ impl Maker<'_, '_> {
             });
         }
         Ok(())
+    }
+
+    /// The texture of an object, and how it is asked for a colour: that of the figure, else its own. Where it cannot be
+    /// used, a notice says so.
+    fn texture(
+        &mut self,
+        scene: &mut Scene,
+        placed: &Placed<'_>,
+        own: Option<&PartTexture>,
+    ) -> Option<(Arc<Texture>, Sampler)> {
+        let spec = placed.spec;
+        let (image, sampler) = match (&spec.texture, own) {
+            (None, own) => own.map(|own| (Arc::clone(&own.image), own.sampler))?,
+            (Some(TextureSource::File(path)), _) => {
+                let read_file = &mut *self.read_file;
+                let mut beside = |path: &str| read_file(Wanted { path, named_by: None });
+                match self.files.textures.get(path, Alpha::Kept, &mut beside) {
+                    Ok(image) => (image, Sampler::default()),
+                    Err(error) => {
+                        scene.notices.push((spec.name.clone(), MeshNotice::Texture(error)));
+                        return None;
+                    }
+                }
+            }
+            (Some(source), _) => (builtin(source)?, Sampler::default()),
+        };
+        let sampler = Sampler {
+            wrap_u: spec.wrap.unwrap_or(sampler.wrap_u),
+            wrap_v: spec.wrap.unwrap_or(sampler.wrap_v),
+            filter: spec.filter.unwrap_or(sampler.filter),
+        };
+        Some((image, sampler))
     }
 
     /// A solid, whose mesh is made once for each number of segments; faceted ones show their edges, curved ones their
@@ -176,12 +234,22 @@ impl Maker<'_, '_> {
             })
         };
         let mesh = Arc::clone(self.files.primitives.entry(key).or_insert_with(made));
+        let (mesh, paint) = match self.texture(scene, placed, None) {
+            None => (mesh, ObjectPaint::Solid(color)),
+            Some((image, sampler)) => {
+                let before = self.mapped_before.remove(&key);
+                let made = || before.unwrap_or_else(|| mapped(shape, &mesh));
+                let mapped = self.files.mapped.entry(key).or_insert_with(made);
+                let tint = placed.color.unwrap_or(WHITE);
+                (Arc::clone(&mapped.mesh), painted(image, sampler, &mapped.uv, placed, tint))
+            }
+        };
         scene.objects.push(Object {
             part_of: None,
             name: placed.spec.name.clone(),
             mesh,
             world_from_object: placed.world_from_object,
-            paint: ObjectPaint::Solid(color),
+            paint,
             lit: true,
             two_sided: false,
             faces: true,
@@ -190,6 +258,28 @@ impl Maker<'_, '_> {
         });
         Ok(())
     }
+}
+
+/// Where nothing tints a texture.
+const WHITE: Rgba = Rgba::rgb(255, 255, 255);
+
+/// A texture on an object, as often as the figure wants it.
+fn painted(
+    image: Arc<Texture>,
+    sampler: Sampler,
+    uv: &Arc<Vec<[f32; 2]>>,
+    placed: &Placed<'_>,
+    tint: Rgba,
+) -> ObjectPaint {
+    let scale = placed.spec.texture_scale;
+    let uv = if scale == DVec2::ONE {
+        Arc::clone(uv)
+    } else {
+        let [wide, high] = scale.as_vec2().to_array();
+        // v is counted from below, where the first repetition begins.
+        Arc::new(uv.iter().map(|[u, v]| [u * wide, 1.0 - (1.0 - v) * high]).collect())
+    };
+    ObjectPaint::Texture(Pictured { image, sampler, uv, tint, light: FoundLight::None, inverse_w: Arc::default() })
 }
 
 fn ellipsoid(segments: u32) -> Mesh {

@@ -18,11 +18,12 @@ use glam::{DMat4, DQuat, DVec3};
 use serde_json::error::Category;
 
 use super::Mesh;
-use super::part::Part;
+use super::part::{Imported, Part, PartTexture};
 use super::read_error::Beside;
 use super::soup::Soup;
-use super::{GlbFault, GltfFault, JsonFault, MeshError};
-use crate::appearance::Rgba;
+use super::texture::{Alpha, CornerUv, Textures};
+use super::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, TextureError};
+use crate::appearance::{Filter, Rgba, Sampler, Texture, Wrap};
 use crate::limits::{MAX_OBJECTS, MAX_SCENE_BYTES, MAX_ZEROS};
 use crate::progress::{Activity, Progress, pause};
 use crate::sanitize::{self, escaped};
@@ -31,16 +32,13 @@ use crate::sanitize::{self, escaped};
 ///
 /// # Errors
 /// [`MeshError::Json`], [`MeshError::Gltf`] and [`MeshError::Cancelled`].
-pub(super) async fn read(
-    bytes: &[u8],
-    read_file: &mut Beside<'_>,
-    progress: &Progress,
-) -> Result<Vec<Part>, MeshError> {
+pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Imported, MeshError> {
     progress.begin(Activity::Reading, 0);
     let Gltf { document, blob } = parse(bytes)?;
     let buffers = buffers(&document, blob, read_file)?;
     let reader = Reader { buffers, left: Cell::new(MAX_SCENE_BYTES), zeros_left: Cell::new(MAX_ZEROS) };
-    let mut meshes: BTreeMap<(usize, usize), Option<Arc<Mesh>>> = BTreeMap::new();
+    let mut meshes: BTreeMap<(usize, usize), Option<Surface>> = BTreeMap::new();
+    let mut materials = Materials { reader: &reader, textures: Textures::default(), notices: Vec::new() };
     let mut parts = Vec::new();
     for (node, world) in nodes(&document)? {
         let Some(mesh) = node.mesh() else { continue };
@@ -54,26 +52,108 @@ pub(super) async fn read(
             let surface = match meshes.get(&key) {
                 Some(known) => known.clone(),
                 None => {
-                    let made = reader.surface(&primitive, &place("meshes", mesh.index()))?.map(Arc::new);
+                    let made = reader.surface(&primitive, &place("meshes", mesh.index()))?;
                     meshes.entry(key).or_insert(made).clone()
                 }
             };
             if parts.len() >= MAX_OBJECTS {
                 return Err(MeshError::TooManyObjects);
             }
-            if let Some(mesh) = surface {
+            if let Some((mesh, uv)) = surface {
                 let material = primitive.material();
+                let texture = if uv.is_empty() { None } else { materials.texture(&material, read_file) };
                 parts.push(Part {
                     name: name.to_owned(),
                     two_sided: material.double_sided() || !mesh.closed,
                     mesh,
                     file_from_part: world,
                     color: material.index().map(|_| color(&material)),
+                    uv,
+                    texture,
                 });
             }
         }
     }
-    Ok(parts)
+    Ok(Imported { parts, notices: materials.notices })
+}
+
+/// The triangles of a primitive, and the texture coordinates of their corners.
+type Surface = (Arc<Mesh>, Arc<Vec<CornerUv>>);
+
+/// The textures of materials.
+struct Materials<'a> {
+    reader: &'a Reader,
+    textures: Textures,
+    notices: Vec<MeshNotice>,
+}
+
+impl Materials<'_> {
+    /// The texture of a material's base colour; where it cannot be used, a notice says so.
+    fn texture(&mut self, material: &::gltf::Material<'_>, read_file: &mut Beside<'_>) -> Option<PartTexture> {
+        let texture = material.pbr_metallic_roughness().base_color_texture()?.texture();
+        let alpha = match material.alpha_mode() {
+            AlphaMode::Opaque => Alpha::Ignored,
+            AlphaMode::Mask => Alpha::Mask(material.alpha_cutoff().unwrap_or(0.5)),
+            AlphaMode::Blend => Alpha::Kept,
+        };
+        match self.image(&texture, alpha, read_file) {
+            Ok(image) => Some(PartTexture { image, sampler: sampler(&texture.sampler()) }),
+            Err(error) => {
+                let notice = MeshNotice::Texture(error);
+                if !self.notices.contains(&notice) {
+                    self.notices.push(notice);
+                }
+                None
+            }
+        }
+    }
+
+    fn image(
+        &mut self,
+        texture: &::gltf::Texture<'_>,
+        alpha: Alpha,
+        read_file: &mut Beside<'_>,
+    ) -> Result<Arc<Texture>, TextureError> {
+        let image = texture.source();
+        let name = place("images", image.index());
+        match image.source() {
+            ::gltf::image::Source::View { view, .. } => {
+                let bytes = self
+                    .reader
+                    .buffers
+                    .get(view.buffer().index())
+                    .and_then(|bytes| bytes.get(view.offset()..view.offset().checked_add(view.length())?));
+                self.textures.of_bytes(&name, alpha, bytes.unwrap_or_default())
+            }
+            ::gltf::image::Source::Uri { uri, .. } => match uri.strip_prefix("data:") {
+                Some(data) => {
+                    let text = data.split_once(";base64,").map(|(_, text)| text);
+                    let bytes = text.and_then(|t| base64::engine::general_purpose::STANDARD.decode(t).ok());
+                    self.textures.of_bytes(&name, alpha, &bytes.unwrap_or_default())
+                }
+                None => {
+                    let file = percent_encoding::percent_decode_str(uri).decode_utf8_lossy();
+                    self.textures.get(&file, alpha, read_file)
+                }
+            },
+        }
+    }
+}
+
+/// Wrapping and filter; glTF's filter for smaller pictures that asks for levels of detail is ours with levels.
+fn sampler(sampler: &::gltf::texture::Sampler<'_>) -> Sampler {
+    use ::gltf::texture::{MagFilter, MinFilter, WrappingMode};
+    let wrap = |mode| match mode {
+        WrappingMode::ClampToEdge => Wrap::Clamp,
+        WrappingMode::MirroredRepeat => Wrap::Mirror,
+        WrappingMode::Repeat => Wrap::Repeat,
+    };
+    let filter = match (sampler.min_filter(), sampler.mag_filter()) {
+        (Some(MinFilter::Nearest), _) | (None, Some(MagFilter::Nearest)) => Filter::Nearest,
+        (Some(MinFilter::Linear), _) => Filter::Bilinear,
+        _ => Filter::Trilinear,
+    };
+    Sampler { wrap_u: wrap(sampler.wrap_s()), wrap_v: wrap(sampler.wrap_t()), filter }
 }
 
 fn fault(place: impl Into<String>, fault: GltfFault) -> MeshError {
@@ -280,7 +360,7 @@ impl Items<'_> {
 
 impl Reader {
     /// The triangles of a primitive; `None` for points and lines.
-    fn surface(&self, primitive: &Primitive<'_>, mesh: &str) -> Result<Option<Mesh>, MeshError> {
+    fn surface(&self, primitive: &Primitive<'_>, mesh: &str) -> Result<Option<Surface>, MeshError> {
         let mesh = format!("{mesh}.primitives[{}]", primitive.index());
         if !matches!(primitive.mode(), Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
             return Ok(None);
@@ -303,9 +383,51 @@ impl Reader {
             Mode::TriangleFan => order.windows(2).skip(1).flat_map(|w| [order[0], w[0], w[1]]).collect(),
             _ => order,
         };
-        let mut soup = Soup { positions, normals, corners, ..Soup::default() };
+        let uv = self.texture_coordinates(primitive, positions.len())?;
+        let corner_uv = if uv.is_empty() { Vec::new() } else { corners.iter().map(|&i| uv[i as usize]).collect() };
+        let mut soup = Soup { positions, normals, corners, corner_uv, ..Soup::default() };
         soup.weld();
-        Ok(Some(soup.into_mesh()?))
+        let (mesh, uv) = soup.into_mesh()?;
+        Ok(Some((Arc::new(mesh), Arc::new(uv))))
+    }
+
+    /// The texture coordinates of the vertices, as the material's texture turns and moves them; none where it has none.
+    fn texture_coordinates(&self, primitive: &Primitive<'_>, count: usize) -> Result<Vec<[f32; 2]>, MeshError> {
+        let info = primitive.material().pbr_metallic_roughness().base_color_texture();
+        let transform = info.as_ref().and_then(::gltf::texture::Info::texture_transform);
+        let own = info.as_ref().map_or(0, ::gltf::texture::Info::tex_coord);
+        let set = transform.as_ref().and_then(::gltf::texture::TextureTransform::tex_coord).unwrap_or(own);
+        let Some(accessor) = primitive.get(&Semantic::TexCoords(set)).filter(|accessor| accessor.count() == count)
+        else {
+            return Ok(Vec::new());
+        };
+        let mut uv = self.pairs(&accessor)?;
+        if let Some(transform) = transform {
+            // Offset · rotation · scale, as the extension defines them.
+            let ([x, y], [wide, high]) = (transform.offset(), transform.scale());
+            let (sin, cos) = transform.rotation().sin_cos();
+            for [u, v] in &mut uv {
+                let (s, t) = (*u * wide, *v * high);
+                (*u, *v) = (cos * s + sin * t + x, cos * t - sin * s + y);
+            }
+        }
+        uv.iter_mut().flatten().filter(|v| !v.is_finite()).for_each(|v| *v = 0.0);
+        Ok(uv)
+    }
+
+    /// Pairs of numbers, whole ones as shares of the greatest.
+    fn pairs(&self, accessor: &Accessor<'_>) -> Result<Vec<[f32; 2]>, MeshError> {
+        let read: fn(&[u8]) -> f32 = match (accessor.data_type(), accessor.dimensions()) {
+            (DataType::F32, Dimensions::Vec2) => |b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]),
+            (DataType::U8, Dimensions::Vec2) => |b| f32::from(b[0]) / 255.0,
+            (DataType::U16, Dimensions::Vec2) => |b| f32::from(u16::from_le_bytes([b[0], b[1]])) / 65_535.0,
+            (data_type, dimensions) => {
+                let what = format!("{dimensions:?} {data_type:?}");
+                return Err(fault(place("accessors", accessor.index()), GltfFault::Unsupported { what }));
+            }
+        };
+        let width = accessor.data_type().size();
+        Ok(self.items::<2>(accessor)?.iter().map(|b| [read(&b[..width]), read(&b[width..])]).collect())
     }
 
     /// The bytes of the items of an accessor with `N` components, each as long as the other.

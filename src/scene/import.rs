@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub use super::part::{Imported, Part};
+pub use super::part::{Imported, Part, PartTexture};
+use super::texture::{Textures, UvMesh};
 use super::{Mesh, MeshError, ReadFile, Wanted, gltf, obj};
 use crate::progress::{Progress, at_once};
 
@@ -23,9 +24,7 @@ pub async fn import(
     let mut beside = |name: &str| read_file(Wanted { path: &companion(path, name), named_by: Some(path) });
     let imported = match ending.as_deref() {
         Some("obj") => obj::read(bytes, &mut beside, progress).await?,
-        Some("gltf" | "glb") => {
-            Imported { parts: gltf::read(bytes, &mut beside, progress).await?, notices: Vec::new() }
-        }
+        Some("gltf" | "glb") => gltf::read(bytes, &mut beside, progress).await?,
         _ => return Err(MeshError::Format),
     };
     let is_empty = imported.parts.iter().all(|p| p.mesh.triangles.is_empty());
@@ -48,6 +47,12 @@ pub struct MeshFiles {
     known: BTreeMap<String, Arc<Imported>>,
     /// By the name of the shape and its segments.
     pub(super) primitives: BTreeMap<(&'static str, u32), Arc<Mesh>>,
+    /// The same with texture coordinates.
+    pub(super) mapped: BTreeMap<(&'static str, u32), UvMesh>,
+    /// Parts of mesh files with their texture coordinates, by the file and the place in it.
+    pub(super) textured: BTreeMap<(String, usize), UvMesh>,
+    /// The pictures that figures name.
+    pub(super) textures: Textures,
     progress: Progress,
 }
 
@@ -79,12 +84,14 @@ impl MeshFiles {
 
     /// Takes a file over that [`read`] has read elsewhere.
     pub fn insert(&mut self, path: &str, imported: Arc<Imported>) {
+        self.textured.retain(|(known, _), _| known != path);
         self.known.insert(path.to_owned(), imported);
     }
 
     /// Forgets the files that `is_used` denies.
     pub(super) fn retain(&mut self, is_used: impl Fn(&str) -> bool) {
         self.known.retain(|path, _| is_used(path));
+        self.textured.retain(|(path, _), _| is_used(path));
     }
 }
 

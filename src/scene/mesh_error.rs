@@ -1,6 +1,7 @@
 //! Faults of a mesh file.
 
 use super::ReadError;
+use super::TextureError;
 use super::soup::TooLarge;
 use crate::limits::MAX_OBJECTS;
 
@@ -140,6 +141,12 @@ pub enum MeshNotice {
         /// Number of such faces.
         count: usize,
     },
+    /// A texture cannot be used; the object's colour is shown in its place.
+    #[error("the texture {0}; the object's colour is shown instead")]
+    Texture(TextureError),
+    /// A texture was asked for, and the mesh has no texture coordinates.
+    #[error("the mesh has no texture coordinates; its colour is shown instead of the texture")]
+    NoCoordinates,
     /// A material would make its faces fully invisible.
     #[error("the material \"{material}\" is fully transparent (Tr 1 or d 0); it is drawn opaque")]
     Invisible {

@@ -22,6 +22,7 @@
 //! | `resolve` | the tree of a scene: names resolved, transforms multiplied out, rules |
 //! | `soup` | from the polygons of a file to a mesh: triangles, normals, edges, and whether the surface is closed |
 //! | `spec` | the `[scene]` section of a figure, before meshes are made: a preset, a tree of objects, lights |
+//! | `texture/` | textures of objects: where they come from, and how they lie on the surfaces |
 //! | `transform` | objects moved, turned, scaled and copied together |
 
 mod adjacency;
@@ -44,6 +45,7 @@ mod read_error;
 mod resolve;
 mod soup;
 pub mod spec;
+pub mod texture;
 pub mod transform;
 
 use std::ops::Range;
@@ -63,6 +65,7 @@ pub use presets::{Beyond, objects as preset_objects};
 pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, is_loop, no_files, system_kind, system_words};
 pub use resolve::{DEFAULT_LIGHT, check};
 pub use spec::{Light, LightKind, ObjectSpec, Preset, SceneSpec, Shape, ShapeData};
+pub use texture::{CornerUv, TextureError, TextureFault, TextureSource};
 
 /// A scene, flat: every transform has been multiplied out.
 #[derive(Clone, Debug, Default, PartialEq)]

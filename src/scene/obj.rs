@@ -1,6 +1,6 @@
-//! Wavefront OBJ: points, normals, faces, objects, and the colours of their materials. Texture coordinates are counted
-//! and left out, as is all that is neither point, normal, face, name nor material. What other programs write wrong
-//! without harm to the surface is left out with a [`MeshNotice`].
+//! Wavefront OBJ: points, normals, texture coordinates, faces, objects, and the colours and textures of their materials.
+//! All that is neither of these is left out. What other programs write wrong without harm to the surface is left out
+//! with a [`MeshNotice`].
 
 use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
@@ -9,11 +9,12 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3};
 
 use super::mesh::index_u32;
-use super::part::{Imported, Part};
+use super::part::{Imported, Part, PartTexture};
 use super::read_error::Beside;
 use super::soup::Soup;
+use super::texture::{Alpha, Textures};
 use super::{MeshError, MeshNotice, ObjFault};
-use crate::appearance::Rgba;
+use crate::appearance::{Filter, Rgba, Sampler, Wrap};
 use crate::limits::MAX_OBJECTS;
 use crate::progress::{Activity, Progress, pause};
 use crate::sanitize::escaped;
@@ -50,13 +51,14 @@ pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
     }
     file.end_part();
     let mut notices = file.notices();
+    let mut textures = Textures::default();
     let mut parts = Vec::new();
     for part in std::mem::take(&mut file.parts) {
         pause().await;
         if progress.is_cancelled() {
             return Err(MeshError::Cancelled);
         }
-        let mesh = file.soup(&part).into_mesh()?;
+        let (mesh, uv) = file.soup(&part).into_mesh()?;
         if mesh.triangles.is_empty() {
             continue;
         }
@@ -69,7 +71,27 @@ pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
         }
         let color = material.map(Material::color);
         let two_sided = !mesh.closed;
-        parts.push(Part { name: part.name, two_sided, mesh: Arc::new(mesh), file_from_part: DMat4::IDENTITY, color });
+        let map = material.and_then(|material| material.map.as_ref()).filter(|_| !uv.is_empty());
+        let texture = match map.map(|map| (map, textures.get(&map.file, Alpha::Ignored, read_file))) {
+            None => None,
+            Some((map, Ok(image))) => Some(PartTexture { image, sampler: map.sampler() }),
+            Some((_, Err(error))) => {
+                let notice = MeshNotice::Texture(error);
+                if !notices.contains(&notice) {
+                    notices.push(notice);
+                }
+                None
+            }
+        };
+        parts.push(Part {
+            name: part.name,
+            two_sided,
+            mesh: Arc::new(mesh),
+            file_from_part: DMat4::IDENTITY,
+            color,
+            uv: Arc::new(uv),
+            texture,
+        });
     }
     Ok(Imported { parts, notices })
 }
@@ -110,8 +132,8 @@ impl Lines<'_> {
 struct ObjFile {
     points: Vec<DVec3>,
     normals: Vec<DVec3>,
-    /// Number of texture coordinates.
-    texture_coordinates: usize,
+    /// (0, 0) at the top left of the picture.
+    texture_coordinates: Vec<[f32; 2]>,
     /// A corner came without a normal.
     normals_lack: bool,
     /// Corners that name points not yet read.
@@ -158,8 +180,8 @@ impl Ahead {
 struct Faces {
     name: String,
     material: Option<usize>,
-    /// For each corner its point and, where it has one, its normal, from 0.
-    corners: Vec<(usize, Option<usize>)>,
+    /// For each corner its point and, where it has them, its normal and its texture coordinate, from 0.
+    corners: Vec<(usize, Option<usize>, Option<usize>)>,
     /// The number of corners of each face.
     arities: Vec<u32>,
 }
@@ -170,6 +192,47 @@ struct Material {
     name: String,
     diffuse: Option<[f64; 3]>,
     opacity: Option<f64>,
+    map: Option<Map>,
+}
+
+/// The texture of a material.
+#[derive(Clone)]
+struct Map {
+    file: String,
+    /// `-clamp on`.
+    clamps: bool,
+}
+
+impl Map {
+    /// The value of `map_Kd`: options, then the name of a file, which may have spaces.
+    fn read(values: &str) -> Option<Self> {
+        let mut clamps = false;
+        let mut rest = values.trim();
+        while let Some(option) = rest.strip_prefix('-') {
+            let (name, after) = option.split_once(char::is_whitespace)?;
+            let numbers = match name {
+                "blendu" | "blendv" | "cc" | "clamp" | "boost" | "texres" | "bm" | "imfchan" | "type" => 1..=1,
+                "mm" => 2..=2,
+                // One to three numbers.
+                _ => 1..=3,
+            };
+            rest = after.trim_start();
+            for k in 1..=*numbers.end() {
+                let (word, after) = rest.split_once(char::is_whitespace)?;
+                if k > *numbers.start() && word.parse::<f64>().is_err() {
+                    break;
+                }
+                clamps |= name == "clamp" && word == "on";
+                rest = after.trim_start();
+            }
+        }
+        (!rest.is_empty()).then(|| Self { file: rest.to_owned(), clamps })
+    }
+
+    fn sampler(&self) -> Sampler {
+        let wrap = if self.clamps { Wrap::Clamp } else { Wrap::Repeat };
+        Sampler { wrap_u: wrap, wrap_v: wrap, filter: Filter::Trilinear }
+    }
 }
 
 impl Material {
@@ -179,7 +242,9 @@ impl Material {
     }
 
     fn color(&self) -> Rgba {
-        let [r, g, b] = self.diffuse.unwrap_or([0.8; 3]).map(byte);
+        // A picture shows its own colours where the material says none.
+        let unsaid = if self.map.is_some() { 1.0 } else { 0.8 };
+        let [r, g, b] = self.diffuse.unwrap_or([unsaid; 3]).map(byte);
         let alpha = if self.is_invisible() { 255 } else { byte(self.opacity.unwrap_or(1.0)) };
         Rgba::rgba(r, g, b, alpha)
     }
@@ -201,7 +266,7 @@ impl ObjFile {
         match keyword {
             "v" => self.points.push(point(numbers)?),
             "vn" => self.normals.push(vector(numbers)?),
-            "vt" => self.texture_coordinates += 1,
+            "vt" => self.texture_coordinates.push(texture_coordinate(numbers)),
             "f" => self.face(numbers, number)?,
             "o" | "g" if !name.is_empty() => {
                 self.end_part();
@@ -257,6 +322,9 @@ impl ObjFile {
                 material = self.materials.len().checked_sub(1);
             }
             let Some(material) = material.and_then(|index| self.materials.get_mut(index)) else { continue };
+            if keyword == "map_Kd" {
+                material.map = Map::read(values);
+            }
             match (keyword, &numbers[..]) {
                 ("Kd", &[r, g, b, ..]) => material.diffuse = Some([r, g, b]),
                 ("d", &[opacity, ..]) => material.opacity = Some(opacity),
@@ -277,9 +345,11 @@ impl ObjFile {
             let corner = ObjCorner::read(word).ok_or_else(|| ObjFault::Corner { found: escaped(word) })?;
             let point = from_one(corner.point, self.points.len()).ok_or_else(|| self.no_such_point(word))?;
             self.points_ahead.note(point, self.points.len(), word, line);
+            let mut texture_coordinate = None;
             if let Some(index) = corner.texture_coordinate {
-                match from_one(index, self.texture_coordinates) {
-                    Some(i) => self.texture_coordinates_ahead.note(i, self.texture_coordinates, word, line),
+                texture_coordinate = from_one(index, self.texture_coordinates.len());
+                match texture_coordinate {
+                    Some(i) => self.texture_coordinates_ahead.note(i, self.texture_coordinates.len(), word, line),
                     None => drop(self.impossible.get_or_insert_with(|| (line, word.to_owned()))),
                 }
             }
@@ -292,7 +362,8 @@ impl ObjFile {
                 }
             }
             self.normals_lack |= normal.is_none();
-            self.open.corners.push((point - 1, normal.map(|i| i - 1)));
+            let uv = texture_coordinate.map(|i| i - 1);
+            self.open.corners.push((point - 1, normal.map(|i| i - 1), uv));
         }
         self.open.arities.push(index_u32(found));
         Ok(())
@@ -307,7 +378,7 @@ impl ObjFile {
         let no_normal = self.normals_ahead.beyond(self.normals.len());
         self.normals_lack |= no_normal.is_some();
         let lost = self.impossible.take().into_iter().chain(no_normal);
-        let lost = lost.chain(self.texture_coordinates_ahead.beyond(self.texture_coordinates));
+        let lost = lost.chain(self.texture_coordinates_ahead.beyond(self.texture_coordinates.len()));
         let lost = lost.min().map(|(line, found)| MeshNotice::IndexIgnored { line, found: escaped(&found) });
         let count = self.skipped_count;
         let skipped = self.skipped.map(|(line, found)| MeshNotice::FacesSkipped { line, found, count });
@@ -318,7 +389,12 @@ impl ObjFile {
     fn soup(&self, part: &Faces) -> Soup {
         let mut soup = Soup { arities: part.arities.clone(), ..Soup::default() };
         let (mut point_of, mut normal_of) = (HashMap::new(), HashMap::new());
-        for &(point, normal) in &part.corners {
+        let has_uv = part.corners.iter().any(|(_, _, uv)| uv.is_some());
+        for &(point, normal, uv) in &part.corners {
+            if has_uv {
+                let own = uv.and_then(|uv| self.texture_coordinates.get(uv).copied());
+                soup.corner_uv.push(own.unwrap_or_default());
+            }
             soup.corners.push(*point_of.entry(point).or_insert_with(|| {
                 soup.positions.push(self.points[point]);
                 index_u32(soup.positions.len() - 1)
@@ -372,6 +448,14 @@ fn point(values: &str) -> Result<DVec3, ObjFault> {
     let [_, _, _, weight] = words[..] else { return Ok(point) };
     let divided = point / number(weight)?;
     if divided.is_finite() { Ok(divided) } else { Err(ObjFault::Number { found: escaped(weight) }) }
+}
+
+/// The first two numbers, v downwards; what is none is 0: the surface is the same.
+fn texture_coordinate(values: &str) -> [f32; 2] {
+    let mut numbers = values.split_whitespace().map(|word| word.parse().ok().filter(|v: &f32| v.is_finite()));
+    let mut next = || numbers.next().flatten().unwrap_or(0.0);
+    let (u, v) = (next(), next());
+    [u, 1.0 - v]
 }
 
 /// The first three numbers.

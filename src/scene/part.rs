@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use glam::DMat4;
 
+use super::texture::CornerUv;
 use super::{Mesh, MeshNotice};
-use crate::appearance::Rgba;
+use crate::appearance::{Rgba, Sampler, Texture};
 
 /// A mesh file that has been read.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -14,6 +15,15 @@ pub struct Imported {
     pub parts: Vec<Part>,
     /// Parts that were left out, or read otherwise than written.
     pub notices: Vec<MeshNotice>,
+}
+
+/// The texture of a material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartTexture {
+    /// The picture.
+    pub image: Arc<Texture>,
+    /// How it is asked for a colour.
+    pub sampler: Sampler,
 }
 
 /// One object of a mesh file.
@@ -27,6 +37,10 @@ pub struct Part {
     pub file_from_part: DMat4,
     /// The base colour of its material.
     pub color: Option<Rgba>,
+    /// Texture coordinates of the corners of each triangle; empty: it has none.
+    pub uv: Arc<Vec<CornerUv>>,
+    /// The texture of its material.
+    pub texture: Option<PartTexture>,
     /// The file wants both sides to be seen.
     pub two_sided: bool,
 }

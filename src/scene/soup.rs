@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::mesh::{Mesh, index_u32};
 use super::polygon;
+use super::texture::CornerUv;
 use crate::geometry::try_unit;
 use crate::limits::MAX_VERTICES;
 
@@ -30,6 +31,8 @@ pub(super) struct Soup {
     pub(super) normals: Vec<DVec3>,
     /// For each corner, its normal: indices into `normals`, all in range. Empty: the same as `corners`.
     pub(super) corner_normals: Vec<u32>,
+    /// For each corner, its texture coordinates; empty: there are none.
+    pub(super) corner_uv: Vec<[f32; 2]>,
 }
 
 /// A soup with more corners than a mesh has indices.
@@ -62,7 +65,9 @@ impl Soup {
     ///
     /// *Edges* are the sides of the polygons; *closed* says that each side is met by another one in the other
     /// direction.
-    pub(super) fn into_mesh(self) -> Result<Mesh, TooLarge> {
+    ///
+    /// With it come the texture coordinates of the corners of each triangle, where there are any.
+    pub(super) fn into_mesh(self) -> Result<(Mesh, Vec<CornerUv>), TooLarge> {
         if self.corners.len() >= MAX_VERTICES || self.positions.len() >= MAX_VERTICES {
             return Err(TooLarge);
         }
@@ -73,6 +78,7 @@ impl Soup {
             next_vertex: Vec::new(),
             mesh: Mesh::default(),
             sides: Vec::new(),
+            uv: Vec::new(),
         };
         let mut start = 0;
         let mut polygon = Polygon::default();
@@ -101,9 +107,10 @@ impl Soup {
                 };
                 polygon.vertices.push(vertex);
             }
-            maker.add(&mut polygon);
+            maker.add(&mut polygon, &self.corner_uv);
         }
-        Ok(maker.finish(normals.is_none()))
+        let uv = std::mem::take(&mut maker.uv);
+        Ok((maker.finish(normals.is_none()), uv))
     }
 }
 
@@ -145,6 +152,8 @@ struct Maker {
     mesh: Mesh,
     /// Direction and ends of each side (see [`side_key`]), and its two vertices.
     sides: Vec<(u64, [u32; 2])>,
+    /// Texture coordinates of the corners of each triangle.
+    uv: Vec<CornerUv>,
 }
 
 /// The ends of a side, the lesser first, and in the lowest bit its direction. Indices have 31 bits.
@@ -184,11 +193,15 @@ impl Maker {
         vertex
     }
 
-    fn add(&mut self, polygon: &mut Polygon) {
+    fn add(&mut self, polygon: &mut Polygon, corner_uv: &[[f32; 2]]) {
         let n = polygon.ids.len();
         polygon.triangles.clear();
         polygon::triangulate(&polygon.points, &mut polygon.triangles);
         self.mesh.triangles.extend(polygon.triangles.iter().map(|t| t.map(|i| polygon.vertices[i])));
+        if !corner_uv.is_empty() {
+            let at = |i: usize| corner_uv.get(polygon.corners[i]).copied().unwrap_or_default();
+            self.uv.extend(polygon.triangles.iter().map(|t| t.map(at)));
+        }
         for k in 0..n {
             let next = (k + 1) % n;
             let key = side_key(polygon.ids[k], polygon.ids[next]);
@@ -237,7 +250,7 @@ mod tests {
 
     #[test]
     fn a_cube_without_normals_gets_creases_and_its_twelve_edges() -> Result<(), TooLarge> {
-        let mesh = cube(false).into_mesh()?;
+        let (mesh, _) = cube(false).into_mesh()?;
         assert_eq!((mesh.positions.len(), mesh.triangles.len(), mesh.edges.len()), (24, 12, 12));
         assert!(mesh.closed);
         for t in &mesh.triangles {
@@ -249,10 +262,10 @@ mod tests {
 
     #[test]
     fn doubled_points_are_welded_before_the_border_is_looked_for() -> Result<(), TooLarge> {
-        assert!(!cube(true).into_mesh()?.closed);
+        assert!(!cube(true).into_mesh()?.0.closed);
         let mut soup = cube(true);
         soup.weld();
-        let mesh = soup.into_mesh()?;
+        let (mesh, _) = soup.into_mesh()?;
         assert!(mesh.closed);
         assert_eq!((mesh.positions.len(), mesh.edges.len()), (24, 18));
         Ok(())
@@ -262,7 +275,7 @@ mod tests {
     fn smooth_surfaces_share_their_vertices_and_their_normals_are_nearly_the_true_ones() -> Result<(), TooLarge> {
         let sphere = crate::scene::primitives::sphere(64);
         let points = sphere.positions.len();
-        let mesh =
+        let (mesh, _) =
             Soup { positions: sphere.positions, corners: sphere.triangles.concat(), ..Soup::default() }.into_mesh()?;
         assert_eq!(mesh.positions.len(), points);
         assert!(mesh.closed);
@@ -277,14 +290,14 @@ mod tests {
         let mut open = cube(false);
         open.arities.pop();
         open.corners.truncate(20);
-        assert!(!open.into_mesh()?.closed);
+        assert!(!open.into_mesh()?.0.closed);
         let mut turned = cube(false);
         turned.corners[20..].reverse();
-        assert!(!turned.into_mesh()?.closed);
+        assert!(!turned.into_mesh()?.0.closed);
         let mut more = cube(false);
         more.corners.extend([0, 0, 1, 1, 0, 5, 5, 5]);
         more.arities.extend([5, 3]);
-        let mesh = more.into_mesh()?;
+        let (mesh, _) = more.into_mesh()?;
         assert_eq!(mesh.triangles.len(), 12);
         assert!(mesh.closed);
         Ok(())

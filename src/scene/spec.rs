@@ -3,9 +3,10 @@
 use std::fmt;
 use std::str::FromStr;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
-use crate::appearance::Rgba;
+use super::TextureSource;
+use crate::appearance::{Filter, Rgba, Wrap};
 use crate::limits::DEFAULT_SEGMENTS;
 
 /// Makes `NAMED` and `name` from one list of names, patterns and values, in the order in which they are offered; where
@@ -232,6 +233,14 @@ pub struct ObjectSpec {
     pub color: Option<Rgba>,
     /// Segments of curved shapes, sides of a prism, cells of a grid; 3 … 512.
     pub segments: u32,
+    /// Its texture; `None`: that of its mesh file, where it has one.
+    pub texture: Option<TextureSource>,
+    /// The continuation of the texture beyond its border; `None`: that of the mesh file, else it repeats.
+    pub wrap: Option<Wrap>,
+    /// The way from texels to a colour; `None`: that of the mesh file, else trilinear.
+    pub filter: Option<Filter>,
+    /// Repetitions of the texture along u and v; a negative number mirrors it.
+    pub texture_scale: DVec2,
 }
 
 impl ObjectSpec {
@@ -254,6 +263,10 @@ impl ObjectSpec {
             scale: DVec3::ONE,
             color: None,
             segments: DEFAULT_SEGMENTS,
+            texture: None,
+            wrap: None,
+            filter: None,
+            texture_scale: DVec2::ONE,
         }
     }
 

@@ -210,14 +210,8 @@ mod tests {
         let mut figure = Figure::default();
         figure.scene.preset = crate::scene::Preset::Empty;
         figure.scene.objects.push(crate::scene::ObjectSpec {
-            name: "cube".to_owned(),
-            shape: Some(crate::scene::Shape::Box),
-            parent: None,
-            translate: DVec3::ZERO,
-            rotate: DVec3::ZERO,
-            scale: DVec3::ONE,
-            color: None,
             segments: 32,
+            ..crate::scene::ObjectSpec::new("cube", crate::scene::Shape::Box)
         });
         let scene = crate::views::scene_of(&figure, &mut crate::scene::no_files, &crate::progress::Progress::default())
             .unwrap();

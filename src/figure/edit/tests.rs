@@ -1,7 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use super::*;
-use crate::appearance::{HiddenLines, Rgba, Style, Theme};
+use crate::appearance::{Filter, HiddenLines, Rgba, Style, Theme, Wrap};
 use crate::camera::{Decomposition, ImageSize, Ndc, Operation, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{
     ARRANGEMENTS, DEPTH_FORMATS, DIMENSIONS, MEASURE_TEXTS, MEASURES, PANELS, PRESETS, SCREEN_MATRICES, SHADINGS,
@@ -14,7 +14,7 @@ use crate::figure::{
 };
 use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
-use crate::scene::{Light, ObjectSpec, Preset, SceneSpec, Shape};
+use crate::scene::{Light, ObjectSpec, Preset, SceneSpec, Shape, TextureSource};
 use crate::stage::Stage;
 use glam::{DMat4, DVec2, DVec3};
 use proptest::collection::vec;
@@ -73,6 +73,10 @@ fn scene() -> impl Strategy<Value = SceneSpec> {
                 .into_iter()
                 .enumerate()
                 .map(|(i, (shape, translate, scale, color, segments, child))| ObjectSpec {
+                    texture: (i % 2 == 1).then(|| TextureSource::of(["chequer", "none", "a \"b\".png"][i % 3])),
+                    wrap: (segments % 4 == 1).then_some(Wrap::Mirror),
+                    filter: (segments % 5 == 1).then_some(Filter::Nearest),
+                    texture_scale: DVec2::new(f64::from(segments) / 4.0, -1.0),
                     name: format!("peça \"{i}\""),
                     shape,
                     parent: (child && i > 0).then(|| "peça \"0\"".to_owned()),

@@ -1,17 +1,19 @@
 //! The `[scene]` section: a preset, a tree of objects, lights.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use toml_edit::Document;
 
 use super::line_of;
 use super::section::{Fault, Section};
-use crate::appearance::Theme;
+use crate::appearance::{Filter, Theme, Wrap};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
 use crate::figure::words::{self, LIGHTS, PRESETS, SHAPES};
-use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::limits::{MAX_SEGMENTS, MAX_TEXTURE_SCALE, MIN_SEGMENTS};
 use crate::scene::palette::SceneColors;
-use crate::scene::{Light, LightKind, ObjectSpec, Preset, SceneError, SceneSpec, Shape, check, preset_objects};
+use crate::scene::{
+    Light, LightKind, ObjectSpec, Preset, SceneError, SceneSpec, Shape, TextureSource, check, preset_objects,
+};
 
 /// Reads `[scene]`. Where no preset is named it is the default one, unless objects are listed: then these alone are the
 /// scene.
@@ -100,6 +102,10 @@ fn read_object(index: usize, mut section: Section<'_>, places: &mut Places, faul
         scale: read_scale(&mut section),
         color: section.color("color"),
         segments: section.integer("segments", i64::from(MIN_SEGMENTS), i64::from(MAX_SEGMENTS), segments),
+        texture: section.text("texture").map(|text| TextureSource::of(&text)),
+        wrap: section.choice("wrap", &Wrap::NAMED),
+        filter: section.choice("filter", &Filter::NAMED),
+        texture_scale: read_texture_scale(&mut section),
     };
     faults.extend(section.finish());
     object
@@ -108,6 +114,16 @@ fn read_object(index: usize, mut section: Section<'_>, places: &mut Places, faul
 /// The name of an object without one.
 fn default_name(index: usize) -> String {
     format!("object {}", index + 1)
+}
+
+fn read_texture_scale(section: &mut Section<'_>) -> DVec2 {
+    let scale = section.pair("texture_scale").unwrap_or(DVec2::ONE);
+    let is_allowed = |v: f64| v != 0.0 && v.abs() <= MAX_TEXTURE_SCALE;
+    if !scale.to_array().into_iter().all(is_allowed) {
+        section.refuse("texture_scale", Allowed::TextureScale);
+        return DVec2::ONE;
+    }
+    scale
 }
 
 fn read_scale(section: &mut Section<'_>) -> DVec3 {

@@ -1,0 +1,237 @@
+//! PNG, JPEG and WebP → texels, within limits that hold before anything is unpacked.
+
+use std::collections::BTreeMap;
+use std::io::Cursor;
+use std::sync::Arc;
+
+use image::{DynamicImage, ImageDecoder as _, ImageError, ImageReader, Limits};
+
+use crate::appearance::Texture;
+use crate::limits::{MAX_TEXELS, MAX_TEXTURE_SIDE};
+use crate::sanitize;
+use crate::scene::ReadError;
+use crate::scene::read_error::Beside;
+
+/// Why a picture cannot be used as a texture: the file, and the fault.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{file} {fault}")]
+pub struct TextureError {
+    /// The file, as its figure or mesh names it.
+    pub file: String,
+    /// The fault.
+    pub fault: TextureFault,
+}
+
+/// A fault of a picture. Displayed, it follows the name of the file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum TextureFault {
+    /// The file could not be read.
+    #[error("{}", .0.problem)]
+    Unreadable(Box<ReadError>),
+    /// Another format.
+    #[error("is no picture that is known; allowed: PNG, JPEG and WebP")]
+    Format,
+    /// The file is not whole, or not as its format asks for.
+    #[error("is damaged, or not whole")]
+    Damaged,
+    /// It is wider or higher than a texture may be.
+    #[error("has {width} × {height} pixels; allowed: at most {MAX_TEXTURE_SIDE} a side and {MAX_TEXELS} in all")]
+    TooLarge {
+        /// Its width.
+        width: u32,
+        /// Its height.
+        height: u32,
+    },
+    /// The textures of the scene have too many texels together.
+    #[error("was left out: with it the textures of this figure would have more than {MAX_TEXELS} pixels")]
+    Budget,
+}
+
+/// The meaning of the alpha of a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::scene) enum Alpha {
+    /// Opacity.
+    Kept,
+    /// None: it is opaque.
+    Ignored,
+    /// Clear below this share, opaque from there on.
+    Mask(f32),
+}
+
+/// Pictures that have been read, each once, and the texels that they may still have together.
+#[derive(Clone, Debug, Default)]
+pub(in crate::scene) struct Textures {
+    known: BTreeMap<String, Result<Arc<Texture>, TextureError>>,
+}
+
+impl Textures {
+    /// The picture in a file.
+    ///
+    /// # Errors
+    /// [`TextureError`]; a file that could not be read is tried again the next time.
+    pub(in crate::scene) fn get(
+        &mut self,
+        file: &str,
+        alpha: Alpha,
+        read_file: &mut Beside<'_>,
+    ) -> Result<Arc<Texture>, TextureError> {
+        if let Some(known) = self.known.get(&key(file, alpha)) {
+            return known.clone();
+        }
+        match read_file(file) {
+            Ok(bytes) => self.of_bytes(file, alpha, &bytes),
+            Err(error) => {
+                let fault = TextureFault::Unreadable(Box::new(error));
+                Err(TextureError { file: sanitize::path_text(file), fault })
+            }
+        }
+    }
+
+    /// The picture in the bytes of a file with this name, or of a part of one.
+    ///
+    /// # Errors
+    /// [`TextureError`].
+    pub(in crate::scene) fn of_bytes(
+        &mut self,
+        name: &str,
+        alpha: Alpha,
+        bytes: &[u8],
+    ) -> Result<Arc<Texture>, TextureError> {
+        let key = key(name, alpha);
+        if let Some(known) = self.known.get(&key) {
+            return known.clone();
+        }
+        let texels = |texture: &Texture| u64::from(texture.width()) * u64::from(texture.height());
+        let held: u64 = self.known.values().flatten().map(|texture| texels(texture)).sum();
+        let decoded = decode(bytes, alpha).and_then(|texture| {
+            if held + texels(&texture) > MAX_TEXELS { Err(TextureFault::Budget) } else { Ok(Arc::new(texture)) }
+        });
+        let decoded = decoded.map_err(|fault| TextureError { file: sanitize::path_text(name), fault });
+        self.known.insert(key, decoded.clone());
+        decoded
+    }
+
+    /// Forgets the files that `is_used` denies.
+    pub(in crate::scene) fn retain(&mut self, is_used: impl Fn(&str) -> bool) {
+        self.known.retain(|key, _| key.split_once('\n').is_some_and(|(_, file)| is_used(file)));
+    }
+}
+
+/// A file is another picture where its alpha means something else.
+fn key(file: &str, alpha: Alpha) -> String {
+    format!("{alpha:?}\n{file}")
+}
+
+/// The picture in the bytes of a file, with its levels of detail.
+///
+/// # Errors
+/// [`TextureFault`]; what is too large is refused before it is unpacked.
+pub(in crate::scene) fn decode(bytes: &[u8], alpha: Alpha) -> Result<Texture, TextureFault> {
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|_| TextureFault::Damaged)?;
+    if reader.format().is_none() {
+        return Err(TextureFault::Format);
+    }
+    let decoder = reader.into_decoder().map_err(|error| match error {
+        ImageError::Unsupported(_) => TextureFault::Format,
+        _ => TextureFault::Damaged,
+    })?;
+    let (width, height) = decoder.dimensions();
+    let is_large = width.max(height) > MAX_TEXTURE_SIDE || u64::from(width) * u64::from(height) > MAX_TEXELS;
+    if width == 0 || height == 0 {
+        return Err(TextureFault::Damaged);
+    }
+    if is_large {
+        return Err(TextureFault::TooLarge { width, height });
+    }
+    let mut decoder = decoder;
+    // 16 bits a channel, and as much again for what a decoder works with.
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(32 * MAX_TEXELS);
+    decoder.set_limits(limits).map_err(|_| TextureFault::TooLarge { width, height })?;
+    let picture = DynamicImage::from_decoder(decoder).map_err(|_| TextureFault::Damaged)?;
+    let mut rgba = picture.into_rgba8().into_raw();
+    for texel in rgba.as_chunks_mut::<4>().0.iter_mut().filter(|texel| texel[3] < 255) {
+        texel[3] = match alpha {
+            Alpha::Kept => texel[3],
+            Alpha::Ignored => 255,
+            Alpha::Mask(cutoff) => {
+                if f32::from(texel[3]) >= 255.0 * cutoff {
+                    255
+                } else {
+                    0
+                }
+            }
+        };
+        let alpha = u32::from(texel[3]);
+        for channel in &mut texel[..3] {
+            #[expect(clippy::cast_possible_truncation, reason = "a product of shares of 255")]
+            let product = ((u32::from(*channel) * alpha + 127) / 255) as u8;
+            *channel = product;
+        }
+    }
+    Ok(Texture::flat(width, height, rgba).with_levels())
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+    use image::{ExtendedColorType, ImageEncoder as _};
+
+    use super::*;
+
+    fn png(width: u32, height: u32, texels: &[u8], kind: ExtendedColorType) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        image::codecs::png::PngEncoder::new(&mut bytes).write_image(texels, width, height, kind).unwrap();
+        bytes
+    }
+
+    #[test]
+    fn a_picture_is_premultiplied_and_has_its_levels() {
+        let bytes = png(2, 1, &[200, 100, 50, 255, 200, 100, 50, 128], ExtendedColorType::Rgba8);
+        let texture = decode(&bytes, Alpha::Kept).unwrap();
+        assert_eq!(texture.levels()[0].rgba, [200, 100, 50, 255, 100, 50, 25, 128]);
+        assert_eq!(texture.levels().len(), 2);
+    }
+
+    #[test]
+    fn sixteen_bits_and_grey_are_read_too() {
+        let grey = decode(&png(1, 1, &[77], ExtendedColorType::L8), Alpha::Kept).unwrap();
+        assert_eq!(grey.levels()[0].rgba, [77, 77, 77, 255]);
+        let deep: Vec<u8> = [0xffff_u16, 0x8080, 0].iter().flat_map(|v| v.to_ne_bytes()).collect();
+        let deep = decode(&png(1, 1, &deep, ExtendedColorType::Rgb16), Alpha::Kept).unwrap();
+        assert_eq!(deep.levels()[0].rgba, [255, 128, 0, 255]);
+    }
+
+    #[test]
+    fn what_is_no_whole_picture_is_told_why() {
+        assert_eq!(decode(b"v 0 0 0\n", Alpha::Kept), Err(TextureFault::Format));
+        assert_eq!(decode(b"", Alpha::Kept), Err(TextureFault::Format));
+        // A format that is known to the library and not read here.
+        assert_eq!(decode(b"GIF89a\x01\0\x01\0\0\0\0", Alpha::Kept), Err(TextureFault::Format));
+        let whole = png(16, 16, &[9; 1024], ExtendedColorType::Rgba8);
+        for end in [8, 20, 40, whole.len() - 20] {
+            assert!(matches!(decode(&whole[..end], Alpha::Kept), Err(TextureFault::Damaged)), "{end}");
+        }
+    }
+
+    #[test]
+    fn a_bomb_is_refused_by_what_it_says_of_itself() {
+        let mut bytes = png(1, 1, &[0], ExtendedColorType::L8);
+        // Width and height are the first numbers after the name of the first chunk; its sum is no longer right then.
+        for (width, height) in [(65_535_u32, 1_u32), (16_000, 16_000)] {
+            bytes[16..20].copy_from_slice(&width.to_be_bytes());
+            bytes[20..24].copy_from_slice(&height.to_be_bytes());
+            let sum = crc(&bytes[12..29]);
+            bytes[29..33].copy_from_slice(&sum.to_be_bytes());
+            assert_eq!(decode(&bytes, Alpha::Kept), Err(TextureFault::TooLarge { width, height }));
+        }
+    }
+
+    /// The checksum of a chunk (ISO 3309).
+    fn crc(bytes: &[u8]) -> u32 {
+        !bytes.iter().fold(!0_u32, |crc, byte| {
+            (0..8).fold(crc ^ u32::from(*byte), |crc, _| if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 })
+        })
+    }
+}
