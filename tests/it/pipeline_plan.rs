@@ -4,13 +4,15 @@
 
 use std::sync::Arc;
 
-use camera_lab::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style, Texture, Visibility};
+use camera_lab::appearance::{
+    Dash, HiddenLines, LineStyle, MarkShape, Rgba, Sampler, Shading, Style, Texture, Visibility,
+};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab::pipeline::plan::{Options, Output, Reason, Stage};
 use camera_lab::pipeline::{Containment, FacesDone, Frame, Pipeline, Target};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Adjacency, Light, Line, Mesh, Object, ObjectPaint, PointMark, Scene, primitives};
-use glam::{DMat4, DQuat, DVec3, EulerRot, Vec3, Vec3Swizzles};
+use camera_lab::scene::{Adjacency, Light, Line, Mesh, Object, ObjectPaint, Pictured, PointMark, Scene, primitives};
+use glam::{DMat4, DQuat, DVec3, EulerRot, Vec3Swizzles};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -248,17 +250,13 @@ pub(crate) fn any_object() -> impl Strategy<Value = Object> {
             let paint = match kind % 9 {
                 0 | 1 => ObjectPaint::Faces(varied(mesh.triangles.len())),
                 2 | 3 => ObjectPaint::Vertices(varied(mesh.positions.len())),
-                4 => ObjectPaint::Texture {
-                    image: Arc::new(Texture {
-                        width: 2,
-                        height: 2,
-                        rgba: (0..16).map(|i| 255 - 30 * (i % 4)).collect(),
-                    }),
-                    uv: Arc::new(
-                        mesh.positions.iter().map(|p| p.as_vec3().abs().min(Vec3::ONE).xz().to_array()).collect(),
-                    ),
-                    opacity: color.a,
-                },
+                4 => {
+                    let image = Texture::flat(2, 2, (0..16).map(|i| 255 - 30 * (i % 4)).collect());
+                    let uv = mesh.positions.iter().map(|p| (2.0 * p.as_vec3()).xz().to_array()).collect();
+                    let plain = Pictured::plain(Arc::new(image.with_levels()), uv, color.a);
+                    let sampler = [Sampler::PICTURE, Sampler::default()][usize::from(kind) / 9 % 2];
+                    ObjectPaint::Texture(Pictured { sampler, tint: color, ..plain })
+                }
                 _ => ObjectPaint::Solid(color),
             };
             let name = "thing".into();

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use camera_lab::appearance::{Rgba, Texture};
+use camera_lab::appearance::{Rgba, Sampler, Texture};
 use camera_lab::drawing::{Base, Drawing, Lighting, PixelLight, Surface, SurfaceLight, ViewLight};
 use camera_lab::lighting::shade;
 
@@ -90,11 +90,16 @@ fn a_texture_laid_pixel_on_texel_is_itself() {
     let mut random = Random(10);
     let rgba: Vec<u8> =
         (0..16 * 8).flat_map(|_| [random.next() as u8, random.next() as u8, random.next() as u8, 255]).collect();
-    let image = Arc::new(Texture { width: 16, height: 8, rgba: rgba.clone() });
+    let image = Arc::new(Texture::flat(16, 8, rgba.clone()));
     let corners = vec![[2.0, 1.0, 0.5], [18.0, 1.0, 0.5], [18.0, 9.0, 0.5], [2.0, 9.0, 0.5]];
     let uv = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     for translucent in [false, true] {
-        let paint_ = Base::Texture { image: Arc::clone(&image), uv: uv.clone(), opacity: 255 };
+        let paint_ = Base::Texture {
+            image: Arc::clone(&image),
+            sampler: Sampler::PICTURE,
+            uv: uv.clone(),
+            tint: Rgba::rgb(255, 255, 255),
+        };
         let mut s = surface(corners.clone(), vec![[0, 1, 2], [0, 2, 3]], paint_);
         s.translucent = translucent;
         let pixmap = paint(&drawing(20, 10, 1, vec![s]));
@@ -110,10 +115,14 @@ fn a_texture_laid_pixel_on_texel_is_itself() {
 #[test]
 fn a_texture_on_a_slanted_square_converges() {
     // Two columns, black and white: their border is at the middle in space, not on the picture.
-    let image = Arc::new(Texture { width: 2, height: 1, rgba: vec![0, 0, 0, 255, 255, 255, 255, 255] });
+    let image = Arc::new(Texture::flat(2, 1, vec![0, 0, 0, 255, 255, 255, 255, 255]));
     let corners = vec![[0.0, 0.0, 0.9], [60.0, 10.0, 0.3], [60.0, 30.0, 0.3], [0.0, 40.0, 0.9]];
     let uv = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    let mut s = surface(corners, vec![[0, 1, 2], [0, 2, 3]], Base::Texture { image, uv, opacity: 255 });
+    let mut s = surface(
+        corners,
+        vec![[0, 1, 2], [0, 2, 3]],
+        Base::Texture { image, sampler: Sampler::PICTURE, uv, tint: Rgba::rgb(255, 255, 255) },
+    );
     // Left edge at distance 1, right edge at 2 (half as high): the middle is at x = 60 · (1/2)/(1/2 + 1)… = 40.
     s.inverse_w = vec![1.0, 0.5, 0.5, 1.0];
     let pixmap = paint(&drawing(60, 40, 1, vec![s]));
@@ -143,7 +152,7 @@ fn light_at_each_pixel_is_the_formula_at_that_pixel_on_every_base() {
     let triangle = [[0.0, 0.0, 0.5], [32.0, 0.0, 0.5], [0.0, 32.0, 0.5]];
     let image = |alpha: u8| {
         let texel = [color.r, color.g, color.b, 255].map(|c| (u16::from(c) * u16::from(alpha) / 255) as u8);
-        Arc::new(Texture { width: 2, height: 1, rgba: texel.repeat(2) })
+        Arc::new(Texture::flat(2, 1, texel.repeat(2)))
     };
     let bases = |alpha: u8| {
         let color = color.with_alpha(alpha);
@@ -151,8 +160,18 @@ fn light_at_each_pixel_is_the_formula_at_that_pixel_on_every_base() {
             Base::Solid(color),
             Base::Faces(vec![color]),
             Base::Vertices(vec![color; 3]),
-            Base::Texture { image: image(alpha), uv: vec![[0.0; 2], [1.0, 0.0], [0.0, 1.0]], opacity: 255 },
-            Base::Texture { image: image(255), uv: vec![[0.5; 2]; 3], opacity: alpha },
+            Base::Texture {
+                image: image(alpha),
+                sampler: Sampler::PICTURE,
+                uv: vec![[0.0; 2], [1.0, 0.0], [0.0, 1.0]],
+                tint: Rgba::rgb(255, 255, 255),
+            },
+            Base::Texture {
+                image: image(255),
+                sampler: Sampler::PICTURE,
+                uv: vec![[0.5; 2]; 3],
+                tint: Rgba::rgba(255, 255, 255, alpha),
+            },
         ]
     };
     for (base, alpha) in [255, 51].into_iter().flat_map(|alpha| bases(alpha).map(|base| (base, alpha))) {

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use camera_lab::appearance::{Rgba, Texture};
+use camera_lab::appearance::{Rgba, Sampler, Texture};
 use camera_lab::drawing::{Base, Drawing, Lighting, PixelLight, Surface, SurfaceLight};
 use camera_lab::limits::MAX_SIDE;
 use camera_lab::progress::at_once;
@@ -515,19 +515,33 @@ fn nonsense_is_left_out_without_harm() {
         Base::Faces(Vec::new()),
         Base::Vertices(vec![BLACK; 2]),
         Base::Texture {
-            image: Arc::new(Texture { width: 0, height: 7, rgba: Vec::new() }),
+            image: Arc::new(Texture::flat(0, 7, Vec::new())),
+            sampler: Sampler::PICTURE,
             uv: Vec::new(),
-            opacity: 9,
+            tint: BLACK.with_alpha(9),
         },
         Base::Texture {
-            image: Arc::new(Texture { width: 9, height: 9, rgba: vec![1; 5] }),
+            image: Arc::new(Texture::flat(9, 9, vec![1; 5])),
+            sampler: Sampler::PICTURE,
             uv: vec![[f32::NAN, 1e30]; 4],
-            opacity: 255,
+            tint: BLACK,
+        },
+        Base::Texture {
+            image: Arc::new(Texture::flat(9, 9, vec![1; 5]).with_levels()),
+            sampler: Sampler::default(),
+            uv: vec![[f32::NAN, f32::INFINITY], [1e30, -1e30], [f32::MAX, f32::MIN], [0.0, -0.0]],
+            tint: BLACK,
         },
     ];
     let lit = PixelLight { normals: Vec::new(), positions: Vec::new(), lighting: Lighting::default() };
     let long = PixelLight { normals: vec![[f32::NAN; 3]; 4], positions: vec![[1e30; 3]; 4], ..lit.clone() };
-    let lights = [SurfaceLight::InBase, SurfaceLight::PerPixel(lit), SurfaceLight::PerPixel(long)];
+    let lights = [
+        SurfaceLight::InBase,
+        SurfaceLight::Faces(Vec::new()),
+        SurfaceLight::Vertices(vec![[f32::NAN, 1e30]; 4]),
+        SurfaceLight::PerPixel(lit),
+        SurfaceLight::PerPixel(long),
+    ];
     for (base, light) in bases.iter().flat_map(|base| lights.iter().map(move |light| (base, light))) {
         for value in bad {
             for slot in 0..3 {
