@@ -52,14 +52,11 @@ fn the_corridor_as_distances_in_the_dark_in_portuguese() {
 /// A glass box before the house, which leaves no depth.
 fn with_glass(mut figure: Figure) -> Figure {
     figure.scene.objects.push(ObjectSpec {
-        name: "glass".to_owned(),
-        shape: Some(Shape::Box),
-        parent: None,
         translate: DVec3::new(1.5, 1.0, 2.0),
-        rotate: DVec3::ZERO,
         scale: DVec3::splat(0.5),
         color: Some("#4477aa80".parse().unwrap()),
         segments: 32,
+        ..ObjectSpec::new("glass", Shape::Box)
     });
     figure
 }
