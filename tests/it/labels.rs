@@ -238,8 +238,8 @@ fn the_labels_of_both_sides_of_a_comparison_are_the_authors() {
         let labels = |text: &str| {
             let request = request(&parse(text).unwrap(), View::World, Lang::En);
             let mut picture = camera_lab::picture::Pixels::default();
-            let report = Renderer::default().pixels_into(&request, &mut picture);
-            camera_lab::progress::at_once(report).unwrap().labels
+            let mut renderer = Renderer::default();
+            camera_lab::progress::at_once(renderer.pixels_into(&request, &mut picture)).unwrap().labels
         };
         let of = |labels: &[LabelPlace], name: &str| {
             labels.iter().filter(|label| label.name == name).cloned().collect::<Vec<_>>()

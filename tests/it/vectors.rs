@@ -189,6 +189,22 @@ fn every_name_is_a_text_that_can_be_searched() {
     }
 }
 
+/// Inkscape and librsvg drop a space at the beginning of a run that has a place of its own.
+#[test]
+fn the_space_after_a_subscript_is_kept() {
+    let figure = parse("[scene]\npreset = \"cube\"\n").unwrap();
+    let sheet = sheet(&figure, Views::One(View::Canonical), &request(&figure, SIZE));
+    let svg = svg_of(&sheet, FileOptions::of(PictureFormat::Svg), &figure);
+    let mut with_space = 0;
+    for text in svg.split("<text").skip(1).filter_map(|rest| rest.split_once("</text>")) {
+        let (text, _) = text;
+        let has_space = text.split("<tspan").skip(2).any(|run| run.contains("> "));
+        with_space += usize::from(has_space);
+        assert_eq!(has_space, text.starts_with(" xml:space=\"preserve\""), "{text}");
+    }
+    assert!(with_space >= 2, "near (z_n = −1) and far (z_n = 1)");
+}
+
 #[test]
 fn browsers_get_the_letters_of_every_text() {
     let text = "[scene]\npreset = \"house\"\n[labels]\nletters = \"mathematics\"\n[[labels.renamed]]\nname = \"C\"\ntext = 'eye ≠ $\\mathbf{e}_0$'\n";
