@@ -363,6 +363,25 @@ fn latex_sets_the_names_in_the_documents_font_over_a_pdf_beside_it() {
         let words = String::from_utf8(words.stdout).unwrap();
         assert!(words.contains("VUP") && words.contains("PF") && words.contains("DOP"), "{words}");
     }
+    // Compiled alone, it is a page as large as the picture.
+    let alone = Command::new("pdflatex")
+        .args(["-interaction=nonstopmode", "-halt-on-error", "figure.tex"])
+        .current_dir(bench.path("."))
+        .output()
+        .unwrap();
+    assert!(alone.status.success(), "{}", String::from_utf8_lossy(&alone.stdout));
+    if has("pdfinfo") {
+        let info = Command::new("pdfinfo").arg(bench.path("figure.pdf")).output().unwrap();
+        let info = String::from_utf8(info.stdout).unwrap();
+        let art = Command::new("pdfinfo").arg(bench.path("my-figure-art.pdf")).output().unwrap();
+        let art = String::from_utf8(art.stdout).unwrap();
+        let line = |info: &str, key: &str| info.lines().find(|line| line.starts_with(key)).unwrap().to_owned();
+        let number =
+            |line: &str| -> Vec<f64> { line.split_whitespace().filter_map(|word| word.parse().ok()).collect() };
+        assert_eq!(number(&line(&info, "Pages:")), [1.0]);
+        let [page, art] = [&info, &art].map(|info| number(&line(info, "Page size:")));
+        assert!(page.iter().zip(&art).all(|(a, b)| (a - b).abs() < 0.5), "{page:?} {art:?}");
+    }
 }
 
 #[test]
