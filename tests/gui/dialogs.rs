@@ -296,8 +296,8 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     };
     window.run();
     for (field, side) in [("picture width", width), ("picture height", height)] {
-        let shown = window.harness.get_by_label(field).value();
-        assert_eq!(shown, Some(side.to_string()), "{field}");
+        let shown = window.field(field).accesskit_node().numeric_value();
+        assert_eq!(shown, Some(f64::from(side)), "{field}");
     }
     window.quick_choice("in each row", "projection");
     assert_eq!(family(&window).second.values, "perspective, parallel");
