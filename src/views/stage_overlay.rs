@@ -29,6 +29,8 @@ const GLASS: u8 = 150;
 /// The beginnings of the names of labels at objects and at vertices; the object's name or a number, from 1, follows.
 const OBJECT: &str = "object:";
 const VERTEX: &str = "vertex:";
+/// The objects that the pictures add to the scene.
+const OWN: [&str; 4] = ["camera", "volume", "window", "near"];
 /// The names of the words over the two halves of a picture.
 const GOES_IN: &str = "goes-in";
 const COMES_OUT: &str = "comes-out";
@@ -279,10 +281,11 @@ fn object_label(name: &str) -> String {
     format!("{OBJECT}{name}")
 }
 
-/// True for the names of labels that belong to these objects, as they are shown, or to vertices of a stage.
+/// True for the names of labels of a stage, in a scene with these objects, as they are shown.
 pub(super) fn is_label(name: &str, objects: &[String]) -> bool {
+    let is_object = |name: &str| OWN.contains(&name) || objects.iter().any(|object| object == name);
     let is_number = |number: &str| number.parse().is_ok_and(|number: usize| (1..=MOST_NUMBERS).contains(&number));
     [GOES_IN, COMES_OUT].contains(&name)
-        || name.strip_prefix(OBJECT).is_some_and(|name| objects.iter().any(|object| object == name))
+        || name.strip_prefix(OBJECT).is_some_and(is_object)
         || name.strip_prefix(VERTEX).is_some_and(is_number)
 }

@@ -177,7 +177,9 @@ fn labels_of_a_comparison_are_dragged_on_either_side() {
 #[test]
 fn a_legend_is_dragged_as_a_whole_and_hidden_from_a_line_of_it() {
     let mut window = window(Lang::En);
-    window.app_mut().state.document.edit(|figure| figure.reveal.outside = Outside::Tinted);
+    let state = &mut window.app_mut().state;
+    state.document.set_parameters(Parameters { near: 2.0, far: 2.5, ..Parameters::default() });
+    state.document.edit(|figure| figure.reveal.outside = Outside::Tinted);
     window.run();
     let (before, place) = shown(&mut window, "legend:outside").unwrap();
     window.drag(place, vec2(50.0, -40.0), |_| {});
