@@ -99,7 +99,7 @@ impl Canvas {
                 state.document.edit_labels(|labels| labels.style(name, size, Some(Rgba::rgb(r, g, b))));
             }
         });
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             let hide = if note_index(name).is_some() { t.delete } else { t.hide };
             if ui.button(hide).clicked() {
                 state.document.edit_labels(|labels| labels.hide(name));
