@@ -178,9 +178,13 @@ fn labels_of_a_comparison_are_dragged_on_either_side() {
 fn a_legend_is_dragged_as_a_whole_and_hidden_from_a_line_of_it() {
     let mut window = window(Lang::En);
     let state = &mut window.app_mut().state;
-    state.document.set_parameters(Parameters { near: 2.0, far: 2.5, ..Parameters::default() });
+    state.document.set_parameters(Parameters { near: 2.0, far: 7.0, ..Parameters::default() });
     state.document.edit(|figure| figure.reveal.outside = Outside::Tinted);
+    state.document.commit();
     window.run();
+    let names: Vec<String> =
+        window.app_mut().canvas.labels(View::World).iter().map(|label| label.name.clone()).collect();
+    assert!(names.iter().any(|name| name == "legend:outside"), "{names:?}");
     let (before, place) = shown(&mut window, "legend:outside").unwrap();
     window.drag(place, vec2(50.0, -40.0), |_| {});
     let (after, place) = shown(&mut window, "legend:outside").unwrap();

@@ -206,13 +206,13 @@ fn what_a_stage_says_is_the_authors_too() {
     let figure = FIGURE.replace("cube", "house");
     let stage = |stage: &str, view: &str| format!("{figure}[show]\nstage = \"{stage}\"\nstage_of = \"{view}\"\n");
     for (name, shown, view) in [
-        ("cull-objects", "object:roof", View::Image),
-        ("cull-objects", "object:camera", View::World),
+        ("traverse", "object:roof", View::Image),
+        ("traverse", "object:camera", View::World),
         ("transform", "vertex:1", View::Image),
         ("lines", "goes-in", View::Image),
         ("lines", "comes-out", View::World),
         ("transform", "legend:vertices", View::Image),
-        ("cull-objects", "legend:comes-out", View::Image),
+        ("traverse", "legend:comes-out", View::Image),
     ] {
         let text = stage(name, view.name());
         let names: Vec<String> = drawing(&text, view).labels.into_iter().map(|label| label.name).collect();
