@@ -23,25 +23,29 @@ paper="--width-cm 8 --letters 8 --lang $lang"
 
 if command -v pdftotext >/dev/null; then
     has() { # FIGURE NAME...
-        text=$(pdftotext -raw "$to/$1.pdf" -)
+        # A name stands between spaces: "n" is not found in "window".
+        text=" $(pdftotext -raw "$to/$1.pdf" - | tr '\n\f' '  ') "
         figure=$1
         shift
         for name; do
-            case $text in *"$name"*) ;; *) echo "$figure.pdf lacks \"$name\"" >&2 && exit 1 ;; esac
+            case $text in *" $name "*) ;; *) echo "$figure.pdf lacks \"$name\"" >&2 && exit 1 ;; esac
         done
     }
     # Every name in them; words by the language.
     case $lang in
-        pt-BR) window='janela (F)' far='fundo' near='frente' new='criado pelo recorte' ;;
-        *) window='window (F)' far='far' near='near' new='made by clipping' ;;
+        pt-BR) window='janela (F)' far='fundo' near='frente' new='criado pelo recorte'
+            parallel=paralela perspective=perspectiva painter=pintor buffer=z-buffer ;;
+        *) window='window (F)' far='far' near='near' new='made by clipping'
+            parallel=parallel perspective=perspective painter=painter buffer='depth buffer' ;;
     esac
-    corners='(1, 1, 1)'
+    # The corners of the canonical volume that have room for their names.
+    low='(−1, −1, −1)' high='(1, 1, 1)'
     has a-camera C PF VUP DOP u v n x y z "$window" "$far (B)"
-    has b-canonical xn yn zn "$near (zn = −1)" "$far (zn = 1)" "$corners" '(−1, −1, −1)'
-    has c-projections '(a)' '(b)'
-    has d-visibility '(a)' '(b)'
+    has b-canonical xn yn zn "$near (zn = −1)" "$far (zn = 1)" "$low" "$high"
+    has c-projections "(a) $parallel" "(b) $perspective"
+    has d-visibility "(a) $painter" "(b) $buffer"
     has e-angles '(a) θ = 20°' '(b) θ = 40°' '(c) θ = 60°' '(d) θ = 90°'
-    has f-clipping xn yn zn "$near (zn = −1)" "$far (zn = 1)" "$corners" '(−1, −1, −1)' "$new"
+    has f-clipping xn yn zn "$near (zn = −1)" "$far (zn = 1)" "$low" "$high" "$new"
 fi
 
 if command -v pdflatex >/dev/null; then

@@ -262,13 +262,20 @@ fn pixels_of(sheet: &Composite) -> [u64; 2] {
 fn play(args: &PlayArgs, lang: Lang) -> Result<Box<Opening>, Failure> {
     let Found { lesson, path } = find(&args.which, lang)?;
     let step = args.step(lesson.steps.len(), lang)?;
-    let figure = lesson.steps.get(step).map_or_else(Figure::default, |step| (*step.figure).clone());
-    Ok(Box::new(Opening {
-        figure,
-        file: None,
-        allow_files: args.which.allow_files,
-        lang,
-        asked_lang: args.which.lang.map(LangArg::lang),
-        lesson: Some(OpenLesson { lesson, path, step }),
-    }))
+    let asked_lang = args.which.lang.map(LangArg::lang);
+    Ok(Box::new(opening(OpenLesson { lesson, path, step }, args.which.allow_files, (lang, asked_lang))))
+}
+
+/// The window that plays the lesson in a file or a link.
+///
+/// # Errors
+/// It cannot be read, or holds no lesson.
+pub(super) fn opened(path: &Path, allow_files: bool, langs: (Lang, Option<Lang>)) -> Result<Opening, Failure> {
+    let (lesson, _) = read(path, langs.0)?;
+    Ok(opening(OpenLesson { lesson: Arc::new(lesson), path: Some(path.to_owned()), step: 0 }, allow_files, langs))
+}
+
+fn opening(open: OpenLesson, allow_files: bool, (lang, asked_lang): (Lang, Option<Lang>)) -> Opening {
+    let figure = open.lesson.steps.get(open.step).map_or_else(Figure::default, |step| (*step.figure).clone());
+    Opening { figure, file: None, allow_files, lang, asked_lang, lesson: Some(open) }
 }

@@ -4,11 +4,15 @@ use super::args::WindowArgs;
 use super::words::LangArg;
 use super::{Failure, Opening};
 use crate::figure::Figure;
+use crate::files;
 use crate::i18n::{Lang, messages};
 use crate::scene::Preset;
 
 pub(super) fn opening(args: &WindowArgs, lang: Lang) -> Result<Opening, Failure> {
     let (allow_files, asked_lang) = (args.common.allow_files, args.common.lang.map(LangArg::lang));
+    if let Some(path) = args.figure.as_ref().filter(|path| files::is_lesson(path)) {
+        return super::lesson::opened(path, allow_files, (lang, asked_lang));
+    }
     if let Some(path) = &args.figure {
         let (opened, _) = super::open(path, &args.common, lang)?;
         let (figure, file) = opened.at(path);

@@ -170,7 +170,8 @@ impl Labels {
                 color: note.color,
             };
         }
-        let moved = |view: Option<View>| self.moved.iter().find(|moved| moved.name == name && moved.view == view);
+        let moves = |moved: &&MovedLabel| moved_as(&moved.name) == moved_as(name);
+        let moved = |view: Option<View>| self.moved.iter().filter(moves).find(|moved| moved.view == view);
         let style = self.styled.iter().find(|style| style.name == name);
         LabelChange {
             hidden: self.hidden.iter().any(|hidden| hidden == name),
@@ -187,7 +188,8 @@ impl Labels {
             note.by = Some(by);
             return;
         }
-        match self.moved.iter_mut().find(|moved| moved.name == name && moved.view == Some(view)) {
+        let name = moved_as(name);
+        match self.moved.iter_mut().find(|moved| moved_as(&moved.name) == name && moved.view == Some(view)) {
             Some(moved) => moved.by = by,
             None => self.moved.push(MovedLabel { name: name.to_owned(), view: Some(view), by }),
         }
@@ -250,7 +252,7 @@ impl Labels {
         }
         self.show(name);
         self.renamed.retain(|renamed| renamed.name != name);
-        self.moved.retain(|moved| moved.name != name);
+        self.moved.retain(|moved| moved_as(&moved.name) != moved_as(name));
         self.styled.retain(|styled| styled.name != name);
     }
 
@@ -327,6 +329,20 @@ pub fn note_name(index: usize) -> String {
 #[must_use]
 pub fn note_index(name: &str) -> Option<usize> {
     name.strip_prefix(NOTE)?.parse::<usize>().ok()?.checked_sub(1)
+}
+
+/// The name of a legend as a whole: it is hidden, moved and styled by it.
+pub const LEGEND: &str = "legend";
+
+/// True for the name of a line of a legend: `legend:depth`.
+#[must_use]
+pub fn is_in_legend(name: &str) -> bool {
+    name.strip_prefix(LEGEND).is_some_and(|rest| rest.starts_with(':'))
+}
+
+/// The name of what moves with a label: a legend moves as a whole.
+fn moved_as(name: &str) -> &str {
+    if is_in_legend(name) { LEGEND } else { name }
 }
 
 /// Why a text cannot be that of a label.

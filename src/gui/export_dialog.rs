@@ -127,7 +127,7 @@ fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Exp
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 8.0;
         let copying = preview.is_copying();
-        let fits = can_be_copied(export);
+        let fits = can_be_copied(export, preview.size().unwrap_or([export.width, export.height]));
         let button = ui.add_enabled(valid && fits && !copying, egui::Button::new(t.export_copy));
         let hint = match (fits, export.format.is_vector()) {
             (true, false) => t.export_copy_hint,
@@ -227,8 +227,19 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mu
     let mut errors = ui.add_enabled_ui(on_paper, |ui| paper(ui, t, export, crowded)).inner;
     errors.retain(|_| on_paper);
     export.fit_screen(state.picture_sizes, state.screen_scale);
+    // A family in multiples of the screen is larger than its figure.
+    let of_family = state.file_flow.preview.as_ref().and_then(Preview::size);
+    let of_family = of_family.filter(|_| size.0.is_some() && state.family.variations().is_some());
     errors.extend(row(ui, "", t.export_pixels, "", |ui| {
-        ui.add_enabled_ui(size == (None, false), |ui| pixels(ui, t, export)).inner
+        ui.add_enabled_ui(size == (None, false), |ui| match of_family {
+            Some([width, height]) => {
+                pixels(ui, t, &mut Export { width, height, ..*export });
+                // Its faults are said in place of the preview.
+                Vec::new()
+            }
+            None => pixels(ui, t, export),
+        })
+        .inner
     }));
     for (field, error) in &errors {
         complaint(ui, &format!("{field}: {}", error.text(t.lang)));

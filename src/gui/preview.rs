@@ -28,6 +28,8 @@ pub struct Preview {
     texture: Option<TextureHandle>,
     /// The message where several pictures have little space on their paper.
     pub(super) crowded: Option<Crowded>,
+    /// Width and height in pixels of what is exported: a family may be far larger than the picture of its figure.
+    size: Option<[u32; 2]>,
     /// Why there is no picture.
     pub(super) fault: Option<ExportError>,
     /// The result of the last copy.
@@ -46,8 +48,8 @@ struct PreviewJob {
 
 /// The result of a job.
 enum Drawn {
-    /// Pixels, and the message where several pictures have little space on their paper.
-    Picture(Pixels, Option<Crowded>),
+    /// Pixels, the message where several pictures have little space on their paper, and the size of the export.
+    Picture(Pixels, Option<Crowded>, [u32; 2]),
     /// A picture of vectors as text.
     Svg(String),
 }
@@ -63,14 +65,13 @@ impl std::fmt::Debug for Preview {
 impl Default for Preview {
     fn default() -> Self {
         let worker = Worker::new("preview", clock::now, work);
-        Self { worker, asked: None, texture: None, crowded: None, fault: None, copied: None }
+        Self { worker, asked: None, texture: None, crowded: None, size: None, fault: None, copied: None }
     }
 }
 
 fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
     async |PreviewJob { subject, export, room, as_svg }, progress: &Progress| {
         let sheet = subject.sheet(&export, progress)?;
-        // A family may be far larger than the picture of its figure.
         let size = sheet.size().unwrap_or([export.width, export.height]);
         let sheet = sheet.reduced(room.map_or(1.0, |room| factor(size, room)));
         if as_svg {
@@ -79,7 +80,7 @@ fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
             return Ok(Drawn::Svg(String::from_utf8_lossy(&file.bytes).into_owned()));
         }
         let (pixels, _) = picture::assembled(&sheet, export.crop, progress).await?;
-        Ok(Drawn::Picture(pixels, sheet.crowded))
+        Ok(Drawn::Picture(pixels, sheet.crowded, size))
     }
 }
 
@@ -95,18 +96,20 @@ impl Preview {
     ) {
         let [shown, copied] = self.worker.take(Duration::ZERO);
         match shown.map(|done| done.outcome.unwrap_or(Err(ExportError::Panic))) {
-            Some(Ok(Drawn::Picture(picture, crowded))) => {
-                self.crowded = crowded;
+            Some(Ok(Drawn::Picture(picture, crowded, size))) => {
+                (self.crowded, self.size) = (crowded, Some(size));
                 self.texture = Some(ctx.load_texture("export preview", image(&picture), TextureOptions::LINEAR));
                 self.fault = None;
             }
-            Some(Err(error)) => (self.texture, self.crowded, self.fault) = (None, None, Some(error)),
+            Some(Err(error)) => {
+                (self.texture, self.crowded, self.size, self.fault) = (None, None, None, Some(error));
+            }
             Some(Ok(Drawn::Svg(_))) | None => {}
         }
         if let Some(done) = copied {
             let outcome = done.outcome.unwrap_or(Err(ExportError::Panic));
             self.copied = Some(outcome.map(|drawn| match drawn {
-                Drawn::Picture(picture, _) => ctx.copy_image(image(&picture)),
+                Drawn::Picture(picture, ..) => ctx.copy_image(image(&picture)),
                 Drawn::Svg(text) => ctx.copy_text(text),
             }));
         }
@@ -122,6 +125,12 @@ impl Preview {
     #[must_use]
     pub fn texture(&self) -> Option<&TextureHandle> {
         self.texture.as_ref()
+    }
+
+    /// Width and height in pixels of what is exported, once there is a picture.
+    #[must_use]
+    pub fn size(&self) -> Option<[u32; 2]> {
+        self.size
     }
 
     /// Draws the picture at its size, and puts it on the clipboard then: vectors as the text of an SVG file.
@@ -140,9 +149,9 @@ impl Preview {
     }
 }
 
-/// Whether an export is small enough for the clipboard.
-pub(super) fn can_be_copied(export: &Export) -> bool {
-    export.format.is_vector() || u64::from(export.width) * u64::from(export.height) <= MAX_COPIED_PIXELS
+/// Whether an export of this size is small enough for the clipboard.
+pub(super) fn can_be_copied(export: &Export, [width, height]: [u32; 2]) -> bool {
+    export.format.is_vector() || u64::from(width) * u64::from(height) <= MAX_COPIED_PIXELS
 }
 
 fn image(picture: &Pixels) -> ColorImage {

@@ -19,6 +19,8 @@ texts! {
     larger: "larger", "maior";
     color: "colour", "cor";
     hide: "Hide", "Ocultar";
+    hide_legend: "Hide the legend", "Ocultar a legenda";
+    legend_hint: "Hides all of it; dragging one of its lines moves all of it", "Oculta-a inteira; arrastar uma de suas linhas a move inteira";
     delete: "Delete", "Excluir";
     automatic: "Automatic again", "Automático de novo";
     automatic_hint: "The label has its own text, place, size and colour again; a note keeps its text", "O rótulo volta a ter seu texto, lugar, tamanho e cor; uma nota conserva seu texto";

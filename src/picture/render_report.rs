@@ -18,7 +18,7 @@ pub struct RenderReport {
     pub total: Duration,
     /// The shortfall; also without a clock.
     pub too_much: Option<OverBudget>,
-    /// Where its labels are; also without a clock. Of a picture that is compared, none.
+    /// Where its labels are; also without a clock. Of a picture that is compared, those of both sides that are seen.
     pub labels: Vec<LabelPlace>,
 }
 

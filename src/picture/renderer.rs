@@ -12,7 +12,7 @@ use crate::pipeline::{Frame, OverBudget};
 use crate::progress::{Progress, at_once};
 use crate::raster::Rasterizer;
 use crate::scene::Scene;
-use crate::views::{self, LabelPlace, Palette, Request, SharedScene, Size, TimedPipeline, View, overlay};
+use crate::views::{self, LabelPlace, Palette, Request, SharedScene, Side, Size, TimedPipeline, View, overlay};
 
 /// Makes pictures; keeps its buffers, and the image on the view window, from one to the next.
 ///
@@ -63,7 +63,7 @@ impl Renderer {
 
     /// A picture as [`pixels`](Self::pixels) gives it, over another one, and how it came about. Where the result is
     /// `None`, the other one is lost too. It pauses where [`Rasterizer::paint_into`] does. Where the figure is
-    /// compared, the report is that of the figure as it is, with the shortfall of either side.
+    /// compared, the report is that of the figure as it is, with the shortfall and the labels of either side.
     pub async fn pixels_into(&mut self, request: &Request, picture: &mut Pixels) -> Option<RenderReport> {
         let Some(sides) = request.sides() else { return self.one_into(request, picture).await };
         let mut pictures = [Pixels::default(), std::mem::take(&mut self.other_side)];
@@ -71,14 +71,16 @@ impl Renderer {
         let of_other = self.one_into(&other, &mut pictures[1]).await?;
         let mut account = self.one_into(&sides[0].request, &mut pictures[0]).await?;
         account.too_much = account.too_much.or(of_other.too_much);
-        account.labels.clear();
+        account.labels = labels_of([account.labels, of_other.labels], &sides);
         let Size { width, height, scale } = request.size;
         let mut whole = Pixels::from(Pixmap::new(width, height)?);
         let compared = request.shot.compared.as_ref();
         let marked = compared.is_some_and(|compared| compared.comparison.differences);
         let mark = marked.then(|| Palette::of(request.shot.look.style.theme).differing);
         let differ = joined(&mut whole, &sides, &pictures, mark, scale);
-        let over = self.rasterizer.paint(&overlay(request, &sides, differ)?)?;
+        let over = overlay(request, &sides, differ)?;
+        account.labels.extend(LabelPlace::all(&over));
+        let over = self.rasterizer.paint(&over)?;
         let mut pixmap = whole.take_pixmap()?;
         pixmap.draw_pixmap(0, 0, over.as_ref(), &PixmapPaint::default(), Transform::identity(), None);
         *picture = pixmap.into();
@@ -218,6 +220,16 @@ impl Renderer {
         self.on_window = Some((image, Arc::clone(&texture)));
         Some((texture, Some(now().saturating_sub(start))))
     }
+}
+
+/// The labels of two sides that are seen, in the pixels of the whole picture.
+fn labels_of(labels: [Vec<LabelPlace>; 2], sides: &[Side; 2]) -> Vec<LabelPlace> {
+    let of_side = |(side, labels): (&Side, Vec<LabelPlace>)| {
+        let columns = f64::from(side.columns.start)..f64::from(side.columns.end);
+        let moved = labels.into_iter().map(|label| label.shifted(f64::from(side.left)));
+        moved.filter(|label| columns.contains(&label.center.x)).collect::<Vec<_>>()
+    };
+    sides.iter().zip(labels).flat_map(of_side).collect()
 }
 
 /// Puts the left half of a picture over that of another one of the same size.

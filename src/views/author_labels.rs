@@ -4,13 +4,13 @@ use glam::{DVec2, DVec3};
 
 use crate::appearance::Rgba;
 use crate::drawing::{Anchor, Drawing, Label, single};
-use crate::figure::labels::note_name;
+use crate::figure::labels::{is_in_legend, note_name};
 use crate::figure::{Note, NotePlace};
 use crate::limits::MAX_LABEL_MOVE;
 
 use super::canonical_box::shown_at;
 use super::gizmos::SMALL_TYPE;
-use super::label_layout::half_size;
+use super::label_layout::{half_size, middle};
 use super::screen::Screen;
 use super::{Palette, Request, SharedScene};
 
@@ -82,22 +82,25 @@ impl LabelPlace {
     fn of(label: &Label) -> Self {
         let [x, y, _] = label.position;
         let point = DVec2::new(f64::from(x), f64::from(y));
-        let half = half_size(label);
-        let aside = match label.anchor {
-            Anchor::Left => half.x,
-            Anchor::Center => 0.0,
-            Anchor::Right => -half.x,
-        };
-        let offset = DVec2::new(f64::from(label.offset[0]) + aside, f64::from(label.offset[1]));
+        let center = middle(label);
+        // A legend moves as a whole: what counts is how far its lines are from their places.
+        let offset = DVec2::new(f64::from(label.offset[0]), f64::from(label.offset[1]));
         Self {
             name: label.name.clone(),
             text: label.text.clone(),
-            point,
-            center: point + offset,
-            half,
+            point: if is_in_legend(&label.name) { center - offset } else { point },
+            center,
+            half: half_size(label),
             em: f64::from(label.size),
             color: label.color,
         }
+    }
+
+    /// In a picture in which its own begins at a column.
+    #[must_use]
+    pub fn shifted(self, column: f64) -> Self {
+        let by = DVec2::X * column;
+        Self { point: self.point + by, center: self.center + by, ..self }
     }
 
     /// True where a place (pixels) is on its text.

@@ -1,7 +1,9 @@
 //! A picture in two ways: the request of each side, and the line and the words over both.
 
+use glam::DVec2;
+
 use super::gizmos::SMALL_TYPE;
-use super::label_layout::half_size_of;
+use super::label_layout::Author;
 use super::values::{done, said};
 use super::{Compared, Labels, Palette, Request, Shot, Size};
 use crate::appearance::{Dash, HiddenLines, Rgba};
@@ -10,6 +12,8 @@ use crate::sanitize;
 
 /// Room between two halves, in pixels at scale 1.
 const GAP: f32 = 4.0;
+/// The names of the headings of the sides, by which an author changes them.
+const SIDES: [&str; 2] = ["side:1", "side:2"];
 /// The longest heading in characters.
 const LONGEST: usize = 60;
 
@@ -115,6 +119,22 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
         return Some(drawing);
     }
     let em = SMALL_TYPE * scale;
+    let author = Author::of(request, palette);
+    let mut plate = |name: &str, text: String, (x, y, anchor): (f32, f32, Anchor), room: [f32; 2]| {
+        let label = Label {
+            name: name.to_owned(),
+            mathematical: false,
+            position: [x, y, 1.0],
+            offset: [0.0; 2],
+            text,
+            size: em,
+            color: palette.ink,
+            halo: palette.paper,
+            anchor,
+            fade_if_hidden: false,
+        };
+        plate(&mut drawing, label, room, (&author, request));
+    };
     for (side, room, anchor) in [(0, [0.0, left], Anchor::Right), (1, [right, wide], Anchor::Left)] {
         let text = heading(compared, side, request.labels);
         let at = match (beside, anchor) {
@@ -122,11 +142,11 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
             (false, Anchor::Right) => (room[1] - em, anchor),
             (false, _) => (room[0] + em, anchor),
         };
-        plate(&mut drawing, &text, (at.0, 1.2 * em, at.1), room, em, palette);
+        plate(SIDES[side], text, (at.0, 1.2 * em, at.1), room);
     }
     if let Some(share) = differ {
         let text = format!("{}: {} %", request.labels.differ, request.labels.mark.number(100.0 * share, 3));
-        plate(&mut drawing, &text, (wide - em, high - 1.2 * em, Anchor::Right), [0.0, wide], em, palette);
+        plate("differ", text, (wide - em, high - 1.2 * em, Anchor::Right), [0.0, wide]);
     }
     Some(drawing)
 }
@@ -148,39 +168,18 @@ pub(super) fn on_clear_ground([width, height]: [u32; 2], ground: Rgba) -> Drawin
     }
 }
 
-/// A text on a plate, where its room, from column to column, has place for it.
-fn plate(
-    drawing: &mut Drawing,
-    text: &str,
-    (x, y, anchor): (f32, f32, Anchor),
-    room: [f32; 2],
-    em: f32,
-    palette: Palette,
-) {
-    let half = half_size_of(text, em, false);
-    let (half_width, half_height) = (single(half.x), single(half.y));
-    let middle = match anchor {
-        Anchor::Left => x + half_width,
-        Anchor::Center => x,
-        Anchor::Right => x - half_width,
-    };
-    let pad = 0.35 * em;
+/// A text on a plate, as its author wants it, where its room, from column to column, has place for it; where its author
+/// puts it, it needs no other.
+fn plate(drawing: &mut Drawing, label: Label, room: [f32; 2], (author, request): (&Author<'_>, &Request)) {
+    let is_moved = author.labels.change(&label.name, author.view).by.is_some();
+    let Some((label, place)) = author.finished(label, &Author::page(request, DVec2::ZERO)) else { return };
+    let [middle, y, half_width, half_height] = [place.center.x, place.center.y, place.half.x, place.half.y].map(single);
+    let pad = 0.35 * label.size;
     let corner = [middle - half_width - pad, y - half_height - pad];
-    if text.is_empty() || corner[0] < room[0] || middle + half_width + pad > room[1] {
+    if label.text.is_empty() || !is_moved && (corner[0] < room[0] || middle + half_width + pad > room[1]) {
         return;
     }
     let size = [2.0 * (half_width + pad), 2.0 * (half_height + pad)];
-    drawing.areas.push(Area { corner, size, radius: pad, fill: Rgba { a: 235, ..palette.paper } });
-    drawing.labels.push(Label {
-        name: String::new(),
-        mathematical: false,
-        position: [x, y, 1.0],
-        offset: [0.0; 2],
-        text: text.to_owned(),
-        size: em,
-        color: palette.ink,
-        halo: palette.paper,
-        anchor,
-        fade_if_hidden: false,
-    });
+    drawing.areas.push(Area { corner, size, radius: pad, fill: Rgba { a: 235, ..label.halo } });
+    drawing.labels.push(label);
 }

@@ -11,7 +11,7 @@ use crate::pipeline::divide_before_clip::divided_first;
 use crate::pipeline::{Frame, Options, Pipeline, Reason, Stage, Target};
 use crate::scene::Scene;
 
-use super::legend::LegendRow;
+use super::legend::{LegendRow, LegendText};
 use super::{Palette, Request, hits};
 
 /// The numbers of one pixel of the image.
@@ -206,17 +206,19 @@ impl Greys {
         let [near, halfway, far] = distances;
         let distances = [format!("−z_c = {near}"), halfway, far];
         let stored = [0.0, 0.5, 1.0].map(|share| labels.mark.number(level(share), 4));
+        let distances = LegendText::below_a_scale("distance", distances);
         let (title, texts) = match self.range {
             Some(_) => {
                 let [near, halfway, far] = stored;
-                (labels.depth_stored, vec![[format!("Z = {near}"), halfway, far], distances])
+                let stored = LegendText::below_a_scale("Z", [format!("Z = {near}"), halfway, far]);
+                (labels.depth_stored, vec![stored, distances])
             }
             None => (labels.depth_linear, vec![distances]),
         };
         vec![
-            LegendRow::Title(title.to_owned(), palette.ink),
+            LegendRow::Title(LegendText::new("depth", title), palette.ink),
             LegendRow::Scale(levels, texts),
-            LegendRow::Swatch(palette.nothing, labels.nothing.to_owned()),
+            LegendRow::Swatch(palette.nothing, LegendText::new("nothing", labels.nothing)),
         ]
     }
 }

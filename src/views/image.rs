@@ -14,7 +14,7 @@ use super::author_labels;
 use super::depth::{self, Greys};
 use super::gizmos::{GearBuilder, SceneChange, stroke};
 use super::label_layout::{Author, Box2, Rules};
-use super::legend::LegendRow;
+use super::legend::{LegendRow, LegendText};
 use super::pixels::{PixelRect, Size, image_frame};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
@@ -98,7 +98,8 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let mut rows = revealed.rows;
     if let Some(share) = request.shot.show.painted {
         let [count, all] = partial_paint::first(&mut drawn.drawing, share);
-        rows.push(LegendRow::Title(format!("{count} / {all} {}", request.labels.triangles), palette.ink));
+        let text = format!("{count} / {all} {}", request.labels.triangles);
+        rows.push(LegendRow::Title(LegendText::new("triangles", text), palette.ink));
     }
     if let Some(greys) = greys {
         Greys::report(&mut drawn, marks.get());

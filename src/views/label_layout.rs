@@ -77,11 +77,16 @@ impl<'a> Author<'a> {
         Box2 { center: half - corner, half }
     }
 
+    /// True where letters are those of mathematics.
+    pub(super) fn is_mathematical(&self) -> bool {
+        self.labels.letters == Letters::Mathematics
+    }
+
     /// Gives a label the author's text, size and colour.
     pub(super) fn apply(&self, change: LabelChange<'_>, label: &mut Label) {
         // Texts were checked where they came from.
         let text = change.text.and_then(|text| set_text(text).ok());
-        label.mathematical = self.labels.letters == Letters::Mathematics;
+        label.mathematical = self.is_mathematical();
         if let Some(text) = text {
             label.text = text;
         } else if label.mathematical {
@@ -94,6 +99,44 @@ impl<'a> Author<'a> {
             label.color = color;
         }
     }
+
+    /// A label that has its own place in the picture, with the author's changes, and the place of its text; `None`
+    /// where it is hidden.
+    pub(super) fn finished(&self, mut label: Label, page: &Box2) -> Option<(Label, Box2)> {
+        let change = self.labels.change(&label.name, self.view);
+        if change.hidden {
+            return None;
+        }
+        self.apply(change, &mut label);
+        let place = match change.by {
+            Some(by) => put(&mut label, by, page),
+            None => Box2 { center: middle(&label), half: half_size(&label) },
+        };
+        Some((label, place))
+    }
+}
+
+/// The middle of the text of a label.
+pub(super) fn middle(label: &Label) -> DVec2 {
+    let aside = match label.anchor {
+        Anchor::Left => half_size(label).x,
+        Anchor::Center => 0.0,
+        Anchor::Right => -half_size(label).x,
+    };
+    point(label.position) + DVec2::new(f64::from(label.offset[0]) + aside, f64::from(label.offset[1]))
+}
+
+/// Puts a label where its author wants it (`by`: from its point to its middle, to the right and upwards, in heights of
+/// its type), but not off the page; returns the place of its text.
+fn put(label: &mut Label, by: DVec2, page: &Box2) -> Box2 {
+    let (at, em, half) = (point(label.position), f64::from(label.size), half_size(label));
+    let room = (page.half - half).max(DVec2::ZERO);
+    let wanted = at + DVec2::new(by.x, -by.y) * em;
+    let place = Box2 { center: wanted.clamp(page.center - room, page.center + room), half };
+    let offset = place.center - at;
+    label.offset = [single(offset.x), single(offset.y)];
+    label.anchor = Anchor::Center;
+    place
 }
 
 /// The rules by which labels give way to each other.
@@ -211,20 +254,14 @@ impl Taken {
         }
     }
 
-    /// Puts a text where its author wants it (`by`: from its point to its middle, to the right and upwards, in heights
-    /// of its type), but not off the page. A line leads to its point where it is far from it.
+    /// Puts a text where its author wants it, with a line that leads to its point where it is far from it.
     fn put(&mut self, mut label: Label, by: DVec2, page: &Box2) -> Label {
         /// The distance from the border of a text's box to its point from which on a line leads there, in heights of
         /// its type.
         const NEAR: f64 = 1.0;
-        let (at, em, half) = (point(label.position), f64::from(label.size), half_size(&label));
-        let room = (page.half - half).max(DVec2::ZERO);
-        let wanted = at + DVec2::new(by.x, -by.y) * em;
-        let place = Box2 { center: wanted.clamp(page.center - room, page.center + room), half };
-        let offset = place.center - at;
-        label.offset = [single(offset.x), single(offset.y)];
-        label.anchor = Anchor::Center;
-        let apart = ((offset.abs() - half).max(DVec2::ZERO)).length();
+        let (at, em) = (point(label.position), f64::from(label.size));
+        let place = put(&mut label, by, page);
+        let apart = (((place.center - at).abs() - place.half).max(DVec2::ZERO)).length();
         let candidate = Candidate { place, at, em, dislike: 0.0, leads: apart > NEAR * em };
         self.leaders.extend(candidate.leader());
         self.texts.push(place);

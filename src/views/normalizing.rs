@@ -17,7 +17,7 @@ use crate::pipeline::{Frame, Scenes};
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{self, GearBuilder, SMALL_TYPE};
-use super::legend::LegendRow;
+use super::legend::{LegendRow, LegendText};
 use super::observer::{Direction, enclosing};
 use super::pixels::PixelRect;
 use super::screen::Screen;
@@ -90,7 +90,10 @@ impl Way {
         } else {
             palette.soft
         };
-        vec![LegendRow::Title(title.to_owned(), palette.ink), LegendRow::Title(handedness.to_owned(), color)]
+        vec![
+            LegendRow::Title(LegendText::new("step", title), palette.ink),
+            LegendRow::Title(LegendText::new("handedness", handedness), color),
+        ]
     }
 
     /// The z axis as it is shown, while it turns around: 1 towards the viewer, −1 away.

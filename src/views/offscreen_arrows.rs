@@ -69,7 +69,7 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
         let type_size = SMALL_TYPE * request.size.scale;
         let inwards = (tail - tip).normalize_or(DVec2::NEG_Y) * f64::from(0.7 * type_size);
         drawing.labels.push(Label {
-            name: sanitize::escaped(look.name),
+            name: if look.name.is_empty() { "behind-eye".to_owned() } else { sanitize::escaped(look.name) },
             mathematical: false,
             position: [single(tail.x), single(tail.y), 1.0],
             offset: [single(inwards.x), single(inwards.y)],

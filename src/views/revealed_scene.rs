@@ -17,8 +17,8 @@ use crate::scene::{Object, ObjectPaint, Scene};
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{GearBuilder, SMALL_TYPE};
-use super::label_layout::Box2;
-use super::legend::{Legend, LegendRow};
+use super::label_layout::{Author, Box2};
+use super::legend::{Legend, LegendRow, LegendText};
 use super::pixels::PixelRect;
 use super::{Labels, Palette, Request, stage_overlay};
 
@@ -70,7 +70,7 @@ impl<'a> PipelineReveal<'a> {
     fn note_cuts(&mut self, parts: &Parts, request: &Request, palette: Palette, place: impl Fn(DVec3) -> DVec3) {
         self.cuts = parts.cuts.iter().map(|&p| place(p)).collect();
         self.sides = parts.sides.iter().map(|side| side.map(&place)).collect();
-        let meaning = request.labels.cuts.to_owned();
+        let meaning = LegendText::new("cuts", request.labels.cuts);
         self.rows.extend(match self.cuts.len() {
             0 => None,
             1..=MOST_MARKS => Some(LegendRow::Mark(MarkShape::Diamond, palette.cut, meaning)),
@@ -87,18 +87,19 @@ pub(super) fn legend(
     scale: f32,
     palette: Palette,
 ) -> Option<Legend> {
-    Legend::new(rows, part, scale, palette).filter(|_| !request.finish.bare)
+    let author = Author::of(request, palette);
+    Legend::new(rows, part, scale, (palette, Some(&author)), request.size).filter(|_| !request.finish.bare)
 }
 
 /// The legend of a stage in a drawing, and its shortfalls.
 pub(super) fn drawn_rows(drawn: &Frame, request: &Request, palette: Palette) -> Vec<LegendRow> {
     let mut rows = stage_overlay::rows(drawn, request, palette);
-    let what = match &drawn.too_much {
+    let (name, what) = match &drawn.too_much {
         None => return rows,
-        Some(OverBudget::Pieces { .. } | OverBudget::Strokes) => request.labels.not_split,
-        Some(OverBudget::Rounding { .. }) => request.labels.rounded,
+        Some(OverBudget::Pieces { .. } | OverBudget::Strokes) => ("not-split", request.labels.not_split),
+        Some(OverBudget::Rounding { .. }) => ("rounded", request.labels.rounded),
     };
-    rows.push(LegendRow::Title(what.to_owned(), palette.wrong));
+    rows.push(LegendRow::Title(LegendText::new(name, what), palette.wrong));
     rows
 }
 
@@ -162,13 +163,14 @@ impl PipelineReveal<'_> {
         let side = f64::from(request.size.width.min(request.size.height));
         if side >= SMALL * f64::from(request.size.scale) {
             let hand = if ndc.is_right_handed() { labels.right_handed } else { labels.left_handed };
-            self.rows.insert(0, LegendRow::Title(format!("{}: {hand}", labels.ndc_title(ndc)), palette.ink));
+            let text = LegendText::new("ndc", format!("{}: {hand}", labels.ndc_title(ndc)));
+            self.rows.insert(0, LegendRow::Title(text, palette.ink));
         }
     }
 
     fn add_outside(&mut self, outside: Scene, labels: &Labels, palette: Palette) {
         if !outside.objects.is_empty() || !outside.lines.is_empty() {
-            self.rows.push(LegendRow::Swatch(palette.outside, labels.outside.to_owned()));
+            self.rows.push(LegendRow::Swatch(palette.outside, LegendText::new("outside", labels.outside)));
         }
         append(self.scene.to_mut(), glass(outside, palette.outside));
     }
@@ -250,10 +252,11 @@ fn divide_first(request: &Request, reach: f64, palette: Palette) -> Option<(Divi
     }
     let mut divided = divided_first(&request.scene, &request.camera, reach);
     let (labels, edges_only) = (request.labels, request.shot.look.style.shading == Shading::Wireframe);
+    let said = |what| LegendText::new("divided-first", format!("{}: {what}", labels.divided_first));
     let row = if divided.is_right() {
-        LegendRow::Title(format!("{}: {}", labels.divided_first, labels.no_difference), palette.ink)
+        LegendRow::Title(said(labels.no_difference), palette.ink)
     } else {
-        LegendRow::Warning(palette.wrong, format!("{}: {}", labels.divided_first, labels.wrong))
+        LegendRow::Warning(palette.wrong, said(labels.wrong))
     };
     let Scene { objects, lines, marks, .. } = &mut divided.wrong;
     for object in objects {
@@ -308,10 +311,12 @@ fn culled(
         }
     }
     if turned {
-        revealed.rows.push(LegendRow::Swatch(palette.back, request.labels.back_faces.to_owned()));
+        let text = LegendText::new("back-faces", request.labels.back_faces);
+        revealed.rows.push(LegendRow::Swatch(palette.back, text));
     }
     if !dropped.is_empty() {
-        revealed.rows.push(LegendRow::Swatch(palette.dropped, request.labels.dropped.to_owned()));
+        let text = LegendText::new("dropped", request.labels.dropped);
+        revealed.rows.push(LegendRow::Swatch(palette.dropped, text));
     }
     (kept, dropped)
 }

@@ -5,6 +5,8 @@
 
 use std::ops::Range;
 
+use glam::DVec2;
+
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Style, Visibility};
 use crate::drawing::{Anchor, Area, Base, Drawing, Label, Mark, StrokeSet, Surface};
 use crate::pipeline::{Containment, Frame, Scenes, Stage, StageWork, VertexWork};
@@ -12,7 +14,8 @@ use crate::sanitize;
 use crate::stage::WorksOn;
 
 use super::gizmos::{SMALL_TYPE, stroke};
-use super::legend::LegendRow;
+use super::label_layout::Author;
+use super::legend::{LegendRow, LegendText};
 use super::{Labels, Palette, Request};
 
 /// Number of vertices with their numbers written on them.
@@ -23,6 +26,14 @@ const MOST_NAMES: usize = 4;
 const MOST_MARKS: usize = 3000;
 /// Opacity of a dropped face.
 const GLASS: u8 = 150;
+/// The beginnings of the names of labels at objects and at vertices; the object's name or a number, from 1, follows.
+const OBJECT: &str = "object:";
+const VERTEX: &str = "vertex:";
+/// The objects that the pictures add to the scene.
+const OWN: [&str; 4] = ["camera", "volume", "window", "near"];
+/// The names of the words over the two halves of a picture.
+const GOES_IN: &str = "goes-in";
+const COMES_OUT: &str = "comes-out";
 
 /// Shows the stage in its picture; `again` draws a scene in a style as this picture was drawn.
 pub(super) fn show(
@@ -158,9 +169,9 @@ fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Pal
     let cut = |p: &[f32; 3]| Mark { shape: MarkShape::Diamond, ..mark(*p, palette.cut, 3.4, request) };
     drawing.marks.extend(work.cuts.iter().take(MOST_MARKS).map(cut));
     drawing.marks.extend(work.vertices.iter().take(MOST_MARKS).map(|v| mark(v.image, color_out, 2.6, request)));
-    let mut label = |position: [f32; 3], text: String| {
+    let mut label = |name: String, position: [f32; 3], text: String| {
         drawing.labels.push(Label {
-            name: String::new(),
+            name,
             mathematical: false,
             position,
             offset: [7.0 * request.size.scale, -7.0 * request.size.scale],
@@ -174,14 +185,15 @@ fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Pal
     };
     for object in &work.objects {
         if let Some(middle) = object.middle {
-            label(middle, sanitize::escaped(&object.name));
+            let name = sanitize::escaped(&object.name);
+            label(object_label(&name), middle, name);
         }
     }
     let mut known: Vec<VertexWork> = Vec::new();
     for vertex in &work.vertices {
         if known.len() < MOST_NUMBERS && known.iter().all(|k| k.image != vertex.image) {
             known.push(*vertex);
-            label(vertex.image, in_and_out(work.stage, vertex, request.labels));
+            label(format!("{VERTEX}{}", known.len()), vertex.image, in_and_out(work.stage, vertex, request.labels));
         }
     }
 }
@@ -215,15 +227,16 @@ pub(super) fn rows(frame: &Frame, request: &Request, palette: Palette) -> Vec<Le
     });
     for (object, planes) in lost.take(MOST_NAMES) {
         let name = sanitize::escaped(&object.name);
-        row(true, LegendRow::Title(format!("{name}: {}", labels.outside_planes(planes)), palette.soft));
+        let text = format!("{name}: {}", labels.outside_planes(planes));
+        row(true, LegendRow::Title(LegendText::new(&object_label(&name), text), palette.soft));
     }
-    row(!work.before.is_empty(), LegendRow::Swatch(color_in, labels.goes_in.to_owned()));
-    row(!work.dropped.is_empty(), LegendRow::Swatch(palette.back, labels.back_faces.to_owned()));
-    row(!work.after.is_empty(), LegendRow::Swatch(color_out, labels.comes_out.to_owned()));
-    row(!work.cuts.is_empty(), LegendRow::Mark(MarkShape::Diamond, palette.cut, labels.cuts.to_owned()));
-    let vertices = format!("{} → {}", labels.goes_in, labels.comes_out);
+    row(!work.before.is_empty(), LegendRow::Swatch(color_in, LegendText::new(GOES_IN, labels.goes_in)));
+    row(!work.dropped.is_empty(), LegendRow::Swatch(palette.back, LegendText::new("back-faces", labels.back_faces)));
+    row(!work.after.is_empty(), LegendRow::Swatch(color_out, LegendText::new(COMES_OUT, labels.comes_out)));
+    row(!work.cuts.is_empty(), LegendRow::Mark(MarkShape::Diamond, palette.cut, LegendText::new("cuts", labels.cuts)));
+    let vertices = LegendText::new("vertices", format!("{} → {}", labels.goes_in, labels.comes_out));
     row(!work.vertices.is_empty(), LegendRow::Mark(MarkShape::Disc, color_out, vertices));
-    row(work.more, LegendRow::Title(labels.not_all.to_owned(), palette.soft));
+    row(work.more, LegendRow::Title(LegendText::new("not-all", labels.not_all), palette.soft));
     rows
 }
 
@@ -237,13 +250,17 @@ pub(super) fn part(frame: &mut Frame, request: &Request) {
     let palette = Palette::of(request.shot.look.style.theme);
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let (middle, height, scale) = ((drawing.width / 2) as f32, drawing.height as f32, request.size.scale);
+    let author = Author::of(request, palette);
     for drawing in [before, drawing] {
         let line = Area { corner: [middle - scale, 0.0], size: [2.0 * scale, height], radius: 0.0, fill: palette.ink };
         drawing.areas.push(line);
-        let sides = [(-6.0, Anchor::Right, request.labels.goes_in), (6.0, Anchor::Left, request.labels.comes_out)];
-        for (aside, anchor, text) in sides {
-            drawing.labels.push(Label {
-                name: String::new(),
+        let sides = [
+            (GOES_IN, -6.0, Anchor::Right, request.labels.goes_in),
+            (COMES_OUT, 6.0, Anchor::Left, request.labels.comes_out),
+        ];
+        for (name, aside, anchor, text) in sides {
+            let label = Label {
+                name: name.to_owned(),
                 mathematical: false,
                 position: [middle + aside * scale, 14.0 * scale, 1.0],
                 offset: [0.0; 2],
@@ -253,7 +270,22 @@ pub(super) fn part(frame: &mut Frame, request: &Request) {
                 halo: palette.paper,
                 anchor,
                 fade_if_hidden: false,
-            });
+            };
+            drawing.labels.extend(author.finished(label, &Author::page(request, DVec2::ZERO)).map(|(label, _)| label));
         }
     }
+}
+
+/// The name of the label of an object.
+fn object_label(name: &str) -> String {
+    format!("{OBJECT}{name}")
+}
+
+/// True for the names of labels of a stage, in a scene with these objects, as they are shown.
+pub(super) fn is_label(name: &str, objects: &[String]) -> bool {
+    let is_object = |name: &str| OWN.contains(&name) || objects.iter().any(|object| object == name);
+    let is_number = |number: &str| number.parse().is_ok_and(|number: usize| (1..=MOST_NUMBERS).contains(&number));
+    [GOES_IN, COMES_OUT].contains(&name)
+        || name.strip_prefix(OBJECT).is_some_and(is_object)
+        || name.strip_prefix(VERTEX).is_some_and(is_number)
 }

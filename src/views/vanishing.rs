@@ -14,7 +14,7 @@ use crate::geometry::Aabb;
 
 use super::gizmos::{GearBuilder, SMALL_TYPE, stroke};
 use super::label_layout::Box2;
-use super::legend::LegendRow;
+use super::legend::{LegendRow, LegendText};
 use super::{Palette, Request};
 
 /// The directions, and how their vanishing points are called.
@@ -56,7 +56,7 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
     let camera = &request.camera;
     let labels = request.labels;
     if camera.projection() == Projection::Parallel {
-        return vec![LegendRow::Title(labels.no_vanishing.to_owned(), palette.ink)];
+        return vec![LegendRow::Title(LegendText::new("vanishing", labels.no_vanishing), palette.ink)];
     }
     let picture = WindowPicture { size: DVec2::new(f64::from(drawing.width), f64::from(drawing.height)), camera };
     let scale = request.size.scale;
@@ -64,7 +64,7 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
     horizon(drawing, &picture, request, palette);
     for ((direction, name), color) in DIRECTIONS.into_iter().zip(palette.axes) {
         let Some(point) = vanishing_point(camera, direction) else {
-            rows.push(LegendRow::Swatch(color, format!("{name}: {}", labels.ideal)));
+            rows.push(LegendRow::Swatch(color, LegendText::new(name, format!("{name}: {}", labels.ideal))));
             continue;
         };
         let vanishing = picture.place(point);
@@ -88,7 +88,8 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
             });
             drawing.labels.push(label(vanishing, name, SMALL_TYPE * scale, color, palette));
         } else {
-            rows.push(LegendRow::Swatch(color, format!("{name}: {}", labels.beyond_image)));
+            let text = format!("{name}: {}", labels.beyond_image);
+            rows.push(LegendRow::Swatch(color, LegendText::new(name, text)));
         }
     }
     rows

@@ -281,6 +281,24 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     assert_eq!(family(&window).first.values, "20, 40, 60, 90", "it begins with the view angle");
     window.quick_choice("family", "Azimuth");
     assert_eq!(family(&window).first.values, "0, 90, 180, 270");
+    // In multiples of the screen, the size that is said is that of the whole sheet.
+    window.quick_choice("pictures", "World");
+    window.quick_choice("size", "1 ×");
+    let since = Instant::now();
+    let [width, height] = loop {
+        let size = window.state().file_flow.preview.as_ref().and_then(|preview| preview.size());
+        match size.filter(|[width, _]| (2 * window.export().width..3000).contains(width)) {
+            Some(size) => break size,
+            None => assert!(since.elapsed() < Duration::from_secs(60), "{size:?}"),
+        }
+        std::thread::sleep(Duration::from_millis(5));
+        window.harness.step();
+    };
+    window.run();
+    for (field, side) in [("picture width", width), ("picture height", height)] {
+        let shown = window.field(field).accesskit_node().numeric_value();
+        assert_eq!(shown, Some(f64::from(side)), "{field}");
+    }
     window.quick_choice("in each row", "projection");
     assert_eq!(family(&window).second.values, "perspective, parallel");
     assert!(family(&window).variations().is_some_and(|both| both.is_ok_and(|both| both.len() == 2)));

@@ -3,8 +3,9 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use camera_lab::camera::Parameters;
-use camera_lab::figure::{Labels, NotePlace};
+use camera_lab::figure::{Comparison, Labels, NotePlace, Outside};
 use camera_lab::i18n::Lang;
+use camera_lab::scene::Preset;
 use camera_lab::views::{LabelPlace, View};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2, vec2};
@@ -137,6 +138,65 @@ fn a_note_is_put_by_a_click_or_by_enter_typed_and_deleted() {
     assert_eq!(*labels(&window), Labels::default());
     window.command_key(Key::Z);
     assert_eq!(labels(&window).notes.len(), 1);
+}
+
+#[test]
+fn labels_of_a_comparison_are_dragged_on_either_side() {
+    for beside in [true, false] {
+        let mut window = window(Lang::En);
+        window.app_mut().state.document.edit(|figure| {
+            let with = vec![("style.shading".to_owned(), "\"phong\"".to_owned())];
+            figure.compare = Some(Comparison { with, beside, ..Comparison::default() });
+        });
+        window.run();
+        let all: Vec<LabelPlace> = window.app_mut().canvas.labels(View::World).to_vec();
+        let cs: Vec<&LabelPlace> = all.iter().filter(|label| label.name == "C").collect();
+        assert_eq!(cs.len(), if beside { 2 } else { 1 }, "beside: {beside}");
+        let (_, rect) = window.app_mut().canvas.places().find(|(view, _)| *view == View::World).unwrap();
+        // The last one: beside each other, that of the other side.
+        let last = cs[cs.len() - 1].center;
+        #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
+        let [x, y] = last.to_array().map(|v| v as f32);
+        window.drag(rect.min + vec2(x, y), vec2(-20.0, 30.0), |_| {});
+        assert_eq!(labels(&window).moved.len(), 1);
+        let moved: Vec<DVec2> = {
+            let all = window.app_mut().canvas.labels(View::World);
+            all.iter().filter(|label| label.name == "C").map(|label| label.center).collect()
+        };
+        // It goes on both sides: they are one figure's.
+        for (from, to) in cs.iter().zip(&moved) {
+            let is_last = from.center == last;
+            assert!(
+                !is_last || (*to - from.center).abs_diff_eq(DVec2::new(-20.0, 30.0), 1.0),
+                "{beside}: {from:?} {to}"
+            );
+            assert!(*to != from.center);
+        }
+    }
+}
+
+#[test]
+fn a_legend_is_dragged_as_a_whole_and_hidden_from_a_line_of_it() {
+    let mut window = window(Lang::En);
+    let state = &mut window.app_mut().state;
+    state.document.set_parameters(Parameters { near: 2.0, far: 7.0, ..Parameters::default() });
+    state.document.edit(|figure| {
+        figure.scene.preset = Preset::Cube;
+        figure.reveal.outside = Outside::Tinted;
+    });
+    state.document.commit();
+    window.run();
+    let (before, place) = shown(&mut window, "legend:outside").unwrap();
+    window.drag(place, vec2(50.0, -40.0), |_| {});
+    let (after, place) = shown(&mut window, "legend:outside").unwrap();
+    assert!((after.center - before.center).abs_diff_eq(DVec2::new(50.0, -40.0), 1.0), "{before:?} {after:?}");
+    assert_eq!(labels(&window).moved[0].name, "legend");
+    window.click_at(place);
+    write(&mut window, "text", "beyond");
+    assert_eq!(shown(&mut window, "legend:outside").unwrap().0.text, "beyond");
+    window.click("Hide the legend");
+    assert_eq!(labels(&window).hidden, ["legend"]);
+    assert!(shown(&mut window, "legend:outside").is_none());
 }
 
 #[test]

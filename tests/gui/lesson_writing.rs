@@ -67,15 +67,15 @@ fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
     let t = words::texts(Lang::En);
     let (mut window, path) = own(&folder, 1);
     write(&mut window);
-    type_into(&mut window, t.step_text_field, "The axis n is {basis.n.z:2}.");
+    type_into(&mut window, t.step_text_field, "The axis n is {basis.n:2}.");
     let shown = &window.state().lesson.as_ref().unwrap().lesson.steps[1];
-    assert_eq!(shown.text.en, "The axis n is {basis.n.z:2}.");
+    assert_eq!(shown.text.en, "The axis n is {basis.n:2}.");
     // A second without a key.
     for _ in 0..100 {
         window.harness.step();
     }
     let (lesson, _) = read_lesson(&path).unwrap();
-    assert_eq!(lesson.steps[1].text.en, "The axis n is {basis.n.z:2}.");
+    assert_eq!(lesson.steps[1].text.en, "The axis n is {basis.n:2}.");
     assert_eq!(lesson.steps[1].text.pt_br, shipped()[1].lesson.steps[1].text.pt_br, "the other language stays");
     window.click(t.change_back);
     assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text, "to the letter");

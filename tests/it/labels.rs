@@ -149,6 +149,117 @@ fn a_name_that_no_label_has_is_told_with_the_one_that_was_meant_and_those_of_the
     assert!(run.err.contains("widnow") && run.err.contains("window?") && !run.err.contains("\"C\""), "{}", run.err);
 }
 
+const DEPTH: &str = "[reveal]\ndepth = true\n";
+
+#[test]
+fn lines_of_a_legend_are_hidden_renamed_and_styled_and_the_legend_moves_as_a_whole() {
+    let own = drawing(&format!("{FIGURE}{DEPTH}"), View::Image);
+    let names = ["depth", "Z-near", "Z-middle", "Z-far", "distance-near", "distance-middle", "distance-far", "nothing"];
+    let legend = names.map(|name| format!("legend:{name}"));
+    for name in &legend {
+        assert!(label(&own, name).is_some(), "{name}");
+    }
+    let changes = "[labels]\nhidden = [\"legend:nothing\", \"legend:Z-middle\"]\n\
+        [[labels.renamed]]\nname = \"legend:depth\"\ntext = 'grey is $z_n$'\n\
+        [[labels.moved]]\nname = \"legend\"\nby = [2, 3]\n\
+        [[labels.styled]]\nname = \"legend:Z-near\"\ncolor = \"#ff0000\"\n";
+    let changed = drawing(&format!("{FIGURE}{DEPTH}{changes}"), View::Image);
+    assert!(label(&changed, "legend:nothing").is_none() && label(&changed, "legend:Z-middle").is_none());
+    assert!(changed.areas.len() < own.areas.len(), "the sample of a hidden line is hidden with it");
+    assert_eq!(label(&changed, "legend:depth").unwrap().text, "grey is 𝑧_{𝑛}");
+    assert_eq!(label(&changed, "legend:Z-near").unwrap().color.to_string(), "#ff0000");
+    for name in ["legend:Z-near", "legend:Z-far", "legend:distance-middle"] {
+        let [before, after] = [place(&own, name), place(&changed, name)];
+        // A line less, so that the others begin lower.
+        let lower = place(&changed, "legend:Z-near").center.y - place(&own, "legend:Z-near").center.y;
+        assert!((after.center - before.center).abs_diff_eq(DVec2::new(2.0 * after.em, lower), 0.01), "{name}");
+        // What is said of its place is what a drag of it begins with.
+        assert!(after.moved_to(after.center).abs_diff_eq(DVec2::new(2.0, 3.0), 0.011), "{name} {after:?}");
+    }
+    let none = drawing(&format!("{FIGURE}{DEPTH}[labels]\nhidden = [\"legend\"]\n"), View::Image);
+    assert!(none.areas.is_empty() && legend.iter().all(|name| label(&none, name).is_none()));
+    // Farther than the picture reaches, it stays in it; twice as large, its lines do not run into each other.
+    let far = "[[labels.moved]]\nname = \"legend\"\nby = [1000, 1000]\n\
+        [[labels.styled]]\nname = \"legend:depth\"\nsize = 2\n";
+    let far = drawing(&format!("{FIGURE}{DEPTH}{far}"), View::Image);
+    let title = place(&far, "legend:depth");
+    assert!((title.center + title.half).cmplt(DVec2::new(640.0, 480.0)).all(), "{title:?}");
+    assert!((title.em - 2.0 * place(&far, "legend:nothing").em).abs() < 1e-3);
+    let below = place(&far, "legend:Z-near");
+    assert!(below.center.y - below.half.y > title.center.y + title.half.y);
+}
+
+#[test]
+fn a_line_of_a_legend_that_is_dragged_takes_the_legend_along_and_automatic_again_brings_it_back() {
+    let mut labels = parse(FIGURE).unwrap().labels;
+    labels.move_to("legend:depth", View::Image, DVec2::X);
+    labels.move_to("legend:nothing", View::Image, DVec2::Y);
+    assert_eq!(labels.moved.len(), 1, "there is one place for all");
+    assert_eq!((labels.moved[0].name.as_str(), labels.moved[0].by), ("legend", DVec2::Y));
+    assert_eq!(labels.change("legend:cuts", View::Image).by, Some(DVec2::Y));
+    labels.reset("legend:depth");
+    assert_eq!(labels, parse(FIGURE).unwrap().labels);
+}
+
+#[test]
+fn what_a_stage_says_is_the_authors_too() {
+    let figure = FIGURE.replace("cube", "house");
+    let stage = |stage: &str, view: &str| format!("{figure}[show]\nstage = \"{stage}\"\nstage_of = \"{view}\"\n");
+    for (name, shown, view) in [
+        ("traverse", "object:roof", View::Image),
+        ("traverse", "object:camera", View::World),
+        ("transform", "vertex:1", View::Image),
+        ("lines", "goes-in", View::Image),
+        ("lines", "comes-out", View::World),
+        ("transform", "legend:vertices", View::Image),
+        ("traverse", "legend:comes-out", View::Image),
+    ] {
+        let text = stage(name, view.name());
+        let names: Vec<String> = drawing(&text, view).labels.into_iter().map(|label| label.name).collect();
+        assert!(names.iter().any(|name| name == shown), "{name}: {shown} in {names:?}");
+        let own = format!("{text}[labels]\n[[labels.renamed]]\nname = \"{shown}\"\ntext = \"mine\"\n");
+        assert_eq!(label(&drawing(&own, view), shown).unwrap().text, "mine");
+        let hidden = format!("{text}[labels]\nhidden = [\"{shown}\"]\n");
+        assert!(label(&drawing(&hidden, view), shown).is_none());
+        let figure = parse(&hidden).unwrap();
+        assert_eq!(unknown_labels(&Shot::of(&figure), &request(&figure, view, Lang::En).scene), [], "{shown}");
+    }
+    for unknown in ["object:none", "vertex:11", "vertex:", "legend:dpeth", "legend:object:none"] {
+        let figure = parse(&format!("{FIGURE}[labels]\nhidden = [\"{unknown}\"]\n")).unwrap();
+        let scene = request(&figure, View::Image, Lang::En).scene;
+        assert_eq!(unknown_labels(&Shot::of(&figure), &scene).len(), 1, "{unknown}");
+    }
+}
+
+#[test]
+fn the_labels_of_both_sides_of_a_comparison_are_the_authors() {
+    let compare =
+        |layout: &str| format!("{FIGURE}[compare]\nlayout = \"{layout}\"\nwith = {{ \"camera.view_angle\" = 30 }}\n");
+    for layout in ["beside", "wiper"] {
+        let text = compare(layout);
+        let own = "[labels]\nhidden = [\"side:1\"]\n[[labels.renamed]]\nname = \"side:2\"\ntext = \"narrow\"\n";
+        let labels = |text: &str| {
+            let request = request(&parse(text).unwrap(), View::World, Lang::En);
+            let mut picture = camera_lab::picture::Pixels::default();
+            let mut renderer = Renderer::default();
+            camera_lab::progress::at_once(renderer.pixels_into(&request, &mut picture)).unwrap().labels
+        };
+        let of = |labels: &[LabelPlace], name: &str| {
+            labels.iter().filter(|label| label.name == name).cloned().collect::<Vec<_>>()
+        };
+        let before = labels(&text);
+        assert_eq!(of(&before, "side:1").len() + of(&before, "side:2").len(), 2, "{layout}");
+        let after = labels(&format!("{text}{own}"));
+        assert!(of(&after, "side:1").is_empty());
+        assert_eq!(of(&after, "side:2")[0].text, "narrow");
+        // Each side has its own; of one picture behind a wiper, what is seen.
+        let middles: Vec<f64> = of(&before, "C").iter().map(|label| label.center.x).collect();
+        if layout == "beside" {
+            assert!(middles.len() == 2 && middles[0] < 320.0 && middles[1] > 320.0, "{middles:?}");
+        }
+    }
+}
+
 #[test]
 fn letters_of_mathematics_are_bold_for_vectors_and_italic_for_others() {
     let drawing = drawing(&format!("{FIGURE}[labels]\nletters = \"mathematics\"\n"), View::World);

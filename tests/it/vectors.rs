@@ -189,6 +189,22 @@ fn every_name_is_a_text_that_can_be_searched() {
     }
 }
 
+/// Inkscape and librsvg drop a space at the beginning of a run that has a place of its own.
+#[test]
+fn the_space_after_a_subscript_is_kept() {
+    let figure = parse("[scene]\npreset = \"cube\"\n").unwrap();
+    let sheet = sheet(&figure, Views::One(View::Canonical), &request(&figure, SIZE));
+    let svg = svg_of(&sheet, FileOptions::of(PictureFormat::Svg), &figure);
+    let mut with_space = 0;
+    for text in svg.split("<text").skip(1).filter_map(|rest| rest.split_once("</text>")) {
+        let (text, _) = text;
+        let has_space = text.split("<tspan").skip(2).any(|run| run.contains("> "));
+        with_space += usize::from(has_space);
+        assert_eq!(has_space, text.starts_with(" xml:space=\"preserve\""), "{text}");
+    }
+    assert!(with_space >= 2, "near (z_n = −1) and far (z_n = 1)");
+}
+
 #[test]
 fn browsers_get_the_letters_of_every_text() {
     let text = "[scene]\npreset = \"house\"\n[labels]\nletters = \"mathematics\"\n[[labels.renamed]]\nname = \"C\"\ntext = 'eye ≠ $\\mathbf{e}_0$'\n";
@@ -346,6 +362,25 @@ fn latex_sets_the_names_in_the_documents_font_over_a_pdf_beside_it() {
         let words = Command::new("pdftotext").arg(bench.path("document.pdf")).arg("-").output().unwrap();
         let words = String::from_utf8(words.stdout).unwrap();
         assert!(words.contains("VUP") && words.contains("PF") && words.contains("DOP"), "{words}");
+    }
+    // Compiled alone, it is a page as large as the picture.
+    let alone = Command::new("pdflatex")
+        .args(["-interaction=nonstopmode", "-halt-on-error", "figure.tex"])
+        .current_dir(bench.path("."))
+        .output()
+        .unwrap();
+    assert!(alone.status.success(), "{}", String::from_utf8_lossy(&alone.stdout));
+    if has("pdfinfo") {
+        let info = Command::new("pdfinfo").arg(bench.path("figure.pdf")).output().unwrap();
+        let info = String::from_utf8(info.stdout).unwrap();
+        let art = Command::new("pdfinfo").arg(bench.path("my-figure-art.pdf")).output().unwrap();
+        let art = String::from_utf8(art.stdout).unwrap();
+        let line = |info: &str, key: &str| info.lines().find(|line| line.starts_with(key)).unwrap().to_owned();
+        let number =
+            |line: &str| -> Vec<f64> { line.split_whitespace().filter_map(|word| word.parse().ok()).collect() };
+        assert_eq!(number(&line(&info, "Pages:")), [1.0]);
+        let [page, art] = [&info, &art].map(|info| number(&line(info, "Page size:")));
+        assert!(page.iter().zip(&art).all(|(a, b)| (a - b).abs() < 0.5), "{page:?} {art:?}");
     }
 }
 

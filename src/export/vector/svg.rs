@@ -157,6 +157,10 @@ impl Writer {
             self.halo(&text::moved(&text::outline(text, size, mathematical), [x, y]), halo, halo_width);
         }
         self.xml.start_element("text");
+        if runs.iter().skip(1).any(|run| run.text.starts_with(' ')) {
+            // Inkscape and librsvg take a space away where a run has a place of its own.
+            self.xml.write_attribute("xml:space", "preserve");
+        }
         self.xml.write_attribute("x", &number(x));
         self.xml.write_attribute("y", &number(y));
         self.xml.write_attribute_fmt("font-family", format_args!("{}, Verdana, sans-serif", family(Face::Plain)));

@@ -7,19 +7,28 @@ use crate::formula;
 use crate::text;
 
 /// The LaTeX of a page whose other things are in the PDF `art`, which is named without its ending: a `picture` for
-/// `\input`. The document needs the packages graphicx and color (or xcolor).
+/// `\input`. The document needs the packages graphicx and color (or xcolor). Compiled alone, it is a document of one page
+/// as large as the picture.
 ///
 /// Each label is set in the document's font, at the height that it has on the page; its symbols are mathematics.
 #[must_use]
 pub fn tex(page: &Page, art: &str) -> String {
     let [width, height] = page.size.map(|side| number(side * page.points));
+    // In the body of a document, LaTeX has no message left for what comes before it.
+    let alone = format!(
+        "\\expandafter\\ifx\\csname @nodocument\\endcsname\\relax\\let\\endofpage\\relax\\else\n  \
+         \\documentclass{{article}}\\usepackage[utf8]{{inputenc}}\\usepackage{{graphicx,color}}%\n  \
+         \\usepackage[paperwidth={width}bp,paperheight={height}bp,margin=0bp]{{geometry}}%\n  \
+         \\pagestyle{{empty}}\\setlength{{\\parindent}}{{0bp}}\\setlength{{\\topskip}}{{0bp}}%\n  \
+         \\def\\endofpage{{\\end{{document}}}}\\expandafter\\begin\\expandafter{{document}}%\n\\fi\n"
+    );
     let mut latex = format!(
-        "% {}\n% \\usepackage{{graphicx, color}}\n\\begingroup\n\\setlength{{\\unitlength}}{{1bp}}%\n\
+        "% {}\n% \\usepackage{{graphicx, color}}\n{alone}\\begingroup\n\\setlength{{\\unitlength}}{{1bp}}%\n\
          \\begin{{picture}}({width},{height})%\n  \\put(0,0){{\\includegraphics[width={width}bp]{{{art}}}}}%\n",
         page.title.split_whitespace().collect::<Vec<_>>().join(" ")
     );
     labels(page, &page.items, [0.0; 2], &mut latex);
-    latex.push_str("\\end{picture}%\n\\endgroup\n");
+    latex.push_str("\\end{picture}%\n\\endgroup\\endofpage\n");
     latex
 }
 

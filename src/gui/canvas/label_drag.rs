@@ -143,7 +143,9 @@ fn add_note(state: &mut State, pane: &Pane, pixel: DVec2) {
     if count >= MAX_LABELS {
         return;
     }
-    let at = note_place(&pane.request, pixel, pane.rect.pixels(handle_drag::REACH));
+    // Under the pointer may be the other side of a comparison.
+    let (request, place) = pane.side_of(pixel);
+    let at = note_place(&request, place, pane.rect.pixels(handle_drag::REACH));
     let view = matches!(at, NotePlace::Picture(_)).then_some(pane.view);
     let text = words::texts(state.settings.lang).note.to_owned();
     let note = Note { view, at, by: None, text, size: None, color: None };

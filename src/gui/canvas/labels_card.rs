@@ -4,7 +4,7 @@ use eframe::egui::{self, Align2, ComboBox, Id, Ui, Window, vec2};
 
 use super::{Canvas, Pane};
 use crate::appearance::Rgba;
-use crate::figure::labels::{note_index, set_text};
+use crate::figure::labels::{LEGEND, is_in_legend, note_index, set_text};
 use crate::figure::words::{DIMENSIONS, value};
 use crate::figure::{Letters, Measure, MeasureText};
 use crate::gui::state::State;
@@ -99,10 +99,14 @@ impl Canvas {
                 state.document.edit_labels(|labels| labels.style(name, size, Some(Rgba::rgb(r, g, b))));
             }
         });
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             let hide = if note_index(name).is_some() { t.delete } else { t.hide };
             if ui.button(hide).clicked() {
                 state.document.edit_labels(|labels| labels.hide(name));
+                state.label_mode.choose(None);
+            }
+            if is_in_legend(name) && ui.button(t.hide_legend).explained(t.legend_hint).clicked() {
+                state.document.edit_labels(|labels| labels.hide(LEGEND));
                 state.label_mode.choose(None);
             }
             if ui.button(t.automatic).explained(t.automatic_hint).clicked() {

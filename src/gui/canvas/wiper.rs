@@ -22,8 +22,12 @@ impl Pane {
 
     /// The picture at a place, and the place in its pixels: of one that is compared, the side that is there.
     pub(super) fn under(&self, pointer: Pos2) -> (Request, DVec2) {
-        let pixel = self.rect.pixel(pointer);
-        match self.side(pointer) {
+        self.side_of(self.rect.pixel(pointer))
+    }
+
+    /// As [`under`](Self::under), at a place in the pixels of the whole picture.
+    pub(super) fn side_of(&self, pixel: DVec2) -> (Request, DVec2) {
+        match self.request.side_at(pixel.x) {
             Some(side) => (side.request, pixel - DVec2::X * f64::from(side.left)),
             None => (self.request.clone(), pixel),
         }
