@@ -89,6 +89,7 @@ impl<'a> ObjectPass<'a> {
             vertices: self.vertices(),
             lights,
             lit: self.plan.lit,
+            textured: self.plan.textured,
             both_sides: self.object.two_sided || self.is_cut_open(faces) || (mesh.closed && self.plan.translucent),
             depth_test: plan.depth || (faces.turned_over > 0 && plan.order == Visibility::DepthBuffer),
         };

@@ -106,6 +106,7 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
             cull_back: false,
             lit: LitAt::Nowhere,
             translucent: false,
+            textured: false,
         };
     }
     let clip_planes = match containment {
@@ -113,6 +114,7 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
         Containment::Crosses(_) | Containment::Outside(_) | Containment::Empty => ALL_PLANES,
     };
     let translucent = object.paint.is_translucent();
+    let textured = matches!(&object.paint, ObjectPaint::Texture(pictured) if force || pictured.one_color().is_none());
     let vertex_colors = matches!(object.paint, ObjectPaint::Vertices(_));
     let lit = match style.shading {
         _ if !object.lit => LitAt::Nowhere,
@@ -135,5 +137,6 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
         cull_back: !(object.two_sided || (object.mesh.closed && translucent)),
         lit,
         translucent,
+        textured,
     }
 }
