@@ -79,6 +79,12 @@ texts! {
     filter_nearest: "nearest", "vizinho mais próximo";
     filter_bilinear: "bilinear", "bilinear";
     filter_trilinear: "trilinear", "trilinear";
+    texture_reveal: "to see", "para ver";
+    texture_reveal_hint: "The inner work of texturing, in all pictures: u and v interpolated without w; levels of detail as colours; texels", "O trabalho interno da texturização, em todas as imagens: u e v interpolados sem w; níveis de detalhe em cores; texels";
+    texture_plain: "the texture", "a textura";
+    texture_affine: "without w", "sem w";
+    texture_levels: "levels of detail", "níveis de detalhe";
+    texture_texels: "texels", "texels";
     texture_scale: "times", "vezes";
     texture_scale_hint: "Repetitions along u and v; a negative number mirrors", "Repetições ao longo de u e v; um número negativo espelha";
     browse: "Choose…", "Escolher…";

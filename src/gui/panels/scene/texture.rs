@@ -4,7 +4,8 @@ use eframe::egui::{self, Key, RichText};
 
 use super::SceneForm;
 use super::object::{text_field, typing};
-use crate::appearance::{Filter, Wrap};
+use crate::appearance::{Filter, TextureReveal, Wrap};
+use crate::figure::words::TEXTURE_REVEALS;
 use crate::gui::file_flow;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::row;
@@ -28,6 +29,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, ind
     if scene.objects.iter().any(|object| object.owner() == owner && is_textured(object)) {
         wrap_and_filter(ui, form, index, is_mesh);
         scale(ui, form, index);
+        reveal(ui, state, form.t);
     }
     if !is_mesh {
         notices(ui, state, &owner);
@@ -162,6 +164,24 @@ fn choice<T: Copy + PartialEq>(
         .response
         .explained(hint)
         .accessible_name(title);
+}
+
+/// The inner work of texturing, in all pictures.
+fn reveal(ui: &mut egui::Ui, state: &mut State, t: &crate::i18n::scenes::Texts) {
+    let now = state.document.figure().reveal.texture;
+    let mut chosen = now;
+    row(ui, "", t.texture_reveal, t.texture_reveal_hint, |ui| {
+        let name = |reveal: TextureReveal| match reveal {
+            TextureReveal::Affine => t.texture_affine,
+            TextureReveal::Levels => t.texture_levels,
+            TextureReveal::Texels => t.texture_texels,
+        };
+        let unsaid = t.texture_plain.to_owned();
+        choice(ui, (t.texture_reveal, t.texture_reveal_hint), &mut chosen, unsaid, TEXTURE_REVEALS, name);
+    });
+    if chosen != now {
+        state.document.edit(|figure| figure.reveal.texture = chosen);
+    }
 }
 
 /// Repetitions along u and v.
