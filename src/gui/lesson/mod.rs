@@ -239,7 +239,11 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
                 say(ui);
             });
             ui.add_space(GUTTER - ui.spacing().item_spacing.x);
-            ui.vertical(|ui| task::show(ui, t, state, &step, &text));
+            ui.vertical(|ui| {
+                // Without a width of its own, a field that wants more would reach out of the window.
+                ui.set_width(half);
+                task::show(ui, t, state, &step, &text);
+            });
         });
     } else {
         ui.set_max_width(ui.available_width().min(1.4 * line));
