@@ -118,7 +118,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::appearance::Texture;
-use crate::figure::{Figure, Observer};
+use crate::figure::{Figure, Observer, WorldPart};
 pub use crate::figure::{View, Views};
 use crate::pipeline::Frame;
 use crate::progress::Progress;
@@ -226,6 +226,25 @@ impl Request {
             View::Canonical => canonical::holds(self, observer),
             View::Image => true,
         }
+    }
+
+    /// The same picture for a page or a file: its observer goes back to where everything of interest is in the picture,
+    /// if it was turned in a picture of another shape. A close look, of which most is outside anyway, goes back as far
+    /// as the picture is narrower than those beside one another in a window.
+    #[must_use]
+    pub fn gone_back(self) -> Self {
+        /// So many times as far, it would be another picture.
+        const CLOSE: f64 = 2.0;
+        /// Width over height of a picture beside another one in a window.
+        const BESIDE: f64 = 1.1;
+        let Some(given) = self.observer.filter(|_| self.normalizing().is_none()) else { return self };
+        let shows_volume = self.view != View::World || self.shot.look.world.parts.has(WorldPart::Volume);
+        let fitted = self.fitted(&given).filter(|fitted| {
+            shows_volume && !self.holds(&given) && (given.distance..CLOSE * given.distance).contains(&fitted.distance)
+        });
+        let narrower = (BESIDE / self.size.aspect()).max(1.0);
+        let gone = fitted.unwrap_or(Observer { distance: narrower * given.distance, ..given });
+        self.seen_by(Some(gone))
     }
 
     /// The observer that looks in the same direction as `observer` and has everything of interest in the picture;
