@@ -134,7 +134,7 @@ fn solution(lang: Lang, k: usize, step: &Step) -> Option<HandoutEntry> {
     let title = in_line(texts::told(lang, &step.title));
     let mut paragraphs = vec![Paragraph::Text(format!("{}. {title}", k + 1))];
     for ask in &exercise.asks {
-        paragraphs.push(Paragraph::Text(format!("→ {}", in_line(&exercise_sheet::answer(lang, ask)))));
+        paragraphs.push(answered(&exercise_sheet::answer(lang, ask)));
     }
     let steps = exercise.new_steps();
     for step in steps.iter().flatten() {
@@ -152,6 +152,16 @@ fn solution(lang: Lang, k: usize, step: &Step) -> Option<HandoutEntry> {
         }));
     }
     Some(HandoutEntry { picture: None, paragraphs })
+}
+
+/// An answer; a matrix, `[[a, b], [c, d]]`, in rows.
+fn answered(answer: &str) -> Paragraph {
+    let inner = answer.strip_prefix("[[").and_then(|answer| answer.strip_suffix("]]"));
+    let Some(inner) = inner else { return Paragraph::Text(format!("→ {}", in_line(answer))) };
+    let separator = if inner.contains(';') { ";" } else { "," };
+    let row = |row: &str| row.split(separator).map(|entry| in_line(entry.trim())).collect();
+    let rows = inner.split(']').map(|rest| rest.trim_start_matches([',', ';', ' ', '[']));
+    Paragraph::Formula(vec![FormulaPart::Line("→".to_owned()), FormulaPart::Matrix(rows.map(row).collect())])
 }
 
 /// Markdown as paragraphs; formulas on lines of their own are ones, and so are those with matrices.
@@ -273,6 +283,12 @@ mod tests {
             assert!(name.ends_with('='), "{name}");
             assert_eq!(*rows, [row(["1", "0,5"]), row(["0", "−1"])]);
         }
+        for answer in ["[[1, 0.5], [0, -1]]", "[[1; 0,5]; [0; -1]]"] {
+            let Paragraph::Formula(parts) = answered(answer) else { panic!("a matrix") };
+            let FormulaPart::Matrix(rows) = &parts[1] else { panic!("a matrix") };
+            assert_eq!(rows.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2], "{rows:?}");
+        }
+        assert_eq!(answered("(1, 2)"), Paragraph::Text("→ (1, 2)".to_owned()));
         assert_eq!(lowered("p_11 = 2F/W_c"), "p_{11} = 2F/W_c");
     }
 }

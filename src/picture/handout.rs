@@ -95,7 +95,7 @@ impl Handout {
             let mut block = Block { items: Vec::new(), height: 0.0, width };
             let drawn = page(sheet, Faces::Auto, [PER_INCH, DPI], false, progress).await?;
             block.picture(drawn.page);
-            entry.paragraphs.iter().for_each(|paragraph| block.paragraph(paragraph, size));
+            block.texts(&entry.paragraphs, size);
             row.push(block);
             if row.len() >= self.columns {
                 pages.put_row(std::mem::take(&mut row));
@@ -142,6 +142,25 @@ impl Block {
             }
         }
         self.height += 0.35 * size;
+    }
+
+    /// Texts below a picture. What is higher than a page has fewer lines to write on.
+    fn texts(&mut self, paragraphs: &[Paragraph], size: f32) {
+        let (above, most) = (self.height, PAPER[1] - 2.0 * BORDER);
+        let given = paragraphs.iter().map(|paragraph| if let Paragraph::Room(lines) = paragraph { *lines } else { 0 });
+        for room in (1..=given.max().unwrap_or_default().max(1)).rev() {
+            self.items.truncate(1);
+            self.height = above;
+            for paragraph in paragraphs {
+                match paragraph {
+                    Paragraph::Room(lines) => self.room(room.min(*lines)),
+                    paragraph => self.paragraph(paragraph, size),
+                }
+            }
+            if self.height <= most {
+                return;
+            }
+        }
     }
 
     fn formula(&mut self, parts: &[FormulaPart], size: f32) {
@@ -243,11 +262,13 @@ struct Pages<'a> {
     width: f32,
     /// The upper end of the room left on this page.
     y: f32,
+    /// The rows on this page.
+    rows: usize,
 }
 
 impl<'a> Pages<'a> {
     fn new(handout: &'a Handout, width: f32) -> Self {
-        Self { handout, done: Vec::new(), items: Vec::new(), width, y: BORDER }
+        Self { handout, done: Vec::new(), items: Vec::new(), width, y: BORDER, rows: 0 }
     }
 
     fn title(&mut self, title: &str) {
@@ -260,15 +281,27 @@ impl<'a> Pages<'a> {
 
     /// Entries side by side, which stay whole.
     fn put_row(&mut self, row: Vec<Block>) {
+        if row.is_empty() {
+            return;
+        }
         let height = row.iter().map(|block| block.height).fold(0.0, f32::max);
+        if self.handout.columns > 1 {
+            // Two rows on a page, the second from its middle on where the first leaves that free.
+            match self.rows {
+                0 => {}
+                1 => self.y = self.y.max((0.5 * PAPER[1]).min(PAPER[1] - BORDER - height)),
+                _ => self.turn(),
+            }
+        }
         self.make_room(height);
+        self.rows += 1;
         let mut x = BORDER;
         for block in row {
             let clip = [-4.0, -4.0, self.width + GUTTER, block.height + GAP];
             self.items.push(Item::Group { corner: [x, self.y], clip, items: block.items });
             x += self.width + GUTTER;
         }
-        self.y += if height > 0.0 { height + GAP } else { 0.0 };
+        self.y += height + GAP;
     }
 
     /// Texts as wide as the page; they go on on the next one. A heading stays with what comes below it.
@@ -310,7 +343,7 @@ impl<'a> Pages<'a> {
             language: self.handout.language,
             items: std::mem::take(&mut self.items),
         });
-        self.y = BORDER;
+        (self.y, self.rows) = (BORDER, 0);
     }
 
     fn finish(mut self) -> Vec<Page> {

@@ -239,10 +239,11 @@ impl Request {
         const BESIDE: f64 = 1.1;
         let Some(given) = self.observer.filter(|_| self.normalizing().is_none()) else { return self };
         let shows_volume = self.view != View::World || self.shot.look.world.parts.has(WorldPart::Volume);
-        let fitted = self.fitted(&given).filter(|fitted| {
-            shows_volume && !self.holds(&given) && (given.distance..CLOSE * given.distance).contains(&fitted.distance)
-        });
-        let narrower = (BESIDE / self.size.aspect()).max(1.0);
+        let fitted = self
+            .fitted(&given)
+            .filter(|fitted| shows_volume && !self.holds(&given) && fitted.distance < CLOSE * given.distance);
+        let size = self.each_side().first().map_or(self.size, |side| side.size);
+        let narrower = (BESIDE / size.aspect()).max(1.0);
         let gone = fitted.unwrap_or(Observer { distance: narrower * given.distance, ..given });
         self.seen_by(Some(gone))
     }
