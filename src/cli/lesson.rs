@@ -239,6 +239,10 @@ fn faults_of_goal(
         faults.push((Part::Condition(k, number), Box::new(say)));
     }
     let Ok(camera) = Camera::new(&figure.camera) else { return faults };
+    if !faults.is_empty() {
+        // What is hidden or seen is not known.
+        return faults;
+    }
     if goal.is_reached(Subject { figure, camera: &camera, scene }, seen) {
         faults.push((Part::Until(k), Box::new(move |key| texts::reached_already(lang, key))));
     }

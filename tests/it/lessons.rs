@@ -110,7 +110,7 @@ fn goals_are_about_what_is_seen_about_numbers_and_about_every_key_of_the_figure(
         ("key = \"observers.world.elevation\"\nleast = \"60°\"", &["observers.world.elevation=75"]),
         ("key = \"scene.preset\"\nis = \"cube\"", &["scene.preset=cube"]),
         ("quantity = \"camera.view_angle\"\nleast = \"2atan(1)\"", &["camera.view_angle=100"]),
-        ("angle = [\"camera.view_up\", \"dop\"]\nmost = \"30°\"", &["camera.view_up=[0, 1, -3]"]),
+        ("angle = [\"camera.view_up\", \"dop\"]\nmost = \"30°\"", &["camera.view_up=[-3, -4, -4]"]),
         ("hidden = \"door\"", &["azimuth=150"]),
     ] {
         let lesson = parse(&with_goal(condition)).unwrap_or_else(|error| panic!("{condition}: {error}"));
@@ -287,7 +287,7 @@ fn the_command_line_lists_shows_checks_and_draws() {
         (
             "hidden = \"dor\"",
             "",
-            "goal.toml, line 13: [step.try] until.hidden is \"dor\", which the scene does not have; allowed: \"walls\"",
+            "goal.toml, line 13: [step.try] until.hidden is \"dor\", which the scene does not have; allowed: \"ground\", \"walls\"",
         ),
         ("quantity = \"distance\"\nleast = 0", "", "goal.toml, line 12: [step.try] until holds already"),
         (

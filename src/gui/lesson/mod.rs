@@ -126,7 +126,8 @@ pub(super) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
         let mut wanted = ui.cursor().top() - top;
         if shows {
             ui.add_space(2.0);
-            let area = ScrollArea::vertical().id_salt(key).auto_shrink(false);
+            // As low as its text: taller than its panel, it would push the bar out of sight.
+            let area = ScrollArea::vertical().id_salt(key).min_scrolled_height(0.0).auto_shrink(false);
             let shown = area.show(ui, |ui| ui.scope(|ui| content(ui, t, state)).response.rect.height());
             wanted += ui.spacing().item_spacing.y + 2.0 + shown.inner;
         }
