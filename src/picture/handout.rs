@@ -1,11 +1,10 @@
 //! Pictures with texts on pages of paper, to be handed out.
 
 use super::error::PictureError;
-use super::handout_formula::{self, FormulaPart};
+use super::handout_formula::{self, FormulaPart, INK, written};
 use super::vectors::{Faces, page};
 use super::{Composite, PER_INCH};
 use crate::appearance::Rgba;
-use crate::drawing::Anchor;
 use crate::export::vector::{Item, Letters, Page, pdf_of};
 use crate::progress::Progress;
 use crate::text::{Element, measure};
@@ -25,7 +24,6 @@ const WRITING: f32 = 21.0;
 /// Resolution of shaded faces, in pixels per inch.
 const DPI: f64 = 200.0;
 
-pub(super) const INK: Rgba = Rgba::rgb(0x1a, 0x1a, 0x1a);
 const FAINT: Rgba = Rgba::rgb(0x66, 0x66, 0x66);
 
 /// A text of a handout. `_c` and `_{abc}` in it are subscripts.
@@ -187,11 +185,6 @@ impl Block {
         }
         self.height += 6.0;
     }
-}
-
-pub(super) fn written(text: String, at: [f32; 2], size: f32, color: Rgba) -> Item {
-    let halo = Rgba::rgba(0, 0, 0, 0);
-    Item::Text { at, text, mathematical: false, size, color, halo, halo_width: 0.0, anchor: Anchor::Left }
 }
 
 /// The lines of a text that are no wider than `width`; a word that is wider has a line of its own.

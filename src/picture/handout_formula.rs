@@ -1,8 +1,12 @@
 //! Formulas of a handout on lines of their own: matrices in rows between brackets.
 
-use super::handout::{INK, written};
+use crate::appearance::Rgba;
+use crate::drawing::Anchor;
 use crate::export::vector::Item;
 use crate::text::{Element, measure};
+
+/// The colour of letters.
+pub(super) const INK: Rgba = Rgba::rgb(0x1a, 0x1a, 0x1a);
 
 /// Between the columns of a matrix, and between its bracket and its entries, in heights of the letters.
 const COLUMNS: f32 = 1.0;
@@ -47,6 +51,12 @@ impl FormulaPart {
             Self::Matrix(rows) => rows.len() as f32 * ROWS * size,
         }
     }
+}
+
+/// A text that begins at a place, on its baseline.
+pub(super) fn written(text: String, at: [f32; 2], size: f32, color: Rgba) -> Item {
+    let halo = Rgba::rgba(0, 0, 0, 0);
+    Item::Text { at, text, mathematical: false, size, color, halo, halo_width: 0.0, anchor: Anchor::Left }
 }
 
 /// Sets a formula; a part for which a line has no room begins another.
