@@ -21,7 +21,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
     let mut chosen = None;
     let most = (ui.ctx().content_rect().height() - 160.0).max(120.0);
     let next = state.next_lesson();
-    // Always as high, from its first frame on, in which a dialog is offered less: one that grows moves under the pointer.
+    // Always as high, from its first frame on, where it is offered less: what grows moves under the pointer.
     let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most).auto_shrink(false);
     area.show(ui, |ui| {
         for (k, shipped) in shipped().iter().enumerate() {
