@@ -259,3 +259,36 @@ impl Request {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+    use super::*;
+    use crate::camera::Camera;
+    use crate::i18n::{Lang, pictures};
+
+    #[test]
+    fn an_observer_goes_back_where_the_volume_would_be_cut_and_a_close_look_stays_close() {
+        let figure = Figure::default();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let scene = SharedScene::new(Scene::default());
+        let of = |width, observer| {
+            let size = Size { width, height: 400, scale: 1.0 };
+            let request = Request::of(&figure, View::World, &camera, &scene, pictures::labels(Lang::En), size);
+            request.seen_by(observer)
+        };
+        let wide = of(900, None).observer_from(Viewpoint::Iso).unwrap();
+        assert_eq!(of(900, Some(wide)).gone_back().observer, Some(wide), "it has everything in the picture");
+        let narrow = of(300, Some(wide));
+        let gone = narrow.clone().gone_back().observer.unwrap();
+        assert!(!narrow.holds(&wide) && narrow.holds(&gone));
+        assert_eq!((gone.azimuth, gone.elevation), (wide.azimuth, wide.elevation));
+        let close = Observer { distance: 0.1 * wide.distance, ..wide };
+        assert_eq!(of(900, Some(close)).gone_back().observer, Some(close));
+        let gone = of(300, Some(close)).gone_back().observer.unwrap();
+        assert_eq!(gone.target, close.target);
+        assert!((gone.distance / close.distance - 1.1 / 0.75).abs() < 1e-9, "as much across as beside another picture");
+        assert_eq!(of(300, None).gone_back(), of(300, None));
+    }
+}
