@@ -61,9 +61,10 @@ pub(super) fn written(text: String, at: [f32; 2], size: f32, color: Rgba) -> Ite
 
 /// Sets a formula; a part for which a line has no room begins another.
 pub(super) fn set(parts: &[FormulaPart], size: f32, width: f32) -> SetFormula {
+    let parts: Vec<FormulaPart> = parts.iter().flat_map(|part| broken(part, size, width)).collect();
     let mut lines: Vec<Vec<&FormulaPart>> = Vec::new();
     let mut x = 0.0;
-    for part in parts {
+    for part in &parts {
         let wide = part.width(size);
         match lines.last_mut().filter(|_| x + wide <= width) {
             Some(line) => line.push(part),
@@ -91,6 +92,21 @@ pub(super) fn set(parts: &[FormulaPart], size: f32, width: f32) -> SetFormula {
         formula.height += height;
     }
     formula
+}
+
+/// A line that is wider than its room, after brackets; anything else as it is.
+fn broken(part: &FormulaPart, size: f32, width: f32) -> Vec<FormulaPart> {
+    let FormulaPart::Line(text) = part else { return vec![part.clone()] };
+    let mut lines = vec![String::new()];
+    for piece in text.split_inclusive(") ") {
+        match lines.last_mut() {
+            Some(line) if line.is_empty() || measure(&format!("{line}{piece}"), size, false).width <= width => {
+                line.push_str(piece);
+            }
+            _ => lines.push(piece.to_owned()),
+        }
+    }
+    lines.into_iter().map(FormulaPart::Line).collect()
 }
 
 fn widths(rows: &[Vec<String>], size: f32) -> Vec<f32> {
@@ -157,6 +173,9 @@ mod tests {
         assert!(wide_entry[0][0] < ones[1][0], "a narrow entry stands in the middle of its column");
         assert_eq!(wide.items.iter().filter(|item| matches!(item, Item::Stroke { .. })).count(), 2);
         assert_eq!(wide.height, 3.0 * ROWS * 10.0);
+        let axes = [FormulaPart::Line("u = (1, 0, 0) v = (0, 1, 0)".to_owned())];
+        assert_eq!(set(&axes, 10.0, 400.0).height, ROWS * 10.0);
+        assert_eq!(set(&axes, 10.0, 90.0).height, 2.0 * ROWS * 10.0, "what is too wide goes on below");
         let narrow = set(&parts, 10.0, 40.0);
         assert_eq!(narrow.height, 4.0 * ROWS * 10.0, "the matrix has a line of its own");
     }
