@@ -305,7 +305,7 @@ fn observer(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observer {
 }
 
 /// The line of a place in the text, counted from 1.
-fn line_of(text: &str, at: usize) -> usize {
+pub(crate) fn line_of(text: &str, at: usize) -> usize {
     1 + text.as_bytes()[..at.min(text.len())].iter().filter(|b| **b == b'\n').count()
 }
 
