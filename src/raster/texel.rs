@@ -52,16 +52,19 @@ impl<'a> TexturedTriangle<'a> {
     #[inline(always)]
     pub(super) fn colors<K: Simd>(&self, wanted: mask32x8<K>, [s, t]: [f32x8<K>; 2], w: f32x8<K>) -> u32x8<K> {
         let simd = wanted.witness();
-        // Squares of the longer change: the root is taken by halving the logarithm.
-        let change = self.change.map(|change| {
+        // The changes of u and v in texels, from pixel to pixel: along x, along y.
+        let changes = self.change.map(|change| {
             let (wide, high) = (self.image.width() as f32, self.image.height() as f32);
-            let [x, y] = change.map(|[u, v, sum]| {
+            change.map(|[u, v, sum]| {
                 let du = (f32x8::splat(simd, u) - s * (sum * wide)) * w;
                 let dv = (f32x8::splat(simd, v) - t * (sum * high)) * w;
-                du * du + dv * dv
-            });
-            x.max(y)
+                [du * du, dv * dv]
+            })
         });
+        // Squares of the longer change: the root is taken by halving the logarithm.
+        let change = changes.map(|[x, y]| (x[0] + x[1]).max(y[0] + y[1]));
+        // The widths of a pixel in texels, along u and along v.
+        let width = changes.map(|[x, y]| [(x[0] + y[0]).sqrt(), (x[1] + y[1]).sqrt()]);
         let mut colors = u32x8::splat(simd, 0);
         // Texels lie anywhere in memory: each pixel asks for its own.
         for l in (0..LANES).filter(|&l| wanted[l] != 0) {
@@ -69,7 +72,9 @@ impl<'a> TexturedTriangle<'a> {
             let texel = match self.sampler.reveal {
                 None | Some(TextureReveal::Affine) => self.texel([s[l], t[l]], detail),
                 Some(TextureReveal::Levels) => self.with_level([s[l], t[l]], detail),
-                Some(TextureReveal::Texels) => self.with_lines([s[l], t[l]], detail),
+                Some(TextureReveal::Texels) => {
+                    self.with_lines([s[l], t[l]], width.map_or([1.0; 2], |[u, v]| [u[l], v[l]]))
+                }
             };
             colors[l] = Pixel::from_le_bytes(std::array::from_fn(|k| byte(texel[k] * self.tint[k])));
         }
@@ -93,23 +98,18 @@ impl<'a> TexturedTriangle<'a> {
         std::array::from_fn(|k| 0.5 * (own[k] + level[k] * own[3] / 255.0))
     }
 
-    /// The nearest texel, and lines between texels.
-    fn with_lines(&self, uv: [f32; 2], detail: f32) -> [f32; 4] {
+    /// The nearest texel, and lines between texels. `width`: that of a pixel in texels, along u and along v.
+    fn with_lines(&self, uv: [f32; 2], width: [f32; 2]) -> [f32; 4] {
         /// Texels of fewer pixels would be all lines.
-        const SMALLEST: f32 = 5.0;
+        const SMALLEST: f32 = 4.0;
         let Some(level) = self.image.levels().first() else { return [0.0; 4] };
         let own = nearest(level, self.sampler, uv);
-        // Texels in a pixel: 2^λ.
-        let step = detail.exp2();
-        if !(step * SMALLEST < 1.0) {
-            return own;
-        }
-        let is_near = |t: f32, size: u32| {
+        let is_near = |t: f32, size: u32, width: f32| {
             let within = t * size as f32;
             let within = within - within.floor();
-            within.min(1.0 - within) < 0.5 * step
+            width * SMALLEST < 1.0 && within.min(1.0 - within) < 0.5 * width
         };
-        if is_near(uv[0], level.width) || is_near(uv[1], level.height) {
+        if is_near(uv[0], level.width, width[0]) || is_near(uv[1], level.height, width[1]) {
             // Dark on light texels and light on dark ones.
             let line = if own[0] + own[1] + own[2] > 1.5 * own[3] { 0.0 } else { own[3] };
             return [0.5 * (own[0] + line), 0.5 * (own[1] + line), 0.5 * (own[2] + line), own[3]];
