@@ -144,3 +144,317 @@ pub(super) fn of_ends(cost: &mut Cost, perspective: bool, ends: u64) {
     cost.add(Stage::Oblique, OBLIQUE, ends);
     of_points(cost, perspective, ends);
 }
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use std::cell::Cell;
+    use std::ops::{Add, Div, Mul, Neg, Sub};
+
+    use glam::{DMat4, DVec3};
+
+    use super::super::Target;
+    use super::super::planes::outcode;
+    use super::super::projector::Projector;
+    use super::super::transform::{Screen, on_grid};
+    use super::*;
+    use crate::appearance::Rgba;
+    use crate::camera::{Camera, Parameters, Projection, ViewWindow};
+    use crate::drawing::{Lighting, ViewLight};
+    use crate::lighting::{light_eight, shade};
+    use crate::simd::{f32x8, prelude::*, with_vectors};
+
+    /// Numbers that formulas can be run on.
+    trait Real:
+        Copy
+        + Add<Output = Self>
+        + Sub<Output = Self>
+        + Mul<Output = Self>
+        + Div<Output = Self>
+        + Neg<Output = Self>
+        + PartialOrd
+    {
+        fn of(value: f32) -> Self;
+        fn root(self) -> Self;
+    }
+
+    impl Real for f64 {
+        fn of(value: f32) -> Self {
+            value.into()
+        }
+
+        fn root(self) -> Self {
+            self.sqrt()
+        }
+    }
+
+    impl Real for f32 {
+        fn of(value: f32) -> Self {
+            value
+        }
+
+        fn root(self) -> Self {
+            self.sqrt()
+        }
+    }
+
+    thread_local! {
+        static DONE: Cell<u64> = const { Cell::new(0) };
+    }
+
+    /// A number that counts what is done with it, except a change of sign.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    struct Counted<T>(T);
+
+    fn tick() {
+        DONE.set(DONE.get() + 1);
+    }
+
+    macro_rules! counted {
+        ($($operation:ident $method:ident),*) => {$(
+            impl<T: Real> $operation for Counted<T> {
+                type Output = Self;
+
+                fn $method(self, other: Self) -> Self {
+                    tick();
+                    Self(self.0.$method(other.0))
+                }
+            }
+        )*};
+    }
+    counted!(Add add, Sub sub, Mul mul, Div div);
+
+    impl<T: Real> Neg for Counted<T> {
+        type Output = Self;
+
+        fn neg(self) -> Self {
+            Self(-self.0)
+        }
+    }
+
+    impl<T: Real> PartialOrd for Counted<T> {
+        fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+            tick();
+            self.0.partial_cmp(&other.0)
+        }
+    }
+
+    impl<T: Real> Real for Counted<T> {
+        fn of(value: f32) -> Self {
+            Self(T::of(value))
+        }
+
+        fn root(self) -> Self {
+            tick();
+            Self(self.0.root())
+        }
+    }
+
+    /// The operations of `work`, and what comes of it.
+    fn count<T>(work: impl FnOnce() -> T) -> (u64, T) {
+        DONE.set(0);
+        let result = work();
+        (DONE.get(), result)
+    }
+
+    fn dot<T: Real>(a: [T; 3], b: [T; 3]) -> T {
+        a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    }
+
+    fn to_view<T: Real>(eye: [T; 3], rows: [[T; 3]; 3], p: [T; 3]) -> [T; 3] {
+        let d = [p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]];
+        rows.map(|row| dot(row, d))
+    }
+
+    fn scaled<T: Real>(scale: [T; 2], p: [T; 3]) -> [T; 2] {
+        [scale[0] * p[0], scale[1] * p[1]]
+    }
+
+    fn shifted<T: Real>(shift: [T; 2], w: T, p: [T; 2]) -> [T; 2] {
+        [p[0] - shift[0] * w, p[1] - shift[1] * w]
+    }
+
+    fn divided<T: Real>([x, y]: [T; 2], w: T) -> [T; 3] {
+        let inverse_w = T::of(1.0) / w;
+        [x * inverse_w, y * inverse_w, inverse_w]
+    }
+
+    fn depth_divided<T: Real>(share: T, unit: T, inverse_w: T) -> T {
+        share * (unit * inverse_w)
+    }
+
+    fn held<T: Real>(value: T, limit: T) -> T {
+        let v = if value > T::of(0.0) { value } else { T::of(0.0) };
+        if v < limit { v } else { limit }
+    }
+
+    fn on_image<T: Real>([x, y]: [T; 2], half: [T; 2], limits: [T; 2], zero: T) -> [T; 2] {
+        let x = held(x * half[0] + half[0], limits[0]);
+        let y = held(half[1] - y * half[1], limits[1]);
+        [(x + zero) - zero, (y + zero) - zero]
+    }
+
+    fn share_of_depth<T: Real>(near: T, far: T, depth: T) -> T {
+        (far - depth) / (far - near)
+    }
+
+    fn outside<T: Real>([x, y]: [T; 2], w: T, depth: T, [near, far]: [T; 2], size: [T; 3], greatest: T) -> bool {
+        let distances = [w + x, w - x, w + y, w - y, depth - near, far - depth];
+        let any = distances.map(|distance| distance < T::of(0.0)).contains(&true);
+        size[0] + size[1] + size[2] <= greatest && any
+    }
+
+    #[test]
+    fn as_many_operations_as_the_way_of_a_vertex_has() {
+        let window = Some(ViewWindow { left: -0.5, right: 1.5, bottom: -1.0, top: 0.75 });
+        for projection in [Projection::Perspective, Projection::Parallel] {
+            let camera = Camera::new(&Parameters { projection, window, ..Parameters::default() }).unwrap();
+            let projector = Projector::new(&camera);
+            let perspective = projector.perspective;
+            let world_from_object = DMat4::from_rotation_y(0.3) * DMat4::from_scale(DVec3::new(1.0, 1.5, 0.75));
+            let way = projector.view_from_object(world_from_object);
+            assert!(!way.goes_through_world());
+            let (eye, rows) = (-way.offset(DVec3::ZERO), way.of_offsets().transpose().to_cols_array_2d());
+            let target = Target { width: 640, height: 480, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
+            let screen = Screen::new(target);
+            let all = |values: [f64; 3]| values.map(Counted);
+            let both = |values: [f64; 2]| values.map(Counted);
+            let (near, far, greatest) = (projector.near, projector.far, projector.depths.greatest());
+            for p in [DVec3::new(0.25, -0.5, 0.75), DVec3::new(-1.0, 0.125, -0.3), DVec3::new(0.7, 0.6, 0.1)] {
+                let (of_view, view) =
+                    count(|| to_view(all(eye.to_array()), rows.map(all), all(p.to_array())).map(|c| c.0));
+                assert_eq!(view, way.point(p).to_array());
+                assert_eq!(of_view, VIEW.float);
+
+                let (depth, w) = (-view[2], if perspective { -view[2] } else { 1.0 });
+                let (of_scale, scaled) = count(|| scaled(both(projector.scale), all(view)));
+                let (of_shift, clip) = count(|| shifted(both(projector.shift), Counted(w), scaled).map(|c| c.0));
+                let clip_point = projector.clip(DVec3::from_array(view));
+                assert_eq!([clip[0], clip[1], w, depth], [clip_point.x, clip_point.y, clip_point.w, clip_point.depth]);
+                assert_eq!([of_scale, of_shift], [CLIP_SPACE.float, OBLIQUE.float]);
+
+                let size = [clip[0].abs(), clip[1].abs(), depth.abs()];
+                let limit = Counted(f64::MAX / 4.0);
+                let (of_code, outside) =
+                    count(|| outside(both(clip), Counted(w), Counted(depth), both([near, far]), all(size), limit));
+                assert_eq!(outside, outcode(&projector, clip_point) != 0);
+                assert_eq!(of_code, OUTCODE.float);
+
+                let (of_divide, ndc) = count(|| divided(both(clip), Counted(w)));
+                let (of_share, share) = count(|| share_of_depth(Counted(near), Counted(far), Counted(depth)));
+                let (of_depth, stored) = count(|| depth_divided(share, Counted(near), ndc[2]));
+                let half = screen.half_size();
+                let limits = [2.0 * half.x, 2.0 * half.y];
+                // 1.5 · 2⁵² rounds to whole numbers, and 256 times less to steps of 1/256.
+                let zero = Counted(6_755_399_441_055_744.0 / 256.0);
+                let (of_image, image) =
+                    count(|| on_image([ndc[0], ndc[1]], both(half.to_array()), both(limits), zero).map(|c| c.0));
+                let (of_hold, stored) = count(|| held(if perspective { stored } else { share }, Counted(greatest)).0);
+                #[expect(clippy::cast_possible_truncation, reason = "the display list has single precision")]
+                let position = [image[0] as f32, image[1] as f32, stored as f32];
+                assert_eq!(position, on_grid(screen.project(&projector, clip_point)), "{projection:?}");
+                assert_eq!([of_divide, of_depth], [DIVIDE.float, DIVIDE_DEPTH.float]);
+                assert_eq!(of_share + of_image + of_hold, VIEWPORT.float);
+            }
+        }
+    }
+
+    fn unit<T: Real>(v: [T; 3]) -> [T; 3] {
+        let square = dot(v, v);
+        let inverse = if square > T::of(0.0) { T::of(1.0) / square.root() } else { T::of(0.0) };
+        v.map(|c| c * inverse)
+    }
+
+    fn positive<T: Real>(v: T) -> T {
+        if v > T::of(0.0) { v } else { T::of(0.0) }
+    }
+
+    /// The reflection model, once more: one point at a time, in numbers of any kind.
+    fn light<T: Real>(lighting: &Lighting, normal: [T; 3], position: [T; 3]) -> [T; 2] {
+        let mut n = unit(normal);
+        let to_viewer = if lighting.distant_viewer { [0.0, 0.0, 1.0].map(T::of) } else { unit(position.map(|c| -c)) };
+        if lighting.two_sided && dot(n, to_viewer) < T::of(0.0) {
+            n = n.map(|c| -c);
+        }
+        let (mut diffuse, mut specular) = (T::of(0.0), T::of(0.0));
+        for lamp in &lighting.lights {
+            let vector = lamp.vector.map(T::of);
+            let to_light = if lamp.distant { vector } else { unit([0, 1, 2].map(|k| vector[k] - position[k])) };
+            let cosine = dot(n, to_light);
+            diffuse = diffuse + positive(cosine);
+            if lighting.specular > 0.0 {
+                let half = unit([0, 1, 2].map(|k| to_light[k] + to_viewer[k]));
+                let (mut base, mut power) = (positive(dot(n, half)), T::of(1.0));
+                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small whole number")]
+                let mut left = lighting.shininess as u32;
+                while left > 0 {
+                    if left & 1 == 1 {
+                        power = power * base;
+                    }
+                    left >>= 1;
+                    base = base * base;
+                }
+                specular = specular + if cosine > T::of(0.0) { power } else { T::of(0.0) };
+            }
+        }
+        [diffuse * T::of(lighting.diffuse) + T::of(lighting.ambient), specular * T::of(lighting.specular)]
+    }
+
+    fn channel<T: Real>(color: T, share: T, white: T, most: T) -> T {
+        let value = positive(color * share + white);
+        let value = if value < most { value } else { most };
+        // As rounding does it: by a sum whose lower bits are the whole number.
+        value + T::of(8_388_608.0)
+    }
+
+    #[test]
+    fn as_many_operations_as_light_has() {
+        let (near, far) = (ViewLight::point([0.5, 1.0, -1.0]), ViewLight::directional([0.6, 0.0, 0.8]));
+        for (lights, specular, shininess) in
+            [(vec![far], 0.0, 24.0), (vec![far, near], 0.3, 24.0), (vec![near], 0.5, 7.0), (vec![], 0.3, 1.0)]
+        {
+            for (distant_viewer, two_sided) in [(true, false), (false, false), (true, true), (false, true)] {
+                let lighting = Lighting {
+                    ambient: 0.35,
+                    diffuse: 0.65,
+                    specular,
+                    shininess,
+                    distant_viewer,
+                    two_sided,
+                    lights: lights.clone(),
+                };
+                let (normal, position) = ([0.25, -0.5, 0.75], [0.3, -0.2, -4.0]);
+                let (done, shares) =
+                    count(|| light(&lighting, normal.map(Counted), position.map(Counted)).map(|c| c.0));
+                let there = with_vectors!(simd => {
+                    let [n, p] = [normal, position].map(|v| v.map(|c| f32x8::splat(simd, c)));
+                    light_eight(simd, &lighting, n, p).map(|share| share[3])
+                });
+                assert_eq!(shares, there);
+                assert_eq!(done, light_operations(&lighting).float, "{lighting:?}");
+
+                let own = [200.0, 100.0, 40.0_f32];
+                let [share, white] = shares.map(Counted);
+                let most = Counted(255.0);
+                let (done, lit) = count(|| {
+                    let white = white * most;
+                    own.map(|c| channel(Counted(c), share, white, most).0 - 8_388_608.0)
+                });
+                let color = shade(&lighting, normal, position, Rgba::rgb(200, 100, 40));
+                assert_eq!(lit, [color.r, color.g, color.b].map(f32::from));
+                assert_eq!(done, WITH_LIGHT.float);
+            }
+        }
+    }
+
+    #[test]
+    fn as_many_operations_as_the_side_of_a_triangle_has() {
+        let [a, b, c] = [[1.0, 2.0], [5.0, 3.0], [2.0, 7.0]].map(|p: [f32; 2]| p.map(Counted));
+        let (done, _) = count(|| {
+            let (first, second) = ((b[1] - a[1]) * (c[0] - a[0]), (b[0] - a[0]) * (c[1] - a[1]));
+            (first > second, first < second)
+        });
+        assert_eq!(done, TURNED.float);
+    }
+}
