@@ -64,8 +64,8 @@ pub fn line(lang: Lang, report: &StageReport) -> String {
     if let Some(time) = report.time {
         parts.push(lang.mark().printed(&numbers::duration(time)));
     }
-    parts.extend(cost(lang, report));
     parts.push(reason);
+    parts.extend(cost(lang, report));
     format!("{name}: {}", parts.join(" · "))
 }
 
