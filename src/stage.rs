@@ -243,3 +243,25 @@ impl AddAssign for Cost {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_for_a_stage_that_did_not_run_is_booked_to_the_loop_that_did_it() {
+        let one = Operations::new(1, 2, 3);
+        let mut cost = Cost::default();
+        for stage in [Stage::Transform, Stage::Oblique, Stage::Divide, Stage::CullFaces, Stage::HiddenSurfaces] {
+            cost.add(stage, one, 10);
+        }
+        assert_eq!(cost.booked(|_| true), cost);
+        let booked = cost.booked(|stage| matches!(stage, Stage::Transform | Stage::CullFaces));
+        // Fill, in whose loop hidden surfaces are removed, did not run either.
+        assert_eq!(booked.of(Stage::Transform), one * 40);
+        assert_eq!(booked.of(Stage::CullFaces), one * 10);
+        let left = [Stage::Oblique, Stage::Divide, Stage::HiddenSurfaces, Stage::Fill];
+        assert!(left.iter().all(|&stage| booked.of(stage) == Operations::NONE));
+        assert_eq!(Cost::default().booked(|_| false), Cost::default());
+    }
+}
