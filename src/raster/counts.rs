@@ -8,7 +8,7 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, i32x8, mask32x8};
 use crate::stage::Cost;
 
-use super::operations::{self, Depths};
+use super::operations::{self, Depths, Tally};
 use super::shade::LANES;
 
 /// Counts of processed samples.
@@ -23,27 +23,6 @@ pub(super) struct Counts {
     /// Of the surface at hand, since the last [`sum`](Self::sum).
     pub(super) here: Tally,
     lanes: [[i32; LANES]; KINDS],
-}
-
-/// Numbers of elements of one surface that were worked on.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Tally {
-    /// Triangles that were set up eight at a time, and on their own.
-    pub(super) triangles: u64,
-    pub(super) alone: u64,
-    /// Samples whose edge functions were asked.
-    pub(super) edge_tests: u64,
-    /// Rows between borders, and the samples in them that were held against these.
-    pub(super) rows: u64,
-    pub(super) border_tests: u64,
-    /// Samples inside of triangles, and those of them that nothing nearer has hidden.
-    pub(super) covered: u64,
-    pub(super) written: u64,
-    /// Pixels that were given a colour without a division by 1/w, and with one.
-    pub(super) colored: u64,
-    pub(super) divided: u64,
-    /// Pixels whose colour comes from two levels of a texture.
-    pub(super) two_levels: u64,
 }
 
 /// What is counted in lanes, by pixel of a tile.

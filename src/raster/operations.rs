@@ -8,7 +8,26 @@ use crate::drawing::{Base, Drawing, Surface, SurfaceLight};
 use crate::lighting::{WITH_LIGHT, light_operations};
 use crate::stage::{Cost, Operations, Stage};
 
-use super::counts::Tally;
+/// Numbers of elements of one surface that were worked on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Tally {
+    /// Triangles that were set up eight at a time, and on their own.
+    pub(super) triangles: u64,
+    pub(super) alone: u64,
+    /// Samples whose edge functions were asked.
+    pub(super) edge_tests: u64,
+    /// Rows between borders, and the samples in them that were held against these.
+    pub(super) rows: u64,
+    pub(super) border_tests: u64,
+    /// Samples inside of triangles, and those of them that nothing nearer has hidden.
+    pub(super) covered: u64,
+    pub(super) written: u64,
+    /// Pixels that were given a colour without a division by 1/w, and with one.
+    pub(super) colored: u64,
+    pub(super) divided: u64,
+    /// Pixels whose colour comes from two levels of a texture.
+    pub(super) two_levels: u64,
+}
 
 /// The treatment of the depths of a surface's samples.
 #[derive(Clone, Copy, Debug)]

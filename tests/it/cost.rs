@@ -41,7 +41,7 @@ fn sums(told: &Value) -> [[u64; 3]; 2] {
 
 fn torus(segments: u32, rest: &str) -> String {
     format!(
-        "[camera]\nposition = [0.0, 2.0, 6.0]\nfocal_point = [0.0, 0.0, 0.0]\n[image]\nwidth = 160\nheight = 120\n\
+        "[camera]\nposition = [0.0, 2.0, 6.0]\nfocal_point = [0.0, 0.0, 0.0]\nnear = 3.0\nfar = 12.0\n[image]\nwidth = 160\nheight = 120\n\
          [[scene.objects]]\nname = \"ring\"\nshape = \"torus\"\nsegments = {segments}\ncolor = \"#4477aa\"\n\
          [[scene.lights]]\nkind = \"directional\"\ndirection = [-1.0, -1.0, -1.0]\n{rest}"
     )
