@@ -53,6 +53,7 @@
 //! | `section` | the section along **u**: similar triangles, with their lengths |
 //! | `shot` | `Shot`: all that pictures show, as one value |
 //! | `stage_overlay` | a stage of the pipeline in its picture: input and output |
+//! | `texel` | the place of a point in the texture of the surface that it is on |
 //! | `timed_pipeline` | the pipeline as the pictures use it |
 //! | `transform_gizmo` | the gizmo that moves, turns and scales the selected objects in the world |
 //! | `transform_preview` | an object where a list of transforms puts it, as glass |
@@ -104,6 +105,7 @@ mod screen;
 mod section;
 mod shot;
 mod stage_overlay;
+mod texel;
 mod timed_pipeline;
 pub mod transform_gizmo;
 mod transform_preview;
@@ -140,6 +142,7 @@ pub use picture::{MAX_PICTURES, Picture, observer_in};
 pub use pixels::{PixelRect, Size, image_frame};
 pub use request::{Finish, Normalizing, Request, SharedScene};
 pub use shot::{Compared, Look, Shot};
+pub use texel::{TexelAt, texel_at};
 pub use timed_pipeline::TimedPipeline;
 pub use values::caption;
 
