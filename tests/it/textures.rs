@@ -3,7 +3,6 @@
 #![expect(
     clippy::unwrap_used,
     clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
     reason = "a test may fail by panicking; texels are small numbers"
 )]
 
@@ -76,7 +75,7 @@ fn every_pixel_has_its_texel_under_any_perspective() {
 
 /// What a picture of one colour outside and another inside shows at its border.
 fn border(wrap: Wrap, filter: Filter) -> [u8; 3] {
-    let texel = |i: u32| if i % 8 == 0 { [255, 0, 0, 255] } else { [0, 0, 255, 255] };
+    let texel = |i: u32| if i.is_multiple_of(8) { [255, 0, 0, 255] } else { [0, 0, 255, 255] };
     let image = Arc::new(Texture::flat(8, 8, (0..64).flat_map(texel).collect()).with_levels());
     let corners = vec![[0.0, 0.0, 0.5], [64.0, 0.0, 0.5], [64.0, 64.0, 0.5], [0.0, 64.0, 0.5]];
     let uv = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
@@ -131,7 +130,7 @@ fn a_picture_goes_on_as_it_is_told() {
 /// A floor of chequers of one texel each, far away: its pixels are the mean light of black and white.
 #[test]
 fn levels_of_detail_keep_a_far_floor_from_flickering() {
-    let texel = |i: u32| if (i % 64 + i / 64) % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] };
+    let texel = |i: u32| if (i % 64 + i / 64).is_multiple_of(2) { [255; 4] } else { [0, 0, 0, 255] };
     let image = Arc::new(Texture::flat(64, 64, (0..64 * 64).flat_map(texel).collect()).with_levels());
     let corners = vec![[0.0, 0.0, 0.5], [64.0, 0.0, 0.5], [64.0, 64.0, 0.5], [0.0, 64.0, 0.5]];
     let uv = vec![[0.0, 0.0], [16.3, 0.0], [16.3, 16.3], [0.0, 16.3]];

@@ -426,15 +426,8 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     if let Some(error) = problem {
         complaint(ui, &faults::scene_error(state.settings.lang, &error));
     }
-    texture::notices(ui, state, owner);
-    if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
-        state.document.allow_files();
-        state.message = None;
-    }
-    if is_lacking && ui.button(t.read_again).explained(t.read_again_hint).clicked() {
-        state.scene_cache.read_again();
-        state.message = None;
-    }
+    let [outside, lacking] = texture::notices(ui, state, owner);
+    texture::mend(ui, state, [is_outside || outside, is_lacking || lacking]);
 }
 
 /// Duplicates the selection; the copies are selected then.
