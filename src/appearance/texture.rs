@@ -56,8 +56,8 @@ pub enum Filter {
     Trilinear,
 }
 
-/// The light on a point of a surface, whatever its colour: the share of its own colour that it sends back, and the white
-/// that is added, 0 … 1.
+/// The light on a point of a surface, whatever its colour: the share of its own colour that it sends back, and the
+/// white that is added, 0 … 1.
 pub type LightShare = [f32; 2];
 
 /// The inner work of texturing, made visible.

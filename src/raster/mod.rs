@@ -18,6 +18,7 @@
 //! | `pixel` | colours as pixels: premultiplied bytes in one `u32`, red lowest |
 //! | `setup` | coverage of a triangle, and values that are affine over it |
 //! | `shade` | the colours of triangles' pixels, eight at a time |
+//! | `texel` | pictures on triangles: the colour of a texture at a pixel |
 //! | `surfaces` | all surfaces of a picture: bands of rows, each painted on its own, by as many threads as there are |
 
 mod batch;

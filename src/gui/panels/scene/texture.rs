@@ -2,8 +2,7 @@
 
 use eframe::egui::{self, Key, RichText};
 
-use super::SceneForm;
-use super::object::{text_field, typing};
+use super::{SceneForm, text_field, typing};
 use crate::appearance::{Filter, TextureReveal, Wrap};
 use crate::figure::words::TEXTURE_REVEALS;
 use crate::gui::file_flow;
@@ -42,7 +41,8 @@ fn has_faces(shape: &Shape) -> bool {
     !matches!(shape, Shape::Grid | Shape::Points(_) | Shape::Segments(_))
 }
 
-/// What could not be used for an object; true for each where the user can allow files, and where they can be read again.
+/// Notices about what cannot be used for an object; gives whether the user can allow files, and whether they can be
+/// read again.
 pub(super) fn notices(ui: &mut egui::Ui, state: &State, owner: &str) -> [bool; 2] {
     let mut found = [false; 2];
     for (_, notice) in state.scene_cache.scene().notices.iter().filter(|(object, _)| object == owner) {
