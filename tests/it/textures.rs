@@ -367,3 +367,47 @@ fn textures_have_a_budget_of_texels() {
     assert_eq!(drawn, 4);
     assert!(matches!(&scene.notices[..], [(_, MeshNotice::Texture(error))] if error.fault == TextureFault::Budget));
 }
+
+/// Small pictures in each format, one of them with the four colours of printers.
+const PICTURES: [(&str, &[u8]); 4] = [
+    ("small.png", include_bytes!("../../fuzz/seeds/texture/small.png")),
+    ("small.jpg", include_bytes!("../../fuzz/seeds/texture/small.jpg")),
+    ("small.webp", include_bytes!("../../fuzz/seeds/texture/small.webp")),
+    ("cmyk.jpg", include_bytes!("../../fuzz/seeds/texture/cmyk.jpg")),
+];
+
+fn object_with(file: &str) -> String {
+    format!("[[scene.objects]]\nshape = \"box\"\ntexture = \"{file}\"\n")
+}
+
+#[test]
+fn every_format_is_read() {
+    for (file, bytes) in PICTURES {
+        let scene = built(&object_with(file), &[(file, bytes)]);
+        let ObjectPaint::Texture(pictured) = &scene.objects[0].paint else { panic!("{file}: {:?}", scene.notices) };
+        let [r, g, b, a] = pictured.image.levels()[0].texel(0, 0);
+        assert!(r > 150 && g < 90 && b < 90 && a == 255, "{file}: red at the top: {r} {g} {b}");
+        assert_eq!(sides(&scene, 0), Some((4, 4)));
+    }
+}
+
+/// Whatever a file is made of, it is a whole picture, or its object keeps its colour and says why.
+#[test]
+fn broken_pictures_are_told_and_do_no_harm() {
+    let mut random = Random(8);
+    for round in 0..4000 {
+        let (file, bytes) = PICTURES[round % PICTURES.len()];
+        let mut bytes = bytes.to_vec();
+        for _ in 0..1 + random.next() as usize % 4 {
+            let at = random.next() as usize % bytes.len();
+            bytes[at] = random.next() as u8;
+        }
+        bytes.truncate(1 + random.next() as usize % (2 * bytes.len()));
+        let scene = built(&object_with(file), &[(file, &bytes)]);
+        match (&scene.objects[0].paint, scene.notices.as_slice()) {
+            (ObjectPaint::Texture(pictured), []) => assert!(!pictured.image.levels().is_empty()),
+            (ObjectPaint::Solid(_), [(_, MeshNotice::Texture(_))]) => {}
+            other => panic!("{other:?}"),
+        }
+    }
+}
