@@ -177,7 +177,7 @@ fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
     assert_eq!(&figure, window.state().document.figure());
     assert_eq!(figure.scene.objects[1].parent.as_deref(), Some("base"));
     assert_eq!(figure.scene.objects[1].translate.y, 1.5);
-    assert!(matches!(figure.scene.lights[..], [Light { kind: LightKind::Point, vector }] if vector.y == 4.0));
+    assert!(matches!(figure.scene.lights[..], [Light { kind: LightKind::Point, vector, .. }] if vector.y == 4.0));
 }
 
 #[test]

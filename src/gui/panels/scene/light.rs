@@ -1,12 +1,13 @@
-//! The fields of a light.
+//! The fields of a light, and of its shadows.
 
 use eframe::egui;
 use glam::DVec3;
 
 use super::{Edit, SceneForm};
-use crate::gui::panels::{VectorField, choice, row};
+use crate::gui::number_field::{NumberField, Step};
+use crate::gui::panels::{VectorField, choice, complaint, row};
 use crate::gui::tooltip::Explained;
-use crate::scene::{DEFAULT_LIGHT, Light, LightKind};
+use crate::scene::{DEFAULT_LIGHT, Light, LightKind, Shadows};
 
 /// Kind, direction or position; returns the request of the button.
 pub(super) fn ui(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) -> Option<Edit> {
@@ -35,7 +36,36 @@ pub(super) fn ui(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) -> Optio
         LightKind::Directional => -vector,
         LightKind::Point => -vector * (10.0 * form.step),
     };
-    form.scene.lights[index] = Light { kind, vector };
+    let shadows = shadows(ui, form, &owner, light.shadows);
+    form.scene.lights[index] = Light { kind, vector, shadows };
     ui.add_space(2.0);
     ui.button(t.delete).explained(t.delete_hint).clicked().then_some(Edit::RemoveLight(index))
+}
+
+/// The switch, and the numbers where it is on.
+fn shadows(ui: &mut egui::Ui, form: &SceneForm, owner: &str, mut now: Shadows) -> Shadows {
+    let t = form.t;
+    ui.checkbox(&mut now.cast, t.shadows).explained(t.shadows_hint);
+    if !now.cast {
+        return now;
+    }
+    let number =
+        |ui: &mut egui::Ui, [name, hint]: [&'static str; 2], step, [least, most]: [f64; 2], value: &mut f64| {
+            let output = row(ui, "", name, hint, |ui| {
+                let field = NumberField::new(name, step).of(owner).within(least..=most).width(92.0).hint(hint);
+                let whole = if matches!(step, Step::Multiply(_)) { field.whole() } else { field };
+                whole.show(ui, form.window, value)
+            });
+            if let Some(error) = &output.error {
+                complaint(ui, &error.text(form.lang));
+            }
+        };
+    let mut map = f64::from(now.map);
+    number(ui, [t.shadow_map, t.shadow_map_hint], Step::Multiply(2.0), Shadows::MAPS.map(f64::from), &mut map);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
+    let whole = map as u32;
+    now.map = whole;
+    number(ui, [t.shadow_bias, t.shadow_bias_hint], Step::Add(0.25), Shadows::BIASES, &mut now.bias);
+    number(ui, [t.shadow_softness, t.shadow_softness_hint], Step::Add(0.25), Shadows::SOFTNESSES, &mut now.softness);
+    now
 }
