@@ -5,6 +5,7 @@ use super::planes::{NEAR, PlaneSet};
 use super::projector::Projector;
 use super::scenes::Scenes;
 use super::shade::Shaded;
+use super::shadow_maps;
 use super::stages::{FacesDone, LitAt, ObjectPlan, ObjectReport, Output, Reason, StagePlan};
 use crate::appearance::{HiddenLines, Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint};
@@ -27,6 +28,8 @@ pub(super) struct Survey {
     dark: bool,
     varies: usize,
     textured: usize,
+    casts: bool,
+    shadowed: usize,
     translucent: usize,
     hides_itself: bool,
     pub(super) lines_ask: bool,
@@ -66,8 +69,10 @@ impl Survey {
             lit_vertices: lit(LitAt::Vertices),
             lit_pixels: lit(LitAt::Pixels),
             dark: scenes.lights().is_empty(),
-            varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan.lit)).count(),
+            varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan)).count(),
             textured: faces.iter().filter(|(object, _)| matches!(object.paint, ObjectPaint::Texture(_))).count(),
+            casts: shadow_maps::casts(scenes),
+            shadowed: faces.iter().filter(|(_, plan)| plan.shadowed).count(),
             translucent: faces.iter().filter(|(_, plan)| plan.translucent).count(),
             hides_itself: faces.iter().any(|(object, plan)| hides_itself(object, plan)),
             lines_ask: in_view.iter().any(|(object, _)| object.edges.is_some_and(|style| asks(style.hidden)))
@@ -108,7 +113,13 @@ impl Survey {
         }
         match stage {
             Stage::CullFaces => Some(self.cull_faces()),
-            Stage::Normals | Stage::Light | Stage::Fill | Stage::Interpolate | Stage::Texture | Stage::Blend => {
+            Stage::Normals
+            | Stage::Light
+            | Stage::Fill
+            | Stage::Interpolate
+            | Stage::Texture
+            | Stage::Shadow
+            | Stage::Blend => {
                 Some(if self.faces == 0 { (false, Reason::NoFaceLeft) } else { self.with_faces(stage, style) })
             }
             _ => None,
@@ -155,6 +166,7 @@ impl Survey {
             | Stage::Fill
             | Stage::Interpolate
             | Stage::Texture
+            | Stage::Shadow
             | Stage::Blend
             | Stage::Antialias => self.no_faces(style).unwrap_or_else(|| self.with_faces(stage, style)),
             Stage::Clip if self.in_view == 0 => (false, Reason::NothingInView),
@@ -182,6 +194,11 @@ impl Survey {
             Stage::Texture => match self.textured {
                 0 => (false, Reason::NoTexture),
                 objects => (true, Reason::Textured { objects }),
+            },
+            Stage::Shadow => match self.shadowed {
+                0 if self.casts => (false, Reason::NothingShadowed),
+                0 => (false, Reason::NoShadows),
+                objects => (true, Reason::Shadowed { objects }),
             },
             Stage::Blend => match self.translucent {
                 0 => (false, Reason::AllOpaque),

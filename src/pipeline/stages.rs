@@ -168,6 +168,15 @@ pub enum Reason {
         /// With a picture.
         objects: usize,
     },
+    /// Left out: no light casts a shadow, or nothing is there to cast one.
+    NoShadows,
+    /// Left out: no object in view takes light, so that none can be missing.
+    NothingShadowed,
+    /// Runs.
+    Shadowed {
+        /// On which shadows may fall.
+        objects: usize,
+    },
     /// Left out: nothing shows through anything.
     AllOpaque,
     /// Runs.
@@ -233,6 +242,8 @@ pub struct ObjectPlan {
     pub cull_back: bool,
     /// The place of the light computation.
     pub lit: LitAt,
+    /// Shadows may fall on it.
+    pub shadowed: bool,
     /// Something shows through it.
     pub translucent: bool,
 }

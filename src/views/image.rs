@@ -66,7 +66,9 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     revealed.mark(&mut builder, palette);
     probe::in_image(&mut builder, request, palette);
     triangle_overlay::in_image(&mut builder, request, palette);
-    let scenes = Scenes::new(&scene, &builder.gear).with_fineness(screen.fineness(request, |p| screen.place(p)));
+    let scenes = Scenes::new(&scene, &builder.gear)
+        .with_fineness(screen.fineness(request, |p| screen.place(p)))
+        .in_shadows_of(&request.scene);
     let marks = Cell::new(false);
     let repaint = |drawing: &mut Drawing, scale: DepthScale| {
         marks.set(!drawing.marks.is_empty());

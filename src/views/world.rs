@@ -72,7 +72,9 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         triangle_overlay::in_world(&mut world.builder, request, palette);
         transform_gizmo::in_world(&mut world.builder, request, palette);
     }
-    let scenes = Scenes::new(&scene, &world.builder.gear).with_fineness(screen.fineness(request, |p| screen.place(p)));
+    let scenes = Scenes::new(&scene, &world.builder.gear)
+        .with_fineness(screen.fineness(request, |p| screen.place(p)))
+        .in_shadows_of(&request.scene);
     let mut drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     let legend = revealed_scene::legend(request, revealed.rows, PixelRect::whole(request.size), target.scale, palette);
