@@ -109,7 +109,8 @@ pub(super) fn cameras(light: &Light, points: impl Iterator<Item = DVec3> + Clone
 }
 
 /// The half width of a picture at a distance of 1 where the part of it that matters has 1: the soft edge reaches over.
-fn reach(shadows: &Shadows) -> f64 {
+fn reach(shadows: Shadows) -> f64 {
+    let shadows = shadows.held();
     let beyond = (0.5 * shadows.softness).ceil() + 1.0;
     let size = f64::from(shadows.map);
     size / (size - 2.0 * beyond)
@@ -137,7 +138,7 @@ fn parallel(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Camera
         return None;
     }
     let position = u * middle.x + v * middle.y + d * (low.z - 2.0 * room);
-    let height = across.max(room) * reach(&light.shadows);
+    let height = across.max(room) * reach(light.shadows);
     Camera::new(&Parameters {
         position,
         focal_point: position + d * (size.z + 3.0 * room),
@@ -156,7 +157,7 @@ fn around(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Vec<Came
     let position = light.vector;
     let far = points.map(|p| p.distance(position)).fold(0.0, f64::max);
     let near = NEAREST * far;
-    let side = near * reach(&light.shadows);
+    let side = near * reach(light.shadows);
     let directions = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
     let cameras = directions.map(|d| {
         Camera::new(&Parameters {
@@ -182,10 +183,11 @@ fn made(light: &Light, hiding: &[Hiding]) -> Option<ShadowLight> {
             mesh.positions.iter().map(|&p| world_from_object.transform_point3(p))
         })
         .filter(|p| p.is_finite());
+    let shadows = light.shadows.held();
     let cameras = cameras(light, points)?;
     let scene = Scene { objects: hiding.iter().map(alone).collect(), ..Scene::default() };
     let black = Rgba::rgb(0, 0, 0);
-    let size = light.shadows.map;
+    let size = shadows.map;
     let target = Target { width: size, height: size, scale: 1.0, background: black };
     let style = Style { shading: Shading::Flat, visibility: Visibility::DepthBuffer, antialias: 1, ..Style::default() };
     let options = Options { depth_of_volume: true, ..Options::default() };
@@ -198,7 +200,6 @@ fn made(light: &Light, hiding: &[Hiding]) -> Option<ShadowLight> {
     let views: Vec<_> = views.collect();
     let projector = Projector::new(cameras.first()?);
     let rays = rays(&cameras, &projector, size)?;
-    let shadows = &light.shadows;
     let map = ShadowMap::new(views, size, rays, [single(shadows.bias), single(shadows.softness)]);
     Some(ShadowLight { map: Arc::new(map), light: 0, projector })
 }

@@ -26,6 +26,20 @@ impl Shadows {
     pub const NONE: Self = Self { cast: false, map: 1024, bias: 1.0, softness: 1.0 };
     /// Shadows with the defaults.
     pub const CAST: Self = Self { cast: true, ..Self::NONE };
+
+    /// The same with numbers that are allowed: the nearest ones.
+    #[must_use]
+    pub fn held(self) -> Self {
+        let held = |value: f64, [least, most]: [f64; 2], usual: f64| {
+            if value.is_nan() { usual } else { value.clamp(least, most) }
+        };
+        Self {
+            map: self.map.clamp(Self::MAPS[0], Self::MAPS[1]),
+            bias: held(self.bias, Self::BIASES, Self::NONE.bias),
+            softness: held(self.softness, Self::SOFTNESSES, Self::NONE.softness),
+            ..self
+        }
+    }
 }
 
 impl Default for Shadows {
