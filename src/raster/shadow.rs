@@ -8,6 +8,9 @@ use crate::drawing::{Rays, Shadow, ShadowMap};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, mask32x8};
 
+/// The part of a texel's length that a bias of 1 allows beside the plane: what meets in a corner, or is round, lies over
+/// the plane of its neighbour within a texel.
+const STEP: f32 = 0.5;
 /// The part of the plane's change within a texel that counts as equal: vertices of the map lie on a grid of 1/256 of a
 /// texel, and depths are single.
 const UNSURE: f32 = 1.0 / 32.0;
@@ -96,7 +99,7 @@ impl<'a> TriangleShadow<'a> {
         let ShadowMap { bias, softness, size, .. } = *self.map;
         let size = size as usize;
         let follows = bias.min(1.0);
-        let allowed = z + bias * (step + UNSURE * (dx.abs() + dy.abs()));
+        let allowed = z + bias * (STEP * step + UNSURE * (dx.abs() + dy.abs()));
         let lit = |i: i32, j: i32| {
             let (Ok(column), Ok(row)) = (usize::try_from(i), usize::try_from(j)) else { return true };
             if column >= size {

@@ -3,8 +3,11 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use std::sync::Arc;
+
 use camera_lab::appearance::{Rgba, Shading, Style, Theme, Visibility};
 use camera_lab::camera::{Camera, ImageSize};
+use camera_lab::drawing::ShadowMap;
 use camera_lab::figure::Figure;
 use camera_lab::figure::read::parse;
 use camera_lab::files::SHIPPED_FIGURES;
@@ -182,6 +185,14 @@ fn wrong(scene: &Scene, camera: &Camera, light: Light, size: ImageSize) -> [usiz
                 if (arrives > 0.5) == truth {
                     continue;
                 }
+                let beside = [[0.01, 0.0], [-0.01, 0.0], [0.0, 0.01], [0.0, -0.01]].map(|[x, y]| {
+                    let (origin, ray) = ray_of(camera, size, [pixel[0] + x, pixel[1] + y]);
+                    solids.hit(origin, ray, usize::MAX, camera.near()..camera.far()).map(|(k, _)| k)
+                });
+                if beside.iter().any(|other| *other != Some(triangle)) {
+                    // On an edge of the picture, where another face is drawn.
+                    continue;
+                }
                 counts[1] += 1;
                 // Around the point, on its plane, within a texel on the way to the light.
                 let to_light = to_light(p, &light).0;
@@ -266,7 +277,7 @@ fn without_bias_faces_shadow_themselves_and_with_too_much_shadows_shrink() {
         let size = size_of(&camera);
         let lit = Scene { lights: vec![light.with_shadows(Shadows::NONE)], ..scene.clone() };
         let (with, without) = (pixels(&scene, &camera, &FLAT, size), pixels(&lit, &camera, &FLAT, size));
-        with.iter().zip(&without).filter(|(with, without)| **with + 8 < **without).count()
+        with.iter().zip(&without).filter(|(with, without)| **with < without.saturating_sub(8)).count()
     };
     let [acne, usual, detached] = [dark(0.0, 256), dark(1.0, 256), dark(40.0, 256)];
     assert!(acne > 2 * usual && 4 * detached < 3 * usual, "{acne} {usual} {detached}");
@@ -278,14 +289,15 @@ fn every_shading_and_order_has_the_same_shadows() {
     for light in [sun(), lamp()] {
         let (scene, camera) = white(&figure, light);
         let lit = Scene { lights: vec![light.with_shadows(Shadows::NONE)], ..scene.clone() };
-        let size = ImageSize { width: 160, height: 120 };
+        let size = ImageSize { width: 200, height: 150 };
         let dark = |style: Style| {
             let (with, without) = (pixels(&scene, &camera, &style, size), pixels(&lit, &camera, &style, size));
-            let darker = |(with, without): (&u8, &u8)| *with + 40 < *without;
+            let darker = |(with, without): (&u8, &u8)| *with < without.saturating_sub(40);
             with.iter().zip(&without).map(darker).collect::<Vec<_>>()
         };
         let flat = dark(FLAT);
-        assert!(flat.iter().filter(|dark| **dark).count() > 1000);
+        let count = flat.iter().filter(|dark| **dark).count();
+        assert!(count > 600, "{light:?} {count}");
         for (shading, visibility) in [
             (Shading::Flat, Visibility::Bsp),
             (Shading::Gouraud, Visibility::DepthBuffer),
@@ -295,7 +307,7 @@ fn every_shading_and_order_has_the_same_shadows() {
         ] {
             let other = dark(Style { shading, visibility, ..FLAT });
             let differ = flat.iter().zip(&other).filter(|(a, b)| a != b).count();
-            assert!(25 * differ < flat.len(), "{shading:?} {visibility:?}: {differ} of {}", flat.len());
+            assert!(4 * differ < count, "{shading:?} {visibility:?}: {differ} of {count}");
         }
     }
 }
@@ -320,21 +332,20 @@ fn a_map_is_kept_while_neither_light_nor_scene_changes() {
     let mut pipeline = Pipeline::default();
     let mut map = |scene: &Scene, camera: &Camera| {
         let frame = pipeline.frame(scene, camera, target(size), &FLAT, Options::default());
-        std::sync::Arc::as_ptr(&frame.drawing.surfaces[0].shadows[0].map)
+        Arc::clone(&frame.drawing.surfaces[0].shadows.last().unwrap().map)
     };
+    let same = |one: &Arc<ShadowMap>, other: &Arc<ShadowMap>| Arc::ptr_eq(one, other);
     let first = map(&scene, &camera);
     let mut moved = figure.camera;
     moved.position += DVec3::X;
-    assert_eq!(map(&scene, &Camera::new(&moved).unwrap()), first);
+    assert!(same(&map(&scene, &Camera::new(&moved).unwrap()), &first));
     scene.lights.insert(0, Light::point(DVec3::Y));
-    assert_eq!(map(&scene, &camera), first);
-    let was = scene.objects[2].world_from_object;
+    assert!(same(&map(&scene, &camera), &first));
     scene.objects[2].world_from_object *= glam::DMat4::from_translation(DVec3::Y);
     let other = map(&scene, &camera);
-    scene.objects[2].world_from_object = was;
-    let light = &mut scene.lights[1];
-    light.shadows.bias = 2.0;
-    assert!(other != first || map(&scene, &camera) != other);
+    assert!(!same(&other, &first) && *other != *first);
+    scene.lights[1].shadows.bias = 2.0;
+    assert!(!same(&map(&scene, &camera), &other));
 }
 
 #[test]
