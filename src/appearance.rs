@@ -11,7 +11,7 @@ mod texture;
 use std::fmt;
 use std::str::FromStr;
 
-pub use texture::{Filter, Level, LightShare, Sampler, Texture, Wrap};
+pub use texture::{Filter, LEVEL_COLORS, Level, LightShare, Sampler, Texture, TextureReveal, Wrap};
 
 /// A colour with straight (not premultiplied) alpha, 8 bits a channel, in sRGB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,11 +1,24 @@
 //! Pictures on surfaces: their levels of detail, and how they are asked for a colour.
 
+use std::sync::OnceLock;
+
+use super::Rgba;
+
 /// A picture that is painted on surfaces, with its levels of detail.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Texture {
     /// The picture itself, then smaller ones, each half as wide and high as the one before, down to one texel. Only the
     /// first is there where no filter asks for the others.
     levels: Vec<Level>,
+    /// Looked for once, where somebody asks.
+    one_color: OnceLock<Option<[u8; 4]>>,
+    opaque: OnceLock<bool>,
+}
+
+impl PartialEq for Texture {
+    fn eq(&self, other: &Self) -> bool {
+        self.levels == other.levels
+    }
 }
 
 /// One level of detail: premultiplied RGBA, rows from the top.
@@ -47,6 +60,27 @@ pub enum Filter {
 /// that is added, 0 … 1.
 pub type LightShare = [f32; 2];
 
+/// The inner work of texturing, made visible.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TextureReveal {
+    /// u and v are interpolated as if w were the same everywhere.
+    Affine,
+    /// Each level of detail has a colour of its own, mixed with the picture.
+    Levels,
+    /// The nearest texel, with lines between the texels where these are larger than a few pixels.
+    Texels,
+}
+
+/// The colours of levels of detail, from the picture itself on; the last goes on for all that are smaller.
+pub const LEVEL_COLORS: [Rgba; 6] = [
+    Rgba::rgb(0xd5, 0x5e, 0x00),
+    Rgba::rgb(0xe6, 0x9f, 0x00),
+    Rgba::rgb(0x00, 0x9e, 0x73),
+    Rgba::rgb(0x56, 0xb4, 0xe9),
+    Rgba::rgb(0x00, 0x72, 0xb2),
+    Rgba::rgb(0xcc, 0x79, 0xa7),
+];
+
 /// How a picture is asked for a colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Sampler {
@@ -56,6 +90,8 @@ pub struct Sampler {
     pub wrap_v: Wrap,
     /// Between texels.
     pub filter: Filter,
+    /// Inner work that is shown.
+    pub reveal: Option<TextureReveal>,
 }
 
 impl Wrap {
@@ -92,7 +128,7 @@ impl Filter {
 
 impl Sampler {
     /// A picture that is shown once, smoothly.
-    pub const PICTURE: Self = Self { wrap_u: Wrap::Clamp, wrap_v: Wrap::Clamp, filter: Filter::Bilinear };
+    pub const PICTURE: Self = Self { wrap_u: Wrap::Clamp, wrap_v: Wrap::Clamp, filter: Filter::Bilinear, reveal: None };
 }
 
 impl Texture {
@@ -102,7 +138,7 @@ impl Texture {
     pub fn flat(width: u32, height: u32, mut rgba: Vec<u8>) -> Self {
         let (width, height) = (width.max(1), height.max(1));
         rgba.resize(4 * width as usize * height as usize, 0);
-        Self { levels: vec![Level { width, height, rgba }] }
+        Self::of_levels(vec![Level { width, height, rgba }])
     }
 
     /// The same with all levels of detail: means over areas, in linear light, so that a level is as bright as the
@@ -114,7 +150,11 @@ impl Texture {
         while let Some(next) = levels.last().and_then(Level::half) {
             levels.push(next);
         }
-        Self { levels }
+        Self::of_levels(levels)
+    }
+
+    fn of_levels(levels: Vec<Level>) -> Self {
+        Self { levels, one_color: OnceLock::new(), opaque: OnceLock::new() }
     }
 
     /// The levels of detail, the picture itself first; never empty.
@@ -138,15 +178,19 @@ impl Texture {
     /// The one colour of all its texels, premultiplied; `None` where they differ.
     #[must_use]
     pub fn one_color(&self) -> Option<[u8; 4]> {
-        let texels = self.levels.first()?.rgba.as_chunks::<4>().0;
-        let first = *texels.first()?;
-        texels.iter().all(|texel| *texel == first).then_some(first)
+        *self.one_color.get_or_init(|| {
+            let texels = self.levels.first()?.rgba.as_chunks::<4>().0;
+            let first = *texels.first()?;
+            texels.iter().all(|texel| *texel == first).then_some(first)
+        })
     }
 
     /// True where no texel lets anything through.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
-        self.levels.first().is_some_and(|level| level.rgba.as_chunks::<4>().0.iter().all(|texel| texel[3] == 255))
+        *self.opaque.get_or_init(|| {
+            self.levels.first().is_some_and(|level| level.rgba.as_chunks::<4>().0.iter().all(|texel| texel[3] == 255))
+        })
     }
 }
 

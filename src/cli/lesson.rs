@@ -18,9 +18,9 @@ use crate::camera::Camera;
 use crate::exercises::Entry;
 use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, FileError};
-use crate::i18n::{Lang, lessons as texts, messages, pictures};
+use crate::i18n::{Lang, command_line, lessons as texts, messages, pictures};
 use crate::inspect::json_text;
-use crate::lessons::{Goal, Lesson, Link, OpenLesson, Seen, Step, Subject, Task, objects_named, shipped};
+use crate::lessons::{Goal, Lesson, Link, OpenLesson, Part, Seen, Step, Subject, Task, objects_named, place, shipped};
 use crate::picture::{self, Composite, FileOptions};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
@@ -161,14 +161,18 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     for path in &args.files {
         match files::read_lesson(path) {
             Err(error) => faults.push(messages::file(lang, &sanitize::path(path), &error)),
-            Ok((lesson, _)) => read.push((path, lesson)),
+            Ok((lesson, text)) => read.push((path, lesson, text)),
         }
     }
     let of_program = shipped().iter().map(|shipped| shipped.lesson.id.as_str());
-    let ids: Vec<&str> = of_program.chain(read.iter().map(|(_, lesson)| lesson.id.as_str())).collect();
-    for (path, lesson) in &read {
-        let of_lesson = faults_of(lesson, &ids, Some(path), args.allow_files, lang);
-        faults.extend(of_lesson.into_iter().map(|fault| format!("{}: {fault}", sanitize::path(path))));
+    let ids: Vec<&str> = of_program.chain(read.iter().map(|(_, lesson, _)| lesson.id.as_str())).collect();
+    for (path, lesson, text) in &read {
+        let name = sanitize::path(path);
+        for (part, say) in faults_of(lesson, &ids, Some(path), args.allow_files, lang) {
+            // What was read is there.
+            let (line, key) = place(text, part).map_or((None, String::new()), |(line, key)| (Some(line), key));
+            faults.push(command_line::in_file(lang, &name, line, &say(&key)));
+        }
     }
     match faults.pop() {
         None => print(texts::all_good(lang, args.files.len()).as_bytes(), lang),
@@ -179,27 +183,35 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     }
 }
 
+/// A fault: where it is, and its message, which begins with a key.
+type Fault = (Part, Box<dyn Fn(&str) -> String>);
+
 /// The faults of a lesson that only its scenes show, and its links.
-fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files: bool, lang: Lang) -> Vec<String> {
-    let mut faults = Vec::new();
+fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files: bool, lang: Lang) -> Vec<Fault> {
+    let mut faults: Vec<Fault> = Vec::new();
     let mut seen = Seen::default();
     for unknown in lesson.before.iter().filter(|id| !ids.contains(&id.as_str())) {
-        faults.push(texts::no_lesson(lang, unknown));
+        let unknown = unknown.clone();
+        faults.push((Part::Before, Box::new(move |key| texts::no_lesson(lang, key, &unknown))));
     }
     for (k, step) in lesson.steps.iter().enumerate() {
-        let mut say = |why: String| faults.push(texts::of_step(lang, k + 1, &why));
-        for link in &step.links {
-            match link {
-                Link::Lesson(id) if !ids.contains(&id.as_str()) => say(texts::no_lesson(lang, id)),
-                Link::Note(id) if crate::i18n::notes::note(lang, id).is_none() => say(texts::no_note(lang, id)),
+        for (number, link) in step.links.iter().enumerate() {
+            let part = Part::Link(k, number);
+            match link.clone() {
+                Link::Lesson(id) if !ids.contains(&id.as_str()) => {
+                    faults.push((part, Box::new(move |key| texts::no_lesson(lang, key, &id))));
+                }
+                Link::Note(id) if crate::i18n::notes::note(lang, &id).is_none() => {
+                    faults.push((part, Box::new(move |key| texts::no_note(lang, key, &id))));
+                }
                 _ => {}
             }
         }
         match scene(&step.figure, path, allow_files, lang) {
-            Err(why) => say(why),
+            Err(why) => faults.push((Part::Step(k), Box::new(move |key| format!("{key}: {why}")))),
             Ok(scene) => {
                 if let Some(Task::Try(goal)) = &step.task {
-                    faults_of_goal(goal, &step.figure, &scene, &mut seen, lang).into_iter().for_each(say);
+                    faults.extend(faults_of_goal(goal, (k, &step.figure), &scene, &mut seen, lang));
                 }
             }
         }
@@ -207,24 +219,38 @@ fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files:
     faults
 }
 
-fn faults_of_goal(goal: &Goal, figure: &Figure, scene: &Scene, seen: &mut Seen, lang: Lang) -> Vec<String> {
-    let unknown = goal.until.iter().filter_map(|condition| condition.object());
-    let mut faults: Vec<String> = unknown
-        .filter(|name| objects_named(scene, name).next().is_none())
-        .map(|name| {
-            let names: Vec<&str> = scene.objects.iter().map(|object| object.name.as_str()).collect();
-            crate::i18n::command_line::no_such_object(lang, name, &names)
-        })
-        .collect();
+/// The faults of the goal of a step.
+fn faults_of_goal(
+    goal: &Goal,
+    (k, figure): (usize, &Figure),
+    scene: &Scene,
+    seen: &mut Seen,
+    lang: Lang,
+) -> Vec<Fault> {
+    let mut faults: Vec<Fault> = Vec::new();
+    for (number, condition) in goal.until.iter().enumerate() {
+        let unknown = condition.object().filter(|name| objects_named(scene, name).next().is_none());
+        let Some(name) = unknown.map(str::to_owned) else { continue };
+        let names: Vec<String> = scene.objects.iter().map(|object| object.name.clone()).collect();
+        let say = move |key: &str| {
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            command_line::no_such_object(lang, key, &name, &names)
+        };
+        faults.push((Part::Condition(k, number), Box::new(say)));
+    }
     let Ok(camera) = Camera::new(&figure.camera) else { return faults };
+    if !faults.is_empty() {
+        // What is hidden or seen is not known.
+        return faults;
+    }
     if goal.is_reached(Subject { figure, camera: &camera, scene }, seen) {
-        faults.push(texts::reached_already(lang).to_owned());
+        faults.push((Part::Until(k), Box::new(move |key| texts::reached_already(lang, key))));
     }
     if !goal.way.is_empty()
         && let Ok(after) = goal.reached_from(figure, &camera)
         && !goal.is_reached(Subject { figure: &after.figure, camera: &after.camera, scene }, seen)
     {
-        faults.push(texts::not_reached(lang).to_owned());
+        faults.push((Part::Way(k), Box::new(move |key| texts::not_reached(lang, key))));
     }
     faults
 }

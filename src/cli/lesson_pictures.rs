@@ -51,7 +51,8 @@ pub(super) fn composite(
     let views = args.view.unwrap_or_else(|| views_of(&step.figure));
     let (shot, scene) = (Shot::of(&step.figure), SharedScene::new(scene));
     let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(written), size);
-    Composite::of(views, &request, &shot, None).map_err(|error| {
+    // A lecturer turns the pictures of a lesson in a window, whose shape is not that of a page.
+    Composite::of(views, &request, &shot, None).map(Composite::gone_back).map_err(|error| {
         no_picture(lang, &sanitize::path(&args.output), error.into(), [size.width, size.height].map(u64::from))
     })
 }

@@ -241,7 +241,7 @@ fn missing_triangle(figure: &Figure, scene: &Scene, lang: Lang) -> Option<String
     let triangle = figure.show.triangle.as_ref()?;
     let Some(object) = scene.place_of(&triangle.object).map(|place| &scene.objects[place]) else {
         let names: Vec<&str> = scene.objects.iter().map(|object| object.name.as_str()).collect();
-        return Some(texts::no_such_object(lang, &triangle.object, &names));
+        return Some(texts::no_such_object(lang, "[show] triangle.object", &triangle.object, &names));
     };
     let count = object.mesh.triangles.len();
     (triangle.index as usize >= count).then(|| texts::no_such_triangle(lang, &triangle.object, triangle.index, count))

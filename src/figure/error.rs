@@ -185,6 +185,8 @@ pub enum Allowed {
     Numbers,
     /// A path to numbers in the output of `inspect`.
     Quantity,
+    /// Paths to two vectors in the output of `inspect`, not of length 0.
+    TwoVectors,
     /// A key or a section of the steps of a lesson so far.
     KeyOfSteps,
     /// The identifier of an exercise of the program.

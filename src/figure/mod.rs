@@ -48,7 +48,7 @@ use crate::camera::{ImageSize, Parameters, Viewport};
 use crate::scene::{Preset, SceneSpec};
 pub use bilingual::Bilingual;
 pub use comparison::Comparison;
-pub use edit::{Difference, difference, show_with, update, varied, varied_together};
+pub use edit::{Difference, difference, has, number_at, show_with, update, varied, varied_together};
 pub use error::FigureError;
 pub use labels::{
     LabelChange, LabelledMeasure, Labels, Letters, MeasureText, MovedLabel, Note, NotePlace, RenamedLabel, StyledLabel,

@@ -1,5 +1,7 @@
 //! The inner work of the pipeline that pictures show: the `[reveal]` section of a figure.
 
+use crate::appearance::TextureReveal;
+
 /// The `[reveal]` section: stages of the pipeline made visible in the pictures. The default shows nothing of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Reveal {
@@ -15,6 +17,8 @@ pub struct Reveal {
     pub culled: bool,
     /// World and image show where the scene's directions x, y, z vanish, with the construction `[4]`.
     pub vanishing: bool,
+    /// The inner work of texturing.
+    pub texture: Option<TextureReveal>,
 }
 
 /// Whether the image shows depths, and which (`[reveal] depth`).

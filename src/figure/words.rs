@@ -4,7 +4,7 @@ use super::{
     Arrangement, Depth, Explanation, Letters, Measure, MeasureText, Measured, Outside, ScreenMatrix, StagePicture,
     TriangleStep, View, WindowSide,
 };
-use crate::appearance::{DepthFormat, HiddenLines, Shading, Theme, Visibility};
+use crate::appearance::{DepthFormat, HiddenLines, Shading, TextureReveal, Theme, Visibility};
 use crate::camera::{Decomposition, Ndc, Projection};
 use crate::scene::{LightKind, Preset, Shape};
 use crate::stage::Stage;
@@ -47,6 +47,10 @@ pub const DEPTHS: Words<Depth> = &[("linear", Depth::Linear)];
 
 /// `[reveal] outside`
 pub const OUTSIDES: Words<Outside> = &[("cut", Outside::Cut), ("tinted", Outside::Tinted), ("shown", Outside::Shown)];
+
+/// `[reveal] texture`
+pub const TEXTURE_REVEALS: Words<TextureReveal> =
+    &[("affine", TextureReveal::Affine), ("levels", TextureReveal::Levels), ("texels", TextureReveal::Texels)];
 
 /// `[[scene.objects]] shape`; those that have data are empty here.
 pub const SHAPES: Words<Shape> = Shape::NAMED;

@@ -15,7 +15,7 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Val
 
 use super::words::{
     self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PROJECTIONS, SCREEN_MATRICES, SHADINGS,
-    THEMES, VISIBILITIES,
+    TEXTURE_REVEALS, THEMES, VISIBILITIES,
 };
 use super::{
     Bilingual, Depth, Figure, Labels, NamedPoint, Observer, Outside, Reveal, Screen, ScreenEntry, Show, View,
@@ -213,6 +213,7 @@ fn reveal(reveal: Reveal) -> Table {
     if reveal.outside != Outside::Usual {
         keys.push(("outside", words::name(OUTSIDES, reveal.outside).into()));
     }
+    keys.extend(reveal.texture.map(|texture| ("texture", words::name(TEXTURE_REVEALS, texture).into())));
     let switches = [
         ("clipping", reveal.clipping),
         ("divide_first", reveal.divide_first),

@@ -21,7 +21,7 @@ pub enum Topic {
     Clipping,
     /// Hidden surfaces and depth.
     Hidden,
-    /// Light and shading.
+    /// Light, textures and shadows.
     Light,
     /// The exercises of the notes.
     Exercises,
@@ -50,14 +50,14 @@ macro_rules! shipped {
 }
 
 /// All of them, in the order in which they are shown: every named scene is among them.
-pub const SHIPPED_FIGURES: [ShippedFigure; 43] = shipped![
+pub const SHIPPED_FIGURES: [ShippedFigure; 46] = shipped![
     Camera "": "primitives", "house", "corridor", "teapot", "arm", "cube", "empty";
     Camera "pipeline/": "look-at";
     Cube "pipeline/": "frustum-to-cube", "parallel-perspective", "view-angles", "opengl-direct3d";
     Cube "": "ndc-cube";
     Clipping "pipeline/": "clipping", "divide-first", "culled";
     Hidden "pipeline/": "painter", "bsp", "depth", "depth-linear", "z-fighting";
-    Light "pipeline/": "wireframe", "flat", "gouraud", "phong";
+    Light "pipeline/": "wireframe", "flat", "gouraud", "phong", "texture-affine", "texture-levels", "texture-texels";
     Exercises "": "pyramid", "exercise-5.1", "exercise-5.2", "exercise-5.3";
     Limits "extreme/":
     "far-plane",

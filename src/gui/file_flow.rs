@@ -23,7 +23,7 @@ use crate::export::format::PictureFormat;
 use crate::figure::{Figure, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::lessons::OpenLesson;
-use crate::scene::Shape;
+use crate::scene::{Shape, TextureSource};
 use crate::share;
 
 /// Does the `next` action, after asking about changes that would be lost.
@@ -143,6 +143,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::Mesh(which) => mesh(state, which, path),
+        Purpose::Texture(object) => texture(state, &object, path),
         Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
         Purpose::Step => state.add_step(path, &agreed),
         Purpose::OwnLesson => state.copy_lesson(path, &agreed),
@@ -187,6 +188,16 @@ fn mesh(state: &mut State, which: MeshFor, path: &Path) {
             }
         }),
     }
+}
+
+/// Puts a picture on an object.
+fn texture(state: &mut State, object: &str, path: &Path) {
+    let named = files::named_in_figure(state.document.folder(), path);
+    state.document.edit(|figure| {
+        if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == object) {
+            object.texture = Some(TextureSource::of(&named));
+        }
+    });
 }
 
 fn open(state: &mut State, path: &Path) {

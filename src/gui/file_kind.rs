@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::native::{FileQuestion, Wanted};
-use super::state::{MESH_ENDINGS, Purpose, State};
+use super::state::{MESH_ENDINGS, Purpose, State, TEXTURE_ENDINGS};
 use crate::export::format::PictureFormat;
 use crate::i18n::{exercise_window, explain, gallery, lessons, scenes, window};
 
@@ -81,6 +81,11 @@ impl FileKind {
                 let t = scenes::texts(lang);
                 let filters = vec![(t.mesh_filter.to_owned(), MESH_ENDINGS)];
                 (Wanted::File, t.mesh_title, t.mesh_action, filters, String::new())
+            }
+            Purpose::Texture(_) => {
+                let t = scenes::texts(lang);
+                let filters = vec![(t.texture_filter.to_owned(), TEXTURE_ENDINGS)];
+                (Wanted::File, t.texture_title, t.texture_action, filters, String::new())
             }
             Purpose::Folder => (Wanted::Folder, gallery::texts(lang).choose, t.open_action, Vec::new(), String::new()),
             Purpose::Exercises => (Wanted::Folder, exercises.own_open, t.open_action, Vec::new(), String::new()),

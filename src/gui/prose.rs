@@ -10,6 +10,12 @@ use crate::i18n::notes::plain;
 
 /// Symbols such as `M_v` as mathematics; text between dollar signs stays as it is.
 fn with_symbols(markdown: &str) -> String {
+    // A formula on a line of its own is between two of them.
+    let part = |(k, part): (usize, &str)| if k % 2 == 1 { part.to_owned() } else { with_symbols_in_line(part) };
+    markdown.split("$$").enumerate().map(part).collect::<Vec<_>>().join("$$")
+}
+
+fn with_symbols_in_line(markdown: &str) -> String {
     let mut set = String::with_capacity(markdown.len() + 16);
     for (k, part) in markdown.split('$').enumerate() {
         if k > 0 {
@@ -95,7 +101,12 @@ mod tests {
     #[test]
     fn symbols_are_set_and_nothing_else() {
         assert_eq!(with_symbols("(c) M_v and **u** of O_R."), "(c) $M_{v}$ and **u** of $O_{R}$.");
-        for text in ["$M_v$ is set already", "view_angle stays, and key=a_b_c", "**n** × VUP"] {
+        for text in [
+            "$M_v$ is set already",
+            "so $$i = \\frac{m}{W} x_p$$ and",
+            "view_angle stays, and key=a_b_c",
+            "**n** × VUP",
+        ] {
             assert_eq!(with_symbols(text), text);
         }
     }

@@ -12,12 +12,15 @@ use super::document::Document;
 use super::history::Revision;
 use super::memo::Latest;
 use super::worker::Running;
-use crate::appearance::{HiddenLines, Theme};
+use crate::appearance::{HiddenLines, Texture, Theme};
 use crate::clock;
 use crate::files::{FigureFiles, FileAccess};
 use crate::progress::Progress;
-use crate::scene::import::{Imported, read};
-use crate::scene::{self, MeshError, MeshFiles, Preset, ReadError, Scene, SceneError, SceneSpec, Shape};
+use crate::scene::import::{Imported, read, read_texture};
+use crate::scene::{
+    self, MeshError, MeshFiles, Preset, ReadError, Scene, SceneError, SceneSpec, Shape, TextureError, TextureSource,
+    Wanted,
+};
 use crate::views::SharedScene;
 
 /// More vertices and triangles than this take longer to look through than a frame has.
@@ -65,10 +68,17 @@ impl MadeFrom {
     }
 }
 
+/// The content of a file.
+#[derive(Debug)]
+enum Read {
+    Mesh(Result<Arc<Imported>, MeshError>),
+    Texture(Result<Arc<Texture>, TextureError>),
+}
+
 /// The result of reading a file.
 #[derive(Debug)]
 struct BuiltScene {
-    imported: Result<Arc<Imported>, MeshError>,
+    read: Read,
     /// Bytes read, of it and of the files it names.
     bytes: usize,
     /// The missing files that it names.
@@ -77,42 +87,49 @@ struct BuiltScene {
 
 /// A file to be read.
 #[derive(Clone, Debug, PartialEq)]
-struct MeshFile {
+struct SceneFile {
     path: String,
+    /// It is a texture; else a mesh.
+    is_texture: bool,
     folder: PathBuf,
     reach: FileAccess,
     /// The bytes that the figure's other files have.
     spent: usize,
 }
 
-impl MeshFile {
+impl SceneFile {
     async fn read(&self, progress: &Progress) -> BuiltScene {
         let mut files = FigureFiles::new(&self.folder, self.reach).after(self.spent);
-        let imported = read(&self.path, &mut |wanted| files.read(wanted), progress).await;
-        BuiltScene { imported, bytes: files.spent() - self.spent, unread: files.unread().to_vec() }
+        let mut read_file = |wanted: Wanted<'_>| files.read(wanted);
+        let read = if self.is_texture {
+            Read::Texture(read_texture(&self.path, &mut read_file))
+        } else {
+            Read::Mesh(read(&self.path, &mut read_file, progress).await)
+        };
+        BuiltScene { read, bytes: files.spent() - self.spent, unread: files.unread().to_vec() }
     }
 }
 
 /// Reads one file after the other.
 #[derive(Debug)]
 struct Reader {
-    read: Latest<MeshFile, BuiltScene>,
+    read: Latest<SceneFile, BuiltScene>,
     /// The files that come next.
-    waiting: Vec<MeshFile>,
+    waiting: Vec<SceneFile>,
     /// Bytes read for each file in use.
     bytes: BTreeMap<String, usize>,
 }
 
 impl Default for Reader {
     fn default() -> Self {
-        let read = Latest::new("meshes", || async |file: &MeshFile, progress: &Progress| file.read(progress).await);
+        let read = Latest::new("meshes", || async |file: &SceneFile, progress: &Progress| file.read(progress).await);
         Self { read, waiting: Vec::new(), bytes: BTreeMap::new() }
     }
 }
 
 impl Reader {
     /// Has these files read, and no others.
-    fn begin(&mut self, ctx: &egui::Context, files: Vec<MeshFile>) {
+    fn begin(&mut self, ctx: &egui::Context, files: Vec<SceneFile>) {
         self.read.give_up();
         self.waiting = files;
         self.next(ctx);
@@ -127,7 +144,7 @@ impl Reader {
     }
 
     /// The file that is being read.
-    fn reading(&self) -> Option<&MeshFile> {
+    fn reading(&self) -> Option<&SceneFile> {
         self.read.waiting()
     }
 
@@ -273,9 +290,10 @@ impl SceneCache {
         let mut arrived = self.receive(ctx, Duration::ZERO, &wanted, &mut said);
         if changed || arrived {
             let used = paths(&wanted.spec);
-            self.broken.retain(|path, _| used.contains(path));
-            self.unread.retain(|path, _| used.contains(path));
-            self.reader.bytes.retain(|path, _| used.contains(path));
+            let is_used = |path: &String| [true, false].into_iter().any(|kind| used.contains(&(path.clone(), kind)));
+            self.broken.retain(|path, _| is_used(path));
+            self.unread.retain(|path, _| is_used(path));
+            self.reader.bytes.retain(|path, _| is_used(path));
             if self.begin_to_load(ctx, &wanted) {
                 arrived |= self.receive(ctx, patience, &wanted, &mut said);
             }
@@ -296,11 +314,18 @@ impl SceneCache {
     ) -> bool {
         let mut arrived = false;
         let end = clock::now() + patience;
-        while let Some((path, BuiltScene { imported, unread, .. })) =
+        while let Some((path, BuiltScene { read, unread, .. })) =
             self.reader.take(ctx, end.saturating_sub(clock::now()))
         {
             arrived = true;
             self.unread.remove(&path);
+            let imported = match read {
+                Read::Texture(read) => {
+                    self.files.insert_texture(&path, read);
+                    continue;
+                }
+                Read::Mesh(imported) => imported,
+            };
             if !unread.is_empty() && imported.is_ok() {
                 self.unread.insert(path.clone(), unread);
             }
@@ -324,10 +349,14 @@ impl SceneCache {
         if self.reader.is_busy() {
             return false;
         }
-        let unknown = |path: &String| !self.files.knows(path) && !self.broken.contains_key(path);
+        let unknown = |(path, is_texture): &(String, bool)| {
+            let is_known = if *is_texture { self.files.knows_texture(path) } else { self.files.knows(path) };
+            !is_known && !self.broken.contains_key(path)
+        };
         let folder = wanted.folder.clone().unwrap_or_default();
-        let file = |path| MeshFile { path, folder: folder.clone(), reach: wanted.reach, spent: 0 };
-        let missing: Vec<MeshFile> = paths(&wanted.spec).into_iter().filter(unknown).map(file).collect();
+        let file =
+            |(path, is_texture)| SceneFile { path, is_texture, folder: folder.clone(), reach: wanted.reach, spent: 0 };
+        let missing: Vec<SceneFile> = paths(&wanted.spec).into_iter().filter(unknown).map(file).collect();
         if missing.is_empty() {
             return false;
         }
@@ -342,6 +371,10 @@ impl SceneCache {
             if matches!(&object.shape, Some(Shape::Mesh { path }) if !self.files.knows(path)) {
                 object.shape = None;
             }
+            // Its colour is shown until the texture is there.
+            if matches!(&object.texture, Some(TextureSource::File(path)) if !self.files.knows_texture(path)) {
+                object.texture = None;
+            }
         }
         let style = crate::appearance::Style {
             theme: wanted.theme,
@@ -355,7 +388,10 @@ impl SceneCache {
     }
 }
 
-/// The mesh files of a scene.
-fn paths(spec: &SceneSpec) -> BTreeSet<String> {
-    spec.objects.iter().filter_map(|object| object.shape.as_ref()?.mesh_file().map(str::to_owned)).collect()
+/// The mesh files of a scene and its textures; true for these.
+fn paths(spec: &SceneSpec) -> BTreeSet<(String, bool)> {
+    let meshes = spec.objects.iter().filter_map(|object| Some((object.shape.as_ref()?.mesh_file()?, false)));
+    let textures = spec.objects.iter().filter_map(|object| Some((object.texture.as_ref()?.file()?, true)));
+    // An empty name is one that is still to be typed.
+    meshes.chain(textures.filter(|(path, _)| !path.is_empty())).map(|(path, is)| (path.to_owned(), is)).collect()
 }

@@ -130,9 +130,9 @@ pub const fn show_without_value(lang: Lang) -> &'static str {
     }
 }
 
-/// The triangle that is to be followed is of an object that the scene has not; with those that it has.
+/// A key, `[show] triangle.object`, names an object that the scene has not; with those that it has.
 #[must_use]
-pub fn no_such_object(lang: Lang, object: &str, objects: &[&str]) -> String {
+pub fn no_such_object(lang: Lang, key: &str, object: &str, objects: &[&str]) -> String {
     const MOST: usize = 12;
     let mut names: Vec<String> = objects.iter().take(MOST).map(|name| format!("\"{}\"", escaped(name))).collect();
     if objects.len() > MOST {
@@ -140,8 +140,8 @@ pub fn no_such_object(lang: Lang, object: &str, objects: &[&str]) -> String {
     }
     let (object, names) = (escaped(object), names.join(", "));
     match lang {
-        Lang::En => format!("[show] triangle.object is \"{object}\", which the scene does not have; allowed: {names}"),
-        Lang::PtBr => format!("[show] triangle.object é \"{object}\", que a cena não tem; permitido: {names}"),
+        Lang::En => format!("{key} is \"{object}\", which the scene does not have; allowed: {names}"),
+        Lang::PtBr => format!("{key} é \"{object}\", que a cena não tem; permitido: {names}"),
     }
 }
 

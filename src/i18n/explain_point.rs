@@ -1,5 +1,10 @@
 //! The tab that follows a point.
 
+use super::Lang;
+use crate::numbers::significant;
+use crate::sanitize::escaped;
+use crate::views::TexelAt;
+
 texts! {
     no_points: "No point is followed. Add one, or pin a vertex in a picture and press Follow.", "Nenhum ponto é seguido. Acrescente um, ou fixe um vértice em uma imagem e aperte Seguir.";
     add: "Add", "Acrescentar";
@@ -44,6 +49,21 @@ texts! {
     copy_hint: "The whole way, forward and back", "O caminho inteiro, ida e volta";
     // In the pictures.
     drag_point: "drag: moves it, keeping its distance from the eye", "arrastar: move-o, mantendo sua distância ao olho";
+}
+
+/// The place of a point in a texture.
+#[must_use]
+pub fn on_texture(lang: Lang, at: &TexelAt, digits: usize) -> String {
+    let number = |value: f64| lang.mark().printed(&significant(value, digits));
+    let ([u, v], [i, j], [wide, high], object) = (at.uv.map(number), at.texel, at.size, escaped(&at.object));
+    match lang {
+        Lang::En => {
+            format!("On the texture of {object}: u = {u}, v = {v}; texel column {i}, row {j} of {wide} × {high}")
+        }
+        Lang::PtBr => {
+            format!("Na textura de {object}: u = {u}, v = {v}; texel da coluna {i}, linha {j}, de {wide} × {high}")
+        }
+    }
 }
 
 impl Texts {

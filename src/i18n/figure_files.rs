@@ -284,11 +284,11 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         },
         Allowed::Ways => match lang {
             Lang::En => {
-                "a list of operations and keys that the step's figure can have, such as [\"azimuth=30\",                  \"camera.near=2\"]"
+                "a list of operations and keys that the step's figure can have, such as [\"azimuth=30\", \"camera.near=2\"]"
                     .to_owned()
             }
             Lang::PtBr => {
-                "uma lista de operações e chaves que a figura do passo pode ter, como [\"azimuth=30\",                  \"camera.near=2\"]"
+                "uma lista de operações e chaves que a figura do passo pode ter, como [\"azimuth=30\", \"camera.near=2\"]"
                     .to_owned()
             }
         },
@@ -308,6 +308,14 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             }
             Lang::PtBr => {
                 "um caminho na saída de inspect para esta figura, como \"basis.u\" ou \"points.0.ndc\"".to_owned()
+            }
+        },
+        Allowed::TwoVectors => match lang {
+            Lang::En => {
+                "paths to two vectors in the output of inspect, such as [\"camera.view_up\", \"dop\"]".to_owned()
+            }
+            Lang::PtBr => {
+                "caminhos a dois vetores na saída de inspect, como [\"camera.view_up\", \"dop\"]".to_owned()
             }
         },
         Allowed::Either(one, other) => match lang {

@@ -31,7 +31,7 @@ texts! {
     cube: "Projection and the cube", "Projeção e o cubo";
     clipping: "Clipping and dividing", "Recorte e divisão";
     hidden: "Hidden surfaces and depth", "Faces ocultas e profundidade";
-    light: "Light", "Luz";
+    light: "Light, textures and shadows", "Luz, texturas e sombras";
     exercises: "Exercises", "Exercícios";
     limits: "Limits of numbers", "Limites dos números";
     // A field for words of titles and captions.

@@ -277,21 +277,21 @@ pub fn unknown(lang: Lang, id: &str, near: Option<&str>) -> String {
     }
 }
 
-/// A lesson names another that does not exist.
+/// A key of a lesson names another lesson that does not exist.
 #[must_use]
-pub fn no_lesson(lang: Lang, id: &str) -> String {
+pub fn no_lesson(lang: Lang, key: &str, id: &str) -> String {
     match lang {
-        Lang::En => format!("there is no lesson {:?}", escaped(id)),
-        Lang::PtBr => format!("não há lição {:?}", escaped(id)),
+        Lang::En => format!("{key}: there is no lesson {:?}", escaped(id)),
+        Lang::PtBr => format!("{key}: não há lição {:?}", escaped(id)),
     }
 }
 
-/// A lesson names a note that does not exist.
+/// A key of a lesson names a note that does not exist.
 #[must_use]
-pub fn no_note(lang: Lang, id: &str) -> String {
+pub fn no_note(lang: Lang, key: &str, id: &str) -> String {
     match lang {
-        Lang::En => format!("there is no note {:?}", escaped(id)),
-        Lang::PtBr => format!("não há nota {:?}", escaped(id)),
+        Lang::En => format!("{key}: there is no note {:?}", escaped(id)),
+        Lang::PtBr => format!("{key}: não há nota {:?}", escaped(id)),
     }
 }
 
@@ -316,19 +316,19 @@ pub fn no_step(lang: Lang, found: &str, count: usize) -> String {
 
 /// The goal of a step holds from the start.
 #[must_use]
-pub const fn reached_already(lang: Lang) -> &'static str {
+pub fn reached_already(lang: Lang, key: &str) -> String {
     match lang {
-        Lang::En => "[step.try] until holds already in the figure of the step; allowed: a condition that does not",
-        Lang::PtBr => "[step.try] until já vale na figura do passo; permitido: uma condição que ainda não valha",
+        Lang::En => format!("{key} holds already in the figure of the step; allowed: conditions that do not"),
+        Lang::PtBr => format!("{key} já vale na figura do passo; permitido: condições que ainda não valham"),
     }
 }
 
 /// The way of a goal does not lead to it.
 #[must_use]
-pub const fn not_reached(lang: Lang) -> &'static str {
+pub fn not_reached(lang: Lang, key: &str) -> String {
     match lang {
-        Lang::En => "[step.try] way does not lead to where until holds",
-        Lang::PtBr => "[step.try] way não leva até onde until vale",
+        Lang::En => format!("{key} does not lead to where until holds"),
+        Lang::PtBr => format!("{key} não leva até onde until vale"),
     }
 }
 

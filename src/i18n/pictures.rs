@@ -23,6 +23,9 @@ texts! {
     back_faces: "back faces: culled", "faces de trás: descartadas";
     dropped: "outside: dropped whole", "fora: descartado inteiro";
     outside_of: "outside", "fora";
+    affine: "u, v interpolated without w", "u, v interpolados sem w";
+    levels: "level of detail", "nível de detalhe";
+    texels: "nearest texel, with the grid of texels", "texel mais próximo, com a grade de texels";
     divided_first: "divided before clipping", "dividido antes do recorte";
     wrong: "wrong", "errado";
     no_difference: "nothing wrong inside the volume", "nada de errado dentro do volume";
@@ -164,6 +167,9 @@ const fn of(t: &Texts) -> Labels {
         back_faces: t.back_faces,
         dropped: t.dropped,
         outside_of: t.outside_of,
+        affine: t.affine,
+        levels: t.levels,
+        texels: t.texels,
         divided_first: t.divided_first,
         wrong: t.wrong,
         no_difference: t.no_difference,

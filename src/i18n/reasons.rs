@@ -158,6 +158,10 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
                 format!("z-buffer em vez de BSP: a divisão parou em {pieces} pedaços, que são demais")
             }
         },
+        Reason::TextureOfOneColor { objects: n } => match lang {
+            Lang::En => format!("a texture of one colour on {}", objects(n)),
+            Lang::PtBr => format!("textura de uma só cor em {}", objects(n)),
+        },
         Reason::NoTexture => t.no_texture.to_owned(),
         Reason::Textured { objects: n } => match lang {
             Lang::En => format!("a texture on {}", objects(n)),

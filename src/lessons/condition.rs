@@ -1,10 +1,12 @@
-//! Goals of a student: conditions on the camera, or on what is seen.
+//! Goals of a student: conditions on the camera, on the keys of the figure, or on what is seen.
+
+use glam::DVec3;
 
 use super::numbers_in_texts::numbers_of;
 use crate::camera::{Camera, Convention, ImageSize};
 use crate::figure::variation::{Variant, VariationError, varied_by};
-use crate::figure::{Bilingual, Figure};
-use crate::inspect::InspectError;
+use crate::figure::{Bilingual, Figure, has, number_at};
+use crate::inspect::Report;
 use crate::inspect::quantity::QuantityPath;
 use crate::numerics::diagnosis::Counter;
 use crate::scene::Scene;
@@ -30,15 +32,43 @@ pub enum Condition {
     Quantity {
         /// The path in the output of `inspect`.
         path: QuantityPath,
-        /// The least number.
-        least: Option<f64>,
-        /// The greatest number.
-        most: Option<f64>,
+        /// The numbers.
+        range: Range,
+    },
+    /// The angle between two vectors lies between two, both included.
+    Angle {
+        /// The paths of the vectors in the output of `inspect`.
+        between: [QuantityPath; 2],
+        /// The angles in degrees.
+        range: Range,
+    },
+    /// A key of the figure has a value: `style.visibility`, `"painter"`.
+    Key {
+        /// The key with its section.
+        key: String,
+        /// The value as it is written in a figure file.
+        value: String,
+    },
+    /// The number of a key of the figure lies between two, both included; without such a number it does not hold.
+    Number {
+        /// The key with its section.
+        key: String,
+        /// The numbers.
+        range: Range,
     },
     /// A pixel of the image or more shows the object with this name.
     Seen(String),
     /// No pixel of the image shows the object with this name.
     Hidden(String),
+}
+
+/// Numbers between two, both included.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Range {
+    /// The least number.
+    pub least: Option<f64>,
+    /// The greatest number.
+    pub most: Option<f64>,
 }
 
 /// The state in which a condition holds or not.
@@ -82,22 +112,50 @@ impl Condition {
     pub fn object(&self) -> Option<&str> {
         match self {
             Self::Seen(name) | Self::Hidden(name) => Some(name),
-            Self::Quantity { .. } => None,
+            Self::Quantity { .. } | Self::Angle { .. } | Self::Key { .. } | Self::Number { .. } => None,
         }
     }
 
     fn holds(&self, subject: Subject<'_>, seen: &mut Seen) -> bool {
         match self {
-            Self::Quantity { path, least, most } => {
-                let report: Result<_, InspectError> = numbers_of(subject.figure);
-                let numbers = report.ok().and_then(|report| path.numbers(&report));
-                let within = |x: &f64| least.is_none_or(|least| *x >= least) && most.is_none_or(|most| *x <= most);
-                numbers.is_some_and(|numbers| numbers.entries.iter().all(within))
+            Self::Quantity { path, range } => {
+                let numbers = numbers_of(subject.figure).ok().and_then(|report| path.numbers(&report));
+                numbers.is_some_and(|numbers| numbers.entries.iter().all(|number| range.holds(*number)))
             }
+            Self::Angle { between, range } => {
+                let angle = numbers_of(subject.figure).ok().and_then(|report| angle(*between, &report));
+                angle.is_some_and(|angle| range.holds(angle))
+            }
+            Self::Key { key, value } => has(subject.figure, key, value),
+            Self::Number { key, range } => number_at(subject.figure, key).is_some_and(|number| range.holds(number)),
             Self::Seen(name) => seen.pixels(subject, name) > 0,
             Self::Hidden(name) => seen.pixels(subject, name) == 0,
         }
     }
+}
+
+impl Range {
+    /// True where it is every number.
+    #[must_use]
+    pub fn is_everything(self) -> bool {
+        self == Self::default()
+    }
+
+    fn holds(self, number: f64) -> bool {
+        self.least.is_none_or(|least| number >= least) && self.most.is_none_or(|most| number <= most)
+    }
+}
+
+/// The angle between two vectors in degrees, 0 … 180; `None` where one of them is no vector.
+pub(super) fn angle(between: [QuantityPath; 2], report: &Report) -> Option<f64> {
+    let vector = |path: QuantityPath| match path.numbers(report)?.entries[..] {
+        [x, y, z] => DVec3::new(x, y, z).try_normalize(),
+        _ => None,
+    };
+    let [a, b] = between.map(vector);
+    let (a, b) = (a?, b?);
+    // Near 0 and 180 degrees the cosine alone knows half of the digits.
+    Some(a.cross(b).length().atan2(a.dot(b)).to_degrees())
 }
 
 impl Seen {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::condition::{Condition, Goal};
+use super::condition::{Condition, Goal, Range, angle as angle_between};
 use super::lesson::{Lesson, Link, Step, Task};
 use super::numbers_in_texts::{filled, numbers_of, pixels_of};
 use crate::camera::Camera;
@@ -10,7 +10,7 @@ use crate::exercises::own::{harmless, name, question, told, told_list};
 use crate::exercises::{self, Subject};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{Fault, Section, Stacked, parse_with, text_of};
-use crate::figure::{Bilingual, Figure, FigureError};
+use crate::figure::{Bilingual, Figure, FigureError, varied};
 use crate::inspect::Report;
 use crate::inspect::quantity::QuantityPath;
 use crate::limits::{MAX_LESSON_BYTES, MAX_LESSON_STEPS, MAX_TITLE};
@@ -190,7 +190,7 @@ fn goal(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut
     }
     let goal = Goal {
         text,
-        until: conditions.into_iter().filter_map(|section| condition(section, report, faults)).collect(),
+        until: conditions.into_iter().filter_map(|section| condition(section, figure, report, faults)).collect(),
         way: written,
     };
     if let Ok(camera) = Camera::new(&figure.camera)
@@ -202,33 +202,92 @@ fn goal(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut
     goal
 }
 
-fn condition(mut section: Section<'_>, report: &Report, faults: &mut Vec<Fault>) -> Option<Condition> {
-    let [seen, hidden, path] = ["seen", "hidden", "quantity"].map(|key| section.text(key));
-    let [least, most] = ["least", "most"].map(|key| section.is_present(key).then(|| section.number(key, 0.0)));
-    let condition = match (seen, hidden, path) {
-        (Some(name), None, None) => Some(Condition::Seen(name)),
-        (None, Some(name), None) => Some(Condition::Hidden(name)),
-        (None, None, Some(path)) => {
-            let known = QuantityPath::of(&path).filter(|path| path.numbers(report).is_some());
-            match (known, least.is_none() && most.is_none()) {
-                (None, _) => {
-                    section.refuse("quantity", Allowed::Quantity);
-                    None
-                }
-                (_, true) => {
-                    section.missing("least", Allowed::Number);
-                    None
-                }
-                (Some(path), false) => Some(Condition::Quantity { path, least, most }),
-            }
-        }
-        _ => {
-            section.missing("quantity", Allowed::Either("quantity, seen", "hidden"));
+fn condition(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut Vec<Fault>) -> Option<Condition> {
+    let [seen, hidden, path, key] = ["seen", "hidden", "quantity", "key"].map(|key| section.text(key));
+    let angle = section.is_present("angle");
+    let named = [angle, seen.is_some(), hidden.is_some(), path.is_some(), key.is_some()];
+    let condition = match (seen, hidden, path, key) {
+        _ if named.iter().filter(|is_named| **is_named).count() != 1 => {
+            section.missing("quantity", Allowed::Either("quantity, angle, key, seen", "hidden"));
             None
+        }
+        (Some(name), ..) => Some(Condition::Seen(name)),
+        (_, Some(name), ..) => Some(Condition::Hidden(name)),
+        (.., Some(path), _) => {
+            let known = QuantityPath::of(&path).filter(|path| path.numbers(report).is_some());
+            if known.is_none() {
+                section.refuse("quantity", Allowed::Quantity);
+            }
+            let range = range(&mut section, path == "camera.view_angle");
+            known.zip(range).map(|(path, range)| Condition::Quantity { path, range })
+        }
+        (.., Some(key)) => of_key(&mut section, key, figure),
+        _ => {
+            let paths = section.list("angle", Allowed::TwoVectors, QuantityPath::of);
+            let between: Option<[QuantityPath; 2]> = paths.try_into().ok();
+            let between = between.filter(|between| angle_between(*between, report).is_some());
+            if between.is_none() && section.faults.is_empty() {
+                section.refuse("angle", Allowed::TwoVectors);
+            }
+            let range = range(&mut section, true);
+            between.zip(range).map(|(between, range)| Condition::Angle { between, range })
         }
     };
     faults.extend(section.finish());
     condition
+}
+
+/// `least` and `most`, of which one is there at least.
+fn range(section: &mut Section<'_>, is_angle: bool) -> Option<Range> {
+    let [least, most] = ["least", "most"].map(|key| {
+        section.is_present(key).then(|| if is_angle { section.angle(key, 0.0) } else { section.number(key, 0.0) })
+    });
+    let range = Range { least, most };
+    if range.is_everything() {
+        section.missing("least", Allowed::Number);
+    }
+    Some(range).filter(|range| !range.is_everything())
+}
+
+/// A condition on a key of the figure: the value that it `is`, or `least` and `most` of its number.
+fn of_key(section: &mut Section<'_>, key: String, figure: &Figure) -> Option<Condition> {
+    let value = section.written("is");
+    if value.is_some() && (section.is_present("least") || section.is_present("most")) {
+        section.refuse("is", Allowed::Either("is", "least and most"));
+        return None;
+    }
+    let (tried, written) = match &value {
+        Some(value) => ("is", Some(value.clone())),
+        None if section.is_present("least") => ("least", section.written("least")),
+        None => ("most", section.written("most")),
+    };
+    let Some(written) = written else {
+        section.missing("is", Allowed::Either("is", "least and most"));
+        return None;
+    };
+    // A key is known, and a value possible, where the figure of the step can have it.
+    match varied(figure, &key, &written) {
+        Err(FigureError { problem: Problem::UnknownKey { near, known }, .. }) => {
+            section.fault("key", Problem::Value { found: key, allowed: Allowed::Word { words: known, near } });
+            return None;
+        }
+        // The value, and no other key without it; a camera may be possible on the way.
+        Err(FigureError { problem, key: found, .. })
+            if !matches!(problem, Problem::Camera(_))
+                && key.rsplit('.').next().is_some_and(|last| found.ends_with(last)) =>
+        {
+            section.fault(tried, problem);
+            return None;
+        }
+        Ok(_) | Err(_) => {}
+    }
+    match value {
+        Some(value) => Some(Condition::Key { key, value }),
+        None => {
+            let is_angle = ["angle", "azimuth", "elevation", "roll"].iter().any(|angle| key.ends_with(angle));
+            range(section, is_angle).map(|range| Condition::Number { key, range })
+        }
+    }
 }
 
 fn link(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Link> {

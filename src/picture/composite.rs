@@ -190,6 +190,13 @@ impl Composite {
         self
     }
 
+    /// The same sheet, each picture with what its observer was to show: see [`Request::gone_back`].
+    #[must_use]
+    pub fn gone_back(mut self) -> Self {
+        self.requests = self.requests.into_iter().map(Request::gone_back).collect();
+        self
+    }
+
     /// Width and height in pixels, where they are possible.
     #[must_use]
     pub fn size(&self) -> Option<[u32; 2]> {

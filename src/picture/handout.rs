@@ -1,10 +1,10 @@
 //! Pictures with texts on pages of paper, to be handed out.
 
 use super::error::PictureError;
+use super::handout_formula::{self, FormulaPart, INK, written};
 use super::vectors::{Faces, page};
 use super::{Composite, PER_INCH};
 use crate::appearance::Rgba;
-use crate::drawing::Anchor;
 use crate::export::vector::{Item, Letters, Page, pdf_of};
 use crate::progress::Progress;
 use crate::text::{Element, measure};
@@ -24,7 +24,6 @@ const WRITING: f32 = 21.0;
 /// Resolution of shaded faces, in pixels per inch.
 const DPI: f64 = 200.0;
 
-const INK: Rgba = Rgba::rgb(0x1a, 0x1a, 0x1a);
 const FAINT: Rgba = Rgba::rgb(0x66, 0x66, 0x66);
 
 /// A text of a handout. `_c` and `_{abc}` in it are subscripts.
@@ -35,9 +34,11 @@ pub enum Paragraph {
     /// A text; its lines are broken.
     Text(String),
     /// A formula on a line of its own.
-    Formula(String),
+    Formula(Vec<FormulaPart>),
     /// A remark in small letters.
     Remark(String),
+    /// A formula of a remark.
+    SmallFormula(Vec<FormulaPart>),
     /// Lines to write on.
     Room(usize),
 }
@@ -60,7 +61,7 @@ pub struct Handout {
     pub language: &'static str,
     /// The entries.
     pub entries: Vec<HandoutEntry>,
-    /// The number of columns: two make entries small, about four on a page.
+    /// The number of columns. Two make entries small: they stand side by side in rows, four on a page.
     pub columns: usize,
 }
 
@@ -81,16 +82,24 @@ impl Handout {
         let width = Self::picture_width(self.columns);
         let mut pages = Pages::new(self, width);
         pages.title(&self.title);
+        let size = if self.columns > 1 { 8.5 } else { 10.0 };
+        let mut row = Vec::new();
         for entry in &self.entries {
+            let Some(sheet) = &entry.picture else {
+                pages.put_row(std::mem::take(&mut row));
+                pages.flow(&entry.paragraphs, size);
+                continue;
+            };
             let mut block = Block { items: Vec::new(), height: 0.0, width };
-            if let Some(sheet) = &entry.picture {
-                let drawn = page(sheet, Faces::Auto, [PER_INCH, DPI], false, progress).await?;
-                block.picture(drawn.page);
+            let drawn = page(sheet, Faces::Auto, [PER_INCH, DPI], false, progress).await?;
+            block.picture(drawn.page);
+            block.texts(&entry.paragraphs, size);
+            row.push(block);
+            if row.len() >= self.columns {
+                pages.put_row(std::mem::take(&mut row));
             }
-            let size = if self.columns > 1 { 8.5 } else { 10.0 };
-            entry.paragraphs.iter().for_each(|paragraph| block.paragraph(paragraph, size));
-            pages.put(block);
         }
+        pages.put_row(row);
         pdf_of(&pages.finish(), Letters::Text, "").ok_or(PictureError::Font)
     }
 }
@@ -115,7 +124,8 @@ impl Block {
         let (text, size, color, indent) = match paragraph {
             Paragraph::Heading(text) => (text, 1.15 * size, INK, 0.0),
             Paragraph::Text(text) => (text, size, INK, 0.0),
-            Paragraph::Formula(text) => (text, size, INK, 14.0),
+            Paragraph::Formula(parts) => return self.formula(parts, size),
+            Paragraph::SmallFormula(parts) => return self.formula(parts, 0.88 * size),
             Paragraph::Remark(text) => (text, 0.88 * size, FAINT, 0.0),
             Paragraph::Room(lines) => return self.room(*lines),
         };
@@ -130,6 +140,34 @@ impl Block {
             }
         }
         self.height += 0.35 * size;
+    }
+
+    /// Texts below a picture. What is higher than a page has fewer lines to write on.
+    fn texts(&mut self, paragraphs: &[Paragraph], size: f32) {
+        let (above, most) = (self.height, PAPER[1] - 2.0 * BORDER);
+        let given = paragraphs.iter().map(|paragraph| if let Paragraph::Room(lines) = paragraph { *lines } else { 0 });
+        for room in (1..=given.max().unwrap_or_default().max(1)).rev() {
+            self.items.truncate(1);
+            self.height = above;
+            for paragraph in paragraphs {
+                match paragraph {
+                    Paragraph::Room(lines) => self.room(room.min(*lines)),
+                    paragraph => self.paragraph(paragraph, size),
+                }
+            }
+            if self.height <= most {
+                return;
+            }
+        }
+    }
+
+    fn formula(&mut self, parts: &[FormulaPart], size: f32) {
+        const INDENT: f32 = 14.0;
+        let set = handout_formula::set(parts, size, self.width - INDENT);
+        let corner = [INDENT, self.height + 0.1 * size];
+        let clip = [-INDENT, -size, self.width, set.height + size];
+        self.items.push(Item::Group { corner, clip, items: set.items });
+        self.height += set.height + 0.5 * size;
     }
 
     fn room(&mut self, lines: usize) {
@@ -147,11 +185,6 @@ impl Block {
         }
         self.height += 6.0;
     }
-}
-
-fn written(text: String, at: [f32; 2], size: f32, color: Rgba) -> Item {
-    let halo = Rgba::rgba(0, 0, 0, 0);
-    Item::Text { at, text, mathematical: false, size, color, halo, halo_width: 0.0, anchor: Anchor::Left }
 }
 
 /// The lines of a text that are no wider than `width`; a word that is wider has a line of its own.
@@ -214,21 +247,21 @@ fn scaled(item: Item, scale: f32) -> Item {
     }
 }
 
-/// The pages as they fill, column after column.
+/// The pages as they fill, row after row.
 struct Pages<'a> {
     handout: &'a Handout,
     done: Vec<Page>,
     items: Vec<Item>,
-    column: usize,
     width: f32,
-    /// The upper end of the columns of this page, and of the room left in this column.
-    top: f32,
+    /// The upper end of the room left on this page.
     y: f32,
+    /// The rows on this page.
+    rows: usize,
 }
 
 impl<'a> Pages<'a> {
     fn new(handout: &'a Handout, width: f32) -> Self {
-        Self { handout, done: Vec::new(), items: Vec::new(), column: 0, width, top: BORDER, y: BORDER }
+        Self { handout, done: Vec::new(), items: Vec::new(), width, y: BORDER, rows: 0 }
     }
 
     fn title(&mut self, title: &str) {
@@ -237,23 +270,58 @@ impl<'a> Pages<'a> {
             self.items.push(written(line, [BORDER, self.y - 5.0], 16.0, INK));
         }
         self.y += 10.0;
-        self.top = self.y;
     }
 
-    /// An entry stays whole where a column has room for it.
-    fn put(&mut self, block: Block) {
-        if self.y + block.height > PAPER[1] - BORDER && self.y > self.top {
-            self.column += 1;
-            self.y = self.top;
-            if self.column >= self.handout.columns.max(1) {
-                self.turn();
+    /// Entries side by side, which stay whole.
+    fn put_row(&mut self, row: Vec<Block>) {
+        if row.is_empty() {
+            return;
+        }
+        let height = row.iter().map(|block| block.height).fold(0.0, f32::max);
+        if self.handout.columns > 1 {
+            // Two rows on a page, the second from its middle on where the first leaves that free.
+            match self.rows {
+                0 => {}
+                1 => self.y = self.y.max((0.5 * PAPER[1]).min(PAPER[1] - BORDER - height)),
+                _ => self.turn(),
             }
         }
-        #[expect(clippy::cast_precision_loss, reason = "one or two")]
-        let x = BORDER + self.column as f32 * (self.width + GUTTER);
-        let clip = [-4.0, -4.0, self.width + GUTTER, block.height + GAP];
-        self.items.push(Item::Group { corner: [x, self.y], clip, items: block.items });
-        self.y += block.height + GAP;
+        self.make_room(height);
+        self.rows += 1;
+        let mut x = BORDER;
+        for block in row {
+            let clip = [-4.0, -4.0, self.width + GUTTER, block.height + GAP];
+            self.items.push(Item::Group { corner: [x, self.y], clip, items: block.items });
+            x += self.width + GUTTER;
+        }
+        self.y += height + GAP;
+    }
+
+    /// Texts as wide as the page; they go on on the next one. A heading stays with what comes below it.
+    fn flow(&mut self, paragraphs: &[Paragraph], size: f32) {
+        let width = PAPER[0] - 2.0 * BORDER;
+        let block = |paragraph: &Paragraph| {
+            let mut block = Block { items: Vec::new(), height: 0.0, width };
+            block.paragraph(paragraph, size);
+            block
+        };
+        for (k, paragraph) in paragraphs.iter().enumerate() {
+            let Block { items, height, .. } = block(paragraph);
+            // The first lines of an entry stay together.
+            let below = paragraphs.get(k + 1..).unwrap_or_default().iter().take(if k == 0 { 2 } else { 0 });
+            self.make_room(height + below.map(|paragraph| block(paragraph).height).sum::<f32>());
+            let clip = [-4.0, -4.0, width + 8.0, height + 4.0];
+            self.items.push(Item::Group { corner: [BORDER, self.y], clip, items });
+            self.y += height;
+        }
+        self.y += GAP;
+    }
+
+    /// Turns the page where the room left on it is less than a height.
+    fn make_room(&mut self, height: f32) {
+        if self.y + height > PAPER[1] - BORDER && !self.items.is_empty() {
+            self.turn();
+        }
     }
 
     fn turn(&mut self) {
@@ -268,7 +336,7 @@ impl<'a> Pages<'a> {
             language: self.handout.language,
             items: std::mem::take(&mut self.items),
         });
-        (self.column, self.top, self.y) = (0, BORDER, BORDER);
+        (self.y, self.rows) = (BORDER, 0);
     }
 
     fn finish(mut self) -> Vec<Page> {

@@ -10,6 +10,7 @@
 //! | `family` | the same figure at several values of a key, on a sheet |
 //! | `file` | pictures as files, in the requested format |
 //! | `handout` | pictures with texts on pages of paper, to be handed out |
+//! | `handout_formula` | formulas of a handout on lines of their own: matrices in rows between brackets |
 //! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
 //! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
 //! | `sweep` | pictures one after the other: a family, or the way to another camera |
@@ -24,6 +25,7 @@ mod error;
 mod family;
 mod file;
 mod handout;
+mod handout_formula;
 mod render_report;
 mod renderer;
 mod sweep;
@@ -46,6 +48,7 @@ pub use error::PictureError;
 pub use family::{Family, SheetSize};
 pub use file::{Beside, FileOptions, PER_INCH, PictureFile, Told, assembled, file};
 pub use handout::{Handout, HandoutEntry, Paragraph};
+pub use handout_formula::FormulaPart;
 pub use render_report::RenderReport;
 pub use renderer::Renderer;
 pub use sweep::Sweep;

@@ -92,6 +92,7 @@ impl<'a> ObjectPass<'a> {
             lights,
             lit: self.plan.lit,
             shadows: if self.plan.shadowed { shadows } else { &[] },
+            textured: self.plan.textured,
             both_sides: self.object.two_sided || self.is_cut_open(faces) || (mesh.closed && self.plan.translucent),
             depth_test: plan.depth || (faces.turned_over > 0 && plan.order == Visibility::DepthBuffer),
         };

@@ -112,6 +112,7 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
             lit: LitAt::Nowhere,
             shadowed: false,
             translucent: false,
+            textured: false,
         };
     }
     let clip_planes = match containment {
@@ -119,6 +120,7 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
         Containment::Crosses(_) | Containment::Outside(_) | Containment::Empty => ALL_PLANES,
     };
     let translucent = object.paint.is_translucent();
+    let textured = matches!(&object.paint, ObjectPaint::Texture(pictured) if force || pictured.one_color().is_none());
     let vertex_colors = matches!(object.paint, ObjectPaint::Vertices(_));
     let lit = match style.shading {
         _ if !object.lit => LitAt::Nowhere,
@@ -142,5 +144,6 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
         lit,
         shadowed: false,
         translucent,
+        textured,
     }
 }

@@ -30,6 +30,7 @@ pub(super) struct Survey {
     textured: usize,
     casts: bool,
     shadowed: usize,
+    pictured: usize,
     translucent: usize,
     hides_itself: bool,
     pub(super) lines_ask: bool,
@@ -70,9 +71,10 @@ impl Survey {
             lit_pixels: lit(LitAt::Pixels),
             dark: scenes.lights().is_empty(),
             varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan)).count(),
-            textured: faces.iter().filter(|(object, _)| matches!(object.paint, ObjectPaint::Texture(_))).count(),
             casts: shadow_maps::casts(scenes),
             shadowed: faces.iter().filter(|(_, plan)| plan.shadowed).count(),
+            textured: faces.iter().filter(|(_, plan)| plan.textured).count(),
+            pictured: faces.iter().filter(|(object, _)| matches!(object.paint, ObjectPaint::Texture(_))).count(),
             translucent: faces.iter().filter(|(_, plan)| plan.translucent).count(),
             hides_itself: faces.iter().any(|(object, plan)| hides_itself(object, plan)),
             lines_ask: in_view.iter().any(|(object, _)| object.edges.is_some_and(|style| asks(style.hidden)))
@@ -192,6 +194,7 @@ impl Survey {
                 objects => (true, Reason::VariesOverFaces { objects }),
             },
             Stage::Texture => match self.textured {
+                0 if self.pictured > 0 => (false, Reason::TextureOfOneColor { objects: self.pictured }),
                 0 => (false, Reason::NoTexture),
                 objects => (true, Reason::Textured { objects }),
             },

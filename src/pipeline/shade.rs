@@ -26,6 +26,8 @@ pub(super) struct Shaded<'a> {
     pub(super) lit: LitAt,
     /// The lights whose shadows may fall on it.
     pub(super) shadows: &'a [ShadowLight],
+    /// Its picture has more than one colour.
+    pub(super) textured: bool,
     /// Both sides of the faces may be seen, and are lit.
     pub(super) both_sides: bool,
     /// The surfaces ask for depth, or write it.
@@ -139,8 +141,19 @@ impl Shaded<'_> {
 
     /// The object's colours as they are, with the light that has been found for them.
     fn own_base(&self, faces: &Faces) -> (Base, SurfaceLight) {
+        if let ObjectPaint::Texture(pictured) = &self.object.paint
+            && let Some(color) = pictured.one_color().filter(|_| !self.textured)
+        {
+            // The light is kept apart from it as from a picture, so that it comes out the same.
+            let found = Pictured { uv: std::sync::Arc::default(), ..pictured.clone() };
+            return (Base::Solid(color), self.base(faces, &ObjectPaint::Texture(found)).1);
+        }
+        self.base(faces, &self.object.paint)
+    }
+
+    fn base(&self, faces: &Faces, paint: &ObjectPaint) -> (Base, SurfaceLight) {
         let own = (0..self.vertex_count()).map(VertexOrigin::Vertex);
-        base_of(object_paint(&self.object.paint, own.chain(faces.cuts.iter().copied()), &faces.source))
+        base_of(object_paint(paint, own.chain(faces.cuts.iter().copied()), &faces.source))
     }
 
     /// Light at each face, whatever its colours.

@@ -163,6 +163,11 @@ pub enum Reason {
 
     /// Left out: no object has a picture on it.
     NoTexture,
+    /// Left out: each picture has one colour everywhere.
+    TextureOfOneColor {
+        /// With such a picture.
+        objects: usize,
+    },
     /// Runs.
     Textured {
         /// With a picture.
@@ -246,6 +251,8 @@ pub struct ObjectPlan {
     pub shadowed: bool,
     /// Something shows through it.
     pub translucent: bool,
+    /// Its picture is asked for the colour of each pixel: it has one, and that has more than one colour.
+    pub textured: bool,
 }
 
 /// The report of one object.

@@ -3,7 +3,7 @@
 //! Attributes are interpolated with regard to perspective: a / w and 1 / w are affine on the picture, so the share of
 //! each vertex in a pixel is found first, and every attribute is the sum of the three values with these shares.
 
-use crate::appearance::{LightShare, Rgba};
+use crate::appearance::{LightShare, Rgba, TextureReveal};
 use crate::drawing::{Base, Lighting, Shadow, Surface, SurfaceLight, TakenLight};
 use crate::lighting::{light_eight, packed, with_light};
 use crate::simd::prelude::*;
@@ -59,7 +59,10 @@ impl<'a, K: Simd> PerPixel<'a, K> {
         index: u32,
         corners: [usize; 3],
     ) -> Option<Self> {
-        let weights = Weights::new(triangle, inverse_w(surface, corners)?);
+        let affine =
+            matches!(&surface.base, Base::Texture { sampler, .. } if sampler.reveal == Some(TextureReveal::Affine));
+        let inverse_w = if affine { [1.0; 3] } else { inverse_w(surface, corners)? };
+        let weights = Weights::new(triangle, inverse_w);
         let base = TriangleBase::new(surface, index, corners, &weights)?;
         let light = match &surface.light {
             SurfaceLight::InBase => TriangleLight::InBase,

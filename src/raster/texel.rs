@@ -4,7 +4,7 @@
 //! and W affine on the picture, u = U/W changes by (U_x − u W_x)/W along x. A level whose texels are as large as a pixel
 //! is λ = log₂ of the longer of the two changes, in texels of the picture itself [Heckbert 1989].
 
-use crate::appearance::{Filter, Level, Rgba, Sampler, Texture, Wrap};
+use crate::appearance::{Filter, LEVEL_COLORS, Level, Rgba, Sampler, Texture, TextureReveal, Wrap};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, mask32x8, u32x8};
 
@@ -35,7 +35,8 @@ impl<'a> TexturedTriangle<'a> {
         let uv = near_zero(uv, sampler);
         let alpha = f32::from(tint.a) / 255.0;
         let tint = [tint.r, tint.g, tint.b, 255].map(|c| f32::from(c) / 255.0 * alpha);
-        let asks = sampler.filter == Filter::Trilinear && image.levels().len() > 1;
+        let asks = sampler.filter == Filter::Trilinear && image.levels().len() > 1
+            || matches!(sampler.reveal, Some(TextureReveal::Levels | TextureReveal::Texels));
         #[expect(clippy::cast_precision_loss, reason = "sides of pictures are far below 2²⁴")]
         let size = [image.width() as f32, image.height() as f32];
         let change = asks.then(|| {
@@ -51,24 +52,69 @@ impl<'a> TexturedTriangle<'a> {
     #[inline(always)]
     pub(super) fn colors<K: Simd>(&self, wanted: mask32x8<K>, [s, t]: [f32x8<K>; 2], w: f32x8<K>) -> u32x8<K> {
         let simd = wanted.witness();
-        // Squares of the longer change: the root is taken by halving the logarithm.
-        let change = self.change.map(|change| {
+        // The changes of u and v in texels, from pixel to pixel: along x, along y.
+        let changes = self.change.map(|change| {
             let (wide, high) = (self.image.width() as f32, self.image.height() as f32);
-            let [x, y] = change.map(|[u, v, sum]| {
+            change.map(|[u, v, sum]| {
                 let du = (f32x8::splat(simd, u) - s * (sum * wide)) * w;
                 let dv = (f32x8::splat(simd, v) - t * (sum * high)) * w;
-                du * du + dv * dv
-            });
-            x.max(y)
+                [du * du, dv * dv]
+            })
         });
+        // Squares of the longer change: the root is taken by halving the logarithm.
+        let change = changes.map(|[x, y]| (x[0] + x[1]).max(y[0] + y[1]));
+        // The widths of a pixel in texels, along u and along v.
+        let width = changes.map(|[x, y]| [(x[0] + y[0]).sqrt(), (x[1] + y[1]).sqrt()]);
         let mut colors = u32x8::splat(simd, 0);
         // Texels lie anywhere in memory: each pixel asks for its own.
         for l in (0..LANES).filter(|&l| wanted[l] != 0) {
             let detail = change.map_or(0.0, |change| 0.5 * log2(change[l]));
-            let texel = self.texel([s[l], t[l]], detail);
+            let texel = match self.sampler.reveal {
+                None | Some(TextureReveal::Affine) => self.texel([s[l], t[l]], detail),
+                Some(TextureReveal::Levels) => self.with_level([s[l], t[l]], detail),
+                Some(TextureReveal::Texels) => {
+                    self.with_lines([s[l], t[l]], width.map_or([1.0; 2], |[u, v]| [u[l], v[l]]))
+                }
+            };
             colors[l] = Pixel::from_le_bytes(std::array::from_fn(|k| byte(texel[k] * self.tint[k])));
         }
         colors
+    }
+
+    /// The colour at a point, half of which is that of the level of detail.
+    fn with_level(&self, uv: [f32; 2], detail: f32) -> [f32; 4] {
+        let last = self.image.levels().len().min(LEVEL_COLORS.len()).saturating_sub(1);
+        let detail = match self.sampler.filter {
+            Filter::Trilinear => detail.clamp(0.0, last as f32),
+            Filter::Nearest | Filter::Bilinear => 0.0,
+        };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 5")]
+        let finer = (detail as usize).min(last);
+        let share = detail - finer as f32;
+        let [fine, coarse] = [finer, (finer + 1).min(last)].map(|level| LEVEL_COLORS[level]);
+        let mixed = |a: u8, b: u8| f32::from(a) + share * (f32::from(b) - f32::from(a));
+        let level = [mixed(fine.r, coarse.r), mixed(fine.g, coarse.g), mixed(fine.b, coarse.b), 255.0];
+        let own = self.texel(uv, detail);
+        std::array::from_fn(|k| 0.5 * (own[k] + level[k] * own[3] / 255.0))
+    }
+
+    /// The nearest texel, and lines between texels. `width`: that of a pixel in texels, along u and along v.
+    fn with_lines(&self, uv: [f32; 2], width: [f32; 2]) -> [f32; 4] {
+        /// Texels of fewer pixels would be all lines.
+        const SMALLEST: f32 = 4.0;
+        let Some(level) = self.image.levels().first() else { return [0.0; 4] };
+        let own = nearest(level, self.sampler, uv);
+        let is_near = |t: f32, size: u32, width: f32| {
+            let within = t * size as f32;
+            let within = within - within.floor();
+            width * SMALLEST < 1.0 && within.min(1.0 - within) < 0.5 * width
+        };
+        if is_near(uv[0], level.width, width[0]) || is_near(uv[1], level.height, width[1]) {
+            // Dark on light texels and light on dark ones.
+            let line = if own[0] + own[1] + own[2] > 1.5 * own[3] { 0.0 } else { own[3] };
+            return [0.5 * (own[0] + line), 0.5 * (own[1] + line), 0.5 * (own[2] + line), own[3]];
+        }
+        own
     }
 
     /// The colour at a point, premultiplied, 0 … 255. `detail`: λ.

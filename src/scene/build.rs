@@ -207,6 +207,7 @@ impl Maker<'_, '_> {
             wrap_u: spec.wrap.unwrap_or(sampler.wrap_u),
             wrap_v: spec.wrap.unwrap_or(sampler.wrap_v),
             filter: spec.filter.unwrap_or(sampler.filter),
+            reveal: None,
         };
         Some((image, sampler))
     }
@@ -279,7 +280,9 @@ fn painted(
         // v is counted from below, where the first repetition begins.
         Arc::new(uv.iter().map(|[u, v]| [u * wide, 1.0 - (1.0 - v) * high]).collect())
     };
-    ObjectPaint::Texture(Pictured { image, sampler, uv, tint, light: FoundLight::None, inverse_w: Arc::default() })
+    let translucent = !tint.is_opaque() || !image.is_opaque();
+    let (light, inverse_w) = (FoundLight::None, Arc::default());
+    ObjectPaint::Texture(Pictured { image, sampler, uv, tint, translucent, light, inverse_w })
 }
 
 fn ellipsoid(segments: u32) -> Mesh {

@@ -99,8 +99,10 @@ impl Materials<'_> {
         match self.image(&texture, alpha, read_file) {
             Ok(image) => Some(PartTexture { image, sampler: sampler(&texture.sampler()) }),
             Err(error) => {
+                let is_told = error.is_unread();
                 let notice = MeshNotice::Texture(error);
-                if !self.notices.contains(&notice) {
+                // Whoever reads the files says which were missing.
+                if !is_told && !self.notices.contains(&notice) {
                     self.notices.push(notice);
                 }
                 None
@@ -153,7 +155,7 @@ fn sampler(sampler: &::gltf::texture::Sampler<'_>) -> Sampler {
         (Some(MinFilter::Linear), _) => Filter::Bilinear,
         _ => Filter::Trilinear,
     };
-    Sampler { wrap_u: wrap(sampler.wrap_s()), wrap_v: wrap(sampler.wrap_t()), filter }
+    Sampler { wrap_u: wrap(sampler.wrap_s()), wrap_v: wrap(sampler.wrap_t()), filter, reveal: None }
 }
 
 fn fault(place: impl Into<String>, fault: GltfFault) -> MeshError {

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 pub use super::part::{Imported, Part, PartTexture};
-use super::texture::{Textures, UvMesh};
-use super::{Mesh, MeshError, ReadFile, Wanted, gltf, obj};
+use super::texture::{Alpha, Textures, UvMesh};
+use super::{Mesh, MeshError, ReadFile, TextureError, Wanted, gltf, obj};
+use crate::appearance::Texture;
 use crate::progress::{Progress, at_once};
 
 /// Imports the mesh file with this path and these bytes. `read_file` returns the files beside it (MTL, BIN); a material
@@ -70,6 +71,17 @@ impl MeshFiles {
         Ok(imported)
     }
 
+    /// True for a file that has been read as a texture of a figure, whatever came of it.
+    #[must_use]
+    pub fn knows_texture(&self, path: &str) -> bool {
+        self.textures.knows(path)
+    }
+
+    /// Takes over a texture of a figure that [`read_texture`] has read elsewhere.
+    pub fn insert_texture(&mut self, path: &str, read: Result<Arc<Texture>, TextureError>) {
+        self.textures.insert(path, read);
+    }
+
     /// None yet; `progress` follows the reading.
     #[must_use]
     pub fn watched(progress: &Progress) -> Self {
@@ -103,6 +115,15 @@ impl MeshFiles {
 pub async fn read(path: &str, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Arc<Imported>, MeshError> {
     let bytes = read_file(Wanted { path, named_by: None }).map_err(|error| MeshError::Unreadable(Box::new(error)))?;
     Ok(Arc::new(import(path, &bytes, read_file, progress).await?))
+}
+
+/// Reads a texture that a figure names: the other part of building a scene that takes long.
+///
+/// # Errors
+/// [`TextureError`].
+pub fn read_texture(path: &str, read_file: &mut ReadFile<'_>) -> Result<Arc<Texture>, TextureError> {
+    let mut beside = |path: &str| read_file(Wanted { path, named_by: None });
+    Textures::default().get(path, Alpha::Kept, &mut beside)
 }
 
 #[cfg(test)]

@@ -200,6 +200,8 @@ pub struct Pictured {
     pub uv: Arc<Vec<[f32; 2]>>,
     /// Multiplies the colours of the picture; white leaves them as they are. Its alpha is the opacity.
     pub tint: Rgba,
+    /// Something shows through it.
+    pub translucent: bool,
     /// Light that has been found already, in another picture: that of the canonical volume shows the light of the world.
     pub light: FoundLight,
     /// 1/w of each vertex where the mesh is the image of another one under a perspective, in any unit: between the
@@ -208,6 +210,16 @@ pub struct Pictured {
 }
 
 impl Pictured {
+    /// The one colour that it has everywhere, opaque; `None` where it has several, or something shows through.
+    #[must_use]
+    pub fn one_color(&self) -> Option<Rgba> {
+        let [r, g, b, _] = self.image.one_color().filter(|_| !self.translucent && self.sampler.reveal.is_none())?;
+        let Rgba { r: red, g: green, b: blue, .. } = self.tint;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+        let product = |texel: u8, tint: u8| (f32::from(texel) * (f32::from(tint) / 255.0) + 0.5) as u8;
+        Some(Rgba::rgb(product(r, red), product(g, green), product(b, blue)))
+    }
+
     /// A picture that is shown once, as it is.
     #[must_use]
     pub fn plain(image: Arc<Texture>, uv: Vec<[f32; 2]>, opacity: u8) -> Self {
@@ -216,6 +228,7 @@ impl Pictured {
             sampler: Sampler::PICTURE,
             uv: Arc::new(uv),
             tint: Rgba::rgba(255, 255, 255, opacity),
+            translucent: opacity < 255,
             light: FoundLight::None,
             inverse_w: Arc::default(),
         }
@@ -241,7 +254,7 @@ impl ObjectPaint {
         match self {
             Self::Solid(color) => !color.is_opaque(),
             Self::Faces(colors) | Self::Vertices(colors) => colors.iter().any(|c| !c.is_opaque()),
-            Self::Texture(pictured) => !pictured.tint.is_opaque() || !pictured.image.is_opaque(),
+            Self::Texture(pictured) => pictured.translucent,
         }
     }
 }

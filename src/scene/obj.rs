@@ -14,7 +14,7 @@ use super::read_error::Beside;
 use super::soup::Soup;
 use super::texture::{Alpha, Textures};
 use super::{MeshError, MeshNotice, ObjFault};
-use crate::appearance::{Filter, Rgba, Sampler, Wrap};
+use crate::appearance::{Rgba, Sampler, Wrap};
 use crate::limits::MAX_OBJECTS;
 use crate::progress::{Activity, Progress, pause};
 use crate::sanitize::escaped;
@@ -76,8 +76,10 @@ pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
             None => None,
             Some((map, Ok(image))) => Some(PartTexture { image, sampler: map.sampler() }),
             Some((_, Err(error))) => {
+                let is_told = error.is_unread();
                 let notice = MeshNotice::Texture(error);
-                if !notices.contains(&notice) {
+                // Whoever reads the files says which were missing.
+                if !is_told && !notices.contains(&notice) {
                     notices.push(notice);
                 }
                 None
@@ -231,7 +233,7 @@ impl Map {
 
     fn sampler(&self) -> Sampler {
         let wrap = if self.clamps { Wrap::Clamp } else { Wrap::Repeat };
-        Sampler { wrap_u: wrap, wrap_v: wrap, filter: Filter::Trilinear }
+        Sampler { wrap_u: wrap, wrap_v: wrap, ..Sampler::default() }
     }
 }
 

@@ -45,6 +45,12 @@ pub struct Labels {
     pub outside_of: &'static str,
     /// The planes: left, right, bottom, top, near, far.
     pub planes: [&'static str; 6],
+    /// Texture coordinates are interpolated without w.
+    pub affine: &'static str,
+    /// The title of the colours of levels of detail.
+    pub levels: &'static str,
+    /// Texels are shown.
+    pub texels: &'static str,
     /// The divide comes before clipping.
     pub divided_first: &'static str,
     /// The result, where anything is behind the eye.

@@ -53,6 +53,7 @@
 //! | `section` | the section along **u**: similar triangles, with their lengths |
 //! | `shot` | `Shot`: all that pictures show, as one value |
 //! | `stage_overlay` | a stage of the pipeline in its picture: input and output |
+//! | `texel` | the place of a point in the texture of the surface that it is on |
 //! | `timed_pipeline` | the pipeline as the pictures use it |
 //! | `transform_gizmo` | the gizmo that moves, turns and scales the selected objects in the world |
 //! | `transform_preview` | an object where a list of transforms puts it, as glass |
@@ -104,6 +105,7 @@ mod screen;
 mod section;
 mod shot;
 mod stage_overlay;
+mod texel;
 mod timed_pipeline;
 pub mod transform_gizmo;
 mod transform_preview;
@@ -118,7 +120,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::appearance::Texture;
-use crate::figure::{Figure, Observer};
+use crate::figure::{Figure, Observer, WorldPart};
 pub use crate::figure::{View, Views};
 use crate::pipeline::Frame;
 use crate::progress::Progress;
@@ -140,6 +142,7 @@ pub use picture::{MAX_PICTURES, Picture, observer_in};
 pub use pixels::{PixelRect, Size, image_frame};
 pub use request::{Finish, Normalizing, Request, SharedScene};
 pub use shot::{Compared, Look, Shot};
+pub use texel::{TexelAt, texel_at};
 pub use timed_pipeline::TimedPipeline;
 pub use values::caption;
 
@@ -228,6 +231,26 @@ impl Request {
         }
     }
 
+    /// The same picture for a page or a file: its observer goes back to where everything of interest is in the picture,
+    /// if it was turned in a picture of another shape. A close look, of which most is outside anyway, goes back as far
+    /// as the picture is narrower than those beside one another in a window.
+    #[must_use]
+    pub fn gone_back(self) -> Self {
+        /// So many times as far, it would be another picture.
+        const CLOSE: f64 = 2.0;
+        /// Width over height of a picture beside another one in a window.
+        const BESIDE: f64 = 1.1;
+        let Some(given) = self.observer.filter(|_| self.normalizing().is_none()) else { return self };
+        let shows_volume = self.view != View::World || self.shot.look.world.parts.has(WorldPart::Volume);
+        let fitted = self
+            .fitted(&given)
+            .filter(|fitted| shows_volume && !self.holds(&given) && fitted.distance < CLOSE * given.distance);
+        let size = self.each_side().first().map_or(self.size, |side| side.size);
+        let narrower = (BESIDE / size.aspect()).max(1.0);
+        let gone = fitted.unwrap_or(Observer { distance: narrower * given.distance, ..given });
+        self.seen_by(Some(gone))
+    }
+
     /// The observer that looks in the same direction as `observer` and has everything of interest in the picture;
     /// `None` for the image.
     #[must_use]
@@ -237,5 +260,38 @@ impl Request {
             View::Canonical => Some(canonical::fit(self, observer)),
             View::Image => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+    use super::*;
+    use crate::camera::Camera;
+    use crate::i18n::{Lang, pictures};
+
+    #[test]
+    fn an_observer_goes_back_where_the_volume_would_be_cut_and_a_close_look_stays_close() {
+        let figure = Figure::default();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let scene = SharedScene::new(Scene::default());
+        let of = |width, observer| {
+            let size = Size { width, height: 400, scale: 1.0 };
+            let request = Request::of(&figure, View::World, &camera, &scene, pictures::labels(Lang::En), size);
+            request.seen_by(observer)
+        };
+        let wide = of(900, None).observer_from(Viewpoint::Iso).unwrap();
+        assert_eq!(of(900, Some(wide)).gone_back().observer, Some(wide), "it has everything in the picture");
+        let narrow = of(300, Some(wide));
+        let gone = narrow.clone().gone_back().observer.unwrap();
+        assert!(!narrow.holds(&wide) && narrow.holds(&gone));
+        assert_eq!((gone.azimuth, gone.elevation), (wide.azimuth, wide.elevation));
+        let close = Observer { distance: 0.1 * wide.distance, ..wide };
+        assert_eq!(of(900, Some(close)).gone_back().observer, Some(close));
+        let gone = of(300, Some(close)).gone_back().observer.unwrap();
+        assert_eq!(gone.target, close.target);
+        assert!((gone.distance / close.distance - 1.1 / 0.75).abs() < 1e-9, "as much across as beside another picture");
+        assert_eq!(of(300, None).gone_back(), of(300, None));
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use crate::appearance::{Dash, MarkShape, Rgba, Shading};
+use crate::appearance::{Dash, LEVEL_COLORS, MarkShape, Rgba, Shading, TextureReveal};
 use crate::camera::{Camera, Ndc, Parameters, Projection, ViewWindow};
 use crate::figure::Outside;
 use crate::pipeline::clip_parts::{Parts, clip_parts};
@@ -145,6 +145,7 @@ pub(super) fn in_world(request: &Request, palette: Palette) -> PipelineReveal<'_
     if !dropped.objects.is_empty() {
         append(revealed.scene.to_mut(), glass(dropped, palette.dropped));
     }
+    revealed.textures(request, palette);
     revealed
 }
 
@@ -165,6 +166,39 @@ impl PipelineReveal<'_> {
             let hand = if ndc.is_right_handed() { labels.right_handed } else { labels.left_handed };
             let text = LegendText::new("ndc", format!("{}: {hand}", labels.ndc_title(ndc)));
             self.rows.insert(0, LegendRow::Title(text, palette.ink));
+        }
+    }
+
+    /// Shows the inner work of texturing, where there are textures.
+    fn textures(&mut self, request: &Request, palette: Palette) {
+        let Some(reveal) = request.shot.look.reveal.texture else { return };
+        let is_textured = |object: &Object| matches!(object.paint, ObjectPaint::Texture(_));
+        if !self.scene.objects.iter().any(is_textured) {
+            return;
+        }
+        let mut most = 0;
+        for object in &mut self.scene.to_mut().objects {
+            if let ObjectPaint::Texture(pictured) = &mut object.paint {
+                pictured.sampler.reveal = Some(reveal);
+                most = most.max(pictured.image.levels().len());
+            }
+        }
+        let labels = request.labels;
+        match reveal {
+            TextureReveal::Affine => {
+                self.rows.push(LegendRow::Warning(palette.wrong, LegendText::new("affine", labels.affine)));
+            }
+            TextureReveal::Levels => {
+                self.rows.push(LegendRow::Title(LegendText::new("levels", labels.levels), palette.ink));
+                let last = LEVEL_COLORS.len() - 1;
+                for (k, color) in LEVEL_COLORS.into_iter().enumerate().take(most) {
+                    let more = if k == last && most > LEVEL_COLORS.len() { "+" } else { "" };
+                    self.rows.push(LegendRow::Swatch(color, LegendText::new("level", format!("{k}{more}"))));
+                }
+            }
+            TextureReveal::Texels => {
+                self.rows.push(LegendRow::Title(LegendText::new("texels", labels.texels), palette.ink));
+            }
         }
     }
 
@@ -206,6 +240,7 @@ pub(super) fn in_canonical(request: &Request, palette: Palette) -> PipelineRevea
     if let Some(divided) = divided {
         append(revealed.scene.to_mut(), divided.wrong);
     }
+    revealed.textures(request, palette);
     revealed.move_into(&CanonicalBox::of(request), request, palette);
     revealed
 }
@@ -227,6 +262,7 @@ pub(super) fn in_image(request: &Request, palette: Palette) -> (PipelineReveal<'
         let middle = request.camera.volume_corners().iter().fold(DVec3::ZERO, |sum, &p| sum + p / 8.0);
         revealed.note_cuts(&parts, request, palette, |p| p + (middle - p) * 1e-9);
     }
+    revealed.textures(request, palette);
     (revealed, wrong)
 }
 

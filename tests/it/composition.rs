@@ -352,7 +352,7 @@ fn the_painted_window_fades_where_it_would_hide_the_scene_and_as_the_figure_says
     let (_, figure, scene) = shipped().into_iter().find(|(name, ..)| name == "primitives").unwrap();
     let opacity = |figure: &Figure| {
         let request = world(figure, &scene, (480, 400));
-        let image = Arc::new(Texture::flat(2, 2, vec![255; 16]));
+        let image = Arc::new(Texture::flat(2, 1, vec![255, 255, 255, 255, 0, 0, 0, 255]));
         let frame = views::frame(&request, Some(&image), &mut TimedPipeline::default());
         frame.drawing.surfaces.iter().find_map(|s| match &s.base {
             Base::Texture { tint, .. } => Some(tint.a),

@@ -1,12 +1,13 @@
 //! Lessons: the format, the command line, and every step of the lessons of the program.
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use camera_lab::camera::Camera;
+use camera_lab::camera::{Camera, Convention};
 use camera_lab::exercises::{self, Expected, Kind};
-use camera_lab::figure::read;
+use camera_lab::figure::variation::varied_by;
 use camera_lab::figure::write::to_toml;
+use camera_lab::figure::{Figure, read};
 use camera_lab::formula;
-use camera_lab::i18n::{Lang, exercise_sheet, lessons as words, notes, told};
+use camera_lab::i18n::{Lang, exercise_sheet, lessons as words, messages, notes, told};
 use camera_lab::lessons::{Link, Seen, Subject, Task, objects_named, parse, shipped};
 use camera_lab::scene::no_files;
 use camera_lab::views::scene_of;
@@ -82,6 +83,73 @@ fn faults_name_line_and_key() {
     let endless = format!("id = \"a\"\ntitle = \"A\"\n{}", "[[step]]\ntitle = \"B\"\ntext = \"C\"\n".repeat(101));
     assert_eq!(parse(&endless).unwrap_err().key, "[[step]]");
     assert_eq!(parse("id = \"a\"\ntitle = \"A\"\n").unwrap_err().key, "step");
+}
+
+/// A lesson of one step with a goal, its condition in the last line.
+fn with_goal(condition: &str) -> String {
+    format!(
+        "id = \"goal\"\ntitle = \"G\"\n[[step]]\ntitle = \"One\"\ntext = \"Now you.\"\n[step.scene]\npreset = \"house\"\n\
+         [step.show]\nstep = {{ way = \"notes\", at = 0 }}\n[step.try]\ntext = \"Do it.\"\n[[step.try.until]]\n{condition}\n"
+    )
+}
+
+#[test]
+fn goals_are_about_what_is_seen_about_numbers_and_about_every_key_of_the_figure() {
+    let mut seen = Seen::default();
+    for (condition, way) in [
+        ("key = \"style.visibility\"\nis = \"painter\"", &["style.visibility=painter"][..]),
+        ("key = \"style.antialias\"\nis = 16", &["style.antialias=16"]),
+        ("key = \"reveal.clipping\"\nis = true", &["reveal.clipping=true"]),
+        ("key = \"reveal.depth\"\nis = \"linear\"", &["reveal.depth=linear"]),
+        ("key = \"show.step.at\"\nleast = 2", &["show.step.at=2.5"]),
+        // A way without a place has gone to its end.
+        ("key = \"show.step.at\"\nleast = 2", &["show.step.at="]),
+        ("key = \"show.stage\"\nis = \"clip\"", &["show.stage=clip"]),
+        ("key = \"show.measure\"\nis = [\"F\", \"B\"]", &["show.measure=[\"F\", \"B\"]"]),
+        ("key = \"show.painted\"\nmost = 0.5", &["show.painted=0.25"]),
+        ("key = \"observers.world.elevation\"\nleast = \"60°\"", &["observers.world.elevation=75"]),
+        ("key = \"scene.preset\"\nis = \"cube\"", &["scene.preset=cube"]),
+        ("quantity = \"camera.view_angle\"\nleast = \"2atan(1)\"", &["camera.view_angle=100"]),
+        ("angle = [\"camera.view_up\", \"dop\"]\nmost = \"30°\"", &["camera.view_up=[-3, -4, -4]"]),
+        ("hidden = \"door\"", &["azimuth=150"]),
+    ] {
+        let lesson = parse(&with_goal(condition)).unwrap_or_else(|error| panic!("{condition}: {error}"));
+        let step = &lesson.steps[0];
+        let Some(Task::Try(goal)) = &step.task else { panic!("a goal") };
+        let mut holds = |figure: &Figure, camera: &Camera| {
+            let scene = scene_of(figure, &mut no_files, &Default::default()).unwrap();
+            goal.is_reached(Subject { figure, camera, scene: &scene }, &mut seen)
+        };
+        let camera = Camera::new(&step.figure.camera).unwrap();
+        assert!(!holds(&step.figure, &camera), "{condition}");
+        let way: Vec<(&str, &str)> = way.iter().filter_map(|way| way.split_once('=')).collect();
+        let after = varied_by(&step.figure, &camera, &way, Convention::RightHand).unwrap();
+        assert!(holds(&after.figure, &after.camera), "{condition}: {way:?}");
+    }
+}
+
+#[test]
+fn faulty_goals_name_line_and_key() {
+    for (condition, line, key, told) in [
+        ("key = \"style.visibilty\"\nis = \"painter\"", 13, "key", "visibility"),
+        ("key = \"stile.visibility\"\nis = \"painter\"", 13, "key", "style"),
+        ("key = \"style.visibility\"\nis = \"painting\"", 14, "is", "depth-buffer"),
+        ("key = \"reveal.clipping\"\nis = 3", 14, "is", "true"),
+        ("key = \"style.shading\"\nleast = 3", 14, "least", "gouraud"),
+        ("key = \"show.painted\"\nmost = 7", 14, "most", "from 0 to 1"),
+        ("key = \"show.painted\"", 12, "is", "least and most"),
+        ("key = \"show.painted\"\nis = 0.5\nleast = 0", 14, "is", "least and most"),
+        ("key = \"show.painted\"\nseen = \"door\"", 12, "quantity", "hidden"),
+        ("angle = [\"dop\"]\nmost = 30", 13, "angle", "two vectors"),
+        ("angle = [\"dop\", \"distance\"]\nmost = 30", 13, "angle", "two vectors"),
+        ("angle = [\"dop\", \"basis.n\"]", 12, "least", "number"),
+        ("quantity = \"basis.w\"\nmost = 30", 13, "quantity", "basis.u"),
+    ] {
+        let error = parse(&with_goal(condition)).unwrap_err();
+        assert_eq!((error.line, &*error.key), (line, &*format!("[step.try] until.{key}")), "{condition}");
+        let said = messages::figure(Lang::En, &error);
+        assert!(said.contains(told), "{condition}: {said}");
+    }
 }
 
 #[test]
@@ -210,7 +278,32 @@ fn the_command_line_lists_shows_checks_and_draws() {
     assert!(refused.refused(2).contains("line 20"), "{}", refused.err);
     bench.write("links.toml", LESSON.replace("seconds = 0", "links = [{ lesson = \"nope\" }, { note = \"nope\" }]"));
     let refused = bench.run(&["lesson", "check", "links.toml"]);
-    assert!(refused.refused(2).contains("step 2: there is no note"), "{}", refused.err);
+    assert!(
+        refused.refused(2).contains("links.toml, line 18: [[step.links]] note: there is no note \"nope\""),
+        "{}",
+        refused.err
+    );
+    for (condition, way, said) in [
+        (
+            "hidden = \"dor\"",
+            "",
+            "goal.toml, line 13: [step.try] until.hidden is \"dor\", which the scene does not have; allowed: \"ground\", \"walls\"",
+        ),
+        ("quantity = \"distance\"\nleast = 0", "", "goal.toml, line 12: [step.try] until holds already"),
+        (
+            "quantity = \"distance\"\nleast = 50",
+            "way = [\"zoom=2\"]\n",
+            "goal.toml, line 12: [step.try] way does not lead",
+        ),
+    ] {
+        let text = with_goal(condition).replace("[[step.try.until]]", &format!("{way}[[step.try.until]]"));
+        bench.write("goal.toml", text);
+        let refused = bench.run(&["lesson", "check", "goal.toml"]);
+        assert!(refused.refused(2).contains(said), "{}", refused.err);
+    }
+    bench.write("before.toml", LESSON.replacen("title", "before = [\"nope\"]\ntitle", 1));
+    let refused = bench.run(&["lesson", "check", "before.toml"]);
+    assert!(refused.refused(2).contains("before.toml, line 3: before: there is no lesson \"nope\""), "{}", refused.err);
     assert!(bench.run(&["lesson", "show", "bassis"]).refused(2).contains("did you mean \"basis\""));
     assert!(bench.run(&["lesson", "play", "basis", "--step", "99"]).refused(2).contains("from 1 to"));
 }

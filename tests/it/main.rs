@@ -80,6 +80,7 @@ mod stress;
 mod stress_case;
 mod stroke_runs;
 mod text;
+mod textures;
 mod trace;
 mod vectors;
 mod views;

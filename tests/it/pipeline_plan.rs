@@ -251,11 +251,22 @@ pub(crate) fn any_object() -> impl Strategy<Value = Object> {
                 0 | 1 => ObjectPaint::Faces(varied(mesh.triangles.len())),
                 2 | 3 => ObjectPaint::Vertices(varied(mesh.positions.len())),
                 4 => {
-                    let image = Texture::flat(2, 2, (0..16).map(|i| 255 - 30 * (i % 4)).collect());
+                    // Premultiplied: alpha, the fourth channel, is the greatest. Some are clear in places, some of one colour.
+                    let clear = kind % 2 == 0;
+                    let step = if kind % 5 == 0 { 0 } else { 15 };
+                    let texel = |i: u8| {
+                        if clear {
+                            100 + 30 * (i % 4) - step * (i / 4)
+                        } else {
+                            [165, 195 - step * (i / 4), 20, 255][usize::from(i % 4)]
+                        }
+                    };
+                    let image = Texture::flat(2, 2, (0..16).map(texel).collect());
                     let uv = mesh.positions.iter().map(|p| (2.0 * p.as_vec3()).xz().to_array()).collect();
                     let plain = Pictured::plain(Arc::new(image.with_levels()), uv, color.a);
                     let sampler = [Sampler::PICTURE, Sampler::default()][usize::from(kind) / 9 % 2];
-                    ObjectPaint::Texture(Pictured { sampler, tint: color, ..plain })
+                    let translucent = clear || !color.is_opaque();
+                    ObjectPaint::Texture(Pictured { sampler, tint: color, translucent, ..plain })
                 }
                 _ => ObjectPaint::Solid(color),
             };

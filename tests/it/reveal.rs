@@ -172,6 +172,7 @@ const ALL: Reveal = Reveal {
     divide_first: true,
     culled: true,
     vanishing: true,
+    texture: None,
 };
 
 #[test]
@@ -605,6 +606,7 @@ proptest! {
             divide_first,
             culled,
             vanishing: culled != clipping,
+            texture: None,
         };
         let mut figure = preset(scene, reveal);
         figure.camera = Parameters {

@@ -17,7 +17,7 @@ use super::read;
 use super::write::{document, to_toml};
 
 pub use difference::{Difference, difference};
-pub use vary::{show_with, varied, varied_together};
+pub use vary::{has, number_at, show_with, varied, varied_together};
 pub(super) use vary::{value_of, varied_whole};
 
 /// The figure file of `figure`, made from an earlier text by changing only the parts that differ: comments, order and

@@ -1,7 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use super::*;
-use crate::appearance::{Filter, HiddenLines, Rgba, Style, Theme, Wrap};
+use crate::appearance::{Filter, HiddenLines, Rgba, Style, TextureReveal, Theme, Wrap};
 use crate::camera::{Decomposition, ImageSize, Ndc, Operation, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{
     ARRANGEMENTS, DEPTH_FORMATS, DIMENSIONS, MEASURE_TEXTS, MEASURES, PANELS, PRESETS, SCREEN_MATRICES, SHADINGS,
@@ -132,6 +132,7 @@ fn figure() -> impl Strategy<Value = Figure> {
                 divide_first,
                 culled,
                 vanishing,
+                texture: culled.then_some(if clipping { TextureReveal::Affine } else { TextureReveal::Texels }),
             };
             (reveal, undistorted)
         },

@@ -5,7 +5,6 @@ use toml_edit::{DocumentMut, InlineTable, Item, TableLike, Value};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::write::document;
 use crate::figure::{Figure, FigureError, Show, read};
-use crate::scene::SceneSpec;
 
 /// The figure with one key set to a TOML value: `style.shading`, `"flat"`, or a part of one, `show.step.at`, `2.5`. A
 /// value that is a plain word may lack its quotes; an empty one removes the key.
@@ -22,13 +21,41 @@ pub fn varied(figure: &Figure, key: &str, value: &str) -> Result<Figure, FigureE
 /// As for [`varied`].
 pub fn varied_together(figure: &Figure, keys: &[(&str, &str)]) -> Result<Figure, FigureError> {
     // A scene can be large, and most keys are elsewhere.
-    let of_scene = |key: &str| key.split('.').next().is_some_and(|section| section.trim() == "scene");
-    let is_of_scene = keys.iter().any(|(key, _)| of_scene(key));
-    let scene = if is_of_scene { figure.scene.clone() } else { SceneSpec::default() };
-    let (observers, show) = (figure.observers, figure.show.clone());
-    let whole = Figure { scene, observers, show, ..figure.without_scene() };
+    let of_scene = keys.iter().map(|(key, _)| *key).find(|key| is_of_scene(key));
+    let whole = without_other_scene(figure, of_scene.unwrap_or_default());
     let varied = varied_whole(&whole, keys.iter().copied())?;
-    Ok(if is_of_scene { varied } else { Figure { scene: figure.scene.clone(), ..varied } })
+    Ok(if of_scene.is_some() { varied } else { Figure { scene: figure.scene.clone(), ..varied } })
+}
+
+/// True where a key of the figure has a value, as [`varied`] takes it: where setting it changes nothing.
+#[must_use]
+pub fn has(figure: &Figure, key: &str, value: &str) -> bool {
+    let own = without_other_scene(figure, key);
+    varied_whole(&own, [(key, value)]).is_ok_and(|varied| varied == own)
+}
+
+/// The number of a key of the figure; `None` where there is none. A way of `show.step` without a place has gone to its
+/// end: ∞.
+#[must_use]
+pub fn number_at(figure: &Figure, key: &str) -> Option<f64> {
+    let document = document(&without_other_scene(figure, key));
+    let at_end = || (key == "show.step.at" && figure.show.step.is_some()).then_some(f64::INFINITY);
+    let Some(value) = value_of(&document, key) else { return at_end() };
+    #[expect(clippy::cast_precision_loss, reason = "numbers of pixels, and of steps")]
+    value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
+}
+
+/// The figure; without its scene, which can be large, where a key is elsewhere.
+fn without_other_scene(figure: &Figure, key: &str) -> Figure {
+    if is_of_scene(key) {
+        return figure.clone();
+    }
+    let (observers, show) = (figure.observers, figure.show.clone());
+    Figure { observers, show, ..figure.without_scene() }
+}
+
+fn is_of_scene(key: &str) -> bool {
+    key.split('.').next().is_some_and(|section| section.trim() == "scene")
 }
 
 /// As [`varied_together`], for a figure with a small scene.

@@ -28,7 +28,9 @@ use glam::DVec3;
 use toml_edit::{Document, TableLike};
 
 use super::error::{Allowed, FigureError, Problem};
-use super::words::{DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
+use super::words::{
+    DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
+};
 use super::{Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook, WorldPart, WorldParts};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
@@ -251,6 +253,7 @@ fn reveal(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Reveal {
         divide_first: section.switch("divide_first"),
         culled: section.switch("culled"),
         vanishing: section.switch("vanishing"),
+        texture: section.choice("texture", TEXTURE_REVEALS),
     };
     faults.extend(section.finish());
     reveal
@@ -302,7 +305,7 @@ fn observer(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observer {
 }
 
 /// The line of a place in the text, counted from 1.
-fn line_of(text: &str, at: usize) -> usize {
+pub(crate) fn line_of(text: &str, at: usize) -> usize {
     1 + text.as_bytes()[..at.min(text.len())].iter().filter(|b| **b == b'\n').count()
 }
 

@@ -462,6 +462,12 @@ impl<'a> Section<'a> {
         entries.collect()
     }
 
+    /// The value of a key as it is written in the text.
+    pub(crate) fn written(&mut self, key: &'static str) -> Option<String> {
+        let span = self.ask(key)?.as_value()?.span()?;
+        Some(self.text.get(span)?.trim().to_owned())
+    }
+
     /// The faults of the section, those of unknown keys included.
     pub(crate) fn finish(mut self) -> Vec<Fault> {
         let unknown: Vec<String> = self

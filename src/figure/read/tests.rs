@@ -136,6 +136,7 @@ fn every_key_is_read() {
         divide_first: true,
         culled: true,
         vanishing: true,
+        texture: None,
     };
     assert_eq!(figure.reveal, all);
     let world = figure.observers.world.unwrap();

@@ -21,8 +21,9 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
     let mut chosen = None;
     let most = (ui.ctx().content_rect().height() - 160.0).max(120.0);
     let next = state.next_lesson();
-    // Always as high: a dialog that grows with its first texts would move under the pointer.
-    ScrollArea::vertical().max_height(most).auto_shrink(false).show(ui, |ui| {
+    // Always as high, from its first frame on, where it is offered less: what grows moves under the pointer.
+    let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most).auto_shrink(false);
+    area.show(ui, |ui| {
         for (k, shipped) in shipped().iter().enumerate() {
             let lesson = &shipped.lesson;
             let taken = state.lessons_taken.get(&lesson.id).copied();

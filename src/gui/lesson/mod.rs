@@ -139,7 +139,8 @@ pub(super) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
         let mut wanted = ui.cursor().top() - top;
         if shows {
             ui.add_space(2.0);
-            let area = ScrollArea::vertical().id_salt(key).auto_shrink(false);
+            // As low as its text: taller than its panel, it would push the bar out of sight.
+            let area = ScrollArea::vertical().id_salt(key).min_scrolled_height(0.0).auto_shrink(false);
             let shown = area.show(ui, |ui| {
                 let shown = ui.scope(|ui| if writes { written(ui, t, state) } else { content(ui, t, state) });
                 shown.response.rect.height()
@@ -282,7 +283,11 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
                 say(ui);
             });
             ui.add_space(GUTTER - ui.spacing().item_spacing.x);
-            ui.vertical(|ui| task::show(ui, t, state, &step, &text));
+            ui.vertical(|ui| {
+                // Without a width of its own, a field that wants more would reach out of the window.
+                ui.set_width(half);
+                task::show(ui, t, state, &step, &text);
+            });
         });
     } else {
         ui.set_max_width(ui.available_width().min(1.4 * line));

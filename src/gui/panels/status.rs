@@ -3,7 +3,7 @@
 use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
 
 use crate::gui::elide;
-use crate::gui::state::State;
+use crate::gui::state::{Message, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::window;
 
@@ -20,7 +20,10 @@ pub fn news(ui: &mut egui::Ui, state: &State) {
             let text = message.text(state.settings.lang);
             let (font, room) = (TextStyle::Body.resolve(ui.style()), ui.available_width());
             let said = elide::parts(&text, |text| elide::width(ui, &font, text) <= room);
-            let label = Label::new(RichText::new(said).weak()).truncate().show_tooltip_when_elided(false);
+            let said = RichText::new(said);
+            // What somebody has to do is no news that one may miss.
+            let said = if matches!(message, Message::TaskFirst) { said.strong() } else { said.weak() };
+            let label = Label::new(said).truncate().show_tooltip_when_elided(false);
             ui.add(label).explained(text);
         }
     });

@@ -50,6 +50,8 @@ pub enum Purpose {
     Animation(Decomposition),
     /// To put a mesh into the scene.
     Mesh(MeshFor),
+    /// To put a texture on the object of this name.
+    Texture(String),
     /// A folder, whose figures the gallery is to show.
     Folder,
     /// To add a step to a lesson.
@@ -75,6 +77,9 @@ pub enum MeshFor {
 
 /// The endings of mesh files.
 pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
+
+/// The endings of the pictures that can be textures.
+pub const TEXTURE_ENDINGS: &[&str] = &["png", "jpg", "jpeg", "webp"];
 
 /// The content that another program has written into the figure's file; `None`: unreadable.
 pub type Theirs = Option<Vec<u8>>;

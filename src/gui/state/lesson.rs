@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::{Chosen, Message, Panels, State, Writing};
 use crate::camera::Camera;
-use crate::figure::Figure;
+use crate::figure::{Figure, Observers, Show};
 use crate::gui::document::Document;
 use crate::gui::history::Revision;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
@@ -47,8 +47,8 @@ pub struct Playing {
     warned: Option<usize>,
     /// The digits of the number of a step as they are typed, and when the last was.
     pub(in crate::gui) typed: Option<(usize, f64)>,
-    /// The figure at which the goal was looked at last.
-    looked_at: Option<Revision>,
+    /// The figure at which the goal was looked at last, and what it shows.
+    looked_at: Option<(Revision, Observers, Show)>,
     seen: Seen,
     /// The panels as they were before the lesson, out of a presentation.
     panels_before: Panels,
@@ -88,6 +88,14 @@ impl Playing {
         self.lesson = lesson;
         self.done.clear();
         self.passed.clear();
+    }
+
+    /// True where the goal was looked at with this figure.
+    fn has_looked_at(&self, document: &Document) -> bool {
+        let Figure { observers, show, .. } = document.figure();
+        self.looked_at
+            .as_ref()
+            .is_some_and(|(version, seen, shown)| (*version, seen, shown) == (document.version(), observers, show))
     }
 
     /// True where this step is the last one.
@@ -309,7 +317,7 @@ impl State {
         let reached = match playing.now().and_then(|now| now.task.as_ref()) {
             _ if playing.is_done() || playing.moving.is_some() => false,
             Some(Task::Question(_) | Task::Exercise { .. }) => self.is_answered(&playing),
-            Some(Task::Try(goal)) if playing.looked_at != Some(self.document.version()) => {
+            Some(Task::Try(goal)) if !playing.has_looked_at(&self.document) => {
                 // Once for each figure: pixels are counted.
                 let subject = Subject {
                     figure: self.document.figure(),
@@ -320,7 +328,8 @@ impl State {
                 // The scene of a step that has just begun is built after this.
                 let is_ready = self.scene_cache.is_of(&self.document, self.settings.theme);
                 if is_ready {
-                    playing.looked_at = Some(self.document.version());
+                    let Figure { observers, show, .. } = self.document.figure();
+                    playing.looked_at = Some((self.document.version(), *observers, show.clone()));
                 }
                 is_ready && goal.is_reached(subject, &mut playing.seen)
             }

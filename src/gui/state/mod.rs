@@ -85,7 +85,9 @@ pub use conventions::Conventions;
 pub(in crate::gui) use exercises::Done;
 pub use exercises::{Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Typed, is_whole, joined};
 pub use explain::{Explain, Question};
-pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
+pub use files::{
+    AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, TEXTURE_ENDINGS, Theirs,
+};
 pub use follow::Follow;
 pub(super) use follow::Space;
 pub(super) use insert::{free_place, rounded};

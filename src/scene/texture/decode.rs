@@ -22,6 +22,19 @@ pub struct TextureError {
     pub fault: TextureFault,
 }
 
+impl TextureError {
+    /// Whether the file lies outside the folder that the figure may read from: the user can allow it.
+    #[must_use]
+    pub const fn is_outside(&self) -> bool {
+        matches!(&self.fault, TextureFault::Unreadable(error) if error.is_outside())
+    }
+
+    /// Whether the file could not be read at all.
+    pub(in crate::scene) const fn is_unread(&self) -> bool {
+        matches!(self.fault, TextureFault::Unreadable(_))
+    }
+}
+
 /// A fault of a picture. Displayed, it follows the name of the file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TextureFault {
@@ -101,14 +114,29 @@ impl Textures {
         if let Some(known) = self.known.get(&key) {
             return known.clone();
         }
-        let texels = |texture: &Texture| u64::from(texture.width()) * u64::from(texture.height());
-        let held: u64 = self.known.values().flatten().map(|texture| texels(texture)).sum();
-        let decoded = decode(bytes, alpha).and_then(|texture| {
-            if held + texels(&texture) > MAX_TEXELS { Err(TextureFault::Budget) } else { Ok(Arc::new(texture)) }
-        });
+        let decoded = decode(bytes, alpha).and_then(|texture| self.within_budget(Arc::new(texture)));
         let decoded = decoded.map_err(|fault| TextureError { file: sanitize::path_text(name), fault });
         self.known.insert(key, decoded.clone());
         decoded
+    }
+
+    /// The picture, where all together have no more texels than they may.
+    fn within_budget(&self, texture: Arc<Texture>) -> Result<Arc<Texture>, TextureFault> {
+        let texels = |texture: &Texture| u64::from(texture.width()) * u64::from(texture.height());
+        let held: u64 = self.known.values().flatten().map(|texture| texels(texture)).sum();
+        if held + texels(&texture) > MAX_TEXELS { Err(TextureFault::Budget) } else { Ok(texture) }
+    }
+
+    /// True for a file that has been read as a texture of a figure, whatever came of it.
+    pub(in crate::scene) fn knows(&self, file: &str) -> bool {
+        self.known.contains_key(&key(file, Alpha::Kept))
+    }
+
+    /// Takes over a texture of a figure that was read elsewhere.
+    pub(in crate::scene) fn insert(&mut self, file: &str, read: Result<Arc<Texture>, TextureError>) {
+        let refused = |fault| TextureError { file: sanitize::path_text(file), fault };
+        let read = read.and_then(|texture| self.within_budget(texture).map_err(refused));
+        self.known.insert(key(file, Alpha::Kept), read);
     }
 
     /// Forgets the files that `is_used` denies.

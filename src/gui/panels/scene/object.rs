@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use eframe::egui::{self, Key, RichText};
 use glam::DVec3;
 
-use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart};
+use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, texture};
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
 use crate::gui::context_help::{help_topic, help_topic_row};
@@ -41,6 +41,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, ind
     if form.scene.objects[index].shape.is_some() || !descendants(&form.scene, &name).is_empty() {
         color(ui, state, form, index);
     }
+    texture::ui(ui, state, form, index);
     segments(ui, form, index);
     data(ui, state, form, index);
     ui.add_space(3.0);
@@ -123,7 +124,7 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str
 }
 
 /// A field that is as high as those of numbers.
-fn text_field(
+pub(super) fn text_field(
     ui: &mut egui::Ui,
     lang: Lang,
     text: &mut String,
@@ -138,7 +139,7 @@ fn text_field(
 }
 
 /// The text being typed for an object.
-fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
+pub(super) fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
     let is_it = |typing: &Typing| typing.owner == owner && typing.key == key;
     if state.tree.typing.as_ref().is_some_and(is_it) { state.tree.typing.take() } else { None }
 }
@@ -425,10 +426,7 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     if let Some(error) = problem {
         complaint(ui, &faults::scene_error(state.settings.lang, &error));
     }
-    for (_, notice) in state.scene_cache.scene().notices.iter().filter(|(object, _)| object == owner) {
-        let words = format!("⚠ {}", messages::mesh_notice(state.settings.lang, notice));
-        ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
-    }
+    texture::notices(ui, state, owner);
     if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
         state.document.allow_files();
         state.message = None;
