@@ -15,7 +15,7 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Val
 
 use super::words::{
     self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PROJECTIONS, SCREEN_MATRICES, SHADINGS,
-    TEXTURE_REVEALS, THEMES, VISIBILITIES,
+    SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
 };
 use super::{
     Bilingual, Depth, Figure, Labels, NamedPoint, Observer, Outside, Reveal, Screen, ScreenEntry, Show, View,
@@ -214,6 +214,7 @@ fn reveal(reveal: Reveal) -> Table {
         keys.push(("outside", words::name(OUTSIDES, reveal.outside).into()));
     }
     keys.extend(reveal.texture.map(|texture| ("texture", words::name(TEXTURE_REVEALS, texture).into())));
+    keys.extend(reveal.shadows.map(|shadows| ("shadows", words::name(SHADOW_REVEALS, shadows).into())));
     let switches = [
         ("clipping", reveal.clipping),
         ("divide_first", reveal.divide_first),

@@ -126,6 +126,7 @@ use rounding_check::Misplaced;
 pub use rounding_check::MisplacedVertex;
 pub use scenes::Scenes;
 use shadow_maps::ShadowMaps;
+pub use shadow_maps::light_cameras;
 pub use stage_work::{ObjectWork, StageWork, VertexWork};
 pub use stages::{FacesDone, ObjectReport};
 use transform::Screen;

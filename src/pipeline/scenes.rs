@@ -64,6 +64,12 @@ impl<'a> Scenes<'a> {
         Self { lights: &[], ..self }
     }
 
+    /// The same under other lights.
+    #[must_use]
+    pub fn lit_by(self, lights: &'a [Light]) -> Self {
+        Self { lights, ..self }
+    }
+
     pub(super) fn lights(self) -> &'a [Light] {
         self.lights
     }

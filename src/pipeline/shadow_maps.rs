@@ -100,8 +100,19 @@ impl ShadowMaps {
     }
 }
 
+/// The cameras of a light in a scene, whose pictures are its shadow map: one for parallel light, six around a lamp;
+/// `None` where nothing hides its light.
+#[must_use]
+pub fn light_cameras(scene: &Scene, light: &Light) -> Option<Vec<Camera>> {
+    let scenes = Scenes::from(scene);
+    hiding(scenes).next()?;
+    let points = hiding(scenes)
+        .flat_map(|object| object.mesh.positions.iter().map(|&p| object.world_from_object.transform_point3(p)));
+    cameras(light, points.filter(|p| p.is_finite()))
+}
+
 /// The cameras of a light: one that holds all that hides light, or six around a lamp; `None` where there is none.
-pub(super) fn cameras(light: &Light, points: impl Iterator<Item = DVec3> + Clone) -> Option<Vec<Camera>> {
+fn cameras(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Vec<Camera>> {
     match light.kind {
         LightKind::Directional => Some(vec![parallel(light, points)?]),
         LightKind::Point => around(light, points),

@@ -9,7 +9,7 @@ use crate::figure::words::{
 };
 use crate::figure::{
     Bilingual, Comparison, Depth, LabelledMeasure, Labels, Letters, Measured, MovedLabel, NamedPoint, Note, NotePlace,
-    Observer, Observers, Outside, RenamedLabel, Reveal, Screen, ScreenEntry, Show, ShownProbe, ShownStep,
+    Observer, Observers, Outside, RenamedLabel, Reveal, Screen, ScreenEntry, ShadowReveal, Show, ShownProbe, ShownStep,
     ShownTriangle, StagePicture, StyledLabel, TransformPreview, TriangleStep, View, WorldLook, WorldPart, WorldParts,
 };
 use crate::geometry::Ray;
@@ -133,6 +133,7 @@ fn figure() -> impl Strategy<Value = Figure> {
                 culled,
                 vanishing,
                 texture: culled.then_some(if clipping { TextureReveal::Affine } else { TextureReveal::Texels }),
+                shadows: [None, Some(ShadowReveal::Map), Some(ShadowReveal::Acne)][depth],
             };
             (reveal, undistorted)
         },

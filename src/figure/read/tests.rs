@@ -1,7 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use super::*;
-use crate::figure::{Arrangement, Screen};
+use crate::figure::{Arrangement, Screen, ShadowReveal};
 use crate::scene::{Light, Preset, SceneError, Shape};
 
 /// The error of `text` as line, key and problem.
@@ -95,6 +95,7 @@ fn every_key_is_read() {
         divide_first = true
         culled = true
         vanishing = true
+        shadows = "acne"
         [world]
         section = true
         window_opacity = 0.25
@@ -137,6 +138,7 @@ fn every_key_is_read() {
         culled: true,
         vanishing: true,
         texture: None,
+        shadows: Some(ShadowReveal::Acne),
     };
     assert_eq!(figure.reveal, all);
     let world = figure.observers.world.unwrap();
@@ -236,6 +238,7 @@ fn wrong_values_are_refused_with_line_key_and_what_is_allowed() {
         ("[reveal]\noutside = true", "[reveal] outside", 2),
         ("[reveal]\noutside = \"hidden\"", "[reveal] outside", 2),
         ("[reveal]\nclipping = \"yes\"", "[reveal] clipping", 2),
+        ("[reveal]\nshadows = true", "[reveal] shadows", 2),
         ("[reveal]\nculled = 1", "[reveal] culled", 2),
         ("reveal = true", "reveal", 1),
         ("[scene]\npreset = \"teapot\"", "[scene] preset", 2),

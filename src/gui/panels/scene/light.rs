@@ -4,13 +4,16 @@ use eframe::egui;
 use glam::DVec3;
 
 use super::{Edit, SceneForm};
+use crate::figure::ShadowReveal;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::{VectorField, choice, complaint, row};
+use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
+use crate::i18n::scenes::Texts;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, Shadows};
 
 /// Kind, direction or position; returns the request of the button.
-pub(super) fn ui(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) -> Option<Edit> {
+pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let light = *form.scene.lights.get(index)?;
     let mut kind = light.kind;
@@ -38,8 +41,28 @@ pub(super) fn ui(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) -> Optio
     };
     let shadows = shadows(ui, form, &owner, light.shadows);
     form.scene.lights[index] = Light { kind, vector, shadows };
+    if shadows.cast {
+        reveal(ui, state, form.t);
+    }
     ui.add_space(2.0);
     ui.button(t.delete).explained(t.delete_hint).clicked().then_some(Edit::RemoveLight(index))
+}
+
+/// The inner work of shadows, in all pictures.
+fn reveal(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+    let now = state.document.figure().reveal.shadows;
+    let mut chosen = now;
+    let all = [
+        (None, t.shadow_plain),
+        (Some(ShadowReveal::Map), t.shadow_of_light),
+        (Some(ShadowReveal::Acne), t.shadow_acne),
+    ];
+    row(ui, "", t.shadow_reveal, t.shadow_reveal_hint, |ui| {
+        choice(ui, t.shadow_reveal, t.shadow_reveal_hint, &mut chosen, &all);
+    });
+    if chosen != now {
+        state.document.edit(|figure| figure.reveal.shadows = chosen);
+    }
 }
 
 /// The switch, and the numbers where it is on.
