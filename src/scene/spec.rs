@@ -356,6 +356,16 @@ impl Light {
         Self { kind: LightKind::Point, vector: position, shadows: Shadows::NONE }
     }
 
+    /// The texels of its shadow maps.
+    pub(crate) fn shadow_texels(&self) -> u64 {
+        let maps = match self.kind {
+            LightKind::Directional => 1,
+            LightKind::Point => 6,
+        };
+        let side = u64::from(self.shadows.held().map);
+        if self.shadows.cast { maps * side * side } else { 0 }
+    }
+
     /// The same light with shadows.
     #[must_use]
     pub const fn with_shadows(self, shadows: Shadows) -> Self {

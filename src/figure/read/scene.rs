@@ -62,6 +62,7 @@ impl Places {
             | SceneError::Mesh { .. }
             | SceneError::Light { .. }
             | SceneError::TooManyLights { .. }
+            | SceneError::ShadowMaps { .. }
             | SceneError::TooManyObjects => error.object().and_then(|name| named(name).next()),
         };
         let (at, label) = match (index.and_then(|i| self.objects.get(i)), &error) {
