@@ -12,7 +12,6 @@ use super::plan_counts::Survey;
 use super::planes::ALL_PLANES;
 use super::projector::Projector;
 use super::scenes::Scenes;
-use super::shadow_maps;
 pub use super::stages::{LitAt, ObjectPlan, Output, Reason, StagePlan};
 use crate::appearance::{Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint};
@@ -59,7 +58,7 @@ impl Plan {
         let force = options.force_all_stages;
         let dark = scenes.lights().is_empty();
         let objects = scenes.objects().zip(containments);
-        let casts = shadow_maps::casts(scenes) && style.shading != Shading::Wireframe;
+        let casts = scenes.casts_shadows() && style.shading != Shading::Wireframe;
         let objects = objects.map(|(object, containment)| {
             let planned = plan_object(object, containment, style, dark, force);
             ObjectPlan { shadowed: casts && planned.lit != LitAt::Nowhere, ..planned }

@@ -5,7 +5,6 @@ use super::planes::{NEAR, PlaneSet};
 use super::projector::Projector;
 use super::scenes::Scenes;
 use super::shade::Shaded;
-use super::shadow_maps;
 use super::stages::{FacesDone, LitAt, ObjectPlan, ObjectReport, Output, Reason, StagePlan};
 use crate::appearance::{HiddenLines, Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint};
@@ -71,7 +70,7 @@ impl Survey {
             lit_pixels: lit(LitAt::Pixels),
             dark: scenes.lights().is_empty(),
             varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan)).count(),
-            casts: shadow_maps::casts(scenes),
+            casts: scenes.casts_shadows(),
             shadowed: faces.iter().filter(|(_, plan)| plan.shadowed).count(),
             textured: faces.iter().filter(|(_, plan)| plan.textured).count(),
             pictured: faces.iter().filter(|(object, _)| matches!(object.paint, ObjectPaint::Texture(_))).count(),

@@ -49,9 +49,15 @@ impl<'a> Scenes<'a> {
         Self { hiding, ..self }
     }
 
-    /// The objects among which are those that hide light: gear hides none.
-    pub(super) fn hiding(self) -> &'a [Object] {
-        &self.hiding.objects
+    /// The objects that hide light: those with opaque faces. Gear hides none.
+    pub(super) fn hiding(self) -> impl Iterator<Item = &'a Object> {
+        let has_faces = |object: &&Object| object.faces && !object.mesh.triangles.is_empty();
+        self.hiding.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
+    }
+
+    /// True where a light casts a shadow of anything.
+    pub(super) fn casts_shadows(self) -> bool {
+        self.lights.iter().any(|light| light.shadows.cast) && self.hiding().next().is_some()
     }
 
     pub(super) fn fineness(self) -> f32 {

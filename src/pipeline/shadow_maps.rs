@@ -8,8 +8,9 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3};
 
 use super::projector::{Projector, ViewFromObject};
-use super::{Options, Pipeline, Scenes, Target};
-use crate::appearance::{Rgba, Shading, Style, Visibility};
+use super::scenes::Scenes;
+use super::seen_by_light;
+use crate::appearance::Rgba;
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::drawing::{Rays, ShadowMap, single};
 use crate::geometry::try_unit;
@@ -52,33 +53,22 @@ impl Hiding {
     }
 }
 
-/// The objects of a scene that hide light: opaque faces.
-pub(super) fn hiding<'a>(scenes: Scenes<'a>) -> impl Iterator<Item = &'a Object> {
-    let hides = |object: &&Object| object.faces && !object.mesh.triangles.is_empty() && !object.paint.is_translucent();
-    scenes.hiding().iter().filter(hides)
-}
-
-/// True where a light of a scene casts a shadow.
-pub(super) fn casts(scenes: Scenes) -> bool {
-    scenes.lights().iter().any(|light| light.shadows.cast) && hiding(scenes).next().is_some()
-}
-
 impl ShadowMaps {
     /// The lights of a scene that cast shadows.
     pub(super) fn of(&mut self, scenes: Scenes) -> &[ShadowLight] {
         self.lights.clear();
-        if !casts(scenes) {
+        if !scenes.casts_shadows() {
             return &[];
         }
         let same = self.hiding.iter().map(Some).chain(std::iter::repeat(None));
         let mut count = 0;
-        let unchanged = hiding(scenes).zip(same).all(|(object, old)| {
+        let unchanged = scenes.hiding().zip(same).all(|(object, old)| {
             count += 1;
             old.is_some_and(|old| old.is(object))
         });
         if !unchanged || count != self.hiding.len() {
             self.made.clear();
-            let all = hiding(scenes);
+            let all = scenes.hiding();
             self.hiding = all
                 .map(|object| Hiding { mesh: Arc::clone(&object.mesh), world_from_object: object.world_from_object })
                 .collect();
@@ -105,8 +95,9 @@ impl ShadowMaps {
 #[must_use]
 pub fn light_cameras(scene: &Scene, light: &Light) -> Option<Vec<Camera>> {
     let scenes = Scenes::from(scene);
-    hiding(scenes).next()?;
-    let points = hiding(scenes)
+    scenes.hiding().next()?;
+    let points = scenes
+        .hiding()
         .flat_map(|object| object.mesh.positions.iter().map(|&p| object.world_from_object.transform_point3(p)));
     cameras(light, points.filter(|p| p.is_finite()))
 }
@@ -197,18 +188,8 @@ fn made(light: &Light, hiding: &[Hiding]) -> Option<ShadowLight> {
     let shadows = light.shadows.held();
     let cameras = cameras(light, points)?;
     let scene = Scene { objects: hiding.iter().map(alone).collect(), ..Scene::default() };
-    let black = Rgba::rgb(0, 0, 0);
     let size = shadows.map;
-    let target = Target { width: size, height: size, scale: 1.0, background: black };
-    let style = Style { shading: Shading::Flat, visibility: Visibility::DepthBuffer, antialias: 1, ..Style::default() };
-    let options = Options { depth_of_volume: true, ..Options::default() };
-    let mut pipeline = Pipeline::default();
-    let views = cameras.iter().map(|camera| {
-        let mut drawing = pipeline.frame(&scene, camera, target, &style, options).drawing;
-        drawing.surfaces.iter_mut().for_each(|surface| surface.depth_test = true);
-        drawing
-    });
-    let views: Vec<_> = views.collect();
+    let views = cameras.iter().map(|camera| seen_by_light(&scene, camera, size)).collect();
     let projector = Projector::new(cameras.first()?);
     let rays = rays(&cameras, &projector, size)?;
     let map = ShadowMap::new(views, size, rays, [single(shadows.bias), single(shadows.softness)]);
