@@ -131,7 +131,7 @@ impl Shaded<'_> {
         let of = |i: u32| f64::from(inverse_w.get(i as usize).copied().unwrap_or(1.0));
         let own = (0..self.vertex_count()).map(of);
         let cuts = faces.cuts.iter().map(|cut| cut.of(of));
-        let all = own.chain(cuts).map(|q| single(q));
+        let all = own.chain(cuts).map(single);
         if faces.image.inverse_w.is_empty() {
             faces.image.inverse_w = all.collect();
         } else {

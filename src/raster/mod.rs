@@ -19,6 +19,7 @@
 //! | `setup` | coverage of a triangle, and values that are affine over it |
 //! | `shade` | the colours of triangles' pixels, eight at a time |
 //! | `shadow` | the share of a light that arrives at a pixel: its place held against the depths that the light sees |
+//! | `texel` | pictures on triangles: the colour of a texture at a pixel |
 //! | `surfaces` | all surfaces of a picture: bands of rows, each painted on its own, by as many threads as there are |
 
 mod batch;

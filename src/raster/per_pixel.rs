@@ -130,11 +130,11 @@ impl<K: Simd> Shader<K> for PerPixel<'_, K> {
     #[inline(always)]
     fn colors(&self, wanted: mask32x8<K>) -> u32x8<K> {
         let simd = wanted.witness();
-        let (w, inverse_sum) = self.weights.at(self.x, self.y);
+        let (w, sum) = self.weights.at(self.x, self.y);
         let own = match &self.base {
             TriangleBase::One(color) => u32x8::splat(simd, packed(*color)),
             TriangleBase::Vertices(colors) => bytes(mix(w, colors)),
-            TriangleBase::Texture(texture) => texture.colors(wanted, mix(w, &texture.uv), inverse_sum),
+            TriangleBase::Texture(texture) => texture.colors(wanted, mix(w, &texture.uv), 1.0 / sum),
         };
         let most = || match &self.base {
             TriangleBase::One(_) => f32x8::splat(simd, 255.0),
@@ -191,7 +191,7 @@ impl Weights {
         std::array::from_fn(|k| [self.planes[k].dx * self.inverse_w[k], self.planes[k].dy * self.inverse_w[k]])
     }
 
-    /// The shares, and one over the sum by which they were divided.
+    /// The shares, and the sum by which they were divided.
     #[inline(always)]
     fn at<K: Simd>(&self, x: f32x8<K>, y: f32x8<K>) -> ([f32x8<K>; 3], f32x8<K>) {
         let mut b = [x; 3];
@@ -199,7 +199,7 @@ impl Weights {
             *b = plane.at(x, y) * inverse_w;
         }
         let sum = b[0] + b[1] + b[2];
-        ([b[0] / sum, b[1] / sum, b[2] / sum], 1.0 / sum)
+        ([b[0] / sum, b[1] / sum, b[2] / sum], sum)
     }
 }
 

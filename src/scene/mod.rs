@@ -67,8 +67,8 @@ pub use presets::{Beyond, objects as preset_objects};
 pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, is_loop, no_files, system_kind, system_words};
 pub use resolve::{DEFAULT_LIGHT, check};
 pub use shadows::Shadows;
-pub use spec::{Light, LightKind, ObjectSpec, Preset, SceneSpec, Shape, ShapeData};
-pub use texture::{CornerUv, TextureError, TextureFault, TextureSource};
+pub use spec::{Light, LightKind, ObjectSpec, Preset, SceneSpec, Shape, ShapeData, TextureSource};
+pub use texture::{CornerUv, TextureError, TextureFault};
 
 /// A scene, flat: every transform has been multiplied out.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -202,7 +202,8 @@ pub struct Pictured {
     pub tint: Rgba,
     /// Something shows through it.
     pub translucent: bool,
-    /// Light that has been found already, in another picture: that of the canonical volume shows the light of the world.
+    /// Light that has been found already, in another picture: that of the canonical volume shows the light of the
+    /// world.
     pub light: FoundLight,
     /// 1/w of each vertex where the mesh is the image of another one under a perspective, in any unit: between the
     /// vertices, u/w and v/w are affine. Empty: u and v are.

@@ -1,9 +1,10 @@
 //! The tree of the scene: objects and lights added, renamed, hung elsewhere, moved, deleted, undone and saved.
 
+use camera_lab::appearance::{Filter, TextureReveal, Wrap};
 use camera_lab::figure::read::parse;
 use camera_lab::gui::state::Selected;
 use camera_lab::i18n::Lang;
-use camera_lab::scene::{Light, LightKind, ObjectSpec, Preset, Shape};
+use camera_lab::scene::{Light, LightKind, ObjectPaint, ObjectSpec, Preset, Shape, TextureSource};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, vec2};
 use egui_kittest::kittest::Queryable;
@@ -536,4 +537,58 @@ fn names_of_any_length_leave_the_panel_as_wide_as_it_is() {
     window.harness.run_steps(4);
     assert!(window.says("aaaaaaaaaa…"));
     assert_eq!(width(&window), before);
+}
+
+#[test]
+fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
+    let folder = Folder::new("texture");
+    for lang in [Lang::En, Lang::PtBr] {
+        let t = camera_lab::i18n::scenes::texts(lang);
+        let mut window = Window::scene(lang);
+        window.app_mut().state.document.edit(|figure| {
+            figure.scene.objects = vec![ObjectSpec::new("cube", Shape::Box)];
+        });
+        window.run();
+        window.select("cube");
+        assert!(window.harness.query_by_role_and_label(Role::ComboBox, t.filter).is_none(), "there is none yet");
+        window.pick(t.texture, t.texture_chequer);
+        window.run();
+        assert_eq!(window.objects()[0].texture, Some(TextureSource::Chequer));
+        let paint = |window: &Window| window.state().scene_cache.scene().objects[0].paint.clone();
+        assert!(matches!(paint(&window), ObjectPaint::Texture(_)));
+        for (combo, entry) in [(t.wrap, t.wrap_mirror), (t.filter, t.filter_nearest)] {
+            window.harness.get_by_role_and_label(Role::ComboBox, combo).scroll_to_me();
+            window.run();
+            window.pick(combo, entry);
+        }
+        assert_eq!((window.objects()[0].wrap, window.objects()[0].filter), (Some(Wrap::Mirror), Some(Filter::Nearest)));
+        window.harness.get_by_role_and_label(Role::ComboBox, t.texture_reveal).scroll_to_me();
+        window.run();
+        window.pick(t.texture_reveal, t.texture_texels);
+        assert_eq!(window.state().document.figure().reveal.texture, Some(TextureReveal::Texels));
+        // A file that is not there: the object's colour, and a notice with its name.
+        window.harness.get_by_role_and_label(Role::ComboBox, t.texture).scroll_to_me();
+        window.run();
+        window.pick(t.texture, t.texture_file);
+        window.harness.get_by_role_and_label(Role::TextInput, t.texture_file).scroll_to_me();
+        window.run();
+        let missing = folder.file("missing.png");
+        window.write(t.texture_file, &missing.to_string_lossy(), Key::Enter);
+        for _ in 0..20 {
+            window.run();
+        }
+        assert!(matches!(paint(&window), ObjectPaint::Solid(_)));
+        assert!(window.says("missing.png"));
+        // And one that is.
+        let mut image = image::RgbImage::new(4, 2);
+        image.put_pixel(0, 0, image::Rgb([255, 0, 0]));
+        image.save(&missing).expect("a folder of the test");
+        window.click(t.read_again);
+        for _ in 0..20 {
+            window.run();
+        }
+        let ObjectPaint::Texture(pictured) = paint(&window) else { panic!("a texture") };
+        assert_eq!((pictured.image.width(), pictured.image.height()), (4, 2));
+        std::fs::remove_file(&missing).expect("its own file");
+    }
 }
