@@ -4,14 +4,15 @@
 //! each vertex in a pixel is found first, and every attribute is the sum of the three values with these shares.
 
 use crate::appearance::{LightShare, Rgba, TextureReveal};
-use crate::drawing::{Base, Lighting, Surface, SurfaceLight};
-use crate::lighting::{packed, shade_eight, with_light};
+use crate::drawing::{Base, Lighting, Shadow, Surface, SurfaceLight, TakenLight};
+use crate::lighting::{light_eight, packed, with_light};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, mask32x8, u32x8};
 
 use super::pixel::{channels, premultiply};
 use super::setup::{AffineValue, Triangle, pick};
 use super::shade::{Shader, inverse_w};
+use super::shadow::TriangleShadow;
 use super::texel::TexturedTriangle;
 
 /// Premultiplied colours as floating-point channels.
@@ -24,6 +25,9 @@ pub(super) struct PerPixel<'a, K: Simd> {
     y: f32x8<K>,
     base: TriangleBase<'a>,
     light: TriangleLight<'a>,
+    shadows: &'a [Shadow],
+    index: usize,
+    corners: [usize; 3],
     translucent: bool,
 }
 
@@ -71,7 +75,44 @@ impl<'a, K: Simd> PerPixel<'a, K> {
             },
         };
         let zero = f32x8::splat(simd, 0.0);
-        Some(Self { weights, x: zero, y: zero, base, light, translucent: surface.translucent })
+        Some(Self {
+            weights,
+            x: zero,
+            y: zero,
+            base,
+            light,
+            shadows: &surface.shadows,
+            index: index as usize,
+            corners,
+            translucent: surface.translucent,
+        })
+    }
+
+    /// The share of a light that arrives at pixels, with these shares of the vertices in them; `None` where nothing is
+    /// known of its shadows.
+    #[inline(always)]
+    fn arriving(&self, shadow: &Shadow, wanted: mask32x8<K>, w: [f32x8<K>; 3]) -> Option<f32x8<K>> {
+        let places = pick(&shadow.places, self.corners)?;
+        Some(TriangleShadow::new(shadow, self.index)?.arriving(wanted, mix(w, &places)))
+    }
+
+    /// What is left of baked light where shadows fall.
+    #[inline(always)]
+    fn shadowed(&self, mut left: [f32x8<K>; 2], wanted: mask32x8<K>, w: [f32x8<K>; 3]) -> [f32x8<K>; 2] {
+        for shadow in self.shadows {
+            let taken = match &shadow.taken {
+                TakenLight::Faces(shares) => shares.get(self.index).map(|share| [*share; 3]),
+                TakenLight::Vertices(shares) => pick(shares, self.corners),
+                TakenLight::Light(_) => None,
+            };
+            if let Some(taken) = taken
+                && let Some(arriving) = self.arriving(shadow, wanted, w)
+            {
+                let (taken, missing) = (mix(w, &taken), 1.0 - arriving);
+                left = [left[0] - taken[0] * missing, left[1] - taken[1] * missing];
+            }
+        }
+        left
     }
 }
 
@@ -101,9 +142,14 @@ impl<K: Simd> Shader<K> for PerPixel<'_, K> {
         };
         let lit = match &self.light {
             TriangleLight::InBase => own,
-            TriangleLight::Vertices(shares) => with_light(simd, mix(w, shares), own, most()),
+            TriangleLight::Vertices(shares) => with_light(simd, self.shadowed(mix(w, shares), wanted, w), own, most()),
             TriangleLight::Pixels { normals, positions, lighting } => {
-                shade_eight(simd, lighting, mix(w, normals), mix(w, positions), own, most())
+                let arrives = |light: usize| {
+                    let of_light = |shadow: &&Shadow| shadow.taken == TakenLight::Light(light);
+                    self.shadows.iter().find(of_light).and_then(|shadow| self.arriving(shadow, wanted, w))
+                };
+                let shares = light_eight(simd, lighting, mix(w, normals), mix(w, positions), arrives);
+                with_light(simd, shares, own, most())
             }
         };
         match &self.base {

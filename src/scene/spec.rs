@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use glam::{DVec2, DVec3};
 
+use super::Shadows;
 use crate::appearance::{Filter, Rgba, Wrap};
 use crate::limits::DEFAULT_SEGMENTS;
 
@@ -362,6 +363,8 @@ pub struct Light {
     pub kind: LightKind,
     /// The direction in which parallel light travels, of any length but 0, or the position of a lamp; in the world.
     pub vector: DVec3,
+    /// Its shadows.
+    pub shadows: Shadows,
 }
 
 /// The kind of a light.
@@ -393,13 +396,29 @@ impl Light {
     /// Parallel light that travels along this vector.
     #[must_use]
     pub const fn directional(direction: DVec3) -> Self {
-        Self { kind: LightKind::Directional, vector: direction }
+        Self { kind: LightKind::Directional, vector: direction, shadows: Shadows::NONE }
     }
 
     /// A lamp at this point.
     #[must_use]
     pub const fn point(position: DVec3) -> Self {
-        Self { kind: LightKind::Point, vector: position }
+        Self { kind: LightKind::Point, vector: position, shadows: Shadows::NONE }
+    }
+
+    /// The texels of its shadow maps.
+    pub(crate) fn shadow_texels(&self) -> u64 {
+        let maps = match self.kind {
+            LightKind::Directional => 1,
+            LightKind::Point => 6,
+        };
+        let side = u64::from(self.shadows.held().map);
+        if self.shadows.cast { maps * side * side } else { 0 }
+    }
+
+    /// The same light with shadows.
+    #[must_use]
+    pub const fn with_shadows(self, shadows: Shadows) -> Self {
+        Self { shadows, ..self }
     }
 }
 

@@ -35,6 +35,7 @@
 //! | `labels` | the words in the pictures |
 //! | `legend` | the legend of a picture's colours, in its lower left corner |
 //! | `named_points` | the figure's points under the pointer: which one is there, and where it goes when it is dragged |
+//! | `light_view` | what a light sees: its picture in the image, its volume in the world, the depths at a point |
 //! | `normalizing` | the view volume on its way to the canonical one |
 //! | `note_place` | the subject of a new note, from a place in a picture |
 //! | `object_parts` | measures of an object's own transform in the world |
@@ -86,6 +87,7 @@ mod label_layout;
 mod label_names;
 mod labels;
 mod legend;
+mod light_view;
 pub mod named_points;
 mod normalizing;
 mod note_place;
@@ -134,6 +136,7 @@ pub use hover::{
 };
 pub use label_names::unknown_labels;
 pub use labels::Labels;
+pub use light_view::{ShadowAt, shadows_at};
 pub use note_place::note_place;
 use observer::Viewpoint;
 pub use observer_of::ObserverOf;

@@ -1,10 +1,11 @@
 //! The tree of the scene: objects and lights added, renamed, hung elsewhere, moved, deleted, undone and saved.
 
 use camera_lab::appearance::{Filter, TextureReveal, Wrap};
+use camera_lab::figure::ShadowReveal;
 use camera_lab::figure::read::parse;
 use camera_lab::gui::state::Selected;
 use camera_lab::i18n::Lang;
-use camera_lab::scene::{Light, LightKind, ObjectPaint, ObjectSpec, Preset, Shape, TextureSource};
+use camera_lab::scene::{Light, LightKind, ObjectPaint, ObjectSpec, Preset, Shadows, Shape, TextureSource};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, vec2};
 use egui_kittest::kittest::Queryable;
@@ -178,7 +179,29 @@ fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
     assert_eq!(&figure, window.state().document.figure());
     assert_eq!(figure.scene.objects[1].parent.as_deref(), Some("base"));
     assert_eq!(figure.scene.objects[1].translate.y, 1.5);
-    assert!(matches!(figure.scene.lights[..], [Light { kind: LightKind::Point, vector }] if vector.y == 4.0));
+    assert!(matches!(figure.scene.lights[..], [Light { kind: LightKind::Point, vector, .. }] if vector.y == 4.0));
+}
+
+#[test]
+fn a_light_gets_shadows_their_numbers_and_what_they_show() {
+    let mut window = Window::scene(Lang::En);
+    window.add("Add", "directional light");
+    let shadows = |window: &Window| window.state().document.figure().scene.lights[0].shadows;
+    assert!(!shadows(&window).cast && !window.says("shadow map"));
+    window.click("casts shadows");
+    assert_eq!(shadows(&window), Shadows::CAST);
+    for (field, value) in [("shadow map", "256"), ("bias", "2.5"), ("soft edge", "0")] {
+        window.enter(field, value);
+    }
+    assert_eq!(shadows(&window), Shadows { cast: true, map: 256, bias: 2.5, softness: 0.0 });
+    window.enter("shadow map", "63");
+    assert!(window.says("allowed: whole numbers from 64 to 4096") || window.says("64"));
+    assert_eq!(shadows(&window).map, 256);
+    window.key(Key::Escape);
+    window.pick("show of shadows", "what the light sees");
+    assert_eq!(window.state().document.figure().reveal.shadows, Some(ShadowReveal::Map));
+    window.click("casts shadows");
+    assert!(!shadows(&window).cast && shadows(&window).map == 256, "the numbers stay");
 }
 
 #[test]

@@ -154,7 +154,7 @@ fn selected(ui: &mut egui::Ui, state: &mut State, t: &Texts) -> Option<Edit> {
             section_of(ui, t.object, |ui| object::of_preset(ui, state, &mut form, &name));
             None
         }
-        Some(Selected::Light(index)) => section_of(ui, t.light, |ui| light::ui(ui, &mut form, index)).flatten(),
+        Some(Selected::Light(index)) => section_of(ui, t.light, |ui| light::ui(ui, state, &mut form, index)).flatten(),
     };
     form.finish(state);
     asked
