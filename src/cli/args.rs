@@ -148,6 +148,9 @@ pub(super) struct ExplainArgs {
     /// Run every stage of the pipeline, needed or not; the picture is the same
     #[arg(long)]
     pub(super) force_all_stages: bool,
+    /// Add what each stage costs: operations on floating-point and on whole numbers, and accesses to memory, counted
+    #[arg(long)]
+    pub(super) cost: bool,
     /// A table to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TableFormat,

@@ -10,10 +10,11 @@ use super::{Failure, OpenFigure, print};
 use crate::clock;
 use crate::i18n::{Lang, canvas, command_line as texts, pipeline};
 use crate::picture::{Pixels, RenderReport, Renderer};
-use crate::pipeline::{Containment, ObjectReport, StageReport};
+use crate::pipeline::{Containment, ObjectReport, Stage, StageReport};
 use crate::progress::at_once;
 use crate::sanitize::escaped;
 use crate::scene::{Object, Scene};
+use crate::stage::Operations;
 use crate::views::{Request, Size, View};
 
 /// The JSON output.
@@ -22,6 +23,9 @@ struct Explanation<'a> {
     view: &'a str,
     stages: Vec<StageLine>,
     total_micros: f64,
+    /// The stages whose operations are not counted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    not_counted: Option<Vec<&'static str>>,
     /// Only for the image, whose objects are those of the scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     objects: Option<Vec<ObjectLine<'a>>>,
@@ -49,6 +53,17 @@ struct StageLine {
     /// The stage in whose time this one's is.
     #[serde(skip_serializing_if = "Option::is_none")]
     timed_with: Option<&'static str>,
+    /// Only where the cost is asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    operations: Option<OperationsLine>,
+}
+
+/// Operations and accesses, counted.
+#[derive(Serialize)]
+struct OperationsLine {
+    float: u64,
+    integer: u64,
+    memory: u64,
 }
 
 pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
@@ -61,7 +76,7 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
     let objects = (args.view == View::Image).then(|| objects(scene, &account, lang));
     let text = match args.format {
         TableFormat::Text => {
-            let mut text = table(&account, canvas::texts(lang).view(args.view), size, lang);
+            let mut text = table(&account, canvas::texts(lang).view(args.view), size, args.cost, lang);
             if let Some(objects) = objects.filter(|objects| !objects.is_empty()) {
                 text += "\n";
                 objects.iter().for_each(|object| text += &format!("{:<18} {}\n", escaped(object.name), object.reason));
@@ -69,8 +84,10 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
             text
         }
         TableFormat::Json => {
-            let stages = account.stages.iter().map(|report| line(report, lang)).collect();
-            let explanation = Explanation { view, stages, total_micros: micros(account.total), objects };
+            let stages = account.stages.iter().map(|report| line(report, args.cost, lang)).collect();
+            let uncounted = || Stage::ALL.into_iter().filter(|stage| !stage.is_counted()).map(Stage::name).collect();
+            let not_counted = args.cost.then(uncounted);
+            let explanation = Explanation { view, stages, total_micros: micros(account.total), not_counted, objects };
             let json = serde_json::to_string_pretty(&explanation).map_err(|e| Failure::Failed(e.to_string()))?;
             json + "\n"
         }
@@ -103,7 +120,8 @@ fn account(request: &Request) -> Option<RenderReport> {
     at_once(renderer.pixels_into(request, &mut picture))
 }
 
-fn line(report: &StageReport, lang: Lang) -> StageLine {
+fn line(report: &StageReport, cost: bool, lang: Lang) -> StageLine {
+    let Operations { float, integer, memory } = report.operations;
     let (entering, leaving) = report.counts.unwrap_or_default();
     StageLine {
         stage: report.stage.name(),
@@ -113,6 +131,7 @@ fn line(report: &StageReport, lang: Lang) -> StageLine {
         leaving,
         micros: report.time.map_or(0.0, micros),
         timed_with: report.stage.timed_with().filter(|_| report.ran && report.time.is_none()).map(|stage| stage.name()),
+        operations: cost.then_some(OperationsLine { float, integer, memory }),
     }
 }
 
@@ -121,20 +140,25 @@ fn micros(time: std::time::Duration) -> f64 {
     (time.as_secs_f64() * 1e9).round() / 1e3
 }
 
-/// A table: stage, counts in → out with their unit, microseconds, reason.
-fn table(account: &RenderReport, view: &str, size: Size, lang: Lang) -> String {
+/// A table: stage, counts in → out with their unit, microseconds, `cost` if it is asked for, reason.
+fn table(account: &RenderReport, view: &str, size: Size, cost: bool, lang: Lang) -> String {
     let words = texts::explain(lang);
     let mut text = format!("{view}, {} × {}\n\n", size.width, size.height);
-    let mut row = |[stage, entering, leaving, unit, micros, why]: [&str; 6]| {
+    let mut row = |[stage, entering, leaving, unit, micros, why]: [&str; 6], operations: [&str; 3]| {
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "{stage:<18} {entering:>9} {leaving:>9}  {unit:<22} {micros:>9}  {why}");
+        let _ = write!(text, "{stage:<18} {entering:>9} {leaving:>9}  {unit:<22} {micros:>9}  ");
+        if cost {
+            let _ = write!(text, "{}", columns_of_cost(operations));
+        }
+        let _ = writeln!(text, "{why}");
     };
-    row(words.columns);
+    row(words.columns, words.cost);
     for report in &account.stages {
         let name = pipeline::stage(lang, report.stage);
         let reason = pipeline::reason(lang, report.reason);
         if !report.ran {
-            row([name, "–", "–", "", "–", &format!("{}: {reason}", pipeline::left_out(lang))]);
+            let why = format!("{}: {reason}", pipeline::left_out(lang));
+            row([name, "–", "–", "", "–", &why], ["–"; 3]);
             continue;
         }
         let [entering, leaving] = report.counts.map_or_else(Default::default, |(i, o)| [i.to_string(), o.to_string()]);
@@ -143,8 +167,30 @@ fn table(account: &RenderReport, view: &str, size: Size, lang: Lang) -> String {
             (None, Some(_)) => "″".to_owned(),
             (None, None) => String::new(),
         };
-        row([name, &entering, &leaving, pipeline::unit(lang, report), &time, &reason]);
+        let operations = in_digits(report.operations);
+        let operations = if report.stage.is_counted() { operations.each_ref().map(String::as_str) } else { ["·"; 3] };
+        row([name, &entering, &leaving, pipeline::unit(lang, report), &time, &reason], operations);
     }
     let _ = writeln!(text, "\n{:<62} {:>9.1}  {}", words.total, micros(account.total), words.together);
+    if cost {
+        let sum = |which: &dyn Fn(Stage) -> bool| {
+            let stages = account.stages.iter().filter(|report| which(report.stage));
+            in_digits(stages.fold(Operations::NONE, |sum, report| sum + report.operations))
+        };
+        let sums = [sum(&|stage| !stage.is_raster()), sum(&|stage| stage.is_raster()), sum(&|_| true)];
+        text.push('\n');
+        for (name, sum) in words.blocks.iter().zip(&sums) {
+            let _ = writeln!(text, "{name:<73} {}", columns_of_cost(sum.each_ref().map(String::as_str)).trim_end());
+        }
+        let _ = writeln!(text, "\n{}", words.counted);
+    }
     text
+}
+
+fn columns_of_cost([float, integer, memory]: [&str; 3]) -> String {
+    format!("{float:>11} {integer:>11} {memory:>11}  ")
+}
+
+fn in_digits(Operations { float, integer, memory }: Operations) -> [String; 3] {
+    [float.to_string(), integer.to_string(), memory.to_string()]
 }

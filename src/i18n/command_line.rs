@@ -314,6 +314,12 @@ pub struct ExplainTexts {
     pub total: &'static str,
     /// The meaning of the mark for "timed with another stage".
     pub together: &'static str,
+    /// Heads of the columns of cost.
+    pub cost: [&'static str; 3],
+    /// The sums of cost: of the stages that work on vertices and faces, of those that work on pixels, and of all.
+    pub blocks: [&'static str; 3],
+    /// The meaning of the columns of cost.
+    pub counted: &'static str,
 }
 
 /// The words around the table of stages.
@@ -323,11 +329,19 @@ pub const fn explain(lang: Lang) -> &'static ExplainTexts {
         columns: ["stage", "in", "out", "of", "µs", "why"],
         total: "from the scene to the last pixel",
         together: "(″: in the time of the stage that it runs with)",
+        cost: ["float", "integer", "memory"],
+        blocks: ["geometry", "rasterization", "both"],
+        counted: "Operations on floating-point and on whole numbers, and numbers read from memory or written to it: counted, not \
+                  timed.\nNot counted (·): work on whole objects, lines, marks and texts.",
     };
     const PT_BR: ExplainTexts = ExplainTexts {
         columns: ["etapa", "entra", "sai", "de", "µs", "por quê"],
         total: "da cena ao último pixel",
         together: "(″: no tempo da etapa com que é executada)",
+        cost: ["flutuante", "inteira", "memória"],
+        blocks: ["geometria", "rasterização", "as duas"],
+        counted: "Operações com números de ponto flutuante e com inteiros, e números lidos da memória ou escritos nela: contados, \
+                  não cronometrados.\nSem contagem (·): o trabalho com objetos inteiros, linhas, marcas e textos.",
     };
     match lang {
         Lang::En => &EN,

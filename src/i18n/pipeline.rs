@@ -4,6 +4,7 @@ use super::Lang;
 pub use super::reasons::{planes, reason};
 use crate::numbers;
 use crate::pipeline::{Containment, FacesDone, ObjectReport, Reason, Stage, StageReport};
+use crate::stage::Operations;
 
 /// The name of a stage, short enough for a column.
 #[must_use]
@@ -66,7 +67,22 @@ pub fn line(lang: Lang, report: &StageReport) -> String {
         parts.push(lang.mark().printed(&numbers::duration(time)));
     }
     parts.push(reason);
+    parts.extend(cost(lang, report));
     format!("{name}: {}", parts.join(" · "))
+}
+
+/// The operations of a stage in short; `None` where none were counted.
+#[must_use]
+pub fn cost(lang: Lang, report: &StageReport) -> Option<String> {
+    let Operations { float, integer, memory } = report.operations;
+    let count = |n: u64| lang.mark().printed(&numbers::count(usize::try_from(n).unwrap_or(usize::MAX)));
+    let [float_name, integer_name, memory_name] = match lang {
+        Lang::En => ["floating-point operations", "integer operations", "memory accesses"],
+        Lang::PtBr => ["operações de ponto flutuante", "operações inteiras", "acessos à memória"],
+    };
+    let counted = [(float, float_name), (integer, integer_name), (memory, memory_name)].into_iter();
+    let said: Vec<String> = counted.filter(|(n, _)| *n > 0).map(|(n, name)| format!("{} {name}", count(n))).collect();
+    (!said.is_empty()).then(|| said.join(", "))
 }
 
 /// The action of a stage, in a sentence, with the place in the notes.

@@ -29,8 +29,12 @@ impl RenderReport {
     /// traversal.
     pub(super) fn of(frame: &Frame, work: Work, on_window: Option<Duration>, total: Duration) -> Self {
         let mut stages = frame.report.clone();
+        let mut cost = frame.cost;
+        cost += work.cost;
+        let cost = cost.booked(|stage| frame.report.iter().any(|report| report.stage == stage && report.ran));
         for report in stages.iter_mut().filter(|report| report.ran) {
             complete(report, &frame.drawing, work, on_window);
+            report.operations = cost.of(report.stage);
         }
         let known = stages.iter().filter_map(|report| report.time).sum();
         if let Some(traversal) = stages.iter_mut().find(|report| report.stage == Stage::Traverse) {

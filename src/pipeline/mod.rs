@@ -42,6 +42,7 @@
 //! | `lines` | edges and lines → strokes: clipped, projected, grouped by style |
 //! | `object_pass` | one object on its way through the stages |
 //! | `one_triangle` | one triangle step by step, as every triangle goes |
+//! | `operations` | the operations of the stages on vertices and triangles: how many each formula has |
 //! | `outline` | the outline of a curved solid: its silhouette, which depends on the viewpoint, and its creases |
 //! | `plan` | the stages that a picture needs, and the reason why each other one is left out |
 //! | `plan_counts` | counts of planned or finished work, and the reasons that follow from them |
@@ -79,6 +80,7 @@ pub mod light;
 mod lines;
 mod object_pass;
 pub mod one_triangle;
+mod operations;
 mod outline;
 pub mod plan;
 mod plan_counts;

@@ -86,6 +86,7 @@ impl<'a> ObjectPass<'a> {
     pub(super) fn light(&self, faces: &mut Faces, pool: &mut Pool, into: &mut Unordered<'a>) {
         let PassContext { plan, lights, shadows, .. } = self.context;
         let mesh = &self.object.mesh;
+        let both_sides = self.lights_both_sides(faces);
         let shaded = Shaded {
             object: self.object,
             vertices: self.vertices(),
@@ -93,7 +94,7 @@ impl<'a> ObjectPass<'a> {
             lit: self.plan.lit,
             shadows: if self.plan.shadowed { shadows } else { &[] },
             textured: self.plan.textured,
-            both_sides: self.object.two_sided || self.is_cut_open(faces) || (mesh.closed && self.plan.translucent),
+            both_sides,
             depth_test: plan.depth || (faces.turned_over > 0 && plan.order == Visibility::DepthBuffer),
         };
         if plan.order == Visibility::DepthBuffer {
@@ -110,6 +111,12 @@ impl<'a> ObjectPass<'a> {
     pub(super) fn lines(&self, strokes: &mut Strokes) -> usize {
         let (vertices, style) = (self.vertices(), self.context.style);
         strokes.edges(self.object, &vertices, style) + strokes.outline(self.object, &vertices, style)
+    }
+
+    /// True where faces are lit on the side that is seen.
+    pub(super) fn lights_both_sides(&self, faces: &Faces) -> bool {
+        let translucent = self.object.mesh.closed && self.plan.translucent;
+        self.object.two_sided || self.is_cut_open(faces) || translucent
     }
 
     /// True where the near plane shows the inside of a solid.

@@ -66,13 +66,13 @@ impl<'a> Recorder<'a> {
         done.triangles = faces.triangles.len();
         done.lit = pass.plan.lit;
         done.faces = pass.faces_done(faces);
-        self.meter.count(&vertices, faces, pass.object, done);
+        self.meter.count(pass, faces, self.context.lights, done);
     }
 
     /// An object is drawn, and so many ends of its lines were transformed.
     pub(super) fn drawn(&mut self, pass: &ObjectPass, ends: usize) {
         if !pass.plan.faces {
-            self.meter.count_ends(ends);
+            self.meter.count_ends(ends, self.context.projector.perspective);
         }
         self.meter.lap(Stage::Lines);
         self.misplaced.look_at(pass.object, &pass.vertices());
@@ -89,6 +89,7 @@ impl<'a> Recorder<'a> {
             drawing,
             work: self.notes.map(|notes| notes.work).filter(|work| ran(work.stage)),
             plan: plan.clone(),
+            cost: self.meter.cost,
             objects: self.objects,
             too_much: OverBudget::rounding(self.misplaced.found()),
             depths: projector.depths,

@@ -5,15 +5,17 @@ use std::time::Duration;
 use super::budget::OverBudget;
 use super::depths::DepthScale;
 use super::faces::Faces;
+use super::light::Lights;
+use super::object_pass::ObjectPass;
+use super::operations;
 use super::plan::{Options, Plan};
 use super::plan_counts::Survey;
 use super::stage_work::StageWork;
 use super::stages::{LitAt, ObjectReport, Reason};
-use super::transform::Vertices;
 use crate::appearance::{Style, Visibility};
 use crate::drawing::{Drawing, Surface};
-use crate::scene::{Object, ObjectPaint};
-use crate::stage::Stage;
+use crate::scene::ObjectPaint;
+use crate::stage::{Cost, Operations, Stage};
 
 /// A picture, and how it came about.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +26,8 @@ pub struct Frame {
     pub plan: Plan,
     /// The report, by stage.
     pub report: Vec<StageReport>,
+    /// Operations on vertices and triangles, by the stage to which they belong.
+    pub cost: Cost,
     /// The report, by object of the scene.
     pub objects: Vec<ObjectReport>,
     /// The exceeded budget. Where it is that of pieces, the drawing is for an output with a depth buffer, whatever was
@@ -85,6 +89,9 @@ pub struct StageReport {
     pub counts: Option<(usize, usize)>,
     /// Its time; `None` without a clock, and for stages that run together with another.
     pub time: Option<Duration>,
+    /// Its operations, as soon as the picture is painted; none where they are not counted
+    /// ([`Stage::is_counted`]).
+    pub operations: Operations,
 }
 
 /// Counts and times while a picture is made.
@@ -100,6 +107,7 @@ pub(super) struct Meter {
     triangles: usize,
     front: usize,
     drawn: usize,
+    pub(super) cost: Cost,
     /// Triangles that were put in order, and pieces that they were split into.
     pub(super) pieces: Option<(usize, usize)>,
     /// Edges, lines, marks and texts of the scene, and strokes, marks and texts of the picture.
@@ -120,6 +128,7 @@ impl Meter {
             triangles: 0,
             front: 0,
             drawn: 0,
+            cost: Cost::default(),
             lines: (0, 0),
         }
     }
@@ -134,31 +143,35 @@ impl Meter {
     }
 
     /// Counts the work on the faces of one object; `done`: the treatment of its back faces.
-    pub(super) fn count(&mut self, vertices: &Vertices, faces: &Faces, object: &Object, done: &ObjectReport) {
-        let (triangles, lit) = (object.mesh.triangles.len(), done.lit);
-        self.vertices += vertices.len();
+    pub(super) fn count(&mut self, pass: &ObjectPass, faces: &Faces, lights: &Lights, done: &ObjectReport) {
+        let (object, vertices) = (pass.object, pass.vertices().len());
+        let triangles = object.mesh.triangles.len();
+        self.vertices += vertices;
         self.cuts += faces.cuts.len();
         self.triangles += triangles;
         self.front += triangles - faces.back;
         self.drawn += faces.triangles.len();
         let own_colors = matches!(object.paint, ObjectPaint::Faces(_));
-        match lit {
-            _ if faces.triangles.is_empty() => {}
-            LitAt::Nowhere => {}
-            LitAt::Faces => self.lit += faces.triangles.len(),
-            LitAt::Vertices => {
-                let corners = 3 * faces.triangles.len();
-                let lit = if own_colors { corners } else { faces.used_vertices(vertices.len()) };
-                self.lit += lit;
-                self.normals += lit;
-            }
-            LitAt::Pixels => self.normals += vertices.len(),
-        }
+        let lit = match done.lit {
+            _ if faces.triangles.is_empty() => 0,
+            LitAt::Nowhere | LitAt::Pixels => 0,
+            LitAt::Faces => faces.triangles.len(),
+            LitAt::Vertices if own_colors => 3 * faces.triangles.len(),
+            LitAt::Vertices => faces.used_vertices(vertices),
+        };
+        self.lit += lit;
+        self.normals += match done.lit {
+            LitAt::Vertices => lit,
+            LitAt::Pixels if !faces.triangles.is_empty() => vertices,
+            LitAt::Pixels | LitAt::Nowhere | LitAt::Faces => 0,
+        };
+        operations::of_faces(&mut self.cost, pass, faces, lit as u64, lights);
     }
 
     /// Counts the points of the edges and outline of an object whose faces are not drawn.
-    pub(super) fn count_ends(&mut self, ends: usize) {
+    pub(super) fn count_ends(&mut self, ends: usize, perspective: bool) {
         self.vertices += ends;
+        operations::of_ends(&mut self.cost, perspective, ends as u64);
     }
 
     /// Tells of all stages. `done` says of each stage that works on faces whether it had any to work on, and why.
@@ -193,6 +206,7 @@ impl Meter {
                 StageReport {
                     stage: planned.stage,
                     ran,
+                    operations: Operations::NONE,
                     reason,
                     counts: counts.filter(|_| ran),
                     time: (self.clock.is_some() && timed && ran).then(|| self.times[planned.stage as usize]),

@@ -14,7 +14,9 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x4, f32x8, f64x4, i32x8, mask32x8, u32x4, u32x8};
 
 use super::batch::{BATCH, Batch, Corners, Planes, SetUp, corners, corners_at, gather_points};
+use super::counts::{Counts, Kind};
 use super::depth::pack_slope;
+use super::operations::Depths;
 use super::per_pixel::PerPixel;
 use super::pixel::{self, Pixel};
 use super::setup::{AffineValue, Borders, ROWS, Size, any, in_pixels, stored, stored_alone};
@@ -43,33 +45,6 @@ pub(super) struct Band<'a> {
     pub(super) counts: Option<&'a mut Counts>,
 }
 
-/// Counts of processed samples.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Counts {
-    /// Those inside of triangles.
-    pub(super) covered: u64,
-    /// Those of them that nothing nearer has hidden.
-    pub(super) written: u64,
-    /// The same counts, by pixel of a tile; since the last [`sum`](Self::sum).
-    lanes: [[i32; LANES]; 2],
-}
-
-impl Counts {
-    #[inline(always)]
-    fn add<K: Simd>(simd: K, lanes: &mut [i32; LANES], mask: mask32x8<K>) {
-        let one = i32x8::splat(simd, 1);
-        (i32x8::from_slice(simd, lanes) + mask.select(one, one - 1)).store_slice(lanes);
-    }
-
-    /// To be called before the lanes run over: after at most 2³¹ tiles.
-    fn sum(&mut self) {
-        let [covered, written] =
-            std::mem::take(&mut self.lanes).map(|lanes| lanes.iter().map(|&n| n as u64).sum::<u64>());
-        self.covered += covered;
-        self.written += written;
-    }
-}
-
 /// Fills some triangles of a surface, in the order of the list.
 #[inline(always)]
 pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &Surface, triangles: &[u32]) {
@@ -77,6 +52,9 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
         let corners = corners(surface, triangles);
         let [x, y, z] = gather_points(simd, &surface.positions, &corners);
         let batch = Batch::new(simd, &x, &y, S > 1, band.size);
+        if let Some(counts) = &mut band.counts {
+            counts.here.triangles += triangles.len() as u64;
+        }
         match (&surface.base, &surface.light) {
             (Base::Solid(_) | Base::Faces(_), SurfaceLight::InBase) => {
                 eight::<K, S, FlatColors<K>>(simd, band, surface, triangles, &corners, &batch, &z);
@@ -100,7 +78,9 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
         }
     }
     if let Some(counts) = &mut band.counts {
-        counts.sum();
+        let depth_test = surface.depth_test && !band.depths.is_empty();
+        let (tested, kept) = (depth_test && !band.in_order, depth_test && !surface.translucent);
+        counts.sum(surface, Depths { tested, kept, stored: band.greatest > 0.0, stepped: S > 1 });
     }
 }
 
@@ -133,6 +113,10 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
             continue;
         }
         if tiny[l] != 0 {
+            if let Some(counts) = &mut band.counts {
+                let tests = (batch.right[l] - batch.left[l]) * (rows.end - rows.start);
+                counts.here.edge_tests += u64::from(tests.unsigned_abs());
+            }
             // Found above: the pixels are few, so each is set on its own.
             let start = band.place(rows.start, batch.left[l]).start;
             let mut owned = few.owned[l];
@@ -247,7 +231,8 @@ impl Band<'_> {
         let start = pixel as usize;
         let Some(pixel) = self.colors.get_mut(start) else { return };
         if let Some(counts) = &mut self.counts {
-            counts.covered += 1;
+            counts.here.covered += 1;
+            counts.here.colored += 1;
         }
         if surface.depth_test
             && let Some(old) = self.depths.get_mut(start)
@@ -265,7 +250,7 @@ impl Band<'_> {
             }
         }
         if let Some(counts) = &mut self.counts {
-            counts.written += 1;
+            counts.here.written += 1;
         }
         *pixel = if surface.translucent { pixel::over(color, *pixel) } else { color };
     }
@@ -415,6 +400,11 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
             }
         }
         let height = Tile::<K, SQUARE>::HEIGHT;
+        if let Some(counts) = &mut band.counts {
+            let tiles =
+                (columns.end - columns.start + WIDTH - 1) / WIDTH * ((rows.end - rows.start + height - 1) / height);
+            counts.here.edge_tests += u64::from(tiles.unsigned_abs()) * (LANES * S) as u64;
+        }
         let mut i = columns.start;
         // From the left to the right: eight columns, from above to below.
         while i < columns.end {
@@ -478,6 +468,10 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
                 }
             }
         }
+        if let Some(counts) = &mut band.counts {
+            counts.here.alone += 1;
+            counts.here.two_levels += self.shader.two_levels();
+        }
     }
 
     /// Fills a row, for each sample between two columns.
@@ -498,6 +492,10 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         let mut columns = tile.columns + first;
         let mut x = tile.x(first, self.origin);
         let end = place.start.wrapping_add((last - first) as u32);
+        if let Some(counts) = &mut band.counts {
+            counts.here.rows += N as u64;
+            counts.here.border_tests += ((last - first) as u64).next_multiple_of(LANES as u64) * S as u64;
+        }
         while place.start < end {
             let mut covered = [mask32x8::splat(self.simd, -1); S];
             for (covered, (&from, &to)) in covered.iter_mut().zip(from.iter().zip(to)) {
@@ -527,7 +525,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
     ) {
         if let Some(counts) = &mut band.counts {
             for covered in &*covered {
-                Counts::add(self.simd, &mut counts.lanes[0], *covered & own);
+                counts.add(self.simd, Kind::Covered, *covered & own);
             }
         }
         // Depth comes before colour, sample by sample: a sample that fails is no longer covered.
@@ -556,7 +554,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         }
         if let Some(counts) = &mut band.counts {
             for covered in &*covered {
-                Counts::add(self.simd, &mut counts.lanes[1], *covered & own);
+                counts.add(self.simd, Kind::Written, *covered & own);
             }
         }
         if !any(covered) {
@@ -567,6 +565,10 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         let mut wanted = covered[0];
         for covered in &covered[1..] {
             wanted |= *covered;
+        }
+        if let Some(counts) = &mut band.counts {
+            let kind = if self.shader.divides() { Kind::Divided } else { Kind::Colored };
+            counts.add(self.simd, kind, wanted & own);
         }
         let colors = self.shader.colors(wanted);
         for (s, covered) in (0..).zip(&*covered) {

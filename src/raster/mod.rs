@@ -9,11 +9,13 @@
 //! | --- | --- |
 //! | `batch` | eight triangles at a time: their boxes, and their setup for filling |
 //! | `bins` | the triangles that touch each band of rows, in the order of drawing |
+//! | `counts` | counts of processed samples, and of the operations on them |
 //! | `coverage` | coverage of pixels by strokes, and the order of strokes in depth |
 //! | `depth` | the depth of the visible surface at each pixel |
 //! | `fill` | a band of rows: its triangles → its samples |
 //! | `label` | filled areas, point marks and texts on the picture |
 //! | `line` | strokes: the visible parts of a polyline, its dashes, its arrow head |
+//! | `operations` | the operations of filling and colouring: how many each formula has |
 //! | `per_pixel` | light, textures and translucent colours between vertices: computed at each pixel, eight at a time |
 //! | `pixel` | colours as pixels: premultiplied bytes in one `u32`, red lowest |
 //! | `setup` | coverage of a triangle, and values that are affine over it |
@@ -24,11 +26,13 @@
 
 mod batch;
 mod bins;
+mod counts;
 mod coverage;
 mod depth;
 mod fill;
 mod label;
 mod line;
+mod operations;
 mod per_pixel;
 mod pixel;
 mod setup;
@@ -45,6 +49,7 @@ use crate::appearance::{DepthFormat, Rgba};
 use crate::drawing::{Drawing, ShadowMap, Surface};
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::progress::{Progress, at_once};
+use crate::stage::Cost;
 pub use depth::DepthBuffer;
 use depth::Occluders;
 pub use label::{FADED, HALO, MarkLayer, area_outline, baseline, mark_layers, mark_outline};
@@ -75,6 +80,8 @@ pub struct Work {
     pub covered: u64,
     /// Those of them that were drawn, as nothing nearer had been drawn before. Zero without a clock.
     pub written: u64,
+    /// Operations on triangles, samples and pixels; none without a clock.
+    pub cost: Cost,
     /// Time of the surfaces; zero without a clock.
     pub surfaces: Duration,
     /// Time of strokes, marks and texts; zero without a clock.
@@ -150,12 +157,13 @@ impl Rasterizer {
             label::label(pixmap, &self.depth, text);
         }
         let triangles = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
-        let (kept, covered, written) = self.surfaces.work();
+        let (kept, covered, written, cost) = self.surfaces.work(drawing);
         self.work = Work {
             triangles,
             empty: triangles - kept,
             covered,
             written,
+            cost: if self.clock.is_some() { cost } else { Cost::default() },
             surfaces: middle.saturating_sub(start),
             strokes: now().saturating_sub(middle),
         };

@@ -159,6 +159,19 @@ impl<K: Simd> Shader<K> for PerPixel<'_, K> {
             TriangleBase::Vertices(_) | TriangleBase::Texture(_) => lit,
         }
     }
+
+    #[inline(always)]
+    fn divides(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn two_levels(&self) -> u64 {
+        match &self.base {
+            TriangleBase::Texture(texture) => texture.two_levels.get(),
+            TriangleBase::One(_) | TriangleBase::Vertices(_) => 0,
+        }
+    }
 }
 
 impl<'a> TriangleBase<'a> {

@@ -20,6 +20,16 @@ pub(super) trait Shader<K: Simd> {
     fn rows(&mut self, y: f32x8<K>);
     /// The colours of the tile's pixels. Only those wanted need be right.
     fn colors(&self, wanted: mask32x8<K>) -> u32x8<K>;
+    /// Whether its colours are divided by 1/w.
+    #[inline(always)]
+    fn divides(&self) -> bool {
+        false
+    }
+    /// How many pixels have taken their colour from two levels of a texture.
+    #[inline(always)]
+    fn two_levels(&self) -> u64 {
+        0
+    }
 }
 
 /// The shaders of a batch of triangles.
@@ -212,6 +222,11 @@ impl<K: Simd> Shader<K> for Gouraud<K> {
         } else {
             self.affine.colors(wanted)
         }
+    }
+
+    #[inline(always)]
+    fn divides(&self) -> bool {
+        self.perspective
     }
 }
 

@@ -7,10 +7,13 @@ use tiny_skia::Pixmap;
 use crate::drawing::Drawing;
 use crate::progress::{Activity, Progress};
 use crate::simd::with_vectors;
+use crate::stage::Cost;
 
 use super::bins::Bins;
+use super::counts::Counts;
 use super::depth::{BandDepth, DepthBuffer};
-use super::fill::{Band, Counts, fill};
+use super::fill::{Band, fill};
+use super::operations::of_picture;
 use super::pixel::{Pixel, mean, premultiply};
 use super::setup::{Size, samples};
 use super::shade::LANES;
@@ -35,6 +38,8 @@ struct Scratch {
     /// Depths of the samples, with more than one sample in a pixel; else they go straight to the depth buffer.
     depths: Vec<f32>,
     counts: Counts,
+    /// Samples whose colours, and whose depths, were cleared.
+    cleared: [u64; 2],
 }
 
 /// A band on its way to the picture.
@@ -78,11 +83,7 @@ impl Surfaces {
         wanted: Wanted,
         progress: &Progress,
     ) {
-        let per_pixel = match drawing.antialias {
-            0..=1 => 1,
-            2..=4 => 4,
-            _ => 16,
-        };
+        let per_pixel = samples_in(drawing);
         let (width, height) = (drawing.width as usize, drawing.height as usize);
         let size = Size { width: drawing.width as i32, height: drawing.height as i32 };
         let rows = 1 << (BAND_SAMPLES / per_pixel / (width + LANES)).clamp(BAND_ROWS.1, BAND_ROWS.0).ilog2();
@@ -116,6 +117,7 @@ impl Surfaces {
         self.scratch.resize_with(threads.max(self.scratch.len()), Scratch::default);
         for scratch in &mut self.scratch {
             scratch.counts = Counts::default();
+            scratch.cleared = [0; 2];
         }
         if threads > 1 {
             let queue = Mutex::new(jobs);
@@ -143,11 +145,26 @@ impl Surfaces {
 }
 
 impl Surfaces {
-    /// Statistics of the last picture: triangles that may own a sample, and, if requested, samples inside triangles and
-    /// samples written.
-    pub(super) fn work(&self) -> (usize, u64, u64) {
-        let sum = |count: fn(&Counts) -> u64| self.scratch.iter().map(|scratch| count(&scratch.counts)).sum();
-        (self.bins.kept(), sum(|counts| counts.covered), sum(|counts| counts.written))
+    /// Statistics of the last picture: triangles that may own a sample, and, if requested, samples inside triangles,
+    /// samples written, and operations.
+    pub(super) fn work(&self, drawing: &Drawing) -> (usize, u64, u64, Cost) {
+        let sum = |count: fn(&Scratch) -> u64| self.scratch.iter().map(count).sum();
+        let mut cost = Cost::default();
+        for scratch in &self.scratch {
+            cost += scratch.counts.cost;
+        }
+        let cleared = [sum(|scratch| scratch.cleared[0]), sum(|scratch| scratch.cleared[1])];
+        of_picture(&mut cost, drawing, samples_in(drawing) as u64, cleared);
+        (self.bins.kept(), sum(|scratch| scratch.counts.covered), sum(|scratch| scratch.counts.written), cost)
+    }
+}
+
+/// The number of samples in a pixel.
+fn samples_in(drawing: &Drawing) -> usize {
+    match drawing.antialias {
+        0..=1 => 1,
+        2..=4 => 4,
+        _ => 16,
     }
 }
 
@@ -164,6 +181,9 @@ impl Scratch {
         let plane = (rows + 1) * pitch;
         self.colors.clear();
         self.colors.resize(samples.len() * plane, frame.background);
+        let cleared = (samples.len() * job.pixels.len()) as u64;
+        self.cleared[0] += cleared;
+        self.cleared[1] += if frame.depth_test { cleared } else { 0 };
         let together = samples.len().min(4);
         let BandDepth { used, values, slopes } = job.depth;
         *used = frame.depth_test;

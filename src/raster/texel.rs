@@ -4,6 +4,8 @@
 //! and W affine on the picture, u = U/W changes by (∂U/∂x − u ∂W/∂x)/W along x. A level whose texels are as large as a
 //! pixel is λ = log₂ of the longer of the two changes, in texels of the picture itself [Heckbert 1989].
 
+use std::cell::Cell;
+
 use crate::appearance::{Filter, LEVEL_COLORS, Level, Rgba, Sampler, Texture, TextureReveal, Wrap};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, mask32x8, u32x8};
@@ -21,6 +23,8 @@ pub(super) struct TexturedTriangle<'a> {
     pub(super) uv: [[f32; 2]; 3],
     /// The change of u/w and v/w in texels, and of 1/w, along x and y; only for a filter that asks for it.
     change: Option<[[f32; 3]; 2]>,
+    /// Pixels between two levels of detail so far.
+    pub(super) two_levels: Cell<u64>,
 }
 
 impl<'a> TexturedTriangle<'a> {
@@ -45,7 +49,7 @@ impl<'a> TexturedTriangle<'a> {
                 [sum(&|k| uv[k][0] * size[0]), sum(&|k| uv[k][1] * size[1]), sum(&|_| 1.0)]
             })
         });
-        Self { image, sampler, tint, uv, change }
+        Self { image, sampler, tint, uv, change, two_levels: Cell::new(0) }
     }
 
     /// The colours of eight pixels at these coordinates, premultiplied; `w`: the interpolated w there.
@@ -130,6 +134,7 @@ impl<'a> TexturedTriangle<'a> {
                 let finer = detail as usize;
                 match levels.get(finer..) {
                     Some([fine, coarse, ..]) => {
+                        self.two_levels.set(self.two_levels.get() + 1);
                         let share = detail - finer as f32;
                         let (fine, coarse) = (between(fine), between(coarse));
                         std::array::from_fn(|k| fine[k] + share * (coarse[k] - fine[k]))

@@ -17,6 +17,7 @@ mod code;
 mod compare;
 mod composition;
 mod contract;
+mod cost;
 mod depth_in_view;
 mod diagnose;
 mod diagnose_causes;

@@ -1,0 +1,213 @@
+//! The operations of filling and colouring: how many each formula has, for a triangle, a sample, a pixel.
+//!
+//! How each number is counted stands beside it; [`Operations`] says what counts. A product or a sum that a row or a
+//! column of a tile has in common is left out: it is a small part of one for each sample.
+
+use crate::appearance::{Filter, Sampler, TextureReveal};
+use crate::drawing::{Base, Drawing, Surface, SurfaceLight};
+use crate::lighting::{WITH_LIGHT, light_operations};
+use crate::stage::{Cost, Operations, Stage};
+
+use super::counts::Tally;
+
+/// The treatment of the depths of a surface's samples.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Depths {
+    /// Held against those that are there.
+    pub(super) tested: bool,
+    /// Put in their place.
+    pub(super) kept: bool,
+    /// Rounded to a format.
+    pub(super) stored: bool,
+    /// Those of several samples in a pixel.
+    pub(super) stepped: bool,
+}
+
+/// `Batch::new`: six coordinates on the grid (a product and a sum each; 2 tests, a mask and a subtraction of their
+/// bits), four sides of the box (2 comparisons and a subtraction; to whole pixels a sum, a shift, a comparison), and 24
+/// comparisons that grade it. Three indices and six coordinates are read.
+const BOX: Operations = Operations::new(6 * 2, 6 * 4 + 4 * 6 + 24, 3 + 6);
+
+/// `Batch::set_up`: twice the area (4 differences, 2 products, a difference) and its sign; the first centre (2 shifts, 2
+/// sums); three edge functions (2 differences, 4 tests of who owns the edge, at the first centre 2 differences, 2
+/// products, 2 sums); 4 differences; the reciprocal of the area, the 4 terms of a gradient, 2 coordinates of the origin.
+const SET_UP: Operations = Operations::new(1 + 4 + 2, 7 + 1 + 4 + 3 * 12 + 4, 0);
+
+/// `Triangle::new` and `Borders::new`: six coordinates on the grid, the area (2 products, a difference, a comparison),
+/// its reciprocal and 4 products; for three edges a reciprocal, a sum and 2 products, in whole numbers 10 for the
+/// constant of the line; 4 comparisons for the rows.
+const ALONE: Operations = Operations::new(6 * 2 + 4 + 5 + 3 * 4, 6 * 2 + 4 + 3 * 10 + 4, 6);
+
+/// `planes`: 2 differences, 4 products and 2 differences for the gradient, 4 comparisons for the range.
+const PLANE: Operations = Operations::new(2 + 6 + 4, 0, 3);
+
+/// An edge-function test: 3 sums to get there, 2 joins of signs, a comparison.
+const EDGE_TEST: Operations = Operations::new(0, 6, 0);
+
+/// `Borders::rows`: four lines (a product and a sum), 8 comparisons, 2 sums that round.
+const ROW: Operations = Operations::new(4 * 2 + 8 + 2, 0, 0);
+
+/// A pixel between the borders of its row: the next column, and a comparison.
+const BORDER_TEST: Operations = Operations::new(0, 2, 0);
+
+/// Depth at a sample: a product and a sum, and 2 comparisons that hold it to the range of the vertices.
+const DEPTH: Operations = Operations::new(4, 0, 0);
+
+/// The step from the centre to the sample.
+const DEPTH_STEP: Operations = Operations::new(1, 0, 0);
+
+/// `stored`: to steps, a comparison, a sum and a difference that round, and back.
+const DEPTH_FORMAT: Operations = Operations::new(5, 0, 0);
+
+/// A comparison with the depth that is read.
+const DEPTH_TEST: Operations = Operations::new(1, 0, 1);
+
+/// One number that is written: a depth, a colour.
+const STORE: Operations = Operations::new(0, 0, 1);
+
+/// `Affine`: for each of three channels a product and a sum, and the sum that rounds, and a mask; 5 operations join them.
+const AFFINE_COLOR: Operations = Operations::new(3 * 3, 3 + 5, 0);
+
+/// `Gouraud` with regard to perspective: 1/w (a product, a sum, 2 comparisons), its reciprocal; for each channel a
+/// product and a sum, a product with w, 2 comparisons, the sum that rounds, and a mask; 5 operations join them.
+const DIVIDED_COLOR: Operations = Operations::new(4 + 1 + 3 * 6, 3 + 5, 0);
+
+/// `Weights::at`: for each of three vertices a plane (2 products, 2 sums, 2 comparisons) and a product; their sum; 4
+/// divisions.
+const SHARES: Operations = Operations::new(3 * 7 + 2 + 4, 0, 0);
+
+/// `mix`: a component of an attribute from three shares: 3 products, 2 sums.
+const COMPONENT: Operations = Operations::new(5, 0, 0);
+
+/// `bytes`: for each of four channels the half that rounds and 2 comparisons; 6 operations join them.
+const BYTES: Operations = Operations::new(4 * 3, 6, 0);
+
+/// `bilinear`: on two axes the coordinate is folded (2), scaled (1), moved by half a texel (1), split in a whole number
+/// and a rest (2), and held to the picture (2); between four texels of four channels, three times a difference, a
+/// product and a sum.
+const BILINEAR: Operations = Operations::new(2 * 8 + 4 * 9, 0, 4);
+
+/// `nearest`: on two axes the coordinate is folded (2), scaled (1), and held to the picture (2).
+const NEAREST: Operations = Operations::new(2 * 5, 0, 1);
+
+/// The second of two levels, and the mean of both: for each of four channels a difference, a product, a sum.
+const SECOND_LEVEL: Operations = BILINEAR.and(Operations::new(1 + 4 * 3, 0, 0));
+
+/// The level of detail: four changes (a product, a difference, a product, a square), 2 sums and a comparison; 2 widths
+/// (a sum, a root); half of a logarithm to base 2 (6).
+const DETAIL: Operations = Operations::new(4 * 4 + 3 + 2 * 2 + 7, 0, 0);
+
+/// The tint: for each of four channels a product, and the half that rounds.
+const TINT: Operations = Operations::new(4 * 2, 0, 0);
+
+/// `over`: what shows through (a shift, a mask, a bit-wise not), two halves of a pixel (3 masks, a product, 2 sums, 2
+/// shifts, and 2 shifts between them), a join and a sum; the colour behind is read.
+const OVER: Operations = Operations::new(0, 3 + 2 * 8 + 2 + 2, 1);
+
+/// `premultiply_eight`: for each of three channels a shift, a mask, a product, 3 sums, 3 shifts; 3 joins and a shift.
+const PREMULTIPLY: Operations = Operations::new(0, 3 * 9 + 4, 0);
+
+/// `mean`: for each sample 2 masks, a shift and 2 sums; it is read.
+const SAMPLE: Operations = Operations::new(0, 5, 1);
+
+/// The end of `mean`: 3 shifts, 2 masks, a join.
+const MEAN: Operations = Operations::new(0, 6, 0);
+
+/// A pixel that goes to the picture: read and written.
+const COPY: Operations = Operations::new(0, 0, 2);
+
+/// Adds the work on one surface in one band of rows. The elements were counted, and these are their formulas.
+pub(super) fn of_surface(cost: &mut Cost, surface: &Surface, depths: Depths, tally: &Tally) {
+    let Tally { triangles, alone, edge_tests, rows, border_tests, covered, written, .. } = *tally;
+    let pixels = tally.colored + tally.divided;
+    let in_batches = matches!(surface.light, SurfaceLight::InBase)
+        && (matches!(surface.base, Base::Solid(_) | Base::Faces(_))
+            || matches!(surface.base, Base::Vertices(_)) && !surface.translucent);
+
+    cost.add(Stage::Fill, BOX, triangles);
+    let together = if in_batches { triangles } else { 0 };
+    cost.add(Stage::Fill, SET_UP, together);
+    cost.add(Stage::Fill, ALONE, alone);
+    cost.add(Stage::Fill, EDGE_TEST, edge_tests);
+    cost.add(Stage::Fill, ROW, rows);
+    cost.add(Stage::Fill, BORDER_TEST, border_tests);
+    cost.add(Stage::Fill, STORE, written);
+
+    let hidden = Stage::HiddenSurfaces;
+    cost.add(hidden, PLANE, together + alone);
+    cost.add(hidden, DEPTH, covered);
+    cost.add(hidden, DEPTH_STEP, if depths.stepped { covered } else { 0 });
+    cost.add(hidden, DEPTH_FORMAT, if depths.stored { covered } else { 0 });
+    cost.add(hidden, DEPTH_TEST, if depths.tested { covered } else { 0 });
+    cost.add(hidden, STORE, if depths.kept { written } else { 0 });
+
+    let between = Stage::Interpolate;
+    if in_batches {
+        if matches!(surface.base, Base::Vertices(_)) {
+            // Red, green and blue; with 1/w where the triangle goes alone.
+            cost.add(between, PLANE.times(3), together);
+            cost.add(between, PLANE.times(4), alone);
+            cost.add(between, AFFINE_COLOR, tally.colored);
+            cost.add(between, DIVIDED_COLOR, tally.divided);
+        }
+    } else {
+        // The share of each vertex.
+        cost.add(between, PLANE.times(3), alone);
+        cost.add(between, SHARES, pixels);
+        match &surface.base {
+            Base::Solid(_) | Base::Faces(_) => {}
+            Base::Vertices(_) => cost.add(between, COMPONENT.times(4).and(BYTES), pixels),
+            Base::Texture { image, sampler, .. } => {
+                cost.add(between, COMPONENT.times(2), pixels);
+                cost.add(Stage::Texture, texture(*sampler, image.levels().len()), pixels);
+                cost.add(Stage::Texture, SECOND_LEVEL, tally.two_levels);
+            }
+        }
+        match &surface.light {
+            SurfaceLight::InBase => {}
+            SurfaceLight::Faces(_) | SurfaceLight::Vertices(_) => {
+                cost.add(between, COMPONENT.times(2).and(WITH_LIGHT), pixels);
+            }
+            SurfaceLight::PerPixel(light) => {
+                // A normal and a position.
+                cost.add(between, COMPONENT.times(6), pixels);
+                cost.add(between, light_operations(&light.lighting).and(WITH_LIGHT), pixels);
+            }
+        }
+    }
+    if surface.translucent {
+        let one_color = !in_batches && matches!(surface.base, Base::Solid(_) | Base::Faces(_));
+        cost.add(Stage::Blend, PREMULTIPLY, if one_color { pixels } else { 0 });
+        cost.add(Stage::Blend, OVER, written);
+    }
+}
+
+/// The operations of a texture at a pixel that lies in one level.
+fn texture(sampler: Sampler, levels: usize) -> Operations {
+    let asks = sampler.filter == Filter::Trilinear && levels > 1
+        || matches!(sampler.reveal, Some(TextureReveal::Levels | TextureReveal::Texels));
+    let texel = match sampler.filter {
+        Filter::Nearest => NEAREST,
+        _ if sampler.reveal == Some(TextureReveal::Texels) => NEAREST,
+        Filter::Bilinear | Filter::Trilinear => BILINEAR,
+    };
+    let detail = if asks { DETAIL } else { Operations::NONE };
+    texel.and(detail).and(TINT)
+}
+
+/// Adds the work on all pixels of a picture: they are sorted, cleared, and written. `samples`: of a pixel; `cleared`: the
+/// samples whose colours, and whose depths, were set before anything was filled.
+pub(super) fn of_picture(cost: &mut Cost, drawing: &Drawing, samples: u64, cleared: [u64; 2]) {
+    let pixels = u64::from(drawing.width) * u64::from(drawing.height);
+    let triangles: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
+    // Sorted into bands of rows by their boxes.
+    cost.add(Stage::Fill, BOX, triangles as u64);
+    cost.add(Stage::Fill, STORE, cleared[0]);
+    cost.add(Stage::HiddenSurfaces, STORE, cleared[1]);
+    if samples > 1 {
+        cost.add(Stage::Antialias, SAMPLE.times(samples).and(MEAN), pixels);
+        cost.add(Stage::Write, STORE, pixels);
+    } else {
+        cost.add(Stage::Write, COPY, pixels);
+    }
+}
