@@ -3,7 +3,7 @@
 //! Each row tells of many frames, one made in the memory of the one before, with as many threads as there are: the
 //! least time of each stage in milliseconds, of the pipeline, of the raster and of both. "transform" takes a vertex
 //! through all spaces, the divide and the viewport included. Rows: one bumpy sphere that fills most of the picture,
-//! wholly inside, across some planes, and for the most part out of the picture; faces put in order; many objects, of
+//! wholly inside, across some planes, and for the most part out of the picture; the same in the shadow of itself; faces put in order; many objects, of
 //! which few are in view; the three pictures of the default figure. Words choose rows (`1000000 gouraud`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
@@ -20,7 +20,7 @@ use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::pipeline::{Options, Pipeline, Stage, Target};
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Scene, primitives};
+use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Scene, Shadows, primitives};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3};
 use tiny_skia::Pixmap;
@@ -146,6 +146,12 @@ fn main() {
                 }
             }
         }
+    }
+    let name = "100000 gouraud inside, shadows";
+    if wanted(name) {
+        let mut ball = scene(vec![object(Arc::new(mesh(1e5)), DMat4::from_rotation_x(0.4))]);
+        ball.lights[0].shadows = Shadows::CAST;
+        measure(name, 200, &ball, &parameters(3.2, 0.5), &style(Shading::Gouraud));
     }
     for (visibility, name) in [(Visibility::Painter, "painter"), (Visibility::Bsp, "bsp")] {
         for triangles in [1e3, 1e4] {

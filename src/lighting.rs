@@ -35,18 +35,20 @@ pub(crate) fn shade_eight<S: Simd>(
     colors: u32x8<S>,
     most: f32x8<S>,
 ) -> u32x8<S> {
-    let shares = light_eight(simd, lighting, normals, positions);
+    let shares = light_eight(simd, lighting, normals, positions, |_| None);
     with_light(simd, shares, colors, most)
 }
 
 /// The light on eight points, whatever their colours: the share of its own colour that a point sends back, `ambient +
-/// diffuse Σ max(0, n·l)`, and the white that is added to it, 0 … 1.
+/// diffuse Σ max(0, n·l)`, and the white that is added to it, 0 … 1. `arrives`: the share of the light of a lamp that
+/// no shadow takes away; `None`: all of it.
 #[inline(always)]
 pub(crate) fn light_eight<S: Simd>(
     simd: S,
     lighting: &Lighting,
     normals: Eight<S>,
     positions: Eight<S>,
+    arrives: impl Fn(usize) -> Option<f32x8<S>>,
 ) -> [f32x8<S>; 2] {
     let zero = f32x8::splat(simd, 0.0);
     let mut n = unit(simd, normals);
@@ -60,15 +62,17 @@ pub(crate) fn light_eight<S: Simd>(
         n = [away.select(-n[0], n[0]), away.select(-n[1], n[1]), away.select(-n[2], n[2])];
     }
     let (mut diffuse, mut specular) = (zero, zero);
-    for light in &lighting.lights {
+    for (k, light) in lighting.lights.iter().enumerate() {
         let vector = splat(simd, light.vector);
         let to_light = if light.distant { vector } else { unit(simd, minus(vector, positions)) };
         let cosine = dot(n, to_light);
-        diffuse += at_least_zero(simd, cosine);
+        let arriving = arrives(k);
+        let part = |light: f32x8<S>| arriving.map_or(light, |share| light * share);
+        diffuse += part(at_least_zero(simd, cosine));
         if lighting.specular > 0.0 {
             let half = unit(simd, plus(to_light, to_viewer));
             let power = power(simd, at_least_zero(simd, dot(n, half)), lighting.shininess);
-            specular += cosine.simd_gt(zero).select(power, zero);
+            specular += part(cosine.simd_gt(zero).select(power, zero));
         }
     }
     [diffuse * lighting.diffuse + lighting.ambient, specular * lighting.specular]

@@ -66,6 +66,9 @@ pub const MAX_OBJECTS: usize = 1 << 17;
 /// The most lights of a scene: each is computed at each pixel, and more than a few can hardly be distinguished.
 pub const MAX_LIGHTS: usize = 1024;
 
+/// The most texels of all shadow maps of a scene: half a gigabyte of depths. A lamp has six maps.
+pub const MAX_SHADOW_TEXELS: u64 = 1 << 27;
+
 /// The most named points of a figure: more names and rays can hardly be distinguished in a picture.
 pub const MAX_NAMED_POINTS: usize = 32;
 
@@ -121,8 +124,8 @@ pub const MAX_SCENE_BYTES: usize = 512 << 20;
 /// The longest side of a texture in texels.
 pub const MAX_TEXTURE_SIDE: u32 = 16_384;
 
-/// The most texels of a texture, and of all textures of a scene together: 4096 × 4096, which take 90 MB with their levels
-/// of detail.
+/// The most texels of a texture, and of all textures of a scene together: 4096 × 4096, which take 90 MB with their
+/// levels of detail.
 pub const MAX_TEXELS: u64 = 1 << 24;
 
 /// The most repetitions of a texture on a surface: beyond these nothing is left of it.

@@ -33,6 +33,8 @@ pub enum Stage {
     HiddenSurfaces,
     /// Pictures on surfaces.
     Texture,
+    /// Take away light where the lamp sees something nearer.
+    Shadow,
     /// Blend translucent colours with those behind them.
     Blend,
     /// Several samples for a pixel.
@@ -45,7 +47,7 @@ pub enum Stage {
 
 impl Stage {
     /// All stages, in order.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::Traverse,
         Self::CullObjects,
         Self::Normals,
@@ -60,6 +62,7 @@ impl Stage {
         Self::Interpolate,
         Self::HiddenSurfaces,
         Self::Texture,
+        Self::Shadow,
         Self::Blend,
         Self::Antialias,
         Self::Lines,
@@ -83,6 +86,7 @@ impl Stage {
             Self::Interpolate => ("interpolate", WorksOn::Pixels, Some(Self::Fill)),
             Self::HiddenSurfaces => ("hidden-surfaces", WorksOn::Pixels, Some(Self::Fill)),
             Self::Texture => ("texture", WorksOn::Pixels, Some(Self::Fill)),
+            Self::Shadow => ("shadow", WorksOn::Pixels, Some(Self::Fill)),
             Self::Blend => ("blend", WorksOn::Pixels, Some(Self::Fill)),
             Self::Antialias => ("antialias", WorksOn::Pixels, Some(Self::Fill)),
             Self::Lines => ("lines", WorksOn::Pixels, None),

@@ -1,6 +1,6 @@
 //! Pictures on surfaces: their levels of detail, and how they are asked for a colour.
 
-use std::sync::OnceLock;
+use std::sync::{LazyLock, OnceLock};
 
 use super::Rgba;
 
@@ -56,8 +56,8 @@ pub enum Filter {
     Trilinear,
 }
 
-/// The light on a point of a surface, whatever its colour: the share of its own colour that it sends back, and the white
-/// that is added, 0 … 1.
+/// The light on a point of a surface, whatever its colour: the share of its own colour that it sends back, and the
+/// white that is added, 0 … 1.
 pub type LightShare = [f32; 2];
 
 /// The inner work of texturing, made visible.
@@ -255,11 +255,25 @@ impl Shares {
     }
 }
 
+/// The light of each byte.
+static DECODED: LazyLock<[f32; 256]> = LazyLock::new(|| {
+    std::array::from_fn(|byte| u8::try_from(byte).map_or(1.0, |byte| decoded(f32::from(byte) / 255.0)))
+});
+
 /// A premultiplied texel in linear light, still premultiplied; alpha 0 … 1.
 fn linear(texel: [u8; 4]) -> [f32; 4] {
     let alpha = f32::from(texel[3]) / 255.0;
-    if texel[3] == 0 {
-        return [0.0; 4];
+    match texel[3] {
+        0 => return [0.0; 4],
+        255 => {
+            return [
+                DECODED[usize::from(texel[0])],
+                DECODED[usize::from(texel[1])],
+                DECODED[usize::from(texel[2])],
+                1.0,
+            ];
+        }
+        _ => {}
     }
     let channel = |c: u8| alpha * decoded(f32::from(c) / 255.0 / alpha);
     [channel(texel[0]), channel(texel[1]), channel(texel[2]), alpha]
@@ -276,14 +290,22 @@ fn encoded([r, g, b, alpha]: [f32; 4]) -> [u8; 4] {
     [channel(r), channel(g), channel(b), byte(alpha)]
 }
 
-/// sRGB → linear light, both 0 … 1 (IEC 61966-2-1).
+/// sRGB → linear light, both 0 … 1 (IEC 61966-2-1); in double precision, so that every machine rounds to the same byte.
 fn decoded(v: f32) -> f32 {
-    if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
+    let v = f64::from(v);
+    let light = if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) };
+    #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
+    let light = light as f32;
+    light
 }
 
 /// Linear light → sRGB, both 0 … 1.
 fn srgb(v: f32) -> f32 {
-    if v <= 0.003_130_8 { v * 12.92 } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 }
+    let v = f64::from(v);
+    let encoded = if v <= 0.003_130_8 { v * 12.92 } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 };
+    #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
+    let encoded = encoded as f32;
+    encoded
 }
 
 #[cfg(test)]
@@ -296,7 +318,9 @@ mod tests {
     fn levels_end_in_one_texel_and_keep_the_light() {
         // Chequers of black and white: the mean of the light is a half, which is 188 in sRGB, not 128.
         let chequer = |n: u32| {
-            (0..n * n).flat_map(move |i| [if (i % n + i / n) % 2 == 0 { 255 } else { 0 }; 3].into_iter().chain([255]))
+            (0..n * n).flat_map(move |i| {
+                [if (i % n + i / n).is_multiple_of(2) { 255 } else { 0 }; 3].into_iter().chain([255])
+            })
         };
         for n in [2, 4, 64] {
             let texture = Texture::flat(n, n, chequer(n).collect()).with_levels();

@@ -22,14 +22,17 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `order` | the rules by which depths are compared, the same for every output |
+//! | `shadow` | shadows on surfaces: the depths that a light sees, and the light that is missing behind them |
 //! | `surface` | surfaces: their triangles, their base colours, and the light on these |
 
 pub mod order;
+mod shadow;
 mod surface;
 
 use std::ops::Range;
 
 use crate::appearance::{DepthFormat, LineStyle, MarkShape, Rgba};
+pub use shadow::{Rays, Shadow, ShadowMap, TakenLight};
 pub use surface::{Base, Lighting, PixelLight, Surface, SurfaceLight, ViewLight};
 
 /// A picture, ready for an output.

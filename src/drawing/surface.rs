@@ -7,6 +7,7 @@
 
 use std::sync::Arc;
 
+use super::Shadow;
 use crate::appearance::{LightShare, Rgba, Sampler, Texture};
 
 /// A set of triangles painted one way.
@@ -23,6 +24,8 @@ pub struct Surface {
     pub base: Base,
     /// The light on them.
     pub light: SurfaceLight,
+    /// What is missing of the light in shadows, one for each light that casts any: then it is not in the base colours.
+    pub shadows: Vec<Shadow>,
     /// Drawn after all that is opaque, from back to front, with the alpha of its colours.
     pub translucent: bool,
     /// False: no depth test and no depth written (the plan has shown that no test can change the picture).
@@ -118,6 +121,7 @@ impl Surface {
             triangles,
             base: Base::Solid(color),
             light: SurfaceLight::InBase,
+            shadows: Vec::new(),
             translucent: !color.is_opaque(),
             depth_test: true,
         }
@@ -183,6 +187,7 @@ impl Surface {
     /// Gives it other colours, which are final.
     pub fn repaint(&mut self, base: Base) {
         (self.base, self.light) = (base, SurfaceLight::InBase);
+        self.shadows.clear();
     }
 
     /// Makes all colours opaque.
@@ -204,6 +209,7 @@ impl Surface {
         if let SurfaceLight::Faces(shares) = &mut self.light {
             shares.truncate(count);
         }
+        self.shadows.iter_mut().for_each(|shadow| shadow.truncate(count));
     }
 }
 

@@ -57,7 +57,7 @@ pub use observer::Observer;
 pub use other_side::OtherSide;
 pub use points::NamedPoint;
 pub use recommended::recommended_camera;
-pub use reveal::{Depth, Outside, Reveal};
+pub use reveal::{Depth, Outside, Reveal, ShadowReveal};
 pub use screen::{Arrangement, Explanation, Screen, ScreenEntry, ScreenMatrix};
 pub use show::{
     Measure, Measured, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep,

@@ -19,6 +19,17 @@ pub struct Reveal {
     pub vanishing: bool,
     /// The inner work of texturing.
     pub texture: Option<TextureReveal>,
+    /// The inner work of shadows.
+    pub shadows: Option<ShadowReveal>,
+}
+
+/// The inner work of shadows, made visible (`[reveal] shadows`). With either, the volume of the light stands in the world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ShadowReveal {
+    /// The image is that of the first light that casts shadows: the distances from it.
+    Map,
+    /// The pictures have no bias.
+    Acne,
 }
 
 /// Whether the image shows depths, and which (`[reveal] depth`).

@@ -1,8 +1,8 @@
 //! The words of a figure file: each name as it is written there, with its value.
 
 use super::{
-    Arrangement, Depth, Explanation, Letters, Measure, MeasureText, Measured, Outside, ScreenMatrix, StagePicture,
-    TriangleStep, View, WindowSide,
+    Arrangement, Depth, Explanation, Letters, Measure, MeasureText, Measured, Outside, ScreenMatrix, ShadowReveal,
+    StagePicture, TriangleStep, View, WindowSide,
 };
 use crate::appearance::{DepthFormat, HiddenLines, Shading, TextureReveal, Theme, Visibility};
 use crate::camera::{Decomposition, Ndc, Projection};
@@ -51,6 +51,9 @@ pub const OUTSIDES: Words<Outside> = &[("cut", Outside::Cut), ("tinted", Outside
 /// `[reveal] texture`
 pub const TEXTURE_REVEALS: Words<TextureReveal> =
     &[("affine", TextureReveal::Affine), ("levels", TextureReveal::Levels), ("texels", TextureReveal::Texels)];
+
+/// `[reveal] shadows`
+pub const SHADOW_REVEALS: Words<ShadowReveal> = &[("map", ShadowReveal::Map), ("acne", ShadowReveal::Acne)];
 
 /// `[[scene.objects]] shape`; those that have data are empty here.
 pub const SHAPES: Words<Shape> = Shape::NAMED;

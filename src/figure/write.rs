@@ -15,7 +15,7 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Val
 
 use super::words::{
     self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PROJECTIONS, SCREEN_MATRICES, SHADINGS,
-    TEXTURE_REVEALS, THEMES, VISIBILITIES,
+    SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
 };
 use super::{
     Bilingual, Depth, Figure, Labels, NamedPoint, Observer, Outside, Reveal, Screen, ScreenEntry, Show, View,
@@ -24,7 +24,7 @@ use super::{
 use crate::appearance::{DepthFormat, Style};
 use crate::camera::{Parameters, Projection, Viewport};
 use crate::numbers;
-use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
+use crate::scene::{Light, ObjectSpec, SceneSpec, Shadows, Shape, ShapeData};
 
 /// The figure file of `figure`, its keys in the order of the documentation.
 ///
@@ -175,7 +175,14 @@ fn object(object: &ObjectSpec) -> Table {
 }
 
 fn light(light: &Light) -> Table {
-    table([("kind", light.kind.name().into()), (light.kind.vector().0, vector(light.vector))])
+    let (Shadows { cast, map, bias, softness }, usual) = (light.shadows, Shadows::NONE);
+    let mut keys: Vec<(&str, Value)> =
+        vec![("kind", light.kind.name().into()), (light.kind.vector().0, vector(light.vector))];
+    keys.extend(cast.then(|| ("shadows", true.into())));
+    keys.extend((map != usual.map).then(|| ("shadow_map", i64::from(map).into())));
+    keys.extend((bias != usual.bias).then(|| ("shadow_bias", number(bias))));
+    keys.extend((softness != usual.softness).then(|| ("shadow_softness", number(softness))));
+    table(keys)
 }
 
 fn point(point: &NamedPoint) -> Table {
@@ -207,6 +214,7 @@ fn reveal(reveal: Reveal) -> Table {
         keys.push(("outside", words::name(OUTSIDES, reveal.outside).into()));
     }
     keys.extend(reveal.texture.map(|texture| ("texture", words::name(TEXTURE_REVEALS, texture).into())));
+    keys.extend(reveal.shadows.map(|shadows| ("shadows", words::name(SHADOW_REVEALS, shadows).into())));
     let switches = [
         ("clipping", reveal.clipping),
         ("divide_first", reveal.divide_first),

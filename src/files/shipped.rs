@@ -50,14 +50,15 @@ macro_rules! shipped {
 }
 
 /// All of them, in the order in which they are shown: every named scene is among them.
-pub const SHIPPED_FIGURES: [ShippedFigure; 47] = shipped![
+pub const SHIPPED_FIGURES: [ShippedFigure; 51] = shipped![
     Camera "": "primitives", "house", "corridor", "teapot", "arm", "cube", "empty";
     Camera "pipeline/": "look-at";
     Cube "pipeline/": "frustum-to-cube", "parallel-perspective", "view-angles", "opengl-direct3d";
     Cube "": "ndc-cube";
     Clipping "pipeline/": "clipping", "divide-first", "culled";
     Hidden "pipeline/": "painter", "bsp", "depth", "depth-linear", "z-fighting";
-    Light "pipeline/": "wireframe", "flat", "gouraud", "phong", "frame-cost", "texture-affine", "texture-levels", "texture-texels";
+    Light "pipeline/": "wireframe", "flat", "gouraud", "phong", "frame-cost", "texture-affine", "texture-levels",
+    "texture-texels", "shadow-acne", "shadow-detached", "shadow-steps", "shadow-light";
     Exercises "": "pyramid", "exercise-5.1", "exercise-5.2", "exercise-5.3";
     Limits "extreme/":
     "far-plane",

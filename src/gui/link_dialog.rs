@@ -115,9 +115,10 @@ fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State) -> Stri
 /// The files that a figure names and that are not part of the program.
 fn own_files(figure: &Figure) -> Vec<String> {
     let shapes = figure.scene.objects.iter().filter_map(|object| object.shape.as_ref());
+    let textures = figure.scene.objects.iter().filter_map(|object| object.texture.as_ref()?.file());
     let paths = shapes.filter_map(|shape| match shape {
         Shape::Mesh { path } if !path.starts_with(SHIPPED) => Some(sanitize::path_text(path)),
         _ => None,
     });
-    paths.collect()
+    paths.chain(textures.map(sanitize::path_text)).collect()
 }

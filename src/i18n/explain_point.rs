@@ -1,5 +1,10 @@
 //! The tab that follows a point.
 
+use super::Lang;
+use crate::numbers::significant;
+use crate::sanitize::escaped;
+use crate::views::{ShadowAt, TexelAt};
+
 texts! {
     no_points: "No point is followed. Add one, or pin a vertex in a picture and press Follow.", "Nenhum ponto é seguido. Acrescente um, ou fixe um vértice em uma imagem e aperte Seguir.";
     add: "Add", "Acrescentar";
@@ -44,6 +49,44 @@ texts! {
     copy_hint: "The whole way, forward and back", "O caminho inteiro, ida e volta";
     // In the pictures.
     drag_point: "drag: moves it, keeping its distance from the eye", "arrastar: move-o, mantendo sua distância ao olho";
+}
+
+/// The depths that are compared for the shadow at a point.
+#[must_use]
+pub fn in_shadow(lang: Lang, at: &ShadowAt, digits: usize) -> String {
+    let number = |value: f64| lang.mark().printed(&significant(value, digits));
+    let (light, own, size, [i, j]) = (at.light + 1, number(at.own), at.size, at.texel);
+    match (lang, at.nearest.map(number), at.is_hidden()) {
+        (Lang::En, Some(map), true) => {
+            format!("Light {light}: depth {own}; its map has {map} there (texel {i}, {j} of {size}²): in the shadow")
+        }
+        (Lang::En, Some(map), false) => {
+            format!("Light {light}: depth {own}; its map has {map} there (texel {i}, {j} of {size}²): lit")
+        }
+        (Lang::En, None, _) => format!("Light {light}: depth {own}; its map has nothing there: lit"),
+        (Lang::PtBr, Some(map), true) => {
+            format!("Luz {light}: profundidade {own}; seu mapa tem {map} ali (texel {i}, {j} de {size}²): na sombra")
+        }
+        (Lang::PtBr, Some(map), false) => {
+            format!("Luz {light}: profundidade {own}; seu mapa tem {map} ali (texel {i}, {j} de {size}²): iluminado")
+        }
+        (Lang::PtBr, None, _) => format!("Luz {light}: profundidade {own}; seu mapa não tem nada ali: iluminado"),
+    }
+}
+
+/// The place of a point in a texture.
+#[must_use]
+pub fn on_texture(lang: Lang, at: &TexelAt, digits: usize) -> String {
+    let number = |value: f64| lang.mark().printed(&significant(value, digits));
+    let ([u, v], [i, j], [wide, high], object) = (at.uv.map(number), at.texel, at.size, escaped(&at.object));
+    match lang {
+        Lang::En => {
+            format!("On the texture of {object}: u = {u}, v = {v}; texel column {i}, row {j} of {wide} × {high}")
+        }
+        Lang::PtBr => {
+            format!("Na textura de {object}: u = {u}, v = {v}; texel da coluna {i}, linha {j}, de {wide} × {high}")
+        }
+    }
 }
 
 impl Texts {

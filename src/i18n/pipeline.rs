@@ -39,6 +39,8 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
         (Lang::PtBr, Stage::HiddenSurfaces) => "faces ocultas",
         (Lang::En, Stage::Texture) => "texture",
         (Lang::PtBr, Stage::Texture) => "textura",
+        (Lang::En, Stage::Shadow) => "shadow",
+        (Lang::PtBr, Stage::Shadow) => "sombra",
         (Lang::En, Stage::Blend) => "blending",
         (Lang::PtBr, Stage::Blend) => "mistura",
         (Lang::En | Lang::PtBr, Stage::Antialias) => "antialiasing",
@@ -141,6 +143,12 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
         (Lang::PtBr, Stage::HiddenSurfaces) => "Decide qual face é vista em cada pixel. [2]; [3] §1.1, passo 8",
         (Lang::En, Stage::Texture) => "Pictures on surfaces. [3] §1.1, step 9",
         (Lang::PtBr, Stage::Texture) => "Imagens sobre superfícies. [3] §1.1, passo 9",
+        (Lang::En, Stage::Shadow) => {
+            "Takes light away where the lamp sees something nearer: its depth picture, the shadow map. [3] §1.1, step 9"
+        }
+        (Lang::PtBr, Stage::Shadow) => {
+            "Retira luz onde a lâmpada vê algo mais próximo: sua imagem de profundidades, o mapa de sombras. [3] §1.1, passo 9"
+        }
         (Lang::En, Stage::Blend) => "Blends translucent colours with what is behind them. [3] §1.1, step 9",
         (Lang::PtBr, Stage::Blend) => "Mistura cores translúcidas com o que está atrás. [3] §1.1, passo 9",
         (Lang::En, Stage::Antialias) => "Takes several samples of each pixel and averages them. [3] §1.1, step 10",
@@ -169,9 +177,16 @@ pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
         (Stage::HiddenSurfaces, Reason::PaintedByCentroid | Reason::PaintedBySplitting | Reason::NoDepthBuffer) => {
             ("triangles → pieces", "triângulos → pedaços")
         }
-        (Stage::CullFaces | Stage::Clip | Stage::Light | Stage::Interpolate | Stage::Texture | Stage::Blend, _) => {
-            ("triangles", "triângulos")
-        }
+        (
+            Stage::CullFaces
+            | Stage::Clip
+            | Stage::Light
+            | Stage::Interpolate
+            | Stage::Texture
+            | Stage::Shadow
+            | Stage::Blend,
+            _,
+        ) => ("triangles", "triângulos"),
         (Stage::HiddenSurfaces, _) => ("samples", "amostras"),
         (Stage::Antialias, _) => ("samples → pixels", "amostras → pixels"),
         (Stage::Lines, _) => ("lines, marks, texts", "linhas, marcas, textos"),

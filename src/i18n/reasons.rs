@@ -28,6 +28,8 @@ texts! {
     painted_by_splitting: "BSP: from back to front, split where faces cross each other's planes", "BSP: de trás para a frente, com as faces divididas pelos planos umas das outras";
     no_depth_buffer: "BSP: the output has no depth buffer; from back to front, split where faces cross each other's planes", "BSP: a saída não tem z-buffer; de trás para a frente, com as faces divididas pelos planos umas das outras";
     no_texture: "no object has a texture", "nenhum objeto tem textura";
+    no_shadows: "no light casts a shadow into view", "nenhuma luz lança sombra no que se vê";
+    nothing_shadowed: "nothing in view can be shadowed: no object takes light", "nada no campo de visão pode ficar na sombra: nenhum objeto recebe luz";
     all_opaque: "everything in view is opaque", "tudo que se vê é opaco";
     one_sample: "one sample for each pixel", "uma amostra por pixel";
     lines_in_view: "edges, outlines, lines, marks or texts are to be drawn", "há arestas, contornos, linhas, marcas ou textos a desenhar";
@@ -164,6 +166,12 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::Textured { objects: n } => match lang {
             Lang::En => format!("a texture on {}", objects(n)),
             Lang::PtBr => format!("uma textura sobre {}", objects(n)),
+        },
+        Reason::NoShadows => t.no_shadows.to_owned(),
+        Reason::NothingShadowed => t.nothing_shadowed.to_owned(),
+        Reason::Shadowed { objects: n } => match lang {
+            Lang::En => format!("shadows may fall on {}", objects(n)),
+            Lang::PtBr => format!("sombras podem cair sobre {}", objects(n)),
         },
         Reason::AllOpaque => t.all_opaque.to_owned(),
         Reason::Translucent { objects: n } => match lang {

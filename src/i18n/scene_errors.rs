@@ -4,7 +4,7 @@ use super::Lang;
 use super::meshes::mesh;
 use super::unreadable::read_problem;
 use super::wording::Wording;
-use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MAX_SHADOW_TEXELS, MIN_SEGMENTS};
 use crate::sanitize::escaped;
 use crate::scene::{MeshError, SceneError, chain_text};
 
@@ -19,7 +19,9 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
         | SceneError::NotFinite { name, .. }
         | SceneError::ZeroScale { name }
         | SceneError::Segments { name, .. } => format!("[[scene.objects]] \"{}\": {key} {why}", escaped(name)),
-        SceneError::TooManyLights { .. } | SceneError::TooManyObjects => format!("[scene] {key} {why}"),
+        SceneError::TooManyLights { .. } | SceneError::ShadowMaps { .. } | SceneError::TooManyObjects => {
+            format!("[scene] {key} {why}")
+        }
         SceneError::Light { index, .. } => format!("[[scene.lights]] {}: {key} {why}", index + 1),
     }
 }
@@ -79,6 +81,15 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
         (Lang::PtBr, SceneError::TooManyLights { found }) => Wording::new(
             format!("são {found}; permitido: no máximo {MAX_LIGHTS}"),
             format!("no máximo {MAX_LIGHTS} luzes"),
+        ),
+        (Lang::En, SceneError::ShadowMaps { .. }) => {
+            english(&format!("shadow maps of at most {MAX_SHADOW_TEXELS} texels together, six for a lamp"))
+        }
+        (Lang::PtBr, SceneError::ShadowMaps { texels }) => Wording::new(
+            format!(
+                "têm mapas de sombras de {texels} texels, seis por lâmpada; permitido: no máximo {MAX_SHADOW_TEXELS}"
+            ),
+            format!("mapas de sombras de no máximo {MAX_SHADOW_TEXELS} texels ao todo, seis por lâmpada"),
         ),
         (Lang::En, SceneError::Light { key: "direction", .. }) => english("the direction must not be 0"),
         (Lang::En, SceneError::Light { .. }) => english("the position must be finite"),

@@ -113,6 +113,19 @@ texts! {
     direction_hint: "The direction in which light travels (world); any length but 0", "A direção em que a luz se propaga (mundo); qualquer comprimento menos 0";
     light_position: "lamp", "lâmpada";
     light_position_hint: "Where the lamp is (world)", "Onde a lâmpada está (mundo)";
+    shadows: "casts shadows", "lança sombras";
+    shadows_hint: "Faces that this light does not see are in the shadow: its depth picture, the shadow map, says which", "As faces que esta luz não vê ficam na sombra: sua imagem de profundidades, o mapa de sombras, diz quais";
+    shadow_map: "shadow map", "mapa de sombras";
+    shadow_map_hint: "Side of the depth picture in texels, 64 to 4096: a small one has steps at the edges of shadows", "Lado da imagem de profundidades em texels, de 64 a 4096: um pequeno mostra degraus nas bordas das sombras";
+    shadow_bias: "bias", "folga";
+    shadow_bias_hint: "How much deeper than the map a point must lie to be in the shadow, in texels, 0 to 100: with 0 faces shadow themselves, with too much shadows come off", "Quão mais fundo que o mapa um ponto precisa estar para ficar na sombra, em texels, de 0 a 100: com 0 as faces sombreiam a si mesmas, com demais as sombras se soltam";
+    shadow_reveal: "show of shadows", "mostrar das sombras";
+    shadow_reveal_hint: "The light is a camera: its picture, which is the shadow map; or the shadows without bias, with which faces shadow themselves. The world shows its volume", "A luz é uma câmera: sua imagem, que é o mapa de sombras; ou as sombras sem folga, com as quais as faces sombreiam a si mesmas. O mundo mostra seu volume";
+    shadow_plain: "nothing", "nada";
+    shadow_of_light: "what the light sees", "o que a luz vê";
+    shadow_acne: "without bias", "sem folga";
+    shadow_softness: "soft edge", "borda suave";
+    shadow_softness_hint: "Width of the soft edge of shadows, in texels, 0 to 8", "Largura da borda suave das sombras, em texels, de 0 a 8";
 
     name_empty: "a name must not be empty", "um nome não pode ser vazio";
     mesh_title: "Choose a mesh", "Escolher uma malha";

@@ -68,6 +68,7 @@ fn complete(report: &mut StageReport, drawing: &Drawing, work: Work, on_window: 
             report.counts = triangles(&Surface::is_textured);
             report.time = on_window;
         }
+        Stage::Shadow => report.counts = triangles(&|s| !s.shadows.is_empty()),
         Stage::Blend => report.counts = triangles(&|s| s.translucent),
         Stage::Antialias => report.counts = Some((pixels * usize::from(drawing.antialias), pixels)),
         Stage::Write => report.counts = Some((pixels, pixels)),

@@ -27,6 +27,8 @@ pub const SHININESS: f32 = 24.0;
 /// size.
 pub(super) struct Lights {
     lighting: Lighting,
+    /// The light of the scene that each one is: those that cannot be turned into view space are missing.
+    of_scene: Vec<usize>,
     /// 1/B.
     scale: f64,
 }
@@ -52,12 +54,25 @@ impl Lights {
             two_sided: false,
             lights: lights.iter().filter_map(in_view).collect(),
         };
-        Self { lighting, scale }
+        let of_scene = lights.iter().enumerate().filter(|(_, light)| in_view(light).is_some()).map(|(k, _)| k);
+        Self { lighting, of_scene: of_scene.collect(), scale }
     }
 
     /// For the faces of one object, lit on both sides or on the outer one.
     pub(super) fn lighting(&self, two_sided: bool) -> Lighting {
         Lighting { two_sided, ..self.lighting.clone() }
+    }
+
+    /// The place here of a light of the scene.
+    pub(super) fn place_of(&self, light: usize) -> usize {
+        self.of_scene.iter().position(|of| *of == light).unwrap_or(usize::MAX)
+    }
+
+    /// The light of one lamp of the scene, without the ambient share.
+    pub(super) fn only(&self, light: usize) -> Self {
+        let lights = self.lighting.lights.get(self.place_of(light)).copied().into_iter().collect();
+        let lighting = Lighting { ambient: 0.0, lights, ..self.lighting.clone() };
+        Self { lighting, of_scene: vec![light], scale: self.scale }
     }
 
     /// A view point in the unit of the lights.
@@ -225,7 +240,7 @@ impl<'a> ObjectLight<'a> {
             if points(first + k * LANES, lit.len(), &mut some) {
                 let normals = times(&self.normal_matrix, eight(simd, some.normals));
                 let positions = times(&self.position_matrix, eight(simd, some.offsets));
-                let shares = light_eight(simd, &self.lighting, normals, positions);
+                let shares = light_eight(simd, &self.lighting, normals, positions, |_| None);
                 L::store(simd, shares, &some.colors, lit);
             } else {
                 lit.fill(L::UNLIT);

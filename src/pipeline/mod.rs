@@ -55,6 +55,7 @@
 //! | `resample` | attributes of the vertices that cutting makes: colours, normals, texture coordinates … |
 //! | `rounding_check` | detection of vertices that rounding misplaces in the picture, by the code that draws them |
 //! | `scenes` | a scene and the gear of a picture, side by side |
+//! | `shadow_maps` | the maps of the lights that cast shadows: each light is a camera, and its map the depths of its picture |
 //! | `shade` | surfaces of the drawing from the faces that are left |
 //! | `stage_work` | input and output of a stage, recorded while a picture is made, so that the picture can show them |
 //! | `stages` | reasons of stages, plans and reports of objects |
@@ -93,6 +94,7 @@ mod resample;
 mod rounding_check;
 mod scenes;
 mod shade;
+mod shadow_maps;
 mod stage_work;
 mod stages;
 pub mod stroke_order;
@@ -125,6 +127,8 @@ pub use resample::with_triangles;
 use rounding_check::Misplaced;
 pub use rounding_check::MisplacedVertex;
 pub use scenes::Scenes;
+use shadow_maps::ShadowMaps;
+pub use shadow_maps::light_cameras;
 pub use stage_work::{ObjectWork, StageWork, VertexWork};
 pub use stages::{FacesDone, ObjectReport};
 use transform::Screen;
@@ -149,12 +153,23 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
     Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing
 }
 
+/// All faces of a scene as a light sees them, for its shadow map: depths are 1 at F and 0 at B.
+fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> Drawing {
+    let target = Target { width: size, height: size, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
+    let style = Style { shading: Shading::Flat, visibility: Visibility::DepthBuffer, antialias: 1, ..Style::default() };
+    let options = Options { depth_of_volume: true, ..Options::default() };
+    let mut drawing = Pipeline::default().frame(scene, camera, target, &style, options).drawing;
+    drawing.surfaces.iter_mut().for_each(|surface| surface.depth_test = true);
+    drawing
+}
+
 /// Draws pictures one after the other; reuses its buffers, and the bounds of meshes.
 #[derive(Debug)]
 pub struct Pipeline {
     faces: Faces,
     pool: Pool,
     tree: BoundingTree,
+    shadows: ShadowMaps,
     progress: Progress,
     /// [`MAX_PIECES`]; tests have fewer.
     pub(crate) max_pieces: usize,
@@ -166,6 +181,7 @@ impl Default for Pipeline {
             faces: Faces::default(),
             pool: Pool::default(),
             tree: BoundingTree::default(),
+            shadows: ShadowMaps::default(),
             progress: Progress::default(),
             max_pieces: MAX_PIECES,
         }
@@ -206,8 +222,16 @@ impl Pipeline {
         let misplaced = Misplaced::new(camera, &screen, places.in_view);
         let plan = Plan::new(scenes, &projector, style, places, options);
         let lights = Lights::new(scenes.lights(), &projector, style.shading);
-        let context =
-            PassContext { plan: &plan, projector: &projector, screen: &screen, lights: &lights, style, options };
+        let shadows = if style.shading == Shading::Wireframe { &[] } else { self.shadows.of(scenes) };
+        let context = PassContext {
+            plan: &plan,
+            projector: &projector,
+            screen: &screen,
+            lights: &lights,
+            shadows,
+            style,
+            options,
+        };
         let mut recorder = Recorder::new(meter, misplaced, scenes, context);
         let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness());
         let mut unordered = Unordered::default();

@@ -8,6 +8,7 @@ use super::plan::{Options, Plan};
 use super::pool::Pool;
 use super::projector::{Projector, ViewFromObject};
 use super::shade::Shaded;
+use super::shadow_maps::ShadowLight;
 use super::stages::{FacesDone, LitAt, ObjectPlan};
 use super::transform::{Screen, Vertices};
 use crate::appearance::{Style, Visibility};
@@ -20,6 +21,7 @@ pub(super) struct PassContext<'a> {
     pub(super) projector: &'a Projector,
     pub(super) screen: &'a Screen,
     pub(super) lights: &'a Lights,
+    pub(super) shadows: &'a [ShadowLight],
     pub(super) style: &'a Style,
     pub(super) options: Options,
 }
@@ -49,7 +51,7 @@ impl<'a> ObjectPass<'a> {
     /// Takes each vertex of its faces through all spaces, once.
     pub(super) fn transform(&self, faces: &mut Faces, pool: &mut Pool) {
         let PassContext { projector, screen, .. } = self.context;
-        let interpolates = projector.perspective && Shaded::interpolates(self.object, self.plan.lit);
+        let interpolates = projector.perspective && Shaded::interpolates(self.object, self.plan);
         pool.refill(faces);
         faces.image.fill(&self.vertices(), screen, self.plan.clip_planes != 0, interpolates);
     }
@@ -82,7 +84,7 @@ impl<'a> ObjectPass<'a> {
 
     /// Lights the faces that are left, and hands them on.
     pub(super) fn light(&self, faces: &mut Faces, pool: &mut Pool, into: &mut Unordered<'a>) {
-        let PassContext { plan, lights, .. } = self.context;
+        let PassContext { plan, lights, shadows, .. } = self.context;
         let mesh = &self.object.mesh;
         let both_sides = self.lights_both_sides(faces);
         let shaded = Shaded {
@@ -90,6 +92,7 @@ impl<'a> ObjectPass<'a> {
             vertices: self.vertices(),
             lights,
             lit: self.plan.lit,
+            shadows: if self.plan.shadowed { shadows } else { &[] },
             textured: self.plan.textured,
             both_sides,
             depth_test: plan.depth || (faces.turned_over > 0 && plan.order == Visibility::DepthBuffer),
@@ -127,6 +130,6 @@ impl<'a> ObjectPass<'a> {
 
     /// True where each face that is left must know which triangle of the mesh it was.
     fn wants_source(&self) -> bool {
-        Shaded::colors_faces(self.object, self.plan.lit) || self.context.options.followed.is_some()
+        Shaded::colors_faces(self.object, self.plan) || self.context.options.followed.is_some()
     }
 }

@@ -429,7 +429,7 @@ mod tests {
                     count(|| light(&lighting, normal.map(Counted), position.map(Counted)).map(|c| c.0));
                 let there = with_vectors!(simd => {
                     let [n, p] = [normal, position].map(|v| v.map(|c| f32x8::splat(simd, c)));
-                    light_eight(simd, &lighting, n, p).map(|share| share[3])
+                    light_eight(simd, &lighting, n, p, |_| None).map(|share| share[3])
                 });
                 assert_eq!(shares, there);
                 assert_eq!(done, light_operations(&lighting).float, "{lighting:?}");

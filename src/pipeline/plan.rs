@@ -58,7 +58,11 @@ impl Plan {
         let force = options.force_all_stages;
         let dark = scenes.lights().is_empty();
         let objects = scenes.objects().zip(containments);
-        let objects = objects.map(|(object, containment)| plan_object(object, containment, style, dark, force));
+        let casts = scenes.casts_shadows() && style.shading != Shading::Wireframe;
+        let objects = objects.map(|(object, containment)| {
+            let planned = plan_object(object, containment, style, dark, force);
+            ObjectPlan { shadowed: casts && planned.lit != LitAt::Nowhere, ..planned }
+        });
         let objects: Vec<ObjectPlan> = objects.collect();
         let survey = Survey::new(scenes, &objects, style);
         let stages = Stage::ALL
@@ -105,6 +109,7 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
             faces: false,
             cull_back: false,
             lit: LitAt::Nowhere,
+            shadowed: false,
             translucent: false,
             textured: false,
         };
@@ -136,6 +141,7 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
         faces: object.faces && !object.mesh.triangles.is_empty() && (force || style.shading != Shading::Wireframe),
         cull_back: !(object.two_sided || (object.mesh.closed && translucent)),
         lit,
+        shadowed: false,
         translucent,
         textured,
     }

@@ -27,6 +27,8 @@ pub(super) struct Survey {
     dark: bool,
     varies: usize,
     textured: usize,
+    casts: bool,
+    shadowed: usize,
     pictured: usize,
     translucent: usize,
     hides_itself: bool,
@@ -67,7 +69,9 @@ impl Survey {
             lit_vertices: lit(LitAt::Vertices),
             lit_pixels: lit(LitAt::Pixels),
             dark: scenes.lights().is_empty(),
-            varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan.lit)).count(),
+            varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan)).count(),
+            casts: scenes.casts_shadows(),
+            shadowed: faces.iter().filter(|(_, plan)| plan.shadowed).count(),
             textured: faces.iter().filter(|(_, plan)| plan.textured).count(),
             pictured: faces.iter().filter(|(object, _)| matches!(object.paint, ObjectPaint::Texture(_))).count(),
             translucent: faces.iter().filter(|(_, plan)| plan.translucent).count(),
@@ -110,7 +114,13 @@ impl Survey {
         }
         match stage {
             Stage::CullFaces => Some(self.cull_faces()),
-            Stage::Normals | Stage::Light | Stage::Fill | Stage::Interpolate | Stage::Texture | Stage::Blend => {
+            Stage::Normals
+            | Stage::Light
+            | Stage::Fill
+            | Stage::Interpolate
+            | Stage::Texture
+            | Stage::Shadow
+            | Stage::Blend => {
                 Some(if self.faces == 0 { (false, Reason::NoFaceLeft) } else { self.with_faces(stage, style) })
             }
             _ => None,
@@ -157,6 +167,7 @@ impl Survey {
             | Stage::Fill
             | Stage::Interpolate
             | Stage::Texture
+            | Stage::Shadow
             | Stage::Blend
             | Stage::Antialias => self.no_faces(style).unwrap_or_else(|| self.with_faces(stage, style)),
             Stage::Clip if self.in_view == 0 => (false, Reason::NothingInView),
@@ -185,6 +196,11 @@ impl Survey {
                 0 if self.pictured > 0 => (false, Reason::TextureOfOneColor { objects: self.pictured }),
                 0 => (false, Reason::NoTexture),
                 objects => (true, Reason::Textured { objects }),
+            },
+            Stage::Shadow => match self.shadowed {
+                0 if self.casts => (false, Reason::NothingShadowed),
+                0 => (false, Reason::NoShadows),
+                objects => (true, Reason::Shadowed { objects }),
             },
             Stage::Blend => match self.translucent {
                 0 => (false, Reason::AllOpaque),

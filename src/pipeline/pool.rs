@@ -1,7 +1,7 @@
 //! Reuse of the memory of returned drawings: fresh memory costs more than writing to it.
 
 use crate::appearance::{LightShare, Rgba};
-use crate::drawing::{Base, Drawing, SurfaceLight};
+use crate::drawing::{Base, Drawing, SurfaceLight, TakenLight};
 
 use super::faces::Faces;
 
@@ -29,6 +29,13 @@ impl Pool {
                 SurfaceLight::PerPixel(light) => self.vectors.extend([light.positions, light.normals]),
                 SurfaceLight::Faces(shares) | SurfaceLight::Vertices(shares) => self.shares.push(shares),
                 SurfaceLight::InBase => {}
+            }
+            for shadow in surface.shadows.into_iter().rev() {
+                self.vectors.extend([shadow.planes, shadow.places]);
+                match shadow.taken {
+                    TakenLight::Faces(shares) | TakenLight::Vertices(shares) => self.shares.push(shares),
+                    TakenLight::Light(_) => {}
+                }
             }
             self.vectors.push(surface.positions);
             self.inverse_w.push(surface.inverse_w);

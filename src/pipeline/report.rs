@@ -197,6 +197,7 @@ impl Meter {
                     Stage::Fill
                     | Stage::Interpolate
                     | Stage::Texture
+                    | Stage::Shadow
                     | Stage::Blend
                     | Stage::Antialias
                     | Stage::Write => (None, false),

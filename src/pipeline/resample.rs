@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::appearance::Rgba;
-use crate::drawing::{Base, PixelLight, Surface, SurfaceLight};
+use crate::drawing::{Base, PixelLight, Shadow, Surface, SurfaceLight, TakenLight};
 use crate::geometry::try_unit;
 use crate::scene::{Adjacency, FoundLight, Mesh, Object, ObjectPaint, Pictured, SharedEdge};
 
@@ -300,7 +300,8 @@ pub(super) fn surface_like(old: &Surface) -> Surface {
         }),
     };
     let (positions, inverse_w, triangles) = (Vec::new(), Vec::new(), Vec::new());
-    Surface { positions, inverse_w, triangles, base, light, ..*old }
+    let shadows = old.shadows.iter().map(Shadow::bare).collect();
+    Surface { positions, inverse_w, triangles, base, light, shadows, ..*old }
 }
 
 /// True where `last`, which was made by [`surface_like`] for another surface, can take pieces of `old` too.
@@ -342,6 +343,17 @@ pub(super) fn append(surface: &mut Surface, old: &Surface, origins: &[VertexOrig
         }
         // Made by `surface_like`, a light is of the kind of the old one.
         (SurfaceLight::InBase | SurfaceLight::Faces(_) | SurfaceLight::Vertices(_) | SurfaceLight::PerPixel(_), _) => {}
+    }
+    for (shadow, old) in surface.shadows.iter_mut().zip(&old.shadows) {
+        add(&mut shadow.places, origins, |i| at(&old.places, i));
+        shadow.planes.extend(std::iter::repeat_n(at(&old.planes, source), faces));
+        match (&mut shadow.taken, &old.taken) {
+            (TakenLight::Faces(shares), TakenLight::Faces(old)) => {
+                shares.extend(std::iter::repeat_n(at(old, source), faces));
+            }
+            (TakenLight::Vertices(shares), TakenLight::Vertices(old)) => add(shares, origins, |i| at(old, i)),
+            (TakenLight::Faces(_) | TakenLight::Vertices(_) | TakenLight::Light(_), _) => {}
+        }
     }
 }
 

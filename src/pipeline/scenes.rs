@@ -7,6 +7,8 @@ use crate::scene::{Light, Line, Object, PointMark, Scene, Text};
 pub struct Scenes<'a> {
     scene: &'a Scene,
     gear: &'a Scene,
+    /// Where the things are that hide light.
+    hiding: &'a Scene,
     lights: &'a [Light],
     fineness: f32,
 }
@@ -31,7 +33,7 @@ impl<'a> Scenes<'a> {
     /// A scene with gear, which is lit by the lights of the scene.
     #[must_use]
     pub fn new(scene: &'a Scene, gear: &'a Scene) -> Self {
-        Self { scene, gear, lights: &scene.lights, fineness: 1.0 }
+        Self { scene, gear, hiding: scene, lights: &scene.lights, fineness: 1.0 }
     }
 
     /// The same with edges and outlines of objects, lines of the scene, and marks so many times as wide as their
@@ -39,6 +41,23 @@ impl<'a> Scenes<'a> {
     #[must_use]
     pub fn with_fineness(self, fineness: f32) -> Self {
         Self { fineness, ..self }
+    }
+
+    /// The same in the shadows of another scene: what of this one is not shown casts its shadow all the same.
+    #[must_use]
+    pub fn in_shadows_of(self, hiding: &'a Scene) -> Self {
+        Self { hiding, ..self }
+    }
+
+    /// The objects that hide light: those with opaque faces. Gear hides none.
+    pub(super) fn hiding(self) -> impl Iterator<Item = &'a Object> {
+        let has_faces = |object: &&Object| object.faces && !object.mesh.triangles.is_empty();
+        self.hiding.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
+    }
+
+    /// True where a light casts a shadow of anything.
+    pub(super) fn casts_shadows(self) -> bool {
+        self.lights.iter().any(|light| light.shadows.cast) && self.hiding().next().is_some()
     }
 
     pub(super) fn fineness(self) -> f32 {
@@ -49,6 +68,12 @@ impl<'a> Scenes<'a> {
     #[must_use]
     pub fn without_lights(self) -> Self {
         Self { lights: &[], ..self }
+    }
+
+    /// The same under other lights.
+    #[must_use]
+    pub fn lit_by(self, lights: &'a [Light]) -> Self {
+        Self { lights, ..self }
     }
 
     pub(super) fn lights(self) -> &'a [Light] {

@@ -6,11 +6,12 @@ use super::faces::Faces;
 use super::light::{Lights, ObjectLight};
 use super::pool::Pool;
 use super::resample::{VertexOrigin, base_of, color_at, face_color, object_paint};
-use super::stages::LitAt;
+use super::shadow_maps::{SeenByLight, ShadowLight};
+use super::stages::{LitAt, ObjectPlan};
 use super::transform::{Vertices, each_chunk};
 use super::visibility::Layer;
 use crate::appearance::{LightShare, Rgba};
-use crate::drawing::{Base, PixelLight, Surface, SurfaceLight, single};
+use crate::drawing::{Base, PixelLight, Shadow, Surface, SurfaceLight, TakenLight, single};
 use crate::scene::{Object, ObjectPaint, Pictured};
 
 /// The base colour of light that is kept apart from the colours.
@@ -23,6 +24,8 @@ pub(super) struct Shaded<'a> {
     pub(super) lights: &'a Lights,
     /// The place of the light computation.
     pub(super) lit: LitAt,
+    /// The lights whose shadows may fall on it.
+    pub(super) shadows: &'a [ShadowLight],
     /// Its picture has more than one colour.
     pub(super) textured: bool,
     /// Both sides of the faces may be seen, and are lit.
@@ -33,8 +36,9 @@ pub(super) struct Shaded<'a> {
 
 impl Shaded<'_> {
     /// True where a value is interpolated over the faces, so that 1/w is needed.
-    pub(super) fn interpolates(object: &Object, lit: LitAt) -> bool {
-        match lit {
+    pub(super) fn interpolates(object: &Object, plan: &ObjectPlan) -> bool {
+        match plan.lit {
+            _ if plan.shadowed => true,
             LitAt::Vertices | LitAt::Pixels => true,
             LitAt::Faces => matches!(object.paint, ObjectPaint::Texture(_)),
             LitAt::Nowhere => matches!(object.paint, ObjectPaint::Vertices(_) | ObjectPaint::Texture(_)),
@@ -43,8 +47,9 @@ impl Shaded<'_> {
 
     /// True where the triangles of the mesh have colours, their own or those of their light, so that each face that is
     /// left must know which one it was.
-    pub(super) fn colors_faces(object: &Object, lit: LitAt) -> bool {
-        lit == LitAt::Faces || matches!(object.paint, ObjectPaint::Faces(_))
+    pub(super) fn colors_faces(object: &Object, plan: &ObjectPlan) -> bool {
+        // A shadow knows the plane of each face.
+        plan.shadowed || plan.lit == LitAt::Faces || matches!(object.paint, ObjectPaint::Faces(_))
     }
 
     /// The surface of the object; takes the faces' arrays. `None` where it has no faces left.
@@ -55,10 +60,14 @@ impl Shaded<'_> {
         let light = ObjectLight::new(self.lights, &self.object.mesh, self.vertices, self.both_sides);
         let (base, light) = match (self.lit, &self.object.paint) {
             (LitAt::Nowhere, _) => self.own_base(faces),
-            (LitAt::Faces, ObjectPaint::Texture(_)) => {
-                (self.own_base(faces).0, SurfaceLight::Faces(self.face_shares(faces, &light, pool.shares())))
+            (LitAt::Faces, paint) if self.keeps_light_apart() => {
+                let base = match paint {
+                    ObjectPaint::Vertices(_) => self.face_colors(faces),
+                    _ => self.own_base(faces).0,
+                };
+                (base, SurfaceLight::Faces(self.face_shares(faces, &light, pool.shares())))
             }
-            (LitAt::Vertices, ObjectPaint::Texture(_)) => {
+            (LitAt::Vertices, _) if self.keeps_light_apart() => {
                 (self.own_base(faces).0, SurfaceLight::Vertices(Self::vertex_shares(faces, &light, pool.shares())))
             }
             (LitAt::Faces, _) => (self.lit_faces(faces, &light, pool.colors()), SurfaceLight::InBase),
@@ -66,8 +75,10 @@ impl Shaded<'_> {
             (LitAt::Vertices, _) => (self.lit_vertices(faces, &light, pool.colors()), SurfaceLight::InBase),
             (LitAt::Pixels, _) => (self.own_base(faces).0, self.per_pixel(faces, &light, pool)),
         };
+        let shadows = self.shadows.iter().map(|shadow| self.shadow(shadow, faces, pool)).collect();
         self.bend(faces);
         Some(Surface {
+            shadows,
             positions: std::mem::take(&mut faces.image.positions),
             inverse_w: std::mem::take(&mut faces.image.inverse_w),
             triangles: std::mem::take(&mut faces.triangles),
@@ -88,7 +99,13 @@ impl Shaded<'_> {
 
     /// True where [`unshared`](Self::unshared) makes the surface.
     fn shares_no_vertex(&self) -> bool {
-        matches!((self.lit, &self.object.paint), (LitAt::Vertices, ObjectPaint::Faces(_)))
+        self.shadows.is_empty() && matches!((self.lit, &self.object.paint), (LitAt::Vertices, ObjectPaint::Faces(_)))
+    }
+
+    /// True where the light of faces or vertices is not put into the colours: under a picture, and where a shadow may
+    /// take some of it away.
+    fn keeps_light_apart(&self) -> bool {
+        !self.shadows.is_empty() || matches!(self.object.paint, ObjectPaint::Texture(_))
     }
 
     /// A surface without faces.
@@ -99,6 +116,7 @@ impl Shaded<'_> {
             triangles: Vec::new(),
             base,
             light,
+            shadows: Vec::new(),
             translucent: self.object.paint.is_translucent(),
             depth_test: self.depth_test,
         }
@@ -113,7 +131,7 @@ impl Shaded<'_> {
         let of = |i: u32| f64::from(inverse_w.get(i as usize).copied().unwrap_or(1.0));
         let own = (0..self.vertex_count()).map(of);
         let cuts = faces.cuts.iter().map(|cut| cut.of(of));
-        let all = own.chain(cuts).map(|q| single(q));
+        let all = own.chain(cuts).map(single);
         if faces.image.inverse_w.is_empty() {
             faces.image.inverse_w = all.collect();
         } else {
@@ -151,6 +169,41 @@ impl Shaded<'_> {
             shares.push(cut.of(|i| shares[i as usize]));
         }
         shares
+    }
+
+    /// The one colour of each face.
+    fn face_colors(&self, faces: &Faces) -> Base {
+        let (triangles, paint) = (&self.object.mesh.triangles, &self.object.paint);
+        let color = |&face: &u32| face_color(paint, face, triangles[face as usize]);
+        Base::Faces(faces.source.iter().map(color).collect())
+    }
+
+    /// The shadows of one light.
+    fn shadow(&self, shadow: &ShadowLight, faces: &Faces, pool: &mut Pool) -> Shadow {
+        let seen: SeenByLight = shadow.sees(self.object);
+        let mesh = &self.object.mesh;
+        let place = |i: u32| seen.place(mesh.positions[i as usize]);
+        let mut places = pool.vectors.pop().unwrap_or_default();
+        self.at_vertices(&mut places, |i| place(i).as_vec3().to_array());
+        places.extend(faces.cuts.iter().map(|cut| cut.of(place).as_vec3().to_array()));
+        let mut planes = pool.vectors.pop().unwrap_or_default();
+        planes.resize(faces.triangles.len(), [0.0; 3]);
+        each_chunk(&mut planes, |planes, first| {
+            for (plane, &source) in planes.iter_mut().zip(&faces.source[first..]) {
+                *plane = seen.plane(mesh.triangles[source as usize].map(|i| mesh.positions[i as usize]));
+            }
+        });
+        let alone = || {
+            let lights = self.lights.only(shadow.light);
+            ObjectLight::new(&lights, mesh, self.vertices, self.both_sides)
+        };
+        let taken = match self.lit {
+            LitAt::Faces => TakenLight::Faces(self.face_shares(faces, &alone(), pool.shares())),
+            LitAt::Vertices => TakenLight::Vertices(Self::vertex_shares(faces, &alone(), pool.shares())),
+            // Without light there is no shadow.
+            LitAt::Pixels | LitAt::Nowhere => TakenLight::Light(self.lights.place_of(shadow.light)),
+        };
+        Shadow { map: std::sync::Arc::clone(&shadow.map), places, planes, taken }
     }
 
     /// Light at each face.

@@ -173,6 +173,15 @@ pub enum Reason {
         /// With a picture.
         objects: usize,
     },
+    /// Left out: no light casts a shadow, or nothing is there to cast one.
+    NoShadows,
+    /// Left out: no object in view takes light, so that none can be missing.
+    NothingShadowed,
+    /// Runs.
+    Shadowed {
+        /// On which shadows may fall.
+        objects: usize,
+    },
     /// Left out: nothing shows through anything.
     AllOpaque,
     /// Runs.
@@ -238,6 +247,8 @@ pub struct ObjectPlan {
     pub cull_back: bool,
     /// The place of the light computation.
     pub lit: LitAt,
+    /// Shadows may fall on it.
+    pub shadowed: bool,
     /// Something shows through it.
     pub translucent: bool,
     /// Its picture is asked for the colour of each pixel: it has one, and that has more than one colour.

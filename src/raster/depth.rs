@@ -58,6 +58,19 @@ impl DepthBuffer {
         (depth > f32::NEG_INFINITY).then_some((depth, slope))
     }
 
+    /// All depths, row by row; −∞ where no surface was drawn.
+    pub(super) fn values(&self) -> Vec<f32> {
+        let mut values = Vec::with_capacity(self.width * self.height);
+        for y in 0..self.height {
+            let (band, first) = (&self.bands[y >> self.rows_log], (y & ((1 << self.rows_log) - 1)) * self.pitch);
+            match band.values.get(first..first + self.width).filter(|_| band.used) {
+                Some(row) => values.extend_from_slice(row),
+                None => values.resize(values.len() + self.width, f32::NEG_INFINITY),
+            }
+        }
+        values
+    }
+
     /// True where no surface was drawn.
     #[must_use]
     pub fn is_empty(&self) -> bool {

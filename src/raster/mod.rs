@@ -20,6 +20,8 @@
 //! | `pixel` | colours as pixels: premultiplied bytes in one `u32`, red lowest |
 //! | `setup` | coverage of a triangle, and values that are affine over it |
 //! | `shade` | the colours of triangles' pixels, eight at a time |
+//! | `shadow` | the share of a light that arrives at a pixel: its place held against the depths that the light sees |
+//! | `texel` | pictures on triangles: the colour of a texture at a pixel |
 //! | `surfaces` | all surfaces of a picture: bands of rows, each painted on its own, by as many threads as there are |
 
 mod batch;
@@ -35,6 +37,7 @@ mod per_pixel;
 mod pixel;
 mod setup;
 mod shade;
+mod shadow;
 mod surfaces;
 mod texel;
 
@@ -43,7 +46,7 @@ use std::time::Duration;
 use tiny_skia::{Color, Pixmap};
 
 use crate::appearance::{DepthFormat, Rgba};
-use crate::drawing::{Drawing, Surface};
+use crate::drawing::{Drawing, ShadowMap, Surface};
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::progress::{Progress, at_once};
 use crate::stage::Cost;
@@ -132,6 +135,7 @@ impl Rasterizer {
     async fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
+        self.paint_maps(drawing).await;
         let tints = tints(drawing);
         if let Some(tints) = &tints {
             // For its depth alone: the picture is painted over it.
@@ -163,6 +167,36 @@ impl Rasterizer {
             surfaces: middle.saturating_sub(start),
             strokes: now().saturating_sub(middle),
         };
+    }
+}
+
+impl Rasterizer {
+    /// Paints the depths that the lights of a drawing see, where that has not been done for an earlier one.
+    async fn paint_maps(&mut self, drawing: &Drawing) {
+        let maps = drawing.surfaces.iter().flat_map(|surface| &surface.shadows).map(|shadow| &*shadow.map);
+        for map in maps {
+            if map.depths().is_none() {
+                self.paint_map(map).await;
+            }
+        }
+    }
+
+    async fn paint_map(&mut self, map: &ShadowMap) {
+        let wanted = Wanted { slopes: false, counts: false };
+        let (mut depth, mut views) = (DepthBuffer::default(), Vec::with_capacity(map.views.len()));
+        for view in &map.views {
+            let mut values = Vec::new();
+            if !view.surfaces.is_empty() {
+                let Some(mut pixmap) = new_pixmap(view) else { return };
+                self.surfaces.paint(view, &mut pixmap, &mut depth, wanted, &self.progress).await;
+                if self.progress.is_cancelled() {
+                    return;
+                }
+                values = depth.values();
+            }
+            views.push(values);
+        }
+        map.keep(views);
     }
 }
 

@@ -4,14 +4,15 @@
 //! each vertex in a pixel is found first, and every attribute is the sum of the three values with these shares.
 
 use crate::appearance::{LightShare, Rgba, TextureReveal};
-use crate::drawing::{Base, Lighting, Surface, SurfaceLight};
-use crate::lighting::{packed, shade_eight, with_light};
+use crate::drawing::{Base, Lighting, Shadow, Surface, SurfaceLight, TakenLight};
+use crate::lighting::{light_eight, packed, with_light};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, mask32x8, u32x8};
 
 use super::pixel::{channels, premultiply};
 use super::setup::{AffineValue, Triangle, pick};
 use super::shade::{Shader, inverse_w};
+use super::shadow::TriangleShadow;
 use super::texel::TexturedTriangle;
 
 /// Premultiplied colours as floating-point channels.
@@ -24,6 +25,9 @@ pub(super) struct PerPixel<'a, K: Simd> {
     y: f32x8<K>,
     base: TriangleBase<'a>,
     light: TriangleLight<'a>,
+    shadows: &'a [Shadow],
+    index: usize,
+    corners: [usize; 3],
     translucent: bool,
 }
 
@@ -71,7 +75,44 @@ impl<'a, K: Simd> PerPixel<'a, K> {
             },
         };
         let zero = f32x8::splat(simd, 0.0);
-        Some(Self { weights, x: zero, y: zero, base, light, translucent: surface.translucent })
+        Some(Self {
+            weights,
+            x: zero,
+            y: zero,
+            base,
+            light,
+            shadows: &surface.shadows,
+            index: index as usize,
+            corners,
+            translucent: surface.translucent,
+        })
+    }
+
+    /// The share of a light that arrives at pixels, with these shares of the vertices in them; `None` where nothing is
+    /// known of its shadows.
+    #[inline(always)]
+    fn arriving(&self, shadow: &Shadow, wanted: mask32x8<K>, w: [f32x8<K>; 3]) -> Option<f32x8<K>> {
+        let places = pick(&shadow.places, self.corners)?;
+        Some(TriangleShadow::new(shadow, self.index)?.arriving(wanted, mix(w, &places)))
+    }
+
+    /// What is left of baked light where shadows fall.
+    #[inline(always)]
+    fn shadowed(&self, mut left: [f32x8<K>; 2], wanted: mask32x8<K>, w: [f32x8<K>; 3]) -> [f32x8<K>; 2] {
+        for shadow in self.shadows {
+            let taken = match &shadow.taken {
+                TakenLight::Faces(shares) => shares.get(self.index).map(|share| [*share; 3]),
+                TakenLight::Vertices(shares) => pick(shares, self.corners),
+                TakenLight::Light(_) => None,
+            };
+            if let Some(taken) = taken
+                && let Some(arriving) = self.arriving(shadow, wanted, w)
+            {
+                let (taken, missing) = (mix(w, &taken), 1.0 - arriving);
+                left = [left[0] - taken[0] * missing, left[1] - taken[1] * missing];
+            }
+        }
+        left
     }
 }
 
@@ -89,11 +130,11 @@ impl<K: Simd> Shader<K> for PerPixel<'_, K> {
     #[inline(always)]
     fn colors(&self, wanted: mask32x8<K>) -> u32x8<K> {
         let simd = wanted.witness();
-        let (w, inverse_sum) = self.weights.at(self.x, self.y);
+        let (w, sum) = self.weights.at(self.x, self.y);
         let own = match &self.base {
             TriangleBase::One(color) => u32x8::splat(simd, packed(*color)),
             TriangleBase::Vertices(colors) => bytes(mix(w, colors)),
-            TriangleBase::Texture(texture) => texture.colors(wanted, mix(w, &texture.uv), inverse_sum),
+            TriangleBase::Texture(texture) => texture.colors(wanted, mix(w, &texture.uv), 1.0 / sum),
         };
         let most = || match &self.base {
             TriangleBase::One(_) => f32x8::splat(simd, 255.0),
@@ -101,9 +142,14 @@ impl<K: Simd> Shader<K> for PerPixel<'_, K> {
         };
         let lit = match &self.light {
             TriangleLight::InBase => own,
-            TriangleLight::Vertices(shares) => with_light(simd, mix(w, shares), own, most()),
+            TriangleLight::Vertices(shares) => with_light(simd, self.shadowed(mix(w, shares), wanted, w), own, most()),
             TriangleLight::Pixels { normals, positions, lighting } => {
-                shade_eight(simd, lighting, mix(w, normals), mix(w, positions), own, most())
+                let arrives = |light: usize| {
+                    let of_light = |shadow: &&Shadow| shadow.taken == TakenLight::Light(light);
+                    self.shadows.iter().find(of_light).and_then(|shadow| self.arriving(shadow, wanted, w))
+                };
+                let shares = light_eight(simd, lighting, mix(w, normals), mix(w, positions), arrives);
+                with_light(simd, shares, own, most())
             }
         };
         match &self.base {
@@ -158,7 +204,7 @@ impl Weights {
         std::array::from_fn(|k| [self.planes[k].dx * self.inverse_w[k], self.planes[k].dy * self.inverse_w[k]])
     }
 
-    /// The shares, and one over the sum by which they were divided.
+    /// The shares, and the sum by which they were divided.
     #[inline(always)]
     fn at<K: Simd>(&self, x: f32x8<K>, y: f32x8<K>) -> ([f32x8<K>; 3], f32x8<K>) {
         let mut b = [x; 3];
@@ -166,7 +212,7 @@ impl Weights {
             *b = plane.at(x, y) * inverse_w;
         }
         let sum = b[0] + b[1] + b[2];
-        ([b[0] / sum, b[1] / sum, b[2] / sum], 1.0 / sum)
+        ([b[0] / sum, b[1] / sum, b[2] / sum], sum)
     }
 }
 

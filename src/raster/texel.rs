@@ -1,8 +1,8 @@
 //! Pictures on triangles: the colour of a texture at a pixel.
 //!
 //! The level of detail comes from the change of (u, v) from pixel to pixel, which is exact for perspective: with U, V
-//! and W affine on the picture, u = U/W changes by (U_x − u W_x)/W along x. A level whose texels are as large as a pixel
-//! is λ = log₂ of the longer of the two changes, in texels of the picture itself [Heckbert 1989].
+//! and W affine on the picture, u = U/W changes by (∂U/∂x − u ∂W/∂x)/W along x. A level whose texels are as large as a
+//! pixel is λ = log₂ of the longer of the two changes, in texels of the picture itself [Heckbert 1989].
 
 use std::cell::Cell;
 

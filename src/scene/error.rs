@@ -1,7 +1,7 @@
 //! Faults of a scene.
 
 use super::MeshError;
-use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MAX_SHADOW_TEXELS, MIN_SEGMENTS};
 use crate::sanitize::escaped;
 
 /// A reason why a specification is not a scene. Displayed, it is the fault of [`key`](Self::key) of
@@ -78,6 +78,12 @@ pub enum SceneError {
         /// The number found.
         found: usize,
     },
+    /// Too large shadow maps.
+    #[error("have shadow maps of {texels} texels, six for a lamp; allowed: at most {MAX_SHADOW_TEXELS}")]
+    ShadowMaps {
+        /// Of all.
+        texels: u64,
+    },
 }
 
 /// The names of a chain of objects, of a long one those at its ends.
@@ -103,7 +109,7 @@ impl SceneError {
             | Self::Segments { name, .. }
             | Self::Mesh { name, .. } => Some(name),
             Self::Cycle { chain } => chain.first().map(String::as_str),
-            Self::Light { .. } | Self::TooManyLights { .. } | Self::TooManyObjects => None,
+            Self::Light { .. } | Self::TooManyLights { .. } | Self::ShadowMaps { .. } | Self::TooManyObjects => None,
         }
     }
 
@@ -116,7 +122,7 @@ impl SceneError {
             Self::ZeroScale { .. } => "scale",
             Self::Segments { .. } => "segments",
             Self::Mesh { .. } => "path",
-            Self::TooManyLights { .. } => "lights",
+            Self::TooManyLights { .. } | Self::ShadowMaps { .. } => "lights",
             Self::TooManyObjects => "objects",
             Self::NotFinite { key, .. } | Self::Light { key, .. } => key,
         }

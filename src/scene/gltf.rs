@@ -407,7 +407,9 @@ impl Reader {
         if let Some(transform) = transform {
             // Offset · rotation · scale, as the extension defines them.
             let ([x, y], [wide, high]) = (transform.offset(), transform.scale());
-            let (sin, cos) = transform.rotation().sin_cos();
+            let (sin, cos) = f64::from(transform.rotation()).sin_cos();
+            #[expect(clippy::cast_possible_truncation, reason = "texture coordinates are single precision")]
+            let (sin, cos) = (sin as f32, cos as f32);
             for [u, v] in &mut uv {
                 let (s, t) = (*u * wide, *v * high);
                 (*u, *v) = (cos * s + sin * t + x, cos * t - sin * s + y);

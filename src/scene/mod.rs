@@ -20,6 +20,7 @@
 //! | `projective` | a scene under a projective map |
 //! | `read_error` | reading of the files that a scene names, and its failures |
 //! | `resolve` | the tree of a scene: names resolved, transforms multiplied out, rules |
+//! | `shadows` | the shadows of a light: whether there are any, and how they are found |
 //! | `soup` | from the polygons of a file to a mesh: triangles, normals, edges, and whether the surface is closed |
 //! | `spec` | the `[scene]` section of a figure, before meshes are made: a preset, a tree of objects, lights |
 //! | `texture/` | textures of objects: where they come from, and how they lie on the surfaces |
@@ -43,6 +44,7 @@ pub mod primitives;
 mod projective;
 mod read_error;
 mod resolve;
+mod shadows;
 mod soup;
 pub mod spec;
 pub mod texture;
@@ -64,8 +66,9 @@ pub use mesh_error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjF
 pub use presets::{Beyond, objects as preset_objects};
 pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, is_loop, no_files, system_kind, system_words};
 pub use resolve::{DEFAULT_LIGHT, check};
-pub use spec::{Light, LightKind, ObjectSpec, Preset, SceneSpec, Shape, ShapeData};
-pub use texture::{CornerUv, TextureError, TextureFault, TextureSource};
+pub use shadows::Shadows;
+pub use spec::{Light, LightKind, ObjectSpec, Preset, SceneSpec, Shape, ShapeData, TextureSource};
+pub use texture::{CornerUv, TextureError, TextureFault};
 
 /// A scene, flat: every transform has been multiplied out.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -199,7 +202,8 @@ pub struct Pictured {
     pub tint: Rgba,
     /// Something shows through it.
     pub translucent: bool,
-    /// Light that has been found already, in another picture: that of the canonical volume shows the light of the world.
+    /// Light that has been found already, in another picture: that of the canonical volume shows the light of the
+    /// world.
     pub light: FoundLight,
     /// 1/w of each vertex where the mesh is the image of another one under a perspective, in any unit: between the
     /// vertices, u/w and v/w are affine. Empty: u and v are.

@@ -1,6 +1,6 @@
-//! Wavefront OBJ: points, normals, texture coordinates, faces, objects, and the colours and textures of their materials.
-//! All that is neither of these is left out. What other programs write wrong without harm to the surface is left out
-//! with a [`MeshNotice`].
+//! Wavefront OBJ: points, normals, texture coordinates, faces, objects, and the colours and textures of their
+//! materials. All that is neither of these is left out. What other programs write wrong without harm to the surface is
+//! left out with a [`MeshNotice`].
 
 use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};

@@ -9,7 +9,7 @@ use super::palette::SceneColors;
 use super::{Light, LightKind, ObjectSpec, SceneError, SceneSpec, Shape, presets};
 use crate::appearance::{Rgba, Theme};
 use crate::geometry::{Angle, try_unit};
-use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MAX_SHADOW_TEXELS, MIN_SEGMENTS};
 
 /// Direction of the default light: from above, behind the usual viewer at (3, 4, 5) and a little to his left, so that
 /// the three visible sides of a box differ and none is black.
@@ -144,6 +144,10 @@ pub(super) fn lights(specs: &[Light]) -> Result<Vec<Light>, SceneError> {
     }
     if specs.len() > MAX_LIGHTS {
         return Err(SceneError::TooManyLights { found: specs.len() });
+    }
+    let texels = specs.iter().map(Light::shadow_texels).fold(0, u64::saturating_add);
+    if texels > MAX_SHADOW_TEXELS {
+        return Err(SceneError::ShadowMaps { texels });
     }
     let is_right = |light: &Light| match light.kind {
         LightKind::Directional => try_unit(light.vector).is_some(),

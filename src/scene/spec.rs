@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use glam::{DVec2, DVec3};
 
-use super::TextureSource;
+use super::Shadows;
 use crate::appearance::{Filter, Rgba, Wrap};
 use crate::limits::DEFAULT_SEGMENTS;
 
@@ -214,6 +214,55 @@ impl Shape {
     }
 }
 
+/// The source of the texture of an object, `texture` in a figure file.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum TextureSource {
+    /// None, also where the mesh file has one.
+    None,
+    /// Black and white squares, eight by eight.
+    Chequer,
+    /// A grid with a letter in each of its sixteen cells.
+    Letters,
+    /// u in red, v in green.
+    Uv,
+    /// A picture, relative to the figure file.
+    File(String),
+}
+
+impl TextureSource {
+    /// Those of the program, with their names in a figure file.
+    pub const NAMED: [(&'static str, Self); 4] =
+        [("none", Self::None), ("chequer", Self::Chequer), ("letters", Self::Letters), ("uv", Self::Uv)];
+
+    /// The source with this name, or the file.
+    #[must_use]
+    pub fn of(text: &str) -> Self {
+        let named = Self::NAMED.into_iter().find(|(name, _)| *name == text);
+        named.map_or_else(|| Self::File(text.to_owned()), |(_, source)| source)
+    }
+
+    /// The file that it comes from, relative to the figure file.
+    #[must_use]
+    pub fn file(&self) -> Option<&str> {
+        match self {
+            Self::File(path) => Some(path),
+            Self::None | Self::Chequer | Self::Letters | Self::Uv => None,
+        }
+    }
+}
+
+impl fmt::Display for TextureSource {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::None => "none",
+            Self::Chequer => "chequer",
+            Self::Letters => "letters",
+            Self::Uv => "uv",
+            Self::File(path) => path,
+        })
+    }
+}
+
 /// One entry of `[[scene.objects]]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjectSpec {
@@ -314,6 +363,8 @@ pub struct Light {
     pub kind: LightKind,
     /// The direction in which parallel light travels, of any length but 0, or the position of a lamp; in the world.
     pub vector: DVec3,
+    /// Its shadows.
+    pub shadows: Shadows,
 }
 
 /// The kind of a light.
@@ -345,13 +396,29 @@ impl Light {
     /// Parallel light that travels along this vector.
     #[must_use]
     pub const fn directional(direction: DVec3) -> Self {
-        Self { kind: LightKind::Directional, vector: direction }
+        Self { kind: LightKind::Directional, vector: direction, shadows: Shadows::NONE }
     }
 
     /// A lamp at this point.
     #[must_use]
     pub const fn point(position: DVec3) -> Self {
-        Self { kind: LightKind::Point, vector: position }
+        Self { kind: LightKind::Point, vector: position, shadows: Shadows::NONE }
+    }
+
+    /// The texels of its shadow maps.
+    pub(crate) fn shadow_texels(&self) -> u64 {
+        let maps = match self.kind {
+            LightKind::Directional => 1,
+            LightKind::Point => 6,
+        };
+        let side = u64::from(self.shadows.held().map);
+        if self.shadows.cast { maps * side * side } else { 0 }
+    }
+
+    /// The same light with shadows.
+    #[must_use]
+    pub const fn with_shadows(self, shadows: Shadows) -> Self {
+        Self { shadows, ..self }
     }
 }
 

@@ -19,7 +19,8 @@ use super::pixels::{PixelRect, Size, image_frame};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
 use super::{
-    Palette, Request, label_layout, offscreen_arrows, partial_paint, probe, revealed_scene, triangle_overlay, vanishing,
+    Palette, Request, label_layout, light_view, offscreen_arrows, partial_paint, probe, revealed_scene,
+    triangle_overlay, vanishing,
 };
 
 /// The camera and the pixels that its window fills.
@@ -46,6 +47,9 @@ pub(super) fn frame(request: &Request) -> PixelRect {
 
 /// Draws the image.
 pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
+    if let Some(of_light) = light_view::of_light(request) {
+        return frame_of(&of_light, pipeline);
+    }
     let style = &request.shot.look.style;
     let palette = Palette::of(style.theme);
     let greys = Greys::of(request);
@@ -66,7 +70,11 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     revealed.mark(&mut builder, palette);
     probe::in_image(&mut builder, request, palette);
     triangle_overlay::in_image(&mut builder, request, palette);
-    let scenes = Scenes::new(&scene, &builder.gear).with_fineness(screen.fineness(request, |p| screen.place(p)));
+    let lights = light_view::lights(request, &scene);
+    let scenes = Scenes::new(&scene, &builder.gear)
+        .with_fineness(screen.fineness(request, |p| screen.place(p)))
+        .in_shadows_of(&request.scene)
+        .lit_by(&lights);
     let marks = Cell::new(false);
     let repaint = |drawing: &mut Drawing, scale: DepthScale| {
         marks.set(!drawing.marks.is_empty());

@@ -35,6 +35,7 @@
 //! | `labels` | the words in the pictures |
 //! | `legend` | the legend of a picture's colours, in its lower left corner |
 //! | `named_points` | the figure's points under the pointer: which one is there, and where it goes when it is dragged |
+//! | `light_view` | what a light sees: its picture in the image, its volume in the world, the depths at a point |
 //! | `normalizing` | the view volume on its way to the canonical one |
 //! | `note_place` | the subject of a new note, from a place in a picture |
 //! | `object_parts` | measures of an object's own transform in the world |
@@ -53,6 +54,7 @@
 //! | `section` | the section along **u**: similar triangles, with their lengths |
 //! | `shot` | `Shot`: all that pictures show, as one value |
 //! | `stage_overlay` | a stage of the pipeline in its picture: input and output |
+//! | `texel` | the place of a point in the texture of the surface that it is on |
 //! | `timed_pipeline` | the pipeline as the pictures use it |
 //! | `transform_gizmo` | the gizmo that moves, turns and scales the selected objects in the world |
 //! | `transform_preview` | an object where a list of transforms puts it, as glass |
@@ -85,6 +87,7 @@ mod label_layout;
 mod label_names;
 mod labels;
 mod legend;
+mod light_view;
 pub mod named_points;
 mod normalizing;
 mod note_place;
@@ -104,6 +107,7 @@ mod screen;
 mod section;
 mod shot;
 mod stage_overlay;
+mod texel;
 mod timed_pipeline;
 pub mod transform_gizmo;
 mod transform_preview;
@@ -132,6 +136,7 @@ pub use hover::{
 };
 pub use label_names::unknown_labels;
 pub use labels::Labels;
+pub use light_view::{ShadowAt, shadows_at};
 pub use note_place::note_place;
 use observer::Viewpoint;
 pub use observer_of::ObserverOf;
@@ -140,6 +145,7 @@ pub use picture::{MAX_PICTURES, Picture, observer_in};
 pub use pixels::{PixelRect, Size, image_frame};
 pub use request::{Finish, Normalizing, Request, SharedScene};
 pub use shot::{Compared, Look, Shot};
+pub use texel::{TexelAt, texel_at};
 pub use timed_pipeline::TimedPipeline;
 pub use values::caption;
 

@@ -87,6 +87,7 @@ fn before(
                 surface.base = Base::Solid(palette.body);
             }
         }
+        Stage::Shadow => before.surfaces.iter_mut().for_each(|surface| surface.shadows.clear()),
         Stage::Blend => before.surfaces.iter_mut().filter(|s| s.translucent).for_each(Surface::make_opaque),
         Stage::Antialias => before.antialias = 1,
         Stage::Lines => {

@@ -21,8 +21,8 @@ use super::revealed_scene::PipelineReveal;
 use super::timed_pipeline::TimedPipeline;
 use super::world_framing::{screen_of, seen_from};
 use super::{
-    Handle, Palette, Request, components, dimensions, ghost, handles, hits, label_layout, object_parts, probe,
-    revealed_scene, section, transform_gizmo, transform_preview, triangle_overlay, vanishing,
+    Handle, Palette, Request, components, dimensions, ghost, handles, hits, label_layout, light_view, object_parts,
+    probe, revealed_scene, section, transform_gizmo, transform_preview, triangle_overlay, vanishing,
 };
 
 /// Draws the world with `on_window` as the image on the view window; an observer that is not a camera sees nothing.
@@ -72,7 +72,12 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         triangle_overlay::in_world(&mut world.builder, request, palette);
         transform_gizmo::in_world(&mut world.builder, request, palette);
     }
-    let scenes = Scenes::new(&scene, &world.builder.gear).with_fineness(screen.fineness(request, |p| screen.place(p)));
+    light_view::in_world(&mut world.builder, request, palette);
+    let lights = light_view::lights(request, &scene);
+    let scenes = Scenes::new(&scene, &world.builder.gear)
+        .with_fineness(screen.fineness(request, |p| screen.place(p)))
+        .in_shadows_of(&request.scene)
+        .lit_by(&lights);
     let mut drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     let legend = revealed_scene::legend(request, revealed.rows, PixelRect::whole(request.size), target.scale, palette);

@@ -84,7 +84,7 @@ fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
     let arrows = gizmo(Transforming::Move, DVec3::Y * 3.0, DVec3::AXES);
     let from = on_axis(&h, arrows, 0);
     drag(&mut h, from, vec2(25.0, 0.0), PointerButton::Primary, Modifiers::NONE);
-    let Light { kind: LightKind::Point, vector: lamp } = h.state().state.document.figure().scene.lights[0] else {
+    let Light { kind: LightKind::Point, vector: lamp, .. } = h.state().state.document.figure().scene.lights[0] else {
         panic!("a lamp")
     };
     assert!(lamp.x != 0.0 && lamp.y == 3.0 && lamp.z == 0.0, "{lamp}");
@@ -92,7 +92,7 @@ fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
     h.state_mut().state.document.undo();
     h.state_mut().state.tree.select(None);
     h.run();
-    let Light { kind: LightKind::Point, vector: lamp } = h.state().state.document.figure().scene.lights[0] else {
+    let Light { kind: LightKind::Point, vector: lamp, .. } = h.state().state.document.figure().scene.lights[0] else {
         panic!("a lamp")
     };
     assert_eq!(lamp, DVec3::Y * 3.0);
@@ -206,7 +206,8 @@ fn parallel_light_is_turned_by_rings() {
     let middle = h.state().state.scene_cache.scene().bounds().unwrap().center();
     let from = on_axis(&h, gizmo(Transforming::Turn, middle, DVec3::AXES), 0);
     drag(&mut h, from, vec2(30.0, 20.0), PointerButton::Primary, Modifiers::COMMAND);
-    let Light { kind: LightKind::Directional, vector: d } = h.state().state.document.figure().scene.lights[0] else {
+    let Light { kind: LightKind::Directional, vector: d, .. } = h.state().state.document.figure().scene.lights[0]
+    else {
         panic!("parallel")
     };
     let angle = d.y.atan2(d.z).to_degrees();

@@ -1,9 +1,11 @@
 //! The tree of the scene: objects and lights added, renamed, hung elsewhere, moved, deleted, undone and saved.
 
+use camera_lab::appearance::{Filter, TextureReveal, Wrap};
+use camera_lab::figure::ShadowReveal;
 use camera_lab::figure::read::parse;
 use camera_lab::gui::state::Selected;
 use camera_lab::i18n::Lang;
-use camera_lab::scene::{Light, LightKind, ObjectSpec, Preset, Shape};
+use camera_lab::scene::{Light, LightKind, ObjectPaint, ObjectSpec, Preset, Shadows, Shape, TextureSource};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, vec2};
 use egui_kittest::kittest::Queryable;
@@ -177,7 +179,29 @@ fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
     assert_eq!(&figure, window.state().document.figure());
     assert_eq!(figure.scene.objects[1].parent.as_deref(), Some("base"));
     assert_eq!(figure.scene.objects[1].translate.y, 1.5);
-    assert!(matches!(figure.scene.lights[..], [Light { kind: LightKind::Point, vector }] if vector.y == 4.0));
+    assert!(matches!(figure.scene.lights[..], [Light { kind: LightKind::Point, vector, .. }] if vector.y == 4.0));
+}
+
+#[test]
+fn a_light_gets_shadows_their_numbers_and_what_they_show() {
+    let mut window = Window::scene(Lang::En);
+    window.add("Add", "directional light");
+    let shadows = |window: &Window| window.state().document.figure().scene.lights[0].shadows;
+    assert!(!shadows(&window).cast && !window.says("shadow map"));
+    window.click("casts shadows");
+    assert_eq!(shadows(&window), Shadows::CAST);
+    for (field, value) in [("shadow map", "256"), ("bias", "2.5"), ("soft edge", "0")] {
+        window.enter(field, value);
+    }
+    assert_eq!(shadows(&window), Shadows { cast: true, map: 256, bias: 2.5, softness: 0.0 });
+    window.enter("shadow map", "63");
+    assert!(window.says("allowed: whole numbers from 64 to 4096") || window.says("64"));
+    assert_eq!(shadows(&window).map, 256);
+    window.key(Key::Escape);
+    window.pick("show of shadows", "what the light sees");
+    assert_eq!(window.state().document.figure().reveal.shadows, Some(ShadowReveal::Map));
+    window.click("casts shadows");
+    assert!(!shadows(&window).cast && shadows(&window).map == 256, "the numbers stay");
 }
 
 #[test]
@@ -536,4 +560,58 @@ fn names_of_any_length_leave_the_panel_as_wide_as_it_is() {
     window.harness.run_steps(4);
     assert!(window.says("aaaaaaaaaa…"));
     assert_eq!(width(&window), before);
+}
+
+#[test]
+fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
+    let folder = Folder::new("texture");
+    for lang in [Lang::En, Lang::PtBr] {
+        let t = camera_lab::i18n::scenes::texts(lang);
+        let mut window = Window::scene(lang);
+        window.app_mut().state.document.edit(|figure| {
+            figure.scene.objects = vec![ObjectSpec::new("cube", Shape::Box)];
+        });
+        window.run();
+        window.select("cube");
+        assert!(window.harness.query_by_role_and_label(Role::ComboBox, t.filter).is_none(), "there is none yet");
+        window.pick(t.texture, t.texture_chequer);
+        window.run();
+        assert_eq!(window.objects()[0].texture, Some(TextureSource::Chequer));
+        let paint = |window: &Window| window.state().scene_cache.scene().objects[0].paint.clone();
+        assert!(matches!(paint(&window), ObjectPaint::Texture(_)));
+        for (combo, entry) in [(t.wrap, t.wrap_mirror), (t.filter, t.filter_nearest)] {
+            window.harness.get_by_role_and_label(Role::ComboBox, combo).scroll_to_me();
+            window.run();
+            window.pick(combo, entry);
+        }
+        assert_eq!((window.objects()[0].wrap, window.objects()[0].filter), (Some(Wrap::Mirror), Some(Filter::Nearest)));
+        window.harness.get_by_role_and_label(Role::ComboBox, t.texture_reveal).scroll_to_me();
+        window.run();
+        window.pick(t.texture_reveal, t.texture_texels);
+        assert_eq!(window.state().document.figure().reveal.texture, Some(TextureReveal::Texels));
+        // A file that is not there: the object's colour, and a notice with its name.
+        window.harness.get_by_role_and_label(Role::ComboBox, t.texture).scroll_to_me();
+        window.run();
+        window.pick(t.texture, t.texture_file);
+        window.harness.get_by_role_and_label(Role::TextInput, t.texture_file).scroll_to_me();
+        window.run();
+        let missing = folder.file("missing.png");
+        window.write(t.texture_file, &missing.to_string_lossy(), Key::Enter);
+        for _ in 0..20 {
+            window.run();
+        }
+        assert!(matches!(paint(&window), ObjectPaint::Solid(_)));
+        assert!(window.says("missing.png"));
+        // And one that is.
+        let mut image = image::RgbImage::new(4, 2);
+        image.put_pixel(0, 0, image::Rgb([255, 0, 0]));
+        image.save(&missing).expect("a folder of the test");
+        window.click(t.read_again);
+        for _ in 0..20 {
+            window.run();
+        }
+        let ObjectPaint::Texture(pictured) = paint(&window) else { panic!("a texture") };
+        assert_eq!((pictured.image.width(), pictured.image.height()), (4, 2));
+        std::fs::remove_file(&missing).expect("its own file");
+    }
 }

@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::common::program::Bench;
 
 /// The stages in the order of the notes, as programs read them.
-const STAGES: [&str; 18] = [
+const STAGES: [&str; 19] = [
     "traverse",
     "cull-objects",
     "normals",
@@ -22,6 +22,7 @@ const STAGES: [&str; 18] = [
     "interpolate",
     "hidden-surfaces",
     "texture",
+    "shadow",
     "blend",
     "antialias",
     "lines",

@@ -72,6 +72,7 @@ mod raster_slivers;
 mod recovery;
 mod reveal;
 mod scene;
+mod shadows;
 mod sheets;
 mod shot;
 mod stage_work;

@@ -11,7 +11,9 @@ use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab::pipeline::plan::{Options, Output, Reason, Stage};
 use camera_lab::pipeline::{Containment, FacesDone, Frame, Pipeline, Target};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Adjacency, Light, Line, Mesh, Object, ObjectPaint, Pictured, PointMark, Scene, primitives};
+use camera_lab::scene::{
+    Adjacency, Light, Line, Mesh, Object, ObjectPaint, Pictured, PointMark, Scene, Shadows, primitives,
+};
 use glam::{DMat4, DQuat, DVec3, EulerRot, Vec3Swizzles};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -279,7 +281,9 @@ pub(crate) fn any_object() -> impl Strategy<Value = Object> {
 }
 
 pub(crate) fn any_scene() -> impl Strategy<Value = Scene> {
-    let light = prop_oneof![any_vec(1.0).prop_map(Light::directional), any_vec(5.0).prop_map(Light::point),];
+    let light = prop_oneof![any_vec(1.0).prop_map(Light::directional), any_vec(5.0).prop_map(Light::point)];
+    let light = (light, any::<bool>())
+        .prop_map(|(light, cast)| light.with_shadows(Shadows { cast, map: Shadows::MAPS[0], ..Shadows::NONE }));
     let line = (proptest::collection::vec(any_vec(6.0), 2..5), any_line_style())
         .prop_map(|(points, style)| Line { points, style });
     let mark = any_vec(4.0).prop_map(|position| PointMark {

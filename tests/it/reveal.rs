@@ -173,6 +173,7 @@ const ALL: Reveal = Reveal {
     culled: true,
     vanishing: true,
     texture: None,
+    shadows: None,
 };
 
 #[test]
@@ -607,6 +608,7 @@ proptest! {
             culled,
             vanishing: culled != clipping,
             texture: None,
+    shadows: None,
         };
         let mut figure = preset(scene, reveal);
         figure.camera = Parameters {

@@ -295,7 +295,7 @@ fn a_tree_of_ten_thousand_generations_is_built() {
 fn lights_are_the_figures_or_one_from_above() {
     let lit =
         |lights| build(&SceneSpec { preset: Preset::Empty, objects: vec![], lights }, &Style::default(), &mut no_files);
-    let [Light { kind: LightKind::Directional, vector: direction }] = lit(vec![]).unwrap().lights[..] else {
+    let [Light { kind: LightKind::Directional, vector: direction, .. }] = lit(vec![]).unwrap().lights[..] else {
         panic!("one directional light")
     };
     assert!(direction.y < 0.0 && direction.dot(DVec3::new(3.0, 4.0, 5.0)) < 0.0, "from above, from the viewer's side");

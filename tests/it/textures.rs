@@ -3,7 +3,6 @@
 #![expect(
     clippy::unwrap_used,
     clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
     reason = "a test may fail by panicking; texels are small numbers"
 )]
 
@@ -76,7 +75,7 @@ fn every_pixel_has_its_texel_under_any_perspective() {
 
 /// What a picture of one colour outside and another inside shows at its border.
 fn border(wrap: Wrap, filter: Filter) -> [u8; 3] {
-    let texel = |i: u32| if i % 8 == 0 { [255, 0, 0, 255] } else { [0, 0, 255, 255] };
+    let texel = |i: u32| if i.is_multiple_of(8) { [255, 0, 0, 255] } else { [0, 0, 255, 255] };
     let image = Arc::new(Texture::flat(8, 8, (0..64).flat_map(texel).collect()).with_levels());
     let corners = vec![[0.0, 0.0, 0.5], [64.0, 0.0, 0.5], [64.0, 64.0, 0.5], [0.0, 64.0, 0.5]];
     let uv = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
@@ -131,7 +130,7 @@ fn a_picture_goes_on_as_it_is_told() {
 /// A floor of chequers of one texel each, far away: its pixels are the mean light of black and white.
 #[test]
 fn levels_of_detail_keep_a_far_floor_from_flickering() {
-    let texel = |i: u32| if (i % 64 + i / 64) % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] };
+    let texel = |i: u32| if (i % 64 + i / 64).is_multiple_of(2) { [255; 4] } else { [0, 0, 0, 255] };
     let image = Arc::new(Texture::flat(64, 64, (0..64 * 64).flat_map(texel).collect()).with_levels());
     let corners = vec![[0.0, 0.0, 0.5], [64.0, 0.0, 0.5], [64.0, 64.0, 0.5], [0.0, 64.0, 0.5]];
     let uv = vec![[0.0, 0.0], [16.3, 0.0], [16.3, 16.3], [0.0, 16.3]];
@@ -367,4 +366,48 @@ fn textures_have_a_budget_of_texels() {
     let drawn = (0..5).filter(|k| sides(&scene, *k).is_some()).count();
     assert_eq!(drawn, 4);
     assert!(matches!(&scene.notices[..], [(_, MeshNotice::Texture(error))] if error.fault == TextureFault::Budget));
+}
+
+/// Small pictures in each format, one of them with the four colours of printers.
+const PICTURES: [(&str, &[u8]); 4] = [
+    ("small.png", include_bytes!("../../fuzz/seeds/texture/small.png")),
+    ("small.jpg", include_bytes!("../../fuzz/seeds/texture/small.jpg")),
+    ("small.webp", include_bytes!("../../fuzz/seeds/texture/small.webp")),
+    ("cmyk.jpg", include_bytes!("../../fuzz/seeds/texture/cmyk.jpg")),
+];
+
+fn object_with(file: &str) -> String {
+    format!("[[scene.objects]]\nshape = \"box\"\ntexture = \"{file}\"\n")
+}
+
+#[test]
+fn every_format_is_read() {
+    for (file, bytes) in PICTURES {
+        let scene = built(&object_with(file), &[(file, bytes)]);
+        let ObjectPaint::Texture(pictured) = &scene.objects[0].paint else { panic!("{file}: {:?}", scene.notices) };
+        let [r, g, b, a] = pictured.image.levels()[0].texel(0, 0);
+        assert!(r > 150 && g < 90 && b < 90 && a == 255, "{file}: red at the top: {r} {g} {b}");
+        assert_eq!(sides(&scene, 0), Some((4, 4)));
+    }
+}
+
+/// Whatever a file is made of, it is a whole picture, or its object keeps its colour and says why.
+#[test]
+fn broken_pictures_are_told_and_do_no_harm() {
+    let mut random = Random(8);
+    for round in 0..4000 {
+        let (file, bytes) = PICTURES[round % PICTURES.len()];
+        let mut bytes = bytes.to_vec();
+        for _ in 0..1 + random.next() as usize % 4 {
+            let at = random.next() as usize % bytes.len();
+            bytes[at] = random.next() as u8;
+        }
+        bytes.truncate(1 + random.next() as usize % (2 * bytes.len()));
+        let scene = built(&object_with(file), &[(file, &bytes)]);
+        match (&scene.objects[0].paint, scene.notices.as_slice()) {
+            (ObjectPaint::Texture(pictured), []) => assert!(!pictured.image.levels().is_empty()),
+            (ObjectPaint::Solid(_), [(_, MeshNotice::Texture(_))]) => {}
+            other => panic!("{other:?}"),
+        }
+    }
 }

@@ -7,8 +7,8 @@ use crate::formula;
 use crate::text;
 
 /// The LaTeX of a page whose other things are in the PDF `art`, which is named without its ending: a `picture` for
-/// `\input`. The document needs the packages graphicx and color (or xcolor). Compiled alone, it is a document of one page
-/// as large as the picture.
+/// `\input`. The document needs the packages graphicx and color (or xcolor). Compiled alone, it is a document of one
+/// page as large as the picture.
 ///
 /// Each label is set in the document's font, at the height that it has on the page; its symbols are mathematics.
 #[must_use]

@@ -9,12 +9,12 @@ use crate::figure::words::{
 };
 use crate::figure::{
     Bilingual, Comparison, Depth, LabelledMeasure, Labels, Letters, Measured, MovedLabel, NamedPoint, Note, NotePlace,
-    Observer, Observers, Outside, RenamedLabel, Reveal, Screen, ScreenEntry, Show, ShownProbe, ShownStep,
+    Observer, Observers, Outside, RenamedLabel, Reveal, Screen, ScreenEntry, ShadowReveal, Show, ShownProbe, ShownStep,
     ShownTriangle, StagePicture, StyledLabel, TransformPreview, TriangleStep, View, WorldLook, WorldPart, WorldParts,
 };
 use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
-use crate::scene::{Light, ObjectSpec, Preset, SceneSpec, Shape, TextureSource};
+use crate::scene::{Light, ObjectSpec, Preset, SceneSpec, Shadows, Shape, TextureSource};
 use crate::stage::Stage;
 use glam::{DMat4, DVec2, DVec3};
 use proptest::collection::vec;
@@ -63,7 +63,9 @@ fn shape() -> impl Strategy<Value = Option<Shape>> {
 fn scene() -> impl Strategy<Value = SceneSpec> {
     let object = (shape(), point(), point(), any::<Option<[u8; 4]>>(), 3_u32..=512, any::<bool>());
     let light = (any::<bool>(), point()).prop_map(|(directional, p)| {
-        if directional { Light::directional(p + DVec3::new(0.5, 0.5, 0.25)) } else { Light::point(p) }
+        let light = if directional { Light::directional(p + DVec3::new(0.5, 0.5, 0.25)) } else { Light::point(p) };
+        let of = |x: f64| x.abs().fract();
+        light.with_shadows(Shadows { cast: p.x > 0.0, map: 64, bias: 100.0 * of(p.y), softness: 8.0 * of(p.z) })
     });
     let lights = vec(light, 0..3);
     (proptest::sample::select(PRESETS), vec(object, 0..5), lights).prop_map(|((_, preset), objects, lights)| {
@@ -87,7 +89,7 @@ fn scene() -> impl Strategy<Value = SceneSpec> {
                     segments,
                 })
                 .collect(),
-            lights: lights.into_iter().filter(|l| *l != Light::directional(DVec3::ZERO)).collect(),
+            lights: lights.into_iter().filter(|l| l.vector != DVec3::ZERO).collect(),
         }
     })
 }
@@ -131,6 +133,7 @@ fn figure() -> impl Strategy<Value = Figure> {
                 culled,
                 vanishing,
                 texture: culled.then_some(if clipping { TextureReveal::Affine } else { TextureReveal::Texels }),
+                shadows: [None, Some(ShadowReveal::Map), Some(ShadowReveal::Acne)][depth],
             };
             (reveal, undistorted)
         },

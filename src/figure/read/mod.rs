@@ -29,7 +29,8 @@ use toml_edit::{Document, TableLike};
 
 use super::error::{Allowed, FigureError, Problem};
 use super::words::{
-    DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
+    DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES,
+    VISIBILITIES,
 };
 use super::{Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook, WorldPart, WorldParts};
 use crate::appearance::Style;
@@ -254,6 +255,7 @@ fn reveal(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Reveal {
         culled: section.switch("culled"),
         vanishing: section.switch("vanishing"),
         texture: section.choice("texture", TEXTURE_REVEALS),
+        shadows: section.choice("shadows", SHADOW_REVEALS),
     };
     faults.extend(section.finish());
     reveal

@@ -12,7 +12,7 @@ use crate::figure::words::{self, LIGHTS, PRESETS, SHAPES};
 use crate::limits::{MAX_SEGMENTS, MAX_TEXTURE_SCALE, MIN_SEGMENTS};
 use crate::scene::palette::SceneColors;
 use crate::scene::{
-    Light, LightKind, ObjectSpec, Preset, SceneError, SceneSpec, Shape, TextureSource, check, preset_objects,
+    Light, LightKind, ObjectSpec, Preset, SceneError, SceneSpec, Shadows, Shape, TextureSource, check, preset_objects,
 };
 
 /// Reads `[scene]`. Where no preset is named it is the default one, unless objects are listed: then these alone are the
@@ -62,6 +62,7 @@ impl Places {
             | SceneError::Mesh { .. }
             | SceneError::Light { .. }
             | SceneError::TooManyLights { .. }
+            | SceneError::ShadowMaps { .. }
             | SceneError::TooManyObjects => error.object().and_then(|name| named(name).next()),
         };
         let (at, label) = match (index.and_then(|i| self.objects.get(i)), &error) {
@@ -161,10 +162,12 @@ fn read_light(mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fa
         if kind == LightKind::Directional && vector == DVec3::ZERO {
             section.refuse(key, Allowed::NonZeroVector);
         }
+        let shadows = read_shadows(&mut section);
         places.lights.push(section.place(key).unwrap_or(section.start()));
-        Light { kind, vector }
+        Light { kind, vector, shadows }
     });
     if light.is_none() {
+        read_shadows(&mut section);
         // The keys of this kind are not known; the kind is the fault to report.
         for (_, kind) in LIGHTS {
             section.vector(kind.vector().0, DVec3::ZERO);
@@ -172,6 +175,17 @@ fn read_light(mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fa
     }
     faults.extend(section.finish());
     light
+}
+
+fn read_shadows(section: &mut Section<'_>) -> Shadows {
+    let usual = Shadows::NONE;
+    let ([least, most], bias, softness) = (Shadows::MAPS.map(i64::from), Shadows::BIASES, Shadows::SOFTNESSES);
+    Shadows {
+        cast: section.switch("shadows"),
+        map: section.integer("shadow_map", least, most, usual.map),
+        bias: section.number_in("shadow_bias", bias[0], bias[1], usual.bias),
+        softness: section.number_in("shadow_softness", softness[0], softness[1], usual.softness),
+    }
 }
 
 /// The line of a key of the object called `name` (of the object itself, where the key is missing), counted from 1;

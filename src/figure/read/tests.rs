@@ -1,7 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use super::*;
-use crate::figure::{Arrangement, Screen};
+use crate::figure::{Arrangement, Screen, ShadowReveal};
 use crate::scene::{Light, Preset, SceneError, Shape};
 
 /// The error of `text` as line, key and problem.
@@ -95,6 +95,7 @@ fn every_key_is_read() {
         divide_first = true
         culled = true
         vanishing = true
+        shadows = "acne"
         [world]
         section = true
         window_opacity = 0.25
@@ -137,6 +138,7 @@ fn every_key_is_read() {
         culled: true,
         vanishing: true,
         texture: None,
+        shadows: Some(ShadowReveal::Acne),
     };
     assert_eq!(figure.reveal, all);
     let world = figure.observers.world.unwrap();
@@ -236,6 +238,7 @@ fn wrong_values_are_refused_with_line_key_and_what_is_allowed() {
         ("[reveal]\noutside = true", "[reveal] outside", 2),
         ("[reveal]\noutside = \"hidden\"", "[reveal] outside", 2),
         ("[reveal]\nclipping = \"yes\"", "[reveal] clipping", 2),
+        ("[reveal]\nshadows = true", "[reveal] shadows", 2),
         ("[reveal]\nculled = 1", "[reveal] culled", 2),
         ("reveal = true", "reveal", 1),
         ("[scene]\npreset = \"teapot\"", "[scene] preset", 2),
@@ -251,6 +254,11 @@ fn wrong_values_are_refused_with_line_key_and_what_is_allowed() {
         ("[[scene.lights]]\ndirection = [0, 1, 0]", "[[scene.lights]] kind", 1),
         ("[[scene.lights]]\nkind = \"directional\"\ndirection = [0, 0, 0]", "[[scene.lights]] direction", 3),
         ("[[scene.lights]]\nkind = \"point\"\ndirection = [0, 1, 0]", "[[scene.lights]] direction", 3),
+        ("[[scene.lights]]\nkind = \"point\"\nshadows = 1", "[[scene.lights]] shadows", 3),
+        ("[[scene.lights]]\nkind = \"point\"\nshadow_map = 63", "[[scene.lights]] shadow_map", 3),
+        ("[[scene.lights]]\nkind = \"point\"\nshadow_map = 4097", "[[scene.lights]] shadow_map", 3),
+        ("[[scene.lights]]\nkind = \"point\"\nshadow_bias = -1", "[[scene.lights]] shadow_bias", 3),
+        ("[[scene.lights]]\nkind = \"point\"\nshadow_softness = 8.1", "[[scene.lights]] shadow_softness", 3),
         ("[[points]]\nposition = [1, 2, 3]", "[[points]] name", 1),
         ("[[points]]\nname = \"P\"", "[[points]] position", 1),
         ("[[points]]\nposition = [1, 2, 3]\nname = \"\"", "[[points]] name", 3),

@@ -18,7 +18,7 @@ use crate::i18n::explain_point::{self, Texts};
 use crate::i18n::{messages, notes, window};
 use crate::limits::{MAX_NAMED_POINTS, MAX_TYPED_NAME};
 use crate::sanitize::escaped;
-use crate::views::Probe;
+use crate::views::{Probe, shadows_at, texel_at};
 
 /// Shows the tab.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
@@ -40,6 +40,25 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     ui.separator();
     let name = state.document.figure().points[index].name.clone();
     arithmetic::ui(ui, &setting, &name, (t, state.settings.digits));
+    texture(ui, state, position);
+    shadows(ui, state, position);
+}
+
+/// The depths that each light with shadows compares at the point.
+fn shadows(ui: &mut egui::Ui, state: &State, position: DVec3) {
+    let (lang, digits) = (state.settings.lang, state.settings.digits);
+    for at in shadows_at(state.scene_cache.scene(), position) {
+        let label = ui.add(egui::Label::new(explain_point::in_shadow(lang, &at, digits)).wrap());
+        help_topic_row(ui, label.rect, "stage-shadow");
+    }
+}
+
+/// The place of the point in a texture, where it is on a surface that has one.
+fn texture(ui: &mut egui::Ui, state: &State, position: DVec3) {
+    let (lang, digits) = (state.settings.lang, state.settings.digits);
+    let Some(at) = texel_at(state.scene_cache.scene(), state.document.camera(), position) else { return };
+    let label = ui.add(egui::Label::new(explain_point::on_texture(lang, &at, digits)).wrap());
+    help_topic_row(ui, label.rect, "stage-texture");
 }
 
 /// The points, one of them chosen; and the buttons that add and delete them.

@@ -1,5 +1,5 @@
-//! A lesson of the user's own that is written in the window: the texts of its step as they are typed, the changes of its
-//! file, and the way back.
+//! A lesson of the user's own that is written in the window: the texts of its step as they are typed, the changes of
+//! its file, and the way back.
 
 use std::path::Path;
 use std::sync::Arc;

@@ -12,7 +12,7 @@ const DARK: [u8; 4] = [0x4a, 0x52, 0x5c, 255];
 /// Eight by eight squares.
 pub(super) static CHEQUER: LazyLock<Arc<Texture>> = LazyLock::new(|| {
     const SQUARE: u32 = 16;
-    drawn(8 * SQUARE, |x, y| if (x / SQUARE + y / SQUARE) % 2 == 0 { LIGHT } else { DARK })
+    drawn(8 * SQUARE, |x, y| if (x / SQUARE + y / SQUARE).is_multiple_of(2) { LIGHT } else { DARK })
 });
 
 /// Four by four cells with the letters A to P, from the top left on; a line between two cells, a red one below, where v

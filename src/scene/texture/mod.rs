@@ -10,62 +10,12 @@ mod builtin;
 mod decode;
 mod unwrap;
 
-use std::fmt;
 use std::sync::Arc;
 
-use super::Mesh;
+use super::{Mesh, TextureSource};
 pub(super) use decode::{Alpha, Textures};
 pub use decode::{TextureError, TextureFault};
 pub(super) use unwrap::{mapped, split};
-
-/// The source of the texture of an object, `texture` in a figure file.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum TextureSource {
-    /// None, also where the mesh file has one.
-    None,
-    /// Black and white squares, eight by eight.
-    Chequer,
-    /// A grid with a letter in each of its sixteen cells.
-    Letters,
-    /// u in red, v in green.
-    Uv,
-    /// A picture, relative to the figure file.
-    File(String),
-}
-
-impl TextureSource {
-    /// Those of the program, with their names in a figure file.
-    pub const NAMED: [(&'static str, Self); 4] =
-        [("none", Self::None), ("chequer", Self::Chequer), ("letters", Self::Letters), ("uv", Self::Uv)];
-
-    /// The source with this name, or the file.
-    #[must_use]
-    pub fn of(text: &str) -> Self {
-        let named = Self::NAMED.into_iter().find(|(name, _)| *name == text);
-        named.map_or_else(|| Self::File(text.to_owned()), |(_, source)| source)
-    }
-
-    /// The file that it comes from, relative to the figure file.
-    #[must_use]
-    pub fn file(&self) -> Option<&str> {
-        match self {
-            Self::File(path) => Some(path),
-            Self::None | Self::Chequer | Self::Letters | Self::Uv => None,
-        }
-    }
-}
-
-impl fmt::Display for TextureSource {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::None => "none",
-            Self::Chequer => "chequer",
-            Self::Letters => "letters",
-            Self::Uv => "uv",
-            Self::File(path) => path,
-        })
-    }
-}
 
 /// Texture coordinates of the corners of each triangle: (0, 0) at the top left of the picture.
 pub type CornerUv = [[f32; 2]; 3];

@@ -1,15 +1,19 @@
-//! The fields of a light.
+//! The fields of a light, and of its shadows.
 
 use eframe::egui;
 use glam::DVec3;
 
 use super::{Edit, SceneForm};
-use crate::gui::panels::{VectorField, choice, row};
+use crate::figure::ShadowReveal;
+use crate::gui::number_field::{NumberField, Step};
+use crate::gui::panels::{VectorField, choice, complaint, row};
+use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
-use crate::scene::{DEFAULT_LIGHT, Light, LightKind};
+use crate::i18n::scenes::Texts;
+use crate::scene::{DEFAULT_LIGHT, Light, LightKind, Shadows};
 
 /// Kind, direction or position; returns the request of the button.
-pub(super) fn ui(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) -> Option<Edit> {
+pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let light = *form.scene.lights.get(index)?;
     let mut kind = light.kind;
@@ -35,7 +39,56 @@ pub(super) fn ui(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) -> Optio
         LightKind::Directional => -vector,
         LightKind::Point => -vector * (10.0 * form.step),
     };
-    form.scene.lights[index] = Light { kind, vector };
+    let shadows = shadows(ui, form, &owner, light.shadows);
+    form.scene.lights[index] = Light { kind, vector, shadows };
+    if shadows.cast {
+        reveal(ui, state, form.t);
+    }
     ui.add_space(2.0);
     ui.button(t.delete).explained(t.delete_hint).clicked().then_some(Edit::RemoveLight(index))
+}
+
+/// The inner work of shadows, in all pictures.
+fn reveal(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+    let now = state.document.figure().reveal.shadows;
+    let mut chosen = now;
+    let all = [
+        (None, t.shadow_plain),
+        (Some(ShadowReveal::Map), t.shadow_of_light),
+        (Some(ShadowReveal::Acne), t.shadow_acne),
+    ];
+    row(ui, "", t.shadow_reveal, t.shadow_reveal_hint, |ui| {
+        choice(ui, t.shadow_reveal, t.shadow_reveal_hint, &mut chosen, &all);
+    });
+    if chosen != now {
+        state.document.edit(|figure| figure.reveal.shadows = chosen);
+    }
+}
+
+/// The switch, and the numbers where it is on.
+fn shadows(ui: &mut egui::Ui, form: &SceneForm, owner: &str, mut now: Shadows) -> Shadows {
+    let t = form.t;
+    ui.checkbox(&mut now.cast, t.shadows).explained(t.shadows_hint);
+    if !now.cast {
+        return now;
+    }
+    let number =
+        |ui: &mut egui::Ui, [name, hint]: [&'static str; 2], step, [least, most]: [f64; 2], value: &mut f64| {
+            let output = row(ui, "", name, hint, |ui| {
+                let field = NumberField::new(name, step).of(owner).within(least..=most).width(92.0).hint(hint);
+                let whole = if matches!(step, Step::Multiply(_)) { field.whole() } else { field };
+                whole.show(ui, form.window, value)
+            });
+            if let Some(error) = &output.error {
+                complaint(ui, &error.text(form.lang));
+            }
+        };
+    let mut map = f64::from(now.map);
+    number(ui, [t.shadow_map, t.shadow_map_hint], Step::Multiply(2.0), Shadows::MAPS.map(f64::from), &mut map);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
+    let whole = map as u32;
+    now.map = whole;
+    number(ui, [t.shadow_bias, t.shadow_bias_hint], Step::Add(0.25), Shadows::BIASES, &mut now.bias);
+    number(ui, [t.shadow_softness, t.shadow_softness_hint], Step::Add(0.25), Shadows::SOFTNESSES, &mut now.softness);
+    now
 }

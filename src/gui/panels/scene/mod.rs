@@ -24,8 +24,10 @@ use crate::figure::Measured;
 use crate::gui::context_help::{has_focus, help_topic_row};
 use crate::gui::focus::keep_in_sight;
 use crate::gui::number_field::FieldOutput;
-use crate::gui::state::{Dialog, Draft, Message, Selected, State};
+use crate::gui::state::{Dialog, Draft, Message, Selected, State, Typing};
+use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
+use crate::i18n::Lang;
 use crate::i18n::faults;
 use crate::i18n::notes;
 use crate::i18n::scenes::{self, Texts};
@@ -152,7 +154,7 @@ fn selected(ui: &mut egui::Ui, state: &mut State, t: &Texts) -> Option<Edit> {
             section_of(ui, t.object, |ui| object::of_preset(ui, state, &mut form, &name));
             None
         }
-        Some(Selected::Light(index)) => section_of(ui, t.light, |ui| light::ui(ui, &mut form, index)).flatten(),
+        Some(Selected::Light(index)) => section_of(ui, t.light, |ui| light::ui(ui, state, &mut form, index)).flatten(),
     };
     form.finish(state);
     asked
@@ -168,7 +170,7 @@ fn section_of<R>(ui: &mut egui::Ui, title: &str, body: impl FnOnce(&mut egui::Ui
 struct SceneForm {
     t: &'static Texts,
     window: &'static window::Texts,
-    lang: crate::i18n::Lang,
+    lang: Lang,
     base: SceneSpec,
     scene: SceneSpec,
     error: Option<SceneError>,
@@ -314,4 +316,25 @@ fn perform(state: &mut State, edit: Edit) {
             state.say(Message::LightDeleted(index));
         }
     }
+}
+
+/// A field that is as high as those of numbers.
+fn text_field(
+    ui: &mut egui::Ui,
+    lang: Lang,
+    text: &mut String,
+    most: usize,
+    (id, width): (egui::Id, f32),
+) -> egui::Response {
+    let field = TextField::line(text, most).with(|edit| {
+        let edit = edit.id(id).desired_width(width).align(egui::Align2::LEFT_CENTER);
+        edit.margin(egui::Margin::symmetric(4, 2))
+    });
+    field.show(ui, lang)
+}
+
+/// The text being typed for an object.
+fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
+    let is_it = |typing: &Typing| typing.owner == owner && typing.key == key;
+    if state.tree.typing.as_ref().is_some_and(is_it) { state.tree.typing.take() } else { None }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use eframe::egui::{self, Key, RichText};
 use glam::DVec3;
 
-use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, texture};
+use super::{Edit, ROTATE, SCALE, SceneForm, TRANSLATE, TransformPart, text_field, texture, typing};
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
 use crate::gui::context_help::{help_topic, help_topic_row};
@@ -13,10 +13,9 @@ use crate::gui::file_flow;
 use crate::gui::number_field::{FieldError, NumberField, Step};
 use crate::gui::panels::{VectorField, complaint, row};
 use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_objects};
-use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::scenes::{self, Texts, preset_object};
-use crate::i18n::{Lang, faults, messages, notes};
+use crate::i18n::{faults, messages, notes};
 use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MAX_TYPED, MAX_TYPED_NAME, MIN_SEGMENTS};
 use crate::numbers::without_rests;
 use crate::sanitize::escaped;
@@ -121,27 +120,6 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str
         _ => {}
     }
     state.tree.typing = Some(typing);
-}
-
-/// A field that is as high as those of numbers.
-pub(super) fn text_field(
-    ui: &mut egui::Ui,
-    lang: Lang,
-    text: &mut String,
-    most: usize,
-    (id, width): (egui::Id, f32),
-) -> egui::Response {
-    let field = TextField::line(text, most).with(|edit| {
-        let edit = edit.id(id).desired_width(width).align(egui::Align2::LEFT_CENTER);
-        edit.margin(egui::Margin::symmetric(4, 2))
-    });
-    field.show(ui, lang)
-}
-
-/// The text being typed for an object.
-pub(super) fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
-    let is_it = |typing: &Typing| typing.owner == owner && typing.key == key;
-    if state.tree.typing.as_ref().is_some_and(is_it) { state.tree.typing.take() } else { None }
 }
 
 /// Another shape with the same transform; a shape with data of its own is not offered.
@@ -426,15 +404,8 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     if let Some(error) = problem {
         complaint(ui, &faults::scene_error(state.settings.lang, &error));
     }
-    texture::notices(ui, state, owner);
-    if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
-        state.document.allow_files();
-        state.message = None;
-    }
-    if is_lacking && ui.button(t.read_again).explained(t.read_again_hint).clicked() {
-        state.scene_cache.read_again();
-        state.message = None;
-    }
+    let [outside, lacking] = texture::notices(ui, state, owner);
+    texture::mend(ui, state, [is_outside || outside, is_lacking || lacking]);
 }
 
 /// Duplicates the selection; the copies are selected then.

@@ -2,8 +2,7 @@
 
 use eframe::egui::{self, Key, RichText};
 
-use super::SceneForm;
-use super::object::{text_field, typing};
+use super::{SceneForm, text_field, typing};
 use crate::appearance::{Filter, TextureReveal, Wrap};
 use crate::figure::words::TEXTURE_REVEALS;
 use crate::gui::file_flow;
@@ -32,7 +31,8 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, ind
         reveal(ui, state, form.t);
     }
     if !is_mesh {
-        notices(ui, state, &owner);
+        let found = notices(ui, state, &owner);
+        mend(ui, state, found);
     }
 }
 
@@ -41,17 +41,29 @@ fn has_faces(shape: &Shape) -> bool {
     !matches!(shape, Shape::Grid | Shape::Points(_) | Shape::Segments(_))
 }
 
-/// What could not be used for an object, and the button that lets it be.
-pub(super) fn notices(ui: &mut egui::Ui, state: &mut State, owner: &str) {
-    let mut is_outside = false;
+/// Notices about what cannot be used for an object; gives whether the user can allow files, and whether they can be
+/// read again.
+pub(super) fn notices(ui: &mut egui::Ui, state: &State, owner: &str) -> [bool; 2] {
+    let mut found = [false; 2];
     for (_, notice) in state.scene_cache.scene().notices.iter().filter(|(object, _)| object == owner) {
         let words = format!("⚠ {}", messages::mesh_notice(state.settings.lang, notice));
         ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
-        is_outside |= matches!(notice, MeshNotice::Texture(error) if error.is_outside());
+        if let MeshNotice::Texture(error) = notice {
+            found = [found[0] || error.is_outside(), true];
+        }
     }
+    found
+}
+
+/// The buttons by which the user mends what could not be read.
+pub(super) fn mend(ui: &mut egui::Ui, state: &mut State, [is_outside, is_lacking]: [bool; 2]) {
     let t = crate::i18n::scenes::texts(state.settings.lang);
     if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
         state.document.allow_files();
+        state.message = None;
+    }
+    if is_lacking && ui.button(t.read_again).explained(t.read_again_hint).clicked() {
+        state.scene_cache.read_again();
         state.message = None;
     }
 }

@@ -1,0 +1,118 @@
+//! Shadows on surfaces: the depths that a light sees, and the part of the light that is missing where it sees
+//! something nearer.
+
+use std::sync::{Arc, OnceLock};
+
+use super::Drawing;
+use crate::appearance::LightShare;
+
+/// The shadows of one light on a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shadow {
+    /// What the light sees.
+    pub map: Arc<ShadowMap>,
+    /// The place of each vertex for the light, in the space of [`Rays`]; affine over each triangle.
+    pub places: Vec<[f32; 3]>,
+    /// The plane of each triangle for the light, as [`Rays`] has it.
+    pub planes: Vec<[f32; 3]>,
+    /// The light that is missing in the shadow.
+    pub taken: TakenLight,
+}
+
+/// The light that a shadow takes away: that of one lamp.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TakenLight {
+    /// From each triangle, of its light by [`SurfaceLight::Faces`](super::SurfaceLight::Faces).
+    Faces(Vec<LightShare>),
+    /// From each vertex, of its light by [`SurfaceLight::Vertices`](super::SurfaceLight::Vertices).
+    Vertices(Vec<LightShare>),
+    /// From each pixel: all of this one of [`Lighting::lights`](super::Lighting::lights).
+    Light(usize),
+}
+
+/// What a light sees: drawings of all that casts shadows, of whose depths a rasterizer makes a map.
+#[derive(Debug)]
+pub struct ShadowMap {
+    /// One for parallel light, six around a lamp: square, without light, one sample in each pixel. A pixel is a texel.
+    pub views: Vec<Drawing>,
+    /// Side of each, texels.
+    pub size: u32,
+    /// How its rays go.
+    pub rays: Rays,
+    /// See [`Shadows::bias`](crate::scene::Shadows::bias).
+    pub bias: f32,
+    /// Width of the soft edge, texels.
+    pub softness: f32,
+    /// The depths, row by row; −∞ where the light sees nothing. Those of a view are none before it was painted.
+    depths: OnceLock<Vec<Vec<f32>>>,
+}
+
+/// The way of the rays of a light, and with it the space of places and planes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Rays {
+    /// A place is x and y in texels, and the depth of the drawing; a plane the change of the depth from texel to texel,
+    /// to the right and down, and 0.
+    Parallel {
+        /// The difference in depth that is as long as a texel.
+        step: f32,
+    },
+    /// A place is the vector from the lamp, in units of the farthest distance; a plane the vector **q** with
+    /// **q** · p = 1 at each of its points.
+    FromLamp {
+        /// Of each view the unit vectors to the right, up, and forwards.
+        axes: [[[f32; 3]; 3]; 6],
+        /// Half of the width of a view at the distance 1: a little more than 1, so that views overlap.
+        reach: f32,
+        /// The depth is this times 1/distance − 1.
+        unit: f32,
+    },
+}
+
+impl ShadowMap {
+    /// A map that is still to be painted.
+    #[must_use]
+    pub fn new(views: Vec<Drawing>, size: u32, rays: Rays, [bias, softness]: [f32; 2]) -> Self {
+        Self { views, size, rays, bias, softness, depths: OnceLock::new() }
+    }
+
+    /// The depths of each view, row by row, once somebody has painted them.
+    #[must_use]
+    pub fn depths(&self) -> Option<&[Vec<f32>]> {
+        self.depths.get().map(Vec::as_slice)
+    }
+
+    /// Keeps the depths that were painted; the first ones stay.
+    pub fn keep(&self, depths: Vec<Vec<f32>>) {
+        // Whoever was first has the same.
+        let _ = self.depths.set(depths);
+    }
+}
+
+/// Equal recipes: whether they have been painted is of no matter.
+impl PartialEq for ShadowMap {
+    fn eq(&self, other: &Self) -> bool {
+        let numbers = |map: &Self| (map.size, map.bias, map.softness);
+        numbers(self) == numbers(other) && self.rays == other.rays && self.views == other.views
+    }
+}
+
+impl Shadow {
+    /// The same shadow on a surface that has no vertices and no triangles yet.
+    #[must_use]
+    pub fn bare(&self) -> Self {
+        let taken = match &self.taken {
+            TakenLight::Faces(_) => TakenLight::Faces(Vec::new()),
+            TakenLight::Vertices(_) => TakenLight::Vertices(Vec::new()),
+            TakenLight::Light(light) => TakenLight::Light(*light),
+        };
+        Self { map: Arc::clone(&self.map), places: Vec::new(), planes: Vec::new(), taken }
+    }
+
+    /// Keeps only what belongs to the first triangles.
+    pub(super) fn truncate(&mut self, count: usize) {
+        self.planes.truncate(count);
+        if let TakenLight::Faces(shares) = &mut self.taken {
+            shares.truncate(count);
+        }
+    }
+}

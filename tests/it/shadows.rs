@@ -1,0 +1,396 @@
+//! Shadows against rays: every pixel of a picture with shadow maps is held against a ray to the light, in `f64`, on the
+//! triangles of the scene.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::sync::Arc;
+
+use camera_lab::appearance::{Rgba, Shading, Style, Theme, Visibility};
+use camera_lab::camera::{Camera, ImageSize};
+use camera_lab::drawing::ShadowMap;
+use camera_lab::figure::Figure;
+use camera_lab::figure::read::parse;
+use camera_lab::files::SHIPPED_FIGURES;
+use camera_lab::pipeline::light::{AMBIENT, DIFFUSE};
+use camera_lab::pipeline::plan::{Options, Output, Reason, Stage};
+use camera_lab::pipeline::{Frame, Pipeline, Target};
+use camera_lab::raster::Rasterizer;
+use camera_lab::scene::{Light, LightKind, ObjectPaint, Scene, Shadows, build, no_files};
+use glam::DVec3;
+use rayon::prelude::*;
+
+const WHITE: Rgba = Rgba::rgb(255, 255, 255);
+
+/// A floor with a box, a ball and a ring over it.
+const TABLE: &str = r#"
+[camera]
+position = [4, 5, 6]
+focal_point = [0, 0.5, 0]
+view_angle = 40
+[scene]
+preset = "empty"
+[[scene.objects]]
+name = "floor"
+shape = "box"
+scale = [3, 0.1, 3]
+translate = [0, -0.1, 0]
+[[scene.objects]]
+name = "cube"
+shape = "box"
+scale = [0.5, 0.5, 0.5]
+translate = [-1, 0.5, 0.5]
+[[scene.objects]]
+name = "ball"
+shape = "sphere"
+scale = [0.6, 0.6, 0.6]
+translate = [0.8, 0.6, 0.8]
+[[scene.objects]]
+name = "ring"
+shape = "torus"
+scale = [0.6, 0.6, 0.6]
+translate = [0.3, 1.2, -1]
+rotate = [60, 0, 20]
+"#;
+
+fn sun() -> Light {
+    Light::directional(DVec3::new(-1.0, -2.0, -1.0)).with_shadows(Shadows::CAST)
+}
+
+fn lamp() -> Light {
+    Light::point(DVec3::new(2.0, 3.0, 1.5)).with_shadows(Shadows::CAST)
+}
+
+/// A figure with one light, white and without lines, so that a pixel says how much light it gets.
+fn white(figure: &Figure, light: Light) -> (Scene, Camera) {
+    let style = Style { theme: Theme::Print, ..Style::default() };
+    let mut scene = build(&figure.scene, &style, &mut no_files).unwrap();
+    scene.objects.retain(|object| object.faces);
+    for object in &mut scene.objects {
+        object.paint = ObjectPaint::Solid(WHITE);
+        (object.lit, object.edges, object.outline) = (true, None, None);
+    }
+    let scene = Scene { objects: scene.objects, lights: vec![light], ..Scene::default() };
+    (scene, Camera::new(&figure.camera).unwrap())
+}
+
+const FLAT: Style = Style {
+    shading: Shading::Flat,
+    visibility: Visibility::DepthBuffer,
+    hidden_lines: camera_lab::appearance::HiddenLines::Shown,
+    antialias: 1,
+    theme: Theme::Light,
+    depth_format: camera_lab::appearance::DepthFormat::Float,
+};
+
+fn target(size: ImageSize) -> Target {
+    Target { width: size.width, height: size.height, scale: 1.0, background: Rgba::rgb(0, 0, 255) }
+}
+
+fn frame(scene: &Scene, camera: &Camera, style: &Style, size: ImageSize) -> Frame {
+    Pipeline::default().frame(scene, camera, target(size), style, Options::default())
+}
+
+fn pixels(scene: &Scene, camera: &Camera, style: &Style, size: ImageSize) -> Vec<u8> {
+    let frame = frame(scene, camera, style, size);
+    Rasterizer::default().paint(&frame.drawing).unwrap().data().to_vec()
+}
+
+/// The triangles of a scene in the world.
+struct Solids(Vec<[DVec3; 3]>);
+
+impl Solids {
+    fn of(scene: &Scene) -> Self {
+        let of_object = |object: &camera_lab::scene::Object| {
+            let at = |i: u32| object.world_from_object.transform_point3(object.mesh.positions[i as usize]);
+            object.mesh.triangles.iter().map(|t| t.map(at)).collect::<Vec<_>>()
+        };
+        Self(scene.objects.iter().flat_map(of_object).collect())
+    }
+
+    /// The first triangle that a ray meets after `from`, and where; [Möller, Trumbore 1997].
+    fn hit(&self, origin: DVec3, ray: DVec3, without: usize, within: std::ops::Range<f64>) -> Option<(usize, f64)> {
+        let mut best: Option<(usize, f64)> = None;
+        for (k, &[a, b, c]) in self.0.iter().enumerate().filter(|(k, _)| *k != without) {
+            let (ab, ac) = (b - a, c - a);
+            let p = ray.cross(ac);
+            let determinant = ab.dot(p);
+            if determinant == 0.0 {
+                continue;
+            }
+            let s = (origin - a) / determinant;
+            let u = s.dot(p);
+            let q = s.cross(ab);
+            let (v, t) = (ray.dot(q), ac.dot(q));
+            if u >= 0.0 && v >= 0.0 && u + v <= 1.0 && within.contains(&t) && best.is_none_or(|(_, old)| t < old) {
+                best = Some((k, t));
+            }
+        }
+        best
+    }
+
+    /// Whether a light sees a point of a triangle.
+    fn is_lit(&self, p: DVec3, triangle: usize, light: &Light) -> bool {
+        // What touches hides nothing.
+        let touching = 1e-9 * (1.0 + p.length());
+        let (ray, until) = to_light(p, light);
+        self.hit(p, ray, triangle, touching..until).is_none()
+    }
+}
+
+/// The unit vector to a light, and how far it is.
+fn to_light(p: DVec3, light: &Light) -> (DVec3, f64) {
+    match light.kind {
+        LightKind::Directional => (-light.vector.normalize(), f64::INFINITY),
+        LightKind::Point => ((light.vector - p).normalize(), light.vector.distance(p)),
+    }
+}
+
+/// The length of a texel at a point.
+fn texel(scene: &Scene, p: DVec3, light: &Light) -> f64 {
+    let size = f64::from(light.shadows.map);
+    match light.kind {
+        LightKind::Directional => 2.0 * scene.bounds().unwrap().radius() / size,
+        // A diagonal of the map is the longest.
+        LightKind::Point => 2.0 * light.vector.distance(p) * 3_f64.sqrt() / size,
+    }
+}
+
+/// Pixels that tell, wrong ones, and wrong ones farther than a texel from the edge of a shadow.
+fn wrong(scene: &Scene, camera: &Camera, light: Light, size: ImageSize) -> [usize; 3] {
+    let shadowed = pixels(scene, camera, &FLAT, size);
+    let solids = Solids::of(scene);
+    let rows: Vec<[usize; 3]> = (0..size.height)
+        .into_par_iter()
+        .map(|j| {
+            let mut counts = [0; 3];
+            for i in 0..size.width {
+                let pixel = [f64::from(i) + 0.5, f64::from(j) + 0.5];
+                let (origin, ray) = ray_of(camera, size, pixel);
+                let Some((triangle, t)) = solids.hit(origin, ray, usize::MAX, camera.near()..camera.far()) else {
+                    continue;
+                };
+                let p = origin + ray * t;
+                let [a, b, c] = solids.0[triangle];
+                let normal = (b - a).cross(c - a).normalize();
+                let towards = if normal.dot(ray) > 0.0 { -normal } else { normal };
+                let cosine = towards.dot(to_light(p, &light).0);
+                if cosine < 0.1 {
+                    continue;
+                }
+                let bright = f64::from(AMBIENT) + f64::from(DIFFUSE) * cosine;
+                let value = f64::from(shadowed[4 * (j * size.width + i) as usize]) / 255.0;
+                let arrives = (value - f64::from(AMBIENT)) / (bright - f64::from(AMBIENT));
+                counts[0] += 1;
+                let truth = solids.is_lit(p, triangle, &light);
+                if (arrives > 0.5) == truth {
+                    continue;
+                }
+                let beside = [[0.01, 0.0], [-0.01, 0.0], [0.0, 0.01], [0.0, -0.01]].map(|[x, y]| {
+                    let (origin, ray) = ray_of(camera, size, [pixel[0] + x, pixel[1] + y]);
+                    solids.hit(origin, ray, usize::MAX, camera.near()..camera.far()).map(|(k, _)| k)
+                });
+                if beside.iter().any(|other| *other != Some(triangle)) {
+                    // On an edge of the picture, where another face is drawn.
+                    continue;
+                }
+                counts[1] += 1;
+                // Around the point, on its plane, within a texel on the way to the light.
+                let to_light = to_light(p, &light).0;
+                let (u, v) = to_light.any_orthonormal_pair();
+                let step = texel(scene, p, &light);
+                let around = (-4..=4).flat_map(|x| (-4..=4).map(move |y| [f64::from(x) / 4.0, f64::from(y) / 4.0]));
+                let differs = around.into_iter().any(|[x, y]| {
+                    let aside = (u * x + v * y) * step;
+                    let q = p + aside - to_light * (aside.dot(towards) / cosine);
+                    solids.is_lit(q, triangle, &light) != truth
+                });
+                if !differs {
+                    counts[2] += 1;
+                }
+            }
+            counts
+        })
+        .collect();
+    rows.into_iter().fold([0; 3], |[a, b, c], [d, e, f]| [a + d, b + e, c + f])
+}
+
+/// The ray through a pixel: its points are origin + t · ray, at the distance t from the plane of the eye.
+fn ray_of(camera: &Camera, size: ImageSize, [x, y]: [f64; 2]) -> (DVec3, DVec3) {
+    let (window, basis) = (camera.window(), camera.basis());
+    let across = |low: f64, high: f64, share: f64| low + (high - low) * share;
+    let u = across(window.left, window.right, x / f64::from(size.width));
+    let v = across(window.top, window.bottom, y / f64::from(size.height));
+    let aside = basis.u * u + basis.v * v;
+    match camera.projection() {
+        camera_lab::camera::Projection::Parallel => (camera.position() + aside, -basis.n),
+        camera_lab::camera::Projection::Perspective => (camera.position(), aside / camera.near() - basis.n),
+    }
+}
+
+fn size_of(camera: &Camera) -> ImageSize {
+    let height = (240.0 / camera.window_aspect().max(1.0)).round();
+    ImageSize { width: (height * camera.window_aspect()).round() as u32, height: height as u32 }
+}
+
+#[test]
+fn shadows_are_where_rays_to_the_light_are_stopped() {
+    let table = parse(TABLE).unwrap();
+    for light in [sun(), lamp()] {
+        let (scene, camera) = white(&table, light);
+        let [told, wrong, far] = wrong(&scene, &camera, light, size_of(&camera));
+        assert!(told > 10_000 && 200 * wrong < told && far == 0, "{light:?}: {wrong} of {told} wrong, {far} far");
+    }
+}
+
+#[test]
+fn shipped_figures_have_neither_acne_nor_detached_shadows() {
+    let mut seen = Vec::new();
+    for shipped in SHIPPED_FIGURES {
+        let figure = parse(&shipped.text()).unwrap();
+        if seen.contains(&figure.scene) {
+            continue;
+        }
+        seen.push(figure.scene.clone());
+        let style = Style::default();
+        if build(&figure.scene, &style, &mut no_files).is_err() || Camera::new(&figure.camera).is_err() {
+            // With a mesh from a file.
+            continue;
+        }
+        let light = sun();
+        let (scene, camera) = white(&figure, light);
+        if scene.bounds().is_none() {
+            continue;
+        }
+        let size = size_of(&camera);
+        let size = ImageSize { width: size.width / 2, height: size.height / 2 };
+        let [told, wrong, far] = wrong(&scene, &camera, light, size);
+        assert!(200 * wrong <= told && far == 0, "{}: {wrong} of {told} wrong, {far} far", shipped.name);
+    }
+}
+
+#[test]
+fn without_bias_faces_shadow_themselves_and_with_too_much_shadows_shrink() {
+    let figure = parse(TABLE).unwrap();
+    let dark = |bias: f64, map: u32| {
+        let light = sun().with_shadows(Shadows { bias, map, ..Shadows::CAST });
+        let (scene, camera) = white(&figure, light);
+        let size = size_of(&camera);
+        let lit = Scene { lights: vec![light.with_shadows(Shadows::NONE)], ..scene.clone() };
+        let (with, without) = (pixels(&scene, &camera, &FLAT, size), pixels(&lit, &camera, &FLAT, size));
+        with.iter().zip(&without).filter(|(with, without)| **with < without.saturating_sub(8)).count()
+    };
+    let [acne, usual, detached] = [dark(0.0, 256), dark(1.0, 256), dark(40.0, 256)];
+    assert!(acne > 2 * usual && 4 * detached < 3 * usual, "{acne} {usual} {detached}");
+}
+
+#[test]
+fn every_shading_and_order_has_the_same_shadows() {
+    let figure = parse(TABLE).unwrap();
+    for light in [sun(), lamp()] {
+        let (scene, camera) = white(&figure, light);
+        let lit = Scene { lights: vec![light.with_shadows(Shadows::NONE)], ..scene.clone() };
+        let size = ImageSize { width: 200, height: 150 };
+        let dark = |style: Style| {
+            let (with, without) = (pixels(&scene, &camera, &style, size), pixels(&lit, &camera, &style, size));
+            let darker = |(with, without): (&u8, &u8)| *with < without.saturating_sub(40);
+            with.iter().zip(&without).map(darker).collect::<Vec<_>>()
+        };
+        let flat = dark(FLAT);
+        let count = flat.iter().filter(|dark| **dark).count();
+        assert!(count > 600, "{light:?} {count}");
+        for (shading, visibility) in [
+            (Shading::Flat, Visibility::Bsp),
+            (Shading::Gouraud, Visibility::DepthBuffer),
+            (Shading::Gouraud, Visibility::Bsp),
+            (Shading::Phong, Visibility::DepthBuffer),
+            (Shading::Phong, Visibility::Bsp),
+        ] {
+            let other = dark(Style { shading, visibility, ..FLAT });
+            let differ = flat.iter().zip(&other).filter(|(a, b)| a != b).count();
+            assert!(4 * differ < count, "{shading:?} {visibility:?}: {differ} of {count}");
+        }
+    }
+}
+
+#[test]
+fn shadows_do_not_depend_on_the_number_of_threads() {
+    let figure = parse(TABLE).unwrap();
+    let (scene, camera) = white(&figure, lamp());
+    let size = ImageSize { width: 200, height: 150 };
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| pixels(&scene, &camera, &Style { shading: Shading::Phong, ..FLAT }, size))
+    };
+    assert!(with(1) == with(4));
+}
+
+#[test]
+fn a_map_is_kept_while_neither_light_nor_scene_changes() {
+    let figure = parse(TABLE).unwrap();
+    let (mut scene, camera) = white(&figure, sun());
+    let size = ImageSize { width: 80, height: 60 };
+    let mut pipeline = Pipeline::default();
+    let mut map = |scene: &Scene, camera: &Camera| {
+        let frame = pipeline.frame(scene, camera, target(size), &FLAT, Options::default());
+        Arc::clone(&frame.drawing.surfaces[0].shadows.last().unwrap().map)
+    };
+    let same = |one: &Arc<ShadowMap>, other: &Arc<ShadowMap>| Arc::ptr_eq(one, other);
+    let first = map(&scene, &camera);
+    let mut moved = figure.camera;
+    moved.position += DVec3::X;
+    assert!(same(&map(&scene, &Camera::new(&moved).unwrap()), &first));
+    scene.lights.insert(0, Light::point(DVec3::Y));
+    assert!(same(&map(&scene, &camera), &first));
+    scene.objects[2].world_from_object *= glam::DMat4::from_translation(DVec3::Y);
+    let other = map(&scene, &camera);
+    assert!(!same(&other, &first) && *other != *first);
+    scene.lights[1].shadows.bias = 2.0;
+    assert!(!same(&map(&scene, &camera), &other));
+}
+
+#[test]
+fn the_stage_runs_only_where_a_shadow_may_fall() {
+    let figure = parse(TABLE).unwrap();
+    let (scene, camera) = white(&figure, sun());
+    let size = ImageSize { width: 80, height: 60 };
+    let forced = Options { force_all_stages: true, output: Output::Pixels, ..Options::default() };
+    let told = |scene: &Scene, style: &Style| {
+        let frame = frame(scene, &camera, style, size);
+        let all = Pipeline::default().frame(scene, &camera, target(size), style, forced);
+        let paint = |frame: &Frame| Rasterizer::default().paint(&frame.drawing).unwrap().data().to_vec();
+        assert!(paint(&frame) == paint(&all), "forced is as planned");
+        let planned = frame.plan.stage(Stage::Shadow);
+        (planned.runs, planned.reason)
+    };
+    for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+        let style = Style { shading, ..FLAT };
+        assert_eq!(told(&scene, &style), (true, Reason::Shadowed { objects: 4 }));
+        let mut none = scene.clone();
+        none.lights[0].shadows.cast = false;
+        assert_eq!(told(&none, &style), (false, Reason::NoShadows));
+        let mut unlit = scene.clone();
+        unlit.objects.iter_mut().for_each(|object| object.lit = false);
+        assert_eq!(told(&unlit, &style), (false, Reason::NothingShadowed));
+        let mut glass = scene.clone();
+        glass.objects.iter_mut().for_each(|object| object.paint = ObjectPaint::Solid(Rgba::rgba(9, 9, 9, 99)));
+        assert_eq!(told(&glass, &style), (false, Reason::NoShadows));
+    }
+    assert_eq!(told(&scene, &Style { shading: Shading::Wireframe, ..FLAT }), (false, Reason::Wireframe));
+}
+
+#[test]
+fn a_light_from_below_or_within_and_lights_of_nonsense_make_pictures() {
+    let figure = parse(TABLE).unwrap();
+    let size = ImageSize { width: 40, height: 30 };
+    for vector in [DVec3::Y, DVec3::NEG_Y, DVec3::ZERO, DVec3::new(0.8, 0.6, 0.8), DVec3::splat(1e200), DVec3::NAN] {
+        for kind in [LightKind::Directional, LightKind::Point] {
+            for map in [0, 64] {
+                let shadows = Shadows { map, bias: f64::NAN, ..Shadows::CAST };
+                for shadows in [shadows, Shadows { map: 64, ..Shadows::CAST }] {
+                    let (scene, camera) = white(&figure, Light { kind, vector, shadows });
+                    assert_eq!(pixels(&scene, &camera, &FLAT, size).len(), 4800);
+                }
+            }
+        }
+    }
+}
