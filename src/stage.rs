@@ -100,11 +100,11 @@ impl Stage {
         self.row().0
     }
 
-    /// False where its operations are not counted: work on whole objects, and lines, marks and texts, of which neither
-    /// vertices nor samples are counted.
+    /// False where its operations are not counted: work on whole objects; shadows, whose maps are pictures of their own;
+    /// lines, marks and texts.
     #[must_use]
     pub const fn is_counted(self) -> bool {
-        !matches!(self, Self::Traverse | Self::CullObjects | Self::Lines)
+        !matches!(self, Self::Traverse | Self::CullObjects | Self::Shadow | Self::Lines)
     }
 
     /// True for a stage that works on pixels, the block of rasterization in `[3]` §1.2; else it belongs to geometry.

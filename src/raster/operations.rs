@@ -91,9 +91,9 @@ const AFFINE_COLOR: Operations = Operations::new(3 * 3, 3 + 5, 0);
 /// product and a sum, a product with w, 2 comparisons, the sum that rounds, and a mask; 5 operations join them.
 const DIVIDED_COLOR: Operations = Operations::new(4 + 1 + 3 * 6, 3 + 5, 0);
 
-/// `Weights::at`: for each of three vertices a plane (2 products, 2 sums, 2 comparisons) and a product; their sum; 4
+/// `Weights::at`: for each of three vertices a plane (2 products, 2 sums, 2 comparisons) and a product; their sum; 3
 /// divisions.
-const SHARES: Operations = Operations::new(3 * 7 + 2 + 4, 0, 0);
+const SHARES: Operations = Operations::new(3 * 7 + 2 + 3, 0, 0);
 
 /// `mix`: a component of an attribute from three shares: 3 products, 2 sums.
 const COMPONENT: Operations = Operations::new(5, 0, 0);
@@ -116,8 +116,8 @@ const SECOND_LEVEL: Operations = BILINEAR.and(Operations::new(1 + 4 * 3, 0, 0));
 /// (a sum, a root); half of a logarithm to base 2 (6).
 const DETAIL: Operations = Operations::new(4 * 4 + 3 + 2 * 2 + 7, 0, 0);
 
-/// The tint: for each of four channels a product, and the half that rounds.
-const TINT: Operations = Operations::new(4 * 2, 0, 0);
+/// The interpolated w, a division; the tint: for each of four channels a product, and the half that rounds.
+const TINT: Operations = Operations::new(1 + 4 * 2, 0, 0);
 
 /// `over`: what shows through (a shift, a mask, a bit-wise not), two halves of a pixel (3 masks, a product, 2 sums, 2
 /// shifts, and 2 shifts between them), a join and a sum; the colour behind is read.
