@@ -57,7 +57,7 @@ fn the_cost_is_told_only_where_it_is_asked_for() {
         assert_eq!(operations.keys().map(String::as_str).collect::<Vec<_>>(), ["float", "integer", "memory"]);
         assert!(operations.values().all(Value::is_u64), "{stage}");
     }
-    assert_eq!(explained["not_counted"], serde_json::json!(["traverse", "cull-objects", "lines"]));
+    assert_eq!(explained["not_counted"], serde_json::json!(["traverse", "cull-objects", "shadow", "lines"]));
     let plain: Value =
         serde_json::from_slice(bench.run(&["explain", "figure.toml", "--format", "json"]).done()).unwrap();
     assert!(plain["stages"].as_array().unwrap().iter().all(|stage| stage.get("operations").is_none()));
