@@ -271,10 +271,10 @@ pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> 
 pub fn no_areas(lang: Lang, why: &NoAreas) -> String {
     match (lang, why) {
         (Lang::En, NoAreas::Shaded) => {
-            "the faces are a picture: their colours vary over a face (Gouraud, Phong, textures); allowed for areas: shading = \"flat\" or \"wireframe\"".to_owned()
+            "the faces are a picture: their colours vary over a face (Gouraud, Phong, textures, shadows); allowed for areas: shading = \"flat\", without shadows, or \"wireframe\"".to_owned()
         }
         (Lang::PtBr, NoAreas::Shaded) => {
-            "as faces são uma imagem: suas cores variam sobre uma face (Gouraud, Phong, texturas); permitido para áreas: shading = \"flat\" ou \"wireframe\"".to_owned()
+            "as faces são uma imagem: suas cores variam sobre uma face (Gouraud, Phong, texturas, sombras); permitido para áreas: shading = \"flat\", sem sombras, ou \"wireframe\"".to_owned()
         }
         (Lang::En, NoAreas::OverBudget(over)) => format!("the faces are a picture: {}", messages::too_much(lang, over)),
         (Lang::PtBr, NoAreas::OverBudget(over)) => format!("as faces são uma imagem: {}", messages::too_much(lang, over)),

@@ -115,8 +115,8 @@ pub(super) fn of_faces(cost: &mut Cost, pass: &ObjectPass, faces: &Faces, lit: u
 
     let lighting = lights.lighting(pass.lights_both_sides(faces));
     let place = if lighting.needs_positions() { PLACE } else { Operations::NONE };
-    // On a texture the light stays apart from the colour.
-    let color = if pass.plan.textured { COLORS } else { WITH_LIGHT.and(COLORS) };
+    // On a texture, and in shadows, the light stays apart from the colour.
+    let color = if pass.plan.textured || pass.plan.shadowed { COLORS } else { WITH_LIGHT.and(COLORS) };
     let light = light_operations(&lighting).and(color);
     match pass.plan.lit {
         LitAt::Nowhere => {}

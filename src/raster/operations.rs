@@ -4,7 +4,7 @@
 //! column of a tile has in common is left out: it is a small part of one for each sample.
 
 use crate::appearance::{Filter, Sampler, TextureReveal};
-use crate::drawing::{Base, Drawing, Surface, SurfaceLight};
+use crate::drawing::{Base, Drawing, Rays, ShadowMap, Surface, SurfaceLight, TakenLight};
 use crate::lighting::{WITH_LIGHT, light_operations};
 use crate::stage::{Cost, Operations, Stage};
 
@@ -119,6 +119,21 @@ const DETAIL: Operations = Operations::new(4 * 4 + 3 + 2 * 2 + 7, 0, 0);
 /// The interpolated w, a division; the tint: for each of four channels a product, and the half that rounds.
 const TINT: Operations = Operations::new(1 + 4 * 2, 0, 0);
 
+/// `TriangleShadow` of parallel light: what is allowed (2 products, 3 sums), the borders of the soft edge (4 sums), the
+/// mean (a product, a division, 2 comparisons).
+const SHADOW: Operations = Operations::new(5 + 4 + 4, 0, 0);
+
+/// The same of a lamp: the views (six products of three components, 6 comparisons), the place in the one that was found
+/// (2 such products, 3 products, 3 sums, 2 divisions), the slopes (2 such products and 3 products), the step.
+const SHADOW_OF_LAMP: Operations = SHADOW.and(Operations::new(6 * 6 + 2 * 5 + 8 + 2 * 5 + 3 + 4, 0, 0));
+
+/// A texel under the soft edge: its distance from the place (4 sums), the plane there (3 products, 2 sums), a
+/// comparison; its share (2 comparisons, a difference, a product, a sum); its place in the map.
+const SHADOW_TEXEL: Operations = Operations::new(4 + 5 + 1 + 5, 2, 1);
+
+/// What is taken away of the two shares of light: a product and a difference each.
+const TAKEN: Operations = Operations::new(1 + 2 * 2, 0, 0);
+
 /// `over`: what shows through (a shift, a mask, a bit-wise not), two halves of a pixel (3 masks, a product, 2 sums, 2
 /// shifts, and 2 shifts between them), a join and a sum; the colour behind is read.
 const OVER: Operations = Operations::new(0, 3 + 2 * 8 + 2 + 2, 1);
@@ -194,11 +209,28 @@ pub(super) fn of_surface(cost: &mut Cost, surface: &Surface, depths: Depths, tal
             }
         }
     }
+    for shadow in &surface.shadows {
+        // The place for the light; of baked light also what may be missing of it.
+        let taken = if matches!(shadow.taken, TakenLight::Light(_)) { 0 } else { 2 };
+        cost.add(between, COMPONENT.times(3 + taken), pixels);
+        cost.add(Stage::Shadow, self::shadow(&shadow.map).and(TAKEN), pixels);
+    }
     if surface.translucent {
         let one_color = !in_batches && matches!(surface.base, Base::Solid(_) | Base::Faces(_));
         cost.add(Stage::Blend, PREMULTIPLY, if one_color { pixels } else { 0 });
         cost.add(Stage::Blend, OVER, written);
     }
+}
+
+/// The operations of a shadow at a pixel: along an axis, a soft edge of whole texels reaches over one more.
+fn shadow(map: &ShadowMap) -> Operations {
+    let once = match map.rays {
+        Rays::Parallel { .. } => SHADOW,
+        Rays::FromLamp { .. } => SHADOW_OF_LAMP,
+    };
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "8 at most")]
+    let side = if map.softness > 0.0 { map.softness.ceil() as u64 + 1 } else { 1 };
+    once.and(SHADOW_TEXEL.times(side * side))
 }
 
 /// The operations of a texture at a pixel that lies in one level.

@@ -118,7 +118,7 @@ fn who_types_in_the_gallery_searches_and_headings_are_links() {
     window.wait_for("Primitives: ");
     let top = |window: &Window| window.harness.get_by_label_contains("Phong shading: ").rect().top();
     assert!(top(&window) > 800.0, "far below");
-    window.harness.get_by_role_and_label(Role::Link, "Light").click();
+    window.harness.get_by_role_and_label(Role::Link, "Light, textures and shadows").click();
     window.run();
     window.run();
     assert!(top(&window) < 500.0, "{}", top(&window));
