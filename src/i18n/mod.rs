@@ -212,6 +212,9 @@ mod tests {
                 "infinite",
                 "address_hint",
                 "link",
+                "filter_bilinear",
+                "filter_trilinear",
+                "texture_texels",
                 "shape_cone",
             ]
         );
