@@ -60,7 +60,7 @@ pub enum Rays {
     /// **q** · p = 1 at each of its points.
     FromLamp {
         /// Of each view the unit vectors to the right, up, and forwards.
-        axes: [[[f32; 3]; 3]; 6],
+        axes: Box<[[[f32; 3]; 3]; 6]>,
         /// Half of the width of a view at the distance 1: a little more than 1, so that views overlap.
         reach: f32,
         /// The depth is this times 1/distance − 1.

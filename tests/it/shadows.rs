@@ -227,6 +227,7 @@ fn ray_of(camera: &Camera, size: ImageSize, [x, y]: [f64; 2]) -> (DVec3, DVec3) 
     }
 }
 
+#[expect(clippy::cast_possible_truncation, reason = "a few hundred")]
 fn size_of(camera: &Camera) -> ImageSize {
     let height = (240.0 / camera.window_aspect().max(1.0)).round();
     ImageSize { width: (height * camera.window_aspect()).round() as u32, height: height as u32 }
