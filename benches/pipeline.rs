@@ -3,8 +3,9 @@
 //! Each row tells of many frames, one made in the memory of the one before, with as many threads as there are: the
 //! least time of each stage in milliseconds, of the pipeline, of the raster and of both. "transform" takes a vertex
 //! through all spaces, the divide and the viewport included. Rows: one bumpy sphere that fills most of the picture,
-//! wholly inside, across some planes, and for the most part out of the picture; the same in the shadow of itself; faces put in order; many objects, of
-//! which few are in view; the three pictures of the default figure. Words choose rows (`1000000 gouraud`).
+//! wholly inside, across some planes, and for the most part out of the picture; the same in the shadow of itself; faces
+//! put in order; many objects, of which few are in view; the three pictures of the default figure. Words choose rows
+//! (`1000000 gouraud`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 

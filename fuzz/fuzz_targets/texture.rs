@@ -1,5 +1,5 @@
-//! Any file as the texture of an object: it has all its texels and levels of detail, or the object keeps its colour and a
-//! notice says why.
+//! Any file as the texture of an object: it has all its texels and levels of detail, or the object keeps its colour and
+//! a notice says why.
 #![no_main]
 
 use camera_lab::appearance::Style;

@@ -9,7 +9,7 @@ use crate::appearance::LightShare;
 /// The shadows of one light on a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shadow {
-    /// What the light sees.
+    /// The view of the light.
     pub map: Arc<ShadowMap>,
     /// The place of each vertex for the light, in the space of [`Rays`]; affine over each triangle.
     pub places: Vec<[f32; 3]>,
@@ -30,7 +30,7 @@ pub enum TakenLight {
     Light(usize),
 }
 
-/// What a light sees: drawings of all that casts shadows, of whose depths a rasterizer makes a map.
+/// The view of a light: drawings of all that casts shadows, of whose depths a rasterizer makes a map.
 #[derive(Debug)]
 pub struct ShadowMap {
     /// One for parallel light, six around a lamp: square, without light, one sample in each pixel. A pixel is a texel.

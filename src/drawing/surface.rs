@@ -24,7 +24,7 @@ pub struct Surface {
     pub base: Base,
     /// The light on them.
     pub light: SurfaceLight,
-    /// What is missing of the light in shadows, one for each light that casts any: then it is not in the base colours.
+    /// The light that shadows take away, one for each light that casts any: then it is not in the base colours.
     pub shadows: Vec<Shadow>,
     /// Drawn after all that is opaque, from back to front, with the alpha of its colours.
     pub translucent: bool,

@@ -23,7 +23,8 @@ pub struct Reveal {
     pub shadows: Option<ShadowReveal>,
 }
 
-/// The inner work of shadows, made visible (`[reveal] shadows`). With either, the volume of the light stands in the world.
+/// The inner work of shadows, made visible (`[reveal] shadows`). With either, the volume of the light stands in the
+/// world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ShadowReveal {
     /// The image is that of the first light that casts shadows: the distances from it.

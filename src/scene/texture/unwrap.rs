@@ -6,7 +6,8 @@
 //! | shape | u, v |
 //! | --- | --- |
 //! | box | each face once |
-//! | prism, cylinder | sides: angle / 360°, height / 2; ends: (x + 1)/2 and ±z likewise |
+//! | cylinder | side: angle / 360°, height / 2; ends: (x + 1)/2 and ±z likewise |
+//! | prism | the same, with angles from the vertex on −z |
 //! | cone | side: angle / 360°, height / 2; base as an end of the cylinder |
 //! | pyramid | sides: as the face of a box below, height / 2; base as a face of a box |
 //! | sphere, ellipsoid | angle / 360°, latitude / 180° from the south pole |
@@ -42,9 +43,14 @@ fn corners(shape: &Shape, mesh: &Mesh, triangle: [u32; 3]) -> CornerUv {
         Shape::Ellipsoid => on_ball(p, middle, ELLIPSOID_HALF_AXES),
         Shape::Torus => {
             let tube = |p: DVec3| (-p.y).atan2(TORUS_RADIUS - p.x.hypot(p.z)) / TAU;
-            DVec2::new(around(p, middle), near(1.0 - (tube(p) + 0.5), 1.0 - (tube(middle) + 0.5)))
+            DVec2::new(around(p, middle), near(tube(p) + 0.5, tube(middle) + 0.5))
         }
-        Shape::Prism | Shape::Cylinder | Shape::Cone if !is_end => DVec2::new(around(p, middle), 0.5 * p.y),
+        // From a vertex on, so that no side has the border of the picture in its middle.
+        Shape::Prism if !is_end => {
+            let from_vertex = |p: DVec3| DVec3::new(-p.z, p.y, p.x);
+            DVec2::new(around(from_vertex(p), from_vertex(middle)), 0.5 * p.y)
+        }
+        Shape::Cylinder | Shape::Cone if !is_end => DVec2::new(around(p, middle), 0.5 * p.y),
         Shape::Pyramid if !is_end => DVec2::new(on_face(p, normal.with_y(0.0)).x, 0.5 * p.y),
         _ => on_face(p, normal),
     };
