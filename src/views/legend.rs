@@ -6,7 +6,8 @@ use crate::appearance::{MarkShape, Rgba};
 use crate::drawing::{Anchor, Area, Drawing, Label, Mark, single};
 
 use super::gizmos::SMALL_TYPE;
-use super::label_layout::{Author, Box2, half_size_of};
+use super::label_layout::{Author, half_size_of};
+use super::label_obstacles::Box2;
 use super::pixels::PixelRect;
 use super::{Palette, Size};
 use crate::figure::labels::{LEGEND, set_text, symbols};

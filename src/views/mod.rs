@@ -32,6 +32,7 @@
 //! | `author_labels` | the author's labels and notes in a picture |
 //! | `label_layout` | the layout of texts, so that none covers another |
 //! | `label_names` | the names of labels, by which an author changes them |
+//! | `label_obstacles` | the parts of a picture to which its texts give way |
 //! | `labels` | the words in the pictures |
 //! | `legend` | the legend of a picture's colours, in its lower left corner |
 //! | `named_points` | the figure's points under the pointer: which one is there, and where it goes when it is dragged |
@@ -85,6 +86,7 @@ mod hover;
 mod image;
 mod label_layout;
 mod label_names;
+mod label_obstacles;
 mod labels;
 mod legend;
 mod light_view;

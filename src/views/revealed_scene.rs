@@ -17,7 +17,8 @@ use crate::scene::{Object, ObjectPaint, Scene};
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{GearBuilder, SMALL_TYPE};
-use super::label_layout::{Author, Box2};
+use super::label_layout::Author;
+use super::label_obstacles::Box2;
 use super::legend::{Legend, LegendRow, LegendText};
 use super::pixels::PixelRect;
 use super::{Labels, Palette, Request, stage_overlay};

@@ -13,7 +13,7 @@ use crate::drawing::{Anchor, Drawing, Label, Mark, StrokeSet, single};
 use crate::geometry::Aabb;
 
 use super::gizmos::{GearBuilder, SMALL_TYPE, stroke};
-use super::label_layout::Box2;
+use super::label_obstacles::Box2;
 use super::legend::{LegendRow, LegendText};
 use super::{Palette, Request};
 
