@@ -96,7 +96,7 @@ fn unwritten(key: &str) -> Option<String> {
     Some(match key {
         "style.depth_format" => "\"f32-reversed\"".to_owned(),
         "show.ndc" => format!("\"{}\"", Ndc::default().name()),
-        "reveal.outside" => return None,
+        "reveal.outside" | "reveal.texture" | "reveal.shadows" => return None,
         _ if key.starts_with("reveal.") || key == "image.undistorted" => "false".to_owned(),
         "world.section" | "world.dimensions" => "false".to_owned(),
         _ if WorldPart::ALL.iter().any(|(_, part)| key.strip_prefix("world.") == Some(part)) => "true".to_owned(),

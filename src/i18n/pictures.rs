@@ -23,6 +23,7 @@ texts! {
     back_faces: "back faces: culled", "faces de trás: descartadas";
     dropped: "outside: dropped whole", "fora: descartado inteiro";
     outside_of: "outside", "fora";
+    with_w: "u, v interpolated with w", "u, v interpolados com w";
     affine: "u, v interpolated without w", "u, v interpolados sem w";
     levels: "level of detail", "nível de detalhe";
     texels: "nearest texel, with the grid of texels", "texel mais próximo, com a grade de texels";
@@ -167,6 +168,7 @@ const fn of(t: &Texts) -> Labels {
         back_faces: t.back_faces,
         dropped: t.dropped,
         outside_of: t.outside_of,
+        with_w: t.with_w,
         affine: t.affine,
         levels: t.levels,
         texels: t.texels,

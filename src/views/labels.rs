@@ -45,6 +45,8 @@ pub struct Labels {
     pub outside_of: &'static str,
     /// The planes: left, right, bottom, top, near, far.
     pub planes: [&'static str; 6],
+    /// Texture coordinates are interpolated with w.
+    pub with_w: &'static str,
     /// Texture coordinates are interpolated without w.
     pub affine: &'static str,
     /// The title of the colours of levels of detail.

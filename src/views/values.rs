@@ -1,10 +1,13 @@
 //! The values of keys and operations in the words of the pictures: θ = 20°, painter, azimuth 30°.
 
 use super::Labels;
+use crate::appearance::TextureReveal;
 use crate::camera::{Ndc, Operation};
 use crate::figure::WorldPart;
 use crate::figure::variation::VariedValue;
-use crate::figure::words::{self, DEPTH_FORMATS, HIDDEN_LINES, NDCS, PROJECTIONS, SHADINGS, STAGES, VISIBILITIES};
+use crate::figure::words::{
+    self, DEPTH_FORMATS, HIDDEN_LINES, NDCS, PROJECTIONS, SHADINGS, STAGES, TEXTURE_REVEALS, VISIBILITIES,
+};
 use crate::geometry::Angle;
 use crate::sanitize;
 
@@ -54,6 +57,13 @@ pub(super) fn said(key: &str, value: Option<&str>, labels: &Labels) -> String {
             words::value(STAGES, value).and_then(|stage| labels.stages.get(stage as usize)).map(|&name| name.to_owned())
         }
         ("show.step.at", Some(value)) => Some(format!("{} {}", labels.step_number, printed(value, labels))),
+        ("reveal.texture", value) => match value.map(|value| words::value(TEXTURE_REVEALS, value)) {
+            None => Some(labels.with_w.to_owned()),
+            Some(Some(TextureReveal::Affine)) => Some(labels.affine.to_owned()),
+            Some(Some(TextureReveal::Levels)) => Some(labels.levels.to_owned()),
+            Some(Some(TextureReveal::Texels)) => Some(labels.texels.to_owned()),
+            Some(None) => None,
+        },
         ("style.antialias", Some(value)) => Some(format!("{}: {}", labels.samples, printed(value, labels))),
         ("show.ndc", value) => {
             let ndc = value.map_or(Some(Ndc::default()), |value| words::value(NDCS, value));
