@@ -21,6 +21,8 @@ const SWATCH: DVec2 = DVec2::new(1.5, 0.8);
 const INDENT: f64 = 2.1;
 /// Length of a scale, in heights of letters.
 const SCALE: f64 = 16.0;
+/// Least distance between numbers below a scale, in heights of the letters.
+const APART: f64 = 0.1;
 /// Smallest scale of a legend: below it, it is left out, because nobody could read it.
 const SMALLEST: f64 = 0.5;
 
@@ -266,10 +268,15 @@ impl Legend {
             LegendRow::Scale(colors, texts) => {
                 for (i, line) in (1..).zip(texts) {
                     let below = at + DVec2::Y * (LINE * em * f64::from(i));
+                    // Long numbers at the ends leave none its room in the middle.
+                    let room = 0.5 * SCALE - 0.5 * line[1].width() - APART;
+                    let has_room = line[0].width().max(line[2].width()) < room;
                     for (share, part, anchor) in
                         [(0.0, &line[0], Anchor::Left), (0.5, &line[1], Anchor::Center), (1.0, &line[2], Anchor::Right)]
                     {
-                        text(below + DVec2::X * (share * SCALE * em), part, ink, anchor);
+                        if has_room || anchor != Anchor::Center {
+                            text(below + DVec2::X * (share * SCALE * em), part, ink, anchor);
+                        }
                     }
                 }
                 self.scale(drawing, colors, at, em);
