@@ -119,9 +119,9 @@ texts! {
     shadow_map_hint: "Side of the depth picture in texels, 64 to 4096: a small one has steps at the edges of shadows", "Lado da imagem de profundidades em texels, de 64 a 4096: um pequeno mostra degraus nas bordas das sombras";
     shadow_bias: "bias", "folga";
     shadow_bias_hint: "How much deeper than the map a point must lie to be in the shadow, in texels, 0 to 100: with 0 faces shadow themselves, with too much shadows come off", "Quão mais fundo que o mapa um ponto precisa estar para ficar na sombra, em texels, de 0 a 100: com 0 as faces sombreiam a si mesmas, com demais as sombras se soltam";
-    shadow_reveal: "show of shadows", "mostrar das sombras";
+    shadow_reveal: "to see of shadows", "ver das sombras";
     shadow_reveal_hint: "The light is a camera: its picture, which is the shadow map; or the shadows without bias, with which faces shadow themselves. The world shows its volume", "A luz é uma câmera: sua imagem, que é o mapa de sombras; ou as sombras sem folga, com as quais as faces sombreiam a si mesmas. O mundo mostra seu volume";
-    shadow_plain: "nothing", "nada";
+    shadow_plain: "shadows", "sombras";
     shadow_of_light: "what the light sees", "o que a luz vê";
     shadow_acne: "without bias", "sem folga";
     shadow_softness: "soft edge", "borda suave";

@@ -4,10 +4,9 @@ use eframe::egui::{self, Key, RichText};
 
 use super::{SceneForm, text_field, typing};
 use crate::appearance::{Filter, TextureReveal, Wrap};
-use crate::figure::words::TEXTURE_REVEALS;
 use crate::gui::file_flow;
 use crate::gui::number_field::{NumberField, Step};
-use crate::gui::panels::row;
+use crate::gui::panels::{choice, row};
 use crate::gui::state::{Purpose, State, Typing};
 use crate::gui::tooltip::Explained;
 use crate::i18n::messages;
@@ -132,64 +131,48 @@ fn file(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize
 fn wrap_and_filter(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mesh: bool) {
     let t = form.t;
     let object = &mut form.scene.objects[index];
-    let unsaid = |usual: &str| if is_mesh { t.texture_of_file.to_owned() } else { usual.to_owned() };
+    let wraps = [(Wrap::Repeat, t.wrap_repeat), (Wrap::Clamp, t.wrap_clamp), (Wrap::Mirror, t.wrap_mirror)];
+    let unsaid = if is_mesh { t.texture_of_file } else { t.wrap_repeat };
     row(ui, "", t.wrap, t.wrap_hint, |ui| {
-        let name = |wrap: Wrap| match wrap {
-            Wrap::Repeat => t.wrap_repeat,
-            Wrap::Clamp => t.wrap_clamp,
-            Wrap::Mirror => t.wrap_mirror,
-        };
-        choice(ui, (t.wrap, t.wrap_hint), &mut object.wrap, unsaid(t.wrap_repeat), &Wrap::NAMED, name);
+        let all = or_unsaid(unsaid, wraps, object.wrap);
+        choice(ui, t.wrap, t.wrap_hint, &mut object.wrap, &all);
     });
+    let filters = [
+        (Filter::Nearest, t.filter_nearest),
+        (Filter::Bilinear, t.filter_bilinear),
+        (Filter::Trilinear, t.filter_trilinear),
+    ];
+    let unsaid = if is_mesh { t.texture_of_file } else { t.filter_trilinear };
     row(ui, "", t.filter, t.filter_hint, |ui| {
-        let name = |filter: Filter| match filter {
-            Filter::Nearest => t.filter_nearest,
-            Filter::Bilinear => t.filter_bilinear,
-            Filter::Trilinear => t.filter_trilinear,
-        };
-        choice(ui, (t.filter, t.filter_hint), &mut object.filter, unsaid(t.filter_trilinear), &Filter::NAMED, name);
+        let all = or_unsaid(unsaid, filters, object.filter);
+        choice(ui, t.filter, t.filter_hint, &mut object.filter, &all);
     });
 }
 
-/// A list of words, the first of which leaves it open.
-fn choice<T: Copy + PartialEq>(
-    ui: &mut egui::Ui,
-    (title, hint): (&str, &str),
-    chosen: &mut Option<T>,
-    unsaid: String,
-    named: &[(&str, T)],
-    name: impl Fn(T) -> &'static str,
-) {
-    let shown = match *chosen {
-        Some(one) => name(one).to_owned(),
-        None => unsaid.clone(),
-    };
-    egui::ComboBox::from_id_salt(title)
-        .selected_text(shown)
-        .width(116.0)
-        .show_ui(ui, |ui| {
-            ui.selectable_value(chosen, None, &unsaid);
-            for (_, one) in named.iter().filter(|(_, one)| name(*one) != unsaid) {
-                ui.selectable_value(chosen, Some(*one), name(*one));
-            }
-        })
-        .response
-        .explained(hint)
-        .accessible_name(title);
+/// Some words to choose from, and before them the one that leaves it open; the same word stands there once, unless the
+/// figure says it.
+fn or_unsaid<T: Copy + PartialEq>(
+    unsaid: &'static str,
+    all: [(T, &'static str); 3],
+    now: Option<T>,
+) -> Vec<(Option<T>, &'static str)> {
+    let is_shown = |(one, name): &(T, &'static str)| *name != unsaid || now == Some(*one);
+    let said = all.into_iter().filter(is_shown).map(|(one, name)| (Some(one), name));
+    [(None, unsaid)].into_iter().chain(said).collect()
 }
 
 /// The inner work of texturing, in all pictures.
 fn reveal(ui: &mut egui::Ui, state: &mut State, t: &crate::i18n::scenes::Texts) {
     let now = state.document.figure().reveal.texture;
     let mut chosen = now;
+    let all = [
+        (TextureReveal::Affine, t.texture_affine),
+        (TextureReveal::Levels, t.texture_levels),
+        (TextureReveal::Texels, t.texture_texels),
+    ];
     row(ui, "", t.texture_reveal, t.texture_reveal_hint, |ui| {
-        let name = |reveal: TextureReveal| match reveal {
-            TextureReveal::Affine => t.texture_affine,
-            TextureReveal::Levels => t.texture_levels,
-            TextureReveal::Texels => t.texture_texels,
-        };
-        let unsaid = t.texture_plain.to_owned();
-        choice(ui, (t.texture_reveal, t.texture_reveal_hint), &mut chosen, unsaid, TEXTURE_REVEALS, name);
+        let all = or_unsaid(t.texture_plain, all, chosen);
+        choice(ui, t.texture_reveal, t.texture_reveal_hint, &mut chosen, &all);
     });
     if chosen != now {
         state.document.edit(|figure| figure.reveal.texture = chosen);
