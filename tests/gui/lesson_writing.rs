@@ -67,6 +67,12 @@ fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
     let t = words::texts(Lang::En);
     let (mut window, path) = own(&folder, 1);
     write(&mut window);
+    // A class sees neither the fields nor the notes.
+    for is_written in [false, true] {
+        window.key(Key::F11);
+        let field = window.harness.query_by_role_and_label(Role::MultilineTextInput, t.step_text_field);
+        assert_eq!(field.is_some(), is_written);
+    }
     type_into(&mut window, t.step_text_field, "The axis n is {basis.n:2}.");
     let shown = &window.state().lesson.as_ref().unwrap().lesson.steps[1];
     assert_eq!(shown.text.en, "The axis n is {basis.n:2}.");

@@ -119,7 +119,7 @@ pub(super) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
     let key = (playing.lesson.id.clone(), playing.step);
     let t = words::texts(state.settings.lang);
     let ctx = ui.ctx().clone();
-    let share = if playing.writing.is_some() { SHARE_WRITTEN } else { SHARE };
+    let share = if state.writes_lesson() { SHARE_WRITTEN } else { SHARE };
     let most = share * ctx.content_rect().height();
     // As high as what it showed in the last frame; a panel does not grow with what scrolls in it.
     let id = Id::unique("height of the lesson");
@@ -128,7 +128,7 @@ pub(super) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
         focus::region(ui, ui.max_rect(), Region::Lesson, t.region);
         let top = ui.max_rect().top();
         let command = bar(ui, t, state);
-        let writes = state.lesson.as_ref().is_some_and(|playing| playing.writing.is_some());
+        let writes = state.writes_lesson();
         if writes {
             editor::tools(ui, t, state);
         }
@@ -254,7 +254,7 @@ fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
 fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     let Some(playing) = state.lesson.as_ref() else { return };
     let Some(step) = playing.now().cloned() else { return };
-    let writing = playing.writing.as_ref();
+    let writing = playing.writing.as_ref().filter(|_| state.writes_lesson());
     let shows_text = playing.shows_text || writing.is_some();
     let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx()) || writing.is_some();
     // What is written is shown in the language of its fields.

@@ -109,6 +109,12 @@ impl State {
         path.is_some_and(|path| share::link_of(path).is_none()) && !self.in_browser
     }
 
+    /// True where the step is written: in a presentation the class sees it as it will be.
+    #[must_use]
+    pub fn writes_lesson(&self) -> bool {
+        !self.settings.presentation && self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
+    }
+
     /// Begins to write the step that is shown, or ends it.
     pub(in crate::gui) fn write_lesson(&mut self) {
         if !self.keep_words() || !self.plays_own_lesson() {
