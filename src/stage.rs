@@ -100,8 +100,8 @@ impl Stage {
         self.row().0
     }
 
-    /// False where its operations are not counted: work on whole objects; shadows, whose maps are pictures of their own;
-    /// lines, marks and texts.
+    /// False where its operations are not counted: work on whole objects; shadows, whose maps are pictures of their
+    /// own; lines, marks and texts.
     #[must_use]
     pub const fn is_counted(self) -> bool {
         !matches!(self, Self::Traverse | Self::CullObjects | Self::Shadow | Self::Lines)
@@ -149,17 +149,17 @@ pub enum WorksOn {
 /// Operations of arithmetic and accesses to memory, counted: vertices, faces and samples that were worked on, times the
 /// operations of the formula that ran.
 ///
-/// *Guarantees*: the count depends neither on the machine nor on its vectors or threads. What is done once for an object
-/// or a picture (its matrices, its lamps), the arithmetic of loops and addresses, and choices between two values are not
-/// in it.
+/// *Guarantees*: the count depends neither on the machine nor on its vectors or threads. What is done once for an
+/// object or a picture (its matrices, its lamps), the arithmetic of loops and addresses, and choices between two
+/// values are not in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
     /// Additions, subtractions, multiplications, divisions, roots and comparisons of floating-point numbers.
     pub float: u64,
     /// The same of whole numbers, their shifts, and bits that are masked or joined.
     pub integer: u64,
-    /// Accesses: numbers (a coordinate, an index, a depth, a colour, a texel) read from the arrays of scene, picture and
-    /// texture, or written to them.
+    /// Accesses: numbers (a coordinate, an index, a depth, a colour, a texel) read from the arrays of scene, picture
+    /// and texture, or written to them.
     pub memory: u64,
 }
 

@@ -32,12 +32,13 @@ const DIVIDE_DEPTH: Operations = Operations::new(2, 0, 0);
 /// `relative_inverse_w`: a division, a product, a comparison; it is written.
 const INVERSE_W: Operations = Operations::new(3, 0, 1);
 
-/// `Screen::project`, the rest: for x and y a product and a sum, for the depth 2 differences and a division, 6 comparisons
-/// that hold them to the picture, and 2 sums that round x and 2 that round y to the grid. Three numbers are written.
+/// `Screen::project`, the rest: for x and y a product and a sum, for the depth 2 differences and a division, 6
+/// comparisons that hold them to the picture, and 2 sums that round x and 2 that round y to the grid. Three numbers
+/// are written.
 const VIEWPORT: Operations = Operations::new(2 * 2 + 3 + 6 + 4, 0, 3);
 
-/// `outcode`: six distances from the planes and their signs; the sum of three sizes and its test; a shift and a join for
-/// each bit. It is written.
+/// `outcode`: six distances from the planes and their signs; the sum of three sizes and its test; a shift and a join
+/// for each bit. It is written.
 const OUTCODE: Operations = Operations::new(6 + 6 + 2 + 1, 6 * 2, 1);
 
 /// The outcodes of three corners, joined and masked.
@@ -62,8 +63,8 @@ const CORNER: Operations = VIEW.and(CLIP_SPACE).and(OBLIQUE).and(Operations::new
 /// A corner is held against a plane: not negative, not positive, and two tests whether its edge crosses.
 const PLANE_TEST: Operations = Operations::new(4, 0, 0);
 
-/// A new corner: the shares (a sum, 2 divisions), and twelve means (2 products, a sum): six distances, three coordinates,
-/// three weights; four tests, two comparisons for each coordinate.
+/// A new corner: the shares (a sum, 2 divisions), and twelve means (2 products, a sum): six distances, three
+/// coordinates, three weights; four tests, two comparisons for each coordinate.
 const CROSSING: Operations = Operations::new(3 + 12 * 3 + 4 + 6, 0, 0);
 
 /// A normal in view space: a matrix of 3 × 3. It is read.
@@ -72,8 +73,8 @@ const NORMAL: Operations = Operations::new(15, 0, 3);
 /// A normal for the light of pixels, of length 1: the square, 2 comparisons, a root, 3 divisions; it is written.
 const UNIT_NORMAL: Operations = NORMAL.and(Operations::new(5 + 2 + 1 + 3, 0, 3));
 
-/// The normal of a face: 2 differences of vectors, a cross product, its size and the factor (2 comparisons, 3 products),
-/// and the matrix. Three indices and three corners are read.
+/// The normal of a face: 2 differences of vectors, a cross product, its size and the factor (2 comparisons, 3
+/// products), and the matrix. Three indices and three corners are read.
 const FACE_NORMAL: Operations = Operations::new(6 + 9 + 5 + 15, 0, 3 + 9);
 
 /// The middle of a face: a sum, a division and a sum of vectors.

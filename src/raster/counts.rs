@@ -1,7 +1,7 @@
 //! Counts of processed samples, and of the operations on them.
 //!
-//! Counting goes along with painting, eight samples at a time; how many operations each costs is looked up afterwards in
-//! [`operations`](super::operations).
+//! Counting goes along with painting, eight samples at a time; how many operations each costs is looked up afterwards
+//! in [`operations`](super::operations).
 
 use crate::drawing::Surface;
 use crate::simd::prelude::*;
@@ -25,7 +25,7 @@ pub(super) struct Counts {
     lanes: [[i32; LANES]; KINDS],
 }
 
-/// What is counted in lanes, by pixel of a tile.
+/// The things that are counted in lanes, by pixel of a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Covered,

@@ -47,9 +47,10 @@ pub(super) struct Depths {
 /// comparisons that grade it. Three indices and six coordinates are read.
 const BOX: Operations = Operations::new(6 * 2, 6 * 4 + 4 * 6 + 24, 3 + 6);
 
-/// `Batch::set_up`: twice the area (4 differences, 2 products, a difference) and its sign; the first centre (2 shifts, 2
-/// sums); three edge functions (2 differences, 4 tests of who owns the edge, at the first centre 2 differences, 2
-/// products, 2 sums); 4 differences; the reciprocal of the area, the 4 terms of a gradient, 2 coordinates of the origin.
+/// `Batch::set_up`: twice the area (4 differences, 2 products, a difference) and its sign; the first centre (2 shifts,
+/// 2 sums); three edge functions (2 differences, 4 tests of who owns the edge, at the first centre 2 differences, 2
+/// products, 2 sums); 4 differences; the reciprocal of the area, the 4 terms of a gradient, 2 coordinates of the
+/// origin.
 const SET_UP: Operations = Operations::new(1 + 4 + 2, 7 + 1 + 4 + 3 * 12 + 4, 0);
 
 /// `Triangle::new` and `Borders::new`: six coordinates on the grid, the area (2 products, a difference, a comparison),
@@ -84,7 +85,8 @@ const DEPTH_TEST: Operations = Operations::new(1, 0, 1);
 /// One number that is written: a depth, a colour.
 const STORE: Operations = Operations::new(0, 0, 1);
 
-/// `Affine`: for each of three channels a product and a sum, and the sum that rounds, and a mask; 5 operations join them.
+/// `Affine`: for each of three channels a product and a sum, and the sum that rounds, and a mask; 5 operations join
+/// them.
 const AFFINE_COLOR: Operations = Operations::new(3 * 3, 3 + 5, 0);
 
 /// `Gouraud` with regard to perspective: 1/w (a product, a sum, 2 comparisons), its reciprocal; for each channel a
@@ -131,7 +133,7 @@ const SHADOW_OF_LAMP: Operations = SHADOW.and(Operations::new(6 * 6 + 2 * 5 + 8 
 /// comparison; its share (2 comparisons, a difference, a product, a sum); its place in the map.
 const SHADOW_TEXEL: Operations = Operations::new(4 + 5 + 1 + 5, 2, 1);
 
-/// What is taken away of the two shares of light: a product and a difference each.
+/// The loss of the two shares of light in a shadow: a product and a difference each.
 const TAKEN: Operations = Operations::new(1 + 2 * 2, 0, 0);
 
 /// `over`: what shows through (a shift, a mask, a bit-wise not), two halves of a pixel (3 masks, a product, 2 sums, 2
@@ -246,8 +248,8 @@ fn texture(sampler: Sampler, levels: usize) -> Operations {
     texel.and(detail).and(TINT)
 }
 
-/// Adds the work on all pixels of a picture: they are sorted, cleared, and written. `samples`: of a pixel; `cleared`: the
-/// samples whose colours, and whose depths, were set before anything was filled.
+/// Adds the work on all pixels of a picture: they are sorted, cleared, and written. `samples`: of a pixel; `cleared`:
+/// the samples whose colours, and whose depths, were set before anything was filled.
 pub(super) fn of_picture(cost: &mut Cost, drawing: &Drawing, samples: u64, cleared: [u64; 2]) {
     let pixels = u64::from(drawing.width) * u64::from(drawing.height);
     let triangles: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();

@@ -96,7 +96,7 @@ impl<'a, K: Simd> PerPixel<'a, K> {
         Some(TriangleShadow::new(shadow, self.index)?.arriving(wanted, mix(w, &places)))
     }
 
-    /// What is left of baked light where shadows fall.
+    /// Baked light where shadows fall: the rest of it.
     #[inline(always)]
     fn shadowed(&self, mut left: [f32x8<K>; 2], wanted: mask32x8<K>, w: [f32x8<K>; 3]) -> [f32x8<K>; 2] {
         for shadow in self.shadows {

@@ -8,8 +8,8 @@ use crate::drawing::{Rays, Shadow, ShadowMap};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, mask32x8};
 
-/// The part of a texel's length that a bias of 1 allows beside the plane: what meets in a corner, or is round, lies over
-/// the plane of its neighbour within a texel.
+/// The part of a texel's length that a bias of 1 allows beside the plane: what meets in a corner, or is round, lies
+/// over the plane of its neighbour within a texel.
 const STEP: f32 = 0.5;
 /// The part of the plane's change within a texel that counts as equal: vertices of the map lie on a grid of 1/256 of a
 /// texel, and depths are single.

@@ -1,4 +1,4 @@
-//! What a light sees: its picture in the image, its volume in the world, and the depths that are compared at a point.
+//! The view of a light: its picture in the image, its volume in the world, and the depths that are compared at a point.
 
 use std::borrow::Cow;
 

@@ -36,7 +36,7 @@
 //! | `labels` | the words in the pictures |
 //! | `legend` | the legend of a picture's colours, in its lower left corner |
 //! | `named_points` | the figure's points under the pointer: which one is there, and where it goes when it is dragged |
-//! | `light_view` | what a light sees: its picture in the image, its volume in the world, the depths at a point |
+//! | `light_view` | the view of a light: its picture in the image, its volume in the world, the depths at a point |
 //! | `normalizing` | the view volume on its way to the canonical one |
 //! | `note_place` | the subject of a new note, from a place in a picture |
 //! | `object_parts` | measures of an object's own transform in the world |

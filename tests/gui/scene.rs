@@ -198,7 +198,8 @@ fn a_light_gets_shadows_their_numbers_and_what_they_show() {
     assert!(window.says("allowed: whole numbers from 64 to 4096") || window.says("64"));
     assert_eq!(shadows(&window).map, 256);
     window.key(Key::Escape);
-    window.pick("show of shadows", "what the light sees");
+    let t = camera_lab::i18n::scenes::texts(Lang::En);
+    window.pick(t.shadow_reveal, t.shadow_of_light);
     assert_eq!(window.state().document.figure().reveal.shadows, Some(ShadowReveal::Map));
     window.click("casts shadows");
     assert!(!shadows(&window).cast && shadows(&window).map == 256, "the numbers stay");

@@ -253,7 +253,8 @@ pub(crate) fn any_object() -> impl Strategy<Value = Object> {
                 0 | 1 => ObjectPaint::Faces(varied(mesh.triangles.len())),
                 2 | 3 => ObjectPaint::Vertices(varied(mesh.positions.len())),
                 4 => {
-                    // Premultiplied: alpha, the fourth channel, is the greatest. Some are clear in places, some of one colour.
+                    // Premultiplied: alpha, the fourth channel, is the greatest. Some are clear in places, some of one
+                    // colour.
                     let clear = kind % 2 == 0;
                     let step = if kind % 5 == 0 { 0 } else { 15 };
                     let texel = |i: u8| {
