@@ -24,7 +24,8 @@ impl Held {
     const ALL: [Self; 2] = [Self::Figure, Self::Lesson];
 
     /// The text between the address and the content.
-    const fn key(self) -> &'static str {
+    #[must_use]
+    pub const fn key(self) -> &'static str {
         match self {
             Self::Figure => "#figure=",
             Self::Lesson => "#lesson=",

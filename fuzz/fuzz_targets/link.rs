@@ -1,16 +1,17 @@
-//! A link holds the figure that was put into it, whatever a mail program adds; anything else that looks like one is a
+//! A link holds the figure or lesson that was put into it, whatever a mail program adds; anything else that looks like one is a
 //! text, an error, or no link.
 #![no_main]
 
 use arbitrary::Arbitrary;
 use camera_lab::limits::{MAX_FIGURE_BYTES, MAX_LINK_CHARACTERS};
-use camera_lab::share::{link, text_in};
+use camera_lab::share::{Held, link, text_in};
 use libfuzzer_sys::fuzz_target;
 
 #[derive(Arbitrary, Debug)]
 struct Input<'a> {
     address: &'a str,
     text: &'a str,
+    is_lesson: bool,
     /// What stands where the packed figure should.
     packed: &'a str,
     /// A change on the way: where, and into what.
@@ -18,10 +19,11 @@ struct Input<'a> {
 }
 
 fuzz_target!(|input: Input| {
-    if let Some(Ok(found)) = text_in(&format!("{}#figure={}", input.address, input.packed)) {
+    let held = if input.is_lesson { Held::Lesson } else { Held::Figure };
+    if let Some(Ok(found)) = text_in(&format!("{}{}{}", input.address, held.key(), input.packed)) {
         assert!(found.len() <= MAX_FIGURE_BYTES);
     }
-    let Ok(link) = link(input.address, input.text) else { return };
+    let Ok(link) = link(input.address, held, input.text) else { return };
     assert!(link.len() <= MAX_LINK_CHARACTERS);
     for added in ["", ".", ")", "> ", "\"", "=="] {
         let found = text_in(&format!("{link}{added}")).expect("a link").expect("whole");

@@ -8,7 +8,7 @@ use arbitrary::Arbitrary;
 use camera_lab::camera::Camera;
 use camera_lab::figure::Figure;
 use camera_lab::i18n::{Lang, pictures::labels};
-use camera_lab::picture::{OnPaper, Renderer, Composite};
+use camera_lab::picture::{Composite, OnPaper, Renderer};
 use camera_lab::progress::at_once;
 use camera_lab::scene::{Preset, no_files};
 use camera_lab::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};

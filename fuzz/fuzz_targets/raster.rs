@@ -29,8 +29,7 @@ fuzz_target!(|bytes: &[u8]| {
         Base::Vertices((0..count).map(|i| Rgba::rgba(i as u8, 90, 200, alpha)).collect())
     };
     let color = Rgba::rgba(0, 0, 0, alpha);
-    let surface =
-        Surface { base, depth_test: choices & 2 == 0, ..Surface::solid(positions.clone(), triangles, color) };
+    let surface = Surface { base, depth_test: choices & 2 == 0, ..Surface::solid(positions.clone(), triangles, color) };
     let hidden = [HiddenLines::Dashed, HiddenLines::Hidden, HiddenLines::Shown][usize::from(choices >> 2) % 3];
     let style = LineStyle {
         color: Rgba::rgb(0, 0, 0),
@@ -50,7 +49,7 @@ fuzz_target!(|bytes: &[u8]| {
         painted_in_order: choices & 32 != 0,
         depth_format: Default::default(),
         surfaces: vec![surface],
-        strokes: vec![StrokeSet { polylines: vec![0..count], points, style }],
+        strokes: vec![StrokeSet { polylines: std::iter::once(0..count).collect(), points, style }],
         areas: Vec::new(),
         marks: Vec::new(),
         labels: Vec::new(),
