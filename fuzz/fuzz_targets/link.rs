@@ -1,5 +1,5 @@
-//! A link holds the figure or lesson that was put into it, whatever a mail program adds; anything else that looks like one is a
-//! text, an error, or no link.
+//! A link holds the figure or lesson that was put into it, whatever a mail program adds; anything else that looks like
+//! one is a text, an error, or no link.
 #![no_main]
 
 use arbitrary::Arbitrary;
