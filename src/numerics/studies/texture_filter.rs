@@ -68,7 +68,7 @@ enum Way {
     One(Filter),
     /// 4 × 4 samples of the nearest texel, and the mean of their light.
     Sixteen,
-    /// What a figure has that names no filter.
+    /// The default of a figure.
     Own,
 }
 
