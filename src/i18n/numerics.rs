@@ -200,7 +200,7 @@ const PORTUGUESE: &[(&str, &str)] = &[
     ("slanted floor", "chão inclinado"),
     ("grazing floor", "chão rasante"),
     ("nearest", "texel mais próximo"),
-    ("16 samples of nearest", "16 amostras do mais próximo"),
+    ("16 samples of nearest", "16 do mais próximo"),
 ];
 
 /// A case or a method by its name.
