@@ -55,6 +55,8 @@ pub const fn title(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::Antialiasing) => "Amostras por pixel contra a área exata",
         (Lang::En, Study::Clipping) => "Segments through w = 0: clipped before or after the division",
         (Lang::PtBr, Study::Clipping) => "Segmentos por w = 0: recortados antes ou depois da divisão",
+        (Lang::En, Study::TextureFilter) => "Filters of a texture against the exact mean over the pixel",
+        (Lang::PtBr, Study::TextureFilter) => "Filtros de uma textura contra a média exata sobre o pixel",
     }
 }
 
@@ -77,6 +79,8 @@ pub const fn short_title(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::Antialiasing) => "Amostras por pixel",
         (Lang::En, Study::Clipping) => "Clipping through w = 0",
         (Lang::PtBr, Study::Clipping) => "Recorte por w = 0",
+        (Lang::En, Study::TextureFilter) => "Filters of textures",
+        (Lang::PtBr, Study::TextureFilter) => "Filtros de texturas",
     }
 }
 
@@ -109,6 +113,8 @@ pub const fn parameter(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::Antialiasing) => "tamanho dos triângulos / pixels",
         (Lang::En, Study::Clipping) => "distance of the other end from the plane w = 0 / scene units",
         (Lang::PtBr, Study::Clipping) => "distância da outra ponta ao plano w = 0 / unidades da cena",
+        (Lang::En, Study::TextureFilter) => "texels along a pixel",
+        (Lang::PtBr, Study::TextureFilter) => "texels ao longo de um pixel",
     }
 }
 
@@ -190,6 +196,11 @@ const PORTUGUESE: &[(&str, &str)] = &[
     ("f32 before the divide", "f32 antes da divisão"),
     ("f64 after the divide", "f64 depois da divisão"),
     ("f64 before the divide", "f64 antes da divisão"),
+    ("floor from above", "chão visto de cima"),
+    ("slanted floor", "chão inclinado"),
+    ("grazing floor", "chão rasante"),
+    ("nearest", "texel mais próximo"),
+    ("16 samples of nearest", "16 do mais próximo"),
 ];
 
 /// A case or a method by its name.
@@ -224,6 +235,7 @@ fn reference(study: Study) -> &'static str {
         Study::Visibility => "traçado de raios com 512 bits",
         Study::Shading => "traçado de raios da superfície verdadeira com 512 bits",
         Study::Antialiasing => "área exata com 512 bits",
+        Study::TextureFilter => "média exata sobre o pixel, em luz linear",
     }
 }
 

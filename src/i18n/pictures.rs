@@ -17,6 +17,8 @@ texts! {
     answered: "your answer", "sua resposta";
     depth_stored: "depth buffer: Z (5.25)", "z-buffer: Z (5.25)";
     depth_linear: "distance from the eye", "distância ao olho";
+    depth_of_light: "shadow map: distance from the light", "mapa de sombras: distância à luz";
+    acne: "shadows without bias: faces shadow themselves", "sombras sem folga: as faces sombreiam a si mesmas";
     nothing: "nothing here", "nada aqui";
     outside: "outside the volume", "fora do volume";
     cuts: "made by clipping", "criado pelo recorte";
@@ -162,6 +164,8 @@ const fn of(t: &Texts) -> Labels {
         answered: t.answered,
         depth_stored: t.depth_stored,
         depth_linear: t.depth_linear,
+        depth_of_light: t.depth_of_light,
+        acne: t.acne,
         nothing: t.nothing,
         outside: t.outside,
         cuts: t.cuts,

@@ -60,11 +60,13 @@ pub enum Study {
     Antialiasing,
     /// Segments through w = 0, cut before or after the division.
     Clipping,
+    /// Filters of pictures on surfaces.
+    TextureFilter,
 }
 
 impl Study {
     /// All, in the order of reporting.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::VertexTransform,
         Self::Basis,
         Self::RepeatedOperations,
@@ -73,6 +75,7 @@ impl Study {
         Self::Shading,
         Self::Antialiasing,
         Self::Clipping,
+        Self::TextureFilter,
     ];
 
     /// Its name on the command line and in JSON.
@@ -87,6 +90,7 @@ impl Study {
             Self::Shading => "shading",
             Self::Antialiasing => "antialiasing",
             Self::Clipping => "clipping",
+            Self::TextureFilter => "texture-filter",
         }
     }
 }
@@ -201,6 +205,7 @@ pub async fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings
         Study::Shading => studies::shading::run(&lab).await,
         Study::Antialiasing => studies::antialiasing::run(&lab).await,
         Study::Clipping => studies::clipping::run(&lab).await,
+        Study::TextureFilter => studies::texture_filter::run(&lab).await,
     }
 }
 

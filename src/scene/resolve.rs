@@ -162,6 +162,22 @@ pub(super) fn lights(specs: &[Light]) -> Result<Vec<Light>, SceneError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Shadows;
+
+    #[test]
+    fn shadow_maps_have_a_limit_all_together() {
+        let shadows = Shadows { map: 4096, ..Shadows::CAST };
+        let sun = Light::directional(DVec3::NEG_Y).with_shadows(shadows);
+        let lamp = Light::point(DVec3::Y).with_shadows(shadows);
+        // 2²⁴ texels each, and six times as many around a lamp.
+        assert_eq!(lights(&[sun; 8]).map(|lights| lights.len()), Ok(8));
+        assert_eq!(lights(&[sun; 9]), Err(SceneError::ShadowMaps { texels: 9 << 24 }));
+        assert!(lights(&[lamp, sun, sun]).is_ok(), "exactly the limit");
+        assert_eq!(lights(&[lamp, lamp]), Err(SceneError::ShadowMaps { texels: 12 << 24 }));
+        // What casts none has no map.
+        let plain = Light { shadows: Shadows { cast: false, ..shadows }, ..sun };
+        assert!(lights(&[lamp, sun, sun, plain]).is_ok());
+    }
 
     #[test]
     fn what_is_not_turned_is_so_to_the_last_bit() {

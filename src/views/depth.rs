@@ -189,8 +189,8 @@ impl Greys {
         (self.near_over_far + depth * (1.0 - self.near_over_far)) as f32
     }
 
-    /// The levels from F to B with their numbers, and the background.
-    pub(super) fn legend(self, request: &Request, palette: Palette) -> Vec<LegendRow> {
+    /// The levels from F to B with their numbers, and the background; `linear`: the heading of distances.
+    pub(super) fn legend(self, request: &Request, linear: &str, palette: Palette) -> Vec<LegendRow> {
         const STEPS: u32 = 40;
         let (camera, labels) = (&request.camera, request.labels);
         let (f, b) = (camera.near(), camera.far());
@@ -213,7 +213,7 @@ impl Greys {
                 let stored = LegendText::below_a_scale("Z", [format!("Z = {near}"), halfway, far]);
                 (labels.depth_stored, vec![stored, distances])
             }
-            None => (labels.depth_linear, vec![distances]),
+            None => (linear, vec![distances]),
         };
         vec![
             LegendRow::Title(LegendText::new("depth", title), palette.ink),

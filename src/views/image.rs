@@ -48,9 +48,14 @@ pub(super) fn frame(request: &Request) -> PixelRect {
 
 /// Draws the image.
 pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
-    if let Some(of_light) = light_view::of_light(request) {
-        return frame_of(&of_light, pipeline);
+    match light_view::of_light(request) {
+        Some(of_light) => headed(&of_light, request.labels.depth_of_light, pipeline),
+        None => headed(request, request.labels.depth_linear, pipeline),
     }
+}
+
+/// Draws the image of a request; `linear`: the heading of distances.
+fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Frame {
     let style = &request.shot.look.style;
     let palette = Palette::of(style.theme);
     let greys = Greys::of(request);
@@ -112,8 +117,9 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     }
     if let Some(greys) = greys {
         Greys::report(&mut drawn, marks.get());
-        rows.extend(greys.legend(request, palette));
+        rows.extend(greys.legend(request, linear, palette));
     }
+    rows.extend(light_view::rows(request, palette));
     rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     offscreen_arrows::in_image(&mut drawn.drawing, request, palette);
     if request.shot.look.reveal.vanishing {

@@ -31,6 +31,10 @@ pub struct Labels {
     pub depth_stored: &'static str,
     /// Heading of a picture of distances.
     pub depth_linear: &'static str,
+    /// Heading of the picture of a light: its shadow map.
+    pub depth_of_light: &'static str,
+    /// Shadows without bias.
+    pub acne: &'static str,
     /// The label of pixels without a depth.
     pub nothing: &'static str,
     /// Parts outside the view volume.

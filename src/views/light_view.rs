@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::gizmos::GearBuilder;
 use super::hits::first_crossing;
+use super::legend::{LegendRow, LegendText};
 use super::{Palette, Request};
 use crate::appearance::Dash;
 use crate::camera::{Camera, ImageSize, Projection, Viewport};
@@ -37,6 +38,12 @@ pub(super) fn lights<'a>(request: &Request, scene: &'a Scene) -> Cow<'a, [Light]
         lights.to_mut().iter_mut().for_each(|light| light.shadows.bias = 0.0);
     }
     lights
+}
+
+/// The legend of shadows without bias.
+pub(super) fn rows(request: &Request, palette: Palette) -> Option<LegendRow> {
+    let shown = request.shot.look.reveal.shadows == Some(ShadowReveal::Acne) && first(&request.scene).is_some();
+    shown.then(|| LegendRow::Title(LegendText::new("acne", request.labels.acne), palette.ink))
 }
 
 /// The volume of the light whose shadows the figure reveals, and the lamp, faint.

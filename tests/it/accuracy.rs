@@ -60,7 +60,7 @@ fn the_same_seed_gives_the_same_errors_and_another_seed_others() {
 /// Every case and every method has a name in Portuguese, or is the same in both languages.
 #[test]
 fn every_case_and_method_is_translated() {
-    const SAME: &[&str] = &["double-double", "f32", "gouraud", "phong", OWN];
+    const SAME: &[&str] = &["double-double", "f32", "gouraud", "phong", "bilinear", "trilinear", OWN];
     for study in Study::ALL {
         for r in &findings(study).rows {
             for english in [r.case.as_str(), r.method] {
@@ -242,5 +242,23 @@ fn more_samples_come_nearer_to_the_area() {
         assert!(error("1 sample") > 1.5 * error("4 samples") && error("4 samples") > 1.5 * error("16 samples"));
         assert!(error("64 samples on a grid") < error("16 samples on a grid"));
         assert_eq!(error(OWN), error("4 samples"));
+    }
+}
+
+/// One sample of a texel of many flickers, the levels of detail keep the mean, and a magnified chequer has sharp edges.
+#[test]
+fn levels_of_detail_keep_the_light_where_single_texels_flicker() {
+    let findings = findings(Study::TextureFilter);
+    for case in ["floor from above", "slanted floor", "grazing floor"] {
+        let error = |scale, method| row(findings, case, scale, method).error;
+        assert!(error(16.0, "trilinear") < 0.1 && error(16.0, "nearest") > 0.3, "{case}");
+        assert!(error(16.0, "bilinear") > 0.2, "{case}: bilinear has no levels");
+        assert!(error(0.125, "nearest") < error(0.125, "bilinear"), "{case}");
+        assert!(error(0.125, "16 samples of nearest") < 0.5 * error(0.125, "nearest"), "{case}");
+        for scale in [0.125, 1.0, 4.0, 16.0] {
+            // But for the samples along the border of the floor's two triangles.
+            let beside = (error(scale, OWN) / error(scale, "trilinear") - 1.0).abs();
+            assert!(beside < 0.05, "{case}, {scale}: {beside}");
+        }
     }
 }
