@@ -419,3 +419,51 @@ fn steps(vertex: &Vertex) -> [Worked; 6] {
     );
     [to_light, normal, cosine, share_step, half, white]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::appearance::Rgba;
+    use crate::drawing::{Lighting, ViewLight};
+    use crate::lighting::shade;
+
+    /// The program lights the vertex of the exercise as the answers say, whatever the exponent.
+    #[test]
+    fn the_program_lights_it_so() {
+        #[expect(clippy::cast_possible_truncation, reason = "small numbers")]
+        let single = |v: DVec3| v.to_array().map(|x| x as f32);
+        for seed in 0..40 {
+            let exercise = light(seed);
+            let fact = |name: &str| exercise.facts.iter().rev().find(|(fact, _)| *fact == name).map(|(_, f)| f.clone());
+            let vector = |name| match fact(name) {
+                Some(Fact::Tuple(values)) => DVec3::from_slice(&values),
+                other => panic!("{name}: {other:?}"),
+            };
+            let Some(Fact::Number(exponent)) = fact("exponent") else { panic!("{seed}") };
+            let (p, c) = (vector("P"), vector("C"));
+            // The eye is the origin of view space; whichever way it looks, light is the same.
+            let mut lighting = Lighting {
+                ambient: crate::pipeline::light::AMBIENT,
+                diffuse: crate::pipeline::light::DIFFUSE,
+                specular: crate::pipeline::light::SPECULAR,
+                #[expect(clippy::cast_possible_truncation, reason = "a few units")]
+                shininess: exponent as f32,
+                lights: vec![
+                    ViewLight::point(single(vector("S") - c)),
+                    ViewLight::directional(single(-vector("d").normalize())),
+                ],
+                ..Lighting::default()
+            };
+            let gray = Rgba::rgba(100, 100, 100, 255);
+            let answer = |name: &str| {
+                let ask = exercise.asks.iter().find(|ask| ask.name == name);
+                ask.and_then(|ask| ask.expected().table()).map_or(f64::NAN, |table| table.entries[0])
+            };
+            let expected = 100.0 * answer("share") + 255.0 * answer("highlight");
+            let lit = |lighting: &Lighting| f64::from(shade(lighting, single(vector("N")), single(p - c), gray).r);
+            assert!((lit(&lighting) - expected).abs() <= 0.51, "{seed}: {} for {expected}", lit(&lighting));
+            lighting.specular = 0.0;
+            assert!((lit(&lighting) - 100.0 * answer("share")).abs() <= 0.51, "{seed}");
+        }
+    }
+}
