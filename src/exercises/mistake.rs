@@ -93,11 +93,25 @@ pub enum Mistake {
     VReversed,
     /// The point where a segment leaves in the place of the one where it enters.
     EntryExitExchanged,
+    /// The point that is lit was not subtracted.
+    PositionForgotten,
+    /// **V** in the place of **L**.
+    ViewForLight,
+    /// A lamp behind the surface takes light away.
+    NegativeLight,
+    /// An angle in the place of its cosine.
+    AngleForCosine,
+    /// A share of the material is left out.
+    ShareForgotten,
+    /// Another vector in the place of **H**.
+    HalfwayForgotten,
+    /// The exponent of the highlight is left out.
+    ExponentForgotten,
 }
 
 impl Mistake {
     /// All, with their codes in the contract.
-    pub const ALL: [(Self, &'static str); 45] = [
+    pub const ALL: [(Self, &'static str); 52] = [
         (Self::ArithmeticSlip, "arithmetic-slip"),
         (Self::Sign, "sign"),
         (Self::NReversed, "n-reversed"),
@@ -143,6 +157,13 @@ impl Mistake {
         (Self::VReversed, "v-reversed"),
         (Self::EntryExitExchanged, "entry-exit-exchanged"),
         (Self::FocalPointForPosition, "focal-point-for-position"),
+        (Self::PositionForgotten, "position-forgotten"),
+        (Self::ViewForLight, "view-for-light"),
+        (Self::NegativeLight, "negative-light"),
+        (Self::AngleForCosine, "angle-for-cosine"),
+        (Self::ShareForgotten, "share-forgotten"),
+        (Self::HalfwayForgotten, "halfway-forgotten"),
+        (Self::ExponentForgotten, "exponent-forgotten"),
     ];
 
     /// Its code.

@@ -15,6 +15,10 @@ pub enum Nature {
     Vector,
     /// A vector of length 1.
     Direction,
+    /// The cosine of an angle between vectors of length 1.
+    Cosine,
+    /// A share of light: never negative, of vectors of length 1.
+    Light,
     /// A matrix.
     Matrix,
     /// A pixel.
@@ -53,12 +57,13 @@ impl Nature {
     /// Whether its numbers can be negative.
     #[must_use]
     pub const fn has_signs(self) -> bool {
-        matches!(self, Self::Number | Self::Vector | Self::Direction | Self::Matrix)
+        matches!(self, Self::Number | Self::Vector | Self::Direction | Self::Cosine | Self::Matrix)
     }
 
     /// Whether a mistake shows in its numbers: a length that is not 1 does where it has to be 1.
     pub(super) const fn shows(self, mistake: Mistake) -> bool {
-        !matches!(mistake, Mistake::NotNormalised) || matches!(self, Self::Direction | Self::Matrix)
+        let has_lengths = matches!(self, Self::Direction | Self::Cosine | Self::Light | Self::Matrix);
+        has_lengths || !matches!(mistake, Mistake::NotNormalised)
     }
 
     /// Its name among the texts.
@@ -69,6 +74,8 @@ impl Nature {
             Self::Number => "number",
             Self::Vector => "vector",
             Self::Direction => "direction",
+            Self::Cosine => "cosine",
+            Self::Light => "light",
             Self::Matrix => "matrix",
             Self::Pixel => "pixel",
             Self::Outcode => "outcode",

@@ -71,7 +71,7 @@ slips! {
     PrintedViewUpUnit = AsPrinted "vuv";
     /// No vector is divided by its length.
     NothingNormalised = NotNormalised;
-    /// **n** alone keeps its length.
+    /// **n** alone keeps its length, of a camera or of a surface.
     NNotNormalised = NotNormalised;
     /// **u** keeps its length, and **v** with it.
     UNotNormalised = NotNormalised;
@@ -263,7 +263,40 @@ slips! {
     AxesAsColumnsAlone = Transposed "block";
     /// The axes are the columns of M_v, also where they are multiplied by −C.
     AxesAsColumns = Transposed "block";
+    /// The sum of **L** and **V** in the place of **H**.
+    HalfwaySum = NotNormalised "halfway";
+    /// Half of that sum.
+    HalfwayMean = NotNormalised "halfway";
+    /// The vector along which light travels, in the place of the way to a lamp that is far away.
+    TravelForWay = Sign "travel";
+    /// P − S in the place of S − P.
+    LampReversed = Sign "lamp";
+    /// The ways to a lamp and to the viewer begin at the origin.
+    PositionForgotten = PositionForgotten;
+    /// **V** in the place of **L**.
+    ViewForLight = ViewForLight;
+    /// A lamp behind the surface takes light away.
+    NegativeLight = NegativeLight;
+    /// The angle in degrees, and not its cosine.
+    CosineLeftAsAngle = AngleForCosine;
+    /// The share of a right angle that an angle leaves.
+    ShareOfRightAngle = AngleForCosine "share";
+    /// The ambient share is left out.
+    AmbientForgotten = ShareForgotten "ambient";
+    /// 1 in the place of the diffuse share.
+    DiffuseForgotten = ShareForgotten "diffuse";
+    /// 1 in the place of the white of the highlight.
+    SpecularForgotten = ShareForgotten "specular";
+    /// **L** in the place of **H**.
+    LightForHalfway = HalfwayForgotten;
+    /// Phong's **R** · **V** in the place of **N** · **H**.
+    ReflectedForHalfway = HalfwayForgotten "reflected";
+    /// Without the exponent of the highlight.
+    ExponentForgotten = ExponentForgotten;
 }
+
+/// [`Slips`] has a bit for each.
+const _: () = assert!(Slip::ALL.len() <= u128::BITS as usize);
 
 impl Slip {
     /// The mistake that it is.

@@ -64,7 +64,7 @@ pub use show::{
     WindowSide,
 };
 pub use view::{View, Views};
-pub use world_look::{WorldLook, WorldPart, WorldParts};
+pub use world_look::{AXES_LENGTHS, WorldLook, WorldPart, WorldParts};
 
 /// Everything that a picture depends on.
 #[derive(Clone, Debug, Default, PartialEq)]

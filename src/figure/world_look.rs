@@ -9,9 +9,14 @@ pub struct WorldLook {
     pub dimensions: bool,
     /// Opacity of the image on the view window, 0 … 1; `None`: opaque, but faint where it would hide much of the scene.
     pub window_opacity: Option<f64>,
+    /// The length of **u**, **v**, **n**, VUP and DOP, as a multiple of the usual one; `None`: 1.
+    pub axes_length: Option<f64>,
     /// The parts that stand in the world.
     pub parts: WorldParts,
 }
+
+/// The least and the greatest [`WorldLook::axes_length`].
+pub const AXES_LENGTHS: [f64; 2] = [0.5, 4.0];
 
 /// A part of the world picture that may be left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

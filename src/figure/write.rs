@@ -230,6 +230,7 @@ fn world(world: WorldLook) -> Table {
     let switches = [("section", world.section), ("dimensions", world.dimensions)];
     keys.extend(switches.into_iter().filter(|(_, on)| *on).map(|(key, on)| (key, on.into())));
     keys.extend(world.window_opacity.map(|opacity| ("window_opacity", number(opacity))));
+    keys.extend(world.axes_length.map(|length| ("axes_length", number(length))));
     let left_out = WorldPart::ALL.into_iter().filter(|(part, _)| !world.parts.has(*part));
     keys.extend(left_out.map(|(_, key)| (key, false.into())));
     table(keys)

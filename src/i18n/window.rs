@@ -238,6 +238,9 @@ texts! {
     window_opacity: "painted window", "janela pintada";
     window_opacity_hint: "Opacity of the image on the view window. Automatic: opaque, but faint where it would hide much of the scene", "Opacidade da imagem na janela de vista. Automática: opaca, mas fraca onde esconderia muito da cena";
     opacity_automatic: "automatic", "automática";
+    axes_length: "axes of the camera", "eixos da câmera";
+    axes_length_hint: "Length of u, v, n, VUP and DOP in the world, as a multiple of the usual one", "Comprimento de u, v, n, VUP e DOP no mundo, como múltiplo do usual";
+    axes_usual: "usual length", "comprimento usual";
     dimensions: "Dimensions", "Cotas";
     dimensions_hint: "F, B, D, W, H and θ/2 as dimension lines. Point at a parameter to see its own", "F, B, D, W, H e θ/2 como linhas de cota. Aponte para um parâmetro para ver a dele";
     dimensions_in_section: "The section along u has its own dimension lines", "O corte ao longo de u tem suas próprias cotas";

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::screen::Screen;
 use crate::camera::Camera;
+use crate::figure::WorldLook;
 
 /// The sizes of the camera's gear in scene units: fixed on the screen, so that the camera is found in any scene.
 #[derive(Clone, Copy, Debug)]
@@ -12,15 +13,19 @@ pub(super) struct Gear {
     pub(super) body: f64,
     /// Length of **u**, **v**, **n**.
     pub(super) axis: f64,
+    /// Their usual length, by which all else is measured that stands aside of the camera.
+    pub(super) usual_axis: f64,
 }
 
 impl Gear {
-    pub(super) fn new(screen: &Screen, camera: &Camera) -> Self {
+    pub(super) fn new(screen: &Screen, camera: &Camera, look: &WorldLook) -> Self {
         let pixel = screen.units_per_pixel(camera.position());
         let (side, scale) = (screen.extent().min_element(), screen.scale());
+        let usual_axis = pixel * (0.12 * side).clamp(30.0 * scale, 180.0 * scale);
         Self {
             body: pixel * (0.036 * side).clamp(9.0 * scale, 60.0 * scale),
-            axis: pixel * (0.12 * side).clamp(30.0 * scale, 180.0 * scale),
+            axis: look.axes_length.unwrap_or(1.0) * usual_axis,
+            usual_axis,
         }
     }
 

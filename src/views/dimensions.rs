@@ -105,7 +105,7 @@ fn one(builder: &mut GearBuilder, request: &Request, volume: &DrawnVolume, gear:
     let [_, rb, rt, lt] = volume.window();
     let (name, text) = (words::name(DIMENSIONS, measure), text(request, measure));
     let mut along_axis = |to: f64, below: f64, gap: Option<[f64; 2]>| {
-        let aside = basis.v * (-below * gear.axis);
+        let aside = basis.v * (-below * gear.usual_axis);
         span(builder, &Span { ends: [c, c + dop * to], aside, name, text: &text, gap }, pen);
     };
     match measure {
@@ -113,34 +113,34 @@ fn one(builder: &mut GearBuilder, request: &Request, volume: &DrawnVolume, gear:
         Measure::Distance => along_axis(camera.distance(), 1.25, None),
         Measure::Far => along_axis(volume.end, LOWEST, volume.gap.map(|gap| gap.map(|d| d / volume.end))),
         Measure::Width => {
-            let aside = basis.v * (0.35 * gear.axis);
+            let aside = basis.v * (0.35 * gear.usual_axis);
             span(builder, &Span { ends: [lt, rt], aside, name, text: &text, gap: None }, pen);
         }
         Measure::Height => {
-            let aside = basis.u * (0.35 * gear.axis);
+            let aside = basis.u * (0.35 * gear.usual_axis);
             span(builder, &Span { ends: [rb, rt], aside, name, text: &text, gap: None }, pen);
         }
         // Farther from the window than the whole, which may be there too.
         Measure::HalfWidth => {
-            let (aside, middle) = (basis.v * (0.8 * gear.axis), lt.lerp(rt, 0.5));
+            let (aside, middle) = (basis.v * (0.8 * gear.usual_axis), lt.lerp(rt, 0.5));
             span(builder, &Span { ends: [middle, rt], aside, name, text: &text, gap: None }, pen);
         }
         Measure::HalfHeight => {
-            let (aside, middle) = (basis.u * (0.8 * gear.axis), rb.lerp(rt, 0.5));
+            let (aside, middle) = (basis.u * (0.8 * gear.usual_axis), rb.lerp(rt, 0.5));
             span(builder, &Span { ends: [middle, rt], aside, name, text: &text, gap: None }, pen);
         }
         Measure::Angle => {
             if let Some(top) = half_angle(request) {
                 // The lower side, as the upper one on the other side of the axis.
                 let bottom = 2.0 * top.dot(dop) * dop - top;
-                let radius = 2.1 * gear.axis;
+                let radius = 2.1 * gear.usual_axis;
                 builder.line(vec![c, c + bottom * (1.15 * radius)], pen.color, 0.6 * pen.width, Dash::Solid);
                 angle(builder, c, [bottom, top], radius, (name, &text), pen);
             }
         }
         Measure::HalfAngle => {
             if let Some(top) = half_angle(request) {
-                angle(builder, c, [dop, top], 1.6 * gear.axis, (name, &text), pen);
+                angle(builder, c, [dop, top], 1.6 * gear.usual_axis, (name, &text), pen);
             }
         }
     }

@@ -42,7 +42,7 @@ pub(super) fn on_screen(request: &Request, screen: &Screen, volume: &DrawnVolume
         all.push((Handle::FocalPoint, camera.focal_point()));
     }
     if parts.has(WorldPart::ViewUp) {
-        all.push((Handle::ViewUp, Gear::new(screen, camera).view_up_tip(camera)));
+        all.push((Handle::ViewUp, Gear::new(screen, camera, &request.shot.look.world).view_up_tip(camera)));
     }
     if parts.has(WorldPart::Volume) {
         all.extend(on_axis(request, screen, volume, 20.0));
@@ -99,7 +99,7 @@ pub fn drag(request: &Request, handle: Handle, from: DVec2, to: DVec2, vertical:
             parameters.far = far.max((1.01 * camera.near()).min(camera.far()));
         }
         Handle::ViewUp => {
-            let tip = Gear::new(&screen, camera).view_up_tip(camera);
+            let tip = Gear::new(&screen, camera, &request.shot.look.world).view_up_tip(camera);
             let moved = tip + grip.in_picture(tip) - camera.position();
             if let Some(up) = try_unit(moved) {
                 parameters.view_up = up * camera.view_up().length();
@@ -292,7 +292,7 @@ mod tests {
     fn the_tip_of_vup_follows_the_pointer_and_vup_keeps_its_length() {
         with_picture(CORNER, |request, screen| {
             let c = request.camera.position();
-            let tip = Gear::new(screen, &request.camera).view_up_tip(&request.camera);
+            let tip = Gear::new(screen, &request.camera, &request.shot.look.world).view_up_tip(&request.camera);
             let [right, ..] = CORNER.axes();
             let goal = tip + right * 0.8;
             let moved = drag(request, Handle::ViewUp, screen.place(tip).unwrap(), screen.place(goal).unwrap(), false);

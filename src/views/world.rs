@@ -42,7 +42,14 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let (change, style) = gizmos::wired(style);
     let scene = pipeline.scene(request, std::mem::take(&mut revealed.scene), change);
     let builder = GearBuilder::new(&screen, style.hidden_lines);
-    let mut world = World { request, palette, content, gear: Gear::new(&screen, &request.camera), on_window, builder };
+    let mut world = World {
+        request,
+        palette,
+        content,
+        gear: Gear::new(&screen, &request.camera, &request.shot.look.world),
+        on_window,
+        builder,
+    };
     if request.shot.look.world.section {
         world.section();
     } else {
@@ -351,7 +358,7 @@ impl World<'_> {
         if self.has(WorldPart::Volume) {
             let c = self.request.camera.position();
             for (handle, place) in handles::on_axis(self.request, self.builder.screen, &self.content.volume, 0.0) {
-                if handle != Handle::Near || place.distance(c) > 0.3 * self.gear.axis {
+                if handle != Handle::Near || place.distance(c) > 0.3 * self.gear.usual_axis {
                     self.builder.mark(place, MarkShape::Square, 2.6, self.palette.volume_edge);
                 }
             }

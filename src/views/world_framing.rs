@@ -77,10 +77,10 @@ pub(super) fn holds(request: &Request, observer: &Observer) -> bool {
 /// The points around the camera's gear, as large as it is for an observer; `None` for one that is not a camera.
 fn gear_points(request: &Request, observer: &Observer, content: &Content) -> Option<Vec<DVec3>> {
     let screen = screen_of(request, observer, content)?;
-    let gear = Gear::new(&screen, &request.camera);
+    let gear = Gear::new(&screen, &request.camera, &request.shot.look.world);
     let mut points: Vec<DVec3> = gear.room(&request.camera).into_iter().collect();
     if request.shot.look.world.dimensions {
-        let below = request.camera.basis().v * (-dimensions::LOWEST * gear.axis);
+        let below = request.camera.basis().v * (-dimensions::LOWEST * gear.usual_axis);
         let ahead = request.camera.direction_of_projection() * content.volume.end;
         points.extend([request.camera.position() + below, request.camera.position() + ahead + below]);
     }

@@ -85,6 +85,17 @@ fn pair(id: &str, seed: u64) -> Pair {
             let v = (up - n * n.dot(up)).normalize();
             Pair { wrong: ("n", array(n)), follows: vec![("v", array(v)), ("u", array(n.cross(v)))] }
         }
+        "light" => {
+            let [p, n, c] = ["P", "N", "C"].map(|name| DVec3::from_slice(&tuple(&exercise, name)));
+            let [ka, kd, ks, m] = ["ka", "kd", "ks", "exponent"].map(|name| number(&exercise, name));
+            let (n, v) = (n.normalize(), (c - p).normalize());
+            let l = (vector("L") + by).normalize();
+            let h = (l + v).normalize();
+            let share = vec![ka + kd * n.dot(l).max(0.0)];
+            let highlight = vec![ks * n.dot(h).powf(m)];
+            let follows = vec![("cosine", vec![n.dot(l)]), ("share", share), ("H", array(h)), ("highlight", highlight)];
+            Pair { wrong: ("L", array(l)), follows }
+        }
         "pan" => {
             let moved = vector("C") + by;
             Pair { wrong: ("C", array(moved)), follows: vec![("PF", array(pf + moved - c))] }
@@ -150,7 +161,7 @@ fn as_rows(columns: &[DVec4]) -> Vec<f64> {
     (0..4).flat_map(|row| columns.iter().map(move |column| column[row])).collect()
 }
 
-const EXERCISES: [&str; 18] = [
+const EXERCISES: [&str; 19] = [
     "basis",
     "order",
     "clip-segment",
@@ -167,6 +178,7 @@ const EXERCISES: [&str; 18] = [
     "yaw",
     "pitch",
     "roll",
+    "light",
     "1-II",
     "1-III",
 ];

@@ -269,10 +269,75 @@ fn of_zoom_or_dolly(exercise: &Exercise) -> Vec<Wrong> {
     wrong
 }
 
+/// The way from P to lamp 1, and to lamp 2, as the statement tells them.
+fn ways(exercise: &Exercise, p: DVec3) -> [DVec3; 2] {
+    let vector = |name| DVec3::from_slice(&tuple(exercise, name));
+    let [near, far] = [vector("S") - p, -vector("d")];
+    let is_near = exercise.facts.iter().any(|(_, fact)| matches!(fact, Fact::Text("lamps-near-far")));
+    if is_near { [near, far] } else { [far, near] }
+}
+
+fn of_light(exercise: &Exercise) -> Vec<Wrong> {
+    let [p, given, c] = ["P", "N", "C"].map(|name| DVec3::from_slice(&tuple(exercise, name)));
+    let [ka, kd, ks, m] = ["ka", "kd", "ks", "exponent"].map(|name| number(exercise, name));
+    let [way, behind] = ways(exercise, p);
+    let (n, l, v) = (given.normalize(), way.normalize(), (c - p).normalize());
+    let (cosine, second) = (n.dot(l), n.dot(behind.normalize()));
+    let h = (l + v).normalize();
+    let from_origin = (ways(exercise, DVec3::ZERO)[0].normalize() + c.normalize()).normalize();
+    // Phong's angle, by turning the way to the lamp half round the normal.
+    let reflected = glam::DQuat::from_axis_angle(n, std::f64::consts::PI) * l;
+    let share = |light: f64| vec![ka + kd * light];
+    let white = |cosine: f64| vec![ks * cosine.powf(m)];
+    let right = [
+        ("L", array(l)),
+        ("cosine", vec![cosine]),
+        ("share", share(cosine)),
+        ("H", array(h)),
+        ("highlight", white(n.dot(h))),
+    ];
+    for (name, numbers) in right {
+        let table = exercise.asks.iter().find(|ask| ask.name == name).unwrap().expected().table().unwrap();
+        let apart = table.entries.iter().zip(&numbers).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-12 && table.entries.len() == numbers.len(), "{} {name}: {apart}", exercise.seed);
+    }
+    let mut wrong = vec![
+        ("L", array(way), "not-normalised"),
+        ("L", array(-l), "sign"),
+        ("L", array(v), "view-for-light"),
+        ("cosine", vec![given.dot(l)], "not-normalised"),
+        ("cosine", vec![n.dot(way)], "not-normalised"),
+        ("cosine", vec![-cosine], "sign"),
+        ("cosine", vec![n.dot(v)], "view-for-light"),
+        ("cosine", vec![cosine.acos().to_degrees()], "angle-for-cosine"),
+        ("cosine", vec![1.0 - cosine.acos() / std::f64::consts::FRAC_PI_2], "angle-for-cosine"),
+        ("share", share(given.dot(l)), "not-normalised"),
+        ("share", share(cosine + second), "negative-light"),
+        ("share", share(1.0 - cosine.acos() / std::f64::consts::FRAC_PI_2), "angle-for-cosine"),
+        ("share", share(n.dot(v)), "view-for-light"),
+        ("share", vec![kd * cosine], "share-forgotten"),
+        ("share", vec![ka + cosine], "share-forgotten"),
+        ("H", array(l + v), "not-normalised"),
+        ("H", array((l + v) / 2.0), "not-normalised"),
+        ("H", array(from_origin), "position-forgotten"),
+        ("H", array(v), "view-for-light"),
+        ("highlight", vec![n.dot(h).powf(m)], "share-forgotten"),
+        ("highlight", vec![ks * n.dot(h)], "exponent-forgotten"),
+        ("highlight", white(n.dot(l)), "halfway-forgotten"),
+        ("highlight", white(n.dot(l + v)), "not-normalised"),
+        ("highlight", white(n.dot(l + v) / 2.0), "not-normalised"),
+        ("highlight", white(given.dot(h)), "not-normalised"),
+    ];
+    if reflected.dot(v) > 0.0 {
+        wrong.push(("highlight", white(reflected.dot(v)), "halfway-forgotten"));
+    }
+    wrong
+}
+
 /// Wrong answers to an exercise.
 type WrongAnswers = fn(&Exercise) -> Vec<Wrong>;
 
-const FAMILIES: [(&str, WrongAnswers); 9] = [
+const FAMILIES: [(&str, WrongAnswers); 10] = [
     ("asymmetric-window", of_asymmetric_window),
     ("clip-segment", of_segment),
     ("outcodes", of_outcodes),
@@ -282,6 +347,7 @@ const FAMILIES: [(&str, WrongAnswers); 9] = [
     ("order", of_order),
     ("depth-resolution", of_depth),
     ("zoom-or-dolly", of_zoom_or_dolly),
+    ("light", of_light),
 ];
 
 #[test]

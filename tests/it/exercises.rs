@@ -144,6 +144,11 @@ fn the_textbook_without_slips_agrees() {
     });
 }
 
+/// Where a vector has to be of length 1.
+fn has_lengths(nature: Nature) -> bool {
+    matches!(nature, Nature::Direction | Nature::Cosine | Nature::Light | Nature::Matrix)
+}
+
 fn is_near(a: &Table, b: &Table) -> bool {
     a.entries.iter().zip(&b.entries).all(|(a, b)| (a - b).abs() <= 2e-4 * b.abs().max(b.abs().max(1e-9)))
 }
@@ -180,7 +185,7 @@ fn no_known_mistake_is_accepted_and_each_is_told() {
                     .collect();
                 // A length shows where it has to be 1; and that one of many was made says nothing.
                 let is_length = slip.mistake() == Mistake::NotNormalised;
-                if (is_length && !matches!(ask.nature, Nature::Direction | Nature::Matrix)) || same.len() > 3 {
+                if (is_length && !has_lengths(ask.nature)) || same.len() > 3 {
                     continue;
                 }
                 let is_sign = right.entries.iter().zip(&table.entries).all(|(a, b)| (a.abs() - b.abs()).abs() < 1e-9);

@@ -6,6 +6,7 @@
 //! | `clipping` | clipping before the division by w, `[2]` |
 //! | `depth` | depth: the resolution of a depth buffer, the painter's order |
 //! | `hands` | exercises done by hand: a camera to set, and the answer before it is shown |
+//! | `light` | light on a vertex, `[2]`, `[3]` §1.8 |
 //! | `matrices` | the axes of a camera, its window, and its matrices |
 //! | `operations` | the operations on a camera, `[0]` §5.6 |
 //! | `points` | points on their way into the image, and pixels on their way back |
@@ -15,6 +16,7 @@ mod cameras;
 mod clipping;
 mod depth;
 mod hands;
+mod light;
 mod matrices;
 mod operations;
 mod points;
@@ -53,6 +55,7 @@ pub static ENTRIES: &[Entry] = &[
     spaces::ORDER,
     depth::DEPTH_RESOLUTION,
     depth::PAINTER,
+    light::LIGHT,
     hands::MATCH_PICTURE,
     hands::PLACE_CAMERA,
     hands::PREDICT_VISIBLE,

@@ -180,6 +180,7 @@ fn figure() -> impl Strategy<Value = Figure> {
                 section: undistorted,
                 dimensions: reveal.culled,
                 window_opacity: reveal.clipping.then_some(0.4),
+                axes_length: reveal.clipping.then_some(1.5),
                 parts: parts(width),
             },
             observers: Observers { world, canonical },

@@ -32,7 +32,7 @@ use super::words::{
     DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES,
     VISIBILITIES,
 };
-use super::{Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook, WorldPart, WorldParts};
+use super::{AXES_LENGTHS, Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook, WorldPart, WorldParts};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
@@ -264,10 +264,14 @@ fn reveal(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Reveal {
 fn world(mut section: Section<'_>, faults: &mut Vec<Fault>) -> WorldLook {
     let given = section.is_present("window_opacity");
     let opacity = section.number_in("window_opacity", 0.0, 1.0, 1.0);
+    let [shortest, longest] = AXES_LENGTHS;
+    let has_length = section.is_present("axes_length");
+    let length = section.number_in("axes_length", shortest, longest, 1.0);
     let world = WorldLook {
         section: section.switch("section"),
         dimensions: section.switch("dimensions"),
         window_opacity: given.then_some(opacity),
+        axes_length: has_length.then_some(length),
         parts: world_parts(&mut section),
     };
     faults.extend(section.finish());

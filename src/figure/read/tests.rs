@@ -99,6 +99,7 @@ fn every_key_is_read() {
         [world]
         section = true
         window_opacity = 0.25
+        axes_length = 2.5
         [observers.world]
         target = [1, 1, 1]
         distance = 7
@@ -273,6 +274,7 @@ fn wrong_values_are_refused_with_line_key_and_what_is_allowed() {
         ("[points]\nname = \"P\"", "points", 1),
         ("points = 3", "points", 1),
         ("[world]\nwindow_opacity = 1.5", "[world] window_opacity", 2),
+        ("[world]\naxes_length = 5", "[world] axes_length", 2),
         ("[world]\n\ndimensions = 1", "[world] dimensions", 3),
         ("[world]\nsections = true", "[world] sections", 2),
         ("[observers.world]\ndistance = 0", "[observers.world] distance", 2),

@@ -14,6 +14,9 @@ use crate::numbers::significant;
 /// The steps of opacity that are offered, in percent.
 const STEPS: [u8; 5] = [0, 25, 50, 75, 100];
 
+/// The lengths of the camera's axes that are offered, as multiples of the usual one.
+const LENGTHS: [f64; 4] = [0.5, 1.5, 2.0, 3.0];
+
 /// A switch for each part, in two columns.
 fn parts(ui: &mut egui::Ui, lang: Lang, parts: &mut WorldParts) {
     let all: Vec<_> = WorldPart::ALL.into_iter().zip(labels(lang).world_parts).collect();
@@ -44,6 +47,14 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         all.extend(steps.iter().zip(&names).map(|(share, name)| (Some(*share), name.as_str())));
         row(ui, "", t.window_opacity, t.window_opacity_hint, |ui| {
             choice(ui, t.window_opacity, t.window_opacity_hint, &mut world.window_opacity, &all)
+        });
+        let mut lengths = LENGTHS.to_vec();
+        lengths.extend(old.axes_length.filter(|length| !lengths.contains(length)));
+        let names: Vec<_> = lengths.iter().map(|length| format!("× {}", significant(*length, 3))).collect();
+        let mut all = vec![(None, t.axes_usual)];
+        all.extend(lengths.iter().zip(&names).map(|(length, name)| (Some(*length), name.as_str())));
+        row(ui, "", t.axes_length, t.axes_length_hint, |ui| {
+            choice(ui, t.axes_length, t.axes_length_hint, &mut world.axes_length, &all)
         });
         ui.add_enabled(!world.section, egui::Checkbox::new(&mut world.dimensions, t.dimensions))
             .explained(t.dimensions_hint)
