@@ -93,25 +93,25 @@ impl Vertex {
     }
 
     /// **L**
-    fn to_lamp(&self, k: usize, slips: Slips) -> DVec3 {
+    fn lamp_direction(&self, k: usize, slips: Slips) -> DVec3 {
         let way = self.way(k, slips);
         if slips.has(Slip::LengthForgotten) { way } else { way.normalize() }
     }
 
     /// **V**
-    fn to_viewer(&self, slips: Slips) -> DVec3 {
+    fn viewer_direction(&self, slips: Slips) -> DVec3 {
         let way = self.way_to_viewer(slips);
         if slips.has(Slip::LengthForgotten) { way } else { way.normalize() }
     }
 
     /// **H**
     fn halfway(&self, slips: Slips) -> DVec3 {
-        halfway(self.to_lamp(0, slips), self.to_viewer(slips), slips)
+        halfway(self.lamp_direction(0, slips), self.viewer_direction(slips), slips)
     }
 
     /// **N** · **L**
     fn cosine(&self, k: usize, slips: Slips) -> f64 {
-        let cosine = self.unit_normal(slips).dot(self.to_lamp(k, slips));
+        let cosine = self.unit_normal(slips).dot(self.lamp_direction(k, slips));
         if slips.has(Slip::CosineLeftAsAngle) {
             cosine.acos().to_degrees()
         } else if slips.has(Slip::ShareOfRightAngle) {
@@ -129,7 +129,7 @@ impl Vertex {
 
     /// The white that lamp 1 adds. None is no evidence of any mistake.
     fn highlight(&self, slips: Slips) -> Option<f64> {
-        let (n, l, v) = (self.unit_normal(slips), self.to_lamp(0, slips), self.to_viewer(slips));
+        let (n, l, v) = (self.unit_normal(slips), self.lamp_direction(0, slips), self.viewer_direction(slips));
         let cosine = if slips.has(Slip::LightForHalfway) {
             n.dot(l)
         } else if slips.has(Slip::ReflectedForHalfway) {
@@ -148,9 +148,9 @@ impl Vertex {
         let [first, second] = [0, 1].map(|k| self.cosine(k, Slips::NONE));
         (0.2..0.9).contains(&first)
             && (-0.9..-0.15).contains(&second)
-            && (0.25..0.95).contains(&n.dot(self.to_viewer(Slips::NONE)))
+            && (0.25..0.95).contains(&n.dot(self.viewer_direction(Slips::NONE)))
             && (0.55..0.98).contains(&n.dot(h))
-            && self.to_lamp(0, Slips::NONE).dot(self.to_viewer(Slips::NONE)) > -0.4
+            && self.lamp_direction(0, Slips::NONE).dot(self.viewer_direction(Slips::NONE)) > -0.4
     }
 }
 
@@ -163,8 +163,8 @@ fn share(cosines: [f64; 2], slips: Slips) -> f64 {
 }
 
 /// The vector halfway between two ways.
-fn halfway(to_lamp: DVec3, to_viewer: DVec3, slips: Slips) -> DVec3 {
-    let sum = to_lamp + to_viewer;
+fn halfway(lamp_direction: DVec3, viewer_direction: DVec3, slips: Slips) -> DVec3 {
+    let sum = lamp_direction + viewer_direction;
     if slips.has(Slip::HalfwaySum) {
         sum
     } else if slips.has(Slip::HalfwayMean) {
@@ -206,9 +206,9 @@ fn any_vertex(random: &mut Random) -> Vertex {
     };
     let lamp = |is_near: bool, way: DVec3| if is_near { Lamp::Near(position + way) } else { Lamp::Far(-way) };
     let first_is_near = random.whole(0, 1) == 0;
-    let to_viewer = way(random);
+    let viewer_direction = way(random);
     // Not so near that the ball about P fills the picture.
-    let eye = position + to_viewer * if to_viewer.length() < 4.0 { 2.0 } else { 1.0 };
+    let eye = position + viewer_direction * if viewer_direction.length() < 4.0 { 2.0 } else { 1.0 };
     Vertex {
         position,
         normal: way(random),
@@ -238,15 +238,15 @@ fn tells_apart(exercise: &Exercise) -> bool {
 
 fn light_of(vertex: Vertex) -> Exercise {
     let n = vertex.normal.normalize();
-    let (to_viewer, behind) = (vertex.to_viewer(Slips::NONE), vertex.cosine(1, Slips::NONE));
+    let (viewer_direction, behind) = (vertex.viewer_direction(Slips::NONE), vertex.cosine(1, Slips::NONE));
     let highlight = move |h: DVec3| SPECULAR * n.dot(h).max(0.0).powi(vertex.exponent);
-    let between = move |l: DVec3| follows::unit(l + to_viewer);
+    let between = move |l: DVec3| follows::unit(l + viewer_direction);
     let one = |x: f64| Some(Table::number(x));
     let [to_light, normal, cosine, share_step, half, white] = steps(&vertex);
-    let all = |steps: &[&Worked]| steps.iter().map(|step| Worked::clone(step)).collect::<Vec<_>>();
+    let all = |steps: &[&Worked]| steps.iter().copied().cloned().collect::<Vec<_>>();
 
     let l = Ask::computed("L", Kind::Vector(3), all(&[&to_light]), move |slips| {
-        Some(Table::from(vertex.to_lamp(0, slips)))
+        Some(Table::from(vertex.lamp_direction(0, slips)))
     });
     let cosine_ask = Ask::computed("cosine", Kind::Number, all(&[&to_light, &normal, &cosine]), move |slips| {
         one(vertex.cosine(0, slips))
@@ -380,8 +380,8 @@ fn lamp_rows(step: Worked, vertex: &Vertex, k: usize, names: [Name; 3]) -> Worke
 
 /// The ways to lamp 1, to **N**, to their cosine, to the share of the colour, to **H** and to the highlight.
 fn steps(vertex: &Vertex) -> [Worked; 6] {
-    let (n, l) = (vertex.normal.normalize(), vertex.to_lamp(0, Slips::NONE));
-    let (v, h) = (vertex.to_viewer(Slips::NONE), vertex.halfway(Slips::NONE));
+    let (n, l) = (vertex.normal.normalize(), vertex.lamp_direction(0, Slips::NONE));
+    let (v, h) = (vertex.viewer_direction(Slips::NONE), vertex.halfway(Slips::NONE));
     let [first, second] = [("N·L", r"\mathbf{N}\cdot\mathbf{L}"), ("N·L₂", r"\mathbf{N}\cdot\mathbf{L}_2")];
     let first = named(first.0, first.1, n.dot(l));
     let second = named(second.0, second.1, vertex.cosine(1, Slips::NONE));
@@ -395,7 +395,7 @@ fn steps(vertex: &Vertex) -> [Worked; 6] {
     let normal = unit_rows(Worked::new("unit-normal", source), N, ("‖N'‖", r"\|\mathbf{N}'\|"), given, vertex.normal);
     let cosine = Worked::new("cosine", source).row(first, dot(unit_n, coordinates(L, l)));
     let share_step = lamp_rows(Worked::new("share-of-colour", source), vertex, 1, FAR_L)
-        .row(second, dot(unit_n, coordinates(FAR_L, vertex.to_lamp(1, Slips::NONE))))
+        .row(second, dot(unit_n, coordinates(FAR_L, vertex.lamp_direction(1, Slips::NONE))))
         .row(
             named("I", "I", share([first.value, second.value], Slips::NONE)),
             plus(ambient, times([diffuse.into(), first.into()])),
