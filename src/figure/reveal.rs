@@ -23,14 +23,16 @@ pub struct Reveal {
     pub shadows: Option<ShadowReveal>,
 }
 
-/// The inner work of shadows, made visible (`[reveal] shadows`). With either, the volume of the light stands in the
-/// world.
+/// The inner work of shadows, made visible (`[reveal] shadows`). With each of them the volume of the light stands in
+/// the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ShadowReveal {
     /// The image is that of the first light that casts shadows: the distances from it.
     Map,
     /// The pictures have no bias.
     Acne,
+    /// The image marks the pixels where rays to the lights say something else than the shadow maps.
+    Truth,
 }
 
 /// Whether the image shows depths, and which (`[reveal] depth`).

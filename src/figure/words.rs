@@ -53,7 +53,8 @@ pub const TEXTURE_REVEALS: Words<TextureReveal> =
     &[("affine", TextureReveal::Affine), ("levels", TextureReveal::Levels), ("texels", TextureReveal::Texels)];
 
 /// `[reveal] shadows`
-pub const SHADOW_REVEALS: Words<ShadowReveal> = &[("map", ShadowReveal::Map), ("acne", ShadowReveal::Acne)];
+pub const SHADOW_REVEALS: Words<ShadowReveal> =
+    &[("map", ShadowReveal::Map), ("acne", ShadowReveal::Acne), ("truth", ShadowReveal::Truth)];
 
 /// `[[scene.objects]] shape`; those that have data are empty here.
 pub const SHAPES: Words<Shape> = Shape::NAMED;

@@ -3,10 +3,14 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | `double_double` | numbers of twice the precision of `f64`, for the few places where one rounding too many would show |
+//! | `triangle_tree` | a tree of boxes over triangles, for rays in `f64` |
 
 pub(crate) mod double_double;
+mod triangle_tree;
 
 use glam::DVec3;
+
+pub use triangle_tree::{TriangleHit, TriangleTree};
 
 /// An angle. Kept in degrees, as users give it, so that 30°, 45°, 90° stay exact; radians are an inner matter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]

@@ -19,6 +19,9 @@ texts! {
     depth_linear: "distance from the eye", "distância ao olho";
     depth_of_light: "shadow map: distance from the light", "mapa de sombras: distância à luz";
     acne: "shadows without bias: faces shadow themselves", "sombras sem folga: as faces sombreiam a si mesmas";
+    map_wrong: "the shadow map is wrong at", "o mapa de sombras erra em";
+    out_of: "of", "de";
+    too_much_for_rays: "too much for rays; allowed: 4 million pixels and 2 million triangles", "demais para raios; permitido: 4 milhões de pixels e 2 milhões de triângulos";
     nothing: "nothing here", "nada aqui";
     outside: "outside the volume", "fora do volume";
     cuts: "made by clipping", "criado pelo recorte";
@@ -166,6 +169,9 @@ const fn of(t: &Texts) -> Labels {
         depth_linear: t.depth_linear,
         depth_of_light: t.depth_of_light,
         acne: t.acne,
+        map_wrong: t.map_wrong,
+        out_of: t.out_of,
+        too_much_for_rays: t.too_much_for_rays,
         nothing: t.nothing,
         outside: t.outside,
         cuts: t.cuts,

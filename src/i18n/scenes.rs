@@ -120,10 +120,11 @@ texts! {
     shadow_bias: "bias", "folga";
     shadow_bias_hint: "How much deeper than the map a point must lie to be in the shadow, in texels, 0 to 100: with 0 faces shadow themselves, with too much shadows come off", "Quão mais fundo que o mapa um ponto precisa estar para ficar na sombra, em texels, de 0 a 100: com 0 as faces sombreiam a si mesmas, com demais as sombras se soltam";
     shadow_reveal: "to see of shadows", "ver das sombras";
-    shadow_reveal_hint: "The light is a camera: its picture, which is the shadow map; or the shadows without bias, with which faces shadow themselves. The world shows its volume", "A luz é uma câmera: sua imagem, que é o mapa de sombras; ou as sombras sem folga, com as quais as faces sombreiam a si mesmas. O mundo mostra seu volume";
+    shadow_reveal_hint: "The light is a camera: its picture, which is the shadow map; the shadows without bias, with which faces shadow themselves; or the pixels where rays to the light say something else than the map. The world shows its volume", "A luz é uma câmera: sua imagem, que é o mapa de sombras; as sombras sem folga, com as quais as faces sombreiam a si mesmas; ou os pixels em que raios até a luz dizem outra coisa que o mapa. O mundo mostra seu volume";
     shadow_plain: "shadows", "sombras";
     shadow_of_light: "what the light sees", "o que a luz vê";
     shadow_acne: "without bias", "sem folga";
+    shadow_truth: "where the map is wrong", "onde o mapa erra";
     shadow_softness: "soft edge", "borda suave";
     shadow_softness_hint: "Width of the soft edge of shadows, in texels, 0 to 8", "Largura da borda suave das sombras, em texels, de 0 a 8";
 

@@ -13,6 +13,7 @@
 //! | `handout_formula` | formulas of a handout on lines of their own: matrices in rows between brackets |
 //! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
 //! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
+//! | `shadow_truth` | shadow maps held against rays, pixel by pixel |
 //! | `sweep` | pictures one after the other: a family, or the way to another camera |
 //! | `triangle` | one triangle: its pixels, and its depth tests |
 //! | `vector_faces` | the faces of a page of vectors, in the order of painting |
@@ -28,6 +29,7 @@ mod handout;
 mod handout_formula;
 mod render_report;
 mod renderer;
+pub mod shadow_truth;
 mod sweep;
 mod triangle;
 mod vector_faces;

@@ -6,6 +6,7 @@ use std::time::Duration;
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
 
 use super::compared::joined;
+use super::shadow_truth::FoundShadows;
 use super::{Composite, FollowedTriangle, Pixels, RenderReport};
 use crate::appearance::{HiddenLines, Texture};
 use crate::pipeline::{Frame, OverBudget};
@@ -26,6 +27,7 @@ pub struct Renderer {
     rasterizer: Rasterizer,
     on_window: Option<(Request, Arc<Texture>)>,
     triangle: FollowedTriangle,
+    shadows: FoundShadows,
     /// The buffer of the other side of a comparison.
     other_side: Pixels,
     /// The scene of such a side where its hidden lines are drawn in another way.
@@ -191,7 +193,12 @@ impl Renderer {
             View::Canonical | View::Image => (None, None),
         };
         let overlay = self.triangle.overlay(request).await;
-        let followed = overlay.map(|found| Request { triangle: Some(found), ..request.clone() });
+        let truth = self.shadows.of(request, &self.progress).await;
+        let followed = (overlay.is_some() || truth.is_some()).then(|| Request {
+            triangle: overlay,
+            shadow_truth: truth,
+            ..request.clone()
+        });
         let request = followed.as_ref().unwrap_or(request);
         let pipeline = &mut self.pipelines[request.view.index()];
         pipeline.clock = self.clock;

@@ -56,6 +56,7 @@
 //! | `rounding_check` | detection of vertices that rounding misplaces in the picture, by the code that draws them |
 //! | `scenes` | a scene and the gear of a picture, side by side |
 //! | `shadow_maps` | the maps of the lights that cast shadows: each light is a camera, and its map the depths of its picture |
+//! | `shadow_rays` | shadows by rays: the truth that shadow maps are held against |
 //! | `shade` | surfaces of the drawing from the faces that are left |
 //! | `stage_work` | input and output of a stage, recorded while a picture is made, so that the picture can show them |
 //! | `stages` | reasons of stages, plans and reports of objects |
@@ -95,6 +96,7 @@ mod rounding_check;
 mod scenes;
 mod shade;
 mod shadow_maps;
+pub mod shadow_rays;
 mod stage_work;
 mod stages;
 pub mod stroke_order;

@@ -61,6 +61,31 @@ pub struct TriangleOverlay {
     pub pixel: Option<[u32; 2]>,
 }
 
+/// Where the shadow maps of an image are wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ShadowTruth {
+    /// Held against rays.
+    Found {
+        /// Runs of wrong pixels of the image, m × n: row, the first column, and the one after the last.
+        rows: Vec<[u32; 3]>,
+        /// Number of pixels that were held against rays: those of faces turned to a light that casts shadows.
+        of: usize,
+    },
+    /// The image has too many pixels for that, or the scene too many triangles.
+    TooMuch,
+}
+
+impl ShadowTruth {
+    /// Number of wrong pixels.
+    #[must_use]
+    pub fn wrong(&self) -> usize {
+        match self {
+            Self::Found { rows, .. } => rows.iter().map(|[_, first, after]| (after - first) as usize).sum(),
+            Self::TooMuch => 0,
+        }
+    }
+}
+
 /// The target of the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Probe {

@@ -152,6 +152,7 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
         dropped.for_each(|p| *p = shifted(*p, rect));
     }
     triangle_overlay::pixels(&mut drawn.drawing, rect, request, palette);
+    light_view::mark_wrong(&mut drawn.drawing, rect, request, palette);
     revealed_scene::explain(&mut drawn, request, legend.as_ref());
     drawn
 }

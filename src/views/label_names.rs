@@ -19,7 +19,7 @@ const NAMES: &[&str] = &[
     "legend:distance-middle", "legend:distance-far", "legend:triangles", "legend:vanishing", "legend:V_x", "legend:V_y", "legend:V_z",
     "legend:step", "legend:handedness", "legend:ndc", "legend:cuts", "legend:outside", "legend:back-faces", "legend:dropped",
     "legend:divided-first", "legend:not-split", "legend:rounded", "legend:goes-in", "legend:comes-out", "legend:vertices", "legend:not-all",
-    "legend:acne", "legend:affine", "legend:levels", "legend:level", "legend:texels",
+    "legend:acne", "legend:affine", "legend:levels", "legend:level", "legend:texels", "legend:truth",
 ];
 
 /// The names in the `[labels]` of a shot that no label has in any of its pictures, each with the one that was probably

@@ -35,6 +35,12 @@ pub struct Labels {
     pub depth_of_light: &'static str,
     /// Shadows without bias.
     pub acne: &'static str,
+    /// Before the number of pixels where a shadow map is wrong.
+    pub map_wrong: &'static str,
+    /// Between a number and the number of all.
+    pub out_of: &'static str,
+    /// Shadow maps are not held against rays.
+    pub too_much_for_rays: &'static str,
     /// The label of pixels without a depth.
     pub nothing: &'static str,
     /// Parts outside the view volume.

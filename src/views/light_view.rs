@@ -7,9 +7,12 @@ use glam::{DVec2, DVec3};
 use super::gizmos::GearBuilder;
 use super::hits::first_crossing;
 use super::legend::{LegendRow, LegendText};
-use super::{Palette, Request};
+use super::pixels::PixelRect;
+use super::triangle_overlay::pixel_run;
+use super::{Palette, Request, ShadowTruth};
 use crate::appearance::Dash;
 use crate::camera::{Camera, ImageSize, Projection, Viewport};
+use crate::drawing::Drawing;
 use crate::figure::{Depth, Reveal, ShadowReveal};
 use crate::pipeline::light_cameras;
 use crate::scene::{Light, Scene};
@@ -40,10 +43,42 @@ pub(super) fn lights<'a>(request: &Request, scene: &'a Scene) -> Cow<'a, [Light]
     lights
 }
 
-/// The legend of shadows without bias.
+/// The legend of shadows without bias, and of those held against rays.
 pub(super) fn rows(request: &Request, palette: Palette) -> Option<LegendRow> {
-    let shown = request.shot.look.reveal.shadows == Some(ShadowReveal::Acne) && first(&request.scene).is_some();
-    shown.then(|| LegendRow::Title(LegendText::new("acne", request.labels.acne), palette.ink))
+    let labels = request.labels;
+    match (request.shot.look.reveal.shadows?, request.shadow_truth.as_deref()) {
+        (ShadowReveal::Acne, _) => {
+            let title = LegendText::new("acne", labels.acne);
+            first(&request.scene).map(|_| LegendRow::Title(title, palette.ink))
+        }
+        (ShadowReveal::Truth, Some(truth @ ShadowTruth::Found { of, .. })) => {
+            let wrong = truth.wrong();
+            #[expect(clippy::cast_precision_loss, reason = "numbers of pixels")]
+            let share = 100.0 * wrong as f64 / (*of).max(1) as f64;
+            let share = labels.mark.number(share, 2);
+            let text = format!("{} {wrong} {} {of} pixels, {share} %", labels.map_wrong, labels.out_of);
+            let text = LegendText::new("truth", text);
+            Some(if wrong > 0 {
+                LegendRow::Warning(palette.differing, text)
+            } else {
+                LegendRow::Title(text, palette.ink)
+            })
+        }
+        (ShadowReveal::Truth, Some(ShadowTruth::TooMuch)) => {
+            Some(LegendRow::Title(LegendText::new("truth", labels.too_much_for_rays), palette.ink))
+        }
+        (ShadowReveal::Map | ShadowReveal::Truth, _) => None,
+    }
+}
+
+/// Marks the wrong pixels, in the frame of the image.
+pub(super) fn mark_wrong(drawing: &mut Drawing, frame: PixelRect, request: &Request, palette: Palette) {
+    if let Some(ShadowTruth::Found { rows, .. }) = request.shadow_truth.as_deref() {
+        let (image, fill) = (request.shot.look.image, palette.differing);
+        // Below the legend.
+        let areas = rows.iter().map(|row| pixel_run(frame, image, *row, 0.0, fill));
+        drawing.areas.splice(0..0, areas);
+    }
 }
 
 /// The volume of the light whose shadows the figure reveals, and the lamp, faint.

@@ -134,7 +134,7 @@ pub use author_labels::LabelPlace;
 pub use caption_strip::{Captions, caption_height};
 pub use compared::{Side, overlay};
 pub use hover::{
-    Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, TransformGizmo, Transforming, TriangleOverlay,
+    Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, ShadowTruth, TransformGizmo, Transforming, TriangleOverlay,
 };
 pub use label_names::unknown_labels;
 pub use labels::Labels;

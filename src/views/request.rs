@@ -4,7 +4,7 @@ use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
 use super::pixels::image_frame;
-use super::{Hover, Labels, Look, ObjectTransform, Picture, Probe, Shot, Size, TriangleOverlay, View};
+use super::{Hover, Labels, Look, ObjectTransform, Picture, Probe, ShadowTruth, Shot, Size, TriangleOverlay, View};
 use crate::camera::{Camera, Decomposition};
 use crate::figure::{Figure, Measured, Observer, ShownStep};
 use crate::geometry::Aabb;
@@ -38,6 +38,8 @@ pub struct Request {
     pub output: Output,
     /// The triangle of the shot on its way, which the renderer finds; nobody else sets it.
     pub triangle: Option<Arc<TriangleOverlay>>,
+    /// Where the shadow maps of the image are wrong, which the renderer finds; nobody else sets it.
+    pub shadow_truth: Option<Arc<ShadowTruth>>,
 }
 
 /// The settings of an output, independent of the content.
@@ -105,6 +107,7 @@ impl Request {
             force_all_stages: false,
             output: Output::Pixels,
             triangle: None,
+            shadow_truth: None,
         }
     }
 
@@ -171,6 +174,7 @@ impl Request {
             // Also in a vector picture it is a texture.
             output: Output::Pixels,
             triangle: None,
+            shadow_truth: None,
             ..self.clone()
         }
     }

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
+use crate::camera::ImageSize;
 use crate::drawing::{Area, Drawing};
 use crate::pipeline::project::displayed_ndc;
 use crate::scene::Line;
@@ -101,21 +102,14 @@ pub(super) fn in_image(builder: &mut GearBuilder, request: &Request, palette: Pa
 }
 
 /// The pixels that it covers, in the frame of the image.
-#[expect(clippy::cast_possible_truncation, reason = "pixels")]
 pub(super) fn pixels(drawing: &mut Drawing, frame: PixelRect, request: &Request, palette: Palette) {
     let Some(triangle) = &request.triangle else { return };
     if !matches!(triangle.step, TriangleStep::Pixels | TriangleStep::Depth) {
         return;
     }
     let image = request.shot.look.image;
-    let scale = [f64::from(frame.width) / f64::from(image.width), f64::from(frame.height) / f64::from(image.height)];
-    let mut area = |[y, first, after]: [u32; 3], fill: Rgba, least: f64| {
-        let size = [(f64::from(after - first) * scale[0]).max(least), scale[1].max(least)].map(|v| v as f32);
-        let corner = [
-            (f64::from(frame.x) + f64::from(first) * scale[0]) as f32,
-            (f64::from(frame.y) + f64::from(y) * scale[1]) as f32,
-        ];
-        drawing.areas.push(Area { corner, size, radius: 0.0, fill });
+    let mut area = |row: [u32; 3], fill: Rgba, least: f64| {
+        drawing.areas.push(pixel_run(frame, image, row, least, fill));
     };
     for &row in &triangle.rows {
         area(row, palette.probe.with_alpha(GLASS), 0.0);
@@ -123,4 +117,22 @@ pub(super) fn pixels(drawing: &mut Drawing, frame: PixelRect, request: &Request,
     if let Some([x, y]) = triangle.pixel.filter(|_| triangle.step == TriangleStep::Depth) {
         area([y, x, x + 1], palette.ink, 5.0 * f64::from(request.size.scale));
     }
+}
+
+/// A run of pixels of the image, m × n (row, first column, the one after the last), in its frame, at least so large.
+#[expect(clippy::cast_possible_truncation, reason = "pixels")]
+pub(super) fn pixel_run(
+    frame: PixelRect,
+    image: ImageSize,
+    [y, first, after]: [u32; 3],
+    least: f64,
+    fill: Rgba,
+) -> Area {
+    let scale = [f64::from(frame.width) / f64::from(image.width), f64::from(frame.height) / f64::from(image.height)];
+    let size = [(f64::from(after - first) * scale[0]).max(least), scale[1].max(least)].map(|v| v as f32);
+    let corner = [
+        (f64::from(frame.x) + f64::from(first) * scale[0]) as f32,
+        (f64::from(frame.y) + f64::from(y) * scale[1]) as f32,
+    ];
+    Area { corner, size, radius: 0.0, fill }
 }

@@ -3,19 +3,24 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use camera_lab::appearance::{Rgba, Shading, Style, Theme, Visibility};
 use camera_lab::camera::{Camera, ImageSize};
-use camera_lab::drawing::ShadowMap;
+use camera_lab::drawing::{Area, ShadowMap};
 use camera_lab::figure::Figure;
 use camera_lab::figure::read::parse;
 use camera_lab::files::SHIPPED_FIGURES;
+use camera_lab::i18n::{Lang, pictures};
+use camera_lab::picture::Renderer;
 use camera_lab::pipeline::light::{AMBIENT, DIFFUSE};
 use camera_lab::pipeline::plan::{Options, Output, Reason, Stage};
+use camera_lab::pipeline::shadow_rays::{SeenPoint, Solids, to_light};
 use camera_lab::pipeline::{Frame, Pipeline, Target};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, LightKind, ObjectPaint, Scene, Shadows, build, no_files};
+use camera_lab::views::{Palette, Request, ShadowTruth, SharedScene, Size, View};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -95,10 +100,10 @@ fn pixels(scene: &Scene, camera: &Camera, style: &Style, size: ImageSize) -> Vec
     Rasterizer::default().paint(&frame.drawing).unwrap().data().to_vec()
 }
 
-/// The triangles of a scene in the world.
-struct Solids(Vec<[DVec3; 3]>);
+/// The triangles of a scene in the world, all tried one by one.
+struct OneByOne(Vec<[DVec3; 3]>);
 
-impl Solids {
+impl OneByOne {
     fn of(scene: &Scene) -> Self {
         let of_object = |object: &camera_lab::scene::Object| {
             let at = |i: u32| object.world_from_object.transform_point3(object.mesh.positions[i as usize]);
@@ -127,22 +132,6 @@ impl Solids {
         }
         best
     }
-
-    /// Whether a light sees a point of a triangle.
-    fn is_lit(&self, p: DVec3, triangle: usize, light: &Light) -> bool {
-        // What touches hides nothing.
-        let touching = 1e-9 * (1.0 + p.length());
-        let (ray, until) = to_light(p, light);
-        self.hit(p, ray, triangle, touching..until).is_none()
-    }
-}
-
-/// The unit vector to a light, and how far it is.
-fn to_light(p: DVec3, light: &Light) -> (DVec3, f64) {
-    match light.kind {
-        LightKind::Directional => (-light.vector.normalize(), f64::INFINITY),
-        LightKind::Point => ((light.vector - p).normalize(), light.vector.distance(p)),
-    }
 }
 
 /// The length of a texel at a point.
@@ -165,14 +154,10 @@ fn wrong(scene: &Scene, camera: &Camera, light: Light, size: ImageSize) -> [usiz
             let mut counts = [0; 3];
             for i in 0..size.width {
                 let pixel = [f64::from(i) + 0.5, f64::from(j) + 0.5];
-                let (origin, ray) = ray_of(camera, size, pixel);
-                let Some((triangle, t)) = solids.hit(origin, ray, usize::MAX, camera.near()..camera.far()) else {
+                let Some(SeenPoint { point: p, triangle, normal: towards, .. }) = solids.seen(camera, size, pixel)
+                else {
                     continue;
                 };
-                let p = origin + ray * t;
-                let [a, b, c] = solids.0[triangle];
-                let normal = (b - a).cross(c - a).normalize();
-                let towards = if normal.dot(ray) > 0.0 { -normal } else { normal };
                 let cosine = towards.dot(to_light(p, &light).0);
                 if cosine < 0.1 {
                     continue;
@@ -185,10 +170,8 @@ fn wrong(scene: &Scene, camera: &Camera, light: Light, size: ImageSize) -> [usiz
                 if (arrives > 0.5) == truth {
                     continue;
                 }
-                let beside = [[0.01, 0.0], [-0.01, 0.0], [0.0, 0.01], [0.0, -0.01]].map(|[x, y]| {
-                    let (origin, ray) = ray_of(camera, size, [pixel[0] + x, pixel[1] + y]);
-                    solids.hit(origin, ray, usize::MAX, camera.near()..camera.far()).map(|(k, _)| k)
-                });
+                let beside = [[0.01, 0.0], [-0.01, 0.0], [0.0, 0.01], [0.0, -0.01]]
+                    .map(|[x, y]| solids.seen(camera, size, [pixel[0] + x, pixel[1] + y]).map(|seen| seen.triangle));
                 if beside.iter().any(|other| *other != Some(triangle)) {
                     // On an edge of the picture, where another face is drawn.
                     continue;
@@ -411,4 +394,119 @@ fn the_work_of_shadows_is_counted_where_there_are_any() {
     let soft = |softness| sun().with_shadows(Shadows { softness, ..Shadows::CAST });
     let [none, hard, usual] = [float(sun().with_shadows(Shadows::NONE)), float(soft(0.0)), float(soft(1.0))];
     assert!(none == 0 && hard > 0 && usual > hard && float(lamp()) > usual, "{none} {hard} {usual}");
+}
+
+/// Width of a picture, in which a pixel of the image is a square.
+const WIDE: u32 = 480;
+
+/// A picture that holds its shadows against rays.
+fn truth_of(text: &str, size: ImageSize, lang: Lang) -> (Request, Marked, Vec<String>) {
+    let figure = parse(&format!(
+        "{text}[image]\nwidth = {}\nheight = {}\n[reveal]\nshadows = \"truth\"\n",
+        size.width, size.height
+    ))
+    .unwrap();
+    let camera = Camera::new(&figure.camera).unwrap();
+    let scene = SharedScene::new(build(&figure.scene, &Style::default(), &mut no_files).unwrap());
+    let whole = Size { width: WIDE, height: WIDE * size.height / size.width, scale: 0.6 };
+    let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(lang), whole);
+    let drawing = Renderer::default().drawing(&request).unwrap().drawing;
+    let texts = drawing.labels.iter().map(|label| label.text.clone()).collect();
+    let mark = Palette::of(Theme::Light).differing;
+    #[expect(clippy::cast_precision_loss, reason = "a few")]
+    let side = (WIDE / size.width) as f32;
+    // The sample in the legend has another height.
+    let marks = drawing.areas.iter().filter(|area| area.fill == mark && (area.size[1] - side).abs() < 1e-3);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "pixels")]
+    let whole = |v: f32| (v / side).round() as u32;
+    let of_run = |area: &Area| {
+        let ([x, y], [w, _]) = (area.corner, area.size);
+        (whole(x)..whole(x + w)).map(move |i| [i, whole(y)])
+    };
+    (request, marks.flat_map(of_run).collect(), texts)
+}
+
+/// Marked pixels: column, row.
+type Marked = BTreeSet<[u32; 2]>;
+
+/// Light with a bias of nothing, and of too much, so that many pixels are wrong, dark and lit; all of it or nothing.
+const LIT: &str = r#"
+[[scene.lights]]
+kind = "directional"
+direction = [-1, -2, -1]
+shadows = true
+shadow_map = 128
+shadow_bias = BIAS
+shadow_softness = 0
+"#;
+
+#[test]
+fn marked_pixels_are_those_where_rays_one_by_one_say_something_else_than_the_map() {
+    let size = ImageSize { width: 120, height: 90 };
+    for bias in ["0", "100"] {
+        let text = format!("{TABLE}{}", LIT.replace("BIAS", bias));
+        let (request, marks, texts) = truth_of(&text, size, Lang::En);
+        let (scene, camera) = (&request.scene, &request.camera);
+        let light = scene.lights[0];
+        // The map by its pixels, as white faces show it.
+        let (white, _) = white(&parse(&text).unwrap(), light);
+        let shadowed = pixels(&white, camera, &FLAT, size);
+        let solids = OneByOne::of(&white);
+        let (mut wrong, mut doubtful, mut of) = (0_usize, 0_usize, 0_usize);
+        for j in 0..size.height {
+            for i in 0..size.width {
+                let (origin, ray) = ray_of(camera, size, [f64::from(i) + 0.5, f64::from(j) + 0.5]);
+                let k = 4 * (j * size.width + i) as usize;
+                let is_marked = marks.contains(&[i, j]);
+                let hit = solids.hit(origin, ray, usize::MAX, camera.near()..camera.far());
+                let Some((triangle, t)) = hit else {
+                    assert!(!is_marked);
+                    continue;
+                };
+                let p = origin + ray * t;
+                let [a, b, c] = solids.0[triangle];
+                let normal = (b - a).cross(c - a).normalize();
+                let towards = if normal.dot(ray) > 0.0 { -normal } else { normal };
+                let (to, until) = to_light(p, &light);
+                let cosine = towards.dot(to);
+                of += usize::from(cosine > 0.0);
+                let all = f64::from(DIFFUSE) * cosine;
+                let arrives = f64::from(shadowed[k]) / 255.0 - f64::from(AMBIENT);
+                // Where hardly any light could arrive, or about half of it does, bytes do not tell.
+                if cosine < 0.1 || (arrives / all - 0.5).abs() < 0.1 {
+                    doubtful += usize::from(is_marked);
+                    continue;
+                }
+                let is_lit = solids.hit(p, to, triangle, 1e-9 * (1.0 + p.length())..until).is_none();
+                wrong += usize::from((arrives > 0.5 * all) != is_lit);
+                doubtful += usize::from(is_marked != ((arrives > 0.5 * all) != is_lit));
+            }
+        }
+        let legend = texts.iter().find(|text| text.starts_with("the shadow map is wrong at ")).unwrap();
+        let numbers: Vec<usize> = legend.split(' ').filter_map(|word| word.parse().ok()).collect();
+        let [said, of_said] = numbers[..2] else { panic!("{legend}") };
+        assert!(wrong > 60 && doubtful * 20 < wrong, "{bias}: {wrong} wrong, {doubtful} doubtful");
+        assert_eq!(said, marks.len(), "{legend}");
+        assert!(said.abs_diff(wrong) * 10 < wrong && of_said.abs_diff(of) * 50 < of, "{legend}: {wrong} of {of}");
+    }
+}
+
+#[test]
+fn the_count_of_wrong_pixels_is_that_of_the_marks_and_stands_in_both_languages() {
+    let size = ImageSize { width: 60, height: 45 };
+    let text = format!("{TABLE}{}", LIT.replace("BIAS", "0"));
+    let (request, marks, english) = truth_of(&text, size, Lang::En);
+    let marked = marks.len();
+    let said = english.iter().find(|text| text.starts_with("the shadow map is wrong at ")).unwrap();
+    assert!(marked > 100 && said.starts_with(&format!("the shadow map is wrong at {marked} of ")), "{said}: {marked}");
+    let (_, _, portuguese) = truth_of(&text, size, Lang::PtBr);
+    assert!(portuguese.iter().any(|text| text.starts_with(&format!("o mapa de sombras erra em {marked} de "))));
+    // Without shadows there is nothing to say, and what is too large is left alone.
+    let (_, _, none) = truth_of(TABLE, size, Lang::En);
+    assert!(none.iter().all(|text| !text.contains("wrong")), "{none:?}");
+    let huge = ImageSize { width: 4096, height: 2048 };
+    let looked = request.clone().with_shot(|shot| shot.look.image = huge);
+    let texts = Renderer::default().drawing(&looked).unwrap().drawing.labels;
+    assert!(texts.iter().any(|label| label.text == request.labels.too_much_for_rays));
+    assert_eq!(ShadowTruth::TooMuch.wrong(), 0);
 }

@@ -133,7 +133,7 @@ fn figure() -> impl Strategy<Value = Figure> {
                 culled,
                 vanishing,
                 texture: culled.then_some(if clipping { TextureReveal::Affine } else { TextureReveal::Texels }),
-                shadows: [None, Some(ShadowReveal::Map), Some(ShadowReveal::Acne)][depth],
+                shadows: [None, Some(ShadowReveal::Map), Some(ShadowReveal::Truth)][depth],
             };
             (reveal, undistorted)
         },

@@ -56,6 +56,7 @@ fn reveal(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
         (None, t.shadow_plain),
         (Some(ShadowReveal::Map), t.shadow_of_light),
         (Some(ShadowReveal::Acne), t.shadow_acne),
+        (Some(ShadowReveal::Truth), t.shadow_truth),
     ];
     row(ui, "", t.shadow_reveal, t.shadow_reveal_hint, |ui| {
         choice(ui, t.shadow_reveal, t.shadow_reveal_hint, &mut chosen, &all);

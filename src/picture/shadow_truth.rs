@@ -1,0 +1,217 @@
+//! Shadow maps held against rays, pixel by pixel: where the shadows of a picture are not those of the scene.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use tiny_skia::Pixmap;
+
+use crate::appearance::{DepthFormat, HiddenLines, Rgba, Shading, Style, Theme, Visibility};
+use crate::camera::{Camera, ImageSize};
+use crate::drawing::{Base, Drawing, SurfaceLight, TakenLight};
+use crate::figure::{Depth, ShadowReveal};
+use crate::limits::{MAX_RAY_TRIANGLES, MAX_STEPPED_PIXELS};
+use crate::pipeline::shadow_rays::{Solids, to_light};
+use crate::pipeline::{Options, Pipeline, Target};
+use crate::progress::{Progress, pause};
+use crate::raster::Rasterizer;
+use crate::scene::{Light, Object, Scene};
+use crate::views::{Request, ShadowTruth, SharedScene, View};
+
+/// Light that is neither more nor less than all.
+const ALL: [f32; 2] = [1.0, 0.0];
+/// Rows of pixels between two pauses.
+const ROWS: u32 = 16;
+/// Within this part of a pixel of an edge the rasterizer may draw another face than the ray meets.
+const BESIDE: f64 = 0.01;
+/// Pictures that are remembered: the two sides of a comparison.
+const KEPT: usize = 2;
+
+/// The shadow map's answer at a pixel, held against a ray to the light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Nothing to say: no face, one that takes no light or is turned away from it, or the edge of a face.
+    None,
+    /// Light or shadow, as the ray says.
+    Right,
+    /// In the shadow, where the ray reaches the light: a face shadows itself.
+    WronglyDark,
+    /// In the light, where something stops the ray: the shadow has come off.
+    WronglyLit,
+}
+
+impl Verdict {
+    /// True where the map is wrong.
+    #[must_use]
+    pub const fn is_wrong(self) -> bool {
+        matches!(self, Self::WronglyDark | Self::WronglyLit)
+    }
+}
+
+/// The scene as shadows are judged in it: its opaque faces, under one light.
+#[must_use]
+pub fn under(scene: &Scene, light: Light) -> Scene {
+    let plain = |object: &Object| Object { edges: None, outline: None, ..object.clone() };
+    let opaque = scene.objects.iter().filter(|object| object.faces && !object.paint.is_translucent());
+    Scene { objects: opaque.map(plain).collect(), lights: vec![light], ..Scene::default() }
+}
+
+/// A drawing of a scene [`under`] one light whose pixels are the share of it that arrives, by the shadow map: black to
+/// white, one sample a pixel.
+#[must_use]
+pub fn arriving(pipeline: &mut Pipeline, scene: &Scene, camera: &Camera, image: ImageSize) -> Drawing {
+    let (white, black) = (Rgba::rgb(255, 255, 255), Rgba::rgb(0, 0, 0));
+    let style = Style {
+        shading: Shading::Flat,
+        visibility: Visibility::DepthBuffer,
+        hidden_lines: HiddenLines::Hidden,
+        antialias: 1,
+        theme: Theme::Light,
+        depth_format: DepthFormat::Float,
+    };
+    let target = Target { width: image.width, height: image.height, scale: 1.0, background: black };
+    let mut drawing = pipeline.frame(scene, camera, target, &style, Options::default()).drawing;
+    for surface in &mut drawing.surfaces {
+        surface.base = Base::Solid(white);
+        if surface.shadows.is_empty() {
+            surface.light = SurfaceLight::InBase;
+            continue;
+        }
+        let all = vec![ALL; surface.triangles.len()];
+        surface.shadows.iter_mut().for_each(|shadow| shadow.taken = TakenLight::Faces(all.clone()));
+        surface.light = SurfaceLight::Faces(all);
+    }
+    drawing
+}
+
+/// The verdict at each pixel, row by row, of the pixels of a drawing of what is [`arriving`]. `None` where it was
+/// cancelled. It pauses on the way.
+pub async fn verdicts(
+    arriving: &Pixmap,
+    solids: &Solids,
+    camera: &Camera,
+    light: &Light,
+    progress: &Progress,
+) -> Option<Vec<Verdict>> {
+    let image = ImageSize { width: arriving.width(), height: arriving.height() };
+    let shares = arriving.data();
+    let mut found = Vec::with_capacity((image.width * image.height) as usize);
+    for first in (0..image.height).step_by(ROWS as usize) {
+        let rows: Vec<Vec<Verdict>> = (first..image.height.min(first + ROWS))
+            .into_par_iter()
+            .map(|j| {
+                let is_lit = |i: u32| shares.get(4 * (j * image.width + i) as usize).is_some_and(|&red| red > 127);
+                (0..image.width).map(|i| verdict(is_lit(i), solids, camera, light, image, [i, j])).collect()
+            })
+            .collect();
+        found.extend(rows.into_iter().flatten());
+        if progress.is_cancelled() {
+            return None;
+        }
+        pause().await;
+    }
+    Some(found)
+}
+
+fn verdict(
+    is_lit: bool,
+    solids: &Solids,
+    camera: &Camera,
+    light: &Light,
+    image: ImageSize,
+    pixel: [u32; 2],
+) -> Verdict {
+    let [x, y] = pixel.map(|v| f64::from(v) + 0.5);
+    let Some(seen) = solids.seen(camera, image, [x, y]) else { return Verdict::None };
+    if !seen.lit || seen.normal.dot(to_light(seen.point, light).0) <= 0.0 {
+        return Verdict::None;
+    }
+    if is_lit == solids.is_lit(seen.point, seen.triangle, light) {
+        return Verdict::Right;
+    }
+    let is_inside = [[BESIDE, 0.0], [-BESIDE, 0.0], [0.0, BESIDE], [0.0, -BESIDE]].iter().all(|[dx, dy]| {
+        solids.seen(camera, image, [x + dx, y + dy]).is_some_and(|beside| beside.triangle == seen.triangle)
+    });
+    match is_lit {
+        _ if !is_inside => Verdict::None,
+        true => Verdict::WronglyLit,
+        false => Verdict::WronglyDark,
+    }
+}
+
+/// The truth of the pictures shown last.
+#[derive(Clone, Debug, Default)]
+pub(super) struct FoundShadows {
+    kept: Vec<(Key, Arc<ShadowTruth>)>,
+}
+
+/// The inputs of the truth of a picture's shadows.
+#[derive(Clone, Debug, PartialEq)]
+struct Key {
+    camera: Camera,
+    scene: SharedScene,
+    image: ImageSize,
+}
+
+impl FoundShadows {
+    /// Where the shadow maps of the image of a request are wrong; `None` where that is not shown, or was cancelled.
+    pub(super) async fn of(&mut self, request: &Request, progress: &Progress) -> Option<Arc<ShadowTruth>> {
+        let look = &request.shot.look;
+        let is_shown = request.view == View::Image
+            && look.reveal.shadows == Some(ShadowReveal::Truth)
+            && look.reveal.depth == Depth::Off
+            && !look.reveal.divide_first
+            && look.style.shading != Shading::Wireframe;
+        if !is_shown || !request.scene.lights.iter().any(|light| light.shadows.cast) {
+            return None;
+        }
+        let (camera, scene) = (request.camera.clone(), request.scene.clone());
+        let key = Key { camera, scene, image: look.image };
+        if let Some((_, truth)) = self.kept.iter().find(|(of, _)| *of == key) {
+            return Some(Arc::clone(truth));
+        }
+        let truth = Arc::new(truth(&key, progress).await?);
+        self.kept.truncate(KEPT - 1);
+        self.kept.insert(0, (key, Arc::clone(&truth)));
+        Some(truth)
+    }
+}
+
+async fn truth(key: &Key, progress: &Progress) -> Option<ShadowTruth> {
+    let Key { camera, scene, image } = key;
+    let pixels = u64::from(image.width) * u64::from(image.height);
+    if pixels > MAX_STEPPED_PIXELS || Solids::count(scene) > MAX_RAY_TRIANGLES {
+        return Some(ShadowTruth::TooMuch);
+    }
+    let solids = Solids::of(scene);
+    pause().await;
+    let mut all: Vec<Verdict> = Vec::new();
+    let (mut pipeline, mut rasterizer, mut pixmap) = (Pipeline::default(), Rasterizer::default(), Pixmap::new(1, 1)?);
+    rasterizer.watch(progress);
+    for light in scene.lights.iter().filter(|light| light.shadows.cast) {
+        let drawing = arriving(&mut pipeline, &under(scene, *light), camera, *image);
+        if !rasterizer.paint_into(&drawing, &mut pixmap).await || progress.is_cancelled() {
+            return None;
+        }
+        let of_light = verdicts(&pixmap, &solids, camera, light, progress).await?;
+        if all.is_empty() {
+            all = of_light;
+            continue;
+        }
+        // Wrong for any light, or right for any.
+        let rank = |verdict: Verdict| (verdict.is_wrong(), verdict != Verdict::None);
+        all.iter_mut().zip(of_light).filter(|(old, new)| rank(*new) > rank(**old)).for_each(|(old, new)| *old = new);
+    }
+    let (mut rows, width) = (Vec::new(), image.width.max(1) as usize);
+    for (j, row) in (0..).zip(all.chunks(width)) {
+        let mut i = 0;
+        for run in row.chunk_by(|a, b| a.is_wrong() == b.is_wrong()) {
+            let after = i + u32::try_from(run.len()).unwrap_or(u32::MAX);
+            if run.first().is_some_and(|verdict| verdict.is_wrong()) {
+                rows.push([j, i, after]);
+            }
+            i = after;
+        }
+    }
+    let of = all.iter().filter(|verdict| **verdict != Verdict::None).count();
+    Some(ShadowTruth::Found { rows, of })
+}
