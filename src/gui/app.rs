@@ -34,6 +34,7 @@ pub struct App {
     sessions: Option<Sessions>,
     preferences: Option<Preferences>,
     held_key: HeldKey,
+    caret: text_field::CaretRest,
     focus: Focus,
     key_order: KeyOrder,
     title: String,
@@ -59,6 +60,7 @@ impl App {
             sessions: None,
             preferences: None,
             held_key: HeldKey::default(),
+            caret: text_field::CaretRest::default(),
             focus: Focus::default(),
             key_order: KeyOrder::default(),
             title: String::new(),
@@ -144,6 +146,7 @@ impl App {
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let ctx = ui.ctx().clone();
         ctx.input_mut(|input| text_field::cut_pasted(&mut input.events));
+        self.caret.follow(&ctx);
         motion::advance(&ctx, &mut self.state);
         lesson::advance(&ctx, &mut self.state);
         if ctx.input(|input| self.held_key.follow(input)) {

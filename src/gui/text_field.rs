@@ -3,7 +3,7 @@
 //! Pasted text may be any file that somebody had on the clipboard: it is cut before it is laid out, which is reported
 //! beside the field. No other file makes fields of egui's own, which take everything.
 
-use eframe::egui::{Event, Response, TextEdit, Ui};
+use eframe::egui::{Context, Event, Response, TextEdit, Ui};
 
 use super::tooltip;
 use crate::i18n::{Lang, messages};
@@ -67,6 +67,33 @@ pub(super) fn cut_pasted(events: &mut [Event]) {
         {
             text.truncate(end);
             text.shrink_to_fit();
+        }
+    }
+}
+
+/// The rest of the caret after a while without input: to blink, it draws the whole window anew twice a second.
+#[derive(Debug, Default)]
+pub(super) struct CaretRest {
+    last_input: f64,
+    rests: bool,
+}
+
+impl CaretRest {
+    /// Seconds for which it blinks after the last input, as on most desktops.
+    const BLINKS: f64 = 10.0;
+
+    /// To be called in each frame.
+    pub(super) fn follow(&mut self, ctx: &Context) {
+        let (time, anything) = ctx.input(|input| (input.time, !input.raw.events.is_empty()));
+        if anything {
+            self.last_input = time;
+        }
+        let rests = time - self.last_input > Self::BLINKS;
+        let blinks = ctx.global_style().visuals.text_cursor.blink;
+        // Who has it never blink keeps it so.
+        if (rests && blinks) || (!rests && self.rests) {
+            self.rests = rests;
+            ctx.global_style_mut(|style| style.visuals.text_cursor.blink = !rests);
         }
     }
 }

@@ -104,3 +104,23 @@ fn no_field_takes_more_than_it_should() {
         }
     }
 }
+
+#[test]
+fn the_caret_blinks_while_somebody_types_and_rests_afterwards() {
+    let mut window = Window::new(Lang::En);
+    window.field("C x").click();
+    window.run();
+    window.harness.ctx.global_style_mut(|style| style.visuals.text_cursor.blink = true);
+    let wakes = |window: &mut Window, seconds: f64| {
+        let end = window.harness.ctx.input(|input| input.time) + seconds;
+        while window.harness.ctx.input(|input| input.time) < end {
+            window.harness.step();
+        }
+        window.harness.output().viewport_output[&eframe::egui::ViewportId::ROOT].repaint_delay
+    };
+    let half = std::time::Duration::from_millis(500);
+    assert!(wakes(&mut window, 5.0) <= half, "it blinks");
+    assert_eq!(wakes(&mut window, 6.0), std::time::Duration::MAX, "it rests");
+    window.harness.key_press(Key::ArrowRight);
+    assert!(wakes(&mut window, 1.0) <= half, "it blinks again");
+}
