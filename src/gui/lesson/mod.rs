@@ -268,7 +268,7 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     let presents = state.settings.presentation;
     let say = |ui: &mut Ui| {
         if !presents {
-            ui.add(egui::Label::new(RichText::new(told(lang, &step.title)).strong()).wrap());
+            ui.add(egui::Label::new(RichText::new(told(lang, &step.title)).heading()).wrap());
         }
         prose::show(ui, text(&step.text).trim());
     };
