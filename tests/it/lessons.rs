@@ -272,6 +272,7 @@ fn the_command_line_lists_shows_checks_and_draws() {
     assert!(
         bench.run(&["lesson", "render", "small.toml", "-o", "a.pdf", "--per-page", "3"]).refused(2).contains("2 or 4")
     );
+    assert!(bench.run(&["lesson", "render", "small.toml", "-o", "a.png"]).refused(2).contains("a folder"));
     let listed = bench.run(&["lesson", "list", "--folder", ".", "--format", "json"]).json();
     assert_eq!(listed[12]["id"], "small");
 
@@ -311,7 +312,7 @@ fn the_command_line_lists_shows_checks_and_draws() {
 }
 
 /// Beside one another in a presentation, low and less low, and in a window with its panels.
-const SHAPES: [(u32, u32, f32); 4] = [(635, 260, 1.6), (635, 460, 1.6), (955, 600, 1.6), (510, 470, 1.0)];
+const SHAPES: [(u32, u32, f32); 4] = [(635, 215, 1.6), (635, 460, 1.6), (955, 600, 1.6), (510, 470, 1.0)];
 
 #[test]
 fn the_axes_of_the_camera_are_in_the_world_of_every_step() {

@@ -20,6 +20,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
         let is_old = *state.exercises.fields(ask) != *checked.fields;
         // In the line of the verdict: in one of its own it would move the button that it asks for.
         ui.horizontal_wrapped(|ui| {
+            // As high as words, not as controls.
+            ui.spacing_mut().interact_size.y = 0.0;
             ui.scope(|ui| {
                 if is_old {
                     ui.set_opacity(0.6);
