@@ -27,7 +27,7 @@ texts! {
     over_time: "error against time", "erro contra tempo";
     // Hints.
     measuring: "Measuring:", "Medindo:";
-    nothing_yet: "Not measured yet: “Measure” runs all its methods on the same inputs, against a reference of 512 bits.", "Ainda não medido: “Medir” executa todos os métodos nas mesmas entradas, contra uma referência de 512 bits.";
+    nothing_yet: "Not measured yet: “Measure” runs all its methods on the same inputs, against the truth.", "Ainda não medido: “Medir” executa todos os métodos nas mesmas entradas, contra a verdade.";
     point_at: "Point at a dot to read it; click to open its worst camera.", "Aponte para um ponto para lê-lo; clique para abrir sua pior câmera.";
     star: "* no other method is both as accurate and as fast", "* nenhum outro método é tão exato e tão rápido";
     // Below a table.
@@ -57,6 +57,8 @@ pub const fn title(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::Clipping) => "Segmentos por w = 0: recortados antes ou depois da divisão",
         (Lang::En, Study::TextureFilter) => "Filters of a texture against the exact mean over the pixel",
         (Lang::PtBr, Study::TextureFilter) => "Filtros de uma textura contra a média exata sobre o pixel",
+        (Lang::En, Study::Shadows) => "Shadow maps against rays to the light",
+        (Lang::PtBr, Study::Shadows) => "Mapas de sombras contra raios até a luz",
     }
 }
 
@@ -81,6 +83,8 @@ pub const fn short_title(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::Clipping) => "Recorte por w = 0",
         (Lang::En, Study::TextureFilter) => "Filters of textures",
         (Lang::PtBr, Study::TextureFilter) => "Filtros de texturas",
+        (Lang::En, Study::Shadows) => "Shadow maps",
+        (Lang::PtBr, Study::Shadows) => "Mapas de sombras",
     }
 }
 
@@ -115,6 +119,8 @@ pub const fn parameter(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::Clipping) => "distância da outra ponta ao plano w = 0 / unidades da cena",
         (Lang::En, Study::TextureFilter) => "texels along a pixel",
         (Lang::PtBr, Study::TextureFilter) => "texels ao longo de um pixel",
+        (Lang::En, Study::Shadows) => "side of the map / texels",
+        (Lang::PtBr, Study::Shadows) => "lado do mapa / texels",
     }
 }
 
@@ -201,6 +207,20 @@ const PORTUGUESE: &[(&str, &str)] = &[
     ("grazing floor", "chão rasante"),
     ("nearest", "texel mais próximo"),
     ("16 samples of nearest", "16 do mais próximo"),
+    ("screen and ball", "biombo e bola"),
+    ("screen and ball, acne", "biombo e bola, acne"),
+    ("screen and ball, detached", "biombo e bola, soltas"),
+    ("house", "casa"),
+    ("house, acne", "casa, acne"),
+    ("house, detached", "casa, soltas"),
+    ("corridor with a lamp", "corredor com lâmpada"),
+    ("corridor with a lamp, acne", "corredor com lâmpada, acne"),
+    ("corridor with a lamp, detached", "corredor com lâmpada, soltas"),
+    ("bias 0, edge 1", "folga 0, borda 1"),
+    ("bias 30, edge 1", "folga 30, borda 1"),
+    ("bias 1, edge 0", "folga 1, borda 0"),
+    ("bias 1, edge 1", "folga 1, borda 1"),
+    ("bias 1, edge 4", "folga 1, borda 4"),
 ];
 
 /// A case or a method by its name.
@@ -236,6 +256,7 @@ fn reference(study: Study) -> &'static str {
         Study::Shading => "traçado de raios da superfície verdadeira com 512 bits",
         Study::Antialiasing => "área exata com 512 bits",
         Study::TextureFilter => "média exata sobre o pixel, em luz linear",
+        Study::Shadows => "raios até a luz, em f64",
     }
 }
 

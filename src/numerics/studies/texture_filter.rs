@@ -23,7 +23,7 @@ const SIZE: [u32; 2] = [48, 36];
 const TEXELS: u32 = 64;
 const SQUARE: u32 = 4;
 /// Texels along a pixel in the middle of the picture: magnified, one to one, minified.
-const SCALES: [f64; 4] = [0.125, 1.0, 4.0, 16.0];
+const SCALES: [f64; 4] = [0.125, 1.0, 4.0, 15.0];
 /// Angles between the line of sight and the normal of the floor, in degrees.
 const TILTS: [(&str, f64); 3] = [("floor from above", 0.0), ("slanted floor", 45.0), ("grazing floor", 75.0)];
 const VIEW_ANGLE: f64 = 16.0;
