@@ -4,11 +4,12 @@
 
 use std::sync::OnceLock;
 
+use camera_lab::appearance::Filter;
 use camera_lab::figure::{ShadowReveal, read};
 use camera_lab::i18n::{Lang, numerics as words};
 use camera_lab::numerics::{Effort, Findings, OWN, Row, Study, run};
 use camera_lab::progress::{Progress, at_once};
-use camera_lab::scene::Shadows;
+use camera_lab::scene::{Shadows, TextureSource};
 
 use crate::common::program::Bench;
 
@@ -300,5 +301,20 @@ fn the_worst_shadows_open_with_their_wrong_pixels_marked() {
         let named = [(shadows.bias, "bias "), (shadows.softness, "edge ")];
         let is_named = named.iter().all(|(value, word)| r.method.contains(&format!("{word}{value}")));
         assert!(is_named || r.method == OWN && shadows == Shadows::CAST, "{}: {shadows:?}", r.method);
+    }
+}
+
+/// The figure of a row shows a chequer, with the filter of its method.
+#[test]
+fn the_worst_filter_opens_with_that_filter_on_a_chequer() {
+    for r in &findings(Study::TextureFilter).rows {
+        let figure = read::parse(r.figure.as_ref().unwrap()).unwrap();
+        let [floor] = &figure.scene.objects[..] else { panic!("one floor") };
+        let filter = match r.method {
+            "nearest" | "16 samples of nearest" => Filter::Nearest,
+            "bilinear" => Filter::Bilinear,
+            _ => Filter::Trilinear,
+        };
+        assert_eq!((&floor.texture, floor.filter), (&Some(TextureSource::Chequer), Some(filter)), "{}", r.method);
     }
 }

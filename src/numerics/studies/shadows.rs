@@ -159,6 +159,6 @@ impl Setup {
         let lights = vec![self.light.with_shadows(shadows)];
         let scene = SceneSpec { lights, ..self.figure.scene.clone() };
         let reveal = Reveal { shadows: Some(ShadowReveal::Truth), ..Reveal::default() };
-        write::to_toml(&Figure { camera: self.figure.camera, scene, reveal, ..Figure::default() })
+        write::to_toml(&Figure { camera: self.figure.camera, image: SIZE, scene, reveal, ..Figure::default() })
     }
 }
