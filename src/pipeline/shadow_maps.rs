@@ -209,6 +209,7 @@ fn alone(Hiding { mesh, world_from_object }: &Hiding) -> Object {
         faces: true,
         edges: None,
         outline: None,
+        in_world: None,
     }
 }
 
@@ -236,9 +237,9 @@ pub(super) struct SeenByLight<'a> {
 }
 
 impl ShadowLight {
-    /// An object as this light sees it.
-    pub(super) fn sees(&self, object: &Object) -> SeenByLight<'_> {
-        SeenByLight { light: self, view_from_object: self.projector.view_from_object(object.world_from_object) }
+    /// An object at its place in the world as this light sees it.
+    pub(super) fn sees(&self, world_from_object: DMat4) -> SeenByLight<'_> {
+        SeenByLight { light: self, view_from_object: self.projector.view_from_object(world_from_object) }
     }
 }
 
