@@ -243,7 +243,7 @@ fn canonical_observers() -> [Camera; 2] {
     let above = Parameters {
         position: DVec3::new(1.0, 1.6, 1.8),
         focal_point: DVec3::ZERO,
-        view_angle: 60.0,
+        view_angle: 45.0,
         aspect: 1.5,
         near: 1.9,
         far: 6.0,
@@ -256,7 +256,7 @@ fn canonical_observers() -> [Camera; 2] {
 /// lie in the shadow, and how many are wrongly lit or dark by rays in the world, but within a texel of an edge.
 fn wrong_in_canonical(scene: &Scene, camera: &Camera, light: Light, observer: &Camera, shading: Shading) -> [usize; 3] {
     let clipped = clipped_scene(scene, camera, shading);
-    let size = ImageSize { width: 240, height: 160 };
+    let size = ImageSize { width: 300, height: 200 };
     let style = Style { shading, ..FLAT };
     let scenes = Scenes::from(&clipped).in_shadows_of(scene).lit_by(&scene.lights);
     let drawing = Pipeline::default().frame(scenes, observer, target(size), &style, Options::default()).drawing;
@@ -264,7 +264,7 @@ fn wrong_in_canonical(scene: &Scene, camera: &Camera, light: Light, observer: &C
     let (shown, solids) = (Solids::of(&clipped), Solids::of(scene));
     let world_from_ndc = camera.clip_from_world().inverse();
     let mut counts = [0; 3];
-    for (j, i) in (0..size.height).flat_map(|j| (0..size.width).map(move |i| (j, i))) {
+    for (j, i) in (0..size.height).step_by(2).flat_map(|j| (0..size.width).step_by(2).map(move |i| (j, i))) {
         let pixel = [f64::from(i) + 0.5, f64::from(j) + 0.5];
         let Some(seen) = shown.seen(observer, size, pixel) else { continue };
         // The display has z towards the viewer.
@@ -291,7 +291,8 @@ fn wrong_in_canonical(scene: &Scene, camera: &Camera, light: Light, observer: &C
 #[test]
 fn in_the_canonical_volume_shadows_fall_on_the_same_points_of_surfaces_as_in_the_world() {
     let figure = parse(TABLE).unwrap();
-    for light in [sun(), lamp()] {
+    let low_sun = Light::directional(DVec3::new(1.5, -1.0, -0.3)).with_shadows(Shadows::CAST);
+    for light in [low_sun, lamp()] {
         for projection in [Projection::Perspective, Projection::Parallel] {
             let (scene, _) = white(&figure, light);
             let parameters = Parameters { projection, height: 5.0, near: 4.0, far: 14.0, ..figure.camera };
@@ -300,7 +301,7 @@ fn in_the_canonical_volume_shadows_fall_on_the_same_points_of_surfaces_as_in_the
                 for shading in [Shading::Flat, Shading::Phong] {
                     let [all, dark, wrong] = wrong_in_canonical(&scene, &camera, light, &observer, shading);
                     let what = format!("{projection:?} {:?} {shading:?}: {wrong} of {all}, {dark} dark", light.kind);
-                    assert!(all > 2000 && dark > 200 && 20 * wrong <= dark, "{what}");
+                    assert!(all > 500 && dark > 25 && 20 * wrong <= dark, "{what}");
                 }
             }
         }
