@@ -76,6 +76,7 @@ fn object(mesh: Arc<Mesh>, world_from_object: DMat4) -> Object {
         faces: true,
         edges: None,
         outline: None,
+        in_world: None,
     }
 }
 

@@ -100,11 +100,10 @@ impl Stage {
         self.row().0
     }
 
-    /// False where its operations are not counted: work on whole objects; shadows, whose maps are pictures of their
-    /// own; lines, marks and texts.
+    /// False where its operations are not counted: work on whole objects; lines, marks and texts.
     #[must_use]
     pub const fn is_counted(self) -> bool {
-        !matches!(self, Self::Traverse | Self::CullObjects | Self::Shadow | Self::Lines)
+        !matches!(self, Self::Traverse | Self::CullObjects | Self::Lines)
     }
 
     /// True for a stage that works on pixels, the block of rasterization in `[3]` §1.2; else it belongs to geometry.
@@ -217,6 +216,12 @@ impl Cost {
     #[must_use]
     pub const fn of(&self, stage: Stage) -> Operations {
         self.0[stage as usize]
+    }
+
+    /// Those of all stages together.
+    #[must_use]
+    pub fn total(&self) -> Operations {
+        self.0.iter().fold(Operations::NONE, |sum, operations| sum.and(*operations))
     }
 
     /// Adds work on `n` elements, each of which costs `each`.

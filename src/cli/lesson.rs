@@ -16,6 +16,7 @@ use super::words::{LangArg, TableFormat};
 use super::{Failure, Opening, print, say};
 use crate::camera::Camera;
 use crate::exercises::Entry;
+use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, FileError};
 use crate::i18n::{Lang, command_line, lessons as texts, messages, pictures};
@@ -260,6 +261,11 @@ fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     let found = find(&args.which, lang)?;
     if lesson_handout::is_handout(&args.output) {
         return lesson_handout::write(args, &found, lang);
+    }
+    // A folder of pictures that has the name of one is a slip.
+    let is_named = args.output.extension().is_some();
+    if is_named && PictureFormat::of(&args.output).is_some() && !args.output.is_dir() {
+        return Err(Failure::BadInput(texts::output_name(lang, &sanitize::path(&args.output))));
     }
     let lesson = &found.lesson;
     let written = args.which.lang.map_or(Lang::En, LangArg::lang);

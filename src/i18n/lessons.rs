@@ -342,6 +342,15 @@ pub fn per_page(lang: Lang, found: &str) -> String {
     }
 }
 
+/// Pictures of a lesson are asked for in a file that holds only one.
+#[must_use]
+pub fn output_name(lang: Lang, path: &str) -> String {
+    match lang {
+        Lang::En => format!("{path} would be one picture; allowed: a folder, or a name that ends in .pdf"),
+        Lang::PtBr => format!("{path} seria uma só imagem; permitido: uma pasta, ou um nome que termine em .pdf"),
+    }
+}
+
 /// All files hold good lessons.
 #[must_use]
 pub fn all_good(lang: Lang, count: usize) -> String {

@@ -27,7 +27,7 @@ texts! {
     over_time: "error against time", "erro contra tempo";
     // Hints.
     measuring: "Measuring:", "Medindo:";
-    nothing_yet: "Not measured yet: “Measure” runs all its methods on the same inputs, against a reference of 512 bits.", "Ainda não medido: “Medir” executa todos os métodos nas mesmas entradas, contra uma referência de 512 bits.";
+    nothing_yet: "Not measured yet: “Measure” runs all its methods on the same inputs and compares them with a more exact reference.", "Ainda não medido: “Medir” executa todos os métodos nas mesmas entradas e os compara com uma referência mais exata.";
     point_at: "Point at a dot to read it; click to open its worst camera.", "Aponte para um ponto para lê-lo; clique para abrir sua pior câmera.";
     star: "* no other method is both as accurate and as fast", "* nenhum outro método é tão exato e tão rápido";
     // Below a table.
@@ -57,6 +57,8 @@ pub const fn title(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::Clipping) => "Segmentos por w = 0: recortados antes ou depois da divisão",
         (Lang::En, Study::TextureFilter) => "Filters of a texture against the exact mean over the pixel",
         (Lang::PtBr, Study::TextureFilter) => "Filtros de uma textura contra a média exata sobre o pixel",
+        (Lang::En, Study::Shadows) => "Shadow maps against rays to the light",
+        (Lang::PtBr, Study::Shadows) => "Mapas de sombras contra raios até a luz",
     }
 }
 
@@ -81,13 +83,16 @@ pub const fn short_title(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::Clipping) => "Recorte por w = 0",
         (Lang::En, Study::TextureFilter) => "Filters of textures",
         (Lang::PtBr, Study::TextureFilter) => "Filtros de texturas",
+        (Lang::En, Study::Shadows) => "Shadow maps",
+        (Lang::PtBr, Study::Shadows) => "Mapas de sombras",
     }
 }
 
 /// The values at a point of a chart.
 #[must_use]
 pub fn readout(lang: Lang, study: Study, row: &Row, number: impl Fn(f64) -> String) -> String {
-    let (method, at, error) = (name(lang, row.method), number(row.parameter), lang.mark().printed(&short(row.error)));
+    let (method, at) = (name(lang, row.method), lang.mark().printed(&value(row.parameter)));
+    let error = lang.mark().printed(&short(row.error));
     let (unit, bits) = (unit(lang, row.unit), lang.mark().printed(&format!("{:.1}", row.bits)));
     let (parameter, nanos) = (parameter(lang, study), number(row.nanos));
     match lang {
@@ -115,7 +120,16 @@ pub const fn parameter(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::Clipping) => "distância da outra ponta ao plano w = 0 / unidades da cena",
         (Lang::En, Study::TextureFilter) => "texels along a pixel",
         (Lang::PtBr, Study::TextureFilter) => "texels ao longo de um pixel",
+        (Lang::En, Study::Shadows) => "side of the map / texels",
+        (Lang::PtBr, Study::Shadows) => "lado do mapa / texels",
     }
+}
+
+/// A value of the parameter: whole thousands, as the sides of maps are, with all of their digits.
+#[must_use]
+pub fn value(parameter: f64) -> String {
+    let is_whole = parameter.fract() == 0.0 && (1e3..1e4).contains(&parameter);
+    significant(parameter, if is_whole { 4 } else { 3 })
 }
 
 /// The meaning of an error, with its unit.
@@ -201,6 +215,20 @@ const PORTUGUESE: &[(&str, &str)] = &[
     ("grazing floor", "chão rasante"),
     ("nearest", "texel mais próximo"),
     ("16 samples of nearest", "16 do mais próximo"),
+    ("screen and ball", "biombo e bola"),
+    ("screen and ball, acne", "biombo e bola, acne"),
+    ("screen and ball, detached", "biombo e bola, soltas"),
+    ("house", "casa"),
+    ("house, acne", "casa, acne"),
+    ("house, detached", "casa, soltas"),
+    ("corridor with a lamp", "corredor com lâmpada"),
+    ("corridor with a lamp, acne", "corredor com lâmpada, acne"),
+    ("corridor with a lamp, detached", "corredor com lâmpada, soltas"),
+    ("bias 0, edge 1", "folga 0, borda 1"),
+    ("bias 30, edge 1", "folga 30, borda 1"),
+    ("bias 1, edge 0", "folga 1, borda 0"),
+    ("bias 1, edge 1", "folga 1, borda 1"),
+    ("bias 1, edge 4", "folga 1, borda 4"),
 ];
 
 /// A case or a method by its name.
@@ -212,15 +240,14 @@ pub fn name(lang: Lang, name: &str) -> String {
 
 /// The words of the charts of a study, given to `with`.
 pub fn with_words<T>(lang: Lang, study: Study, with: impl FnOnce(&Words) -> T) -> T {
-    let number = |x: f64| lang.mark().number(x, 3);
     with(&Words {
         parameter: parameter(lang, study),
         error: &|row: &Row| unit(lang, row.unit).to_owned(),
         time: texts(lang).time,
         front: texts(lang).front,
         at: &|at| match lang {
-            Lang::En => format!("error against time at {}", number(at)),
-            Lang::PtBr => format!("erro contra tempo em {}", number(at)),
+            Lang::En => format!("error against time at {}", lang.mark().printed(&value(at))),
+            Lang::PtBr => format!("erro contra tempo em {}", lang.mark().printed(&value(at))),
         },
         case: &|case| name(lang, case),
         method: &|method| name(lang, method),
@@ -236,6 +263,7 @@ fn reference(study: Study) -> &'static str {
         Study::Shading => "traçado de raios da superfície verdadeira com 512 bits",
         Study::Antialiasing => "área exata com 512 bits",
         Study::TextureFilter => "média exata sobre o pixel, em luz linear",
+        Study::Shadows => "raios até a luz, em f64",
     }
 }
 
@@ -259,7 +287,7 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
     let mut last: Option<(&str, f64)> = None;
     for row in &findings.rows {
         if last != Some((&row.case, row.parameter)) {
-            let at = number(&significant(row.parameter, 3));
+            let at = number(&value(row.parameter));
             table += &format!("\n{}, {} = {}\n", name(lang, &row.case), parameter(lang, findings.study), at);
             table += &format!("    {:<34}{:>10}{:>10}{:>14}{:>12}\n", t.method, t.error, t.worst, t.bits, t.nanos);
             last = Some((&row.case, row.parameter));

@@ -1,6 +1,6 @@
 //! The words in the three pictures.
 
-use super::{Lang, canvas, messages, pipeline, told, window};
+use super::{Lang, canvas, messages, pipeline, scenes, told, window};
 use crate::figure::{Bilingual, Figure};
 use crate::picture::{Composite, Crowded, NoAreas, Told};
 use crate::stage::Stage;
@@ -28,6 +28,7 @@ texts! {
     back_faces: "back faces: culled", "faces de trás: descartadas";
     dropped: "outside: dropped whole", "fora: descartado inteiro";
     outside_of: "outside", "fora";
+    no_stage: "no stage", "nenhuma etapa";
     with_w: "u, v interpolated with w", "u, v interpolados com w";
     affine: "u, v interpolated without w", "u, v interpolados sem w";
     levels: "level of detail", "nível de detalhe";
@@ -154,7 +155,7 @@ const fn stages(lang: Lang) -> [&'static str; Stage::ALL.len()] {
 }
 
 const fn of(t: &Texts) -> Labels {
-    let style = window::texts(t.lang);
+    let (style, scene) = (window::texts(t.lang), scenes::texts(t.lang));
     Labels {
         mark: t.lang.mark(),
         window: t.window,
@@ -220,6 +221,10 @@ const fn of(t: &Texts) -> Labels {
             ("world.dimensions", style.dimensions),
             ("image.undistorted", t.undistorted),
         ],
+        depths: [style.depth_off, style.depth_stored, style.depth_linear],
+        outsides: [style.outside_usual, style.outside_cut, style.outside_tinted, style.outside_shown],
+        shadow_reveals: [scene.shadow_plain, scene.shadow_of_light, scene.shadow_acne, scene.shadow_truth],
+        no_stage: t.no_stage,
         world_parts: [
             t.part_grid,
             t.part_axes,

@@ -238,7 +238,7 @@ texts! {
     window_opacity: "painted window", "janela pintada";
     window_opacity_hint: "Opacity of the image on the view window. Automatic: opaque, but faint where it would hide much of the scene", "Opacidade da imagem na janela de vista. Automática: opaca, mas fraca onde esconderia muito da cena";
     opacity_automatic: "automatic", "automática";
-    axes_length: "axes of the camera", "eixos da câmera";
+    axes_length: "camera axes", "eixos da câmera";
     axes_length_hint: "Length of u, v, n, VUP and DOP in the world, as a multiple of the usual one", "Comprimento de u, v, n, VUP e DOP no mundo, como múltiplo do usual";
     axes_usual: "usual length", "comprimento usual";
     dimensions: "Dimensions", "Cotas";

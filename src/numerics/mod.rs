@@ -62,11 +62,13 @@ pub enum Study {
     Clipping,
     /// Filters of pictures on surfaces.
     TextureFilter,
+    /// Shadow maps: their size, bias and soft edge.
+    Shadows,
 }
 
 impl Study {
     /// All, in the order of reporting.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::VertexTransform,
         Self::Basis,
         Self::RepeatedOperations,
@@ -76,6 +78,7 @@ impl Study {
         Self::Antialiasing,
         Self::Clipping,
         Self::TextureFilter,
+        Self::Shadows,
     ];
 
     /// Its name on the command line and in JSON.
@@ -91,6 +94,7 @@ impl Study {
             Self::Antialiasing => "antialiasing",
             Self::Clipping => "clipping",
             Self::TextureFilter => "texture-filter",
+            Self::Shadows => "shadows",
         }
     }
 }
@@ -206,6 +210,7 @@ pub async fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings
         Study::Antialiasing => studies::antialiasing::run(&lab).await,
         Study::Clipping => studies::clipping::run(&lab).await,
         Study::TextureFilter => studies::texture_filter::run(&lab).await,
+        Study::Shadows => studies::shadows::run(&lab).await,
     }
 }
 

@@ -52,9 +52,12 @@ impl Renderer {
         }
     }
 
-    /// Forgets cached pictures: the next one is made from scratch, in the same memory.
+    /// Forgets cached pictures and shadow maps: the next one is made from scratch, in the same memory.
     pub fn forget(&mut self) {
         self.on_window = None;
+        for pipeline in self.pipelines.iter_mut().chain([&mut self.window_pipeline]) {
+            pipeline.stages.forget();
+        }
     }
 
     /// A picture. `None` where a side is 0, there is not enough memory, or it was cancelled.

@@ -83,26 +83,73 @@ pub fn arriving(pipeline: &mut Pipeline, scene: &Scene, camera: &Camera, image: 
     drawing
 }
 
-/// The verdict at each pixel, row by row, of the pixels of a drawing of what is [`arriving`]. `None` where it was
-/// cancelled. It pauses on the way.
-pub async fn verdicts(
-    arriving: &Pixmap,
-    solids: &Solids,
-    camera: &Camera,
-    light: &Light,
+/// The truth of shadows at each pixel of an image: whether a light reaches what is seen there.
+#[derive(Clone, Debug)]
+pub struct TrueLight {
+    image: ImageSize,
+    /// Row by row, the triangle and whether it is lit; `None` where there is nothing to say.
+    seen: Vec<Option<(usize, bool)>>,
+}
+
+impl TrueLight {
+    /// Through each pixel of an image, and on to a light. `None` where it was cancelled. It pauses on the way.
+    pub async fn by_rays(
+        solids: &Solids,
+        camera: &Camera,
+        light: &Light,
+        image: ImageSize,
+        progress: &Progress,
+    ) -> Option<Self> {
+        let seen = |pixel| {
+            let seen = solids.seen(camera, image, pixel)?;
+            let is_turned_to_it = seen.lit && seen.normal.dot(to_light(seen.point, light).0) > 0.0;
+            is_turned_to_it.then(|| (seen.triangle, solids.is_lit(seen.point, seen.triangle, light)))
+        };
+        let seen = by_rows(image, progress, |pixel, _| seen(pixel.map(center))).await?;
+        Some(Self { image, seen })
+    }
+
+    /// The verdict at each pixel, row by row, of the pixels of a drawing of what is [`arriving`] from the light. `None`
+    /// where it was cancelled. It pauses on the way.
+    pub async fn judge(
+        &self,
+        arriving: &Pixmap,
+        solids: &Solids,
+        camera: &Camera,
+        progress: &Progress,
+    ) -> Option<Vec<Verdict>> {
+        let (image, shares) = (self.image, arriving.data());
+        let verdict = |pixel: [u32; 2], at: usize| {
+            let Some((triangle, is_truly_lit)) = self.seen.get(at).copied().flatten() else { return Verdict::None };
+            let is_lit = shares.get(4 * at).is_some_and(|&red| red > 127);
+            if is_lit == is_truly_lit {
+                return Verdict::Right;
+            }
+            let [x, y] = pixel.map(center);
+            let is_inside = [[BESIDE, 0.0], [-BESIDE, 0.0], [0.0, BESIDE], [0.0, -BESIDE]].iter().all(|[dx, dy]| {
+                solids.seen(camera, image, [x + dx, y + dy]).is_some_and(|beside| beside.triangle == triangle)
+            });
+            match is_lit {
+                _ if !is_inside => Verdict::None,
+                true => Verdict::WronglyLit,
+                false => Verdict::WronglyDark,
+            }
+        };
+        by_rows(image, progress, verdict).await
+    }
+}
+
+/// A value for each pixel, by its column and row and by its place among all. `None` where it was cancelled. It pauses
+/// on the way.
+async fn by_rows<T: Send>(
+    image: ImageSize,
     progress: &Progress,
-) -> Option<Vec<Verdict>> {
-    let image = ImageSize { width: arriving.width(), height: arriving.height() };
-    let shares = arriving.data();
+    of: impl Fn([u32; 2], usize) -> T + Sync,
+) -> Option<Vec<T>> {
     let mut found = Vec::with_capacity((image.width * image.height) as usize);
     for first in (0..image.height).step_by(ROWS as usize) {
-        let rows: Vec<Vec<Verdict>> = (first..image.height.min(first + ROWS))
-            .into_par_iter()
-            .map(|j| {
-                let is_lit = |i: u32| shares.get(4 * (j * image.width + i) as usize).is_some_and(|&red| red > 127);
-                (0..image.width).map(|i| verdict(is_lit(i), solids, camera, light, image, [i, j])).collect()
-            })
-            .collect();
+        let row = |j: u32| (0..image.width).map(|i| of([i, j], (j * image.width + i) as usize)).collect();
+        let rows: Vec<Vec<T>> = (first..image.height.min(first + ROWS)).into_par_iter().map(row).collect();
         found.extend(rows.into_iter().flatten());
         if progress.is_cancelled() {
             return None;
@@ -112,30 +159,9 @@ pub async fn verdicts(
     Some(found)
 }
 
-fn verdict(
-    is_lit: bool,
-    solids: &Solids,
-    camera: &Camera,
-    light: &Light,
-    image: ImageSize,
-    pixel: [u32; 2],
-) -> Verdict {
-    let [x, y] = pixel.map(|v| f64::from(v) + 0.5);
-    let Some(seen) = solids.seen(camera, image, [x, y]) else { return Verdict::None };
-    if !seen.lit || seen.normal.dot(to_light(seen.point, light).0) <= 0.0 {
-        return Verdict::None;
-    }
-    if is_lit == solids.is_lit(seen.point, seen.triangle, light) {
-        return Verdict::Right;
-    }
-    let is_inside = [[BESIDE, 0.0], [-BESIDE, 0.0], [0.0, BESIDE], [0.0, -BESIDE]].iter().all(|[dx, dy]| {
-        solids.seen(camera, image, [x + dx, y + dy]).is_some_and(|beside| beside.triangle == seen.triangle)
-    });
-    match is_lit {
-        _ if !is_inside => Verdict::None,
-        true => Verdict::WronglyLit,
-        false => Verdict::WronglyDark,
-    }
+/// The middle of a pixel, along one axis.
+fn center(pixel: u32) -> f64 {
+    f64::from(pixel) + 0.5
 }
 
 /// The truth of the pictures shown last.
@@ -192,7 +218,8 @@ async fn truth(key: &Key, progress: &Progress) -> Option<ShadowTruth> {
         if !rasterizer.paint_into(&drawing, &mut pixmap).await || progress.is_cancelled() {
             return None;
         }
-        let of_light = verdicts(&pixmap, &solids, camera, light, progress).await?;
+        let truly = TrueLight::by_rays(&solids, camera, light, *image, progress).await?;
+        let of_light = truly.judge(&pixmap, &solids, camera, progress).await?;
         if all.is_empty() {
             all = of_light;
             continue;

@@ -319,7 +319,7 @@ impl<'a> ObjectPart<'a> {
         }
         let (old, origins) = (&object.mesh, &remake.origins);
         let positions = origins.iter().map(|origin| origin.of(|i| old.positions[i as usize])).collect();
-        let paint = object_paint(&object.paint, origins.iter().copied(), &remake.sources);
+        let paint = object_paint(object, origins.iter().copied(), &remake.sources);
         let normals = normals(old, origins);
         let adjacency = Adjacency { planes: old.adjacency.planes.clone(), edges: remake.shared };
         let mesh =

@@ -179,7 +179,7 @@ impl Wrong {
         if remake.is_empty() {
             return None;
         }
-        let paint = object_paint(&object.paint, remake.origins.iter().copied(), &remake.sources);
+        let paint = object_paint(object, remake.origins.iter().copied(), &remake.sources);
         let mesh = Mesh { positions, triangles: remake.triangles, edges: remake.edges, ..Mesh::default() };
         Some(Object {
             mesh: Arc::new(mesh),

@@ -110,6 +110,7 @@ use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
 use crate::progress::Progress;
 use crate::scene::Scene;
+use crate::stage::Operations;
 use bounding_tree::BoundingTree;
 pub use budget::OverBudget;
 pub use cull::Containment;
@@ -155,14 +156,15 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
     Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing
 }
 
-/// All faces of a scene as a light sees them, for its shadow map: depths are 1 at F and 0 at B.
-fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> Drawing {
+/// All faces of a scene as a light sees them, for its shadow map: depths are 1 at F and 0 at B. With the operations of
+/// all stages.
+fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> (Drawing, Operations) {
     let target = Target { width: size, height: size, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
     let style = Style { shading: Shading::Flat, visibility: Visibility::DepthBuffer, antialias: 1, ..Style::default() };
     let options = Options { depth_of_volume: true, ..Options::default() };
-    let mut drawing = Pipeline::default().frame(scene, camera, target, &style, options).drawing;
+    let Frame { mut drawing, cost, .. } = Pipeline::default().frame(scene, camera, target, &style, options);
     drawing.surfaces.iter_mut().for_each(|surface| surface.depth_test = true);
-    drawing
+    (drawing, cost.total())
 }
 
 /// Draws pictures one after the other; reuses its buffers, and the bounds of meshes.
@@ -224,7 +226,8 @@ impl Pipeline {
         let misplaced = Misplaced::new(camera, &screen, places.in_view);
         let plan = Plan::new(scenes, &projector, style, places, options);
         let lights = Lights::new(scenes.lights(), &projector, style.shading);
-        let shadows = if style.shading == Shading::Wireframe { &[] } else { self.shadows.of(scenes) };
+        let is_dark = style.shading == Shading::Wireframe;
+        let (shadows, of_maps) = if is_dark { (&[][..], Operations::NONE) } else { self.shadows.of(scenes) };
         let context = PassContext {
             plan: &plan,
             projector: &projector,
@@ -235,6 +238,7 @@ impl Pipeline {
             options,
         };
         let mut recorder = Recorder::new(meter, misplaced, scenes, context);
+        recorder.meter.cost.add(Stage::Shadow, of_maps, 1);
         let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness());
         let mut unordered = Unordered::default();
 
@@ -294,6 +298,11 @@ impl Pipeline {
             frame.too_much = Some(over_budget);
         }
         frame
+    }
+
+    /// Forgets shadow maps: the next picture makes its own.
+    pub fn forget(&mut self) {
+        self.shadows = ShadowMaps::default();
     }
 
     /// Takes back a drawing that is no longer needed: the next one is made in its memory.

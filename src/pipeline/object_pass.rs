@@ -84,7 +84,7 @@ impl<'a> ObjectPass<'a> {
 
     /// Lights the faces that are left, and hands them on.
     pub(super) fn light(&self, faces: &mut Faces, pool: &mut Pool, into: &mut Unordered<'a>) {
-        let PassContext { plan, lights, shadows, .. } = self.context;
+        let PassContext { plan, lights, .. } = self.context;
         let mesh = &self.object.mesh;
         let both_sides = self.lights_both_sides(faces);
         let shaded = Shaded {
@@ -92,7 +92,7 @@ impl<'a> ObjectPass<'a> {
             vertices: self.vertices(),
             lights,
             lit: self.plan.lit,
-            shadows: if self.plan.shadowed { shadows } else { &[] },
+            shadows: self.shadows(),
             textured: self.plan.textured,
             both_sides,
             depth_test: plan.depth || (faces.turned_over > 0 && plan.order == Visibility::DepthBuffer),
@@ -105,6 +105,11 @@ impl<'a> ObjectPass<'a> {
                 into.add_layer(self.object, layer);
             }
         }
+    }
+
+    /// The lights whose shadows may fall on it.
+    pub(super) fn shadows(&self) -> &'a [ShadowLight] {
+        if self.plan.shadowed { self.context.shadows } else { &[] }
     }
 
     /// Draws its edges and its outline. Returns how many points were transformed for them.

@@ -8,6 +8,7 @@ use super::light::Lights;
 use super::object_pass::ObjectPass;
 use super::stages::LitAt;
 use crate::lighting::{WITH_LIGHT, light_operations};
+use crate::scene::LightKind;
 use crate::stage::{Cost, Operations, Stage};
 
 /// `ViewFromObject::point`: p − C (3 differences), and a matrix of 3 × 3 (9 products, 6 sums). A point is read.
@@ -83,6 +84,33 @@ const CENTROID: Operations = Operations::new(9, 0, 0);
 /// The place of a point for lamps and viewers that are not far away: p − C, the unit, and a matrix.
 const PLACE: Operations = Operations::new(3 + 3 + 15, 0, 3);
 
+/// `SeenByLight::place` of parallel light, after `VIEW`: to clip space, for x and y a sum and a product, and the depth
+/// as a share (2 differences, a division). It is written.
+const PLACE_ON_MAP: Operations = CLIP_SPACE.and(OBLIQUE).and(Operations::new(2 * 2 + 3, 0, 3));
+
+/// The same of a lamp: 3 divisions.
+const PLACE_FROM_LAMP: Operations = Operations::new(3, 0, 3);
+
+/// `SeenByLight::plane`, after its three corners: 2 differences of vectors and a cross product.
+const PLANE: Operations = Operations::new(6 + 9, 0, 3);
+
+/// Its slopes on the map of parallel light, and what makes it the plane around a lamp: a dot product, 3 divisions.
+const SLOPES: Operations = Operations::new(2, 0, 3);
+const PLANE_FROM_LAMP: Operations = Operations::new(5 + 3, 0, 3);
+
+/// A mean of three vectors with weights.
+const MEAN: Operations = Operations::new(3 * 6, 0, 0);
+
+/// The same of an image under a perspective: three products with 1/w, the mean of 1/w, 3 divisions.
+const BENT: Operations = Operations::new(3 * 3 + 6 + 3, 0, 3);
+
+/// `cameras` of parallel light: a point to the world (a matrix and a translation), its dot products with three axes,
+/// and the least and the greatest of each. It is read.
+const FRAMED: Operations = Operations::new(15 + 3 + 15 + 6, 0, 3);
+
+/// The same around a lamp: the length of a difference, and the greatest of all.
+const FRAMED_BY_LAMP: Operations = Operations::new(15 + 3 + 3 + 6 + 1, 0, 3);
+
 /// The colour that is read and the one that is written, or the two parts of a light that are.
 const COLORS: Operations = Operations::new(0, 0, 2);
 
@@ -131,6 +159,33 @@ pub(super) fn of_faces(cost: &mut Cost, pass: &ObjectPass, faces: &Faces, lit: u
         }
         LitAt::Pixels => cost.add(Stage::Normals, UNIT_NORMAL.and(place), n),
     }
+    for shadow in pass.shadows() {
+        let point = VIEW.and(through).and(if shadow.is_lamp() { PLACE_FROM_LAMP } else { PLACE_ON_MAP });
+        cost.add(Stage::Shadow, point, n);
+        let mean = if pass.object.in_world.is_some() { MEAN.and(BENT) } else { MEAN };
+        cost.add(Stage::Shadow, point.times(3).and(mean), cuts);
+        let plane = PLANE.and(if shadow.is_lamp() { PLANE_FROM_LAMP } else { SLOPES });
+        cost.add(Stage::Shadow, point.times(3).and(plane), faces.triangles.len() as u64);
+        // The light of this lamp alone; of what has its light from the world it is known.
+        let alone = lights.only(shadow.light).lighting(pass.lights_both_sides(faces));
+        let alone = light_operations(&alone).and(COLORS);
+        match pass.plan.lit {
+            LitAt::Nowhere | LitAt::Pixels => {}
+            LitAt::Faces => {
+                let middle = if lighting.needs_positions() { CENTROID.and(PLACE) } else { Operations::NONE };
+                cost.add(Stage::Shadow, FACE_NORMAL.and(middle).and(alone), lit);
+            }
+            LitAt::Vertices => cost.add(Stage::Shadow, NORMAL.and(place).and(alone), lit),
+        }
+    }
+}
+
+/// The operations for each point that a light must have in its picture.
+pub(super) const fn framed_by_light(kind: LightKind) -> Operations {
+    match kind {
+        LightKind::Directional => FRAMED,
+        LightKind::Point => FRAMED_BY_LAMP,
+    }
 }
 
 /// Adds the divide and the viewport of `n` points.
@@ -155,15 +210,17 @@ mod tests {
 
     use glam::{DMat4, DVec3};
 
-    use super::super::Target;
     use super::super::planes::outcode;
     use super::super::projector::Projector;
+    use super::super::shadow_maps::ShadowMaps;
     use super::super::transform::{Screen, on_grid};
+    use super::super::{Scenes, Target, light_cameras};
     use super::*;
-    use crate::appearance::Rgba;
+    use crate::appearance::{Rgba, Shading, Style};
     use crate::camera::{Camera, Parameters, Projection, ViewWindow};
     use crate::drawing::{Lighting, ViewLight};
     use crate::lighting::{light_eight, shade};
+    use crate::scene::{Light, Preset, Scene, SceneSpec, Shadows, build, no_files};
     use crate::simd::{f32x8, prelude::*, with_vectors};
 
     /// Numbers that formulas can be run on.
@@ -446,6 +503,60 @@ mod tests {
                 assert_eq!(lit, [color.r, color.g, color.b].map(f32::from));
                 assert_eq!(done, WITH_LIGHT.float);
             }
+        }
+    }
+
+    fn share_on_map<T: Real>([x, y]: [T; 2], half: T) -> [T; 2] {
+        [(T::of(1.0) + x) * half, (T::of(1.0) - y) * half]
+    }
+
+    fn normal<T: Real>([a, b, c]: [[T; 3]; 3]) -> [T; 3] {
+        let [p, q] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+        [p[1] * q[2] - q[1] * p[2], p[2] * q[0] - q[2] * p[0], p[0] * q[1] - q[0] * p[1]]
+    }
+
+    #[test]
+    fn as_many_operations_as_a_point_and_a_plane_on_a_shadow_map_have() {
+        let style = Style { shading: Shading::Flat, ..Style::default() };
+        let spec = SceneSpec { preset: Preset::Cube, ..SceneSpec::default() };
+        let all = |v: DVec3| v.to_array().map(Counted);
+        for light in [Light::directional(DVec3::new(-1.0, -2.0, -0.5)), Light::point(DVec3::new(2.0, 3.0, 1.5))] {
+            let light = light.with_shadows(Shadows::CAST);
+            let scene = Scene { lights: vec![light], ..build(&spec, &style, &mut no_files).unwrap() };
+            let projector = Projector::new(&light_cameras(&scene, &light).unwrap()[0]);
+            let mut maps = ShadowMaps::default();
+            let (lights, _) = maps.of(Scenes::from(&scene));
+            let (seen, is_lamp) = (lights[0].sees(DMat4::IDENTITY), lights[0].is_lamp());
+            let way = projector.view_from_object(DMat4::IDENTITY);
+            let (eye, rows) = (-way.offset(DVec3::ZERO), way.of_offsets().transpose().to_cols_array_2d());
+            let corners = [DVec3::new(0.25, -0.5, 0.75), DVec3::new(-1.0, 0.125, -0.3), DVec3::new(0.7, 0.6, 0.1)];
+            for p in corners {
+                let view = to_view(all(eye), rows.map(|row| row.map(Counted)), all(p));
+                let (done, place) = count(|| {
+                    if is_lamp {
+                        return view.map(|c| (c / Counted(projector.far)).0);
+                    }
+                    let scaled = scaled(projector.scale.map(Counted), view);
+                    let clip = shifted(projector.shift.map(Counted), Counted(1.0), scaled);
+                    let [x, y] = share_on_map(clip, Counted(0.5 * f64::from(Shadows::CAST.map)));
+                    let z = share_of_depth(Counted(projector.near), Counted(projector.far), -view[2]);
+                    [x, y, z].map(|c| c.0)
+                });
+                assert_eq!(place, seen.place(p).to_array());
+                assert_eq!(done, if is_lamp { PLACE_FROM_LAMP } else { PLACE_ON_MAP }.float);
+            }
+            let places = corners.map(|p| all(seen.place(p)));
+            let (done, n) = count(|| normal(places));
+            assert_eq!(done, PLANE.float);
+            let (done, plane) = count(|| {
+                if is_lamp {
+                    let distance = dot(n, places[0]);
+                    return n.map(|c| (c / distance).0);
+                }
+                [(-n[0] / n[2]).0, (-n[1] / n[2]).0, 0.0]
+            });
+            assert_eq!(DVec3::from_array(plane).as_vec3().to_array(), seen.plane(corners));
+            assert_eq!(done, if is_lamp { PLANE_FROM_LAMP } else { SLOPES }.float);
         }
     }
 

@@ -61,7 +61,8 @@ impl Plan {
         let casts = scenes.casts_shadows() && style.shading != Shading::Wireframe;
         let objects = objects.map(|(object, containment)| {
             let planned = plan_object(object, containment, style, dark, force);
-            ObjectPlan { shadowed: casts && planned.lit != LitAt::Nowhere, ..planned }
+            let is_lit_in_world = object.in_world.as_ref().is_some_and(|in_world| !in_world.taken.is_empty());
+            ObjectPlan { shadowed: casts && (planned.lit != LitAt::Nowhere || is_lit_in_world), ..planned }
         });
         let objects: Vec<ObjectPlan> = objects.collect();
         let survey = Survey::new(scenes, &objects, style);

@@ -11,20 +11,22 @@ use super::lines;
 use super::planes::{NEAR, NOT_A_NUMBER, PLANES, outcode};
 use super::projector::{ClipPoint, Projector};
 use super::resample::{Remake, VertexOrigin, color_at, face_color, object_paint};
+use super::scenes::Scenes;
 use super::shade::WHITE;
 use super::transform::{Vertices, each_chunk};
 use crate::appearance::{LightShare, LineStyle, Rgba, Shading};
 use crate::camera::Camera;
 use crate::drawing::single;
 use crate::scene::{
-    Adjacency, FoundLight, Line, Mesh, Object, ObjectPaint, Pictured, PointMark, Scene, SharedEdge, Text,
+    Adjacency, FoundLight, InWorld, Line, Mesh, Object, ObjectPaint, PointMark, Scene, SharedEdge, Text,
 };
 
 /// All of `scene` that is in the volume of `camera`, clipped and projected to `(x_n, y_n, −z_n)`: NDC are left-handed,
 /// with z away from the eye, and this is their display in a right-handed space.
 ///
-/// Colours are baked as they are lit in the world (at the vertices for Gouraud and Phong, on faces otherwise); the
-/// result takes no light, so the meshes have no normals. No face is culled: the observer of the result is elsewhere
+/// Colours are baked as they are lit in the world (at the vertices for Gouraud and Phong, on faces otherwise), but for
+/// what is textured or in the reach of shadows: light stays apart there, and shadows fall where they fall in the world.
+/// The result takes no light, so the meshes have no normals. No face is culled: the observer of the result is elsewhere
 /// than the camera. An object that was cut is open, so both sides of its faces show; an uncut one stays closed, and
 /// convex if it was.
 #[must_use]
@@ -48,13 +50,16 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
     // Edges alone show the object's own colour.
     let lit = shading != Shading::Wireframe && !scene.lights.is_empty();
     let lights = lit.then(|| Lights::new(&scene.lights, projector, shading));
+    let casting = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows.cast).map(|(light, _)| light);
+    let casting: Vec<usize> = casting.filter(|_| Scenes::from(scene).casts_shadows()).collect();
+    let lights = lights.as_ref().map(|lights| WorldLight { lights, casting: &casting });
     let inside = |p_world: DVec3| {
         let p = projector.clip(projector.view(p_world));
         (outcode(projector, p) == 0).then(|| displayed(projector, p))
     };
     let mut borders = Vec::new();
     let mut clip = |object| {
-        let (clipped, depths, cuts) = clipped_object(object, projector, lights.as_ref(), shading)?;
+        let (clipped, depths, cuts) = clipped_object(object, projector, lights, shading)?;
         in_view = in_view.and(depths);
         borders.extend(cuts);
         Some(clipped)
@@ -168,6 +173,14 @@ fn clipped_line(line: &Line, projector: &Projector) -> Vec<Line> {
     pieces
 }
 
+/// The lights of the world.
+#[derive(Clone, Copy)]
+struct WorldLight<'a> {
+    lights: &'a Lights,
+    /// The places of those that cast shadows.
+    casting: &'a [usize],
+}
+
 /// An object on its way into the volume.
 struct Projected<'a> {
     projector: &'a Projector,
@@ -185,7 +198,7 @@ struct Projected<'a> {
 fn clipped_object(
     object: &Object,
     projector: &Projector,
-    lights: Option<&Lights>,
+    lights: Option<WorldLight>,
     shading: Shading,
 ) -> Option<(Object, InView, Vec<Line>)> {
     let view_from_object = projector.view_from_object(object.world_from_object);
@@ -221,7 +234,7 @@ fn clipped_object(
         return None;
     }
     let whole = !projected.cut && projected.remake.sources.len() == object.mesh.triangles.len();
-    let paint = projected.paint(object, lights.filter(|_| object.lit), shading);
+    let (paint, in_world) = projected.paint(object, lights.filter(|_| object.lit), shading);
     let Projected { remake: Remake { triangles, edges, shared, .. }, positions, in_view, borders, .. } = projected;
     // What has edges or an outline has them where it was cut too; of a wireframe only edges are seen.
     let border = object.edges.or(object.outline).filter(|_| shading != Shading::Wireframe && object.faces);
@@ -247,6 +260,7 @@ fn clipped_object(
         faces: object.faces,
         edges: object.edges,
         outline: object.outline,
+        in_world: in_world.map(Arc::new),
     };
     Some((clipped, in_view, cuts))
 }
@@ -337,60 +351,80 @@ impl Projected<'_> {
 
     /// The colours without light.
     fn own_paint(&self, object: &Object) -> ObjectPaint {
-        object_paint(&object.paint, self.remake.origins.iter().copied(), &self.remake.sources)
+        object_paint(object, self.remake.origins.iter().copied(), &self.remake.sources)
     }
 
-    /// A picture under the light of the world, and under the perspective that has bent it.
-    fn pictured(&self, own: Pictured, old: &Mesh, light: Option<&ObjectLight>, shading: Shading) -> Pictured {
-        let smooth = matches!(shading, Shading::Gouraud | Shading::Phong);
-        let found = match light {
-            None => FoundLight::None,
-            Some(light) if smooth => {
-                let shares: Vec<LightShare> = light.vertices(Vec::new(), &[], |_| WHITE);
-                let at = |i: u32| shares.get(i as usize).copied().unwrap_or_default();
-                FoundLight::Vertices(Arc::new(self.remake.origins.iter().map(|origin| origin.of(at)).collect()))
-            }
-            Some(light) => {
-                let sources = &self.remake.sources;
-                let face = |k: usize| (old.triangles[sources[k] as usize], WHITE);
-                FoundLight::Faces(Arc::new(light.faces(Vec::new(), sources.len(), face)))
-            }
+    /// One colour for each face, without light.
+    fn face_colors(&self, object: &Object) -> Arc<Vec<Rgba>> {
+        let color = |&face: &u32| face_color(&object.paint, face, object.mesh.triangles[face as usize]);
+        Arc::new(self.remake.sources.iter().map(color).collect())
+    }
+
+    /// One colour for each face, lit by `light`.
+    fn lit_faces(&self, object: &Object, light: &ObjectLight) -> Arc<Vec<Rgba>> {
+        let face = |k: usize| {
+            let source = self.remake.sources[k];
+            let triangle = object.mesh.triangles[source as usize];
+            (triangle, face_color(&object.paint, source, triangle))
         };
-        let w = |i: u32| self.vertices.clip(i).w;
-        let inverse = |origin: &VertexOrigin| self.projector.depths.relative_inverse_w(origin.of(w));
-        let bent = self.projector.perspective.then(|| self.remake.origins.iter().map(inverse).collect());
-        Pictured { light: found, inverse_w: Arc::new(bent.unwrap_or_default()), ..own }
+        Arc::new(light.faces(Vec::new(), self.remake.sources.len(), face))
     }
 
-    /// The colours, as they are seen in the world.
-    fn paint(&self, object: &Object, lights: Option<&Lights>, shading: Shading) -> ObjectPaint {
+    /// The shares of a light.
+    fn found(&self, old: &Mesh, light: &ObjectLight, is_smooth: bool) -> FoundLight {
+        if is_smooth {
+            let shares: Vec<LightShare> = light.vertices(Vec::new(), &[], |_| WHITE);
+            let at = |i: u32| shares.get(i as usize).copied().unwrap_or_default();
+            return FoundLight::Vertices(self.remake.origins.iter().map(|origin| origin.of(at)).collect());
+        }
+        let sources = &self.remake.sources;
+        let face = |k: usize| (old.triangles[sources[k] as usize], WHITE);
+        FoundLight::Faces(light.faces(Vec::new(), sources.len(), face))
+    }
+
+    /// The colours as they are seen in the world, or their own colours and the light of the world on them.
+    fn paint(&self, object: &Object, world: Option<WorldLight>, shading: Shading) -> (ObjectPaint, Option<InWorld>) {
         let old = &object.mesh;
         let cut_open = old.closed && self.outcodes.iter().any(|code| code & NEAR != 0);
         let both_sides = object.two_sided || cut_open || (old.closed && object.paint.is_translucent());
-        let origins = self.remake.origins.iter();
-        let light = lights.map(|lights| ObjectLight::new(lights, old, self.vertices, both_sides));
-        if let ObjectPaint::Texture(own) = self.own_paint(object) {
-            return ObjectPaint::Texture(self.pictured(own, old, light.as_ref(), shading));
+        let light_of = |lights| ObjectLight::new(lights, old, self.vertices, both_sides);
+        let is_smooth = matches!(shading, Shading::Gouraud | Shading::Phong);
+        let casting = world.map_or(&[][..], |world| world.casting);
+        if matches!(object.paint, ObjectPaint::Texture(_)) || !casting.is_empty() {
+            let w = |i: u32| self.vertices.clip(i).w;
+            let inverse = |origin: &VertexOrigin| self.projector.depths.relative_inverse_w(origin.of(w));
+            let place = |i: u32| object.world_from_object.transform_point3(old.positions[i as usize]);
+            let origins = || self.remake.origins.iter();
+            let of_one = |world: WorldLight, light| {
+                let alone = world.lights.only(light);
+                self.found(old, &ObjectLight::new(&alone, old, self.vertices, both_sides), is_smooth)
+            };
+            let in_world = InWorld {
+                light: world.map_or(FoundLight::None, |world| self.found(old, &light_of(world.lights), is_smooth)),
+                inverse_w: origins().filter(|_| self.projector.perspective).map(inverse).collect(),
+                positions: origins().filter(|_| !casting.is_empty()).map(|origin| origin.of(place)).collect(),
+                taken: world.map_or_else(Vec::new, |world| {
+                    casting.iter().map(|&light| (light, of_one(world, light))).collect()
+                }),
+            };
+            // Flat faces have one colour, that of their light too.
+            let paint = match &object.paint {
+                ObjectPaint::Vertices(_) if !is_smooth => ObjectPaint::Faces(self.face_colors(object)),
+                _ => self.own_paint(object),
+            };
+            return (paint, Some(in_world));
         }
-        let Some(light) = light else { return self.own_paint(object) };
+        let Some(WorldLight { lights, .. }) = world else { return (self.own_paint(object), None) };
+        let light = light_of(lights);
         let vertices = |color: &dyn Fn(u32) -> Rgba| {
             let lit = |i: u32| light.vertex(i, color(i));
-            ObjectPaint::Vertices(Arc::new(origins.map(|origin| origin.of(lit)).collect()))
+            ObjectPaint::Vertices(Arc::new(self.remake.origins.iter().map(|origin| origin.of(lit)).collect()))
         };
-        let face = |k: usize| {
-            let source = self.remake.sources[k];
-            let triangle = old.triangles[source as usize];
-            (triangle, face_color(&object.paint, source, triangle))
+        let paint = match &object.paint {
+            ObjectPaint::Solid(color) if is_smooth => vertices(&|_| *color),
+            ObjectPaint::Vertices(colors) if is_smooth => vertices(&|i| color_at(colors, i)),
+            _ => ObjectPaint::Faces(self.lit_faces(object, &light)),
         };
-        let smooth = matches!(shading, Shading::Gouraud | Shading::Phong);
-        match &object.paint {
-            ObjectPaint::Solid(color) if smooth => vertices(&|_| *color),
-            ObjectPaint::Vertices(colors) if smooth => vertices(&|i| color_at(colors, i)),
-            // `picture` has them.
-            ObjectPaint::Texture(_) => self.own_paint(object),
-            ObjectPaint::Solid(_) | ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) => {
-                ObjectPaint::Faces(Arc::new(light.faces(Vec::new(), self.remake.sources.len(), face)))
-            }
-        }
+        (paint, None)
     }
 }

@@ -151,7 +151,8 @@ impl Meter {
         self.triangles += triangles;
         self.front += triangles - faces.back;
         self.drawn += faces.triangles.len();
-        let own_colors = matches!(object.paint, ObjectPaint::Faces(_));
+        // Vertices between faces of several colours are lit once for each, unless the light stays apart.
+        let own_colors = matches!(object.paint, ObjectPaint::Faces(_)) && !pass.plan.shadowed;
         let lit = match done.lit {
             _ if faces.triangles.is_empty() => 0,
             LitAt::Nowhere | LitAt::Pixels => 0,

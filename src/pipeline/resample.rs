@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::appearance::Rgba;
 use crate::drawing::{Base, PixelLight, Shadow, Surface, SurfaceLight, TakenLight};
 use crate::geometry::try_unit;
-use crate::scene::{Adjacency, FoundLight, Mesh, Object, ObjectPaint, Pictured, SharedEdge};
+use crate::scene::{Adjacency, FoundLight, InWorld, Mesh, Object, ObjectPaint, Pictured, SharedEdge};
 
 /// The origin of a new vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,14 +113,14 @@ pub(super) fn face_color(paint: &ObjectPaint, face: u32, triangle: [u32; 3]) -> 
     }
 }
 
-/// The paint of a mesh whose vertices and triangles come from those of another. `sources`: the old index of each
+/// The paint of a mesh whose vertices and triangles come from those of an object. `sources`: the old index of each
 /// triangle.
 pub(super) fn object_paint(
-    old: &ObjectPaint,
+    object: &Object,
     origins: impl Iterator<Item = VertexOrigin>,
     sources: &[u32],
 ) -> ObjectPaint {
-    match old {
+    match &object.paint {
         ObjectPaint::Solid(color) => ObjectPaint::Solid(*color),
         ObjectPaint::Faces(colors) => {
             ObjectPaint::Faces(Arc::new(sources.iter().map(|&face| color_at(colors, face)).collect()))
@@ -128,59 +128,60 @@ pub(super) fn object_paint(
         ObjectPaint::Vertices(colors) => {
             ObjectPaint::Vertices(Arc::new(origins.map(|origin| origin.of(|i| color_at(colors, i))).collect()))
         }
-        ObjectPaint::Texture(old) => ObjectPaint::Texture(pictured(old, &origins.collect::<Vec<_>>(), sources)),
+        ObjectPaint::Texture(old) => {
+            let inverse_w = object.in_world.as_ref().map_or(&[][..], |in_world| &in_world.inverse_w);
+            ObjectPaint::Texture(pictured(old, &origins.collect::<Vec<_>>(), inverse_w))
+        }
     }
 }
 
 /// The same for a picture.
-fn pictured(old: &Pictured, origins: &[VertexOrigin], sources: &[u32]) -> Pictured {
-    let of_vertices = |values: &[[f32; 2]]| {
-        let at = |i: u32| values.get(i as usize).copied().unwrap_or_default();
-        Arc::new(origins.iter().map(|origin| origin.of(at)).collect::<Vec<_>>())
+fn pictured(old: &Pictured, origins: &[VertexOrigin], inverse_w: &[f32]) -> Pictured {
+    let at = |i: u32| old.uv.get(i as usize).copied().unwrap_or_default();
+    let uv = |origin: &VertexOrigin| {
+        if inverse_w.is_empty() {
+            return origin.of(at);
+        }
+        // What is affine between the vertices is divided by w.
+        let divided = |i: u32| {
+            let ([u, v], q) = (at(i), inverse_w.get(i as usize).copied().unwrap_or(1.0));
+            [u * q, v * q, q]
+        };
+        let [u, v, q] = origin.of(divided);
+        [u / q, v / q]
     };
-    let light = match &old.light {
-        FoundLight::None => FoundLight::None,
+    Pictured { uv: Arc::new(origins.iter().map(uv).collect()), ..old.clone() }
+}
+
+/// The light found for a mesh whose vertices and triangles come from those of another.
+pub(super) fn found_light(
+    old: &FoundLight,
+    origins: impl Iterator<Item = VertexOrigin>,
+    sources: &[u32],
+) -> SurfaceLight {
+    match old {
+        FoundLight::None => SurfaceLight::InBase,
         FoundLight::Faces(old) => {
             let at = |&face: &u32| old.get(face as usize).copied().unwrap_or_default();
-            FoundLight::Faces(Arc::new(sources.iter().map(at).collect()))
+            SurfaceLight::Faces(sources.iter().map(at).collect())
         }
-        FoundLight::Vertices(old) => FoundLight::Vertices(of_vertices(old)),
-    };
-    let plain = || Pictured { uv: of_vertices(&old.uv), light: light.clone(), ..old.clone() };
-    if old.inverse_w.is_empty() {
-        return plain();
-    }
-    // What is affine between the vertices is divided by w.
-    let divided = |i: u32| {
-        let ([u, v], q) = (old.uv.get(i as usize).copied().unwrap_or_default(), old.inverse_w.get(i as usize).copied());
-        let q = q.unwrap_or(1.0);
-        [u * q, v * q, q]
-    };
-    let all: Vec<[f32; 3]> = origins.iter().map(|origin| origin.of(divided)).collect();
-    Pictured {
-        uv: Arc::new(all.iter().map(|[u, v, q]| [u / q, v / q]).collect()),
-        inverse_w: Arc::new(all.iter().map(|[_, _, q]| *q).collect()),
-        ..plain()
+        FoundLight::Vertices(old) => {
+            let at = |i: u32| old.get(i as usize).copied().unwrap_or_default();
+            SurfaceLight::Vertices(origins.map(|origin| origin.of(at)).collect())
+        }
     }
 }
 
-/// The colours of an object as they are, and the light that has been found for them, for the display list.
-pub(super) fn base_of(paint: ObjectPaint) -> (Base, SurfaceLight) {
-    let base = match paint {
+/// The colours of an object as they are, for the display list.
+pub(super) fn base_of(paint: ObjectPaint) -> Base {
+    match paint {
         ObjectPaint::Solid(color) => Base::Solid(color),
         ObjectPaint::Faces(colors) => Base::Faces(Arc::unwrap_or_clone(colors)),
         ObjectPaint::Vertices(colors) => Base::Vertices(Arc::unwrap_or_clone(colors)),
-        ObjectPaint::Texture(Pictured { image, sampler, uv, tint, light, .. }) => {
-            let base = Base::Texture { image, sampler, uv: Arc::unwrap_or_clone(uv), tint };
-            let light = match light {
-                FoundLight::None => SurfaceLight::InBase,
-                FoundLight::Faces(shares) => SurfaceLight::Faces(Arc::unwrap_or_clone(shares)),
-                FoundLight::Vertices(shares) => SurfaceLight::Vertices(Arc::unwrap_or_clone(shares)),
-            };
-            return (base, light);
+        ObjectPaint::Texture(Pictured { image, sampler, uv, tint, .. }) => {
+            Base::Texture { image, sampler, uv: Arc::unwrap_or_clone(uv), tint }
         }
-    };
-    (base, SurfaceLight::InBase)
+    }
 }
 
 /// The normals of a mesh whose vertices come from those of another; none where that has none.
@@ -271,12 +272,23 @@ pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>, 
     let vertices = 0..u32::try_from(old.positions.len()).unwrap_or(u32::MAX);
     let paint = match &object.paint {
         // Vertices do not change.
-        ObjectPaint::Faces(_) | ObjectPaint::Texture(Pictured { light: FoundLight::Faces(_), .. }) => {
-            object_paint(&object.paint, vertices.map(VertexOrigin::Vertex), triangles)
-        }
+        ObjectPaint::Faces(_) => object_paint(object, vertices.map(VertexOrigin::Vertex), triangles),
         paint => paint.clone(),
     };
-    Object { mesh: Arc::new(mesh), paint, ..object.clone() }
+    let in_world = object.in_world.as_ref().map(|old| Arc::new(of_triangles(old, triangles)));
+    Object { mesh: Arc::new(mesh), paint, in_world, ..object.clone() }
+}
+
+/// The same with some of the triangles only.
+fn of_triangles(old: &InWorld, triangles: &[u32]) -> InWorld {
+    let kept = |light: &FoundLight| match light {
+        FoundLight::Faces(old) => {
+            FoundLight::Faces(triangles.iter().filter_map(|&k| old.get(k as usize).copied()).collect())
+        }
+        FoundLight::None | FoundLight::Vertices(_) => light.clone(),
+    };
+    let taken = old.taken.iter().map(|(light, taken)| (*light, kept(taken))).collect();
+    InWorld { light: kept(&old.light), taken, ..old.clone() }
 }
 
 /// A surface without triangles that takes pieces of `old`; one colour becomes a colour for each face, so that surfaces

@@ -1,18 +1,18 @@
 //! Surfaces of the drawing from the faces that are left: own colours, or light on faces, vertices or (later) pixels.
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 
 use super::faces::Faces;
 use super::light::{Lights, ObjectLight};
 use super::pool::Pool;
-use super::resample::{VertexOrigin, base_of, color_at, face_color, object_paint};
+use super::resample::{VertexOrigin, base_of, color_at, face_color, found_light, object_paint};
 use super::shadow_maps::{SeenByLight, ShadowLight};
 use super::stages::{LitAt, ObjectPlan};
 use super::transform::{Vertices, each_chunk};
 use super::visibility::Layer;
 use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, PixelLight, Shadow, Surface, SurfaceLight, TakenLight, single};
-use crate::scene::{Object, ObjectPaint, Pictured};
+use crate::scene::{FoundLight, Object, ObjectPaint};
 
 /// The base colour of light that is kept apart from the colours.
 pub(super) const WHITE: Rgba = Rgba::rgb(255, 255, 255);
@@ -49,7 +49,11 @@ impl Shaded<'_> {
     /// left must know which one it was.
     pub(super) fn colors_faces(object: &Object, plan: &ObjectPlan) -> bool {
         // A shadow knows the plane of each face.
-        plan.shadowed || plan.lit == LitAt::Faces || matches!(object.paint, ObjectPaint::Faces(_))
+        let found = object.in_world.as_ref().map(|in_world| &in_world.light);
+        plan.shadowed
+            || plan.lit == LitAt::Faces
+            || matches!(object.paint, ObjectPaint::Faces(_))
+            || matches!(found, Some(FoundLight::Faces(_)))
     }
 
     /// The surface of the object; takes the faces' arrays. `None` where it has no faces left.
@@ -75,7 +79,7 @@ impl Shaded<'_> {
             (LitAt::Vertices, _) => (self.lit_vertices(faces, &light, pool.colors()), SurfaceLight::InBase),
             (LitAt::Pixels, _) => (self.own_base(faces).0, self.per_pixel(faces, &light, pool)),
         };
-        let shadows = self.shadows.iter().map(|shadow| self.shadow(shadow, faces, pool)).collect();
+        let shadows = self.shadows.iter().filter_map(|shadow| self.shadow(shadow, faces, pool)).collect();
         self.bend(faces);
         Some(Surface {
             shadows,
@@ -122,9 +126,14 @@ impl Shaded<'_> {
         }
     }
 
-    /// Where the object is the image of another one under a perspective, its picture is bent by that too.
+    /// 1/w of the vertices of the object where it is the image of another one under a perspective; else empty.
+    fn inverse_w(&self) -> &[f32] {
+        self.object.in_world.as_ref().map_or(&[], |in_world| &in_world.inverse_w)
+    }
+
+    /// Where the object is the image of another one under a perspective, what is interpolated is bent by that too.
     fn bend(&self, faces: &mut Faces) {
-        let ObjectPaint::Texture(Pictured { inverse_w, .. }) = &self.object.paint else { return };
+        let inverse_w = self.inverse_w();
         if inverse_w.is_empty() {
             return;
         }
@@ -141,19 +150,17 @@ impl Shaded<'_> {
 
     /// The object's colours as they are, with the light that has been found for them.
     fn own_base(&self, faces: &Faces) -> (Base, SurfaceLight) {
+        let origins = || (0..self.vertex_count()).map(VertexOrigin::Vertex).chain(faces.cuts.iter().copied());
+        let in_world = self.object.in_world.as_ref();
+        let light =
+            in_world.map_or(SurfaceLight::InBase, |in_world| found_light(&in_world.light, origins(), &faces.source));
         if let ObjectPaint::Texture(pictured) = &self.object.paint
             && let Some(color) = pictured.one_color().filter(|_| !self.textured)
         {
             // The light is kept apart from it as from a picture, so that it comes out the same.
-            let found = Pictured { uv: std::sync::Arc::default(), ..pictured.clone() };
-            return (Base::Solid(color), self.base(faces, &ObjectPaint::Texture(found)).1);
+            return (Base::Solid(color), light);
         }
-        self.base(faces, &self.object.paint)
-    }
-
-    fn base(&self, faces: &Faces, paint: &ObjectPaint) -> (Base, SurfaceLight) {
-        let own = (0..self.vertex_count()).map(VertexOrigin::Vertex);
-        base_of(object_paint(paint, own.chain(faces.cuts.iter().copied()), &faces.source))
+        (base_of(object_paint(self.object, origins(), &faces.source)), light)
     }
 
     /// Light at each face, whatever its colours.
@@ -178,32 +185,52 @@ impl Shaded<'_> {
         Base::Faces(faces.source.iter().map(color).collect())
     }
 
-    /// The shadows of one light.
-    fn shadow(&self, shadow: &ShadowLight, faces: &Faces, pool: &mut Pool) -> Shadow {
-        let seen: SeenByLight = shadow.sees(self.object);
+    /// The shadows of one light; `None` where the object is lit in the world, and not by this light.
+    fn shadow(&self, shadow: &ShadowLight, faces: &Faces, pool: &mut Pool) -> Option<Shadow> {
         let mesh = &self.object.mesh;
-        let place = |i: u32| seen.place(mesh.positions[i as usize]);
+        let (world_from_object, positions) = match &self.object.in_world {
+            Some(in_world) => (DMat4::IDENTITY, &in_world.positions),
+            None => (self.object.world_from_object, &mesh.positions),
+        };
+        let found = match &self.object.in_world {
+            Some(in_world) => Some(&in_world.taken.iter().find(|(light, _)| *light == shadow.light)?.1),
+            None => None,
+        };
+        let seen: SeenByLight = shadow.sees(world_from_object);
+        let place = |i: u32| seen.place(positions[i as usize]);
         let mut places = pool.vectors.pop().unwrap_or_default();
         self.at_vertices(&mut places, |i| place(i).as_vec3().to_array());
-        places.extend(faces.cuts.iter().map(|cut| cut.of(place).as_vec3().to_array()));
+        let inverse_w = self.inverse_w();
+        let of_cut = |cut: &VertexOrigin| {
+            if inverse_w.is_empty() {
+                return cut.of(place);
+            }
+            // What is affine between the vertices is divided by w.
+            let q = |i: u32| f64::from(inverse_w.get(i as usize).copied().unwrap_or(1.0));
+            cut.of(|i| place(i) * q(i)) / cut.of(q)
+        };
+        places.extend(faces.cuts.iter().map(|cut| of_cut(cut).as_vec3().to_array()));
         let mut planes = pool.vectors.pop().unwrap_or_default();
         planes.resize(faces.triangles.len(), [0.0; 3]);
         each_chunk(&mut planes, |planes, first| {
             for (plane, &source) in planes.iter_mut().zip(&faces.source[first..]) {
-                *plane = seen.plane(mesh.triangles[source as usize].map(|i| mesh.positions[i as usize]));
+                *plane = seen.plane(mesh.triangles[source as usize].map(|i| positions[i as usize]));
             }
         });
         let alone = || {
             let lights = self.lights.only(shadow.light);
             ObjectLight::new(&lights, mesh, self.vertices, self.both_sides)
         };
-        let taken = match self.lit {
-            LitAt::Faces => TakenLight::Faces(self.face_shares(faces, &alone(), pool.shares())),
-            LitAt::Vertices => TakenLight::Vertices(Self::vertex_shares(faces, &alone(), pool.shares())),
+        let origins = (0..self.vertex_count()).map(VertexOrigin::Vertex).chain(faces.cuts.iter().copied());
+        let taken = match (found.map(|found| found_light(found, origins, &faces.source)), self.lit) {
+            (Some(SurfaceLight::Faces(shares)), _) => TakenLight::Faces(shares),
+            (Some(SurfaceLight::Vertices(shares)), _) => TakenLight::Vertices(shares),
+            (_, LitAt::Faces) => TakenLight::Faces(self.face_shares(faces, &alone(), pool.shares())),
+            (_, LitAt::Vertices) => TakenLight::Vertices(Self::vertex_shares(faces, &alone(), pool.shares())),
             // Without light there is no shadow.
-            LitAt::Pixels | LitAt::Nowhere => TakenLight::Light(self.lights.place_of(shadow.light)),
+            (_, LitAt::Pixels | LitAt::Nowhere) => TakenLight::Light(self.lights.place_of(shadow.light)),
         };
-        Shadow { map: std::sync::Arc::clone(&shadow.map), places, planes, taken }
+        Some(Shadow { map: std::sync::Arc::clone(&shadow.map), places, planes, taken })
     }
 
     /// Light at each face.

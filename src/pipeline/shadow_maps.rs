@@ -9,12 +9,13 @@ use glam::{DMat4, DVec3};
 
 use super::projector::{Projector, ViewFromObject};
 use super::scenes::Scenes;
-use super::seen_by_light;
+use super::{operations, seen_by_light};
 use crate::appearance::Rgba;
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::drawing::{Rays, ShadowMap, single};
 use crate::geometry::try_unit;
 use crate::scene::{Light, LightKind, Mesh, Object, ObjectPaint, Scene, Shadows};
+use crate::stage::Operations;
 
 /// F of the camera of a lamp, as a share of B: what is nearer casts no shadow.
 const NEAREST: f64 = 1e-4;
@@ -54,11 +55,12 @@ impl Hiding {
 }
 
 impl ShadowMaps {
-    /// The lights of a scene that cast shadows.
-    pub(super) fn of(&mut self, scenes: Scenes) -> &[ShadowLight] {
+    /// The lights of a scene that cast shadows, and the operations for those maps that had to be made.
+    pub(super) fn of(&mut self, scenes: Scenes) -> (&[ShadowLight], Operations) {
         self.lights.clear();
+        let mut cost = Operations::NONE;
         if !scenes.casts_shadows() {
-            return &[];
+            return (&[], cost);
         }
         let same = self.hiding.iter().map(Some).chain(std::iter::repeat(None));
         let mut count = 0;
@@ -79,14 +81,15 @@ impl ShadowMaps {
             let found = match self.made.iter().find(|(of, _)| of == light) {
                 Some((_, made)) => made.clone(),
                 None => {
-                    let Some(made) = made(light, &self.hiding) else { continue };
+                    let Some((made, of_map)) = made(light, &self.hiding) else { continue };
+                    cost += of_map;
                     self.made.push((*light, made.clone()));
                     made
                 }
             };
             self.lights.push(ShadowLight { light: index, ..found });
         }
-        &self.lights
+        (&self.lights, cost)
     }
 }
 
@@ -177,8 +180,8 @@ fn around(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Vec<Came
     cameras.into_iter().collect()
 }
 
-/// The map of a light.
-fn made(light: &Light, hiding: &[Hiding]) -> Option<ShadowLight> {
+/// The map of a light, and the operations for it, up to those of painting it.
+fn made(light: &Light, hiding: &[Hiding]) -> Option<(ShadowLight, Operations)> {
     let points = hiding
         .iter()
         .flat_map(|Hiding { mesh, world_from_object }| {
@@ -189,11 +192,18 @@ fn made(light: &Light, hiding: &[Hiding]) -> Option<ShadowLight> {
     let cameras = cameras(light, points)?;
     let scene = Scene { objects: hiding.iter().map(alone).collect(), ..Scene::default() };
     let size = shadows.map;
-    let views = cameras.iter().map(|camera| seen_by_light(&scene, camera, size)).collect();
+    let framed: usize = hiding.iter().map(|Hiding { mesh, .. }| mesh.positions.len()).sum();
+    let mut cost = operations::framed_by_light(light.kind).times(framed as u64);
+    let mut seen = |camera| {
+        let (drawing, of_view) = seen_by_light(&scene, camera, size);
+        cost += of_view;
+        drawing
+    };
+    let views = cameras.iter().map(&mut seen).collect();
     let projector = Projector::new(cameras.first()?);
     let rays = rays(&cameras, &projector, size)?;
     let map = ShadowMap::new(views, size, rays, [single(shadows.bias), single(shadows.softness)]);
-    Some(ShadowLight { map: Arc::new(map), light: 0, projector })
+    Some((ShadowLight { map: Arc::new(map), light: 0, projector }, cost))
 }
 
 /// Faces and nothing else, without light, seen from both sides.
@@ -209,6 +219,7 @@ fn alone(Hiding { mesh, world_from_object }: &Hiding) -> Object {
         faces: true,
         edges: None,
         outline: None,
+        in_world: None,
     }
 }
 
@@ -236,9 +247,14 @@ pub(super) struct SeenByLight<'a> {
 }
 
 impl ShadowLight {
-    /// An object as this light sees it.
-    pub(super) fn sees(&self, object: &Object) -> SeenByLight<'_> {
-        SeenByLight { light: self, view_from_object: self.projector.view_from_object(object.world_from_object) }
+    /// True for a lamp.
+    pub(super) fn is_lamp(&self) -> bool {
+        self.projector.perspective
+    }
+
+    /// An object at its place in the world as this light sees it.
+    pub(super) fn sees(&self, world_from_object: DMat4) -> SeenByLight<'_> {
+        SeenByLight { light: self, view_from_object: self.projector.view_from_object(world_from_object) }
     }
 }
 

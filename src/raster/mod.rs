@@ -49,7 +49,7 @@ use crate::appearance::{DepthFormat, Rgba};
 use crate::drawing::{Drawing, ShadowMap, Surface};
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::progress::{Progress, at_once};
-use crate::stage::Cost;
+use crate::stage::{Cost, Operations, Stage};
 pub use depth::DepthBuffer;
 use depth::Occluders;
 pub use label::{FADED, HALO, MarkLayer, area_outline, baseline, mark_layers, mark_outline};
@@ -135,7 +135,7 @@ impl Rasterizer {
     async fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
-        self.paint_maps(drawing).await;
+        let of_maps = self.paint_maps(drawing).await;
         let tints = tints(drawing);
         if let Some(tints) = &tints {
             // For its depth alone: the picture is painted over it.
@@ -157,7 +157,8 @@ impl Rasterizer {
             label::label(pixmap, &self.depth, text);
         }
         let triangles = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
-        let (kept, covered, written, cost) = self.surfaces.work(drawing);
+        let (kept, covered, written, mut cost) = self.surfaces.work(drawing);
+        cost.add(Stage::Shadow, of_maps, 1);
         self.work = Work {
             triangles,
             empty: triangles - kept,
@@ -171,32 +172,40 @@ impl Rasterizer {
 }
 
 impl Rasterizer {
-    /// Paints the depths that the lights of a drawing see, where that has not been done for an earlier one.
-    async fn paint_maps(&mut self, drawing: &Drawing) {
+    /// Paints the depths that the lights of a drawing see, where that has not been done for an earlier one. Gives the
+    /// operations of those that it paints; without a clock, anything.
+    async fn paint_maps(&mut self, drawing: &Drawing) -> Operations {
         let maps = drawing.surfaces.iter().flat_map(|surface| &surface.shadows).map(|shadow| &*shadow.map);
+        let mut cost = Operations::NONE;
         for map in maps {
             if map.depths().is_none() {
-                self.paint_map(map).await;
+                cost += self.paint_map(map).await;
             }
         }
+        cost
     }
 
-    async fn paint_map(&mut self, map: &ShadowMap) {
-        let wanted = Wanted { slopes: false, counts: false };
+    async fn paint_map(&mut self, map: &ShadowMap) -> Operations {
+        /// A depth that the map keeps: read and written.
+        const KEPT: Operations = Operations::new(0, 0, 2);
+        let wanted = Wanted { slopes: false, counts: self.clock.is_some() };
+        let mut cost = Operations::NONE;
         let (mut depth, mut views) = (DepthBuffer::default(), Vec::with_capacity(map.views.len()));
         for view in &map.views {
             let mut values = Vec::new();
             if !view.surfaces.is_empty() {
-                let Some(mut pixmap) = new_pixmap(view) else { return };
+                let Some(mut pixmap) = new_pixmap(view) else { return cost };
                 self.surfaces.paint(view, &mut pixmap, &mut depth, wanted, &self.progress).await;
                 if self.progress.is_cancelled() {
-                    return;
+                    return cost;
                 }
                 values = depth.values();
+                cost += self.surfaces.work(view).3.total().and(KEPT.times(values.len() as u64));
             }
             views.push(values);
         }
         map.keep(views);
+        cost
     }
 }
 

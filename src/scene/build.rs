@@ -11,8 +11,8 @@ use super::palette::{PALETTE, SceneColors};
 use super::resolve::{Placed, allowed_segments, lights, place};
 use super::texture::{Alpha, UvMesh, builtin, mapped, split};
 use super::{
-    Adjacency, FoundLight, Line, Mesh, MeshFiles, MeshNotice, Object, ObjectPaint, Pictured, ReadFile, Scene,
-    SceneError, SceneSpec, Shape, TextureSource, Wanted, presets, primitives,
+    Adjacency, Line, Mesh, MeshFiles, MeshNotice, Object, ObjectPaint, Pictured, ReadFile, Scene, SceneError,
+    SceneSpec, Shape, TextureSource, Wanted, presets, primitives,
 };
 use crate::appearance::{LineStyle, MarkShape, Rgba, Sampler, Style, Texture};
 use crate::limits::MAX_OBJECTS;
@@ -174,6 +174,7 @@ impl Maker<'_, '_> {
                 faces: true,
                 edges: None,
                 outline: None,
+                in_world: None,
             });
         }
         Ok(())
@@ -256,6 +257,7 @@ impl Maker<'_, '_> {
             faces: true,
             edges: faceted.then(|| self.colors.edge_style()),
             outline: (!faceted).then(|| self.colors.edge_style()),
+            in_world: None,
         });
         Ok(())
     }
@@ -281,8 +283,7 @@ fn painted(
         Arc::new(uv.iter().map(|[u, v]| [u * wide, 1.0 - (1.0 - v) * high]).collect())
     };
     let translucent = !tint.is_opaque() || !image.is_opaque();
-    let (light, inverse_w) = (FoundLight::None, Arc::default());
-    ObjectPaint::Texture(Pictured { image, sampler, uv, tint, translucent, light, inverse_w })
+    ObjectPaint::Texture(Pictured { image, sampler, uv, tint, translucent })
 }
 
 fn ellipsoid(segments: u32) -> Mesh {
@@ -302,5 +303,6 @@ fn bare(name: &str, mesh: Mesh, placed: &Placed<'_>, color: Rgba, edges: Option<
         faces: false,
         edges,
         outline: None,
+        in_world: None,
     }
 }

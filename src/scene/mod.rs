@@ -159,6 +159,23 @@ pub struct Object {
     /// Style of the silhouette and the creases of a curved solid, found by the [`adjacency`](Mesh::adjacency) of its
     /// mesh; `None`, and in wireframe: not drawn.
     pub outline: Option<LineStyle>,
+    /// Where the object is the image of another one under a projection, what that one has in the world.
+    pub in_world: Option<Arc<InWorld>>,
+}
+
+/// What an object has in the world, beside its image under a projection: that of the canonical volume shows the light
+/// and the shadows of the world.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct InWorld {
+    /// The light on it.
+    pub light: FoundLight,
+    /// 1/w of each vertex, in any unit: between the vertices, what is affine in the world is so here divided by w.
+    /// Empty without perspective: it is as it is.
+    pub inverse_w: Vec<f32>,
+    /// The vertices; empty where no light casts shadows.
+    pub positions: Vec<DVec3>,
+    /// The part of the light that comes from each light which casts shadows, with its place among the lights.
+    pub taken: Vec<(usize, FoundLight)>,
 }
 
 impl Object {
@@ -202,12 +219,6 @@ pub struct Pictured {
     pub tint: Rgba,
     /// Something shows through it.
     pub translucent: bool,
-    /// Light that has been found already, in another picture: that of the canonical volume shows the light of the
-    /// world.
-    pub light: FoundLight,
-    /// 1/w of each vertex where the mesh is the image of another one under a perspective, in any unit: between the
-    /// vertices, u/w and v/w are affine. Empty: u and v are.
-    pub inverse_w: Arc<Vec<f32>>,
 }
 
 impl Pictured {
@@ -230,8 +241,6 @@ impl Pictured {
             uv: Arc::new(uv),
             tint: Rgba::rgba(255, 255, 255, opacity),
             translucent: opacity < 255,
-            light: FoundLight::None,
-            inverse_w: Arc::default(),
         }
     }
 }
@@ -243,9 +252,9 @@ pub enum FoundLight {
     #[default]
     None,
     /// At each triangle.
-    Faces(Arc<Vec<LightShare>>),
+    Faces(Vec<LightShare>),
     /// At each vertex.
-    Vertices(Arc<Vec<LightShare>>),
+    Vertices(Vec<LightShare>),
 }
 
 impl ObjectPaint {

@@ -201,6 +201,7 @@ fn tiled_floor(colors: &SceneColors) -> Object {
         faces: true,
         edges: None,
         outline: None,
+        in_world: None,
     }
 }
 
@@ -248,6 +249,7 @@ fn letter_f(colors: &SceneColors) -> Object {
         faces: true,
         edges: Some(colors.edge_style()),
         outline: None,
+        in_world: None,
     }
 }
 
@@ -362,6 +364,7 @@ fn number_the_faces(scene: &mut Scene, colors: &SceneColors) {
                 arrow: false,
             }),
             outline: None,
+            in_world: None,
         });
     }
 }

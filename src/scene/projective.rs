@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use super::{Mesh, Scene};
+use super::{InWorld, Mesh, Scene};
 
 impl Scene {
     /// Moves everything by a projective map that keeps orientation: positions are divided by their w, planes are
@@ -25,6 +25,13 @@ impl Scene {
             let Some(positions) = positions else { return false };
             let mut mesh = Mesh { positions, normals: Vec::new(), ..Mesh::clone(&object.mesh) };
             mesh.adjacency.planes.iter_mut().for_each(|plane| *plane = of_planes * *plane);
+            if let Some(in_world) = &object.in_world {
+                let before = |i: usize| in_world.inverse_w.get(i).copied().unwrap_or(1.0);
+                let is_affine = map.row(3).truncate() == DVec3::ZERO && in_world.inverse_w.is_empty();
+                let after = |(i, &p): (usize, &DVec3)| single(f64::from(before(i)) / map.row(3).dot(p.extend(1.0)));
+                let inverse_w = object.mesh.positions.iter().enumerate().map(after).filter(|_| !is_affine).collect();
+                object.in_world = Some(Arc::new(InWorld { inverse_w, ..InWorld::clone(in_world) }));
+            }
             object.mesh = Arc::new(mesh);
             object.world_from_object = DMat4::IDENTITY;
             object.lit = false;
@@ -37,4 +44,9 @@ impl Scene {
         self.marks.retain_mut(|mark| place(mark.position).map(|p| mark.position = p).is_some());
         self.texts.retain_mut(|text| place(text.position).map(|p| text.position = p).is_some());
     }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "in any unit, and for interpolation only")]
+fn single(v: f64) -> f32 {
+    v as f32
 }

@@ -21,11 +21,12 @@ impl Gear {
     pub(super) fn new(screen: &Screen, camera: &Camera, look: &WorldLook) -> Self {
         let pixel = screen.units_per_pixel(camera.position());
         let (side, scale) = (screen.extent().min_element(), screen.scale());
-        let usual_axis = pixel * (0.12 * side).clamp(30.0 * scale, 180.0 * scale);
+        let axis_of = |length: f64| pixel * (0.12 * length * side).clamp(30.0 * scale, 180.0 * length.max(1.0) * scale);
         Self {
             body: pixel * (0.036 * side).clamp(9.0 * scale, 60.0 * scale),
-            axis: look.axes_length.unwrap_or(1.0) * usual_axis,
-            usual_axis,
+            // Longer ones need no least length, which would take them out of a low picture.
+            axis: axis_of(look.axes_length.unwrap_or(1.0)),
+            usual_axis: axis_of(1.0),
         }
     }
 

@@ -23,7 +23,7 @@ use super::pixels::PixelRect;
 use super::revealed_scene::{self, PipelineReveal};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Labels, Palette, Request, label_layout, probe, triangle_overlay};
+use super::{Labels, Palette, Request, label_layout, light_view, probe, triangle_overlay};
 
 /// The canonical volume.
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
@@ -117,7 +117,9 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     triangle_overlay::in_canonical(&mut builder, request, palette);
     cube(&mut builder, &canonical, request.labels, palette);
     let fineness = screen.fineness(request, |p| screen.place(shown(request, &canonical, p)?));
+    let lights = light_view::lights(request, &request.scene);
     let scenes = Scenes::new(&scene, &builder.gear).with_fineness(fineness);
+    let scenes = light_view::shadowed(scenes, request, &lights);
     let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     settled(drawn, request, revealed.rows, &["x_n", "y_n", "z_n"], palette)

@@ -71,6 +71,7 @@ fn camera(builder: &mut GearBuilder, gear: Gear, camera: &Camera, name: &str, co
         faces: true,
         edges: Some(gizmos::stroke(color, 0.8, Dash::Solid, HiddenLines::Hidden)),
         outline: None,
+        in_world: None,
     });
     builder.line(vec![c, camera.focal_point()], color, 0.9, Dash::Dotted);
     let corners = camera.volume_corners();

@@ -128,6 +128,7 @@ impl<'a> GearBuilder<'a> {
             faces: true,
             edges: None,
             outline: None,
+            in_world: None,
         });
     }
 }

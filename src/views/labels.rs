@@ -105,6 +105,14 @@ pub struct Labels {
     pub operations: [&'static str; 8],
     /// Keys of figure files that are on or off, with their names.
     pub switches: [(&'static str, &'static str); 7],
+    /// The values of `[reveal] depth`: off, stored, linear.
+    pub depths: [&'static str; 3],
+    /// The values of `[reveal] outside`, the usual one first, the others in the order of their words.
+    pub outsides: [&'static str; 4],
+    /// The values of `[reveal] shadows`: none, then in the order of their words.
+    pub shadow_reveals: [&'static str; 4],
+    /// No stage is shown.
+    pub no_stage: &'static str,
     /// The parts of the world, in the order of [`WorldPart::ALL`].
     pub world_parts: [&'static str; WorldPart::ALL.len()],
     /// Of a switch.

@@ -14,7 +14,7 @@ use crate::appearance::Dash;
 use crate::camera::{Camera, ImageSize, Projection, Viewport};
 use crate::drawing::Drawing;
 use crate::figure::{Depth, Reveal, ShadowReveal};
-use crate::pipeline::light_cameras;
+use crate::pipeline::{Scenes, light_cameras};
 use crate::scene::{Light, Scene};
 
 /// The image as the first light that casts shadows sees it, where the figure reveals that; `None` otherwise.
@@ -41,6 +41,16 @@ pub(super) fn lights<'a>(request: &Request, scene: &'a Scene) -> Cow<'a, [Light]
         lights.to_mut().iter_mut().for_each(|light| light.shadows.bias = 0.0);
     }
     lights
+}
+
+/// Projected things in the shadows of the world: nothing is lit where it is shown, so that without shadows they need no
+/// lights. `lights`: those of the world as the figure reveals them.
+pub(super) fn shadowed<'a>(scenes: Scenes<'a>, request: &'a Request, lights: &'a [Light]) -> Scenes<'a> {
+    if lights.iter().any(|light| light.shadows.cast) {
+        scenes.in_shadows_of(&request.scene).lit_by(lights)
+    } else {
+        scenes
+    }
 }
 
 /// The legend of shadows without bias, and of those held against rays.

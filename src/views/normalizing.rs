@@ -22,7 +22,7 @@ use super::observer::{Direction, enclosing};
 use super::pixels::PixelRect;
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Normalizing, Palette, Request, canonical, probe};
+use super::{Normalizing, Palette, Request, canonical, light_view, probe};
 
 /// The steps of a camera, and where on them a picture is.
 struct Way {
@@ -191,7 +191,9 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
         mapped(&now, p).filter(|p| p.distance(bounds.center()) <= FARTHEST * reach)
     });
     let place = |p| screen.place(mapped(&matrix, canonical::shown(request, &the_box, p)?)?);
+    let lights = light_view::lights(request, &request.scene);
     let scenes = Scenes::new(&scene, &builder.gear).with_fineness(screen.fineness(request, place));
+    let scenes = light_view::shadowed(scenes, request, &lights);
     let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
     Some(canonical::settled(drawn, request, way.said(request, palette), &["x", "y", "z"], palette))
 }

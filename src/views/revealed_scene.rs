@@ -379,7 +379,7 @@ fn glass(mut scene: Scene, color: Rgba) -> Scene {
     let strong = color.with_alpha(255);
     for object in &mut scene.objects {
         object.paint = ObjectPaint::Solid(color);
-        object.lit = false;
+        (object.lit, object.in_world) = (false, None);
         object.two_sided = true;
         for style in [&mut object.edges, &mut object.outline].into_iter().flatten() {
             style.color = strong;

@@ -42,6 +42,7 @@ fn bodies(builder: &mut GearBuilder, request: &Request, preview: &TransformPrevi
             faces: true,
             edges: Some(gizmos::stroke(color, 1.2, Dash::Solid, HiddenLines::Hidden)),
             outline: None,
+            in_world: None,
         });
     };
     if preview.objects.is_empty() {

@@ -6,7 +6,8 @@ use crate::camera::{Ndc, Operation};
 use crate::figure::WorldPart;
 use crate::figure::variation::VariedValue;
 use crate::figure::words::{
-    self, DEPTH_FORMATS, HIDDEN_LINES, NDCS, PROJECTIONS, SHADINGS, STAGES, TEXTURE_REVEALS, VISIBILITIES,
+    self, DEPTH_FORMATS, HIDDEN_LINES, NDCS, OUTSIDES, PROJECTIONS, SHADINGS, SHADOW_REVEALS, STAGES, TEXTURE_REVEALS,
+    VISIBILITIES,
 };
 use crate::geometry::Angle;
 use crate::sanitize;
@@ -45,6 +46,10 @@ pub(super) fn said(key: &str, value: Option<&str>, labels: &Labels) -> String {
     fn word<T: Copy>(list: words::Words<T>, said: &[&'static str], value: &str) -> Option<&'static str> {
         said.get(list.iter().position(|(word, _)| *word == value)?).copied()
     }
+    /// Nothing is revealed, or what a word says.
+    fn revealed<T: Copy>(list: words::Words<T>, said: &[&'static str; 4], value: Option<&str>) -> Option<&'static str> {
+        value.map_or(Some(said[0]), |value| word(list, &said[1..], value))
+    }
     let known = match (key, value) {
         ("style.visibility", Some(value)) => word(VISIBILITIES, &labels.visibilities, value).map(str::to_owned),
         ("style.shading", Some(value)) => word(SHADINGS, &labels.shadings, value).map(str::to_owned),
@@ -56,6 +61,16 @@ pub(super) fn said(key: &str, value: Option<&str>, labels: &Labels) -> String {
         ("show.stage", Some(value)) => {
             words::value(STAGES, value).and_then(|stage| labels.stages.get(stage as usize)).map(|&name| name.to_owned())
         }
+        ("show.stage", None) => Some(labels.no_stage.to_owned()),
+        ("reveal.depth", value) => {
+            let known = [None, Some("true"), Some("linear")];
+            let place = known.iter().position(|known| *known == value.filter(|value| *value != "false"));
+            place.map(|place| labels.depths[place].to_owned())
+        }
+        ("reveal.outside", value) => {
+            revealed(OUTSIDES, &labels.outsides, value).map(|word| format!("{}: {word}", labels.outside_of))
+        }
+        ("reveal.shadows", value) => revealed(SHADOW_REVEALS, &labels.shadow_reveals, value).map(str::to_owned),
         ("show.step.at", Some(value)) => Some(format!("{} {}", labels.step_number, printed(value, labels))),
         ("reveal.texture", value) => match value.map(|value| words::value(TEXTURE_REVEALS, value)) {
             None => Some(labels.with_w.to_owned()),
@@ -111,4 +126,41 @@ pub fn caption(at: &[VariedValue], labels: &Labels) -> String {
         VariedValue::Operation(operation) => done(*operation, labels),
     });
     words.collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::i18n::{Lang, pictures};
+
+    /// All that a comparison can reveal is said in words, each value in its own.
+    #[test]
+    fn what_is_revealed_is_said_in_words_in_both_languages() {
+        fn names<T>(list: words::Words<T>) -> Vec<Option<&'static str>> {
+            std::iter::once(None).chain(list.iter().map(|(word, _)| Some(*word))).collect()
+        }
+        let keys = [
+            ("reveal.depth", vec![Some("false"), Some("true"), Some("linear")]),
+            ("reveal.outside", names(OUTSIDES)),
+            ("reveal.texture", names(TEXTURE_REVEALS)),
+            ("reveal.shadows", names(SHADOW_REVEALS)),
+            ("show.stage", names(STAGES)),
+            ("reveal.clipping", vec![Some("false"), Some("true")]),
+            ("reveal.divide_first", vec![Some("false"), Some("true")]),
+            ("reveal.culled", vec![Some("false"), Some("true")]),
+            ("reveal.vanishing", vec![Some("false"), Some("true")]),
+        ];
+        for (key, values) in keys {
+            let all = |lang| values.iter().map(|value| said(key, *value, pictures::labels(lang))).collect::<Vec<_>>();
+            let [english, portuguese] = [Lang::En, Lang::PtBr].map(all);
+            for texts in [&english, &portuguese] {
+                assert!(texts.iter().all(|text| !text.contains('=') && !text.contains('–')), "{texts:?}");
+                assert_eq!(texts.iter().collect::<BTreeSet<_>>().len(), values.len(), "{texts:?}");
+            }
+            assert_ne!(english, portuguese);
+        }
+        assert_eq!(said("reveal.depth", Some("false"), pictures::labels(Lang::En)), "colours");
+    }
 }

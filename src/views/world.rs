@@ -328,6 +328,7 @@ impl World<'_> {
                 faces: true,
                 edges: Some(edge),
                 outline: None,
+                in_world: None,
             });
         }
         self.builder.mark_above(c, MarkShape::Disc, 2.4, self.palette.ink);
@@ -467,5 +468,6 @@ fn painted(near: [DVec3; 4], image: &Arc<Texture>, opacity: f64) -> Object {
         faces: true,
         edges: None,
         outline: None,
+        in_world: None,
     }
 }

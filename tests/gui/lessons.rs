@@ -121,10 +121,14 @@ fn a_presentation_has_keys_for_all_of_it() {
         window.run();
         assert_eq!(lesson(&window), after);
     }
-    window.harness.key_press(Key::Num4);
-    window.harness.key_press(Key::Enter);
-    window.run();
-    assert_eq!(step(&window), 3);
+    for (digits, place) in [(&[Key::Num4][..], 3), (&[Key::Num1, Key::Num0], 9), (&[Key::Num1, Key::Num1], 10)] {
+        digits.iter().for_each(|digit| window.harness.key_press(*digit));
+        // All in one frame, as where drawing is slow.
+        window.harness.step();
+        window.harness.key_press(Key::Enter);
+        window.run();
+        assert_eq!(step(&window), place);
+    }
 }
 
 #[test]
@@ -223,6 +227,13 @@ fn steps_are_recorded_from_the_screen_and_played() {
     assert_eq!(lesson.steps[1].figure.camera, second);
     let added = text.rsplit("[[step]]").next().unwrap();
     assert!(added.contains("near = 2.5") && !added.contains("position"), "{added}");
+    // Its texts are written at once.
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::R);
+    window.run();
+    assert!(window.state().writes_lesson() && step(&window) == 1);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
+    window.run();
+    assert!(window.state().lesson.is_none());
     // It opens as any file does.
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
     window.run();

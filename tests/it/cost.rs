@@ -57,7 +57,7 @@ fn the_cost_is_told_only_where_it_is_asked_for() {
         assert_eq!(operations.keys().map(String::as_str).collect::<Vec<_>>(), ["float", "integer", "memory"]);
         assert!(operations.values().all(Value::is_u64), "{stage}");
     }
-    assert_eq!(explained["not_counted"], serde_json::json!(["traverse", "cull-objects", "shadow", "lines"]));
+    assert_eq!(explained["not_counted"], serde_json::json!(["traverse", "cull-objects", "lines"]));
     let plain: Value =
         serde_json::from_slice(bench.run(&["explain", "figure.toml", "--format", "json"]).done()).unwrap();
     assert!(plain["stages"].as_array().unwrap().iter().all(|stage| stage.get("operations").is_none()));
@@ -155,4 +155,24 @@ fn the_guides_have_the_counts_of_the_command() {
         let expected = [geometry[0], geometry[1], geometry[2], raster[0], raster[1], raster[2]].map(million);
         assert_eq!(counted, expected, "{heading}");
     }
+}
+
+/// A map of twice the side has four times the texels, and a lamp has six maps; a vertex has a place for each light.
+#[test]
+fn the_cost_of_shadows_is_that_of_their_maps_and_of_looking_into_them() {
+    let bench = Bench::new("cost-shadows");
+    let cost = |lights: &str, view: &str| {
+        bench.write("figure.toml", torus(24, &format!("{lights}[style]\nshading = \"gouraud\"\nantialias = 1\n")));
+        of(&told(&bench, &["figure.toml", "--view", view]), "shadow")
+    };
+    let map = |side: u32| format!("shadows = true\nshadow_map = {side}\n");
+    assert_eq!(cost("", "image"), [0; 3]);
+    let [small, large] = [512, 1024].map(|side| cost(&map(side), "image"));
+    // At least: a colour is read and written, a depth cleared, read and written.
+    let texels = 1024 * 1024 - 512 * 512;
+    assert!(large[2] - small[2] >= 4 * texels && large[2] - small[2] < 12 * texels, "{small:?} {large:?}");
+    let lamp = "[[scene.lights]]\nkind = \"point\"\nposition = [3.0, 4.0, 3.0]\n";
+    let both = cost(&format!("{}{lamp}{}", map(1024), map(512)), "image");
+    assert!(both[2] - large[2] > 6 * 2 * 512 * 512, "{large:?} {both:?}");
+    assert!(small[0] > 0 && cost(&map(512), "canonical")[0] > 0 && cost(&map(512), "world")[0] > 0);
 }

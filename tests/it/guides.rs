@@ -1,7 +1,8 @@
 //! What the guides say, against the program.
 
 use camera_lab::camera::{Amount, Camera, Convention, Freedom, OPERATIONS, Operation};
-use camera_lab::i18n::{Lang, window};
+use camera_lab::exercises::Mistake;
+use camera_lab::i18n::{Lang, exercises, window};
 
 use crate::common::camera::camera;
 use crate::common::program::Bench;
@@ -76,6 +77,17 @@ fn the_guides_list_the_operations_of_the_command_line() {
         let count = |amount| OPERATIONS.iter().filter(|descriptor| descriptor.amount == amount).count();
         assert_eq!(groups[0] - 1, count(Amount::Angle), "{lang:?}: those in degrees");
         assert_eq!(groups[1], count(Amount::Factor), "{lang:?}: those that are factors");
+    }
+}
+
+#[test]
+fn the_guides_list_every_mistake_by_its_code() {
+    for ((lang, guide, _), heading) in GUIDES.into_iter().zip(["| code | mistake |", "| código | erro |"]) {
+        let expected: Vec<Vec<String>> = Mistake::ALL
+            .iter()
+            .map(|(mistake, code)| vec![format!("`{code}`"), exercises::mistake(lang, *mistake)[0].to_owned()])
+            .collect();
+        assert_eq!(table(guide, heading), expected, "{lang:?}");
     }
 }
 

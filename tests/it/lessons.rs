@@ -2,17 +2,19 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use camera_lab::camera::{Camera, Convention};
+use camera_lab::drawing::Label;
 use camera_lab::exercises::{self, Expected, Kind};
 use camera_lab::figure::variation::varied_by;
 use camera_lab::figure::write::to_toml;
-use camera_lab::figure::{Figure, read};
+use camera_lab::figure::{Figure, WorldPart, read};
 use camera_lab::formula;
-use camera_lab::i18n::{Lang, exercise_sheet, lessons as words, messages, notes, told};
+use camera_lab::i18n::{Lang, exercise_sheet, lessons as words, messages, notes, pictures::labels, told};
 use camera_lab::lessons::{Link, Seen, Subject, Task, objects_named, parse, shipped};
 use camera_lab::scene::no_files;
-use camera_lab::views::scene_of;
+use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 
 use crate::common::program::Bench;
+use crate::views::draw;
 
 const LESSON: &str = r#"
 id = "small"
@@ -270,6 +272,7 @@ fn the_command_line_lists_shows_checks_and_draws() {
     assert!(
         bench.run(&["lesson", "render", "small.toml", "-o", "a.pdf", "--per-page", "3"]).refused(2).contains("2 or 4")
     );
+    assert!(bench.run(&["lesson", "render", "small.toml", "-o", "a.png"]).refused(2).contains("a folder"));
     let listed = bench.run(&["lesson", "list", "--folder", ".", "--format", "json"]).json();
     assert_eq!(listed[12]["id"], "small");
 
@@ -306,4 +309,41 @@ fn the_command_line_lists_shows_checks_and_draws() {
     assert!(refused.refused(2).contains("before.toml, line 3: before: there is no lesson \"nope\""), "{}", refused.err);
     assert!(bench.run(&["lesson", "show", "bassis"]).refused(2).contains("did you mean \"basis\""));
     assert!(bench.run(&["lesson", "play", "basis", "--step", "99"]).refused(2).contains("from 1 to"));
+}
+
+/// Beside one another in a presentation, low and less low, and in a window with its panels.
+const SHAPES: [(u32, u32, f32); 4] = [(635, 215, 1.6), (635, 460, 1.6), (955, 600, 1.6), (510, 470, 1.0)];
+
+#[test]
+fn the_axes_of_the_camera_are_in_the_world_of_every_step() {
+    let mut cut = Vec::new();
+    for lesson in shipped().iter().map(|shipped| &shipped.lesson) {
+        for (k, step) in lesson.steps.iter().enumerate() {
+            if step.figure.screen.pictures.is_some_and(|shown| !shown[View::World as usize]) {
+                continue;
+            }
+            let camera = Camera::new(&step.figure.camera).unwrap();
+            let scene = scene_of(&step.figure, &mut no_files, &Default::default()).unwrap();
+            let scene = SharedScene::new(scene);
+            let parts = &step.figure.world.parts;
+            let names =
+                [("u", WorldPart::Vrc), ("v", WorldPart::Vrc), ("n", WorldPart::Vrc), ("VUP", WorldPart::ViewUp)];
+            for (width, height, scale) in SHAPES {
+                let size = Size { width, height, scale };
+                let request = Request::of(&step.figure, View::World, &camera, &scene, labels(Lang::En), size);
+                let drawing = draw(&request);
+                for (name, part) in names {
+                    let hidden = !parts.has(part) || step.figure.labels.hidden.iter().any(|hidden| hidden == name);
+                    let whole = [width as f32, height as f32];
+                    let is_in_sight = |label: &Label| {
+                        label.text == name && (0..2).all(|k| (0.0..whole[k]).contains(&label.position[k]))
+                    };
+                    if !hidden && !drawing.labels.iter().any(is_in_sight) {
+                        cut.push(format!("{} {}: {name} at {width} × {height}", lesson.id, k + 1));
+                    }
+                }
+            }
+        }
+    }
+    assert!(cut.is_empty(), "{cut:#?}");
 }

@@ -44,6 +44,7 @@ fn object(name: &str, triangles: &[[[f64; 3]; 3]], world_from_object: DMat4) -> 
         faces: true,
         edges: None,
         outline: None,
+        in_world: None,
     }
 }
 

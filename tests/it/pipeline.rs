@@ -65,6 +65,7 @@ pub(crate) fn object(mesh: Mesh, world_from_object: DMat4) -> Object {
         faces: true,
         edges: None,
         outline: None,
+        in_world: None,
     }
 }
 

@@ -276,7 +276,20 @@ pub(crate) fn any_object() -> impl Strategy<Value = Object> {
             let name = "thing".into();
             let outline = edges.filter(|_| kind % 2 == 0);
             let mesh = Arc::new(Mesh { adjacency: Adjacency::of(&mesh.positions, &mesh.triangles), ..mesh });
-            Object { part_of: None, name, mesh, world_from_object, paint, lit, two_sided, faces, edges, outline }
+            let in_world = None;
+            Object {
+                part_of: None,
+                name,
+                mesh,
+                world_from_object,
+                paint,
+                lit,
+                two_sided,
+                faces,
+                edges,
+                outline,
+                in_world,
+            }
         },
     )
 }

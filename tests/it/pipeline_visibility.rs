@@ -129,6 +129,7 @@ proptest! {
             paint: ObjectPaint::Solid(color),
             edges: None,
             outline: None,
+            in_world: None,
             faces: true,
             // Nothing that is pressed flat: a face seen on edge is nothing but edge.
             world_from_object: match thing.world_from_object.determinant().abs() {

@@ -434,6 +434,7 @@ fn passing_the_eye(paint: ObjectPaint) -> Scene {
         faces: true,
         edges: None,
         outline: None,
+        in_world: None,
     };
     Scene { objects: vec![floor], ..Scene::default() }
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use camera_lab::appearance::{Rgba, Shading, Style, Theme, Visibility};
-use camera_lab::camera::{Camera, ImageSize};
+use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
 use camera_lab::drawing::{Area, ShadowMap};
 use camera_lab::figure::Figure;
 use camera_lab::figure::read::parse;
@@ -16,8 +16,9 @@ use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::Renderer;
 use camera_lab::pipeline::light::{AMBIENT, DIFFUSE};
 use camera_lab::pipeline::plan::{Options, Output, Reason, Stage};
+use camera_lab::pipeline::project::clipped_scene;
 use camera_lab::pipeline::shadow_rays::{SeenPoint, Solids, to_light};
-use camera_lab::pipeline::{Frame, Pipeline, Target};
+use camera_lab::pipeline::{Frame, Pipeline, Scenes, Target};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, LightKind, ObjectPaint, Scene, Shadows, build, no_files};
 use camera_lab::views::{Palette, Request, ShadowTruth, SharedScene, Size, View};
@@ -205,8 +206,8 @@ fn ray_of(camera: &Camera, size: ImageSize, [x, y]: [f64; 2]) -> (DVec3, DVec3) 
     let v = across(window.top, window.bottom, y / f64::from(size.height));
     let aside = basis.u * u + basis.v * v;
     match camera.projection() {
-        camera_lab::camera::Projection::Parallel => (camera.position() + aside, -basis.n),
-        camera_lab::camera::Projection::Perspective => (camera.position(), aside / camera.near() - basis.n),
+        Projection::Parallel => (camera.position() + aside, -basis.n),
+        Projection::Perspective => (camera.position(), aside / camera.near() - basis.n),
     }
 }
 
@@ -223,6 +224,100 @@ fn shadows_are_where_rays_to_the_light_are_stopped() {
         let (scene, camera) = white(&table, light);
         let [told, wrong, far] = wrong(&scene, &camera, light, size_of(&camera));
         assert!(told > 10_000 && 200 * wrong < told && far == 0, "{light:?}: {wrong} of {told} wrong, {far} far");
+    }
+}
+
+/// Observers of the canonical volume: from its front, where the image is, and from above.
+fn canonical_observers() -> [Camera; 2] {
+    let window = Some(ViewWindow { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 });
+    let front = Parameters {
+        position: DVec3::Z * 2.0,
+        focal_point: DVec3::ZERO,
+        projection: Projection::Parallel,
+        near: 1.0,
+        far: 3.0,
+        window,
+        ..Parameters::default()
+    };
+    // So near that its front plane cuts through the volume.
+    let above = Parameters {
+        position: DVec3::new(1.0, 1.6, 1.8),
+        focal_point: DVec3::ZERO,
+        view_angle: 45.0,
+        aspect: 1.5,
+        near: 1.9,
+        far: 6.0,
+        ..Parameters::default()
+    };
+    [front, above].map(|parameters| Camera::new(&parameters).unwrap())
+}
+
+/// The points of a floor at y = 0 that a picture of the canonical volume shows: how many there are, how many of them
+/// lie in the shadow, and how many are wrongly lit or dark by rays in the world, but within a texel of an edge.
+fn wrong_in_canonical(scene: &Scene, camera: &Camera, light: Light, observer: &Camera, shading: Shading) -> [usize; 3] {
+    let clipped = clipped_scene(scene, camera, shading);
+    let size = ImageSize { width: 300, height: 200 };
+    let style = Style { shading, ..FLAT };
+    let scenes = Scenes::from(&clipped).in_shadows_of(scene).lit_by(&scene.lights);
+    let drawing = Pipeline::default().frame(scenes, observer, target(size), &style, Options::default()).drawing;
+    let picture = Rasterizer::default().paint(&drawing).unwrap();
+    let (shown, solids) = (Solids::of(&clipped), Solids::of(scene));
+    let world_from_ndc = camera.clip_from_world().inverse();
+    let mut counts = [0; 3];
+    for (j, i) in (0..size.height).step_by(2).flat_map(|j| (0..size.width).step_by(2).map(move |i| (j, i))) {
+        let pixel = [f64::from(i) + 0.5, f64::from(j) + 0.5];
+        let Some(seen) = shown.seen(observer, size, pixel) else { continue };
+        // The display has z towards the viewer.
+        let p = world_from_ndc.project_point3(seen.point * DVec3::new(1.0, 1.0, -1.0));
+        let cosine = to_light(p, &light).0.y;
+        if p.y.abs() > 1e-9 || cosine < 0.1 {
+            continue;
+        }
+        let value = f64::from(picture.data()[4 * (j * size.width + i) as usize]) / 255.0;
+        let arrives = (value - f64::from(AMBIENT)) / (f64::from(DIFFUSE) * cosine);
+        let is_lit = |p: DVec3| solids.is_lit(p, usize::MAX, &light);
+        let truth = is_lit(p);
+        counts[0] += 1;
+        counts[1] += usize::from(!truth);
+        let step = texel(scene, p, &light) / cosine;
+        let around = (-4..=4).flat_map(|x| (-4..=4).map(move |z| DVec3::new(f64::from(x), 0.0, f64::from(z)) / 4.0));
+        if (arrives > 0.5) != truth && around.into_iter().all(|aside| is_lit(p + aside * step) == truth) {
+            counts[2] += 1;
+        }
+    }
+    counts
+}
+
+#[test]
+fn in_the_canonical_volume_shadows_fall_on_the_same_points_of_surfaces_as_in_the_world() {
+    let figure = parse(TABLE).unwrap();
+    let low_sun = Light::directional(DVec3::new(1.5, -1.0, -0.3)).with_shadows(Shadows::CAST);
+    for light in [low_sun, lamp()] {
+        for projection in [Projection::Perspective, Projection::Parallel] {
+            let (scene, _) = white(&figure, light);
+            let parameters = Parameters { projection, height: 5.0, near: 4.0, far: 14.0, ..figure.camera };
+            let camera = Camera::new(&parameters).unwrap();
+            for observer in canonical_observers() {
+                for shading in [Shading::Flat, Shading::Phong] {
+                    let [all, dark, wrong] = wrong_in_canonical(&scene, &camera, light, &observer, shading);
+                    let what = format!("{projection:?} {:?} {shading:?}: {wrong} of {all}, {dark} dark", light.kind);
+                    assert!(all > 500 && dark > 25 && 20 * wrong <= dark, "{what}");
+                }
+            }
+        }
+    }
+}
+
+/// Without shadows nothing is carried along, and the colours have their light in them.
+#[test]
+fn a_scene_without_shadows_keeps_nothing_of_the_world() {
+    let (scene, camera) = white(&parse(TABLE).unwrap(), sun().with_shadows(Shadows::NONE));
+    for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+        let clipped = clipped_scene(&scene, &camera, shading);
+        assert!(!clipped.objects.is_empty());
+        for object in &clipped.objects {
+            assert!(object.in_world.is_none() && !matches!(object.paint, ObjectPaint::Solid(_)), "{shading:?}");
+        }
     }
 }
 

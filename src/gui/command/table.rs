@@ -254,7 +254,7 @@ pub const MENUS: &[Menu] = &[
                     write_lesson,
                 )
                 .not_in_browser()
-                .enabled(|s| s.lesson.is_some())
+                .enabled(|s| s.lesson.is_some() || s.lesson_file.is_some())
                 .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
                 Row::new(
                     LeaveLesson,
@@ -398,9 +398,12 @@ fn record_step(state: &mut State, ctx: &Context) {
     }
 }
 
-/// Writes the lesson of the user's own, or a copy of one of the program.
+/// Writes the lesson of the user's own, or a copy of one of the program; while none is played, the one to which steps
+/// were added last.
 fn write_lesson(state: &mut State, ctx: &Context) {
-    if state.plays_own_lesson() {
+    if state.lesson.is_none() {
+        state.write_recorded();
+    } else if state.plays_own_lesson() {
         state.write_lesson();
     } else {
         file_flow::ask(ctx, state, Purpose::OwnLesson);

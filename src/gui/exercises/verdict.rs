@@ -18,11 +18,24 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
     if let Some(checked) = &checked {
         let judged = &checked.judged;
         let is_old = *state.exercises.fields(ask) != *checked.fields;
+        // In the line of the verdict: in one of its own it would move the button that it asks for.
+        ui.horizontal_wrapped(|ui| {
+            // As high as words, not as controls.
+            ui.spacing_mut().interact_size.y = 0.0;
+            ui.scope(|ui| {
+                if is_old {
+                    ui.set_opacity(0.6);
+                }
+                headline(ui, sheet, judged);
+            });
+            if is_old {
+                ui.label(RichText::new(t.changed_since).small().weak());
+            }
+        });
         ui.scope(|ui| {
             if is_old {
                 ui.set_opacity(0.6);
             }
-            headline(ui, sheet, judged);
             let entries = judged.entries.iter().flatten();
             for (condition, right) in judged.conditions.iter().zip(entries) {
                 let sign = if *right { '✓' } else { '✗' };
@@ -36,9 +49,6 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
                 prose::show(ui, &diagnosis);
             }
         });
-        if is_old {
-            ui.label(RichText::new(t.changed_since).small().weak());
-        }
         hints = messages::hints(t.lang, exercise, ask, judged);
     }
     let opened = state.exercises.opened.get(&ask.name).cloned().unwrap_or_default();

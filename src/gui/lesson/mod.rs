@@ -91,12 +91,18 @@ pub(super) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
 fn typed_step(ctx: &egui::Context, state: &mut State, now: f64) {
     let listens = state.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
     let Some(playing) = state.lesson.as_mut().filter(|_| listens) else { return };
-    for (digit, key) in (0_usize..).zip(DIGITS) {
-        if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, key)) {
+    // In their order, and each as often as it was pressed: a slow frame brings several.
+    ctx.input_mut(|input| {
+        input.events.retain(|event| {
+            let egui::Event::Key { key, pressed: true, repeat: false, modifiers: Modifiers::NONE, .. } = event else {
+                return true;
+            };
+            let Some((digit, _)) = (0_usize..).zip(DIGITS).find(|(_, of)| of == key) else { return true };
             let before = playing.typed.map_or(0, |(number, _)| number % 100);
             playing.typed = Some((10 * before + digit, now));
-        }
-    }
+            false
+        });
+    });
     let Some((number, since)) = playing.typed else { return };
     let is_whole = now - since > TYPED || ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter));
     if is_whole {
@@ -268,7 +274,7 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     let presents = state.settings.presentation;
     let say = |ui: &mut Ui| {
         if !presents {
-            ui.add(egui::Label::new(RichText::new(told(lang, &step.title)).strong()).wrap());
+            ui.add(egui::Label::new(RichText::new(told(lang, &step.title)).heading()).wrap());
         }
         prose::show(ui, text(&step.text).trim());
     };

@@ -35,8 +35,9 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
             let is_open = state.exercises.open.as_ref() == Some(&chosen) && state.shows_exercises();
             let name = crate::exercises::entry(id).map_or("", |entry| title(t.lang, entry));
             ui.horizontal_wrapped(|ui| {
-                ui.label(RichText::new(name).strong());
-                if is_open && !is_done {
+                let is_said = is_open && !is_done;
+                ui.label(RichText::new(if is_said { format!("{name}:") } else { name.to_owned() }).strong());
+                if is_said {
                     ui.label(t.exercise_at_side);
                 } else if !is_open && ui.button(t.open_exercise).clicked() {
                     state.exercises.work_on(chosen);

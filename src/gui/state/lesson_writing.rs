@@ -138,6 +138,19 @@ impl State {
         }
     }
 
+    /// Plays the last step of the lesson to which steps were added last, and begins to write it.
+    pub(in crate::gui) fn write_recorded(&mut self) {
+        let Some(path) = self.lesson_file.clone() else { return };
+        match files::read_lesson(&path) {
+            Ok((lesson, _)) => {
+                let step = lesson.steps.len().saturating_sub(1);
+                self.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path), step });
+                self.write_lesson();
+            }
+            Err(error) => self.say(Message::File(path, error)),
+        }
+    }
+
     /// Shows the texts of the step that is played in the fields.
     pub(in crate::gui) fn follow_writing(&mut self) {
         let Some(playing) = &mut self.lesson else { return };

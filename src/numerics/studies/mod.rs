@@ -9,6 +9,7 @@
 //! | `painter` | pictures of the program, pixel by pixel, for the studies of visibility |
 //! | `repeated_operations` | many small azimuths, one after the other |
 //! | `shading` | flat, Gouraud and Phong shading against the true surfaces |
+//! | `shadows` | shadow maps of several sizes, biases and soft edges against rays to the light |
 //! | `texture_filter` | filters of a chequered floor against the exact mean over each pixel |
 //! | `vertex_transform` | world points to view space, in worlds 1 … 10¹² from the origin |
 //! | `visibility` | visible surfaces: painter, BSP, depth buffers, against ray casting in high precision |
@@ -20,6 +21,7 @@ pub(super) mod depth_buffer;
 pub(super) mod painter;
 pub(super) mod repeated_operations;
 pub(super) mod shading;
+pub(super) mod shadows;
 pub(super) mod texture_filter;
 pub(super) mod vertex_transform;
 pub(super) mod visibility;

@@ -61,5 +61,6 @@ pub(super) fn object(mesh: Mesh, color: Rgba) -> Object {
         faces: true,
         edges: None,
         outline: None,
+        in_world: None,
     }
 }

@@ -10,20 +10,22 @@ use glam::{DVec2, DVec3};
 
 use super::painter::{Painter, flat, object};
 use crate::appearance::{Filter, Rgba, Sampler, Style, Texture, Visibility};
-use crate::camera::{Camera, Parameters};
+use crate::camera::{Camera, ImageSize, Parameters};
 use crate::figure::{Figure, write};
 use crate::numbers::random::Random;
 use crate::numerics::measure::{Off, Trial, Watch, bits_off};
-use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::numerics::{Findings, Group, Lab, Method, OWN, Row, Study, Unit};
 use crate::progress::pause;
-use crate::scene::{Mesh, Object, ObjectPaint, ObjectSpec, Pictured, Preset, Scene, SceneSpec, Shape};
+use crate::scene::{Mesh, Object, ObjectPaint, ObjectSpec, Pictured, Preset, Scene, SceneSpec, Shape, TextureSource};
 
 const SIZE: [u32; 2] = [48, 36];
 /// A side of the texture, and of a square of the chequer, in texels.
 const TEXELS: u32 = 64;
 const SQUARE: u32 = 4;
+/// Squares of the program's own chequer along one side.
+const OWN_SQUARES: f64 = 8.0;
 /// Texels along a pixel in the middle of the picture: magnified, one to one, minified.
-const SCALES: [f64; 4] = [0.125, 1.0, 4.0, 16.0];
+const SCALES: [f64; 4] = [0.125, 1.0, 4.0, 15.0];
 /// Angles between the line of sight and the normal of the floor, in degrees.
 const TILTS: [(&str, f64); 3] = [("floor from above", 0.0), ("slanted floor", 45.0), ("grazing floor", 75.0)];
 const VIEW_ANGLE: f64 = 16.0;
@@ -54,7 +56,9 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
                 lab.progress.advance_and_pause(1).await;
             }
             let group = Group { case: case.to_owned(), parameter: scale, unit: Unit::Color, methods };
-            rows.extend(group.rows(|_| Some(setup.figure())));
+            // Each method has a figure of its own: its filter is in it.
+            let of_methods = METHODS.map(|(_, way)| Some(setup.figure(way)));
+            rows.extend(group.rows(|_| None).into_iter().zip(of_methods).map(|(row, figure)| Row { figure, ..row }));
         }
     }
     let texels = (TEXELS * TEXELS) as usize;
@@ -70,6 +74,16 @@ enum Way {
     Sixteen,
     /// The default of a figure.
     Own,
+}
+
+impl Way {
+    fn filter(self) -> Filter {
+        match self {
+            Self::One(filter) => filter,
+            Self::Sixteen => Filter::Nearest,
+            Self::Own => Filter::default(),
+        }
+    }
 }
 
 const METHODS: [(&str, Way); 5] = [
@@ -198,11 +212,12 @@ impl Setup {
 
     /// The light of each pixel, 0 … 1.
     fn light(&self, way: Way, chequer: &Arc<Texture>, trial: &mut Trial, watch: &Watch) -> Vec<f64> {
-        let (filter, style, finer) = match way {
-            Way::One(filter) => (filter, flat(Visibility::default(), 1), 1),
-            Way::Sixteen => (Filter::Nearest, flat(Visibility::default(), 1), 4),
-            Way::Own => (Filter::default(), flat(Visibility::default(), Style::default().antialias), 1),
+        let (samples, finer) = match way {
+            Way::One(_) => (1, 1),
+            Way::Sixteen => (1, 4),
+            Way::Own => (Style::default().antialias, 1),
         };
+        let (filter, style) = (way.filter(), flat(Visibility::default(), samples));
         let scene = Scene { objects: vec![self.floor(chequer, filter)], ..Scene::default() };
         let mut painter = Painter::default();
         let (mut pixels, mut light) = (Vec::new(), Vec::new());
@@ -215,10 +230,24 @@ impl Setup {
         if finer > 1 { light } else { pixels.iter().map(|pixel| pixel.luminance()).collect() }
     }
 
-    fn figure(&self) -> String {
-        let floor = ObjectSpec::new("floor", Shape::Box).at(0.0, -0.01, 0.0).scaled(HALF, 0.01, HALF);
+    /// The picture that was measured, but for the colours: the squares of the program's own chequer lie where those of
+    /// the study do.
+    fn figure(&self, way: Way) -> String {
+        let repeated = DVec2::splat(2.0 * HALF * self.per_unit * f64::from(TEXELS / SQUARE) / OWN_SQUARES);
+        // The middle of the floor, where the squares of a box are counted from its back left corner.
+        let squares_from_middle = 0.5 * OWN_SQUARES * repeated;
+        let squares_aside = DVec2::new(1.0, -1.0) * squares_from_middle - self.shift * f64::from(TEXELS / SQUARE);
+        let middle = squares_aside.rem_euclid(DVec2::splat(2.0)) * HALF / squares_from_middle;
+        let floor = ObjectSpec::new("floor", Shape::Box).at(middle.x, -0.01, middle.y).scaled(HALF, 0.01, HALF);
+        let floor = ObjectSpec {
+            texture: Some(TextureSource::Chequer),
+            filter: Some(way.filter()),
+            texture_scale: repeated,
+            ..floor
+        };
         let scene = SceneSpec { preset: Preset::Empty, objects: vec![floor], ..SceneSpec::default() };
-        write::to_toml(&Figure { camera: self.parameters, scene, ..Figure::default() })
+        let image = ImageSize { width: SIZE[0], height: SIZE[1] };
+        write::to_toml(&Figure { camera: self.parameters, image, scene, ..Figure::default() })
     }
 }
 
@@ -271,7 +300,9 @@ fn single(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figure::read::parse;
     use crate::progress::at_once;
+    use crate::scene::{build, no_files};
 
     #[test]
     fn the_share_of_white_is_that_of_many_samples() {
@@ -287,6 +318,25 @@ mod tests {
                 let exact = setup.exact[(j * SIZE[0] + i) as usize];
                 assert!((white / 40_000.0 - exact).abs() < 0.006, "{tilt} {scale} {i} {j}: {exact}");
             }
+        }
+    }
+
+    #[test]
+    fn the_squares_of_the_figure_lie_where_those_of_the_study_do() {
+        for (tilt, scale) in [(0.0, 1.0), (45.0, 4.0)] {
+            let setup = at_once(Setup::new(tilt, scale, DVec2::new(0.3, 0.7))).expect("a camera");
+            let figure = parse(&setup.figure(Way::One(Filter::Nearest))).expect("a figure");
+            let scene = build(&figure.scene, &figure.style, &mut no_files).expect("a scene");
+            let pixels = Painter::default().paint(&scene, &setup.camera, SIZE, &flat(Visibility::default(), 1));
+            let is_wrong = |(i, j): (u32, u32)| {
+                let place = setup.place([f64::from(i) + 0.5, f64::from(j) + 0.5]).expect("the floor");
+                // Within a hundredth of a square of its sides the one or the other may be met.
+                let is_inside = [place.x, place.y].iter().all(|at| (at - at.round()).abs() > 0.01);
+                let white = (place.x.floor() + place.y.floor()).rem_euclid(2.0) == 0.0;
+                is_inside && white != (pixels[(j * SIZE[0] + i) as usize].luminance() > 0.2)
+            };
+            let all = (0..SIZE[1]).flat_map(|j| (0..SIZE[0]).map(move |i| (i, j)));
+            assert_eq!(all.filter(|&at| is_wrong(at)).collect::<Vec<_>>(), [], "{tilt} {scale}");
         }
     }
 }

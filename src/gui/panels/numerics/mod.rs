@@ -159,13 +159,14 @@ fn methods(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
     parameters.dedup();
     let at = state.numerics.parameter.unwrap_or(parameters.len().saturating_sub(1));
     let number = |x: f64| lang.mark().printed(&significant(x, 3));
+    let value = |x: f64| lang.mark().printed(&words::value(x));
     let parameter = parameters.get(at).copied().unwrap_or_default();
     ui.horizontal(|ui| {
         let name = words::parameter(lang, findings.study);
-        let list = ComboBox::from_id_salt("parameter").width(70.0).selected_text(number(parameter));
+        let list = ComboBox::from_id_salt("parameter").width(70.0).selected_text(value(parameter));
         let list = list.show_ui(ui, |ui| {
             for (i, parameter) in parameters.iter().enumerate() {
-                if ui.selectable_label(i == at, number(*parameter)).clicked() {
+                if ui.selectable_label(i == at, value(*parameter)).clicked() {
                     state.numerics.parameter = Some(i);
                 }
             }
