@@ -2,7 +2,6 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use camera_lab::camera::{Camera, Convention};
-use camera_lab::drawing::Label;
 use camera_lab::exercises::{self, Expected, Kind};
 use camera_lab::figure::variation::varied_by;
 use camera_lab::figure::write::to_toml;
@@ -331,14 +330,18 @@ fn the_axes_of_the_camera_are_in_the_world_of_every_step() {
             for (width, height, scale) in SHAPES {
                 let size = Size { width, height, scale };
                 let request = Request::of(&step.figure, View::World, &camera, &scene, labels(Lang::En), size);
-                let drawing = draw(&request);
-                for (name, part) in names {
-                    let hidden = !parts.has(part) || step.figure.labels.hidden.iter().any(|hidden| hidden == name);
-                    let whole = [width as f32, height as f32];
-                    let is_in_sight = |label: &Label| {
-                        label.text == name && (0..2).all(|k| (0.0..whole[k]).contains(&label.position[k]))
+                let sides = request.sides().map_or_else(|| vec![request], |sides| sides.map(|s| s.request).to_vec());
+                for side in sides {
+                    let whole = [side.size.width as f32, side.size.height as f32];
+                    let drawing = draw(&side);
+                    let is_in_sight = |name: &str| {
+                        let mut named = drawing.labels.iter().filter(|label| label.text == name);
+                        named.any(|label| (0..2).all(|k| (0.0..whole[k]).contains(&label.position[k])))
                     };
-                    if !hidden && !drawing.labels.iter().any(is_in_sight) {
+                    let hidden = &step.figure.labels.hidden;
+                    let shown =
+                        names.iter().filter(|(name, part)| parts.has(*part) && !hidden.iter().any(|h| h == name));
+                    for (name, _) in shown.filter(|(name, _)| !is_in_sight(name)) {
                         cut.push(format!("{} {}: {name} at {width} × {height}", lesson.id, k + 1));
                     }
                 }
