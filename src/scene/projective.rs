@@ -68,7 +68,8 @@ mod tests {
         let mut scene = build(&spec, &Style::default(), &mut no_files).expect("a cube");
         scene.objects.truncate(1);
         scene.objects[0].in_world = Some(Arc::default());
-        let bent = |scene: &Scene| scene.objects[0].in_world.as_ref().map_or_else(Vec::new, |own| own.inverse_w.clone());
+        let bent =
+            |scene: &Scene| scene.objects[0].in_world.as_ref().map_or_else(Vec::new, |own| own.inverse_w.clone());
         scene.project(&DMat4::from_scale(DVec3::new(1.0, 2.0, 3.0)));
         assert!(bent(&scene).is_empty(), "an affine map bends nothing");
         scene.project(&matrix);
