@@ -332,7 +332,7 @@ pub const fn explain(lang: Lang) -> &'static ExplainTexts {
         cost: ["float", "integer", "memory"],
         blocks: ["geometry", "rasterization", "both"],
         counted: "Operations on floating-point and on whole numbers, and numbers read from memory or written to it: counted, not \
-                  timed.\nNot counted (·): work on whole objects, shadows, lines, marks and texts.",
+                  timed.\nNot counted (·): work on whole objects, lines, marks and texts.",
     };
     const PT_BR: ExplainTexts = ExplainTexts {
         columns: ["etapa", "entra", "sai", "de", "µs", "por quê"],
@@ -341,7 +341,7 @@ pub const fn explain(lang: Lang) -> &'static ExplainTexts {
         cost: ["flutuante", "inteira", "memória"],
         blocks: ["geometria", "rasterização", "as duas"],
         counted: "Operações com números de ponto flutuante e com inteiros, e números lidos da memória ou escritos nela: contados, \
-                  não cronometrados.\nSem contagem (·): o trabalho com objetos inteiros, sombras, linhas, marcas e textos.",
+                  não cronometrados.\nSem contagem (·): o trabalho com objetos inteiros, linhas, marcas e textos.",
     };
     match lang {
         Lang::En => &EN,

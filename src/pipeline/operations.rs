@@ -8,7 +8,6 @@ use super::light::Lights;
 use super::object_pass::ObjectPass;
 use super::stages::LitAt;
 use crate::lighting::{WITH_LIGHT, light_operations};
-use crate::scene::LightKind;
 use crate::stage::{Cost, Operations, Stage};
 
 /// `ViewFromObject::point`: p − C (3 differences), and a matrix of 3 × 3 (9 products, 6 sums). A point is read.
@@ -104,13 +103,6 @@ const MEAN: Operations = Operations::new(3 * 6, 0, 0);
 /// The same of an image under a perspective: three products with 1/w, the mean of 1/w, 3 divisions.
 const BENT: Operations = Operations::new(3 * 3 + 6 + 3, 0, 3);
 
-/// `cameras` of parallel light: a point to the world (a matrix and a translation), its dot products with three axes,
-/// and the least and the greatest of each. It is read.
-const FRAMED: Operations = Operations::new(15 + 3 + 15 + 6, 0, 3);
-
-/// The same around a lamp: the length of a difference, and the greatest of all.
-const FRAMED_BY_LAMP: Operations = Operations::new(15 + 3 + 3 + 6 + 1, 0, 3);
-
 /// The colour that is read and the one that is written, or the two parts of a light that are.
 const COLORS: Operations = Operations::new(0, 0, 2);
 
@@ -177,14 +169,6 @@ pub(super) fn of_faces(cost: &mut Cost, pass: &ObjectPass, faces: &Faces, lit: u
             }
             LitAt::Vertices => cost.add(Stage::Shadow, NORMAL.and(place).and(alone), lit),
         }
-    }
-}
-
-/// The operations for each point that a light must have in its picture.
-pub(super) const fn framed_by_light(kind: LightKind) -> Operations {
-    match kind {
-        LightKind::Directional => FRAMED,
-        LightKind::Point => FRAMED_BY_LAMP,
     }
 }
 

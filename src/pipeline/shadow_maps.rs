@@ -9,7 +9,7 @@ use glam::{DMat4, DVec3};
 
 use super::projector::{Projector, ViewFromObject};
 use super::scenes::Scenes;
-use super::{operations, seen_by_light};
+use super::seen_by_light;
 use crate::appearance::Rgba;
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::drawing::{Rays, ShadowMap, single};
@@ -21,6 +21,13 @@ use crate::stage::Operations;
 const NEAREST: f64 = 1e-4;
 /// Room around what casts shadows, as a share of its size.
 const ROOM: f64 = 0.01;
+
+/// `cameras` of parallel light: a point to the world (a matrix and a translation), its dot products with three axes,
+/// and the least and the greatest of each. It is read.
+const FRAMED: Operations = Operations::new(15 + 3 + 15 + 6, 0, 3);
+
+/// The same around a lamp: the length of a difference, and the greatest of all.
+const FRAMED_BY_LAMP: Operations = Operations::new(15 + 3 + 3 + 6 + 1, 0, 3);
 
 /// A light that casts shadows, ready for a picture.
 #[derive(Clone, Debug)]
@@ -193,7 +200,11 @@ fn made(light: &Light, hiding: &[Hiding]) -> Option<(ShadowLight, Operations)> {
     let scene = Scene { objects: hiding.iter().map(alone).collect(), ..Scene::default() };
     let size = shadows.map;
     let framed: usize = hiding.iter().map(|Hiding { mesh, .. }| mesh.positions.len()).sum();
-    let mut cost = operations::framed_by_light(light.kind).times(framed as u64);
+    let of_point = match light.kind {
+        LightKind::Directional => FRAMED,
+        LightKind::Point => FRAMED_BY_LAMP,
+    };
+    let mut cost = of_point.times(framed as u64);
     let mut seen = |camera| {
         let (drawing, of_view) = seen_by_light(&scene, camera, size);
         cost += of_view;

@@ -159,12 +159,12 @@ pub struct Object {
     /// Style of the silhouette and the creases of a curved solid, found by the [`adjacency`](Mesh::adjacency) of its
     /// mesh; `None`, and in wireframe: not drawn.
     pub outline: Option<LineStyle>,
-    /// Where the object is the image of another one under a projection, what that one has in the world.
+    /// The object in the world, where this one is its image under a projection.
     pub in_world: Option<Arc<InWorld>>,
 }
 
-/// What an object has in the world, beside its image under a projection: that of the canonical volume shows the light
-/// and the shadows of the world.
+/// The object in the world that another one is the image of under a projection: the image in the canonical volume shows
+/// the light and the shadows of the world.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct InWorld {
     /// The light on it.

@@ -50,3 +50,33 @@ impl Scene {
 fn single(v: f64) -> f32 {
     v as f32
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::appearance::Style;
+    use crate::scene::{Preset, SceneSpec, build, no_files};
+
+    /// Back where it came from, an image under a perspective is not bent any more, and by another one it is.
+    #[test]
+    fn what_is_bent_by_a_perspective_is_straight_again_after_its_inverse() {
+        let mut matrix = DMat4::IDENTITY;
+        matrix.x_axis.w = 0.125;
+        matrix.z_axis.w = 0.25;
+        matrix.w_axis.w = 2.0;
+        let spec = SceneSpec { preset: Preset::Cube, ..SceneSpec::default() };
+        let mut scene = build(&spec, &Style::default(), &mut no_files).expect("a cube");
+        scene.objects.truncate(1);
+        scene.objects[0].in_world = Some(Arc::default());
+        let bent =
+            |scene: &Scene| scene.objects[0].in_world.as_ref().map_or_else(Vec::new, |own| own.inverse_w.clone());
+        scene.project(&DMat4::from_scale(DVec3::new(1.0, 2.0, 3.0)));
+        assert!(bent(&scene).is_empty(), "an affine map bends nothing");
+        scene.project(&matrix);
+        let there = bent(&scene);
+        assert!(!there.is_empty() && there.iter().any(|q| (q / there[0] - 1.0).abs() > 0.1), "{there:?}");
+        scene.project(&matrix.inverse());
+        let back = bent(&scene);
+        assert!(back.len() == there.len() && back.iter().all(|q| (q / back[0] - 1.0).abs() < 1e-6), "{back:?}");
+    }
+}

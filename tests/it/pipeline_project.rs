@@ -2,10 +2,13 @@
 
 #![expect(clippy::unwrap_used, reason = "tests")]
 
-use camera_lab::appearance::{Rgba, Shading};
+use camera_lab::appearance::{Rgba, Shading, Style};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
+use camera_lab::figure::read::parse;
 use camera_lab::pipeline::project::{clipped_scene, displayed_ndc, legible_clipped_scene};
-use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, Scene};
+use camera_lab::pipeline::{Options, Pipeline, Target};
+use camera_lab::raster::Rasterizer;
+use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, Scene, build, no_files};
 use glam::{DMat4, DVec3};
 
 use super::pipeline::{CLAY, STROKE, cube, eye, object, only};
@@ -192,4 +195,34 @@ fn what_is_left_of_edges_beyond_all_proportion_to_the_volume_is_in_it() {
         }
     }
     assert!(corners > 2000, "{corners}");
+}
+
+/// A texture has each face's light beside its colours, in every shading, whatever is culled.
+#[test]
+fn textured_faces_keep_the_light_of_the_world() {
+    let figure = parse("[[scene.objects]]\nname = \"floor\"\nshape = \"box\"\ntexture = \"chequer\"\n").unwrap();
+    let camera = Camera::new(&figure.camera).unwrap();
+    let front = Parameters {
+        position: DVec3::Z * 2.0,
+        projection: Projection::Parallel,
+        near: 1.0,
+        far: 3.0,
+        window: Some(ViewWindow { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 }),
+        ..Parameters::default()
+    };
+    let front = Camera::new(&front).unwrap();
+    for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+        let style = Style { shading, antialias: 1, ..Style::default() };
+        let scene = build(&figure.scene, &style, &mut no_files).unwrap();
+        let target = Target { width: 120, height: 90, scale: 1.0, background: Rgba::rgb(0, 0, 255) };
+        let pixels = |scene: &Scene, camera: &Camera| {
+            let drawing = Pipeline::default().frame(scene, camera, target, &style, Options::default()).drawing;
+            Rasterizer::default().paint(&drawing).unwrap().data().as_chunks::<4>().0.to_vec()
+        };
+        let [image, canonical] = [pixels(&scene, &camera), pixels(&clipped_scene(&scene, &camera, shading), &front)];
+        let differs = |(a, b): &(&[u8; 4], &[u8; 4])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 24);
+        let covered = image.iter().filter(|pixel| **pixel != [0, 0, 255, 255]).count();
+        let different = image.iter().zip(&canonical).filter(differs).count();
+        assert!(covered > 1000 && 20 * different < covered, "{shading:?}: {different} of {covered}");
+    }
 }
