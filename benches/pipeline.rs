@@ -18,10 +18,10 @@ use camera_lab::clock;
 use camera_lab::figure::Figure;
 use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::{Pixels, Renderer};
-use camera_lab::pipeline::{Options, Pipeline, Stage, Target};
+use camera_lab::pipeline::{Options, Pipeline, Scenes, Stage, Target};
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Scene, Shadows, primitives};
+use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Scene, SceneRevision, Shadows, primitives};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3};
 use tiny_skia::Pixmap;
@@ -113,9 +113,10 @@ fn measure(name: &str, frames: usize, scene: &Scene, parameters: &Parameters, st
         return;
     };
     let options = Options { clock: Some(clock::now), ..Options::default() };
+    let scenes = Scenes::from(scene).of_revision(SceneRevision::next());
     Least::row(name, frames, || {
         let start = Instant::now();
-        let frame = pipeline.frame(scene, &camera, target, style, options);
+        let frame = pipeline.frame(scenes, &camera, target, style, options);
         let middle = Instant::now();
         at_once(raster.paint_into(&frame.drawing, &mut pixmap));
         let end = Instant::now();

@@ -11,7 +11,7 @@ use super::depths::InView;
 use super::projector::Projector;
 use super::scenes::Scenes;
 use crate::geometry::Aabb;
-use crate::scene::{Mesh, Object};
+use crate::scene::{Mesh, Object, SceneRevision};
 
 /// The scene drawn last, and the tree of boxes over its objects.
 ///
@@ -22,6 +22,8 @@ pub(super) struct BoundingTree {
     /// not change as long as it is shared.
     meshes: HashMap<usize, (Weak<Mesh>, Option<Bounds>)>,
     objects: Vec<Known>,
+    /// That of the scene, and how many of the objects are its own.
+    revision: Option<(SceneRevision, usize)>,
     /// Objects in the order of the leaves.
     order: Vec<u32>,
     /// Each before the two below it; empty where there is nothing to gain.
@@ -116,7 +118,9 @@ impl BoundingTree {
         let count = scenes.object_count();
         self.objects.truncate(count);
         self.loose.retain(|&k| (k as usize) < count);
-        for (k, object) in (0_u32..).zip(scenes.objects()) {
+        let (before, now) = (std::mem::replace(&mut self.revision, scenes.revision()), scenes.revision());
+        let unchanged = now.filter(|_| before == now).map_or(0, |(_, own)| own);
+        for (k, object) in (0_u32..).zip(scenes.objects()).skip(unchanged) {
             match self.objects.get(k as usize) {
                 Some(known) if known.is(object) => continue,
                 Some(_) => self.objects[k as usize] = self.look_at(object),

@@ -1,6 +1,6 @@
 //! A scene, and the things that a picture adds to it, side by side: neither is copied to be drawn with the other.
 
-use crate::scene::{Light, Line, Object, PointMark, Scene, Text};
+use crate::scene::{Light, Line, Object, PointMark, Scene, SceneRevision, Text};
 
 /// A scene and the gear of a picture. Objects, lines, marks and texts of the scene come first.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +11,7 @@ pub struct Scenes<'a> {
     hiding: &'a Scene,
     lights: &'a [Light],
     fineness: f32,
+    revision: Option<SceneRevision>,
 }
 
 static NOTHING: Scene = Scene {
@@ -33,7 +34,19 @@ impl<'a> Scenes<'a> {
     /// A scene with gear, which is lit by the lights of the scene.
     #[must_use]
     pub fn new(scene: &'a Scene, gear: &'a Scene) -> Self {
-        Self { scene, gear, hiding: scene, lights: &scene.lights, fineness: 1.0 }
+        Self { scene, gear, hiding: scene, lights: &scene.lights, fineness: 1.0, revision: None }
+    }
+
+    /// The same, of whose scene (not the gear) this number is known: while it stays, the objects are not compared with
+    /// those of the picture before.
+    #[must_use]
+    pub fn of_revision(self, revision: SceneRevision) -> Self {
+        Self { revision: Some(revision), ..self }
+    }
+
+    /// The number of the scene, and how many of [`Self::objects`] are its own: they come first.
+    pub(super) fn revision(self) -> Option<(SceneRevision, usize)> {
+        self.revision.map(|revision| (revision, self.scene.objects.len()))
     }
 
     /// The same with edges and outlines of objects, lines of the scene, and marks so many times as wide as their

@@ -20,6 +20,7 @@
 //! | `projective` | a scene under a projective map |
 //! | `read_error` | reading of the files that a scene names, and its failures |
 //! | `resolve` | the tree of a scene: names resolved, transforms multiplied out, rules |
+//! | `revision` | the number of a scene that does not change any more |
 //! | `shadows` | the shadows of a light: whether there are any, and how they are found |
 //! | `soup` | from the polygons of a file to a mesh: triangles, normals, edges, and whether the surface is closed |
 //! | `spec` | the `[scene]` section of a figure, before meshes are made: a preset, a tree of objects, lights |
@@ -44,6 +45,7 @@ pub mod primitives;
 mod projective;
 mod read_error;
 mod resolve;
+mod revision;
 mod shadows;
 mod soup;
 pub mod spec;
@@ -66,6 +68,7 @@ pub use mesh_error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjF
 pub use presets::{Beyond, objects as preset_objects};
 pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, is_loop, no_files, system_kind, system_words};
 pub use resolve::{DEFAULT_LIGHT, check};
+pub use revision::SceneRevision;
 pub use shadows::Shadows;
 pub use spec::{Light, LightKind, ObjectSpec, Preset, SceneSpec, Shape, ShapeData, TextureSource};
 pub use texture::{CornerUv, TextureError, TextureFault};

@@ -7,7 +7,7 @@ use glam::DVec2;
 use crate::appearance::{Dash, HiddenLines, Rgba, Style, Visibility};
 use crate::drawing::{Drawing, StrokeSet, Surface};
 use crate::pipeline::depths::DepthScale;
-use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
+use crate::pipeline::{Frame, Reason, Stage, Target};
 use crate::scene::Scene;
 
 use super::author_labels;
@@ -77,7 +77,8 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     probe::in_image(&mut builder, request, palette);
     triangle_overlay::in_image(&mut builder, request, palette);
     let lights = light_view::lights(request, &scene);
-    let scenes = Scenes::new(&scene, &builder.gear)
+    let scenes = scene
+        .with(&builder.gear)
         .with_fineness(screen.fineness(request, |p| screen.place(p)))
         .in_shadows_of(&request.scene)
         .lit_by(&lights);

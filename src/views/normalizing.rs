@@ -13,7 +13,7 @@ use crate::appearance::MarkShape;
 use crate::camera::{Camera, Factor};
 use crate::figure::Observer;
 use crate::geometry::Aabb;
-use crate::pipeline::{Frame, Scenes};
+use crate::pipeline::Frame;
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{self, GearBuilder, SMALL_TYPE};
@@ -192,7 +192,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     });
     let place = |p| screen.place(mapped(&matrix, canonical::shown(request, &the_box, p)?)?);
     let lights = light_view::lights(request, &request.scene);
-    let scenes = Scenes::new(&scene, &builder.gear).with_fineness(screen.fineness(request, place));
+    let scenes = scene.with(&builder.gear).with_fineness(screen.fineness(request, place));
     let scenes = light_view::shadowed(scenes, request, &lights);
     let drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
     Some(canonical::settled(drawn, request, way.said(request, palette), &["x", "y", "z"], palette))

@@ -8,8 +8,8 @@ use super::{Hover, Labels, Look, ObjectTransform, Picture, Probe, ShadowTruth, S
 use crate::camera::{Camera, Decomposition};
 use crate::figure::{Figure, Measured, Observer, ShownStep};
 use crate::geometry::Aabb;
-use crate::pipeline::Output;
-use crate::scene::Scene;
+use crate::pipeline::{Output, Scenes};
+use crate::scene::{Scene, SceneRevision};
 
 /// A picture to be made. "Has anything changed?" is `==`, which costs nothing that grows with the scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -210,19 +210,26 @@ struct SceneWithBounds {
     scene: Scene,
     /// The box around the scene: with a million vertices it takes a while to find.
     bounds: OnceLock<Option<Aabb>>,
+    revision: OnceLock<SceneRevision>,
 }
 
 impl SharedScene {
     /// Shares a scene.
     #[must_use]
     pub fn new(scene: Scene) -> Self {
-        Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::new() }))
+        Self(Arc::new(SceneWithBounds { scene, ..SceneWithBounds::default() }))
     }
 
     /// Another scene, which is this one with marks in it: pictures frame it as they frame this one.
     #[must_use]
     pub fn marked(&self, scene: Scene) -> Self {
-        Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::from(self.bounds()) }))
+        Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::from(self.bounds()), ..SceneWithBounds::default() }))
+    }
+
+    /// The scene with the gear of a picture. As it is the same one, its objects are not looked at again.
+    #[must_use]
+    pub fn with<'a>(&'a self, gear: &'a Scene) -> Scenes<'a> {
+        Scenes::new(self, gear).of_revision(*self.0.revision.get_or_init(SceneRevision::next))
     }
 
     /// The box around the scene; `None` for an empty one.

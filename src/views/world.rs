@@ -8,7 +8,7 @@ use glam::{DMat4, DVec2, DVec3};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Texture};
 use crate::camera::Projection;
 use crate::figure::WorldPart;
-use crate::pipeline::{Frame, Scenes};
+use crate::pipeline::Frame;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Pictured, Scene};
 
 use super::author_labels;
@@ -81,7 +81,8 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     }
     light_view::in_world(&mut world.builder, request, palette);
     let lights = light_view::lights(request, &scene);
-    let scenes = Scenes::new(&scene, &world.builder.gear)
+    let scenes = scene
+        .with(&world.builder.gear)
         .with_fineness(screen.fineness(request, |p| screen.place(p)))
         .in_shadows_of(&request.scene)
         .lit_by(&lights);

@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use camera_lab::appearance::{Rgba, Shading, Style};
 use camera_lab::camera::{Camera, Parameters};
-use camera_lab::pipeline::{Containment, Frame, Options, Pipeline, Target};
+use camera_lab::pipeline::{Containment, Frame, Options, Pipeline, Scenes, Target};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Light, Mesh, Object, Scene, primitives};
+use camera_lab::scene::{Light, Mesh, Object, Scene, SceneRevision, primitives};
 use glam::{DMat4, DVec3};
 
 use super::pipeline::object;
@@ -103,6 +103,35 @@ fn a_scene_that_changes_is_seen_as_it_is() {
         if step % 3 == 0 {
             kept.recycle(old.drawing);
         }
+    }
+}
+
+#[test]
+fn a_scene_with_a_number_is_looked_at_when_the_number_changes_and_its_gear_always() {
+    let mesh = Arc::new(primitives::cube());
+    let (mut scene, mut gear) = (field(12, &mesh), field(2, &mesh));
+    let (mut kept, mut revision) = (Pipeline::default(), SceneRevision::next());
+    let style = Style { shading: Shading::Flat, ..Style::default() };
+    for step in 0..24_usize {
+        match step % 6 {
+            0 => gear.objects[0].world_from_object = DMat4::from_rotation_z(0.05 * step as f64),
+            1 => gear.objects.extend(field(1, &mesh).objects),
+            2 => gear.objects.truncate(1),
+            3 => {
+                scene.objects[5 * step % 60].world_from_object = DMat4::from_scale(DVec3::splat(0.3));
+                revision = SceneRevision::next();
+            }
+            4 => {
+                scene.objects.truncate(scene.objects.len() - 9);
+                revision = SceneRevision::next();
+            }
+            _ => {}
+        }
+        let draw = |pipeline: &mut Pipeline, scenes: Scenes| {
+            pipeline.frame(scenes, &above(), SMALL, &style, Options::default()).drawing
+        };
+        let known = draw(&mut kept, Scenes::new(&scene, &gear).of_revision(revision));
+        assert!(known == draw(&mut Pipeline::default(), Scenes::new(&scene, &gear)), "step {step}");
     }
 }
 
