@@ -61,8 +61,10 @@ impl Plan {
         let casts = scenes.casts_shadows() && style.shading != Shading::Wireframe;
         let objects = objects.map(|(object, containment)| {
             let planned = plan_object(object, containment, style, dark, force);
-            let is_lit_in_world = object.in_world.as_ref().is_some_and(|in_world| !in_world.taken.is_empty());
-            ObjectPlan { shadowed: casts && (planned.lit != LitAt::Nowhere || is_lit_in_world), ..planned }
+            let is_lit_in_world = || object.in_world.as_ref().is_some_and(|in_world| !in_world.taken.is_empty());
+            // Those out of sight, of which there may be thousands, are not looked at.
+            let takes_shadow = planned.drawn && (planned.lit != LitAt::Nowhere || is_lit_in_world());
+            ObjectPlan { shadowed: casts && takes_shadow, ..planned }
         });
         let objects: Vec<ObjectPlan> = objects.collect();
         let survey = Survey::new(scenes, &objects, style);
