@@ -2,7 +2,7 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
-//! | `editor` | the texts of a step beside what they look like, and the order of the steps |
+//! | `editor` | the texts of a step and of the lesson beside what they look like, and the order of the steps |
 //! | `speaker` | the notes of the speaker in a window of their own |
 //! | `list` | the list of lessons |
 //! | `task` | the task of a step: a question, an exercise, a goal |
@@ -24,7 +24,7 @@ use super::state::{Chosen, State};
 use super::tooltip::Explained;
 use crate::figure::{Bilingual, Explanation};
 use crate::i18n::lessons::{self as words, Texts};
-use crate::i18n::{exercises, notes, told};
+use crate::i18n::{Lang, exercises, notes, told};
 use crate::lessons::{self, Lesson, Link};
 pub(super) use list::{WIDTH as LIST_WIDTH, show as list};
 pub(super) use speaker::window as speaker_window;
@@ -240,7 +240,7 @@ fn after(lesson: &Lesson) -> Option<Arc<Lesson>> {
     all.get(place + 1).map(|shipped| shipped.lesson.clone())
 }
 
-/// The fields of the step, beside what they look like.
+/// The fields of the step or of the lesson, beside what they look like.
 fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     ui.horizontal_top(|ui| {
         let half = 0.5 * (ui.available_width() - GUTTER);
@@ -251,9 +251,20 @@ fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
         ui.add_space(GUTTER - ui.spacing().item_spacing.x);
         ui.vertical(|ui| {
             ui.set_width(half);
-            content(ui, t, state);
+            match state.lesson.as_ref().and_then(|playing| Some((playing, playing.writing.as_ref()?))) {
+                Some((playing, writing)) if writing.is_of_lesson => whole(ui, writing.lang, &playing.lesson),
+                _ => content(ui, t, state),
+            }
         });
     });
+}
+
+/// Title, minutes and sentence of the lesson, as the list shows them.
+fn whole(ui: &mut Ui, lang: Lang, lesson: &Lesson) {
+    ui.add(egui::Label::new(RichText::new(words::with_minutes(lang, lesson)).heading()).wrap());
+    if let Some(sentence) = &lesson.sentence {
+        prose::show(ui, told(lang, sentence).trim());
+    }
 }
 
 /// Text, task, links and notes of the step.
