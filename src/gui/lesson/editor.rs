@@ -61,8 +61,9 @@ pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
     });
     let (of, mut is_typed, mut is_left) = (writing.lang, false, false);
     let width = ui.available_width();
+    // As many rows in both: what is chosen does not move under the pointer.
     let (first, names) = if writing.is_of_lesson {
-        (FIELDS_OF_STEP, [(t.lesson_title_field, 1), (t.lesson_sentence_field, 3), (t.lesson_minutes_field, 1)])
+        (FIELDS_OF_STEP, [(t.lesson_title_field, 1), (t.lesson_sentence_field, 6), (t.lesson_minutes_field, 1)])
     } else {
         (0, [(t.step_title_field, 1), (t.step_text_field, 5), (t.notes_command, 2)])
     };
