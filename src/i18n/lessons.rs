@@ -61,7 +61,7 @@ texts! {
     step_file: "lesson.toml", "licao.toml";
     // Writing a lesson in the window.
     write_command: "Write the lesson", "Escrever a lição";
-    write_hint: "Texts of the step beside their preview, order of the steps; of a lesson of the program, in a copy of your own", "Textos do passo ao lado da prévia, ordem dos passos; de uma lição do programa, em uma cópia sua";
+    write_hint: "Texts of the step and of the lesson beside their preview, order of the steps; of a lesson of the program, in a copy of your own", "Textos do passo e da lição ao lado da prévia, ordem dos passos; de uma lição do programa, em uma cópia sua";
     copy_title: "A copy of the lesson, to be changed by you", "Uma cópia da lição, para você mudar";
     copy_action: "Copy", "Copiar";
     step_earlier: "Move up", "Para cima";
@@ -83,6 +83,12 @@ texts! {
     not_written: "Not written into the file", "Não foi escrito no arquivo";
     step_title_field: "Title", "Título";
     step_text_field: "Text (Markdown, $formulas$, {numbers})", "Texto (Markdown, $fórmulas$, {números})";
+    of_step: "This step", "Este passo";
+    of_lesson: "The whole lesson", "A lição inteira";
+    of_lesson_hint: "Title, sentence to keep and minutes of the lesson, as lists and handouts show them", "Título, frase para guardar e minutos da lição, como listas e materiais os mostram";
+    lesson_title_field: "Title of the lesson", "Título da lição";
+    lesson_sentence_field: "Sentence to keep (Markdown, $formulas$)", "Frase para guardar (Markdown, $fórmulas$)";
+    lesson_minutes_field: "Minutes", "Minutos";
     forget_typed: "Back to the text of the file", "De volta ao texto do arquivo";
     forget_typed_hint: "Forgets what was typed since it was written last", "Esquece o que foi digitado desde que foi escrito";
     // The texts of a recorded step and lesson.

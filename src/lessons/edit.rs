@@ -20,9 +20,22 @@ pub enum StepText {
     Notes,
 }
 
+/// A text of the whole lesson.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LessonText {
+    /// Its title, one line.
+    Title,
+    /// The sentence to keep; an empty text takes it away.
+    Sentence,
+    /// The minutes that it takes, as they are typed, in the first language; an empty text takes them away.
+    Minutes,
+}
+
 /// A change of a lesson. Steps are counted from 0.
 #[derive(Clone, Debug)]
 pub enum Edit {
+    /// Another text of the whole lesson.
+    Tell(LessonText, Bilingual),
     /// Another text of a step.
     Say(usize, StepText, Bilingual),
     /// Another figure of a step.
@@ -53,7 +66,9 @@ pub fn edited(text: &str, edit: &Edit) -> Result<(String, Lesson), FigureError> 
         .collect();
     let count = steps.len();
     let mut shown_anew = None;
+    let mut out = head.to_owned();
     match edit {
+        Edit::Tell(which, told) => out = retold(head, *which, told).unwrap_or(out),
         Edit::Say(step, which, told) if *step < count => steps[*step].said = Some((*which, told)),
         Edit::Show(step, figure) if *step < count => {
             steps[*step].figure = figure;
@@ -66,7 +81,6 @@ pub fn edited(text: &str, edit: &Edit) -> Result<(String, Lesson), FigureError> 
         Edit::Remove(step) if *step < count && count > 1 => drop(steps.remove(*step)),
         _ => return Ok((text.to_owned(), lesson)),
     }
-    let mut out = head.to_owned();
     let mut before: Option<&Part<'_>> = None;
     for part in &steps {
         // It says only what changes, and so depends on the step before it.
@@ -136,15 +150,10 @@ fn rewritten(part: &Part<'_>, figure: Option<&Difference>) -> Option<String> {
     let mut document: DocumentMut = part.text.parse().ok()?;
     let step = document.get_mut("step")?.as_array_of_tables_mut()?.get_mut(0)?;
     if let Some((which, told)) = part.said {
-        let key = match which {
-            StepText::Title => "title",
-            StepText::Text => "text",
-            StepText::Notes => "notes",
-        };
-        if which == StepText::Notes && told.en.is_empty() && told.pt_br.is_empty() {
-            step.remove(key);
-        } else {
-            put(step, key, told_item(told));
+        match which {
+            StepText::Title => put(step, "title", told_item(told)),
+            StepText::Text => put(step, "text", told_item(told)),
+            StepText::Notes => put_or_remove(step, "notes", told_if_any(told)),
         }
     }
     if let Some(figure) = figure {
@@ -152,6 +161,17 @@ fn rewritten(part: &Part<'_>, figure: Option<&Difference>) -> Option<String> {
             step.iter().map(|(key, _)| key.to_owned()).filter(|key| !WORDS.contains(&key.as_str())).collect();
         of_figure.iter().for_each(|key| drop(step.remove(key)));
         put_figure(step, figure);
+    }
+    Some(document.to_string())
+}
+
+/// The text before the first step with another text of the lesson.
+fn retold(head: &str, which: LessonText, told: &Bilingual) -> Option<String> {
+    let mut document: DocumentMut = head.parse().ok()?;
+    match which {
+        LessonText::Title => put(&mut document, "title", told_item(told)),
+        LessonText::Sentence => put_or_remove(&mut document, "sentence", told_if_any(told)),
+        LessonText::Minutes => put_or_remove(&mut document, "minutes", number_item(&told.en)),
     }
     Some(document.to_string())
 }
@@ -174,10 +194,37 @@ fn put(step: &mut Table, key: &str, item: Item) {
     }
 }
 
-/// A text in both languages; once where they are the same.
+/// Another value in the place of a key's own; without one the key goes.
+fn put_or_remove(table: &mut Table, key: &str, item: Option<Item>) {
+    match item {
+        Some(item) => put(table, key, item),
+        None => drop(table.remove(key)),
+    }
+}
+
+/// A number as it is typed, in the writing of either language; as a text where it is none, for the reader to judge.
+fn number_item(typed: &str) -> Option<Item> {
+    let typed = typed.trim();
+    let value = match (typed.parse::<i64>(), typed.replace(',', ".").parse::<f64>()) {
+        (Ok(whole), _) => whole.into(),
+        (_, Ok(number)) if number.is_finite() => number.into(),
+        _ => typed.into(),
+    };
+    (!typed.is_empty()).then_some(Item::Value(value))
+}
+
+/// As [`told_item`]; nothing for an empty text.
+fn told_if_any(text: &Bilingual) -> Option<Item> {
+    (!text.en.is_empty() || !text.pt_br.is_empty()).then(|| told_item(text))
+}
+
+/// A text in both languages; once where they are the same, or where it is written in one of them alone.
 pub(super) fn told_item(text: &Bilingual) -> Item {
-    if text.en == text.pt_br {
+    if text.en == text.pt_br || text.pt_br.is_empty() {
         return Item::Value(text.en.as_str().into());
+    }
+    if text.en.is_empty() {
+        return Item::Value(text.pt_br.as_str().into());
     }
     let mut table = InlineTable::new();
     table.insert("en", text.en.as_str().into());
@@ -259,6 +306,39 @@ mod tests {
         }
         let (_, lesson) = edited(shipped.text, &Edit::Say(2, StepText::Notes, Bilingual::default())).unwrap();
         assert_eq!(lesson.steps[2].notes, None);
+    }
+
+    #[test]
+    fn texts_of_the_whole_lesson_change_nothing_of_its_steps() {
+        let shipped = &shipped()[1];
+        let told = Bilingual { en: "Axes".to_owned(), pt_br: "Eixos".to_owned() };
+        let in_one = Bilingual { pt_br: "Uma frase".to_owned(), ..Bilingual::default() };
+        let minutes = |typed: &str| Bilingual { en: typed.to_owned(), ..Bilingual::default() };
+        let say = |text: &str, which, told: &Bilingual| edited(text, &Edit::Tell(which, told.clone()));
+        let (text, _) = say(shipped.text, LessonText::Title, &told).unwrap();
+        let (text, _) = say(&text, LessonText::Sentence, &in_one).unwrap();
+        let (text, lesson) = say(&text, LessonText::Minutes, &minutes("7,5")).unwrap();
+        assert_eq!(lesson.title, told);
+        // Written in one language, it is shown in both.
+        assert_eq!(lesson.sentence.unwrap().en, "Uma frase");
+        assert_eq!(lesson.minutes, Some(7.5));
+        assert_eq!((lesson.id, lesson.aims), (shipped.lesson.id.clone(), shipped.lesson.aims.clone()));
+        assert_eq!(parts(&text).1, parts(shipped.text).1, "to the letter");
+        let comment = shipped.text.lines().next().unwrap();
+        assert!(comment.starts_with('#') && text.starts_with(comment));
+        // An empty text takes away what may be missing.
+        let (text, _) = say(&text, LessonText::Sentence, &Bilingual::default()).unwrap();
+        let (text, lesson) = say(&text, LessonText::Minutes, &minutes(" ")).unwrap();
+        assert_eq!((lesson.sentence, lesson.minutes), (None, None));
+        // They are written where there were none.
+        let (text, _) = say(&text, LessonText::Minutes, &minutes("9")).unwrap();
+        let (text, lesson) = say(&text, LessonText::Sentence, &told).unwrap();
+        assert_eq!((lesson.sentence, lesson.minutes), (Some(told), Some(9.0)));
+        assert!(text.contains("minutes = 9\n") && figures(&parse(&text).unwrap()) == figures(&shipped.lesson));
+        for refused in ["nine", "-1", "9000", "inf"] {
+            assert!(say(&text, LessonText::Minutes, &minutes(refused)).is_err(), "{refused}");
+        }
+        assert!(say(&text, LessonText::Title, &Bilingual::default()).is_err());
     }
 
     #[test]

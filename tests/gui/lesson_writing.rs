@@ -51,9 +51,8 @@ fn of(lesson: &Lesson) -> Vec<String> {
 
 /// Types into a field of the editor, in the place of what is there.
 fn type_into(window: &mut Window, field: &str, text: &str) {
-    let role =
-        if field == words::texts(Lang::En).step_title_field { Role::TextInput } else { Role::MultilineTextInput };
-    window.harness.get_by_role_and_label(role, field).focus();
+    let is_named = |role| window.harness.query_by_role_and_label(role, field);
+    is_named(Role::TextInput).or_else(|| is_named(Role::MultilineTextInput)).unwrap().focus();
     window.run();
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.run();
@@ -86,6 +85,75 @@ fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
     window.click(t.change_back);
     assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text, "to the letter");
     assert_eq!(window.state().lesson.as_ref().unwrap().step, 1);
+}
+
+/// Waits a second without a key.
+fn pause(window: &mut Window) {
+    for _ in 0..100 {
+        window.harness.step();
+    }
+}
+
+#[test]
+fn title_sentence_and_minutes_of_the_lesson_are_written_and_taken_back() {
+    let folder = Folder::new("write-lesson");
+    let t = words::texts(Lang::En);
+    let (mut window, path) = own(&folder, 1);
+    write(&mut window);
+    assert!(window.harness.query_by_role_and_label(Role::TextInput, t.lesson_title_field).is_none());
+    window.click(t.of_lesson);
+    assert!(window.harness.query_by_role_and_label(Role::TextInput, t.step_title_field).is_none());
+    type_into(&mut window, t.lesson_title_field, "Axes of a camera");
+    pause(&mut window);
+    type_into(&mut window, t.lesson_sentence_field, "Keep **n**.");
+    pause(&mut window);
+    let (lesson, text) = read_lesson(&path).unwrap();
+    let shipped = &shipped()[1];
+    assert_eq!((lesson.title.en.as_str(), &lesson.title.pt_br), ("Axes of a camera", &shipped.lesson.title.pt_br));
+    let (said, before) = (lesson.sentence.unwrap(), shipped.lesson.sentence.clone().unwrap());
+    assert_eq!((said.en.as_str(), said.pt_br), ("Keep **n**.", before.pt_br));
+    let steps = |text: &str| text[text.find("[[step]]").unwrap()..].to_owned();
+    assert_eq!(steps(&text), steps(shipped.text), "to the letter");
+    // The preview has the title with the minutes, as lists have it.
+    window.harness.get_by_label("Axes of a camera (9 min)");
+    // What are no minutes is told, stays in its field, and holds the lesson.
+    type_into(&mut window, t.lesson_minutes_field, "long");
+    pause(&mut window);
+    assert!(window.says("minutes") && window.says(t.not_written));
+    window.key(Key::PageDown);
+    let playing = window.state().lesson.as_ref().unwrap();
+    assert_eq!((playing.step, playing.writing.as_ref().unwrap().typed[5].en.as_str()), (1, "long"));
+    assert_eq!(read_lesson(&path).unwrap().1, text);
+    type_into(&mut window, t.lesson_minutes_field, "12");
+    pause(&mut window);
+    assert_eq!(read_lesson(&path).unwrap().0.minutes, Some(12.0));
+    // The way back, change by change.
+    for _ in 0..3 {
+        window.click(t.change_back);
+    }
+    assert_eq!(read_lesson(&path).unwrap().1, shipped.text, "to the letter");
+    assert_eq!(window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed[3], shipped.lesson.title);
+}
+
+#[test]
+fn the_fields_of_a_lesson_are_named_in_portuguese_and_write_portuguese() {
+    let folder = Folder::new("write-pt");
+    let path = folder.file("minha.toml");
+    std::fs::write(&path, "id = \"x\"\ntitle = \"A new lesson\"\n\n[[step]]\ntitle = \"Um\"\ntext = \"Um\"\n").unwrap();
+    let mut window = playing(&path, 0);
+    window.app_mut().state.settings.lang = Lang::PtBr;
+    window.run();
+    write(&mut window);
+    window.click("A lição inteira");
+    type_into(&mut window, "Título da lição", "Uma câmera");
+    type_into(&mut window, "Frase para guardar (Markdown, $fórmulas$)", "Guarde isto.");
+    type_into(&mut window, "Minutos", "7,5");
+    pause(&mut window);
+    let (lesson, _) = read_lesson(&path).unwrap();
+    assert_eq!((lesson.title.pt_br.as_str(), lesson.title.en.as_str()), ("Uma câmera", "A new lesson"));
+    // Written in one language, it stands for both.
+    assert_eq!(lesson.sentence.unwrap().en, "Guarde isto.");
+    assert_eq!(lesson.minutes, Some(7.5));
 }
 
 #[test]

@@ -7,8 +7,9 @@ use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::exercises::choice_of;
 use camera_lab::i18n::{Lang, exercise_sheet, lessons as words, told};
 use camera_lab::lessons::{OpenLesson, Task, shipped};
-use eframe::egui::{Key, Modifiers};
-use egui_kittest::kittest::Queryable as _;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, vec2};
+use egui_kittest::kittest::{By, Queryable as _};
 
 use super::files::Folder;
 use super::window::Window;
@@ -201,6 +202,40 @@ fn every_step_has_room_for_its_text() {
         }
     }
     assert!(cut.is_empty(), "{cut:#?}");
+}
+
+/// On a projector of 1280 × 720 pixels, whoever shows a question sees the button that checks its answer.
+#[test]
+fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
+    let mut out_of_sight = Vec::new();
+    for (place, shipped) in shipped().iter().enumerate() {
+        let mut window = playing(place, 0, Lang::En);
+        window.app_mut().state.settings.reduce_motion = true;
+        window.key(Key::F11);
+        // The size of the window is in points, which are larger now.
+        window.harness.set_size(vec2(1280.0, 720.0) / window.harness.ctx.zoom_factor());
+        window.run();
+        let asks = |k: &usize| matches!(shipped.lesson.steps[*k].task, Some(Task::Question(_)));
+        for k in (0..shipped.lesson.steps.len()).filter(asks) {
+            for lang in [Lang::En, Lang::PtBr] {
+                window.app_mut().state.settings.lang = lang;
+                window.app_mut().state.go_to_step(k);
+                window.run();
+                window.key(Key::Q);
+                window.run();
+                let check = camera_lab::i18n::exercise_window::texts(lang).check;
+                let check = By::new().role(Role::Button).label_contains(check);
+                let bottom = window.harness.get(check).rect().bottom();
+                let screen = window.harness.ctx.content_rect();
+                assert!((440.0..460.0).contains(&screen.height()), "{screen:?}");
+                if bottom > screen.bottom() - 3.0 {
+                    let beyond = bottom - screen.bottom();
+                    out_of_sight.push(format!("{} {} {lang:?}: {beyond}", shipped.lesson.id, k + 1));
+                }
+            }
+        }
+    }
+    assert!(out_of_sight.is_empty(), "{out_of_sight:#?}");
 }
 
 #[test]

@@ -1,9 +1,9 @@
-//! The texts of a step beside what they look like, and the order of the steps: a lesson of the user's own is written
-//! where it is played.
+//! The texts of a step and of the lesson beside what they look like, and the order of the steps: a lesson of the user's
+//! own is written where it is played.
 
 use eframe::egui::{Button, Id, RichText, Ui};
 
-use crate::gui::state::{State, StepChange};
+use crate::gui::state::{FIELDS_OF_STEP, State, StepChange};
 use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::lessons::Texts;
@@ -47,22 +47,30 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
     }
 }
 
-/// The fields of the step.
+/// The fields of the step, or of the whole lesson.
 pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
     let (lang, now) = (state.settings.lang, ui.input(|input| input.time));
     let Some(writing) = state.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else { return };
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for (of, name) in [(Lang::En, "English"), (Lang::PtBr, "Português")] {
             ui.selectable_value(&mut writing.lang, of, name);
         }
+        ui.separator();
+        ui.selectable_value(&mut writing.is_of_lesson, false, t.of_step);
+        ui.selectable_value(&mut writing.is_of_lesson, true, t.of_lesson).explained(t.of_lesson_hint);
     });
     let (of, mut is_typed, mut is_left) = (writing.lang, false, false);
     let width = ui.available_width();
-    let names = [(t.step_title_field, 1), (t.step_text_field, 5), (t.notes_command, 2)];
-    for (k, (told, (name, rows))) in writing.typed.iter_mut().zip(names).enumerate() {
+    // As many rows in both: what is chosen does not move under the pointer.
+    let (first, names) = if writing.is_of_lesson {
+        (FIELDS_OF_STEP, [(t.lesson_title_field, 1), (t.lesson_sentence_field, 6), (t.lesson_minutes_field, 1)])
+    } else {
+        (0, [(t.step_title_field, 1), (t.step_text_field, 5), (t.notes_command, 2)])
+    };
+    for ((k, told), (name, rows)) in writing.typed.iter_mut().enumerate().skip(first).zip(names) {
         let text = match of {
-            Lang::En => &mut told.en,
-            Lang::PtBr => &mut told.pt_br,
+            Lang::PtBr if name != t.lesson_minutes_field => &mut told.pt_br,
+            Lang::En | Lang::PtBr => &mut told.en,
         };
         let label = ui.label(name);
         let field = if rows == 1 { TextField::line(text, MAX_TITLE) } else { TextField::lines(text, MAX_TYPED) };

@@ -2,7 +2,7 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
-//! | `editor` | the texts of a step beside what they look like, and the order of the steps |
+//! | `editor` | the texts of a step and of the lesson beside what they look like, and the order of the steps |
 //! | `speaker` | the notes of the speaker in a window of their own |
 //! | `list` | the list of lessons |
 //! | `task` | the task of a step: a question, an exercise, a goal |
@@ -24,8 +24,8 @@ use super::state::{Chosen, State};
 use super::tooltip::Explained;
 use crate::figure::{Bilingual, Explanation};
 use crate::i18n::lessons::{self as words, Texts};
-use crate::i18n::{exercises, notes, told};
-use crate::lessons::{self, Lesson, Link};
+use crate::i18n::{Lang, exercises, notes, told};
+use crate::lessons::{self, Lesson, Link, Task};
 pub(super) use list::{WIDTH as LIST_WIDTH, show as list};
 pub(super) use speaker::window as speaker_window;
 
@@ -33,8 +33,15 @@ pub(super) use speaker::window as speaker_window;
 const SHARE: f32 = 0.42;
 /// The share that they may take while they are written.
 const SHARE_WRITTEN: f32 = 0.55;
+/// The share that they may take in a presentation while a question is asked: the button that checks its answer is in
+/// sight.
+const SHARE_ASKED: f32 = 0.5;
 /// Lines of text that read well, in heights of a line.
 const LINE: f32 = 44.0;
+/// The least width at which text and task are side by side, in such lines; large type in a presentation has little
+/// height.
+const BESIDE: f32 = 1.4;
+const BESIDE_PRESENTED: f32 = 0.8;
 /// Between a text and its task beside it.
 const GUTTER: f32 = 24.0;
 /// Seconds after which a typed number is one.
@@ -125,7 +132,12 @@ pub(super) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
     let key = (playing.lesson.id.clone(), playing.step);
     let t = words::texts(state.settings.lang);
     let ctx = ui.ctx().clone();
-    let share = if state.writes_lesson() { SHARE_WRITTEN } else { SHARE };
+    let asks = playing.shows_question && playing.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))));
+    let share = match (state.writes_lesson(), state.settings.presentation && asks) {
+        (true, _) => SHARE_WRITTEN,
+        (false, true) => SHARE_ASKED,
+        (false, false) => SHARE,
+    };
     let most = share * ctx.content_rect().height();
     // As high as what it showed in the last frame; a panel does not grow with what scrolls in it.
     let id = Id::unique("height of the lesson");
@@ -240,7 +252,7 @@ fn after(lesson: &Lesson) -> Option<Arc<Lesson>> {
     all.get(place + 1).map(|shipped| shipped.lesson.clone())
 }
 
-/// The fields of the step, beside what they look like.
+/// The fields of the step or of the lesson, beside what they look like.
 fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     ui.horizontal_top(|ui| {
         let half = 0.5 * (ui.available_width() - GUTTER);
@@ -251,9 +263,20 @@ fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
         ui.add_space(GUTTER - ui.spacing().item_spacing.x);
         ui.vertical(|ui| {
             ui.set_width(half);
-            content(ui, t, state);
+            match state.lesson.as_ref().and_then(|playing| Some((playing, playing.writing.as_ref()?))) {
+                Some((playing, writing)) if writing.is_of_lesson => whole(ui, writing.lang, &playing.lesson),
+                _ => content(ui, t, state),
+            }
         });
     });
+}
+
+/// Title, minutes and sentence of the lesson, as the list shows them.
+fn whole(ui: &mut Ui, lang: Lang, lesson: &Lesson) {
+    ui.add(egui::Label::new(RichText::new(words::with_minutes(lang, lesson)).heading()).wrap());
+    if let Some(sentence) = &lesson.sentence {
+        prose::show(ui, told(lang, sentence).trim());
+    }
 }
 
 /// Text, task, links and notes of the step.
@@ -280,7 +303,8 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     };
     let asks = step.task.is_some() && state.lesson.as_ref().is_some_and(|playing| playing.shows_question);
     let line = LINE * ui.text_style_height(&egui::TextStyle::Body);
-    if shows_text && asks && ui.available_width() > 1.4 * line {
+    let least = if presents { BESIDE_PRESENTED } else { BESIDE };
+    if shows_text && asks && ui.available_width() > least * line {
         // Side by side they leave the pictures more room.
         ui.horizontal_top(|ui| {
             let half = 0.5 * (ui.available_width() - GUTTER);

@@ -1,5 +1,5 @@
-//! A lesson of the user's own that is written in the window: the texts of its step as they are typed, the changes of
-//! its file, and the way back.
+//! A lesson of the user's own that is written in the window: its texts and those of its step as they are typed, the
+//! changes of its file, and the way back.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -8,7 +8,8 @@ use super::{Agreed, Message, State};
 use crate::figure::{Bilingual, FigureError};
 use crate::files::{self, FileError};
 use crate::i18n::Lang;
-use crate::lessons::{Edit, Lesson, OpenLesson, Step, StepText, edited, with_step};
+use crate::lessons::{Edit, Lesson, LessonText, OpenLesson, StepText, edited, with_step};
+use crate::numbers::significant;
 use crate::share;
 
 /// Changes that can be taken back.
@@ -21,16 +22,19 @@ pub struct Writing {
     text: String,
     /// The step whose texts these are, from 0.
     step: usize,
-    /// Title, text and notes as they are typed.
-    pub typed: [Bilingual; 3],
+    /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as they are typed; the
+    /// minutes in the first language alone.
+    pub typed: [Bilingual; FIELDS.len()],
     /// The same as they are in the file.
-    kept: [Bilingual; 3],
+    kept: [Bilingual; FIELDS.len()],
     /// The file with the typed texts, which is not yet written.
     ahead: Option<String>,
     /// Why it cannot be written.
     pub fault: Option<FigureError>,
     /// The language of the fields.
     pub lang: Lang,
+    /// The fields are those of the whole lesson.
+    pub is_of_lesson: bool,
     /// The time of the last key, in seconds.
     pub typed_at: f64,
     /// The file before each change, and the step that was shown.
@@ -47,6 +51,7 @@ impl Writing {
             ahead: None,
             fault: None,
             lang,
+            is_of_lesson: false,
             typed_at: 0.0,
             earlier: Vec::new(),
         }
@@ -64,9 +69,18 @@ impl Writing {
         self.typed != self.kept
     }
 
-    /// Shows the texts of a step.
-    fn show(&mut self, number: usize, step: &Step) {
-        let texts = [step.title.clone(), step.text.clone(), step.notes.clone().unwrap_or_default()];
+    /// Shows the texts of a step, and of its lesson.
+    fn show(&mut self, number: usize, lesson: &Lesson) {
+        let Some(step) = lesson.steps.get(number) else { return };
+        let minutes = lesson.minutes.map(|minutes| significant(minutes, MINUTES_DIGITS)).unwrap_or_default();
+        let texts = [
+            step.title.clone(),
+            step.text.clone(),
+            step.notes.clone().unwrap_or_default(),
+            lesson.title.clone(),
+            lesson.sentence.clone().unwrap_or_default(),
+            Bilingual { en: minutes, ..Bilingual::default() },
+        ];
         (self.step, self.typed, self.kept) = (number, texts.clone(), texts);
         (self.ahead, self.fault) = (None, None);
     }
@@ -74,17 +88,30 @@ impl Writing {
     /// The file with the texts as they are typed.
     fn tried(&self) -> Result<(String, Lesson), FigureError> {
         let mut tried = edited(&self.text, &Edit::Move(self.step, self.step))?;
-        for (which, (typed, kept)) in TEXTS.into_iter().zip(self.typed.iter().zip(&self.kept)) {
+        for (change, (typed, kept)) in FIELDS.into_iter().zip(self.typed.iter().zip(&self.kept)) {
             if typed != kept {
-                tried = edited(&tried.0, &Edit::Say(self.step, which, typed.clone()))?;
+                tried = edited(&tried.0, &change(self.step, typed.clone()))?;
             }
         }
         Ok(tried)
     }
 }
 
-/// The texts of a step in the order of their fields.
-const TEXTS: [StepText; 3] = [StepText::Title, StepText::Text, StepText::Notes];
+/// The change that a field makes: those of a step, then those of the lesson.
+const FIELDS: [fn(usize, Bilingual) -> Edit; 6] = [
+    |step, told| Edit::Say(step, StepText::Title, told),
+    |step, told| Edit::Say(step, StepText::Text, told),
+    |step, told| Edit::Say(step, StepText::Notes, told),
+    |_, told| Edit::Tell(LessonText::Title, told),
+    |_, told| Edit::Tell(LessonText::Sentence, told),
+    |_, told| Edit::Tell(LessonText::Minutes, told),
+];
+
+/// The fields that are those of the step.
+pub(in crate::gui) const FIELDS_OF_STEP: usize = 3;
+
+/// Digits of the minutes in their field.
+const MINUTES_DIGITS: usize = 4;
 
 /// A change of the steps of a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -154,11 +181,10 @@ impl State {
     /// Shows the texts of the step that is played in the fields.
     pub(in crate::gui) fn follow_writing(&mut self) {
         let Some(playing) = &mut self.lesson else { return };
-        let (step, shown) = (playing.step, playing.lesson.steps.get(playing.step).cloned());
-        if let (Some(writing), Some(shown)) = (&mut playing.writing, shown)
-            && writing.step != step
+        if let Some(writing) = &mut playing.writing
+            && writing.step != playing.step
         {
-            writing.show(step, &shown);
+            writing.show(playing.step, &playing.lesson);
         }
     }
 

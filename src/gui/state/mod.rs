@@ -95,6 +95,7 @@ pub use label_mode::LabelMode;
 pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
 pub(in crate::gui) use lesson::FADE;
 pub use lesson::{Moving, Playing};
+pub(in crate::gui) use lesson_writing::FIELDS_OF_STEP;
 pub use lesson_writing::{StepChange, Writing};
 pub(in crate::gui) use matrices::symbols_of;
 pub use matrices::{Matrices, Reading};
