@@ -3,16 +3,16 @@
 //! Each row tells of many frames, one made in the memory of the one before, with as many threads as there are: the
 //! least time of each stage in milliseconds, of the pipeline, of the raster and of both. "transform" takes a vertex
 //! through all spaces, the divide and the viewport included. Rows: one bumpy sphere that fills most of the picture,
-//! wholly inside, across some planes, and for the most part out of the picture; the same in the shadow of itself; faces
-//! put in order; many objects, of which few are in view; the three pictures of the default figure. Words choose rows
-//! (`1000000 gouraud`).
+//! wholly inside, across some planes, and for the most part out of the picture; the same with a picture on it, and
+//! in the shadow of itself; faces put in order; many objects, of which few are in view; the three pictures of the
+//! default figure. Words choose rows (`1000000 gouraud`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 
 use std::sync::Arc;
 use std::time::Instant;
 
-use camera_lab::appearance::{Rgba, Shading, Style, Visibility};
+use camera_lab::appearance::{Rgba, Sampler, Shading, Style, Texture, Visibility};
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::clock;
 use camera_lab::figure::Figure;
@@ -21,7 +21,7 @@ use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::pipeline::{Options, Pipeline, Scenes, Stage, Target};
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Scene, SceneRevision, Shadows, primitives};
+use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Pictured, Scene, SceneRevision, Shadows, primitives};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3};
 use tiny_skia::Pixmap;
@@ -51,6 +51,24 @@ fn mesh(triangles: f64) -> Mesh {
         }
     }
     mesh
+}
+
+/// A picture of 1024² texels that goes around the sphere four times, with levels of detail.
+fn around(mesh: &Mesh) -> Pictured {
+    const SIDE: u32 = 1024;
+    let channel = |v: u32| u8::try_from(v & 255).unwrap_or_default();
+    let texel = |k: u32| [channel(k % SIDE), channel(k / SIDE), channel((k ^ (k / SIDE)) * 8), 255];
+    let image = Texture::flat(SIDE, SIDE, (0..SIDE * SIDE).flat_map(texel).collect()).with_levels();
+    #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
+    let turns = |angle: f64| (4.0 * angle / std::f64::consts::TAU) as f32;
+    let uv = mesh.normals.iter().map(|n| [turns(n.z.atan2(n.x)), turns(n.y.clamp(-1.0, 1.0).acos())]);
+    Pictured {
+        image: Arc::new(image),
+        sampler: Sampler::default(),
+        uv: Arc::new(uv.collect()),
+        tint: Rgba::rgb(255, 255, 255),
+        translucent: false,
+    }
 }
 
 /// What is timed.
@@ -150,11 +168,19 @@ fn main() {
             }
         }
     }
-    let name = "100000 gouraud inside, shadows";
-    if wanted(name) {
+    for (shading, of) in [(Shading::Flat, "flat"), (Shading::Gouraud, "gouraud"), (Shading::Phong, "phong")] {
         let mut ball = scene(vec![object(Arc::new(mesh(1e5)), DMat4::from_rotation_x(0.4))]);
-        ball.lights[0].shadows = Shadows::CAST;
-        measure(name, 200, &ball, &parameters(3.2, 0.5), &style(Shading::Gouraud));
+        let name = format!("100000 {of} inside, texture");
+        if wanted(&name) {
+            let mut textured = ball.clone();
+            textured.objects[0].paint = ObjectPaint::Texture(around(&textured.objects[0].mesh));
+            measure(&name, 200, &textured, &parameters(3.2, 0.5), &style(shading));
+        }
+        let name = format!("100000 {of} inside, shadows");
+        if wanted(&name) {
+            ball.lights[0].shadows = Shadows::CAST;
+            measure(&name, 200, &ball, &parameters(3.2, 0.5), &style(shading));
+        }
     }
     for (visibility, name) in [(Visibility::Painter, "painter"), (Visibility::Bsp, "bsp")] {
         for triangles in [1e3, 1e4] {

@@ -3,7 +3,7 @@
 use crate::appearance::Rgba;
 use crate::drawing::Lighting;
 use crate::simd::prelude::*;
-use crate::simd::{ROUND_F32, Simd, f32x8, round_bits, u32x8, with_vectors};
+use crate::simd::{ROUND_F32, Simd, f32x8, mask32x8, round_bits, u32x8, with_vectors};
 use crate::stage::Operations;
 
 /// Eight vectors, coordinate by coordinate.
@@ -35,20 +35,20 @@ pub(crate) fn shade_eight<S: Simd>(
     colors: u32x8<S>,
     most: f32x8<S>,
 ) -> u32x8<S> {
-    let shares = light_eight(simd, lighting, normals, positions, |_| None);
+    let shares = light_eight(simd, lighting, normals, positions, |_, _| None);
     with_light(simd, shares, colors, most)
 }
 
 /// The light on eight points, whatever their colours: the share of its own colour that a point sends back, `ambient +
 /// diffuse Σ max(0, n·l)`, and the white that is added to it, 0 … 1. `arrives`: the share of the light of a lamp that
-/// no shadow takes away; `None`: all of it.
+/// no shadow takes away, at the points that it lights; `None`: all of it.
 #[inline(always)]
 pub(crate) fn light_eight<S: Simd>(
     simd: S,
     lighting: &Lighting,
     normals: Eight<S>,
     positions: Eight<S>,
-    arrives: impl Fn(usize) -> Option<f32x8<S>>,
+    arrives: impl Fn(usize, mask32x8<S>) -> Option<f32x8<S>>,
 ) -> [f32x8<S>; 2] {
     let zero = f32x8::splat(simd, 0.0);
     let mut n = unit(simd, normals);
@@ -66,7 +66,7 @@ pub(crate) fn light_eight<S: Simd>(
         let vector = splat(simd, light.vector);
         let to_light = if light.distant { vector } else { unit(simd, minus(vector, positions)) };
         let cosine = dot(n, to_light);
-        let arriving = arrives(k);
+        let arriving = arrives(k, cosine.simd_gt(zero));
         let part = |light: f32x8<S>| arriving.map_or(light, |share| light * share);
         diffuse += part(at_least_zero(simd, cosine));
         if lighting.specular > 0.0 {

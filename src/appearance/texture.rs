@@ -224,7 +224,13 @@ impl Level {
     #[inline]
     #[must_use]
     pub fn texel(&self, x: u32, y: u32) -> [u8; 4] {
-        let index = y as usize * self.width as usize + x as usize;
+        self.at(y as usize * self.width as usize + x as usize)
+    }
+
+    /// A texel by its number, row by row; clear behind the last.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, index: usize) -> [u8; 4] {
         self.rgba.as_chunks::<4>().0.get(index).copied().unwrap_or_default()
     }
 }

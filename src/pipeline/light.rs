@@ -240,7 +240,7 @@ impl<'a> ObjectLight<'a> {
             if points(first + k * LANES, lit.len(), &mut some) {
                 let normals = times(&self.normal_matrix, eight(simd, some.normals));
                 let positions = times(&self.position_matrix, eight(simd, some.offsets));
-                let shares = light_eight(simd, &self.lighting, normals, positions, |_| None);
+                let shares = light_eight(simd, &self.lighting, normals, positions, |_, _| None);
                 L::store(simd, shares, &some.colors, lit);
             } else {
                 lit.fill(L::UNLIT);

@@ -157,7 +157,7 @@ pub(super) fn of_faces(cost: &mut Cost, pass: &ObjectPass, faces: &Faces, lit: u
         let mean = if pass.object.in_world.is_some() { MEAN.and(BENT) } else { MEAN };
         cost.add(Stage::Shadow, point.times(3).and(mean), cuts);
         let plane = PLANE.and(if shadow.is_lamp() { PLANE_FROM_LAMP } else { SLOPES });
-        cost.add(Stage::Shadow, point.times(3).and(plane), faces.triangles.len() as u64);
+        cost.add(Stage::Shadow, plane, faces.triangles.len() as u64);
         // The light of this lamp alone; of what has its light from the world it is known.
         let alone = lights.only(shadow.light).lighting(pass.lights_both_sides(faces));
         let alone = light_operations(&alone).and(COLORS);
@@ -471,7 +471,7 @@ mod tests {
                     count(|| light(&lighting, normal.map(Counted), position.map(Counted)).map(|c| c.0));
                 let there = with_vectors!(simd => {
                     let [n, p] = [normal, position].map(|v| v.map(|c| f32x8::splat(simd, c)));
-                    light_eight(simd, &lighting, n, p, |_| None).map(|share| share[3])
+                    light_eight(simd, &lighting, n, p, |_, _| None).map(|share| share[3])
                 });
                 assert_eq!(shares, there);
                 assert_eq!(done, light_operations(&lighting).float, "{lighting:?}");
@@ -539,7 +539,7 @@ mod tests {
                 }
                 [(-n[0] / n[2]).0, (-n[1] / n[2]).0, 0.0]
             });
-            assert_eq!(DVec3::from_array(plane).as_vec3().to_array(), seen.plane(corners));
+            assert_eq!(DVec3::from_array(plane).as_vec3().to_array(), seen.plane(corners.map(|p| seen.place(p))));
             assert_eq!(done, if is_lamp { PLANE_FROM_LAMP } else { SLOPES }.float);
         }
     }

@@ -1,5 +1,7 @@
 //! Reuse of the memory of returned drawings: fresh memory costs more than writing to it.
 
+use glam::DVec3;
+
 use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, Drawing, SurfaceLight, TakenLight};
 
@@ -14,16 +16,19 @@ pub(super) struct Pool {
     triangles: Vec<Vec<[u32; 3]>>,
     colors: Vec<Vec<Rgba>>,
     shares: Vec<Vec<LightShare>>,
+    /// Places of vertices for a light, while its shadows are made.
+    pub(super) exact: Vec<DVec3>,
 }
 
 impl Pool {
     /// Keeps the arrays of one drawing, and forgets those of others.
     pub(super) fn keep(&mut self, drawing: Drawing) {
-        *self = Self::default();
+        *self = Self { exact: std::mem::take(&mut self.exact), ..Self::default() };
         for surface in drawing.surfaces.into_iter().rev() {
             match surface.base {
                 Base::Faces(colors) | Base::Vertices(colors) => self.colors.push(colors),
-                Base::Solid(_) | Base::Texture { .. } => {}
+                Base::Texture { uv, .. } => self.shares.push(uv),
+                Base::Solid(_) => {}
             }
             match surface.light {
                 SurfaceLight::PerPixel(light) => self.vectors.extend([light.positions, light.normals]),
@@ -50,7 +55,7 @@ impl Pool {
         refill(&mut faces.triangles, &mut self.triangles);
     }
 
-    /// An array of light with arbitrary content.
+    /// An array of light, or of texture coordinates, with arbitrary content.
     pub(super) fn shares(&mut self) -> Vec<LightShare> {
         self.shares.pop().unwrap_or_default()
     }

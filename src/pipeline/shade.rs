@@ -12,7 +12,7 @@ use super::transform::{Vertices, each_chunk};
 use super::visibility::Layer;
 use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, PixelLight, Shadow, Surface, SurfaceLight, TakenLight, single};
-use crate::scene::{FoundLight, Object, ObjectPaint};
+use crate::scene::{FoundLight, Object, ObjectPaint, Pictured};
 
 /// The base colour of light that is kept apart from the colours.
 pub(super) const WHITE: Rgba = Rgba::rgb(255, 255, 255);
@@ -63,21 +63,22 @@ impl Shaded<'_> {
         }
         let light = ObjectLight::new(self.lights, &self.object.mesh, self.vertices, self.both_sides);
         let (base, light) = match (self.lit, &self.object.paint) {
-            (LitAt::Nowhere, _) => self.own_base(faces),
+            (LitAt::Nowhere, _) => self.own_base(faces, pool),
             (LitAt::Faces, paint) if self.keeps_light_apart() => {
                 let base = match paint {
                     ObjectPaint::Vertices(_) => self.face_colors(faces),
-                    _ => self.own_base(faces).0,
+                    _ => self.own_base(faces, pool).0,
                 };
                 (base, SurfaceLight::Faces(self.face_shares(faces, &light, pool.shares())))
             }
-            (LitAt::Vertices, _) if self.keeps_light_apart() => {
-                (self.own_base(faces).0, SurfaceLight::Vertices(Self::vertex_shares(faces, &light, pool.shares())))
-            }
+            (LitAt::Vertices, _) if self.keeps_light_apart() => (
+                self.own_base(faces, pool).0,
+                SurfaceLight::Vertices(Self::vertex_shares(faces, &light, pool.shares())),
+            ),
             (LitAt::Faces, _) => (self.lit_faces(faces, &light, pool.colors()), SurfaceLight::InBase),
             (LitAt::Vertices, ObjectPaint::Faces(colors)) => return Some(self.unshared(faces, &light, colors)),
-            (LitAt::Vertices, _) => (self.lit_vertices(faces, &light, pool.colors()), SurfaceLight::InBase),
-            (LitAt::Pixels, _) => (self.own_base(faces).0, self.per_pixel(faces, &light, pool)),
+            (LitAt::Vertices, _) => (self.lit_vertices(faces, &light, pool), SurfaceLight::InBase),
+            (LitAt::Pixels, _) => (self.own_base(faces, pool).0, self.per_pixel(faces, &light, pool)),
         };
         let shadows = self.shadows.iter().filter_map(|shadow| self.shadow(shadow, faces, pool)).collect();
         self.bend(faces);
@@ -149,7 +150,7 @@ impl Shaded<'_> {
     }
 
     /// The object's colours as they are, with the light that has been found for them.
-    fn own_base(&self, faces: &Faces) -> (Base, SurfaceLight) {
+    fn own_base(&self, faces: &Faces, pool: &mut Pool) -> (Base, SurfaceLight) {
         let origins = || (0..self.vertex_count()).map(VertexOrigin::Vertex).chain(faces.cuts.iter().copied());
         let in_world = self.object.in_world.as_ref();
         let light =
@@ -159,6 +160,15 @@ impl Shaded<'_> {
         {
             // The light is kept apart from it as from a picture, so that it comes out the same.
             return (Base::Solid(color), light);
+        }
+        if let ObjectPaint::Texture(Pictured { image, sampler, uv: own, tint, .. }) = &self.object.paint
+            && faces.cuts.is_empty()
+        {
+            // Nothing is new: the coordinates go into memory that is there.
+            let mut uv = pool.shares();
+            uv.clone_from(own);
+            uv.resize(self.vertices.len(), [0.0; 2]);
+            return (Base::Texture { image: image.clone(), sampler: *sampler, uv, tint: *tint }, light);
         }
         (base_of(object_paint(self.object, origins(), &faces.source)), light)
     }
@@ -199,7 +209,10 @@ impl Shaded<'_> {
         let seen: SeenByLight = shadow.sees(world_from_object);
         let place = |i: u32| seen.place(positions[i as usize]);
         let mut places = pool.vectors.pop().unwrap_or_default();
-        self.at_vertices(&mut places, |i| place(i).as_vec3().to_array());
+        // Six faces share a vertex: its exact place, which their planes are made of, is found once.
+        let mut exact = std::mem::take(&mut pool.exact);
+        self.at_vertices(&mut exact, place);
+        self.at_vertices(&mut places, |i| exact[i as usize].as_vec3().to_array());
         let inverse_w = self.inverse_w();
         let of_cut = |cut: &VertexOrigin| {
             if inverse_w.is_empty() {
@@ -214,9 +227,10 @@ impl Shaded<'_> {
         planes.resize(faces.triangles.len(), [0.0; 3]);
         each_chunk(&mut planes, |planes, first| {
             for (plane, &source) in planes.iter_mut().zip(&faces.source[first..]) {
-                *plane = seen.plane(mesh.triangles[source as usize].map(|i| positions[i as usize]));
+                *plane = seen.plane(mesh.triangles[source as usize].map(|i| exact[i as usize]));
             }
         });
+        pool.exact = exact;
         let alone = || {
             let lights = self.lights.only(shadow.light);
             ObjectLight::new(&lights, mesh, self.vertices, self.both_sides)
@@ -243,12 +257,13 @@ impl Shaded<'_> {
     }
 
     /// Light at each vertex; cuts interpolate between their neighbours.
-    fn lit_vertices(&self, faces: &Faces, light: &ObjectLight, colors: Vec<Rgba>) -> Base {
+    fn lit_vertices(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool) -> Base {
+        let colors = pool.colors();
         let mut colors = match &self.object.paint {
             ObjectPaint::Solid(color) => light.vertices(colors, &faces.used, |_| *color),
             ObjectPaint::Vertices(own) => light.vertices(colors, &faces.used, |i| color_at(own, i)),
             // Faces go through `unshared`, and light on a picture is kept apart from it.
-            ObjectPaint::Faces(_) | ObjectPaint::Texture(_) => return self.own_base(faces).0,
+            ObjectPaint::Faces(_) | ObjectPaint::Texture(_) => return self.own_base(faces, pool).0,
         };
         for cut in &faces.cuts {
             colors.push(cut.of(|i| colors[i as usize]));
@@ -271,8 +286,8 @@ impl Shaded<'_> {
     }
 
     /// Fills an array, whatever was in it, with an attribute of every vertex of the mesh.
-    fn at_vertices(&self, values: &mut Vec<[f32; 3]>, attribute: impl Fn(u32) -> [f32; 3] + Sync + Send) {
-        values.resize(self.vertices.len(), [0.0; 3]);
+    fn at_vertices<T: Default + Clone + Send>(&self, values: &mut Vec<T>, attribute: impl Fn(u32) -> T + Sync + Send) {
+        values.resize(self.vertices.len(), T::default());
         each_chunk(values, |values, first| {
             for (value, i) in values.iter_mut().zip(u32::try_from(first).unwrap_or(u32::MAX)..) {
                 *value = attribute(i);

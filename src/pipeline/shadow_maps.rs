@@ -281,9 +281,8 @@ impl SeenByLight<'_> {
         DVec3::new((1.0 + p.x) * half, (1.0 - p.y) * half, projector.depths.depth(p.depth))
     }
 
-    /// The plane through three points of the object, as [`Rays`] has it; zero where there is none.
-    pub(super) fn plane(&self, corners: [DVec3; 3]) -> [f32; 3] {
-        let [a, b, c] = corners.map(|p| self.place(p));
+    /// The plane through three [places](Self::place), as [`Rays`] has it; zero where there is none.
+    pub(super) fn plane(&self, [a, b, c]: [DVec3; 3]) -> [f32; 3] {
         let normal = (b - a).cross(c - a);
         let plane = if self.light.projector.perspective {
             normal / normal.dot(a)

@@ -7,13 +7,12 @@
 //! | grade | its box | how it is filled |
 //! | --- | --- | --- |
 //! | one | a single pixel | dropped while triangles are sorted into bands, if it does not own the centre |
-//! | tiny | [`few`](Batch::few): 4 × 4 pixels, one sample each | all pixels of eight triangles at once, then set one by one |
+//! | tiny | [`few`](Batch::few): 4 × 4 pixels (8 × 8 where colours cost much), one sample each | all pixels of eight triangles at once, then set one by one |
 //! | small | [`small`](Batch::small): 32 × 128 pixels | by edge functions in 32 bits, tile by tile |
 //! | wide | any | between its borders in 64 bits, row by row |
 //!
 //! Tiny and small ones must also have an area, and be simple to colour
-//! ([`Colors::simple`](super::shade::Colors::simple)): no sliver, and not bent by perspective. Triangles coloured pixel
-//! by pixel (`per_pixel`) are always filled as wide.
+//! ([`Colors::simple`](super::shade::Colors::simple)): no sliver, and no colours of vertices that perspective bends.
 
 use std::ops::Range;
 
@@ -45,8 +44,6 @@ pub(super) struct Batch<K: Simd> {
     pub(super) small: mask32x8<K>,
     /// Those that may own one pixel only.
     pub(super) one: mask32x8<K>,
-    /// Those that may own pixels in four columns and four rows only.
-    pub(super) few: mask32x8<K>,
 }
 
 /// The indices of the vertices of up to eight triangles; [`NOWHERE`] for those that are not there.
@@ -162,8 +159,7 @@ impl<K: Simd> Batch<K> {
         let (width, height) = (high_x - low_x, high_y - low_y);
         let small = width.simd_lt(WIDEST) & height.simd_lt(HIGHEST);
         let one = small & (right - left).simd_eq(1) & (bottom - top).simd_eq(1);
-        let few = small & some & (right - left).simd_lt(5) & (bottom - top).simd_lt(5);
-        Self { simd, x: grid_x, y: grid_y, left, top, bottom, some, small, one, few, right }
+        Self { simd, x: grid_x, y: grid_y, left, top, bottom, some, small, one, right }
     }
 
     /// The rows of one that lie in a band; none where it owns no sample.
@@ -171,6 +167,13 @@ impl<K: Simd> Batch<K> {
     pub(super) fn rows(&self, lane: usize, band: &Range<i32>) -> Range<i32> {
         let end = if self.some[lane] != 0 { self.bottom[lane].min(band.end) } else { 0 };
         self.top[lane].max(band.start)..end
+    }
+
+    /// Those that may own pixels in so many columns and rows only.
+    #[inline(always)]
+    pub(super) fn few(&self, side: u32) -> mask32x8<K> {
+        let end = side.cast_signed() + 1;
+        self.small & self.some & (self.right - self.left).simd_lt(end) & (self.bottom - self.top).simd_lt(end)
     }
 
     /// One of them on its own.
@@ -312,6 +315,20 @@ impl<K: Simd> Planes<K> {
             low: self.low[lane],
             high: self.high[lane],
         }
+    }
+
+    /// One plane for all eight.
+    #[inline(always)]
+    pub(super) fn splat(simd: K, plane: AffineValue) -> Self {
+        let AffineValue { value, dx, dy, low, high } = plane;
+        let [value, dx, dy, low, high] = [value, dx, dy, low, high].map(|v| f32x8::splat(simd, v));
+        Self { value, dx, dy, low, high }
+    }
+
+    /// That of one for all eight.
+    #[inline(always)]
+    pub(super) fn all(&self, lane: usize) -> Self {
+        Self::splat(self.value.witness(), self.of(lane))
     }
 
     /// The greatest difference of the values.

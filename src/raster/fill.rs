@@ -13,37 +13,15 @@ use crate::drawing::{Base, Surface, SurfaceLight};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x4, f32x8, f64x4, i32x8, mask32x8, u32x4, u32x8};
 
-use super::batch::{BATCH, Batch, Corners, Planes, SetUp, corners, corners_at, gather_points};
-use super::counts::{Counts, Kind};
+use super::band::{Band, TileStart};
+use super::batch::{BATCH, Batch, Corners, corners, corners_at, gather_points};
+use super::counts::Kind;
 use super::depth::pack_slope;
+use super::few::{FEW, FEW_COSTLY, Few};
 use super::operations::Depths;
 use super::per_pixel::PerPixel;
-use super::pixel::{self, Pixel};
-use super::setup::{AffineValue, Borders, ROWS, Size, any, in_pixels, stored, stored_alone};
+use super::setup::{AffineValue, Borders, ROWS, any, in_pixels, stored};
 use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader};
-
-/// Some rows of a picture: colour and depth of each sample, in one plane for each place of a sample.
-pub(super) struct Band<'a> {
-    pub(super) size: Size,
-    pub(super) rows: Range<i32>,
-    /// Offsets of the samples from the centre, in steps: as many as `fill` expects.
-    pub(super) samples: &'a [[i32; 2]],
-    /// Values from one row to the next; beyond `width` there is room for eight more.
-    pub(super) pitch: u32,
-    /// Values from one plane to the next.
-    pub(super) plane: u32,
-    pub(super) colors: &'a mut [Pixel],
-    /// Empty where nothing writes depths: then no test can fail.
-    pub(super) depths: &'a mut [f32],
-    /// The slope of the face whose depth was written at the first sample (packed); empty where nobody wants to know.
-    pub(super) slopes: &'a mut [u32],
-    /// Each triangle is painted over those before it, whatever their depths.
-    pub(super) in_order: bool,
-    /// The greatest number of the format of the depths; 0: they are stored as they are.
-    pub(super) greatest: f32,
-    /// If anybody wants to know.
-    pub(super) counts: Option<&'a mut Counts>,
-}
 
 /// Fills some triangles of a surface, in the order of the list.
 #[inline(always)]
@@ -57,23 +35,20 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
         }
         match (&surface.base, &surface.light) {
             (Base::Solid(_) | Base::Faces(_), SurfaceLight::InBase) => {
-                eight::<K, S, FlatColors<K>>(simd, band, surface, triangles, &corners, &batch, &z);
+                eight::<K, S, { FEW.0 }, { FEW.1 }, FlatColors<K>>(
+                    simd, band, surface, triangles, &corners, &batch, &z,
+                );
             }
             (Base::Vertices(_), SurfaceLight::InBase) if !surface.translucent => {
-                eight::<K, S, GouraudColors<K>>(simd, band, surface, triangles, &corners, &batch, &z);
+                eight::<K, S, { FEW.0 }, { FEW.1 }, GouraudColors<K>>(
+                    simd, band, surface, triangles, &corners, &batch, &z,
+                );
             }
             (Base::Vertices(_) | Base::Texture { .. }, SurfaceLight::InBase)
             | (_, SurfaceLight::Faces(_) | SurfaceLight::Vertices(_) | SurfaceLight::PerPixel(_)) => {
-                for (l, &index) in triangles.iter().enumerate() {
-                    let corners = corners_at(&corners, l);
-                    if let Some(triangle) = batch.alone(l, &surface.positions, corners)
-                        && let Some(shader) = PerPixel::new(simd, surface, &triangle, index, corners)
-                    {
-                        let z = triangle.plane([z[0][l], z[1][l], z[2][l]]);
-                        let painter = Painter::<K, S, _>::new(simd, triangle.origin, z, band, surface, shader);
-                        painter.wide(band, batch.rows(l, &band.rows), &triangle.v);
-                    }
-                }
+                eight::<K, S, { FEW_COSTLY.0 }, { FEW_COSTLY.1 }, PerPixel<K>>(
+                    simd, band, surface, triangles, &corners, &batch, &z,
+                );
             }
         }
     }
@@ -86,7 +61,7 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
 
 /// Fills the eight triangles of a batch: the small ones are set up together.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
+fn eight<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
     surface: &'a Surface,
@@ -100,12 +75,12 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
     let colors = C::new(simd, surface, triangles, corners, &set_up, S > 1);
     let depths = set_up.planes(z);
     let small = batch.small & set_up.has_area & colors.simple();
-    let tiny = if S == 1 { batch.few & small } else { mask32x8::splat(simd, 0) };
-    let mut few = Few { owned: [0; BATCH], depths: [[0.0; BATCH]; MOST], colors: [[0; BATCH]; MOST] };
+    let tiny = if S == 1 { batch.few(SIDE) & small } else { mask32x8::splat(simd, 0) };
+    let mut few = Few::<SIDE, MOST>::new(surface.depth_test && !band.in_order && !band.depths.is_empty());
     // First the coverage of the tiny ones, for all eight at once; it is written below, one triangle after the other,
     // because of two that own the same pixel the first one in the list must come first.
     if tiny.any_true() {
-        few.find(tiny, batch, &set_up, band.rows.end, &depths, &colors);
+        few.find(tiny, batch, &set_up, band, &depths, &colors);
     }
     for l in 0..triangles.len() {
         let rows = batch.rows(l, &band.rows);
@@ -124,7 +99,7 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
                 let k = owned.trailing_zeros();
                 owned &= owned - 1;
                 if let (Some(there), Some(colors)) = (few.depths.get(k as usize), few.colors.get(k as usize)) {
-                    let pixel = start + (k / FEW) * band.pitch + k % FEW;
+                    let pixel = start + (k / SIDE) * band.pitch + k % SIDE;
                     band.set(surface, pixel, there[l], [depths.dx[l], depths.dy[l]], colors[l]);
                 }
             }
@@ -150,109 +125,6 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
                 painter.wide(band, rows, &triangle.v);
             }
         }
-    }
-}
-
-/// Largest number of columns and rows of triangles that are filled together.
-const FEW: u32 = 4;
-/// The pixels of their boxes.
-const MOST: usize = 16;
-
-/// The pixels of tiny triangles, in rows of [`FEW`] from the first of the box on.
-struct Few {
-    /// A bit for each pixel that the triangle owns.
-    owned: [u32; BATCH],
-    depths: [[f32; BATCH]; MOST],
-    colors: [[Pixel; BATCH]; MOST],
-}
-
-impl Few {
-    /// Goes through the boxes of the eight triangles of a batch together. `tiny`: those that are meant; `end`: the end
-    /// of the band.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn find<'a, K: Simd>(
-        &mut self,
-        tiny: mask32x8<K>,
-        batch: &Batch<K>,
-        set_up: &SetUp<K>,
-        end: i32,
-        depths: &Planes<K>,
-        colors: &impl Colors<'a, K>,
-    ) {
-        let zero = u32x8::splat(tiny.witness(), 0);
-        let (rows, columns) = (batch.bottom.min(end) - set_up.top, batch.right - batch.left);
-        let [x, y] = set_up.first();
-        // Lane l is triangle l, and all go through the pixels of their own boxes in step: pixel (i, j) of eight boxes
-        // at a time.
-        let mut owned = zero;
-        let mut row_edges = set_up.edges;
-        for j in 0..FEW {
-            let row = tiny & rows.simd_gt(j as i32);
-            if !row.any_true() {
-                break;
-            }
-            let mut edges = row_edges;
-            for i in 0..FEW {
-                let mut own = row & columns.simd_gt(i as i32);
-                if !own.any_true() {
-                    break;
-                }
-                // Inside of all three edges no sign bit is set.
-                own &= (edges[0] | edges[1] | edges[2]).simd_gt(-1);
-                if own.any_true() {
-                    let k = (FEW * j + i) as usize;
-                    owned |= own.select(zero + (1 << k), zero);
-                    let (x, y) = (x + i as f32, y + j as f32);
-                    depths.hold(depths.at(x, y)).store_slice(&mut self.depths[k]);
-                    colors.at(x, y).store_slice(&mut self.colors[k]);
-                }
-                for (edge, a) in edges.iter_mut().zip(set_up.a) {
-                    *edge += a << 8;
-                }
-            }
-            for (edge, b) in row_edges.iter_mut().zip(set_up.b) {
-                *edge += b << 8;
-            }
-        }
-        owned.store_slice(&mut self.owned);
-    }
-}
-
-impl Band<'_> {
-    /// The position of a pixel's values.
-    #[inline(always)]
-    fn place(&self, row: i32, column: i32) -> TileStart {
-        TileStart { start: (row - self.rows.start) as u32 * self.pitch + column as u32, pitch: self.pitch }
-    }
-
-    /// Sets a pixel.
-    #[inline(always)]
-    fn set(&mut self, surface: &Surface, pixel: u32, depth: f32, [dx, dy]: [f32; 2], color: Pixel) {
-        let start = pixel as usize;
-        let Some(pixel) = self.colors.get_mut(start) else { return };
-        if let Some(counts) = &mut self.counts {
-            counts.here.covered += 1;
-            counts.here.colored += 1;
-        }
-        if surface.depth_test
-            && let Some(old) = self.depths.get_mut(start)
-        {
-            let depth = stored_alone(depth, self.greatest);
-            // Not `<=`: a depth that is not a number is behind everything, as it does in `Painter`.
-            if !(depth > *old || self.in_order) {
-                return;
-            }
-            if !surface.translucent {
-                *old = depth;
-                if let Some(slope) = self.slopes.get_mut(start) {
-                    *slope = pack_slope(dx, dy);
-                }
-            }
-        }
-        if let Some(counts) = &mut self.counts {
-            counts.here.written += 1;
-        }
-        *pixel = if surface.translucent { pixel::over(color, *pixel) } else { color };
     }
 }
 
@@ -291,61 +163,6 @@ impl<K: Simd, const SQUARE: bool> Tile<K, SQUARE> {
     #[inline(always)]
     fn y(&self, j: i32, origin: [f32; 2]) -> f32x8<K> {
         self.rows.to_float::<f32x8<K>>() + ((j as f32 + 0.5) - origin[1])
-    }
-}
-
-/// The start of a tile in the arrays of a band, and the distance from there to the next row.
-#[derive(Clone, Copy)]
-struct TileStart {
-    // 32 bits: then the compiler knows that a sum in 64 does not overflow.
-    start: u32,
-    pitch: u32,
-}
-
-impl TileStart {
-    /// The same pixels in the plane of another sample.
-    #[inline(always)]
-    fn plane(self, start: u32) -> Self {
-        Self { start: self.start.wrapping_add(start), ..self }
-    }
-
-    /// The values of a tile. `None` outside of the array.
-    #[inline(always)]
-    fn load<K: Simd, T: SimdBase<K> + SimdCombine<K>, const SQUARE: bool>(
-        self,
-        simd: K,
-        values: &[T::Element],
-    ) -> Option<T::Combined>
-    where
-        T::Combined: SimdBase<K, Element = T::Element>,
-    {
-        let (start, pitch) = (self.start as usize, self.pitch as usize);
-        Some(if SQUARE {
-            let (first, last) = (values.get(start..start + 4)?, values.get(start + pitch..start + pitch + 4)?);
-            T::from_slice(simd, first).combine(T::from_slice(simd, last))
-        } else {
-            T::Combined::from_slice(simd, values.get(start..start + LANES)?)
-        })
-    }
-
-    /// Writes the values of a tile.
-    #[inline(always)]
-    fn store<K: Simd, T: SimdSplit<K> + SimdBase<K>, const SQUARE: bool>(self, tile: T, values: &mut [T::Element])
-    where
-        T::Split: SimdBase<K, Element = T::Element>,
-    {
-        let (start, pitch) = (self.start as usize, self.pitch as usize);
-        if SQUARE {
-            let (first, last) = tile.split();
-            if let Some(values) = values.get_mut(start..start + 4) {
-                first.store_slice(values);
-            }
-            if let Some(values) = values.get_mut(start + pitch..start + pitch + 4) {
-                last.store_slice(values);
-            }
-        } else if let Some(values) = values.get_mut(start..start + LANES) {
-            tile.store_slice(values);
-        }
     }
 }
 
@@ -446,6 +263,9 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
                 *edge += function[0] * WIDTH;
             }
             i += WIDTH;
+        }
+        if let Some(counts) = &mut band.counts {
+            counts.here.two_levels += self.shader.two_levels();
         }
     }
 

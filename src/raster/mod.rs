@@ -7,11 +7,13 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `band` | some rows of a picture while they are painted, and the places of pixels and tiles in them |
 //! | `batch` | eight triangles at a time: their boxes, and their setup for filling |
 //! | `bins` | the triangles that touch each band of rows, in the order of drawing |
 //! | `counts` | counts of processed samples, and of the operations on them |
 //! | `coverage` | coverage of pixels by strokes, and the order of strokes in depth |
 //! | `depth` | the depth of the visible surface at each pixel |
+//! | `few` | the pixels of tiny triangles: found for eight triangles at once |
 //! | `fill` | a band of rows: its triangles → its samples |
 //! | `label` | filled areas, point marks and texts on the picture |
 //! | `line` | strokes: the visible parts of a polyline, its dashes, its arrow head |
@@ -24,11 +26,13 @@
 //! | `texel` | pictures on triangles: the colour of a texture at a pixel |
 //! | `surfaces` | all surfaces of a picture: bands of rows, each painted on its own, by as many threads as there are |
 
+mod band;
 mod batch;
 mod bins;
 mod counts;
 mod coverage;
 mod depth;
+mod few;
 mod fill;
 mod label;
 mod line;

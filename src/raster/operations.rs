@@ -104,34 +104,42 @@ const COMPONENT: Operations = Operations::new(5, 0, 0);
 const BYTES: Operations = Operations::new(4 * 3, 6, 0);
 
 /// `bilinear`: on two axes the coordinate is folded (2), scaled (1), moved by half a texel (1), split in a whole number
-/// and a rest (2), and held to the picture (2); between four texels of four channels, three times a difference, a
-/// product and a sum.
-const BILINEAR: Operations = Operations::new(2 * 8 + 4 * 9, 0, 4);
+/// and a rest (2), and the two texels are held to the picture (a sum, 4 comparisons); of four texels the place in the
+/// picture (a product, a sum) and four channels (3 shifts, 4 masks); between them, for each channel three times a
+/// difference, a product and a sum.
+const BILINEAR: Operations = Operations::new(2 * 6 + 4 * 9, 2 * 5 + 4 * (2 + 7), 4);
 
-/// `nearest`: on two axes the coordinate is folded (2), scaled (1), and held to the picture (2).
-const NEAREST: Operations = Operations::new(2 * 5, 0, 1);
+/// `nearest`: on two axes the coordinate is folded (2), scaled (1), and held to the picture (2); the place in the
+/// picture (a product, a sum) and four channels (3 shifts, 4 masks).
+const NEAREST: Operations = Operations::new(2 * 3, 2 * 2 + 2 + 7, 1);
 
-/// The second of two levels, and the mean of both: for each of four channels a difference, a product, a sum.
+/// The second of two levels, and the mean of both: the share, and for each of four channels a difference, a product, a
+/// sum.
 const SECOND_LEVEL: Operations = BILINEAR.and(Operations::new(1 + 4 * 3, 0, 0));
 
-/// The level of detail: four changes (a product, a difference, a product, a square), 2 sums and a comparison; 2 widths
-/// (a sum, a root); half of a logarithm to base 2 (6).
-const DETAIL: Operations = Operations::new(4 * 4 + 3 + 2 * 2 + 7, 0, 0);
+/// The level of detail: four squares of changes (3 products, a difference, a square), 2 sums and a comparison; half of
+/// a logarithm to base 2 (a shift, 2 masks; 2 differences, a sum, a division, a product, and the half).
+const DETAIL: Operations = Operations::new(4 * 5 + 3 + 6, 3, 0);
 
-/// The interpolated w, a division; the tint: for each of four channels a product, and the half that rounds.
-const TINT: Operations = Operations::new(1 + 4 * 2, 0, 0);
+/// The interpolated w, a division; the tint, a product for each of four channels.
+const TINT: Operations = Operations::new(1 + 4, 0, 0);
 
-/// `TriangleShadow` of parallel light: what is allowed (2 products, 3 sums), the borders of the soft edge (4 sums), the
-/// mean (a product, a division, 2 comparisons).
-const SHADOW: Operations = Operations::new(5 + 4 + 4, 0, 0);
+/// `filtered` on the map of parallel light: what is allowed (3 products, 3 sums), 2 tests that the place is a number,
+/// the first texel (2 differences, rounded down), the mean (a product, 2 comparisons).
+const SHADOW: Operations = Operations::new(6 + 2 + 4 + 3, 0, 0);
 
-/// The same of a lamp: the views (six products of three components, 6 comparisons), the place in the one that was found
-/// (2 such products, 3 products, 3 sums, 2 divisions), the slopes (2 such products and 3 products), the step.
-const SHADOW_OF_LAMP: Operations = SHADOW.and(Operations::new(6 * 6 + 2 * 5 + 8 + 2 * 5 + 3 + 4, 0, 0));
+/// The same of a lamp: of six views five products of three components, and a comparison; a test that it lies ahead, the
+/// place in the view that was found (2 divisions, 3 products, 3 sums), the slopes and the step (3 products).
+const SHADOW_OF_LAMP: Operations = SHADOW.and(Operations::new(6 * (5 * 5 + 1) + 1 + 8 + 3, 0, 0));
 
-/// A texel under the soft edge: its distance from the place (4 sums), the plane there (3 products, 2 sums), a
-/// comparison; its share (2 comparisons, a difference, a product, a sum); its place in the map.
-const SHADOW_TEXEL: Operations = Operations::new(4 + 5 + 1 + 5, 2, 1);
+/// A row or a column of texels under the soft edge: the next one (a sum), its part under the edge (3 sums, a
+/// difference, 3 comparisons), and the plane in its middle (a sum, a difference, a product); a test that the map has
+/// it.
+const SHADOW_ROW: Operations = Operations::new(1 + 7 + 3, 2, 0);
+
+/// A texel under the soft edge: its place in the map (a product, a sum); the plane there (2 sums, a product), a
+/// comparison, its share (a product, a sum).
+const SHADOW_TEXEL: Operations = Operations::new(3 + 1 + 2, 2, 1);
 
 /// The loss of the two shares of light in a shadow: a product and a difference each.
 const TAKEN: Operations = Operations::new(1 + 2 * 2, 0, 0);
@@ -161,8 +169,7 @@ pub(super) fn of_surface(cost: &mut Cost, surface: &Surface, depths: Depths, tal
             || matches!(surface.base, Base::Vertices(_)) && !surface.translucent);
 
     cost.add(Stage::Fill, BOX, triangles);
-    let together = if in_batches { triangles } else { 0 };
-    cost.add(Stage::Fill, SET_UP, together);
+    cost.add(Stage::Fill, SET_UP, triangles);
     cost.add(Stage::Fill, ALONE, alone);
     cost.add(Stage::Fill, EDGE_TEST, edge_tests);
     cost.add(Stage::Fill, ROW, rows);
@@ -170,7 +177,7 @@ pub(super) fn of_surface(cost: &mut Cost, surface: &Surface, depths: Depths, tal
     cost.add(Stage::Fill, STORE, written);
 
     let hidden = Stage::HiddenSurfaces;
-    cost.add(hidden, PLANE, together + alone);
+    cost.add(hidden, PLANE, triangles + alone);
     cost.add(hidden, DEPTH, covered);
     cost.add(hidden, DEPTH_STEP, if depths.stepped { covered } else { 0 });
     cost.add(hidden, DEPTH_FORMAT, if depths.stored { covered } else { 0 });
@@ -181,20 +188,20 @@ pub(super) fn of_surface(cost: &mut Cost, surface: &Surface, depths: Depths, tal
     if in_batches {
         if matches!(surface.base, Base::Vertices(_)) {
             // Red, green and blue; with 1/w where the triangle goes alone.
-            cost.add(between, PLANE.times(3), together);
+            cost.add(between, PLANE.times(3), triangles);
             cost.add(between, PLANE.times(4), alone);
             cost.add(between, AFFINE_COLOR, tally.colored);
             cost.add(between, DIVIDED_COLOR, tally.divided);
         }
     } else {
         // The share of each vertex.
-        cost.add(between, PLANE.times(3), alone);
+        cost.add(between, PLANE.times(3), triangles + alone);
         cost.add(between, SHARES, pixels);
         match &surface.base {
             Base::Solid(_) | Base::Faces(_) => {}
             Base::Vertices(_) => cost.add(between, COMPONENT.times(4).and(BYTES), pixels),
             Base::Texture { image, sampler, .. } => {
-                cost.add(between, COMPONENT.times(2), pixels);
+                cost.add(between, COMPONENT.times(2).and(BYTES), pixels);
                 cost.add(Stage::Texture, texture(*sampler, image.levels().len()), pixels);
                 cost.add(Stage::Texture, SECOND_LEVEL, tally.two_levels);
             }
@@ -232,7 +239,8 @@ fn shadow(map: &ShadowMap) -> Operations {
     };
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "8 at most")]
     let side = if map.softness > 0.0 { map.softness.ceil() as u64 + 1 } else { 1 };
-    once.and(SHADOW_TEXEL.times(side * side))
+    // The columns are gone through once in each row.
+    once.and(SHADOW_ROW.times(side + side * side)).and(SHADOW_TEXEL.times(side * side))
 }
 
 /// The operations of a texture at a pixel that lies in one level.

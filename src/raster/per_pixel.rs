@@ -1,118 +1,299 @@
 //! Light, textures and translucent colours between vertices: computed at each pixel, eight at a time.
 //!
 //! Attributes are interpolated with regard to perspective: a / w and 1 / w are affine on the picture, so the share of
-//! each vertex in a pixel is found first, and every attribute is the sum of the three values with these shares.
+//! each vertex in a pixel is found first, and every attribute is the sum of the three values with these shares. Each of
+//! the eight pixels has attributes of its own: of eight tiny triangles one pixel each, or eight of one triangle, whose
+//! attributes are then the same in all lanes.
 
-use crate::appearance::{LightShare, Rgba, TextureReveal};
+use crate::appearance::{LightShare, TextureReveal};
 use crate::drawing::{Base, Lighting, Shadow, Surface, SurfaceLight, TakenLight};
 use crate::lighting::{light_eight, packed, with_light};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, mask32x8, u32x8};
+use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
-use super::pixel::{channels, premultiply};
-use super::setup::{AffineValue, Triangle, pick};
-use super::shade::{Shader, inverse_w};
-use super::shadow::TriangleShadow;
-use super::texel::TexturedTriangle;
+use super::batch::{BATCH, Corners, Planes, SetUp, gather, gather_points};
+use super::pixel::premultiply;
+use super::setup::Triangle;
+use super::shade::{Colors, STEEPEST, Shader, gather_colors};
+use super::shadow::arriving;
+use super::texel::{Textured, all, channel};
 
-/// Premultiplied colours as floating-point channels.
-type Channels = [f32; 4];
+/// An attribute of the vertices of eight triangles, component by component.
+type Attribute<K, const N: usize> = [[f32x8<K>; 3]; N];
 
-/// The shader of a triangle that is coloured pixel by pixel.
+/// The shader of pixels that are coloured one by one: a triangle in each lane.
+#[derive(Clone)]
 pub(super) struct PerPixel<'a, K: Simd> {
-    weights: Weights,
+    surface: &'a Surface,
+    triangles: [u32; BATCH],
+    corners: Corners,
+    /// The share of each vertex, without regard to perspective.
+    planes: [Planes<K>; 3],
+    inverse_w: [f32x8<K>; 3],
+    base: BaseColors<'a, K>,
+    light: Light<'a, K>,
+    /// The first of the shadows; those after it are read anew at each pixel.
+    shadow: Option<ShadowOn<K>>,
+    /// Those that go together.
+    simple: mask32x8<K>,
     x: f32x8<K>,
     y: f32x8<K>,
-    base: TriangleBase<'a>,
-    light: TriangleLight<'a>,
-    shadows: &'a [Shadow],
-    index: usize,
-    corners: [usize; 3],
-    translucent: bool,
 }
 
-/// The base colours of a triangle; attributes of its vertices are in the order of the corners.
-enum TriangleBase<'a> {
-    /// Not premultiplied.
-    One(Rgba),
+/// The base colours of eight triangles.
+#[derive(Clone)]
+enum BaseColors<'a, K: Simd> {
+    /// One for each, [`packed`], not premultiplied.
+    One(u32x8<K>),
     /// Premultiplied.
-    Vertices([Channels; 3]),
-    Texture(TexturedTriangle<'a>),
+    Vertices(Attribute<K, 4>),
+    Texture(Textured<'a, K>),
 }
 
-/// The light on a triangle.
-enum TriangleLight<'a> {
-    /// In its colours.
+/// The light on eight triangles.
+#[derive(Clone)]
+enum Light<'a, K: Simd> {
+    /// In their colours.
     InBase,
-    /// Found at its vertices.
-    Vertices([LightShare; 3]),
+    /// Found at their vertices.
+    Vertices(Attribute<K, 2>),
     /// To be found at each pixel, from what is interpolated between the vertices.
-    Pixels { normals: [[f32; 3]; 3], positions: [[f32; 3]; 3], lighting: &'a Lighting },
+    Pixels { normals: Attribute<K, 3>, positions: Attribute<K, 3>, lighting: &'a Lighting },
+}
+
+/// The shadow of one light on eight triangles.
+#[derive(Clone, Copy)]
+struct ShadowOn<K: Simd> {
+    places: Attribute<K, 3>,
+    planes: [f32x8<K>; 3],
+    /// The light at the vertices that is missing in the shadow; none where light is found at pixels.
+    taken: Option<Attribute<K, 2>>,
+}
+
+// All that light, textures and shadows need is long, and would be there once more for each way of filling: these are
+// functions of their own, each for all of them.
+impl<'a, K: Simd> PerPixel<'a, K> {
+    #[inline(never)]
+    fn apart(
+        simd: K,
+        surface: &'a Surface,
+        planes: [Planes<K>; 3],
+        list: &[u32],
+        corners: Corners,
+        simple: mask32x8<K>,
+    ) -> Self {
+        simd.vectorize(
+            #[inline(always)]
+            || Self::build(simd, surface, planes, list, corners, simple),
+        )
+    }
+
+    /// The triangle of one lane in each.
+    #[inline(never)]
+    fn one(&self, lane: usize) -> Self {
+        self.x.witness().vectorize(
+            #[inline(always)]
+            || self.only(lane),
+        )
+    }
+
+    /// The colours at points relative to the origins of the triangles.
+    #[inline(never)]
+    fn colors_at(&self, wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K> {
+        wanted.witness().vectorize(
+            #[inline(always)]
+            || self.at(wanted, x, y),
+        )
+    }
 }
 
 impl<'a, K: Simd> PerPixel<'a, K> {
-    /// `None` where the surface's arrays have nothing for this triangle.
-    pub(super) fn new(
+    #[inline(always)]
+    fn build(
         simd: K,
         surface: &'a Surface,
-        triangle: &Triangle,
-        index: u32,
-        corners: [usize; 3],
-    ) -> Option<Self> {
+        planes: [Planes<K>; 3],
+        list: &[u32],
+        corners: Corners,
+        simple: mask32x8<K>,
+    ) -> Self {
+        let mut triangles = [u32::MAX; BATCH];
+        for (triangle, &listed) in triangles.iter_mut().zip(list) {
+            *triangle = listed;
+        }
         let affine =
             matches!(&surface.base, Base::Texture { sampler, .. } if sampler.reveal == Some(TextureReveal::Affine));
-        let inverse_w = if affine { [1.0; 3] } else { inverse_w(surface, corners)? };
-        let weights = Weights::new(triangle, inverse_w);
-        let base = TriangleBase::new(surface, index, corners, &weights)?;
+        let alike = affine || surface.inverse_w.is_empty();
+        let inverse_w = if alike { [f32x8::splat(simd, 1.0); 3] } else { gather(simd, &surface.inverse_w, &corners) };
+        let base = match &surface.base {
+            Base::Solid(_) | Base::Faces(_) => {
+                let color = |triangle: u32| surface.face_color(triangle as usize).map_or(0, packed);
+                BaseColors::One(u32x8::from_slice(simd, &triangles.map(color)))
+            }
+            Base::Vertices(colors) => {
+                let (colors, _) = gather_colors(simd, colors, &corners, |c| premultiply(*c));
+                let mut channels = [[f32x8::splat(simd, 0.0); 3]; 4];
+                for k in 0..3 {
+                    for (channels, shift) in channels.iter_mut().zip([0, 8, 16, 24]) {
+                        channels[k] = channel(colors[k] >> shift);
+                    }
+                }
+                BaseColors::Vertices(channels)
+            }
+            Base::Texture { image, sampler, uv, tint } => {
+                let mut change = [inverse_w; 2];
+                for (k, plane) in planes.iter().enumerate() {
+                    (change[0][k], change[1][k]) = (change[0][k] * plane.dx, change[1][k] * plane.dy);
+                }
+                let uv = gather_pairs(simd, uv, &corners);
+                BaseColors::Texture(Textured::new(image, *sampler, *tint, uv, change))
+            }
+        };
         let light = match &surface.light {
-            SurfaceLight::InBase => TriangleLight::InBase,
-            SurfaceLight::Faces(shares) => TriangleLight::Vertices([*shares.get(index as usize)?; 3]),
-            SurfaceLight::Vertices(shares) => TriangleLight::Vertices(pick(shares, corners)?),
-            SurfaceLight::PerPixel(light) => TriangleLight::Pixels {
-                normals: pick(&light.normals, corners)?,
-                positions: pick(&light.positions, corners)?,
+            SurfaceLight::InBase => Light::InBase,
+            SurfaceLight::Faces(shares) => Light::Vertices(of_faces(simd, shares, &triangles)),
+            SurfaceLight::Vertices(shares) => Light::Vertices(gather_pairs(simd, shares, &corners)),
+            SurfaceLight::PerPixel(light) => Light::Pixels {
+                normals: gather_points(simd, &light.normals, &corners),
+                positions: gather_points(simd, &light.positions, &corners),
                 lighting: &light.lighting,
             },
         };
+        let mut shadow = None;
+        if let Some(first) = surface.shadows.first() {
+            shadow = Some(ShadowOn::new(simd, first, &triangles, &corners));
+        }
         let zero = f32x8::splat(simd, 0.0);
-        Some(Self {
-            weights,
-            x: zero,
-            y: zero,
-            base,
-            light,
-            shadows: &surface.shadows,
-            index: index as usize,
-            corners,
-            translucent: surface.translucent,
-        })
+        Self { surface, triangles, corners, planes, inverse_w, base, light, shadow, simple, x: zero, y: zero }
     }
 
-    /// The share of a light that arrives at pixels, with these shares of the vertices in them; `None` where nothing is
-    /// known of its shadows.
     #[inline(always)]
-    fn arriving(&self, shadow: &Shadow, wanted: mask32x8<K>, w: [f32x8<K>; 3]) -> Option<f32x8<K>> {
-        let places = pick(&shadow.places, self.corners)?;
-        Some(TriangleShadow::new(shadow, self.index)?.arriving(wanted, mix(w, &places)))
+    fn only(&self, lane: usize) -> Self {
+        let base = match &self.base {
+            BaseColors::One(colors) => BaseColors::One(u32x8::splat(colors.witness(), colors[lane])),
+            BaseColors::Vertices(channels) => BaseColors::Vertices(all_of(channels, lane)),
+            BaseColors::Texture(textured) => BaseColors::Texture(textured.of(lane)),
+        };
+        let light = match &self.light {
+            Light::InBase => Light::InBase,
+            Light::Vertices(shares) => Light::Vertices(all_of(shares, lane)),
+            Light::Pixels { normals, positions, lighting } => {
+                Light::Pixels { normals: all_of(normals, lane), positions: all_of(positions, lane), lighting }
+            }
+        };
+        let shadow = match &self.shadow {
+            Some(on) => Some(ShadowOn {
+                places: all_of(&on.places, lane),
+                planes: all(&on.planes, lane),
+                taken: match &on.taken {
+                    Some(taken) => Some(all_of(taken, lane)),
+                    None => None,
+                },
+            }),
+            None => None,
+        };
+        let planes = &self.planes;
+        Self {
+            surface: self.surface,
+            triangles: [self.triangles[lane]; BATCH],
+            corners: self.corners.map(|corner| [corner[lane]; BATCH]),
+            planes: [planes[0].all(lane), planes[1].all(lane), planes[2].all(lane)],
+            inverse_w: all(&self.inverse_w, lane),
+            base,
+            light,
+            shadow,
+            simple: self.simple,
+            x: self.x,
+            y: self.y,
+        }
+    }
+
+    /// The share of each vertex at these points, and the sum by which they were divided.
+    #[inline(always)]
+    fn shares(&self, x: f32x8<K>, y: f32x8<K>) -> ([f32x8<K>; 3], f32x8<K>) {
+        let mut b = self.inverse_w;
+        for (b, plane) in b.iter_mut().zip(&self.planes) {
+            *b *= plane.hold(plane.at(x, y));
+        }
+        let sum = b[0] + b[1] + b[2];
+        ([b[0] / sum, b[1] / sum, b[2] / sum], sum)
+    }
+
+    /// One of the shadows, as these triangles take it.
+    #[inline(always)]
+    fn on(&self, simd: K, number: usize, shadow: &Shadow) -> ShadowOn<K> {
+        match self.shadow {
+            Some(first) if number == 0 => first,
+            _ => ShadowOn::new(simd, shadow, &self.triangles, &self.corners),
+        }
     }
 
     /// Baked light where shadows fall: the rest of it.
     #[inline(always)]
     fn shadowed(&self, mut left: [f32x8<K>; 2], wanted: mask32x8<K>, w: [f32x8<K>; 3]) -> [f32x8<K>; 2] {
-        for shadow in self.shadows {
-            let taken = match &shadow.taken {
-                TakenLight::Faces(shares) => shares.get(self.index).map(|share| [*share; 3]),
-                TakenLight::Vertices(shares) => pick(shares, self.corners),
-                TakenLight::Light(_) => None,
-            };
-            if let Some(taken) = taken
-                && let Some(arriving) = self.arriving(shadow, wanted, w)
-            {
-                let (taken, missing) = (mix(w, &taken), 1.0 - arriving);
+        let simd = wanted.witness();
+        for (number, shadow) in self.surface.shadows.iter().enumerate() {
+            let on = self.on(simd, number, shadow);
+            let Some(taken) = on.taken else { continue };
+            let taken = mix(w, &taken);
+            // Where the lamp gives no light there is no shadow to look for.
+            let lit = wanted & (taken[0].simd_gt(0.0) | taken[1].simd_gt(0.0));
+            if let Some(arriving) = arriving(shadow, lit, mix(w, &on.places), on.planes) {
+                let missing = f32x8::splat(simd, 1.0) - arriving;
                 left = [left[0] - taken[0] * missing, left[1] - taken[1] * missing];
             }
         }
         left
+    }
+
+    /// The share of one light that no shadow takes away; `None`: all of it.
+    #[inline(always)]
+    fn arriving_of(&self, light: usize, wanted: mask32x8<K>, w: [f32x8<K>; 3]) -> Option<f32x8<K>> {
+        for (number, shadow) in self.surface.shadows.iter().enumerate() {
+            if shadow.taken == TakenLight::Light(light) {
+                let on = self.on(wanted.witness(), number, shadow);
+                return arriving(shadow, wanted, mix(w, &on.places), on.planes);
+            }
+        }
+        None
+    }
+
+    #[inline(always)]
+    fn at(&self, wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K> {
+        let simd = wanted.witness();
+        let (w, sum) = self.shares(x, y);
+        let own = match &self.base {
+            BaseColors::One(colors) => *colors,
+            BaseColors::Vertices(colors) => bytes(mix(w, colors)),
+            BaseColors::Texture(textured) => {
+                bytes(textured.colors(wanted, mix(w, &textured.uv), f32x8::splat(simd, 1.0) / sum))
+            }
+        };
+        let most = match &self.base {
+            BaseColors::One(_) => f32x8::splat(simd, 255.0),
+            BaseColors::Vertices(_) | BaseColors::Texture(_) => channel(own >> 24),
+        };
+        let lit = match &self.light {
+            Light::InBase => own,
+            Light::Vertices(shares) => with_light(simd, self.shadowed(mix(w, shares), wanted, w), own, most),
+            Light::Pixels { normals, positions, lighting } => {
+                let shares = light_eight(
+                    simd,
+                    lighting,
+                    mix(w, normals),
+                    mix(w, positions),
+                    #[inline(always)]
+                    |light, lit| self.arriving_of(light, wanted & lit, w),
+                );
+                with_light(simd, shares, own, most)
+            }
+        };
+        match &self.base {
+            // The alpha of opaque surfaces does not count.
+            _ if !self.surface.translucent => lit | 0xff00_0000,
+            BaseColors::One(_) => premultiply_eight(lit),
+            BaseColors::Vertices(_) | BaseColors::Texture(_) => lit,
+        }
     }
 }
 
@@ -129,35 +310,7 @@ impl<K: Simd> Shader<K> for PerPixel<'_, K> {
 
     #[inline(always)]
     fn colors(&self, wanted: mask32x8<K>) -> u32x8<K> {
-        let simd = wanted.witness();
-        let (w, sum) = self.weights.at(self.x, self.y);
-        let own = match &self.base {
-            TriangleBase::One(color) => u32x8::splat(simd, packed(*color)),
-            TriangleBase::Vertices(colors) => bytes(mix(w, colors)),
-            TriangleBase::Texture(texture) => texture.colors(wanted, mix(w, &texture.uv), 1.0 / sum),
-        };
-        let most = || match &self.base {
-            TriangleBase::One(_) => f32x8::splat(simd, 255.0),
-            TriangleBase::Vertices(_) | TriangleBase::Texture(_) => (own >> 24).to_float(),
-        };
-        let lit = match &self.light {
-            TriangleLight::InBase => own,
-            TriangleLight::Vertices(shares) => with_light(simd, self.shadowed(mix(w, shares), wanted, w), own, most()),
-            TriangleLight::Pixels { normals, positions, lighting } => {
-                let arrives = |light: usize| {
-                    let of_light = |shadow: &&Shadow| shadow.taken == TakenLight::Light(light);
-                    self.shadows.iter().find(of_light).and_then(|shadow| self.arriving(shadow, wanted, w))
-                };
-                let shares = light_eight(simd, lighting, mix(w, normals), mix(w, positions), arrives);
-                with_light(simd, shares, own, most())
-            }
-        };
-        match &self.base {
-            // The alpha of opaque surfaces does not count.
-            _ if !self.translucent => lit | 0xff00_0000,
-            TriangleBase::One(color) => premultiply_eight(lit, color.a),
-            TriangleBase::Vertices(_) | TriangleBase::Texture(_) => lit,
-        }
+        self.colors_at(wanted, self.x, self.y)
     }
 
     #[inline(always)]
@@ -168,82 +321,182 @@ impl<K: Simd> Shader<K> for PerPixel<'_, K> {
     #[inline(always)]
     fn two_levels(&self) -> u64 {
         match &self.base {
-            TriangleBase::Texture(texture) => texture.two_levels.get(),
-            TriangleBase::One(_) | TriangleBase::Vertices(_) => 0,
+            BaseColors::Texture(textured) => textured.two_levels.get(),
+            BaseColors::One(_) | BaseColors::Vertices(_) => 0,
         }
     }
 }
 
-impl<'a> TriangleBase<'a> {
-    fn new(surface: &'a Surface, index: u32, corners: [usize; 3], weights: &Weights) -> Option<Self> {
-        Some(match &surface.base {
-            Base::Solid(_) | Base::Faces(_) => Self::One(surface.face_color(index as usize)?),
-            Base::Vertices(colors) => Self::Vertices(pick(colors, corners)?.map(|c| channels(premultiply(c)))),
-            Base::Texture { image, sampler, uv, tint } => {
-                let change = weights.change();
-                Self::Texture(TexturedTriangle::new(image, *sampler, *tint, pick(uv, corners)?, change))
-            }
-        })
-    }
-}
+impl<'a, K: Simd> Colors<'a, K> for PerPixel<'a, K> {
+    const COSTLY: bool = true;
+    type Simple = Self;
+    type Shader = Self;
 
-/// The share of each vertex in the points of a triangle, perspective-correct.
-struct Weights {
-    planes: [AffineValue; 3],
-    inverse_w: [f32; 3],
-}
-
-impl Weights {
-    fn new(triangle: &Triangle, inverse_w: [f32; 3]) -> Self {
-        let planes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|q| triangle.plane(q));
-        Self { planes, inverse_w }
-    }
-
-    /// The change of each vertex' share, before it is divided by the sum of all, from pixel to pixel: along x, along y.
-    fn change(&self) -> [[f32; 2]; 3] {
-        std::array::from_fn(|k| [self.planes[k].dx * self.inverse_w[k], self.planes[k].dy * self.inverse_w[k]])
-    }
-
-    /// The shares, and the sum by which they were divided.
     #[inline(always)]
-    fn at<K: Simd>(&self, x: f32x8<K>, y: f32x8<K>) -> ([f32x8<K>; 3], f32x8<K>) {
-        let mut b = [x; 3];
-        for (b, (plane, &inverse_w)) in b.iter_mut().zip(self.planes.iter().zip(&self.inverse_w)) {
-            *b = plane.at(x, y) * inverse_w;
-        }
-        let sum = b[0] + b[1] + b[2];
-        ([b[0] / sum, b[1] / sum, b[2] / sum], sum)
+    fn new(
+        simd: K,
+        surface: &'a Surface,
+        triangles: &[u32],
+        corners: &Corners,
+        set_up: &SetUp<K>,
+        _outside: bool,
+    ) -> Self {
+        let (zero, one) = (f32x8::splat(simd, 0.0), f32x8::splat(simd, 1.0));
+        // The value of each vertex whose share is wanted.
+        let planes =
+            [set_up.planes(&[one, zero, zero]), set_up.planes(&[zero, one, zero]), set_up.planes(&[zero, zero, one])];
+        // Shares are as exact as colours are where these go together: of attributes only the differences count.
+        let simple = (set_up.steepness() * 255.0).simd_lt(STEEPEST) & present(simd, surface, triangles, corners);
+        Self::apart(simd, surface, planes, triangles, *corners, simple)
     }
+
+    #[inline(always)]
+    fn simple(&self) -> mask32x8<K> {
+        self.simple
+    }
+
+    #[inline(always)]
+    fn at(&self, wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K> {
+        self.colors_at(wanted, x, y)
+    }
+
+    #[inline(always)]
+    fn two_levels(&self) -> u64 {
+        Shader::two_levels(self)
+    }
+
+    #[inline(always)]
+    fn of(&self, lane: usize) -> Self {
+        self.one(lane)
+    }
+
+    #[inline(always)]
+    fn alone(simd: K, surface: &'a Surface, triangle: &Triangle, index: u32, corners: [usize; 3]) -> Option<Self> {
+        let corner = |corner: usize| u32::try_from(corner).map(|corner| [corner; BATCH]);
+        let corners = [corner(corners[0]).ok()?, corner(corners[1]).ok()?, corner(corners[2]).ok()?];
+        if present(simd, surface, &[index], &corners)[0] == 0 {
+            return None;
+        }
+        let planes = [
+            Planes::splat(simd, triangle.plane([1.0, 0.0, 0.0])),
+            Planes::splat(simd, triangle.plane([0.0, 1.0, 0.0])),
+            Planes::splat(simd, triangle.plane([0.0, 0.0, 1.0])),
+        ];
+        let none = mask32x8::splat(simd, 0);
+        Some(Self::apart(simd, surface, planes, &[index; BATCH], corners, none))
+    }
+}
+
+/// The triangles for which the arrays of the surface have all that is read.
+#[inline(always)]
+fn present<K: Simd>(simd: K, surface: &Surface, triangles: &[u32], corners: &Corners) -> mask32x8<K> {
+    let (mut vertices, mut faces) = (surface.positions.len(), surface.triangles.len());
+    if !surface.inverse_w.is_empty() {
+        vertices = vertices.min(surface.inverse_w.len());
+    }
+    match &surface.base {
+        Base::Solid(_) => {}
+        Base::Faces(colors) => faces = faces.min(colors.len()),
+        Base::Vertices(colors) => vertices = vertices.min(colors.len()),
+        Base::Texture { uv, .. } => vertices = vertices.min(uv.len()),
+    }
+    match &surface.light {
+        SurfaceLight::InBase => {}
+        SurfaceLight::Faces(shares) => faces = faces.min(shares.len()),
+        SurfaceLight::Vertices(shares) => vertices = vertices.min(shares.len()),
+        SurfaceLight::PerPixel(light) => vertices = vertices.min(light.normals.len()).min(light.positions.len()),
+    }
+    let mut present = [0; BATCH];
+    for (l, (present, &triangle)) in present.iter_mut().zip(triangles).enumerate() {
+        let are_there = corners.iter().all(|corner| (corner[l] as usize) < vertices);
+        *present = -i32::from(are_there && (triangle as usize) < faces);
+    }
+    mask32x8::from_slice(simd, &present)
+}
+
+impl<K: Simd> ShadowOn<K> {
+    /// Where nothing is known of a triangle it is lit, as what is not a number is.
+    #[inline(always)]
+    fn new(simd: K, shadow: &Shadow, triangles: &[u32; BATCH], corners: &Corners) -> Self {
+        let taken = match &shadow.taken {
+            TakenLight::Faces(shares) => Some(of_faces(simd, shares, triangles)),
+            TakenLight::Vertices(shares) => Some(gather_pairs(simd, shares, corners)),
+            TakenLight::Light(_) => None,
+        };
+        let [x, y, z] = gather_points(simd, &shadow.planes, &[*triangles; 3]);
+        Self { places: gather_points(simd, &shadow.places, corners), planes: [x[0], y[0], z[0]], taken }
+    }
+}
+
+/// An attribute of the triangle of one lane in each.
+#[inline(always)]
+fn all_of<K: Simd, const N: usize>(attribute: &Attribute<K, N>, lane: usize) -> Attribute<K, N> {
+    let mut one = *attribute;
+    for k in 0..N {
+        one[k] = all(&attribute[k], lane);
+    }
+    one
+}
+
+/// Pairs at each corner, by component; NaN where there are none.
+#[inline(always)]
+fn gather_pairs<K: Simd>(simd: K, pairs: &[[f32; 2]], corners: &Corners) -> Attribute<K, 2> {
+    let mut result = [[f32x8::splat(simd, f32::NAN); 3]; 2];
+    for (k, corner) in corners.iter().enumerate() {
+        let mut lanes = [[f32::NAN; BATCH]; 2];
+        for (l, &corner) in corner.iter().enumerate() {
+            if let Some(&pair) = pairs.get(corner as usize) {
+                (lanes[0][l], lanes[1][l]) = pair.into();
+            }
+        }
+        for (component, lanes) in result.iter_mut().zip(&lanes) {
+            component[k] = f32x8::from_slice(simd, lanes);
+        }
+    }
+    result
+}
+
+/// The light of faces as that of their vertices.
+#[inline(always)]
+fn of_faces<K: Simd>(simd: K, shares: &[LightShare], triangles: &[u32; BATCH]) -> Attribute<K, 2> {
+    gather_pairs(simd, shares, &[*triangles; 3])
 }
 
 /// The values between those of three vertices, component by component.
 #[inline(always)]
-fn mix<K: Simd, const N: usize>(weights: [f32x8<K>; 3], values: &[[f32; N]; 3]) -> [f32x8<K>; N] {
-    let [w0, w1, w2] = weights;
-    let mut mixed = [w0; N];
-    for (k, mixed) in mixed.iter_mut().enumerate() {
-        *mixed = w0 * values[0][k] + w1 * values[1][k] + w2 * values[2][k];
+fn mix<K: Simd, const N: usize>(w: [f32x8<K>; 3], values: &Attribute<K, N>) -> [f32x8<K>; N] {
+    let mut mixed = [w[0]; N];
+    for k in 0..N {
+        mixed[k] = w[0] * values[k][0] + w[1] * values[k][1] + w[2] * values[k][2];
     }
     mixed
 }
 
 /// Channels → pixels: rounded, a half up, and held to 0 … 255.
 #[inline(always)]
-fn bytes<K: Simd>(channels: [f32x8<K>; 4]) -> u32x8<K> {
-    let [r, g, b, a] = channels;
-    let byte = |v: f32x8<K>| (v + 0.5).max(0.0).min(255.0).to_int::<u32x8<K>>();
+fn bytes<K: Simd>([r, g, b, a]: [f32x8<K>; 4]) -> u32x8<K> {
     (byte(r) | (byte(g) << 8)) | ((byte(b) << 16) | (byte(a) << 24))
 }
 
-/// [`premultiply`] for eight colours with the same alpha.
 #[inline(always)]
-fn premultiply_eight<K: Simd>(colors: u32x8<K>, alpha: u8) -> u32x8<K> {
-    let channel = |shift: u32| {
-        let t = ((colors >> shift) & 0xff) * u32::from(alpha) + 127;
-        // t / 255 for t < 2¹⁶, without a division.
-        ((t + 1 + (t >> 8)) >> 8) << shift
-    };
-    (channel(0) | channel(8)) | (channel(16) | (u32::from(alpha) << 24))
+fn byte<K: Simd>(v: f32x8<K>) -> u32x8<K> {
+    (v + 0.5).max(0.0).min(255.0).to_int::<i32x8<K>>().bitcast()
+}
+
+/// [`premultiply`] for eight colours.
+#[inline(always)]
+fn premultiply_eight<K: Simd>(colors: u32x8<K>) -> u32x8<K> {
+    let alpha = colors >> 24;
+    let (r, g, b) = (scaled(colors, alpha), scaled(colors >> 8, alpha), scaled(colors >> 16, alpha));
+    (r | (g << 8)) | ((b << 16) | (alpha << 24))
+}
+
+/// The lowest channel times alpha / 255, rounded.
+#[inline(always)]
+fn scaled<K: Simd>(colors: u32x8<K>, alpha: u32x8<K>) -> u32x8<K> {
+    let t = (colors & 0xff) * alpha + 127;
+    // t / 255 for t < 2¹⁶, without a division.
+    (t + 1 + (t >> 8)) >> 8
 }
 
 #[cfg(test)]
@@ -257,7 +510,7 @@ mod tests {
         for v in 0..=255_u8 {
             for a in 0..=255_u8 {
                 let color = Rgba::rgba(v, 255 - v, v / 2, a);
-                let eight = with_vectors!(simd => premultiply_eight(u32x8::splat(simd, packed(color)), a)[5]);
+                let eight = with_vectors!(simd => premultiply_eight(u32x8::splat(simd, packed(color)))[5]);
                 assert_eq!(eight, premultiply(color), "{color:?}");
             }
         }

@@ -13,11 +13,6 @@ pub(super) fn premultiply(c: Rgba) -> Pixel {
     share(c.r) | share(c.g) << 8 | share(c.b) << 16 | u32::from(c.a) << 24
 }
 
-/// The four channels as numbers.
-pub(super) fn channels(p: Pixel) -> [f32; 4] {
-    p.to_le_bytes().map(f32::from)
-}
-
 /// p · a / 255 in each channel, rounded.
 #[inline(always)]
 pub(super) fn scale(p: Pixel, a: u32) -> Pixel {

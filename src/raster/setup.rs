@@ -203,15 +203,6 @@ pub(super) struct AffineValue {
     pub(super) high: f32,
 }
 
-impl AffineValue {
-    /// The values at points relative to the origin, held to the range of the vertices: rounding, and pixels whose
-    /// centre lies outside while a sample is inside, would leave it.
-    #[inline(always)]
-    pub(super) fn at<K: Simd>(&self, x: f32x8<K>, y: f32x8<K>) -> f32x8<K> {
-        (x * self.dx + (y * self.dy + self.value)).max(self.low).min(self.high)
-    }
-}
-
 /// Above this number of a format, 2²³, single precision has whole numbers only; added and taken away, it rounds the
 /// numbers below.
 const WHOLE: f32 = 8_388_608.0;

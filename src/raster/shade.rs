@@ -34,6 +34,8 @@ pub(super) trait Shader<K: Simd> {
 
 /// The shaders of a batch of triangles.
 pub(super) trait Colors<'a, K: Simd>: Sized {
+    /// A colour costs more than a test of whether anything lies before it.
+    const COSTLY: bool = false;
     /// The shader of one of the batch.
     type Simple: Shader<K>;
     /// The shader of a triangle on its own.
@@ -50,8 +52,14 @@ pub(super) trait Colors<'a, K: Simd>: Sized {
     ) -> Self;
     /// Those for which the batch will do. The others must be done on their own.
     fn simple(&self) -> mask32x8<K>;
-    /// The colour of each at a point relative to its origin.
-    fn at(&self, x: f32x8<K>, y: f32x8<K>) -> u32x8<K>;
+    /// The colour of each at a point relative to its origin. Only those wanted need be right.
+    fn at(&self, wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K>;
+    /// How many pixels have taken their colour by [`at`](Self::at) from two levels of a texture.
+    #[inline(always)]
+    fn two_levels(&self) -> u64 {
+        0
+    }
+    /// The shader of one.
     fn of(&self, lane: usize) -> Self::Simple;
     /// The shader of a triangle of any kind; `None` where the surface has no colours for it.
     fn alone(
@@ -120,7 +128,7 @@ impl<'a, K: Simd> Colors<'a, K> for FlatColors<K> {
     }
 
     #[inline(always)]
-    fn at(&self, _x: f32x8<K>, _y: f32x8<K>) -> u32x8<K> {
+    fn at(&self, _wanted: mask32x8<K>, _x: f32x8<K>, _y: f32x8<K>) -> u32x8<K> {
         self.colors
     }
 
@@ -244,7 +252,7 @@ fn pack<K: Simd>(r: u32x8<K>, g: u32x8<K>, b: u32x8<K>) -> u32x8<K> {
 
 /// Threshold for the terms of a gradient (steps of 255 per pixel): above it the triangle is a sliver, and the gradient
 /// mostly rounding. Below it, and less than a hundred pixels away, the error of a channel is far below half a step.
-const STEEPEST: f32 = 4096.0;
+pub(super) const STEEPEST: f32 = 4096.0;
 
 /// The colours of vertices.
 pub(super) struct GouraudColors<K: Simd> {
@@ -267,7 +275,8 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
         set_up: &SetUp<K>,
         outside: bool,
     ) -> Self {
-        let (packed, present) = gather_colors(simd, vertex_colors(surface), corners);
+        let rgba = |c: &Rgba| u32::from_le_bytes([c.r, c.g, c.b, c.a]);
+        let (packed, present) = gather_colors(simd, vertex_colors(surface), corners, rgba);
         let zero = f32x8::splat(simd, 0.0);
         let mut planes = [Planes { value: zero, dx: zero, dy: zero, low: zero, high: zero }; RGB];
         for (plane, shift) in planes.iter_mut().zip([0, 8, 16]) {
@@ -294,7 +303,7 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
     }
 
     #[inline(always)]
-    fn at(&self, x: f32x8<K>, y: f32x8<K>) -> u32x8<K> {
+    fn at(&self, _wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K> {
         let [r, g, b] = &self.planes;
         pack(round(r.at(x, y)), round(g.at(x, y)), round(b.at(x, y)))
     }
@@ -361,14 +370,19 @@ fn vertex_colors(surface: &Surface) -> &[Rgba] {
     }
 }
 
-/// The colours at each corner, red lowest, and which triangles have all three.
+/// The colours at each corner, as `pixel` makes them, and which triangles have all three.
 #[inline(always)]
-fn gather_colors<K: Simd>(simd: K, colors: &[Rgba], corners: &Corners) -> ([u32x8<K>; 3], mask32x8<K>) {
+pub(super) fn gather_colors<K: Simd>(
+    simd: K,
+    colors: &[Rgba],
+    corners: &Corners,
+    pixel: impl Fn(&Rgba) -> Pixel,
+) -> ([u32x8<K>; 3], mask32x8<K>) {
     let (mut packed, mut present) = ([[0; BATCH]; 3], [-1; BATCH]);
     for k in 0..3 {
         for l in 0..BATCH {
             match colors.get(corners[k][l] as usize) {
-                Some(c) => packed[k][l] = u32::from_le_bytes([c.r, c.g, c.b, c.a]),
+                Some(c) => packed[k][l] = pixel(c),
                 None => present[l] = 0,
             }
         }
@@ -380,6 +394,6 @@ fn gather_colors<K: Simd>(simd: K, colors: &[Rgba], corners: &Corners) -> ([u32x
 
 /// 1/w at the vertices of a triangle: 1 where the surface has none.
 #[inline(always)]
-pub(super) fn inverse_w(surface: &Surface, corners: [usize; 3]) -> Option<[f32; 3]> {
+fn inverse_w(surface: &Surface, corners: [usize; 3]) -> Option<[f32; 3]> {
     if surface.inverse_w.is_empty() { Some([1.0; 3]) } else { pick(&surface.inverse_w, corners) }
 }

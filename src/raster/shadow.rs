@@ -6,7 +6,9 @@
 
 use crate::drawing::{Rays, Shadow, ShadowMap};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, mask32x8};
+use crate::simd::{Simd, f32x8, i32x8, mask32x8};
+
+use super::shade::LANES;
 
 /// The part of a texel's length that a bias of 1 allows beside the plane: what meets in a corner, or is round, lies
 /// over the plane of its neighbour within a texel.
@@ -18,124 +20,139 @@ const UNSURE: f32 = 1.0 / 32.0;
 /// The greatest number of texels along one side that is looked at; beyond, a place is no number.
 const FAR: f32 = 1e6;
 
-/// The shadow of one light on one triangle.
-#[derive(Clone, Copy)]
-pub(super) struct TriangleShadow<'a> {
-    map: &'a ShadowMap,
-    depths: &'a [Vec<f32>],
-    plane: [f32; 3],
+/// Places on a map: x and y in texels, the depth, its change from texel to texel, and the step of the bias.
+struct OnMap<K: Simd> {
+    x: f32x8<K>,
+    y: f32x8<K>,
+    z: f32x8<K>,
+    slope: [f32x8<K>; 2],
+    step: f32x8<K>,
+    /// The view that each lies in.
+    view: i32x8<K>,
 }
 
-/// A place on a view of the map: x and y in texels, depth, its change from texel to texel, and the step of the bias.
-struct OnMap {
-    x: f32,
-    y: f32,
-    z: f32,
-    slope: [f32; 2],
-    step: f32,
-}
-
-impl<'a> TriangleShadow<'a> {
-    /// `None` where nothing is known of the triangle, or of the map.
-    pub(super) fn new(shadow: &'a Shadow, triangle: usize) -> Option<Self> {
-        let plane = *shadow.planes.get(triangle)?;
-        Some(Self { map: &shadow.map, depths: shadow.map.depths()?, plane })
-    }
-
-    /// The share of the light that arrives at each of eight places, 0 … 1; anything where it is not wanted.
-    pub(super) fn arriving<K: Simd>(&self, wanted: mask32x8<K>, places: [f32x8<K>; 3]) -> f32x8<K> {
-        let mut shares = [1.0; 8];
-        for (l, share) in shares.iter_mut().enumerate().filter(|(l, _)| wanted[*l] != 0) {
-            *share = self.share([places[0][l], places[1][l], places[2][l]]);
+/// The share of a light that arrives at eight places, 0 … 1, each on a plane of its own; 1 where it is not wanted, and
+/// where a place is not a number. `None` before the map is painted.
+#[inline(always)]
+pub(super) fn arriving<K: Simd>(
+    shadow: &Shadow,
+    wanted: mask32x8<K>,
+    places: [f32x8<K>; 3],
+    planes: [f32x8<K>; 3],
+) -> Option<f32x8<K>> {
+    let map = &*shadow.map;
+    let depths = map.depths()?;
+    let simd = wanted.witness();
+    Some(match &map.rays {
+        Rays::Parallel { step } => {
+            let ([x, y, z], [dx, dy, _]) = (places, planes);
+            let (step, view) = (f32x8::splat(simd, *step), i32x8::splat(simd, 0));
+            filtered(map, depths, wanted, &OnMap { x, y, z, slope: [dx, dy], step, view })
         }
-        f32x8::from_slice(wanted.witness(), &shares)
-    }
-
-    fn share(&self, place: [f32; 3]) -> f32 {
-        match &self.map.rays {
-            Rays::Parallel { step } => {
-                let ([x, y, z], [dx, dy, _]) = (place, self.plane);
-                self.filtered(0, &OnMap { x, y, z, slope: [dx, dy], step: *step })
-            }
-            Rays::FromLamp { axes, reach, unit } => {
-                // The view in whose direction it is farthest.
-                let mut best = (0, f32::NEG_INFINITY);
-                for (view, [_, _, forwards]) in axes.iter().enumerate() {
-                    let distance = dot(*forwards, place);
-                    if distance > best.1 {
-                        best = (view, distance);
-                    }
+        Rays::FromLamp { axes, reach, unit } => {
+            // The view in whose direction it is farthest.
+            let mut view = i32x8::splat(simd, 0);
+            let mut distance = f32x8::splat(simd, f32::NEG_INFINITY);
+            // Of the view so far: the place to the right and up, and how the plane rises there.
+            let mut along = [f32x8::splat(simd, 0.0); 4];
+            for (k, [right, up, forwards]) in (0..).zip(&**axes) {
+                let new = dot(*forwards, places);
+                let farther = new.simd_gt(distance);
+                let of_view = [dot(*right, places), dot(*up, places), dot(*right, planes), dot(*up, planes)];
+                for k in 0..along.len() {
+                    along[k] = farther.select(of_view[k], along[k]);
                 }
-                let (view, distance) = best;
-                if distance <= 0.0 {
-                    return 1.0;
-                }
-                let [right, up, _] = axes[view];
-                #[expect(clippy::cast_precision_loss, reason = "at most 4096")]
-                let size = self.map.size as f32;
-                let texels = 0.5 * size / (distance * reach);
-                let (inverse, along) = (unit / distance, 2.0 * reach * unit / size);
-                self.filtered(
-                    view,
-                    &OnMap {
-                        x: 0.5 * size + dot(right, place) * texels,
-                        y: 0.5 * size - dot(up, place) * texels,
-                        z: inverse - unit,
-                        slope: [along * dot(right, self.plane), -along * dot(up, self.plane)],
-                        step: 2.0 * reach * inverse / size,
-                    },
-                )
+                (distance, view) = (farther.select(new, distance), farther.select(i32x8::splat(simd, k), view));
             }
+            #[expect(clippy::cast_precision_loss, reason = "at most 4096")]
+            let size = map.size as f32;
+            let ahead = distance.simd_gt(0.0);
+            let texels = f32x8::splat(simd, 0.5 * size) / (distance * *reach);
+            let inverse = f32x8::splat(simd, *unit) / distance;
+            let steep = 2.0 * reach * unit / size;
+            let [right, up, plane_right, plane_up] = along;
+            let on_map = OnMap {
+                x: right * texels + 0.5 * size,
+                y: f32x8::splat(simd, 0.5 * size) - up * texels,
+                z: inverse - *unit,
+                slope: [plane_right * steep, plane_up * -steep],
+                step: inverse * (2.0 * reach / size),
+                view,
+            };
+            filtered(map, depths, wanted & ahead, &on_map)
+        }
+    })
+}
+
+/// The share of the texels under the soft edge that are no nearer to the light.
+#[inline(always)]
+fn filtered<K: Simd>(map: &ShadowMap, depths: &[Vec<f32>], wanted: mask32x8<K>, at: &OnMap<K>) -> f32x8<K> {
+    let simd = wanted.witness();
+    let (zero, one) = (f32x8::splat(simd, 0.0), f32x8::splat(simd, 1.0));
+    let OnMap { x, y, z, slope: [dx, dy], step, view } = *at;
+    let wanted = wanted & x.abs().simd_lt(FAR) & y.abs().simd_lt(FAR);
+    if !wanted.any_true() {
+        return one;
+    }
+    let size = map.size.cast_signed();
+    let softness = map.softness.max(0.0);
+    let half = 0.5 * softness;
+    let follows = map.bias.min(1.0);
+    let allowed = z + (step * STEP + (dx.abs() + dy.abs()) * UNSURE) * map.bias;
+    let (left, top) = ((x - half).floor(), (y - half).floor());
+    // A soft edge of whole texels reaches over one more.
+    #[expect(clippy::cast_possible_truncation, reason = "8 at most")]
+    let side = if softness > 0.0 { softness.ceil() as i32 + 1 } else { 1 };
+    let Some(first) = depths.first() else { return one };
+    let mut views = [first.as_slice(); LANES];
+    if depths.len() > 1 {
+        for (l, depths_there) in views.iter_mut().enumerate() {
+            *depths_there = depths.get(view[l] as usize).map_or(&[], Vec::as_slice);
         }
     }
-
-    /// The share of the texels under the soft edge that are no nearer to the light.
-    fn filtered(&self, view: usize, at: &OnMap) -> f32 {
-        let Some(depths) = self.depths.get(view) else { return 1.0 };
-        let OnMap { x, y, z, slope: [dx, dy], step } = *at;
-        if !(x.abs() < FAR && y.abs() < FAR) {
-            return 1.0;
-        }
-        let ShadowMap { bias, softness, size, .. } = *self.map;
-        let size = size as usize;
-        let follows = bias.min(1.0);
-        let allowed = z + bias * (STEP * step + UNSURE * (dx.abs() + dy.abs()));
-        let lit = |i: i32, j: i32| {
-            let (Ok(column), Ok(row)) = (usize::try_from(i), usize::try_from(j)) else { return true };
-            if column >= size {
-                return true;
-            }
-            let Some(depth) = depths.get(row * size + column) else { return true };
-            let (to_x, to_y) = (i as f32 + 0.5 - x, j as f32 + 0.5 - y);
-            // What is not a number is lit.
-            let is_hidden = *depth > allowed + follows * (dx * to_x + dy * to_y);
-            !is_hidden
-        };
-        if softness <= 0.0 {
-            return f32::from(u8::from(lit(floor(x), floor(y))));
-        }
-        let half = 0.5 * softness;
-        let (columns, rows) = (floor(x - half)..=floor(x + half), floor(y - half)..=floor(y + half));
-        let mut sum = 0.0;
-        for j in rows {
-            let height = (y + half).min(j as f32 + 1.0) - (y - half).max(j as f32);
-            for i in columns.clone() {
-                if lit(i, j) {
-                    sum += height * ((x + half).min(i as f32 + 1.0) - (x - half).max(i as f32));
+    let mut sum = zero;
+    for j in 0..side {
+        let row = top + j as f32;
+        let (height, below) = (under(row, y, softness), (row + 0.5 - y) * dy);
+        let row = row.to_int::<i32x8<K>>();
+        let in_rows = wanted & row.simd_ge(0) & row.simd_lt(size);
+        let start = row * size;
+        for i in 0..side {
+            let column = left + i as f32;
+            let (width, beside) = (under(column, x, softness), (column + 0.5 - x) * dx);
+            let column = column.to_int::<i32x8<K>>();
+            let there = in_rows & column.simd_ge(0) & column.simd_lt(size);
+            // Texels lie anywhere in memory: each place asks for its own, or for the first where it has none, so that
+            // no branch is guessed wrong.
+            let (mut texels, mut found) = ([0; LANES], [f32::NEG_INFINITY; LANES]);
+            there.select(start + column, i32x8::splat(simd, 0)).store_slice(&mut texels);
+            for ((found, &texel), depths) in found.iter_mut().zip(&texels).zip(&views) {
+                if let Some(&depth) = depths.get(texel as usize) {
+                    *found = depth;
                 }
             }
+            // Beyond the map all is lit.
+            let found = there.select(f32x8::from_slice(simd, &found), f32x8::splat(simd, f32::NEG_INFINITY));
+            let hidden = found.simd_gt(allowed + (beside + below) * follows);
+            sum += hidden.select(zero, height * width);
         }
-        (sum / (softness * softness)).clamp(0.0, 1.0)
+    }
+    let share = if softness > 0.0 { (sum * (1.0 / (softness * softness))).max(zero).min(one) } else { sum };
+    wanted.select(share, one)
+}
+
+/// The part of a texel from `from` on that lies under the soft edge around `middle`, along one axis.
+#[inline(always)]
+fn under<K: Simd>(from: f32x8<K>, middle: f32x8<K>, softness: f32) -> f32x8<K> {
+    let half = 0.5 * softness;
+    if softness > 0.0 {
+        ((middle + half).min(from + 1.0) - (middle - half).max(from)).max(0.0)
+    } else {
+        f32x8::splat(from.witness(), 1.0)
     }
 }
 
-fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// The whole number below.
-#[expect(clippy::cast_possible_truncation, reason = "texels")]
-fn floor(v: f32) -> i32 {
-    let whole = v as i32;
-    whole - i32::from(whole as f32 > v)
+#[inline(always)]
+fn dot<K: Simd>(a: [f32; 3], b: [f32x8<K>; 3]) -> f32x8<K> {
+    b[0] * a[0] + b[1] * a[1] + b[2] * a[2]
 }

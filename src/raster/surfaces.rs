@@ -9,10 +9,11 @@ use crate::progress::{Activity, Progress};
 use crate::simd::with_vectors;
 use crate::stage::Cost;
 
+use super::band::Band;
 use super::bins::Bins;
 use super::counts::Counts;
 use super::depth::{BandDepth, DepthBuffer};
-use super::fill::{Band, fill};
+use super::fill::fill;
 use super::operations::of_picture;
 use super::pixel::{Pixel, mean, premultiply};
 use super::setup::{Size, samples};

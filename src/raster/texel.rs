@@ -8,231 +8,340 @@ use std::cell::Cell;
 
 use crate::appearance::{Filter, LEVEL_COLORS, Level, Rgba, Sampler, Texture, TextureReveal, Wrap};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, mask32x8, u32x8};
+use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
-use super::pixel::Pixel;
 use super::shade::LANES;
 
-/// A triangle with a picture on it.
-pub(super) struct TexturedTriangle<'a> {
+/// The channels of eight colours.
+pub(super) type Channels<K> = [f32x8<K>; 4];
+
+/// A triangle with a picture on it in each lane.
+#[derive(Clone)]
+pub(super) struct Textured<'a, K: Simd> {
     image: &'a Texture,
     sampler: Sampler,
     /// The channels of the tint, 0 … 1, premultiplied.
     tint: [f32; 4],
-    /// Texture coordinates of its vertices, near 0 where the picture repeats, so that they are exact.
-    pub(super) uv: [[f32; 2]; 3],
+    /// Texture coordinates, u and v, of the three vertices, near 0 where the picture repeats, so that they are exact.
+    pub(super) uv: [[f32x8<K>; 3]; 2],
     /// The change of u/w and v/w in texels, and of 1/w, along x and y; only for a filter that asks for it.
-    change: Option<[[f32; 3]; 2]>,
+    change: Option<[[f32x8<K>; 3]; 2]>,
     /// Pixels between two levels of detail so far.
     pub(super) two_levels: Cell<u64>,
 }
 
-impl<'a> TexturedTriangle<'a> {
+impl<'a, K: Simd> Textured<'a, K> {
     /// `change`: that of the share of each vertex along x and y, before it is divided by the sum of all three.
+    #[inline(always)]
     pub(super) fn new(
         image: &'a Texture,
         sampler: Sampler,
         tint: Rgba,
-        uv: [[f32; 2]; 3],
-        change: [[f32; 2]; 3],
+        uv: [[f32x8<K>; 3]; 2],
+        change: [[f32x8<K>; 3]; 2],
     ) -> Self {
-        let uv = near_zero(uv, sampler);
+        let uv = [near_zero(uv[0], sampler.wrap_u), near_zero(uv[1], sampler.wrap_v)];
         let alpha = f32::from(tint.a) / 255.0;
         let tint = [tint.r, tint.g, tint.b, 255].map(|c| f32::from(c) / 255.0 * alpha);
         let asks = sampler.filter == Filter::Trilinear && image.levels().len() > 1
             || matches!(sampler.reveal, Some(TextureReveal::Levels | TextureReveal::Texels));
         #[expect(clippy::cast_precision_loss, reason = "sides of pictures are far below 2²⁴")]
-        let size = [image.width() as f32, image.height() as f32];
-        let change = asks.then(|| {
-            [0, 1].map(|axis| {
-                let sum = |value: &dyn Fn(usize) -> f32| (0..3).map(|k| change[k][axis] * value(k)).sum::<f32>();
-                [sum(&|k| uv[k][0] * size[0]), sum(&|k| uv[k][1] * size[1]), sum(&|_| 1.0)]
-            })
-        });
+        let [wide, high] = [image.width() as f32, image.height() as f32];
+        let change = if asks {
+            Some([texels_changed(change[0], &uv, [wide, high]), texels_changed(change[1], &uv, [wide, high])])
+        } else {
+            None
+        };
         Self { image, sampler, tint, uv, change, two_levels: Cell::new(0) }
     }
 
-    /// The colours of eight pixels at these coordinates, premultiplied; `w`: the interpolated w there.
+    /// The triangle of one lane in each.
     #[inline(always)]
-    pub(super) fn colors<K: Simd>(&self, wanted: mask32x8<K>, [s, t]: [f32x8<K>; 2], w: f32x8<K>) -> u32x8<K> {
+    pub(super) fn of(&self, lane: usize) -> Self {
+        let uv = [all(&self.uv[0], lane), all(&self.uv[1], lane)];
+        let change = match &self.change {
+            Some([x, y]) => Some([all(x, lane), all(y, lane)]),
+            None => None,
+        };
+        Self { uv, change, two_levels: Cell::new(0), ..*self }
+    }
+
+    /// The colours of eight pixels at these coordinates, premultiplied, 0 … 255; `w`: the interpolated w there.
+    #[inline(always)]
+    pub(super) fn colors(&self, wanted: mask32x8<K>, uv: [f32x8<K>; 2], w: f32x8<K>) -> Channels<K> {
         let simd = wanted.witness();
-        // The changes of u and v in texels, from pixel to pixel: along x, along y.
-        let changes = self.change.map(|change| {
-            let (wide, high) = (self.image.width() as f32, self.image.height() as f32);
-            change.map(|[u, v, sum]| {
-                let du = (f32x8::splat(simd, u) - s * (sum * wide)) * w;
-                let dv = (f32x8::splat(simd, v) - t * (sum * high)) * w;
-                [du * du, dv * dv]
-            })
-        });
-        // Squares of the longer change: the root is taken by halving the logarithm.
-        let change = changes.map(|[x, y]| (x[0] + x[1]).max(y[0] + y[1]));
-        // The widths of a pixel in texels, along u and along v.
-        let width = changes.map(|[x, y]| [(x[0] + y[0]).sqrt(), (x[1] + y[1]).sqrt()]);
-        let mut colors = u32x8::splat(simd, 0);
-        // Texels lie anywhere in memory: each pixel asks for its own.
-        for l in (0..LANES).filter(|&l| wanted[l] != 0) {
-            let detail = change.map_or(0.0, |change| 0.5 * log2(change[l]));
-            let texel = match self.sampler.reveal {
-                None | Some(TextureReveal::Affine) => self.texel([s[l], t[l]], detail),
-                Some(TextureReveal::Levels) => self.with_level([s[l], t[l]], detail),
-                Some(TextureReveal::Texels) => {
-                    self.with_lines([s[l], t[l]], width.map_or([1.0; 2], |[u, v]| [u[l], v[l]]))
-                }
+        // The squares of the changes of u and v in texels, from pixel to pixel: along x, along y.
+        let sides = [self.image.width() as f32, self.image.height() as f32];
+        let mut detail = f32x8::splat(simd, 0.0);
+        let mut width = [f32x8::splat(simd, 1.0); 2];
+        if let Some([x, y]) = &self.change {
+            let (x, y) = (squares(x, uv, w, sides), squares(y, uv, w, sides));
+            // Of the longer change: the root is taken by halving the logarithm.
+            detail = log2((x[0] + x[1]).max(y[0] + y[1])) * 0.5;
+            // The widths of a pixel in texels, along u and along v.
+            width = [(x[0] + y[0]).sqrt(), (x[1] + y[1]).sqrt()];
+        }
+        let texel = match self.sampler.reveal {
+            None | Some(TextureReveal::Affine) => self.texel(wanted, uv, detail),
+            Some(TextureReveal::Levels) => self.with_level(wanted, uv, detail),
+            Some(TextureReveal::Texels) => self.with_lines(wanted, uv, width),
+        };
+        let mut tinted = texel;
+        for k in 0..4 {
+            tinted[k] = texel[k] * self.tint[k];
+        }
+        tinted
+    }
+
+    /// The colours at points, half of which are those of the level of detail.
+    #[inline(always)]
+    fn with_level(&self, wanted: mask32x8<K>, uv: [f32x8<K>; 2], detail: f32x8<K>) -> Channels<K> {
+        let last = self.image.levels().len().min(LEVEL_COLORS.len()).saturating_sub(1);
+        let own = self.texel(wanted, uv, detail);
+        let mut mixed = own;
+        for l in 0..LANES {
+            let detail = match self.sampler.filter {
+                Filter::Trilinear => detail[l].clamp(0.0, last as f32),
+                Filter::Nearest | Filter::Bilinear => 0.0,
             };
-            colors[l] = Pixel::from_le_bytes(std::array::from_fn(|k| byte(texel[k] * self.tint[k])));
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 5")]
+            let finer = (detail as usize).min(last);
+            let share = detail - finer as f32;
+            let [fine, coarse] = [finer, (finer + 1).min(last)].map(|level| LEVEL_COLORS[level]);
+            let between = |a: u8, b: u8| f32::from(a) + share * (f32::from(b) - f32::from(a));
+            let level = [between(fine.r, coarse.r), between(fine.g, coarse.g), between(fine.b, coarse.b), 255.0];
+            for k in 0..4 {
+                mixed[k][l] = 0.5 * (own[k][l] + level[k] * own[3][l] / 255.0);
+            }
+        }
+        mixed
+    }
+
+    /// The nearest texels, and lines between texels. `width`: that of a pixel in texels, along u and along v.
+    #[inline(always)]
+    fn with_lines(&self, wanted: mask32x8<K>, uv: [f32x8<K>; 2], width: [f32x8<K>; 2]) -> Channels<K> {
+        let simd = wanted.witness();
+        let Some(level) = self.image.levels().first() else { return [f32x8::splat(simd, 0.0); 4] };
+        let own = nearest(&Levels::one(simd, level), self.sampler, wanted, uv);
+        let near = near_line(uv[0], level.width, width[0]) | near_line(uv[1], level.height, width[1]);
+        // Dark on light texels and light on dark ones.
+        let light = (own[0] + own[1] + own[2]).simd_gt(own[3] * 1.5);
+        let line = light.select(f32x8::splat(simd, 0.0), own[3]);
+        let mut mixed = own;
+        for k in 0..3 {
+            mixed[k] = near.select((own[k] + line) * 0.5, own[k]);
+        }
+        mixed
+    }
+
+    /// The colours at points, premultiplied, 0 … 255. `detail`: λ.
+    #[inline(always)]
+    fn texel(&self, wanted: mask32x8<K>, uv: [f32x8<K>; 2], detail: f32x8<K>) -> Channels<K> {
+        let simd = wanted.witness();
+        let levels = self.image.levels();
+        let Some(first) = levels.first() else { return [f32x8::splat(simd, 0.0); 4] };
+        if self.sampler.filter == Filter::Nearest {
+            return nearest(&Levels::one(simd, first), self.sampler, wanted, uv);
+        }
+        let between = wanted & detail.simd_gt(0.0);
+        if levels.len() == 1 || self.sampler.filter == Filter::Bilinear || !between.any_true() {
+            return bilinear(&Levels::one(simd, first), self.sampler, wanted, uv);
+        }
+        let last = i32::try_from(levels.len() - 1).unwrap_or(i32::MAX);
+        let finer = detail.max(0.0).min(last as f32).to_int::<i32x8<K>>();
+        let share = detail - finer.to_float::<f32x8<K>>();
+        let two = between & finer.simd_lt(last);
+        let mut colors = bilinear(&Levels::of(simd, levels, first, finer), self.sampler, wanted, uv);
+        if two.any_true() {
+            let coarse = bilinear(&Levels::of(simd, levels, first, finer + 1), self.sampler, two, uv);
+            for k in 0..4 {
+                colors[k] = two.select(colors[k] + share * (coarse[k] - colors[k]), colors[k]);
+            }
+            let number = (0..LANES).filter(|&l| two[l] != 0).count();
+            self.two_levels.set(self.two_levels.get() + number as u64);
         }
         colors
     }
+}
 
-    /// The colour at a point, half of which is that of the level of detail.
-    fn with_level(&self, uv: [f32; 2], detail: f32) -> [f32; 4] {
-        let last = self.image.levels().len().min(LEVEL_COLORS.len()).saturating_sub(1);
-        let detail = match self.sampler.filter {
-            Filter::Trilinear => detail.clamp(0.0, last as f32),
-            Filter::Nearest | Filter::Bilinear => 0.0,
-        };
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 5")]
-        let finer = (detail as usize).min(last);
-        let share = detail - finer as f32;
-        let [fine, coarse] = [finer, (finer + 1).min(last)].map(|level| LEVEL_COLORS[level]);
-        let mixed = |a: u8, b: u8| f32::from(a) + share * (f32::from(b) - f32::from(a));
-        let level = [mixed(fine.r, coarse.r), mixed(fine.g, coarse.g), mixed(fine.b, coarse.b), 255.0];
-        let own = self.texel(uv, detail);
-        std::array::from_fn(|k| 0.5 * (own[k] + level[k] * own[3] / 255.0))
+/// A level of detail for each lane, and its sides.
+struct Levels<'a, K: Simd> {
+    levels: [&'a Level; LANES],
+    width: i32x8<K>,
+    height: i32x8<K>,
+}
+
+impl<'a, K: Simd> Levels<'a, K> {
+    #[inline(always)]
+    fn one(simd: K, level: &'a Level) -> Self {
+        let width = i32x8::splat(simd, level.width.cast_signed());
+        Self { levels: [level; LANES], width, height: i32x8::splat(simd, level.height.cast_signed()) }
     }
 
-    /// The nearest texel, and lines between texels. `width`: that of a pixel in texels, along u and along v.
-    fn with_lines(&self, uv: [f32; 2], width: [f32; 2]) -> [f32; 4] {
-        /// Texels of fewer pixels would be all lines.
-        const SMALLEST: f32 = 4.0;
-        let Some(level) = self.image.levels().first() else { return [0.0; 4] };
-        let own = nearest(level, self.sampler, uv);
-        let is_near = |t: f32, size: u32, width: f32| {
-            let within = t * size as f32;
-            let within = within - within.floor();
-            width * SMALLEST < 1.0 && within.min(1.0 - within) < 0.5 * width
-        };
-        if is_near(uv[0], level.width, width[0]) || is_near(uv[1], level.height, width[1]) {
-            // Dark on light texels and light on dark ones.
-            let line = if own[0] + own[1] + own[2] > 1.5 * own[3] { 0.0 } else { own[3] };
-            return [0.5 * (own[0] + line), 0.5 * (own[1] + line), 0.5 * (own[2] + line), own[3]];
+    /// `first`: what stands in for a level that is not there.
+    #[inline(always)]
+    fn of(simd: K, levels: &'a [Level], first: &'a Level, which: i32x8<K>) -> Self {
+        let (mut found, mut width, mut height) = ([first; LANES], [0; LANES], [0; LANES]);
+        for l in 0..LANES {
+            let level = usize::try_from(which[l]).ok().and_then(|which| levels.get(which)).unwrap_or(first);
+            (found[l], width[l], height[l]) = (level, level.width.cast_signed(), level.height.cast_signed());
         }
-        own
+        Self { levels: found, width: i32x8::from_slice(simd, &width), height: i32x8::from_slice(simd, &height) }
     }
 
-    /// The colour at a point, premultiplied, 0 … 255. `detail`: λ.
-    fn texel(&self, uv: [f32; 2], detail: f32) -> [f32; 4] {
-        let levels = self.image.levels();
-        let between = |level: &Level| bilinear(level, self.sampler, uv);
-        match (self.sampler.filter, levels) {
-            (Filter::Nearest, [level, ..]) => nearest(level, self.sampler, uv),
-            (Filter::Bilinear, [level, ..]) | (Filter::Trilinear, [level]) => between(level),
-            (Filter::Trilinear, [level, ..]) if detail <= 0.0 => between(level),
-            (Filter::Trilinear, [.., last]) => {
-                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative; saturates")]
-                let finer = detail as usize;
-                match levels.get(finer..) {
-                    Some([fine, coarse, ..]) => {
-                        self.two_levels.set(self.two_levels.get() + 1);
-                        let share = detail - finer as f32;
-                        let (fine, coarse) = (between(fine), between(coarse));
-                        std::array::from_fn(|k| fine[k] + share * (coarse[k] - fine[k]))
-                    }
-                    _ => between(last),
-                }
-            }
-            (_, []) => [0.0; 4],
+    /// The texels at these columns and rows, where they are wanted, as they lie in memory.
+    #[inline(always)]
+    fn texels(&self, wanted: mask32x8<K>, x: i32x8<K>, y: i32x8<K>) -> u32x8<K> {
+        let places = wanted.select(y * self.width + x, i32x8::splat(wanted.witness(), 0));
+        let mut texels = [0; LANES];
+        // Texels lie anywhere in memory: each pixel asks for its own, the first where it wants none, so that no branch
+        // is guessed wrong.
+        for l in 0..LANES {
+            texels[l] = u32::from_le_bytes(self.levels[l].at(places[l] as usize));
         }
+        u32x8::from_slice(wanted.witness(), &texels)
     }
+}
+
+/// Three values of one lane in each.
+#[inline(always)]
+pub(super) fn all<K: Simd>(values: &[f32x8<K>; 3], lane: usize) -> [f32x8<K>; 3] {
+    let simd = values[0].witness();
+    [f32x8::splat(simd, values[0][lane]), f32x8::splat(simd, values[1][lane]), f32x8::splat(simd, values[2][lane])]
+}
+
+/// The changes of u/w and v/w in texels, and of 1/w, from those of the shares of the vertices.
+#[inline(always)]
+fn texels_changed<K: Simd>(c: [f32x8<K>; 3], [u, v]: &[[f32x8<K>; 3]; 2], sides: [f32; 2]) -> [f32x8<K>; 3] {
+    [
+        (c[0] * u[0] + c[1] * u[1] + c[2] * u[2]) * sides[0],
+        (c[0] * v[0] + c[1] * v[1] + c[2] * v[2]) * sides[1],
+        c[0] + c[1] + c[2],
+    ]
+}
+
+/// The squares of the changes of u and v in texels along one axis.
+#[inline(always)]
+fn squares<K: Simd>(change: &[f32x8<K>; 3], uv: [f32x8<K>; 2], w: f32x8<K>, sides: [f32; 2]) -> [f32x8<K>; 2] {
+    let du = (change[0] - uv[0] * (change[2] * sides[0])) * w;
+    let dv = (change[1] - uv[1] * (change[2] * sides[1])) * w;
+    [du * du, dv * dv]
 }
 
 /// Texture coordinates less whole numbers, where the picture repeats: near 0 they are exact.
-fn near_zero(mut uv: [[f32; 2]; 3], sampler: Sampler) -> [[f32; 2]; 3] {
-    for (axis, wrap) in [sampler.wrap_u, sampler.wrap_v].into_iter().enumerate() {
-        let least = uv.iter().map(|uv| uv[axis]).fold(f32::INFINITY, f32::min);
-        let whole = match wrap {
-            Wrap::Clamp => 0.0,
-            Wrap::Repeat => least.floor(),
-            // Mirrored, it is the same again after two.
-            Wrap::Mirror => 2.0 * (0.5 * least).floor(),
-        };
-        if whole.is_finite() {
-            uv.iter_mut().for_each(|uv| uv[axis] -= whole);
-        }
-    }
-    uv
+#[inline(always)]
+fn near_zero<K: Simd>(q: [f32x8<K>; 3], wrap: Wrap) -> [f32x8<K>; 3] {
+    let least = q[0].min(q[1]).min(q[2]);
+    let whole = match wrap {
+        Wrap::Clamp => return q,
+        Wrap::Repeat => least.floor(),
+        // Mirrored, it is the same again after two.
+        Wrap::Mirror => (least * 0.5).floor() * 2.0,
+    };
+    let whole = whole.abs().simd_lt(f32::INFINITY).select(whole, f32x8::splat(whole.witness(), 0.0));
+    [q[0] - whole, q[1] - whole, q[2] - whole]
 }
 
-/// The nearest texel.
-fn nearest(level: &Level, sampler: Sampler, uv: [f32; 2]) -> [f32; 4] {
-    let axis = |t: f32, size: u32, wrap: Wrap| {
-        let last = size.saturating_sub(1);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped; NaN is 0")]
-        let index = (folded(t, wrap) * size as f32).clamp(0.0, last as f32) as u32;
-        index.min(last)
-    };
-    let (x, y) = (axis(uv[0], level.width, sampler.wrap_u), axis(uv[1], level.height, sampler.wrap_v));
-    level.texel(x, y).map(f32::from)
+/// Those that lie within half a pixel of a line between texels, along one axis. `width`: that of a pixel in texels.
+#[inline(always)]
+fn near_line<K: Simd>(t: f32x8<K>, size: u32, width: f32x8<K>) -> mask32x8<K> {
+    /// Texels of fewer pixels would be all lines.
+    const SMALLEST: f32 = 4.0;
+    let within = t * size as f32;
+    let within = within - within.floor();
+    let distance = within.min(f32x8::splat(t.witness(), 1.0) - within);
+    (width * SMALLEST).simd_lt(1.0) & distance.simd_lt(width * 0.5)
+}
+
+/// The nearest texels.
+#[inline(always)]
+fn nearest<K: Simd>(levels: &Levels<K>, sampler: Sampler, wanted: mask32x8<K>, uv: [f32x8<K>; 2]) -> Channels<K> {
+    let x = nearest_along(uv[0], levels.width, sampler.wrap_u);
+    let y = nearest_along(uv[1], levels.height, sampler.wrap_v);
+    channels(levels.texels(wanted, x, y))
+}
+
+/// The nearest texels along one axis.
+#[inline(always)]
+fn nearest_along<K: Simd>(t: f32x8<K>, size: i32x8<K>, wrap: Wrap) -> i32x8<K> {
+    let index = (folded(t, wrap) * size.to_float::<f32x8<K>>()).to_int::<i32x8<K>>();
+    // What is not a number, or too large for one, is at either end.
+    index.max(0).min(size - 1)
 }
 
 /// Between the four nearest texels. Beyond a border that is not repeated the border goes on.
-fn bilinear(level: &Level, sampler: Sampler, uv: [f32; 2]) -> [f32; 4] {
-    let axis = |t: f32, size: u32, wrap: Wrap| {
-        let last = size.saturating_sub(1);
-        let t = folded(t, wrap) * size as f32 - 0.5;
-        if wrap == Wrap::Repeat {
-            let low = t.floor();
-            let index = |at: f32| {
-                // One before the first is the last, and one behind the last is the first.
-                let at = if at < 0.0 { last as f32 } else { at };
-                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates; NaN is 0")]
-                let index = at as u32;
-                if index > last { 0 } else { index }
-            };
-            return (index(low), index(low + 1.0), t - low);
-        }
-        let t = t.clamp(0.0, last as f32);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped above")]
-        let low = t as u32;
-        (low, (low + 1).min(last), t - low as f32)
-    };
-    let (x0, x1, s) = axis(uv[0], level.width, sampler.wrap_u);
-    let (y0, y1, t) = axis(uv[1], level.height, sampler.wrap_v);
-    let at = |x: u32, y: u32| level.texel(x, y).map(f32::from);
-    let (a, b, c, d) = (at(x0, y0), at(x1, y0), at(x0, y1), at(x1, y1));
-    std::array::from_fn(|k| {
+#[inline(always)]
+fn bilinear<K: Simd>(levels: &Levels<K>, sampler: Sampler, wanted: mask32x8<K>, uv: [f32x8<K>; 2]) -> Channels<K> {
+    let (x0, x1, s) = between_along(uv[0], levels.width, sampler.wrap_u);
+    let (y0, y1, t) = between_along(uv[1], levels.height, sampler.wrap_v);
+    let a = channels(levels.texels(wanted, x0, y0));
+    let b = channels(levels.texels(wanted, x1, y0));
+    let c = channels(levels.texels(wanted, x0, y1));
+    let d = channels(levels.texels(wanted, x1, y1));
+    let mut mixed = a;
+    for k in 0..4 {
         let top = a[k] + s * (b[k] - a[k]);
         let bottom = c[k] + s * (d[k] - c[k]);
-        top + t * (bottom - top)
-    })
+        mixed[k] = top + t * (bottom - top);
+    }
+    mixed
 }
 
-/// A coordinate as one of the picture, 0 … 1; as it is where the border goes on.
+/// The two nearest texels along one axis, and the share of the second.
 #[inline(always)]
-fn folded(t: f32, wrap: Wrap) -> f32 {
+fn between_along<K: Simd>(t: f32x8<K>, size: i32x8<K>, wrap: Wrap) -> (i32x8<K>, i32x8<K>, f32x8<K>) {
+    let last = size - 1;
+    let t = folded(t, wrap) * size.to_float::<f32x8<K>>() - 0.5;
+    if wrap == Wrap::Repeat {
+        let low = t.floor();
+        let share = t - low;
+        let low = low.to_int::<i32x8<K>>();
+        return (round_the_picture(low, last), round_the_picture(low + 1, last), share);
+    }
+    let t = t.max(0.0).min(last.to_float::<f32x8<K>>());
+    let low = t.to_int::<i32x8<K>>().max(0).min(last);
+    (low, (low + 1).min(last), t - low.to_float::<f32x8<K>>())
+}
+
+/// One before the first is the last, and one behind the last is the first.
+#[inline(always)]
+fn round_the_picture<K: Simd>(at: i32x8<K>, last: i32x8<K>) -> i32x8<K> {
+    let at = at.simd_lt(0).select(last, at);
+    at.simd_gt(last).select(i32x8::splat(at.witness(), 0), at)
+}
+
+/// The channels of texels.
+#[inline(always)]
+fn channels<K: Simd>(texels: u32x8<K>) -> Channels<K> {
+    [channel(texels), channel(texels >> 8), channel(texels >> 16), channel(texels >> 24)]
+}
+
+/// The lowest channel as a number.
+#[inline(always)]
+pub(super) fn channel<K: Simd>(pixels: u32x8<K>) -> f32x8<K> {
+    // Signed numbers become floats in one instruction.
+    (pixels & 0xff).bitcast::<i32x8<K>>().to_float()
+}
+
+/// Coordinates as those of the picture, 0 … 1; as they are where the border goes on.
+#[inline(always)]
+fn folded<K: Simd>(t: f32x8<K>, wrap: Wrap) -> f32x8<K> {
     match wrap {
         Wrap::Clamp => t,
         Wrap::Repeat => t - t.floor(),
         Wrap::Mirror => {
-            let twice = t - 2.0 * (0.5 * t).floor();
-            if twice > 1.0 { 2.0 - twice } else { twice }
+            let twice = t - (t * 0.5).floor() * 2.0;
+            twice.simd_gt(1.0).select(f32x8::splat(t.witness(), 2.0) - twice, twice)
         }
     }
 }
 
 /// log₂ to 0.01, by operations that every machine does alike; very small for 0, and for what is none.
-fn log2(value: f32) -> f32 {
-    let bits = value.to_bits();
-    #[expect(clippy::cast_precision_loss, clippy::cast_possible_wrap, reason = "an exponent")]
-    let exponent = (bits >> 23) as i32 as f32 - 127.0;
-    let mantissa = f32::from_bits(bits & 0x7f_ffff | 0x3f80_0000);
+#[inline(always)]
+fn log2<K: Simd>(value: f32x8<K>) -> f32x8<K> {
+    let bits = value.bitcast::<u32x8<K>>();
+    let exponent = (bits >> 23).bitcast::<i32x8<K>>().to_float::<f32x8<K>>() - 127.0;
+    let mantissa = ((bits & 0x7f_ffff) | 0x3f80_0000).bitcast::<f32x8<K>>();
     // A parabola through 0 at 1 and 1 at 2.
-    exponent + (mantissa * (2.0 - mantissa / 3.0) - 5.0 / 3.0)
-}
-
-/// A channel; 0 for NaN.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates: 0 … 255, NaN is 0")]
-fn byte(channel: f32) -> u8 {
-    (channel + 0.5) as u8
+    exponent + (mantissa * (f32x8::splat(value.witness(), 2.0) - mantissa / 3.0) - 5.0 / 3.0)
 }

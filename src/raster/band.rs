@@ -1,0 +1,149 @@
+//! Some rows of a picture while they are painted, and the places of pixels and tiles in them.
+
+use std::ops::Range;
+
+use crate::drawing::Surface;
+use crate::simd::prelude::*;
+use crate::simd::{Simd, f32x8, i32x8, mask32x8};
+
+use super::counts::Counts;
+use super::depth::pack_slope;
+use super::pixel::{self, Pixel};
+use super::setup::{Size, stored, stored_alone};
+use super::shade::LANES;
+
+/// Some rows of a picture: colour and depth of each sample, in one plane for each place of a sample.
+pub(super) struct Band<'a> {
+    pub(super) size: Size,
+    pub(super) rows: Range<i32>,
+    /// Offsets of the samples from the centre, in steps: as many as `fill` expects.
+    pub(super) samples: &'a [[i32; 2]],
+    /// Values from one row to the next; beyond `width` there is room for eight more.
+    pub(super) pitch: u32,
+    /// Values from one plane to the next.
+    pub(super) plane: u32,
+    pub(super) colors: &'a mut [Pixel],
+    /// Empty where nothing writes depths: then no test can fail.
+    pub(super) depths: &'a mut [f32],
+    /// The slope of the face whose depth was written at the first sample (packed); empty where nobody wants to know.
+    pub(super) slopes: &'a mut [u32],
+    /// Each triangle is painted over those before it, whatever their depths.
+    pub(super) in_order: bool,
+    /// The greatest number of the format of the depths; 0: they are stored as they are.
+    pub(super) greatest: f32,
+    /// If anybody wants to know.
+    pub(super) counts: Option<&'a mut Counts>,
+}
+
+impl Band<'_> {
+    /// The position of a pixel's values.
+    #[inline(always)]
+    pub(super) fn place(&self, row: i32, column: i32) -> TileStart {
+        TileStart { start: (row - self.rows.start) as u32 * self.pitch + column as u32, pitch: self.pitch }
+    }
+
+    /// The pixels, one for each lane, at which these depths are nearer than what is there.
+    #[inline(always)]
+    pub(super) fn nearer<K: Simd>(
+        &self,
+        z: f32x8<K>,
+        asked: mask32x8<K>,
+        columns: i32x8<K>,
+        rows: i32x8<K>,
+    ) -> mask32x8<K> {
+        let mut old = [f32::NEG_INFINITY; LANES];
+        for (l, old) in old.iter_mut().enumerate().filter(|(l, _)| asked[*l] != 0) {
+            let place = self.place(rows[l], columns[l]).start as usize;
+            *old = self.depths.get(place).copied().unwrap_or(f32::NEG_INFINITY);
+        }
+        let z = if self.greatest > 0.0 { stored(z, self.greatest) } else { z };
+        z.simd_gt(f32x8::from_slice(z.witness(), &old))
+    }
+
+    /// Sets a pixel.
+    #[inline(always)]
+    pub(super) fn set(&mut self, surface: &Surface, pixel: u32, depth: f32, [dx, dy]: [f32; 2], color: Pixel) {
+        let start = pixel as usize;
+        let Some(pixel) = self.colors.get_mut(start) else { return };
+        if let Some(counts) = &mut self.counts {
+            counts.here.covered += 1;
+        }
+        if surface.depth_test
+            && let Some(old) = self.depths.get_mut(start)
+        {
+            let depth = stored_alone(depth, self.greatest);
+            // Not `<=`: a depth that is not a number is behind everything, as it does in `Painter`.
+            if !(depth > *old || self.in_order) {
+                return;
+            }
+            if !surface.translucent {
+                *old = depth;
+                if let Some(slope) = self.slopes.get_mut(start) {
+                    *slope = pack_slope(dx, dy);
+                }
+            }
+        }
+        if let Some(counts) = &mut self.counts {
+            counts.here.written += 1;
+        }
+        *pixel = if surface.translucent { pixel::over(color, *pixel) } else { color };
+    }
+}
+
+/// The start of a tile in the arrays of a band, and the distance from there to the next row.
+#[derive(Clone, Copy)]
+pub(super) struct TileStart {
+    // 32 bits: then the compiler knows that a sum in 64 does not overflow.
+    pub(super) start: u32,
+    pub(super) pitch: u32,
+}
+
+impl TileStart {
+    /// The same pixels in the plane of another sample.
+    #[inline(always)]
+    pub(super) fn plane(self, start: u32) -> Self {
+        Self { start: self.start.wrapping_add(start), ..self }
+    }
+
+    /// The values of a tile. `None` outside of the array.
+    #[inline(always)]
+    pub(super) fn load<K: Simd, T: SimdBase<K> + SimdCombine<K>, const SQUARE: bool>(
+        self,
+        simd: K,
+        values: &[T::Element],
+    ) -> Option<T::Combined>
+    where
+        T::Combined: SimdBase<K, Element = T::Element>,
+    {
+        let (start, pitch) = (self.start as usize, self.pitch as usize);
+        Some(if SQUARE {
+            let (first, last) = (values.get(start..start + 4)?, values.get(start + pitch..start + pitch + 4)?);
+            T::from_slice(simd, first).combine(T::from_slice(simd, last))
+        } else {
+            T::Combined::from_slice(simd, values.get(start..start + LANES)?)
+        })
+    }
+
+    /// Writes the values of a tile.
+    #[inline(always)]
+    pub(super) fn store<K: Simd, T: SimdSplit<K> + SimdBase<K>, const SQUARE: bool>(
+        self,
+        tile: T,
+        values: &mut [T::Element],
+    ) where
+        T::Split: SimdBase<K, Element = T::Element>,
+    {
+        let (start, pitch) = (self.start as usize, self.pitch as usize);
+        if SQUARE {
+            let (first, last) = tile.split();
+            if let Some(values) = values.get_mut(start..start + 4) {
+                first.store_slice(values);
+            }
+            if let Some(values) = values.get_mut(start + pitch..start + pitch + 4) {
+                last.store_slice(values);
+            }
+        } else if let Some(values) = values.get_mut(start..start + LANES) {
+            tile.store_slice(values);
+        }
+    }
+}
