@@ -43,6 +43,7 @@ fuzz_target!(|bytes: &[u8]| {
         faces: true,
         edges: None,
         outline: None,
+        in_world: None,
     };
     let scene = Scene { objects: vec![object], ..Scene::default() };
     for clipped in [clipped_scene, legible_clipped_scene].map(|clip| clip(&scene, &camera, Shading::Flat)) {
