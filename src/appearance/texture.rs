@@ -3,6 +3,7 @@
 use std::sync::{LazyLock, OnceLock};
 
 use super::Rgba;
+use super::level_pairs::LevelPairs;
 
 /// A picture that is painted on surfaces, with its levels of detail.
 #[derive(Clone, Debug)]
@@ -10,6 +11,8 @@ pub struct Texture {
     /// The picture itself, then smaller ones, each half as wide and high as the one before, down to one texel. Only the
     /// first is there where no filter asks for the others.
     levels: Vec<Level>,
+    /// The same for filters that mix two levels; none where there is only one.
+    pairs: Option<LevelPairs>,
     /// Looked for once, where somebody asks.
     one_color: OnceLock<Option<[u8; 4]>>,
     opaque: OnceLock<bool>,
@@ -154,13 +157,19 @@ impl Texture {
     }
 
     fn of_levels(levels: Vec<Level>) -> Self {
-        Self { levels, one_color: OnceLock::new(), opaque: OnceLock::new() }
+        let pairs = (levels.len() > 1).then(|| LevelPairs::new(&levels));
+        Self { levels, pairs, one_color: OnceLock::new(), opaque: OnceLock::new() }
     }
 
     /// The levels of detail, the picture itself first; never empty.
     #[must_use]
     pub fn levels(&self) -> &[Level] {
         &self.levels
+    }
+
+    /// The levels of detail in one array; `None` where there is only the picture itself.
+    pub(crate) fn level_pairs(&self) -> Option<&LevelPairs> {
+        self.pairs.as_ref()
     }
 
     /// Width in texels.

@@ -51,13 +51,16 @@ impl Band<'_> {
         columns: i32x8<K>,
         rows: i32x8<K>,
     ) -> mask32x8<K> {
+        let places = (rows - self.rows.start) * self.pitch.cast_signed() + columns;
+        let places = asked.select(places, i32x8::splat(z.witness(), 0));
         let mut old = [f32::NEG_INFINITY; LANES];
-        for (l, old) in old.iter_mut().enumerate().filter(|(l, _)| asked[*l] != 0) {
-            let place = self.place(rows[l], columns[l]).start as usize;
-            *old = self.depths.get(place).copied().unwrap_or(f32::NEG_INFINITY);
+        for l in 0..LANES {
+            if let Some(&depth) = self.depths.get(places[l] as usize) {
+                old[l] = depth;
+            }
         }
         let z = if self.greatest > 0.0 { stored(z, self.greatest) } else { z };
-        z.simd_gt(f32x8::from_slice(z.witness(), &old))
+        asked & z.simd_gt(f32x8::from_slice(z.witness(), &old))
     }
 
     /// Sets a pixel.

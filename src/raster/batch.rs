@@ -7,7 +7,7 @@
 //! | grade | its box | how it is filled |
 //! | --- | --- | --- |
 //! | one | a single pixel | dropped while triangles are sorted into bands, if it does not own the centre |
-//! | tiny | [`few`](Batch::few): 4 × 4 pixels (8 × 8 where colours cost much), one sample each | all pixels of eight triangles at once, then set one by one |
+//! | tiny | [`few`](Batch::few): 4 × 4 pixels (11 × 11 where colours cost much), one sample each | all pixels of eight triangles at once, then set one by one |
 //! | small | [`small`](Batch::small): 32 × 128 pixels | by edge functions in 32 bits, tile by tile |
 //! | wide | any | between its borders in 64 bits, row by row |
 //!

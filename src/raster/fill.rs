@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use crate::drawing::{Base, Surface, SurfaceLight};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x4, f32x8, f64x4, i32x8, mask32x8, u32x4, u32x8};
+use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, u32x4, u32x8};
 
 use super::band::{Band, TileStart};
 use super::batch::{BATCH, Batch, Corners, corners, corners_at, gather_points};
@@ -26,30 +26,18 @@ use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader};
 /// Fills some triangles of a surface, in the order of the list.
 #[inline(always)]
 pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &Surface, triangles: &[u32]) {
-    for triangles in triangles.chunks(BATCH) {
-        let corners = corners(surface, triangles);
-        let [x, y, z] = gather_points(simd, &surface.positions, &corners);
-        let batch = Batch::new(simd, &x, &y, S > 1, band.size);
-        if let Some(counts) = &mut band.counts {
-            counts.here.triangles += triangles.len() as u64;
+    match (&surface.base, &surface.light) {
+        (Base::Solid(_) | Base::Faces(_), SurfaceLight::InBase) => {
+            all::<K, S, { FEW.0 }, { FEW.1 }, { FEW.2 }, FlatColors<K>>(simd, band, surface, triangles);
         }
-        match (&surface.base, &surface.light) {
-            (Base::Solid(_) | Base::Faces(_), SurfaceLight::InBase) => {
-                eight::<K, S, { FEW.0 }, { FEW.1 }, FlatColors<K>>(
-                    simd, band, surface, triangles, &corners, &batch, &z,
-                );
-            }
-            (Base::Vertices(_), SurfaceLight::InBase) if !surface.translucent => {
-                eight::<K, S, { FEW.0 }, { FEW.1 }, GouraudColors<K>>(
-                    simd, band, surface, triangles, &corners, &batch, &z,
-                );
-            }
-            (Base::Vertices(_) | Base::Texture { .. }, SurfaceLight::InBase)
-            | (_, SurfaceLight::Faces(_) | SurfaceLight::Vertices(_) | SurfaceLight::PerPixel(_)) => {
-                eight::<K, S, { FEW_COSTLY.0 }, { FEW_COSTLY.1 }, PerPixel<K>>(
-                    simd, band, surface, triangles, &corners, &batch, &z,
-                );
-            }
+        (Base::Vertices(_), SurfaceLight::InBase) if !surface.translucent => {
+            all::<K, S, { FEW.0 }, { FEW.1 }, { FEW.2 }, GouraudColors<K>>(simd, band, surface, triangles);
+        }
+        (Base::Vertices(_) | Base::Texture { .. }, SurfaceLight::InBase)
+        | (_, SurfaceLight::Faces(_) | SurfaceLight::Vertices(_) | SurfaceLight::PerPixel(_)) => {
+            all::<K, S, { FEW_COSTLY.0 }, { FEW_COSTLY.1 }, { FEW_COSTLY.2 }, PerPixel<K>>(
+                simd, band, surface, triangles,
+            );
         }
     }
     if let Some(counts) = &mut band.counts {
@@ -59,9 +47,30 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
     }
 }
 
+/// Fills triangles in batches of eight.
+#[inline(always)]
+fn all<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, const WORDS: usize, C: Colors<'a, K>>(
+    simd: K,
+    band: &mut Band,
+    surface: &'a Surface,
+    triangles: &[u32],
+) {
+    // One for all: to clear it would cost as much as to fill a batch.
+    let mut few = Few::<SIDE, MOST, WORDS>::new(surface.depth_test && !band.in_order && !band.depths.is_empty());
+    for triangles in triangles.chunks(BATCH) {
+        let corners = corners(surface, triangles);
+        let [x, y, z] = gather_points(simd, &surface.positions, &corners);
+        let batch = Batch::new(simd, &x, &y, S > 1, band.size);
+        if let Some(counts) = &mut band.counts {
+            counts.here.triangles += triangles.len() as u64;
+        }
+        eight::<K, S, SIDE, MOST, WORDS, C>(simd, band, surface, triangles, &corners, &batch, &z, &mut few);
+    }
+}
+
 /// Fills the eight triangles of a batch: the small ones are set up together.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn eight<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, C: Colors<'a, K>>(
+fn eight<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, const WORDS: usize, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
     surface: &'a Surface,
@@ -69,6 +78,7 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, C: Col
     corners: &Corners,
     batch: &Batch<K>,
     z: &[f32x8<K>; 3],
+    few: &mut Few<SIDE, MOST, WORDS>,
 ) {
     // All eight are set up, although some will go alone: a branch for each would cost more than the arithmetic.
     let set_up = batch.set_up(band.rows.start);
@@ -76,7 +86,6 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, C: Col
     let depths = set_up.planes(z);
     let small = batch.small & set_up.has_area & colors.simple();
     let tiny = if S == 1 { batch.few(SIDE) & small } else { mask32x8::splat(simd, 0) };
-    let mut few = Few::<SIDE, MOST>::new(surface.depth_test && !band.in_order && !band.depths.is_empty());
     // First the coverage of the tiny ones, for all eight at once; it is written below, one triangle after the other,
     // because of two that own the same pixel the first one in the list must come first.
     if tiny.any_true() {
@@ -94,13 +103,16 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, C: Col
             }
             // Found above: the pixels are few, so each is set on its own.
             let start = band.place(rows.start, batch.left[l]).start;
-            let mut owned = few.owned[l];
-            while owned != 0 {
-                let k = owned.trailing_zeros();
-                owned &= owned - 1;
-                if let (Some(there), Some(colors)) = (few.depths.get(k as usize), few.colors.get(k as usize)) {
-                    let pixel = start + (k / SIDE) * band.pitch + k % SIDE;
-                    band.set(surface, pixel, there[l], [depths.dx[l], depths.dy[l]], colors[l]);
+            let mut n = 0;
+            for (word, mut owned) in (0..).zip(few.owned[l]) {
+                while owned != 0 {
+                    let k = 64 * word + owned.trailing_zeros();
+                    owned &= owned - 1;
+                    if let Some((depth, color)) = few.pixel::<K, C>(l, k, n) {
+                        let pixel = start + (k / SIDE) * band.pitch + k % SIDE;
+                        band.set(surface, pixel, depth, [depths.dx[l], depths.dy[l]], color);
+                    }
+                    n += 1;
                 }
             }
         } else if small[l] != 0 {
@@ -117,12 +129,16 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, C: Col
         } else {
             // Large, a sliver, or with colours that perspective bends: on its own, in 64 bits, row by row.
             let corners = corners_at(corners, l);
-            if let Some(triangle) = batch.alone(l, &surface.positions, corners)
-                && let Some(shader) = C::alone(simd, surface, &triangle, triangles[l], corners)
-            {
+            let Some(triangle) = batch.alone(l, &surface.positions, corners) else { continue };
+            let borders = Borders::new(simd, &triangle.v, band.samples, band.size.width);
+            // Of slivers most own no pixel.
+            if borders.are_empty(rows.clone(), ROWS / S) {
+                continue;
+            }
+            if let Some(shader) = C::alone(simd, surface, &triangle, triangles[l], corners) {
                 let z = triangle.plane([z[0][l], z[1][l], z[2][l]]);
                 let painter = Painter::<K, S, C::Shader>::new(simd, triangle.origin, z, band, surface, shader);
-                painter.wide(band, rows, &triangle.v);
+                painter.wide(band, rows, &borders);
             }
         }
     }
@@ -271,15 +287,11 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
 
     /// Fills any triangle, row by row between its borders.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn wide(mut self, band: &mut Band, rows: Range<i32>, vertices: &[[i32; 2]; 3]) {
+    fn wide(mut self, band: &mut Band, rows: Range<i32>, borders: &Borders<K>) {
         // Of a large triangle most tiles of the box would be empty: its borders say where each row begins and ends.
-        let borders = Borders::new(self.simd, vertices, band.samples, band.size.width);
         // With one sample per pixel, four rows are bounded together.
-        let together = ROWS / S;
-        let lanes = if S == 1 { [0.0, 1.0, 2.0, 3.0] } else { [0.0; ROWS] };
-        let lanes = f64x4::from_slice(self.simd, &lanes);
-        for four in rows.clone().step_by(together) {
-            let (from, to) = borders.rows(lanes + f64::from(four));
+        for four in rows.clone().step_by(ROWS / S) {
+            let (from, to) = borders.rows(four);
             if S > 1 {
                 self.row::<ROWS>(band, four, &from, &to);
             } else {

@@ -15,6 +15,7 @@
 //! | `depth` | the depth of the visible surface at each pixel |
 //! | `few` | the pixels of tiny triangles: found for eight triangles at once |
 //! | `fill` | a band of rows: its triangles → its samples |
+//! | `filter` | texels → colours: the nearest, the four around a point, and those of two levels of detail |
 //! | `label` | filled areas, point marks and texts on the picture |
 //! | `line` | strokes: the visible parts of a polyline, its dashes, its arrow head |
 //! | `operations` | the operations of filling and colouring: how many each formula has |
@@ -34,6 +35,7 @@ mod coverage;
 mod depth;
 mod few;
 mod fill;
+mod filter;
 mod label;
 mod line;
 mod operations;

@@ -5,6 +5,8 @@
 //! E(p) = (b − a) × (p − a) is positive inside; where E = 0 the **top-left rule** decides: a top edge (horizontal, with
 //! the triangle below it) or a left edge owns its points, the others do not.
 
+use std::ops::Range;
+
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, f64x4, mask32x8, round_bits_f64, round_bits_of_one};
 
@@ -129,6 +131,8 @@ pub(super) struct Borders<K: Simd> {
     first: f64x4<K>,
     end: f64x4<K>,
     width: f64x4<K>,
+    /// The rows that are found together, from the first.
+    down: f64x4<K>,
 }
 
 /// Rows that [`Borders`] finds together.
@@ -172,13 +176,30 @@ impl<K: Simd> Borders<K> {
         };
         let first = rows(v[0][1].min(v[1][1]).min(v[2][1]));
         let end = rows(v[0][1].max(v[1][1]).max(v[2][1]));
-        Self { lines, first, end, width: f64x4::splat(simd, f64::from(width)) }
+        let down = if samples.len() == 1 { [0.0, 1.0, 2.0, 3.0] } else { [0.0; ROWS] };
+        let down = f64x4::from_slice(simd, &down);
+        Self { lines, first, end, width: f64x4::splat(simd, f64::from(width)), down }
+    }
+
+    /// True where no row has a pixel inside. `together`: rows that [`rows`](Self::rows) finds, one or four.
+    #[inline(always)]
+    pub(super) fn are_empty(&self, rows: Range<i32>, together: usize) -> bool {
+        for first in rows.step_by(together) {
+            let (from, to) = self.rows(first);
+            for l in 0..ROWS {
+                if from[l] < to[l] {
+                    return false;
+                }
+            }
+        }
+        true
     }
 
     /// The first pixels of rows inside the triangle and the first ones behind it, between 0 and the width; those of
-    /// rows that have no pixel inside are equal or the wrong way round.
+    /// rows that have no pixel inside are equal or the wrong way round. `first`: the first row, or the only one.
     #[inline(always)]
-    pub(super) fn rows(&self, j: f64x4<K>) -> ([i32; ROWS], [i32; ROWS]) {
+    pub(super) fn rows(&self, first: i32) -> ([i32; ROWS], [i32; ROWS]) {
+        let j = self.down + f64::from(first);
         let x = |k: usize| self.lines[k].0 + self.lines[k].1 * j;
         // ⌊x⌋ + 1 is x + ½ rounded to nearest, as x is not a whole number.
         let after = |x: f64x4<K>| round_bits_f64(x + 0.5);

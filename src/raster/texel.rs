@@ -6,20 +6,20 @@
 
 use std::cell::Cell;
 
-use crate::appearance::{Filter, LEVEL_COLORS, Level, Rgba, Sampler, Texture, TextureReveal, Wrap};
+use crate::appearance::{Filter, LEVEL_COLORS, Rgba, Sampler, Texture, TextureReveal, Wrap};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
+use super::filter::{Channels, bilinear, nearest, trilinear};
 use super::shade::LANES;
-
-/// The channels of eight colours.
-pub(super) type Channels<K> = [f32x8<K>; 4];
 
 /// A triangle with a picture on it in each lane.
 #[derive(Clone)]
 pub(super) struct Textured<'a, K: Simd> {
     image: &'a Texture,
     sampler: Sampler,
+    /// No texel lets anything through.
+    opaque: bool,
     /// The channels of the tint, 0 … 1, premultiplied.
     tint: [f32; 4],
     /// Texture coordinates, u and v, of the three vertices, near 0 where the picture repeats, so that they are exact.
@@ -52,7 +52,7 @@ impl<'a, K: Simd> Textured<'a, K> {
         } else {
             None
         };
-        Self { image, sampler, tint, uv, change, two_levels: Cell::new(0) }
+        Self { image, sampler, opaque: image.is_opaque(), tint, uv, change, two_levels: Cell::new(0) }
     }
 
     /// The triangle of one lane in each.
@@ -72,19 +72,18 @@ impl<'a, K: Simd> Textured<'a, K> {
         let simd = wanted.witness();
         // The squares of the changes of u and v in texels, from pixel to pixel: along x, along y.
         let sides = [self.image.width() as f32, self.image.height() as f32];
-        let mut detail = f32x8::splat(simd, 0.0);
-        let mut width = [f32x8::splat(simd, 1.0); 2];
-        if let Some([x, y]) = &self.change {
-            let (x, y) = (squares(x, uv, w, sides), squares(y, uv, w, sides));
+        let zero = f32x8::splat(simd, 0.0);
+        let (mut x, mut y, mut detail) = ([zero; 2], [zero; 2], zero);
+        if let Some([change_x, change_y]) = &self.change {
+            (x, y) = (squares(change_x, uv, w, sides), squares(change_y, uv, w, sides));
             // Of the longer change: the root is taken by halving the logarithm.
             detail = log2((x[0] + x[1]).max(y[0] + y[1])) * 0.5;
-            // The widths of a pixel in texels, along u and along v.
-            width = [(x[0] + y[0]).sqrt(), (x[1] + y[1]).sqrt()];
         }
         let texel = match self.sampler.reveal {
             None | Some(TextureReveal::Affine) => self.texel(wanted, uv, detail),
             Some(TextureReveal::Levels) => self.with_level(wanted, uv, detail),
-            Some(TextureReveal::Texels) => self.with_lines(wanted, uv, width),
+            // The widths of a pixel in texels, along u and along v.
+            Some(TextureReveal::Texels) => self.with_lines(wanted, uv, [(x[0] + y[0]).sqrt(), (x[1] + y[1]).sqrt()]),
         };
         let mut tinted = texel;
         for k in 0..4 {
@@ -122,7 +121,7 @@ impl<'a, K: Simd> Textured<'a, K> {
     fn with_lines(&self, wanted: mask32x8<K>, uv: [f32x8<K>; 2], width: [f32x8<K>; 2]) -> Channels<K> {
         let simd = wanted.witness();
         let Some(level) = self.image.levels().first() else { return [f32x8::splat(simd, 0.0); 4] };
-        let own = nearest(&Levels::one(simd, level), self.sampler, wanted, uv);
+        let own = nearest(level, self.sampler, wanted, uv);
         let near = near_line(uv[0], level.width, width[0]) | near_line(uv[1], level.height, width[1]);
         // Dark on light texels and light on dark ones.
         let light = (own[0] + own[1] + own[2]).simd_gt(own[3] * 1.5);
@@ -138,68 +137,24 @@ impl<'a, K: Simd> Textured<'a, K> {
     #[inline(always)]
     fn texel(&self, wanted: mask32x8<K>, uv: [f32x8<K>; 2], detail: f32x8<K>) -> Channels<K> {
         let simd = wanted.witness();
-        let levels = self.image.levels();
-        let Some(first) = levels.first() else { return [f32x8::splat(simd, 0.0); 4] };
-        if self.sampler.filter == Filter::Nearest {
-            return nearest(&Levels::one(simd, first), self.sampler, wanted, uv);
-        }
-        let between = wanted & detail.simd_gt(0.0);
-        if levels.len() == 1 || self.sampler.filter == Filter::Bilinear || !between.any_true() {
-            return bilinear(&Levels::one(simd, first), self.sampler, wanted, uv);
-        }
-        let last = i32::try_from(levels.len() - 1).unwrap_or(i32::MAX);
-        let finer = detail.max(0.0).min(last as f32).to_int::<i32x8<K>>();
-        let share = detail - finer.to_float::<f32x8<K>>();
-        let two = between & finer.simd_lt(last);
-        let mut colors = bilinear(&Levels::of(simd, levels, first, finer), self.sampler, wanted, uv);
-        if two.any_true() {
-            let coarse = bilinear(&Levels::of(simd, levels, first, finer + 1), self.sampler, two, uv);
-            for k in 0..4 {
-                colors[k] = two.select(colors[k] + share * (coarse[k] - colors[k]), colors[k]);
+        let Some(first) = self.image.levels().first() else { return [f32x8::splat(simd, 0.0); 4] };
+        let (between, opaque) = (wanted & detail.simd_gt(0.0), self.opaque);
+        match self.sampler.filter {
+            Filter::Nearest => nearest(first, self.sampler, wanted, uv),
+            Filter::Trilinear
+                if between.any_true()
+                    && let Some(levels) = self.image.level_pairs() =>
+            {
+                let (colors, two) = trilinear(levels, self.sampler, opaque, wanted, between, uv, detail);
+                let mut number = 0;
+                for l in 0..LANES {
+                    number += two[l] & 1;
+                }
+                self.two_levels.set(self.two_levels.get() + u64::from(number.unsigned_abs()));
+                colors
             }
-            let number = (0..LANES).filter(|&l| two[l] != 0).count();
-            self.two_levels.set(self.two_levels.get() + number as u64);
+            Filter::Trilinear | Filter::Bilinear => bilinear(first, self.sampler, opaque, wanted, uv),
         }
-        colors
-    }
-}
-
-/// A level of detail for each lane, and its sides.
-struct Levels<'a, K: Simd> {
-    levels: [&'a Level; LANES],
-    width: i32x8<K>,
-    height: i32x8<K>,
-}
-
-impl<'a, K: Simd> Levels<'a, K> {
-    #[inline(always)]
-    fn one(simd: K, level: &'a Level) -> Self {
-        let width = i32x8::splat(simd, level.width.cast_signed());
-        Self { levels: [level; LANES], width, height: i32x8::splat(simd, level.height.cast_signed()) }
-    }
-
-    /// `first`: what stands in for a level that is not there.
-    #[inline(always)]
-    fn of(simd: K, levels: &'a [Level], first: &'a Level, which: i32x8<K>) -> Self {
-        let (mut found, mut width, mut height) = ([first; LANES], [0; LANES], [0; LANES]);
-        for l in 0..LANES {
-            let level = usize::try_from(which[l]).ok().and_then(|which| levels.get(which)).unwrap_or(first);
-            (found[l], width[l], height[l]) = (level, level.width.cast_signed(), level.height.cast_signed());
-        }
-        Self { levels: found, width: i32x8::from_slice(simd, &width), height: i32x8::from_slice(simd, &height) }
-    }
-
-    /// The texels at these columns and rows, where they are wanted, as they lie in memory.
-    #[inline(always)]
-    fn texels(&self, wanted: mask32x8<K>, x: i32x8<K>, y: i32x8<K>) -> u32x8<K> {
-        let places = wanted.select(y * self.width + x, i32x8::splat(wanted.witness(), 0));
-        let mut texels = [0; LANES];
-        // Texels lie anywhere in memory: each pixel asks for its own, the first where it wants none, so that no branch
-        // is guessed wrong.
-        for l in 0..LANES {
-            texels[l] = u32::from_le_bytes(self.levels[l].at(places[l] as usize));
-        }
-        u32x8::from_slice(wanted.witness(), &texels)
     }
 }
 
@@ -251,89 +206,6 @@ fn near_line<K: Simd>(t: f32x8<K>, size: u32, width: f32x8<K>) -> mask32x8<K> {
     let within = within - within.floor();
     let distance = within.min(f32x8::splat(t.witness(), 1.0) - within);
     (width * SMALLEST).simd_lt(1.0) & distance.simd_lt(width * 0.5)
-}
-
-/// The nearest texels.
-#[inline(always)]
-fn nearest<K: Simd>(levels: &Levels<K>, sampler: Sampler, wanted: mask32x8<K>, uv: [f32x8<K>; 2]) -> Channels<K> {
-    let x = nearest_along(uv[0], levels.width, sampler.wrap_u);
-    let y = nearest_along(uv[1], levels.height, sampler.wrap_v);
-    channels(levels.texels(wanted, x, y))
-}
-
-/// The nearest texels along one axis.
-#[inline(always)]
-fn nearest_along<K: Simd>(t: f32x8<K>, size: i32x8<K>, wrap: Wrap) -> i32x8<K> {
-    let index = (folded(t, wrap) * size.to_float::<f32x8<K>>()).to_int::<i32x8<K>>();
-    // What is not a number, or too large for one, is at either end.
-    index.max(0).min(size - 1)
-}
-
-/// Between the four nearest texels. Beyond a border that is not repeated the border goes on.
-#[inline(always)]
-fn bilinear<K: Simd>(levels: &Levels<K>, sampler: Sampler, wanted: mask32x8<K>, uv: [f32x8<K>; 2]) -> Channels<K> {
-    let (x0, x1, s) = between_along(uv[0], levels.width, sampler.wrap_u);
-    let (y0, y1, t) = between_along(uv[1], levels.height, sampler.wrap_v);
-    let a = channels(levels.texels(wanted, x0, y0));
-    let b = channels(levels.texels(wanted, x1, y0));
-    let c = channels(levels.texels(wanted, x0, y1));
-    let d = channels(levels.texels(wanted, x1, y1));
-    let mut mixed = a;
-    for k in 0..4 {
-        let top = a[k] + s * (b[k] - a[k]);
-        let bottom = c[k] + s * (d[k] - c[k]);
-        mixed[k] = top + t * (bottom - top);
-    }
-    mixed
-}
-
-/// The two nearest texels along one axis, and the share of the second.
-#[inline(always)]
-fn between_along<K: Simd>(t: f32x8<K>, size: i32x8<K>, wrap: Wrap) -> (i32x8<K>, i32x8<K>, f32x8<K>) {
-    let last = size - 1;
-    let t = folded(t, wrap) * size.to_float::<f32x8<K>>() - 0.5;
-    if wrap == Wrap::Repeat {
-        let low = t.floor();
-        let share = t - low;
-        let low = low.to_int::<i32x8<K>>();
-        return (round_the_picture(low, last), round_the_picture(low + 1, last), share);
-    }
-    let t = t.max(0.0).min(last.to_float::<f32x8<K>>());
-    let low = t.to_int::<i32x8<K>>().max(0).min(last);
-    (low, (low + 1).min(last), t - low.to_float::<f32x8<K>>())
-}
-
-/// One before the first is the last, and one behind the last is the first.
-#[inline(always)]
-fn round_the_picture<K: Simd>(at: i32x8<K>, last: i32x8<K>) -> i32x8<K> {
-    let at = at.simd_lt(0).select(last, at);
-    at.simd_gt(last).select(i32x8::splat(at.witness(), 0), at)
-}
-
-/// The channels of texels.
-#[inline(always)]
-fn channels<K: Simd>(texels: u32x8<K>) -> Channels<K> {
-    [channel(texels), channel(texels >> 8), channel(texels >> 16), channel(texels >> 24)]
-}
-
-/// The lowest channel as a number.
-#[inline(always)]
-pub(super) fn channel<K: Simd>(pixels: u32x8<K>) -> f32x8<K> {
-    // Signed numbers become floats in one instruction.
-    (pixels & 0xff).bitcast::<i32x8<K>>().to_float()
-}
-
-/// Coordinates as those of the picture, 0 … 1; as they are where the border goes on.
-#[inline(always)]
-fn folded<K: Simd>(t: f32x8<K>, wrap: Wrap) -> f32x8<K> {
-    match wrap {
-        Wrap::Clamp => t,
-        Wrap::Repeat => t - t.floor(),
-        Wrap::Mirror => {
-            let twice = t - (t * 0.5).floor() * 2.0;
-            twice.simd_gt(1.0).select(f32x8::splat(t.witness(), 2.0) - twice, twice)
-        }
-    }
 }
 
 /// log₂ to 0.01, by operations that every machine does alike; very small for 0, and for what is none.
