@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Mesa's llvmpipe drawing the same mesh with the same camera, pixels read back: llvmpipe.py FIGURE.toml CAMERA_LAB [FRAMES]
+"""Mesa's llvmpipe drawing the same mesh with the same camera, pixels read back: llvmpipe.py FIGURE.toml CAMERA_LAB [FRAMES [PICTURE.png]]
 
-Needs moderngl and numpy (PyPI) and Mesa's EGL. The matrices come from `camera-lab inspect`; a frame is: clear, draw, read all
-pixels (RGBA, 8 bits) into one reused buffer. Prints one JSON object in the form of `camera-lab bench`.
+Needs moderngl and numpy (PyPI), Pillow where the object has a texture, and Mesa's EGL. The matrices come from `camera-lab inspect`;
+a frame is: clear, draw, read all pixels (RGBA, 8 bits) into one reused buffer. A shadow map is drawn once, as there: neither light nor
+mesh moves. Prints one JSON object in the form of `camera-lab bench`.
 """
 import json
 import os
@@ -15,19 +16,43 @@ import moderngl
 import numpy as np
 
 VERTEX = """#version 330
+uniform mat4 clip_from_world; uniform mat4 map_from_world; uniform vec3 to_light; uniform vec3 color; uniform vec2 scale;
+in vec3 position; in vec3 normal; in vec2 uv; {flat} out vec3 ambient; {flat} out vec3 diffuse; out vec2 at; out vec3 on_map;
+void main() {{
+    gl_Position = clip_from_world * vec4(position, 1.0);
+    ambient = color * 0.3;
+    diffuse = color * 0.7 * max(dot(normal, to_light), 0.0);
+    at = uv * scale;
+    on_map = (map_from_world * vec4(position, 1.0)).xyz * 0.5 + 0.5;
+}}"""
+# Gouraud without texture and shadow needs one colour for each vertex, and gets no more.
+PLAIN_VERTEX = """#version 330
 uniform mat4 clip_from_world; uniform vec3 to_light; uniform vec3 color;
-in vec3 position; in vec3 normal; %s out vec3 shade;
-void main() {
+in vec3 position; in vec3 normal; {flat} out vec3 shade;
+void main() {{
     gl_Position = clip_from_world * vec4(position, 1.0);
     shade = color * (0.3 + 0.7 * max(dot(normal, to_light), 0.0));
-}"""
-FRAGMENT = """#version 330
-%s in vec3 shade; out vec4 pixel;
-void main() { pixel = vec4(shade, 1.0); }"""
+}}"""
+FRAGMENTS = {
+    "plain": """#version 330
+{flat} in vec3 shade; out vec4 pixel;
+void main() {{ pixel = vec4(shade, 1.0); }}""",
+    "texture": """#version 330
+uniform sampler2D picture; {flat} in vec3 ambient; {flat} in vec3 diffuse; in vec2 at; out vec4 pixel;
+void main() {{ pixel = vec4((ambient + diffuse) * texture(picture, at).rgb, 1.0); }}""",
+    "shadows": """#version 330
+uniform sampler2DShadow map; {flat} in vec3 ambient; {flat} in vec3 diffuse; in vec3 on_map; out vec4 pixel;
+void main() {{ pixel = vec4(ambient + diffuse * texture(map, on_map - vec3(0.0, 0.0, 0.002)), 1.0); }}""",
+}
+DEPTHS = ("""#version 330
+uniform mat4 map_from_world; in vec3 position;
+void main() { gl_Position = map_from_world * vec4(position, 1.0); }""", """#version 330
+void main() {}""")
 
 
 def read_obj(path):
-    points, normals, corners = [], [], []
+    """vertices (place, normal, texture coordinates) and triangles"""
+    points, normals, coordinates, found, corners = [], [], [(0.0, 0.0)], {}, []
     with open(path) as f:
         for line in f:
             words = line.split()
@@ -35,9 +60,26 @@ def read_obj(path):
                 points.append([float(x) for x in words[1:]])
             elif words[0] == "vn":
                 normals.append([float(x) for x in words[1:]])
+            elif words[0] == "vt":
+                coordinates.append([float(x) for x in words[1:]])
             else:
-                corners.append([int(w.split("/")[0]) - 1 for w in words[1:]])
-    return (np.hstack([np.array(points), np.array(normals)]).astype("f4"), np.array(corners, dtype="i4"))
+                keys = [tuple(int(x or 0) for x in w.split("/")[:2]) for w in words[1:]]
+                corners.append([found.setdefault(key, len(found)) for key in keys])
+    vertices = [points[v - 1] + normals[v - 1] + list(coordinates[c]) for v, c in found]
+    return np.array(vertices, dtype="f4"), np.array(corners, dtype="i4")
+
+
+def light_view(vertices, to_light):
+    """parallel projection along the light over all of the mesh"""
+    middle = vertices[:, :3].mean(axis=0)
+    right = np.cross([0.0, 1.0, 0.0], to_light)
+    right /= np.linalg.norm(right)
+    axes = np.array([right, np.cross(to_light, right), -to_light])
+    reach = np.abs((vertices[:, :3] - middle) @ axes.T).max() * 1.01
+    matrix = np.eye(4)
+    matrix[:3, :3] = axes / reach
+    matrix[:3, 3] = -matrix[:3, :3] @ middle
+    return matrix.T.astype("f4").tobytes()
 
 
 def main():
@@ -51,13 +93,38 @@ def main():
     samples, flat = figure["style"]["antialias"], "flat" if figure["style"]["shading"] == "flat" else ""
     ctx = moderngl.create_standalone_context(backend="egl")
     ctx.enable(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
-    program = ctx.program(vertex_shader=VERTEX % flat, fragment_shader=FRAGMENT % flat)
+    thing, lamp = figure["scene"]["objects"][0], figure["scene"]["lights"][0]
+    kind = "texture" if "texture" in thing else "shadows" if lamp.get("shadows") else "plain"
+    vertex = PLAIN_VERTEX if kind == "plain" else VERTEX
+    program = ctx.program(vertex_shader=vertex.format(flat=flat), fragment_shader=FRAGMENTS[kind].format(flat=flat))
     program["clip_from_world"].write(np.array(report["view_projection_matrix"]).T.astype("f4").tobytes())
-    light = -np.array(figure["scene"]["lights"][0]["direction"])
-    program["to_light"].value = tuple(light / np.linalg.norm(light))
-    program["color"].value = (0x44 / 255, 0x77 / 255, 0xAA / 255)
-    mesh = ctx.vertex_array(program, [(ctx.buffer(vertices.tobytes()), "3f 3f", "position", "normal")],
-                            ctx.buffer(triangles.tobytes()))
+    light = -np.array(lamp["direction"])
+    light /= np.linalg.norm(light)
+    program["to_light"].value = tuple(light)
+    program["color"].value = (1.0, 1.0, 1.0) if kind == "texture" else (0x44 / 255, 0x77 / 255, 0xAA / 255)
+    data, indices = ctx.buffer(vertices.tobytes()), ctx.buffer(triangles.tobytes())
+    if kind == "texture":
+        from PIL import Image
+        image = Image.open(os.path.join(os.path.dirname(path), thing["texture"])).convert("RGB")
+        picture = ctx.texture(image.size, 3, image.transpose(Image.FLIP_TOP_BOTTOM).tobytes())
+        picture.build_mipmaps()
+        picture.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
+        picture.use(0)
+        program["scale"].value = tuple(thing["texture_scale"])
+    if kind == "shadows":
+        side = lamp["shadow_map"]
+        view, depths = light_view(vertices, light), ctx.depth_texture((side, side))
+        depths.compare_func = "<="
+        depths.filter = (moderngl.LINEAR, moderngl.LINEAR)
+        program["map_from_world"].write(view)
+        into_map = ctx.program(vertex_shader=DEPTHS[0], fragment_shader=DEPTHS[1])
+        into_map["map_from_world"].write(view)
+        ctx.framebuffer(depth_attachment=depths).use()
+        ctx.clear(depth=1.0)
+        ctx.vertex_array(into_map, [(data, "3f 5x4", "position")], indices).render(moderngl.TRIANGLES)
+        depths.use(0)
+    inputs = (data, "3f 3f 2f", "position", "normal", "uv") if kind == "texture" else (data, "3f 3f 2x4", "position", "normal")
+    mesh = ctx.vertex_array(program, [inputs], indices)
     target = ctx.simple_framebuffer((width, height))
     draw_to = target
     if samples > 1:
@@ -75,6 +142,9 @@ def main():
         target.read_into(pixels, components=4)
         if i >= 5:
             times.append(1e3 * (time.perf_counter() - start))
+    if len(sys.argv) > 4:
+        from PIL import Image
+        Image.frombytes("RGBA", (width, height), bytes(pixels)).transpose(Image.FLIP_TOP_BOTTOM).save(sys.argv[4])
     times.sort()
     covered = int((np.frombuffer(pixels, "u1").reshape(-1, 4)[:, 0] != 255).sum())
     print(json.dumps({"renderer": ctx.info["GL_RENDERER"], "width": width, "height": height, "triangles": len(triangles),

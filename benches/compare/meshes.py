@@ -2,11 +2,15 @@
 """Writes the closed meshes of the comparison as OBJ, with a figure file for each: meshes.py FOLDER
 
 One bumpy sphere at five tessellations (about 100, 1k, 10k, 100k and 1M triangles), smooth normals, counter-clockwise from outside.
-The camera is the same for all: the mesh fills most of the picture. Deterministic; standard library only.
+The camera is the same for all: the mesh fills most of the picture. The mesh of 100k triangles is there once more with texture
+coordinates, with a picture of 1024 by 1024 texels that goes around it four times, or in the shadow of itself. Deterministic; standard
+library only.
 """
 import math
 import os
+import struct
 import sys
+import zlib
 
 SIZES = {"100": 6, "1k": 16, "10k": 50, "100k": 158, "1M": 500}
 FIGURE = """[camera]
@@ -40,6 +44,15 @@ direction = [-1.0, -2.0, -1.0]
 shading   = "{shading}"
 antialias = {samples}
 """
+
+
+# What the figures of textures and shadows have more: in their object, and behind it.
+PICTURE = '''
+texture = "picture.png"
+texture_scale = [4.0, 4.0]
+filter = "trilinear"
+'''
+SHADOWS = "shadows = true\nshadow_map = 1024\n"
 
 
 def bumpy_sphere(stacks):
@@ -78,6 +91,33 @@ def normals(points, triangles):
     return [[x / math.sqrt(sum(y * y for y in n)) for x in n] for n in sums]
 
 
+def with_coordinates(points, triangles, stacks):
+    """texture coordinates, and triangles whose corners are (vertex, coordinates): around it, and from pole to pole"""
+    slices = 2 * stacks
+    row = lambda v: 0 if v == 0 else stacks if v == len(points) - 1 else 1 + (v - 1) // slices
+    found, corners = {}, []
+    for t in triangles:
+        columns = [(v - 1) % slices for v in t if 0 < row(v) < stacks]
+        # A triangle that closes the ring goes on behind its end.
+        closes = max(columns) - min(columns) > 1
+        corner = []
+        for v in t:
+            column = min(columns) + 0.5 if row(v) in (0, stacks) else (v - 1) % slices
+            column += slices if closes and column < slices / 2 else 0
+            corner.append((v, found.setdefault((column / slices, 1.0 - row(v) / stacks), len(found))))
+        corners.append(corner)
+    return list(found), corners
+
+
+def write_picture(path, side=1024):
+    """a picture of many colours, as PNG"""
+    rows = b"".join(b"\0" + bytes(c for x in range(side) for c in (x & 255, y & 255, ((x ^ y) * 8) & 255)) for y in range(side))
+    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    head = struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)
+    with open(path, "wb") as f:
+        f.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
 def main():
     folder = sys.argv[1]
     os.makedirs(folder, exist_ok=True)
@@ -95,6 +135,22 @@ def main():
                         f.write(FIGURE.format(aspect=width / height, width=width, height=height, name=name, shading=shading,
                                               samples=samples))
         print(name, len(triangles), "triangles")
+        if name == "100k":
+            coordinates, corners = with_coordinates(points, triangles, stacks)
+            with open(os.path.join(folder, name + "-uv.obj"), "w") as f:
+                f.writelines("v %.9g %.9g %.9g\n" % p for p in points)
+                f.writelines("vt %.9g %.9g\n" % c for c in coordinates)
+                f.writelines("vn %.9g %.9g %.9g\n" % tuple(n) for n in normals(points, triangles))
+                f.writelines("f %s\n" % " ".join("%d/%d/%d" % (v + 1, c + 1, v + 1) for v, c in t) for t in corners)
+    write_picture(os.path.join(folder, "picture.png"))
+    for shading in ("flat", "gouraud"):
+        plain = FIGURE.format(aspect=1.0, width=640, height=640, name="100k-uv", shading=shading, samples=1)
+        color = 'color = "#4477aa"\n'
+        texts = {"plain": plain, "texture": plain.replace(color, 'color = "#ffffff"\n' + PICTURE),
+                 "shadows": plain.replace("-1.0, -2.0, -1.0]\n", "-1.0, -2.0, -1.0]\n" + SHADOWS)}
+        for kind, text in texts.items():
+            with open(os.path.join(folder, "100k-%s-%s.toml" % (shading, kind)), "w") as f:
+                f.write(text)
 
 
 if __name__ == "__main__":

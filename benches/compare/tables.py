@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Measures everything in docs/performance.md and prints its tables: tables.py FOLDER CAMERA_LAB [SECTION]...
 
-FOLDER holds what `meshes.py` wrote. Sections: rivals, triangles, pixels, threads, plan, three, memory; without any, all of them.
+FOLDER holds what `meshes.py` wrote. Sections: rivals, surfaces, triangles, pixels, threads, plan, three,
+memory; without any, all of them.
 Rivals that are not there are left out: `llvmpipe.py` needs moderngl, the crates a build (`cargo build --release` in `crates/`),
 three.js `npm install` in `three/` and Chromium. Each cell is the least median of several runs; what is compared takes turns.
 """
@@ -94,6 +95,19 @@ def rivals(folder, binary):
                     own, *others = least(measurements, once=measurements[4:])
                     rows.append([name, ms(own)] + [ratio(other, own) for other in others])
                 table(head, rows)
+
+
+def surfaces(folder, binary):
+    rows = []
+    for shading in ("flat", "gouraud"):
+        figures = [os.path.join(folder, "100k-%s-%s.toml" % (shading, kind)) for kind in ("plain", "texture", "shadows")]
+        median = lambda command: (lambda r: r and r["median_ms"])(run(command))
+        measurements = [lambda f=f: ours(binary, f, FRAMES["100k"]) for f in figures]
+        measurements += [lambda f=f: median([sys.executable, os.path.join(HERE, "llvmpipe.py"), f, binary, "30"]) for f in figures]
+        found = least(measurements)
+        for kind, own, other in zip(("plain", "texture", "shadows"), found[:3], found[3:]):
+            rows.append([shading, kind, ms(own), "%.2f×" % (own / found[0]), ratio(other, own)])
+    table(["shading", "surface", "camera-lab", "of plain", "llvmpipe"], rows)
 
 
 def figure_of(name, width, height, shading="gouraud", samples=1, folder=".", more=""):
@@ -212,7 +226,7 @@ def memory(folder, binary):
 
 def main():
     folder, binary, *wanted = sys.argv[1:]
-    for section in (rivals, triangles, pixels, threads, plan, three, memory):
+    for section in (rivals, surfaces, triangles, pixels, threads, plan, three, memory):
         if not wanted or section.__name__ in wanted:
             print("### %s\n" % section.__name__)
             section(folder, binary)

@@ -63,9 +63,37 @@ impl Band<'_> {
         asked & z.simd_gt(f32x8::from_slice(z.witness(), &old))
     }
 
+    /// Sets pixels of a triangle: each by its distance from `start`, its depth and its colour.
+    #[inline(always)]
+    pub(super) fn set_each(
+        &mut self,
+        surface: &Surface,
+        start: u32,
+        slope: [f32; 2],
+        pixels: impl Iterator<Item = (u32, f32, Pixel)>,
+    ) {
+        let (colors, depths) = (&mut *self.colors, &mut *self.depths);
+        let plain = !self.in_order && !surface.translucent && self.greatest <= 0.0;
+        if plain && surface.depth_test && self.slopes.is_empty() && self.counts.is_none() && !depths.is_empty() {
+            // The same as below, for what is asked most often.
+            for (offset, depth, color) in pixels {
+                let place = (start + offset) as usize;
+                if let (Some(pixel), Some(old)) = (colors.get_mut(place), depths.get_mut(place))
+                    && depth > *old
+                {
+                    (*pixel, *old) = (color, depth);
+                }
+            }
+            return;
+        }
+        for (offset, depth, color) in pixels {
+            self.set(surface, start + offset, depth, slope, color);
+        }
+    }
+
     /// Sets a pixel.
     #[inline(always)]
-    pub(super) fn set(&mut self, surface: &Surface, pixel: u32, depth: f32, [dx, dy]: [f32; 2], color: Pixel) {
+    fn set(&mut self, surface: &Surface, pixel: u32, depth: f32, [dx, dy]: [f32; 2], color: Pixel) {
         let start = pixel as usize;
         let Some(pixel) = self.colors.get_mut(start) else { return };
         if let Some(counts) = &mut self.counts {

@@ -23,6 +23,16 @@ pub(super) struct Bins {
     /// Triangles that may own a sample.
     kept: usize,
     translucent: Vec<Translucent>,
+    /// The translucent triangles that touch each band, from back to front.
+    runs: Vec<Runs>,
+}
+
+/// Triangles from back to front.
+#[derive(Clone, Debug, Default)]
+struct Runs {
+    triangles: Vec<u32>,
+    /// The surface of some that follow one another, and the end of these in the list.
+    surfaces: Vec<(usize, usize)>,
 }
 
 /// A stretch of the triangles of one surface.
@@ -73,6 +83,7 @@ impl Bins {
         }
         let kept: usize = self.chunks[..self.used].iter().map(|chunk| chunk.kept).sum();
         self.sort_translucent(drawing, many, size, height);
+        self.sort_runs(bands);
         self.kept = kept + self.translucent.len();
     }
 
@@ -100,12 +111,34 @@ impl Bins {
         self.translucent.sort_by(|a, b| a.depth.total_cmp(&b.depth));
     }
 
+    fn sort_runs(&mut self, bands: usize) {
+        self.runs.resize_with(bands, Runs::default);
+        for runs in &mut self.runs {
+            runs.triangles.clear();
+            runs.surfaces.clear();
+        }
+        for t in &self.translucent {
+            for runs in self.runs.get_mut(t.first_band..=t.last_band).unwrap_or_default() {
+                runs.triangles.push(t.triangle);
+                let end = runs.triangles.len();
+                match runs.surfaces.last_mut() {
+                    Some((surface, old_end)) if *surface == t.surface => *old_end = end,
+                    _ => runs.surfaces.push((t.surface, end)),
+                }
+            }
+        }
+    }
+
     /// The triangles that touch a band, surface and numbers: the opaque ones in the order of the drawing, then the
     /// translucent ones from back to front.
     pub(super) fn band(&self, band: usize) -> impl Iterator<Item = (usize, &[u32])> {
         let opaque = self.chunks[..self.used].iter().map(move |chunk| (chunk.surface, chunk.bands[band].as_slice()));
-        let translucent = self.translucent.iter().filter(move |t| (t.first_band..=t.last_band).contains(&band));
-        let translucent = translucent.map(|t| (t.surface, std::slice::from_ref(&t.triangle)));
+        let runs = &self.runs[band];
+        let translucent = runs.surfaces.iter().scan(0, |start, &(surface, end)| {
+            let triangles = &runs.triangles[*start..end];
+            *start = end;
+            Some((surface, triangles))
+        });
         opaque.filter(|(_, triangles)| !triangles.is_empty()).chain(translucent)
     }
 }

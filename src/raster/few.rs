@@ -9,43 +9,60 @@ use super::counts::Kind;
 use super::pixel::Pixel;
 use super::shade::Colors;
 
-/// Largest number of columns and rows of triangles that are filled together, the pixels of their boxes, and the words
-/// that have a bit for each.
-pub(super) const FEW: (u32, usize, usize) = (4, 16, 1);
+/// Largest number of columns and rows of triangles that are filled together.
+pub(super) const FEW: u32 = 4;
 /// The same where colours cost much: a lane that waits costs more then than a larger box.
-pub(super) const FEW_COSTLY: (u32, usize, usize) = (11, 121, 2);
+pub(super) const FEW_COSTLY: u32 = 11;
 
-/// The pixels of tiny triangles; `MOST` is `SIDE`².
-pub(super) struct Few<const SIDE: u32, const MOST: usize, const WORDS: usize> {
-    /// Nothing is painted behind what is there.
-    depth_test: bool,
-    /// A bit for each pixel that the triangle owns, in rows of `SIDE` from the first of the box on.
-    pub(super) owned: [[u64; WORDS]; BATCH],
+/// Pixels of the largest box.
+const MOST: usize = (FEW_COSTLY * FEW_COSTLY) as usize;
+
+/// The pixels of tiny triangles, eight at a time; kept for the next eight, since to clear them would cost as much as to
+/// find them.
+#[derive(Clone, Debug)]
+pub(super) struct Few {
+    /// How many pixels each triangle owns.
+    owned: [usize; BATCH],
+    /// Which of its box they are, row by row.
+    places: [[u32; BATCH]; MOST],
     /// By the pixel's place in its box; where colours cost much, by its number among those that the triangle owns.
     depths: [[f32; BATCH]; MOST],
     colors: [[Pixel; BATCH]; MOST],
 }
 
-impl<const SIDE: u32, const MOST: usize, const WORDS: usize> Few<SIDE, MOST, WORDS> {
-    pub(super) fn new(depth_test: bool) -> Self {
-        Self { depth_test, owned: [[0; WORDS]; BATCH], depths: [[0.0; BATCH]; MOST], colors: [[0; BATCH]; MOST] }
+impl Default for Few {
+    fn default() -> Self {
+        let (owned, places) = ([0; BATCH], [[0; BATCH]; MOST]);
+        Self { owned, places, depths: [[0.0; BATCH]; MOST], colors: [[0; BATCH]; MOST] }
     }
+}
 
-    /// Depth and colour of a pixel that a triangle owns: the bit `k`, the `n`-th that is set.
+impl Few {
+    /// The pixels that a triangle owns: where they lie from the first of its box, in a band with this many values from
+    /// row to row, their depths and colours.
     #[inline(always)]
-    pub(super) fn pixel<'a, K: Simd, C: Colors<'a, K>>(&self, lane: usize, k: u32, n: usize) -> Option<(f32, Pixel)> {
-        let at = if C::COSTLY { n } else { k as usize };
-        Some((self.depths.get(at)?[lane], self.colors.get(at)?[lane]))
+    pub(super) fn pixels<'a, K: Simd, const SIDE: u32, C: Colors<'a, K>>(
+        &self,
+        lane: usize,
+        pitch: u32,
+    ) -> impl Iterator<Item = (u32, f32, Pixel)> {
+        self.places.iter().take(self.owned[lane]).enumerate().filter_map(move |(n, place)| {
+            let k = place[lane];
+            let at = if C::COSTLY { n } else { k as usize };
+            Some(((k / SIDE) * pitch + k % SIDE, self.depths.get(at)?[lane], self.colors.get(at)?[lane]))
+        })
     }
 
-    /// Goes through the boxes of the eight triangles of a batch together. `tiny`: those that are meant.
+    /// Goes through the boxes of the eight triangles of a batch together. `tiny`: those that are meant, of at most `SIDE`
+    /// columns and rows; `depth_test`: nothing is painted behind what is there.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn find<'a, K: Simd, C: Colors<'a, K>>(
+    pub(super) fn find<'a, K: Simd, const SIDE: u32, C: Colors<'a, K>>(
         &mut self,
         tiny: mask32x8<K>,
         batch: &Batch<K>,
         set_up: &SetUp<K>,
         band: &mut Band,
+        depth_test: bool,
         depths: &Planes<K>,
         colors: &C,
     ) {
@@ -54,8 +71,8 @@ impl<const SIDE: u32, const MOST: usize, const WORDS: usize> Few<SIDE, MOST, WOR
         let [x, y] = set_up.first();
         // Lane l is triangle l, and all go through the pixels of their own boxes in step: pixel (i, j) of eight boxes
         // at a time.
-        // Half a word in each.
-        let mut owned = [[zero; 2]; WORDS];
+        // A bit for each pixel of a box.
+        let mut owned = [zero; MOST.div_ceil(32)];
         let mut row_edges = set_up.edges;
         for j in 0..SIDE {
             let row = tiny & rows.simd_gt(j as i32);
@@ -72,7 +89,7 @@ impl<const SIDE: u32, const MOST: usize, const WORDS: usize> Few<SIDE, MOST, WOR
                 own &= (edges[0] | edges[1] | edges[2]).simd_gt(-1);
                 if own.any_true() {
                     let k = SIDE * j + i;
-                    owned[k as usize / 64][k as usize / 32 % 2] |= own.select(zero + (1 << (k % 32)), zero);
+                    owned[k as usize / 32] |= own.select(zero + (1 << (k % 32)), zero);
                     if !C::COSTLY {
                         let (x, y) = (x + i as f32, y + j as f32);
                         let z = depths.hold(depths.at(x, y));
@@ -88,61 +105,62 @@ impl<const SIDE: u32, const MOST: usize, const WORDS: usize> Few<SIDE, MOST, WOR
                 *edge += b << 8;
             }
         }
-        for (word, [lower, higher]) in owned.iter().enumerate() {
-            let (mut low, mut high) = ([0; BATCH], [0; BATCH]);
-            lower.store_slice(&mut low);
-            higher.store_slice(&mut high);
-            for l in 0..BATCH {
-                self.owned[l][word] = u64::from(low[l]) | u64::from(high[l]) << 32;
-            }
-        }
+        self.list(&owned[..(SIDE * SIDE).div_ceil(32) as usize]);
         if C::COSTLY {
-            self.color(tiny.witness(), batch, set_up, band, depths, colors);
+            self.color::<K, SIDE, C>(tiny.witness(), batch, set_up, band, depth_test, depths, colors);
         } else if let Some(counts) = &mut band.counts {
-            let owned = self.owned.as_flattened();
-            counts.here.colored += owned.iter().map(|word| u64::from(word.count_ones())).sum::<u64>();
+            counts.here.colored += self.owned.iter().sum::<usize>() as u64;
+        }
+    }
+
+    /// Lists the pixels that the triangles own, by a bit for each.
+    #[inline(always)]
+    fn list<K: Simd>(&mut self, words: &[u32x8<K>]) {
+        self.owned = [0; BATCH];
+        for (word, owned) in (0..).zip(words) {
+            let mut bits = [0; BATCH];
+            owned.store_slice(&mut bits);
+            for l in 0..BATCH {
+                let mut left: u32 = bits[l];
+                while left != 0 {
+                    if let Some(places) = self.places.get_mut(self.owned[l]) {
+                        places[l] = 32 * word + left.trailing_zeros();
+                    }
+                    self.owned[l] += 1;
+                    left &= left - 1;
+                }
+            }
         }
     }
 
     /// Depths and colours where colours cost much: each triangle goes on to its next pixel, wherever in the box it
     /// lies, so that few lanes wait, and what is hidden by now gets no colour.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn color<'a, K: Simd, C: Colors<'a, K>>(
+    fn color<'a, K: Simd, const SIDE: u32, C: Colors<'a, K>>(
         &mut self,
         simd: K,
         batch: &Batch<K>,
         set_up: &SetUp<K>,
         band: &mut Band,
+        depth_test: bool,
         depths: &Planes<K>,
         colors: &C,
     ) {
         let [x, y] = set_up.first();
-        let end = u32x8::splat(simd, u128::BITS);
-        let mut left = [0; BATCH];
-        for (left, words) in left.iter_mut().zip(&self.owned) {
-            for (k, word) in words.iter().enumerate() {
-                *left |= u128::from(*word) << (64 * k);
-            }
-        }
-        for (depths_here, colors_here) in self.depths.iter_mut().zip(&mut self.colors) {
-            if left == [0; BATCH] {
-                break;
-            }
-            let mut next = [0; BATCH];
-            for l in 0..BATCH {
-                next[l] = left[l].trailing_zeros();
-                left[l] &= left[l].wrapping_sub(1);
-            }
-            let next = u32x8::from_slice(simd, &next);
-            let own = next.simd_lt(end);
+        let number = self.owned.map(|owned| i32::try_from(owned).unwrap_or(i32::MAX));
+        let number = i32x8::from_slice(simd, &number);
+        let most = self.owned.iter().copied().max().unwrap_or_default();
+        let pixels = self.places.iter().zip(self.depths.iter_mut().zip(&mut self.colors));
+        for (n, (places, (depths_here, colors_here))) in (0..).zip(pixels.take(most)) {
+            let own = number.simd_gt(n);
             // The whole part of k / SIDE: half a pixel more, so that no rounding goes below a whole number.
-            let k = next.bitcast::<i32x8<K>>();
+            let k = u32x8::from_slice(simd, places).bitcast::<i32x8<K>>();
             let down = ((k.to_float::<f32x8<K>>() + 0.5) * (1.0 / SIDE as f32)).to_int::<i32x8<K>>();
             let across = k - down * SIDE.cast_signed();
             let (x, y) = (x + across.to_float::<f32x8<K>>(), y + down.to_float::<f32x8<K>>());
             let z = depths.hold(depths.at(x, y));
             let mut wanted = own;
-            if self.depth_test {
+            if depth_test {
                 wanted &= band.nearer(z, own, batch.left + across, set_up.top + down);
             }
             z.store_slice(depths_here);

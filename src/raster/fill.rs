@@ -25,19 +25,23 @@ use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader};
 
 /// Fills some triangles of a surface, in the order of the list.
 #[inline(always)]
-pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &Surface, triangles: &[u32]) {
+pub(super) fn fill<K: Simd, const S: usize>(
+    simd: K,
+    band: &mut Band,
+    few: &mut Few,
+    surface: &Surface,
+    triangles: &[u32],
+) {
     match (&surface.base, &surface.light) {
         (Base::Solid(_) | Base::Faces(_), SurfaceLight::InBase) => {
-            all::<K, S, { FEW.0 }, { FEW.1 }, { FEW.2 }, FlatColors<K>>(simd, band, surface, triangles);
+            all::<K, S, FEW, FlatColors<K>>(simd, band, few, surface, triangles);
         }
         (Base::Vertices(_), SurfaceLight::InBase) if !surface.translucent => {
-            all::<K, S, { FEW.0 }, { FEW.1 }, { FEW.2 }, GouraudColors<K>>(simd, band, surface, triangles);
+            all::<K, S, FEW, GouraudColors<K>>(simd, band, few, surface, triangles);
         }
         (Base::Vertices(_) | Base::Texture { .. }, SurfaceLight::InBase)
         | (_, SurfaceLight::Faces(_) | SurfaceLight::Vertices(_) | SurfaceLight::PerPixel(_)) => {
-            all::<K, S, { FEW_COSTLY.0 }, { FEW_COSTLY.1 }, { FEW_COSTLY.2 }, PerPixel<K>>(
-                simd, band, surface, triangles,
-            );
+            all::<K, S, FEW_COSTLY, PerPixel<K>>(simd, band, few, surface, triangles);
         }
     }
     if let Some(counts) = &mut band.counts {
@@ -49,14 +53,13 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
 
 /// Fills triangles in batches of eight.
 #[inline(always)]
-fn all<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, const WORDS: usize, C: Colors<'a, K>>(
+fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
+    few: &mut Few,
     surface: &'a Surface,
     triangles: &[u32],
 ) {
-    // One for all: to clear it would cost as much as to fill a batch.
-    let mut few = Few::<SIDE, MOST, WORDS>::new(surface.depth_test && !band.in_order && !band.depths.is_empty());
     for triangles in triangles.chunks(BATCH) {
         let corners = corners(surface, triangles);
         let [x, y, z] = gather_points(simd, &surface.positions, &corners);
@@ -64,13 +67,13 @@ fn all<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, const WO
         if let Some(counts) = &mut band.counts {
             counts.here.triangles += triangles.len() as u64;
         }
-        eight::<K, S, SIDE, MOST, WORDS, C>(simd, band, surface, triangles, &corners, &batch, &z, &mut few);
+        eight::<K, S, SIDE, C>(simd, band, surface, triangles, &corners, &batch, &z, few);
     }
 }
 
 /// Fills the eight triangles of a batch: the small ones are set up together.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn eight<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, const WORDS: usize, C: Colors<'a, K>>(
+fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
     surface: &'a Surface,
@@ -78,7 +81,7 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, const 
     corners: &Corners,
     batch: &Batch<K>,
     z: &[f32x8<K>; 3],
-    few: &mut Few<SIDE, MOST, WORDS>,
+    few: &mut Few,
 ) {
     // All eight are set up, although some will go alone: a branch for each would cost more than the arithmetic.
     let set_up = batch.set_up(band.rows.start);
@@ -89,7 +92,8 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, const 
     // First the coverage of the tiny ones, for all eight at once; it is written below, one triangle after the other,
     // because of two that own the same pixel the first one in the list must come first.
     if tiny.any_true() {
-        few.find(tiny, batch, &set_up, band, &depths, &colors);
+        let depth_test = surface.depth_test && !band.in_order && !band.depths.is_empty();
+        few.find::<K, SIDE, C>(tiny, batch, &set_up, band, depth_test, &depths, &colors);
     }
     for l in 0..triangles.len() {
         let rows = batch.rows(l, &band.rows);
@@ -103,18 +107,7 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, const MOST: usize, const 
             }
             // Found above: the pixels are few, so each is set on its own.
             let start = band.place(rows.start, batch.left[l]).start;
-            let mut n = 0;
-            for (word, mut owned) in (0..).zip(few.owned[l]) {
-                while owned != 0 {
-                    let k = 64 * word + owned.trailing_zeros();
-                    owned &= owned - 1;
-                    if let Some((depth, color)) = few.pixel::<K, C>(l, k, n) {
-                        let pixel = start + (k / SIDE) * band.pitch + k % SIDE;
-                        band.set(surface, pixel, depth, [depths.dx[l], depths.dy[l]], color);
-                    }
-                    n += 1;
-                }
-            }
+            band.set_each(surface, start, [depths.dx[l], depths.dy[l]], few.pixels::<K, SIDE, C>(l, band.pitch));
         } else if small[l] != 0 {
             // Its edge functions fit in 32 bits: it is scanned tile by tile over its box.
             let columns = batch.left[l]..batch.right[l];

@@ -13,6 +13,7 @@ use super::band::Band;
 use super::bins::Bins;
 use super::counts::Counts;
 use super::depth::{BandDepth, DepthBuffer};
+use super::few::Few;
 use super::fill::fill;
 use super::operations::of_picture;
 use super::pixel::{Pixel, mean, premultiply};
@@ -38,6 +39,7 @@ struct Scratch {
     colors: Vec<Pixel>,
     /// Depths of the samples, with more than one sample in a pixel; else they go straight to the depth buffer.
     depths: Vec<f32>,
+    few: Few,
     counts: Counts,
     /// Samples whose colours, and whose depths, were cleared.
     cleared: [u64; 2],
@@ -217,9 +219,9 @@ impl Scratch {
             for (surface, triangles) in frame.bins.band(job.band) {
                 let surface = &drawing.surfaces[surface];
                 if together == 1 {
-                    with_vectors!(simd => fill::<_, 1>(simd, &mut band, surface, triangles));
+                    with_vectors!(simd => fill::<_, 1>(simd, &mut band, &mut self.few, surface, triangles));
                 } else {
-                    with_vectors!(simd => fill::<_, 4>(simd, &mut band, surface, triangles));
+                    with_vectors!(simd => fill::<_, 4>(simd, &mut band, &mut self.few, surface, triangles));
                 }
             }
         }

@@ -153,14 +153,18 @@ pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
         taken.come_near(&label);
         let beside = rules.beside == Some(label.color);
         let on_a_body = taken.covered(&Box2 { center: point(label.position), half: DVec2::splat(1.0) }) > 0.5;
-        let best = candidates(&label, rules.leader.is_some(), on_a_body)
-            .filter(|c| !beside || important || taken.covered(&c.place) <= 0.2)
-            .map(|c| (c, c.dislike + taken.cost(&c)))
-            .min_by(|a, b| a.1.total_cmp(&b.1));
-        let Some((best, cost)) = best else { continue };
-        if !cost.is_finite() || (cost > COVERS && !important) {
-            continue;
+        // The first of those that cost least.
+        let (mut best, mut least) = (None, f64::INFINITY);
+        for candidate in candidates(&label, rules.leader.is_some(), on_a_body) {
+            if beside && !important && taken.covered(&candidate.place) > 0.2 {
+                continue;
+            }
+            let cost = candidate.dislike + taken.cost(&candidate, least - candidate.dislike);
+            if cost < least {
+                (best, least) = (Some(candidate), cost);
+            }
         }
+        let Some(best) = best.filter(|_| least <= COVERS || important) else { continue };
         let offset = best.place.center - best.at;
         label.offset = [single(offset.x), single(offset.y)];
         label.anchor = Anchor::Center;
@@ -250,15 +254,15 @@ impl Taken {
         self.solids.share(place.center, place.half)
     }
 
-    /// The cost of a place; infinite where a text must not be.
-    fn cost(&self, candidate: &Candidate) -> f64 {
+    /// The cost of a place; infinite where a text must not be, and where it costs `most` or more, whatever else it costs.
+    fn cost(&self, candidate: &Candidate, most: f64) -> f64 {
         /// Standing wholly before a body; less than standing far off with a line.
         const BEFORE_A_BODY: f64 = 9.0;
         /// Smallest distance between texts, in ems.
         const APART: f64 = 0.18;
         let Candidate { place: b, em, .. } = *candidate;
         let (low, high) = (b.center - b.half, b.center + b.half);
-        if low.min_element() < 0.0 || (high - self.picture).max_element() > 0.0 {
+        if most <= 0.0 || low.min_element() < 0.0 || (high - self.picture).max_element() > 0.0 {
             return f64::INFINITY;
         }
         let roomy = Box2 { half: b.half + APART * em, ..b };
@@ -276,8 +280,18 @@ impl Taken {
             }
             sum += 8.0 * overlap / (em * em);
         }
-        let crossed: f64 = self.near.iter().map(|([p, q], weight)| weight * b.length_inside(*p, *q)).sum();
-        sum + crossed / em + BEFORE_A_BODY * self.covered(&b)
+        let before_a_body = BEFORE_A_BODY * self.covered(&b);
+        if sum + before_a_body >= most {
+            return f64::INFINITY;
+        }
+        let mut crossed = 0.0;
+        for ([p, q], weight) in &self.near {
+            crossed += weight * b.length_inside(*p, *q);
+            if crossed / em >= most {
+                return f64::INFINITY;
+            }
+        }
+        sum + crossed / em + before_a_body
     }
 }
 
