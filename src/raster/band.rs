@@ -29,6 +29,8 @@ pub(super) struct Band<'a> {
     pub(super) slopes: &'a mut [u32],
     /// Each triangle is painted over those before it, whatever their depths.
     pub(super) in_order: bool,
+    /// Nothing of the surface at hand is painted behind what is there.
+    pub(super) hides: bool,
     /// The greatest number of the format of the depths; 0: they are stored as they are.
     pub(super) greatest: f32,
     /// If anybody wants to know.

@@ -54,7 +54,7 @@ impl Few {
     }
 
     /// Goes through the boxes of the eight triangles of a batch together. `tiny`: those that are meant, of at most `SIDE`
-    /// columns and rows; `depth_test`: nothing is painted behind what is there.
+    /// columns and rows.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn find<'a, K: Simd, const SIDE: u32, C: Colors<'a, K>>(
         &mut self,
@@ -62,7 +62,6 @@ impl Few {
         batch: &Batch<K>,
         set_up: &SetUp<K>,
         band: &mut Band,
-        depth_test: bool,
         depths: &Planes<K>,
         colors: &C,
     ) {
@@ -107,7 +106,7 @@ impl Few {
         }
         self.list(&owned[..(SIDE * SIDE).div_ceil(32) as usize]);
         if C::COSTLY {
-            self.color::<K, SIDE, C>(tiny.witness(), batch, set_up, band, depth_test, depths, colors);
+            self.color::<K, SIDE, C>(tiny.witness(), batch, set_up, band, depths, colors);
         } else if let Some(counts) = &mut band.counts {
             counts.here.colored += self.owned.iter().sum::<usize>() as u64;
         }
@@ -142,7 +141,6 @@ impl Few {
         batch: &Batch<K>,
         set_up: &SetUp<K>,
         band: &mut Band,
-        depth_test: bool,
         depths: &Planes<K>,
         colors: &C,
     ) {
@@ -160,7 +158,7 @@ impl Few {
             let (x, y) = (x + across.to_float::<f32x8<K>>(), y + down.to_float::<f32x8<K>>());
             let z = depths.hold(depths.at(x, y));
             let mut wanted = own;
-            if depth_test {
+            if band.hides {
                 wanted &= band.nearer(z, own, batch.left + across, set_up.top + down);
             }
             z.store_slice(depths_here);

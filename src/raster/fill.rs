@@ -14,7 +14,7 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, u32x4, u32x8};
 
 use super::band::{Band, TileStart};
-use super::batch::{BATCH, Batch, Corners, corners, corners_at, gather_points};
+use super::batch::{BATCH, Batch, corners, corners_at, gather_points};
 use super::counts::Kind;
 use super::depth::pack_slope;
 use super::few::{FEW, FEW_COSTLY, Few};
@@ -51,7 +51,7 @@ pub(super) fn fill<K: Simd, const S: usize>(
     }
 }
 
-/// Fills triangles in batches of eight.
+/// Fills triangles in batches of eight, of which the small ones are set up together.
 #[inline(always)]
 fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     simd: K,
@@ -60,40 +60,37 @@ fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     surface: &'a Surface,
     triangles: &[u32],
 ) {
+    band.hides = surface.depth_test && !band.in_order && !band.depths.is_empty();
     for triangles in triangles.chunks(BATCH) {
-        let corners = corners(surface, triangles);
-        let [x, y, z] = gather_points(simd, &surface.positions, &corners);
-        let batch = Batch::new(simd, &x, &y, S > 1, band.size);
-        if let Some(counts) = &mut band.counts {
-            counts.here.triangles += triangles.len() as u64;
-        }
-        eight::<K, S, SIDE, C>(simd, band, surface, triangles, &corners, &batch, &z, few);
+        eight::<K, S, SIDE, C>(simd, band, few, surface, triangles);
     }
 }
 
-/// Fills the eight triangles of a batch: the small ones are set up together.
+/// Fills the eight triangles of a batch.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
+    few: &mut Few,
     surface: &'a Surface,
     triangles: &[u32],
-    corners: &Corners,
-    batch: &Batch<K>,
-    z: &[f32x8<K>; 3],
-    few: &mut Few,
 ) {
+    let corners = corners(surface, triangles);
+    let [x, y, z] = gather_points(simd, &surface.positions, &corners);
+    let batch = Batch::new(simd, &x, &y, S > 1, band.size);
+    if let Some(counts) = &mut band.counts {
+        counts.here.triangles += triangles.len() as u64;
+    }
     // All eight are set up, although some will go alone: a branch for each would cost more than the arithmetic.
     let set_up = batch.set_up(band.rows.start);
-    let colors = C::new(simd, surface, triangles, corners, &set_up, S > 1);
-    let depths = set_up.planes(z);
+    let colors = C::new(simd, surface, triangles, &corners, &set_up, S > 1);
+    let depths = set_up.planes(&z);
     let small = batch.small & set_up.has_area & colors.simple();
     let tiny = if S == 1 { batch.few(SIDE) & small } else { mask32x8::splat(simd, 0) };
     // First the coverage of the tiny ones, for all eight at once; it is written below, one triangle after the other,
     // because of two that own the same pixel the first one in the list must come first.
     if tiny.any_true() {
-        let depth_test = surface.depth_test && !band.in_order && !band.depths.is_empty();
-        few.find::<K, SIDE, C>(tiny, batch, &set_up, band, depth_test, &depths, &colors);
+        few.find::<K, SIDE, C>(tiny, &batch, &set_up, band, &depths, &colors);
     }
     for l in 0..triangles.len() {
         let rows = batch.rows(l, &band.rows);
@@ -121,7 +118,7 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
             }
         } else {
             // Large, a sliver, or with colours that perspective bends: on its own, in 64 bits, row by row.
-            let corners = corners_at(corners, l);
+            let corners = corners_at(&corners, l);
             let Some(triangle) = batch.alone(l, &surface.positions, corners) else { continue };
             let borders = Borders::new(simd, &triangle.v, band.samples, band.size.width);
             // Of slivers most own no pixel.

@@ -213,6 +213,7 @@ impl Scratch {
                 depths: depths.get_mut(set).unwrap_or_default(),
                 slopes: if k == 0 { slopes } else { &mut [] },
                 in_order: drawing.painted_in_order,
+                hides: false,
                 greatest: drawing.depth_format.greatest().unwrap_or(0.0),
                 counts: frame.want_counts.then_some(&mut self.counts),
             };

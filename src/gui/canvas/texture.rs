@@ -1,5 +1,7 @@
 //! A picture on the screen: its textures, and where each of its pixels is.
 
+use std::sync::Arc;
+
 use eframe::egui::{Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2};
 use glam::DVec2;
 
@@ -60,6 +62,7 @@ impl PictureRect {
 }
 
 /// A picture in tiles no larger than a texture may be.
+#[derive(Clone)]
 pub(super) struct Tiles {
     /// Width and height in pixels.
     pub(super) size: [usize; 2],
@@ -108,8 +111,66 @@ pub(super) struct PictureTexture {
     fading: Option<Fading>,
 }
 
-/// The place of a tile in its picture, its size, both in pixels, and the tile.
-type PlacedTile = ([usize; 2], [usize; 2], TextureHandle);
+/// A tile of a picture on the screen.
+struct PlacedTile {
+    /// Its place in the picture, in pixels.
+    place: [usize; 2],
+    /// The pixels that the texture has.
+    image: Arc<ColorImage>,
+    texture: TextureHandle,
+}
+
+impl PlacedTile {
+    /// Shows other pixels: only those that changed go to the texture, since the way there costs as much as to draw them.
+    fn show(&mut self, place: [usize; 2], image: ColorImage) {
+        self.place = place;
+        let image = Arc::new(image);
+        match changed(&self.image, &image) {
+            Changed::Nothing => {}
+            Changed::Part { corner, size } => {
+                self.texture.set_partial(corner, image.region_by_pixels(corner, size), OPTIONS);
+            }
+            Changed::All => self.texture.set(Arc::clone(&image), OPTIONS),
+        }
+        self.image = image;
+    }
+}
+
+/// The difference between two pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Changed {
+    Nothing,
+    /// Nothing outside of a rectangle: its upper left corner, its width and its height in pixels.
+    Part {
+        corner: [usize; 2],
+        size: [usize; 2],
+    },
+    /// Another size, or most of the pixels.
+    All,
+}
+
+fn changed(from: &ColorImage, to: &ColorImage) -> Changed {
+    let [width, height] = to.size;
+    if from.size != to.size || width == 0 {
+        return Changed::All;
+    }
+    let rows = || from.pixels.chunks_exact(width).zip(to.pixels.chunks_exact(width));
+    let differ = |(old, new): (&[Color32], &[Color32])| old != new;
+    let (Some(top), Some(bottom)) = (rows().position(differ), rows().rposition(differ)) else {
+        return Changed::Nothing;
+    };
+    let (mut left, mut right) = (width, 0);
+    for (old, new) in rows().take(bottom + 1).skip(top) {
+        // Of each row only the ends beyond those that are known to differ.
+        let at_left = old.iter().zip(new).take(left).position(|(old, new)| old != new);
+        left = at_left.unwrap_or(left);
+        let at_right = old.iter().zip(new).skip(right).rposition(|(old, new)| old != new);
+        right = at_right.map_or(right, |at| right + at + 1);
+    }
+    let size = [right.saturating_sub(left), bottom + 1 - top];
+    // A part is copied first, a whole picture is not.
+    if 4 * size[0] * size[1] > 3 * width * height { Changed::All } else { Changed::Part { corner: [left, top], size } }
+}
 
 /// The picture before, as it disappears.
 struct Fading {
@@ -127,14 +188,13 @@ impl PictureTexture {
         self.size = size;
         self.tiles.truncate(tiles.len());
         for (i, (place, image)) in tiles.into_iter().enumerate() {
-            let size = image.size;
-            match self.tiles.get_mut(i) {
-                Some(tile) => {
-                    tile.2.set(image, OPTIONS);
-                    (tile.0, tile.1) = (place, size);
-                }
-                None => self.tiles.push((place, size, ctx.load_texture(name, image, OPTIONS))),
+            if let Some(tile) = self.tiles.get_mut(i) {
+                tile.show(place, image);
+                continue;
             }
+            let image = Arc::new(image);
+            let texture = ctx.load_texture(name, Arc::clone(&image), OPTIONS);
+            self.tiles.push(PlacedTile { place, image, texture });
         }
     }
 
@@ -174,7 +234,8 @@ fn paint_tiles(ui: &Ui, place: &PictureRect, size: [usize; 2], tiles: &[PlacedTi
     let shift_x = ((place.size.width as f32 - width) / 2.0).round();
     let shift_y = ((place.size.height as f32 - height) / 2.0).round();
     let all = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-    for ([left, top], [w, h], texture) in tiles {
+    for PlacedTile { place: [left, top], image, texture } in tiles {
+        let [w, h] = &image.size;
         let rect = place.rect_of(*left as f32 + shift_x, *top as f32 + shift_y, *w as f32, *h as f32);
         painter.image(texture.id(), rect, all, tint);
     }
@@ -201,6 +262,53 @@ mod tests {
                 }
             }
             assert!(seen.iter().all(|&n| n == 1));
+        }
+    }
+
+    /// A grey picture with some black pixels.
+    fn picture(size: [usize; 2], black: &[[usize; 2]]) -> ColorImage {
+        let mut image = ColorImage::filled(size, Color32::GRAY);
+        black.iter().for_each(|[x, y]| image.pixels[y * size[0] + x] = Color32::BLACK);
+        image
+    }
+
+    #[test]
+    fn a_change_is_the_smallest_rectangle_around_all_pixels_that_differ() {
+        let grey = picture([40, 30], &[]);
+        for (black, corner, size) in [
+            (&[[7, 9]][..], [7, 9], [1, 1]),
+            (&[[0, 0]][..], [0, 0], [1, 1]),
+            (&[[39, 29]][..], [39, 29], [1, 1]),
+            (&[[20, 5], [3, 6], [30, 7], [12, 20]][..], [3, 5], [28, 16]),
+        ] {
+            let part = Changed::Part { corner, size };
+            assert_eq!(changed(&grey, &picture([40, 30], black)), part);
+            assert_eq!(changed(&picture([40, 30], black), &grey), part);
+        }
+        assert_eq!(changed(&grey, &grey), Changed::Nothing);
+        assert_eq!(changed(&grey, &picture([40, 30], &[[0, 0], [39, 29]])), Changed::All);
+        assert_eq!(changed(&grey, &picture([30, 40], &[])), Changed::All);
+        assert_eq!(changed(&picture([0, 0], &[]), &picture([0, 0], &[])), Changed::All);
+    }
+
+    #[test]
+    fn only_pixels_that_changed_go_to_the_texture() {
+        let ctx = Context::default();
+        let mut texture = PictureTexture::default();
+        let size = [40, 30];
+        // A pixel of each; the whole as it is at first, then what goes to it.
+        for (black, expected) in [
+            (&[[7, 9]][..], Some((None, size))),
+            (&[[7, 9]][..], None),
+            (&[[8, 11]][..], Some((Some([7, 9]), [2, 3]))),
+            (&[[0, 0], [39, 29]][..], Some((None, size))),
+        ] {
+            let tiles = Tiles { size, tiles: vec![([0, 0], picture(size, black))] };
+            let output = ctx.run_ui(Default::default(), |ui| texture.set(ui.ctx(), "picture", Some(tiles.clone())));
+            let id = texture.tiles[0].texture.id();
+            let sent = output.textures_delta.set.iter().filter(|(of, _)| **of == id).flat_map(|(_, deltas)| deltas);
+            let sent: Vec<_> = sent.map(|delta| (delta.pos, delta.image.size())).collect();
+            assert_eq!(sent, Vec::from_iter(expected), "{black:?}");
         }
     }
 
