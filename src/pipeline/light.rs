@@ -75,6 +75,11 @@ impl Lights {
         Self { lighting, of_scene: vec![light], scale: self.scale }
     }
 
+    /// True where there is one lamp, and no more.
+    pub(super) fn is_one(&self) -> bool {
+        self.lighting.lights.len() == 1
+    }
+
     /// A view point in the unit of the lights.
     pub(super) fn position(&self, p_view: DVec3) -> [f32; 3] {
         (p_view * self.scale).as_vec3().to_array()

@@ -62,6 +62,7 @@ impl Shaded<'_> {
             return None;
         }
         let light = ObjectLight::new(self.lights, &self.object.mesh, self.vertices, self.both_sides);
+        let shadows: Vec<Shadow> = self.shadows.iter().filter_map(|shadow| self.shadow(shadow, faces, pool)).collect();
         let (base, light) = match (self.lit, &self.object.paint) {
             (LitAt::Nowhere, _) => self.own_base(faces, pool),
             (LitAt::Faces, paint) if self.keeps_light_apart() => {
@@ -69,18 +70,28 @@ impl Shaded<'_> {
                     ObjectPaint::Vertices(_) => self.face_colors(faces),
                     _ => self.own_base(faces, pool).0,
                 };
-                (base, SurfaceLight::Faces(self.face_shares(faces, &light, pool.shares())))
+                let shares = match self.of_only_lamp(&shadows) {
+                    Some(TakenLight::Faces(taken)) => with_ambient(pool.shares(), taken, &light),
+                    _ => self.face_shares(faces, &light, pool.shares()),
+                };
+                (base, SurfaceLight::Faces(shares))
             }
-            (LitAt::Vertices, _) if self.keeps_light_apart() => (
-                self.own_base(faces, pool).0,
-                SurfaceLight::Vertices(Self::vertex_shares(faces, &light, pool.shares())),
-            ),
+            (LitAt::Vertices, _) if self.keeps_light_apart() => {
+                let base = self.own_base(faces, pool).0;
+                let shares = match self.of_only_lamp(&shadows) {
+                    Some(TakenLight::Vertices(taken)) => {
+                        let own = taken.get(..self.vertices.len()).unwrap_or_default();
+                        Self::at_cuts(faces, with_ambient(pool.shares(), own, &light))
+                    }
+                    _ => Self::vertex_shares(faces, &light, pool.shares()),
+                };
+                (base, SurfaceLight::Vertices(shares))
+            }
             (LitAt::Faces, _) => (self.lit_faces(faces, &light, pool.colors()), SurfaceLight::InBase),
             (LitAt::Vertices, ObjectPaint::Faces(colors)) => return Some(self.unshared(faces, &light, colors)),
             (LitAt::Vertices, _) => (self.lit_vertices(faces, &light, pool), SurfaceLight::InBase),
             (LitAt::Pixels, _) => (self.own_base(faces, pool).0, self.per_pixel(faces, &light, pool)),
         };
-        let shadows = self.shadows.iter().filter_map(|shadow| self.shadow(shadow, faces, pool)).collect();
         self.bend(faces);
         Some(Surface {
             shadows,
@@ -181,11 +192,23 @@ impl Shaded<'_> {
 
     /// Light at each vertex, whatever its colour; cuts interpolate between their neighbours.
     fn vertex_shares(faces: &Faces, light: &ObjectLight, shares: Vec<LightShare>) -> Vec<LightShare> {
-        let mut shares = light.vertices(shares, &faces.used, |_| WHITE);
+        Self::at_cuts(faces, light.vertices(shares, &faces.used, |_| WHITE))
+    }
+
+    /// The light at the vertices of the mesh, and at the cuts between them.
+    fn at_cuts(faces: &Faces, mut shares: Vec<LightShare>) -> Vec<LightShare> {
         for cut in &faces.cuts {
             shares.push(cut.of(|i| shares[i as usize]));
         }
         shares
+    }
+
+    /// The light of the only lamp of the scene, where its shadow falls here: with the ambient share it is all there is.
+    fn of_only_lamp<'s>(&self, shadows: &'s [Shadow]) -> Option<&'s TakenLight> {
+        match shadows {
+            [only] if self.lights.is_one() => Some(&only.taken),
+            _ => None,
+        }
     }
 
     /// The one colour of each face.
@@ -320,4 +343,12 @@ impl Shaded<'_> {
     fn vertex_count(&self) -> u32 {
         u32::try_from(self.vertices.len()).unwrap_or(u32::MAX)
     }
+}
+
+/// The light of a lamp, and the ambient share with it: to the bit what is found for both together.
+fn with_ambient(mut shares: Vec<LightShare>, of_lamp: &[LightShare], light: &ObjectLight) -> Vec<LightShare> {
+    let ambient = light.lighting.ambient;
+    shares.clear();
+    shares.extend(of_lamp.iter().map(|[share, white]| [share + ambient, *white]));
+    shares
 }

@@ -6,9 +6,9 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use camera_lab::appearance::{Rgba, Shading, Style, Theme, Visibility};
+use camera_lab::appearance::{Rgba, Shading, Style, Texture, Theme, Visibility};
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
-use camera_lab::drawing::{Area, ShadowMap};
+use camera_lab::drawing::{Area, ShadowMap, SurfaceLight};
 use camera_lab::figure::Figure;
 use camera_lab::figure::read::parse;
 use camera_lab::files::SHIPPED_FIGURES;
@@ -20,7 +20,7 @@ use camera_lab::pipeline::project::clipped_scene;
 use camera_lab::pipeline::shadow_rays::{SeenPoint, Solids, to_light};
 use camera_lab::pipeline::{Frame, Pipeline, Scenes, Target};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Light, LightKind, ObjectPaint, Scene, Shadows, build, no_files};
+use camera_lab::scene::{Light, LightKind, ObjectPaint, Pictured, Scene, Shadows, build, no_files};
 use camera_lab::views::{Palette, Request, ShadowTruth, SharedScene, Size, View};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -401,6 +401,39 @@ fn shadows_do_not_depend_on_the_number_of_threads() {
         pool.install(|| pixels(&scene, &camera, &Style { shading: Shading::Phong, ..FLAT }, size))
     };
     assert!(with(1) == with(4));
+}
+
+#[test]
+fn the_light_of_an_only_lamp_with_its_ambient_share_is_that_of_both_found_together() {
+    let figure = parse(TABLE).unwrap();
+    let size = ImageSize { width: 200, height: 150 };
+    for (light, near) in [(sun(), 0.1), (lamp(), 0.1), (lamp(), 7.0)] {
+        let (mut scene, _) = white(&figure, light);
+        let camera = Camera::new(&Parameters { near, ..figure.camera }).unwrap();
+        // Under a picture light is kept apart from colours, with and without shadows.
+        for object in &mut scene.objects {
+            let texels = [255, 255, 255, 255, 0, 0, 0, 255].to_vec();
+            let uv = vec![[0.0; 2]; object.mesh.positions.len()];
+            object.paint = ObjectPaint::Texture(Pictured::plain(Arc::new(Texture::flat(2, 1, texels)), uv, 255));
+        }
+        let mut without = scene.clone();
+        without.lights[0].shadows = Shadows::default();
+        for shading in [Shading::Flat, Shading::Gouraud] {
+            let style = Style { shading, ..FLAT };
+            let [with, without] = [&scene, &without].map(|scene| frame(scene, &camera, &style, size).drawing);
+            assert!(with.surfaces.iter().any(|surface| !surface.shadows.is_empty()));
+            for (with, without) in with.surfaces.iter().zip(&without.surfaces) {
+                match (&with.light, &without.light) {
+                    (SurfaceLight::Faces(with), SurfaceLight::Faces(without)) => assert_eq!(with, without),
+                    (SurfaceLight::Vertices(one), SurfaceLight::Vertices(other)) => {
+                        let corners = with.triangles.iter().flatten().map(|&corner| corner as usize);
+                        corners.for_each(|corner| assert_eq!(one[corner], other[corner]));
+                    }
+                    kinds => panic!("{kinds:?}"),
+                }
+            }
+        }
+    }
 }
 
 #[test]
