@@ -43,14 +43,13 @@ pub(super) fn bilinear<K: Simd>(
 }
 
 /// Between the four nearest texels of the two levels of detail on either side of `detail`, and between these. Also the
-/// points that both were asked for: those of `between` that are not behind the last level.
+/// wanted points that both were asked for.
 #[inline(always)]
 pub(super) fn trilinear<K: Simd>(
     levels: &LevelPairs,
     sampler: Sampler,
     opaque: bool,
     wanted: mask32x8<K>,
-    between: mask32x8<K>,
     uv: [f32x8<K>; 2],
     detail: f32x8<K>,
 ) -> (Channels<K>, mask32x8<K>) {
@@ -58,7 +57,7 @@ pub(super) fn trilinear<K: Simd>(
     let last = levels.last();
     let finer = detail.max(0.0).min(last as f32).to_int::<i32x8<K>>();
     let share = detail - finer.to_float::<f32x8<K>>();
-    let two = between & finer.simd_lt(last);
+    let two = wanted & detail.simd_gt(0.0) & finer.simd_lt(last);
     let [fine, coarse] = sizes(simd, levels, finer);
     let mut colors = within(levels, &fine, sampler, opaque, wanted, uv);
     if two.any_true() {

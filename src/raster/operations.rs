@@ -3,7 +3,7 @@
 //! How each number is counted stands beside it; [`Operations`] says what counts. A product or a sum that a row or a
 //! column of a tile has in common is left out: it is a small part of one for each sample.
 
-use crate::appearance::{Filter, Sampler, TextureReveal};
+use crate::appearance::{Filter, Sampler, Texture, TextureReveal};
 use crate::drawing::{Base, Drawing, Rays, ShadowMap, Surface, SurfaceLight, TakenLight};
 use crate::lighting::{WITH_LIGHT, light_operations};
 use crate::stage::{Cost, Operations, Stage};
@@ -103,19 +103,24 @@ const COMPONENT: Operations = Operations::new(5, 0, 0);
 /// `bytes`: for each of four channels the half that rounds and 2 comparisons; 6 operations join them.
 const BYTES: Operations = Operations::new(4 * 3, 6, 0);
 
-/// `bilinear`: on two axes the coordinate is folded (2), scaled (1), moved by half a texel (1), split in a whole number
-/// and a rest (2), and the two texels are held to the picture (a sum, 4 comparisons); of four texels the place in the
-/// picture (a product, a sum) and four channels (3 shifts, 4 masks); between them, for each channel three times a
-/// difference, a product and a sum.
-const BILINEAR: Operations = Operations::new(2 * 6 + 4 * 9, 2 * 5 + 4 * (2 + 7), 4);
+/// The coordinates of four texels: on two axes the coordinate is folded (2), scaled (1), moved by half a texel (1), split
+/// in a whole number and a rest (2), and the two texels are held to the picture (a sum, 4 comparisons).
+const FOUR: Operations = Operations::new(2 * 6, 2 * 5, 4);
+
+/// `mixed_channel`: in four texels a shift and a mask; between them three times a difference, a product and a sum.
+const MIXED: Operations = Operations::new(9, 4 * 2, 0);
+
+/// The place of a texel in the picture: a product, a sum. The four of a level that stands among others are read from one
+/// place, behind the first of its level, in rows of one more: two sums more.
+const PLACE: Operations = Operations::new(0, 2, 0);
+const PLACE_IN_LEVELS: Operations = Operations::new(0, 4, 0);
 
 /// `nearest`: on two axes the coordinate is folded (2), scaled (1), and held to the picture (2); the place in the
 /// picture (a product, a sum) and four channels (3 shifts, 4 masks).
 const NEAREST: Operations = Operations::new(2 * 3, 2 * 2 + 2 + 7, 1);
 
-/// The second of two levels, and the mean of both: the share, and for each of four channels a difference, a product, a
-/// sum.
-const SECOND_LEVEL: Operations = BILINEAR.and(Operations::new(1 + 4 * 3, 0, 0));
+/// The way from one level to the next, for each channel: a difference, a product, a sum.
+const BETWEEN_LEVELS: Operations = Operations::new(3, 0, 0);
 
 /// The level of detail: four squares of changes (3 products, a difference, a square), 2 sums and a comparison; half of
 /// a logarithm to base 2 (a shift, 2 masks; 2 differences, a sum, a division, a product, and the half).
@@ -202,8 +207,9 @@ pub(super) fn of_surface(cost: &mut Cost, surface: &Surface, depths: Depths, tal
             Base::Vertices(_) => cost.add(between, COMPONENT.times(4).and(BYTES), pixels),
             Base::Texture { image, sampler, .. } => {
                 cost.add(between, COMPONENT.times(2).and(BYTES), pixels);
-                cost.add(Stage::Texture, texture(*sampler, image.levels().len()), pixels);
-                cost.add(Stage::Texture, SECOND_LEVEL, tally.two_levels);
+                let (one_level, second_level) = texture(*sampler, image);
+                cost.add(Stage::Texture, one_level, pixels);
+                cost.add(Stage::Texture, second_level, tally.two_levels);
             }
         }
         match &surface.light {
@@ -243,17 +249,25 @@ fn shadow(map: &ShadowMap) -> Operations {
     once.and(SHADOW_ROW.times(side + side * side)).and(SHADOW_TEXEL.times(side * side))
 }
 
-/// The operations of a texture at a pixel that lies in one level.
-fn texture(sampler: Sampler, levels: usize) -> Operations {
-    let asks = sampler.filter == Filter::Trilinear && levels > 1
+/// The operations of a texture at a pixel that lies in one level, and what there is more where it lies between two.
+fn texture(sampler: Sampler, image: &Texture) -> (Operations, Operations) {
+    let has_levels = image.levels().len() > 1;
+    let asks = sampler.filter == Filter::Trilinear && has_levels
         || matches!(sampler.reveal, Some(TextureReveal::Levels | TextureReveal::Texels));
+    // Where all is opaque, alpha is not mixed.
+    let channels = if image.is_opaque() { 3 } else { 4 };
+    let mixed = FOUR.and(MIXED.times(channels));
+    let in_levels = mixed.and(PLACE_IN_LEVELS);
     let texel = match sampler.filter {
         Filter::Nearest => NEAREST,
         _ if sampler.reveal == Some(TextureReveal::Texels) => NEAREST,
-        Filter::Bilinear | Filter::Trilinear => BILINEAR,
+        Filter::Trilinear if has_levels => in_levels,
+        Filter::Bilinear | Filter::Trilinear => mixed.and(PLACE.times(4)),
     };
     let detail = if asks { DETAIL } else { Operations::NONE };
-    texel.and(detail).and(TINT)
+    // The share, and the mean of four channels.
+    let second = in_levels.and(BETWEEN_LEVELS.times(4)).and(Operations::new(1, 0, 0));
+    (texel.and(detail).and(TINT), second)
 }
 
 /// Adds the work on all pixels of a picture: they are sorted, cleared, and written. `samples`: of a pixel; `cleared`:

@@ -138,14 +138,11 @@ impl<'a, K: Simd> Textured<'a, K> {
     fn texel(&self, wanted: mask32x8<K>, uv: [f32x8<K>; 2], detail: f32x8<K>) -> Channels<K> {
         let simd = wanted.witness();
         let Some(first) = self.image.levels().first() else { return [f32x8::splat(simd, 0.0); 4] };
-        let (between, opaque) = (wanted & detail.simd_gt(0.0), self.opaque);
+        let opaque = self.opaque;
         match self.sampler.filter {
             Filter::Nearest => nearest(first, self.sampler, wanted, uv),
-            Filter::Trilinear
-                if between.any_true()
-                    && let Some(levels) = self.image.level_pairs() =>
-            {
-                let (colors, two) = trilinear(levels, self.sampler, opaque, wanted, between, uv, detail);
+            Filter::Trilinear if let Some(levels) = self.image.level_pairs() => {
+                let (colors, two) = trilinear(levels, self.sampler, opaque, wanted, uv, detail);
                 let mut number = 0;
                 for l in 0..LANES {
                     number += two[l] & 1;

@@ -304,11 +304,12 @@ mod tests {
             (&[[0, 0], [39, 29]][..], Some((None, size))),
         ] {
             let tiles = Tiles { size, tiles: vec![([0, 0], picture(size, black))] };
-            let output = ctx.run_ui(Default::default(), |ui| texture.set(ui.ctx(), "picture", Some(tiles.clone())));
+            let mut output = ctx.run_ui(Default::default(), |ui| texture.set(ui.ctx(), "picture", Some(tiles.clone())));
             let id = texture.tiles[0].texture.id();
             let sent = output.textures_delta.set.iter().filter(|(of, _)| **of == id).flat_map(|(_, deltas)| deltas);
             let sent: Vec<_> = sent.map(|delta| (delta.pos, delta.image.size())).collect();
             assert_eq!(sent, Vec::from_iter(expected), "{black:?}");
+            output.textures_delta.clear();
         }
     }
 
