@@ -4,17 +4,20 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `level` | a level of detail of a picture, and the next smaller one |
 //! | `level_pairs` | the levels of detail of a picture in one array, for filters that mix two of them |
 //! | `texture` | pictures on surfaces: their levels of detail, and how they are asked for a colour |
 
+mod level;
 mod level_pairs;
 mod texture;
 
 use std::fmt;
 use std::str::FromStr;
 
+pub use level::Level;
 pub(crate) use level_pairs::LevelPairs;
-pub use texture::{Filter, LEVEL_COLORS, Level, LightShare, Sampler, Texture, TextureReveal, Wrap};
+pub use texture::{Filter, LEVEL_COLORS, LightShare, Sampler, Texture, TextureReveal, Wrap};
 
 /// A colour with straight (not premultiplied) alpha, 8 bits a channel, in sRGB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -53,8 +53,8 @@ impl Few {
         })
     }
 
-    /// Goes through the boxes of the eight triangles of a batch together. `tiny`: those that are meant, of at most `SIDE`
-    /// columns and rows.
+    /// Goes through the boxes of the eight triangles of a batch together. `tiny`: those that are meant, of at most
+    /// `SIDE` columns and rows.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn find<'a, K: Simd, const SIDE: u32, C: Colors<'a, K>>(
         &mut self,

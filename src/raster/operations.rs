@@ -103,15 +103,15 @@ const COMPONENT: Operations = Operations::new(5, 0, 0);
 /// `bytes`: for each of four channels the half that rounds and 2 comparisons; 6 operations join them.
 const BYTES: Operations = Operations::new(4 * 3, 6, 0);
 
-/// The coordinates of four texels: on two axes the coordinate is folded (2), scaled (1), moved by half a texel (1), split
-/// in a whole number and a rest (2), and the two texels are held to the picture (a sum, 4 comparisons).
+/// The coordinates of four texels: on two axes the coordinate is folded (2), scaled (1), moved by half a texel (1),
+/// split in a whole number and a rest (2), and the two texels are held to the picture (a sum, 4 comparisons).
 const FOUR: Operations = Operations::new(2 * 6, 2 * 5, 4);
 
 /// `mixed_channel`: in four texels a shift and a mask; between them three times a difference, a product and a sum.
 const MIXED: Operations = Operations::new(9, 4 * 2, 0);
 
-/// The place of a texel in the picture: a product, a sum. The four of a level that stands among others are read from one
-/// place, behind the first of its level, in rows of one more: two sums more.
+/// The place of a texel in the picture: a product, a sum. The four of a level that stands among others are read from
+/// one place, behind the first of its level, in rows of one more: two sums more.
 const PLACE: Operations = Operations::new(0, 2, 0);
 const PLACE_IN_LEVELS: Operations = Operations::new(0, 4, 0);
 

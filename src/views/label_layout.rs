@@ -254,7 +254,7 @@ impl Taken {
         self.solids.share(place.center, place.half)
     }
 
-    /// The cost of a place; infinite where a text must not be, and where it costs `most` or more, whatever else it costs.
+    /// The cost of a place; infinite where a text must not be, and where it costs `most` or more.
     fn cost(&self, candidate: &Candidate, most: f64) -> f64 {
         /// Standing wholly before a body; less than standing far off with a line.
         const BEFORE_A_BODY: f64 = 9.0;

@@ -121,7 +121,8 @@ struct PlacedTile {
 }
 
 impl PlacedTile {
-    /// Shows other pixels: only those that changed go to the texture, since the way there costs as much as to draw them.
+    /// Shows other pixels: only those that changed go to the texture, since the way there costs as much as to draw
+    /// them.
     fn show(&mut self, place: [usize; 2], image: ColorImage) {
         self.place = place;
         let image = Arc::new(image);
