@@ -44,6 +44,7 @@
 //! | `one_triangle` | one triangle step by step, as every triangle goes |
 //! | `operations` | the operations of the stages on vertices and triangles: how many each formula has |
 //! | `outline` | the outline of a curved solid: its silhouette, which depends on the viewpoint, and its creases |
+//! | `places` | the places of the objects of a picture: those out of sight by groups |
 //! | `plan` | the stages that a picture needs, and the reason why each other one is left out |
 //! | `plan_counts` | counts of planned or finished work, and the reasons that follow from them |
 //! | `planes` | the six planes of the view volume |
@@ -83,6 +84,7 @@ mod object_pass;
 pub mod one_triangle;
 mod operations;
 mod outline;
+mod places;
 pub mod plan;
 mod plan_counts;
 mod planes;
@@ -119,6 +121,7 @@ use hidden_surfaces::Unordered;
 use light::Lights;
 use lines::Strokes;
 use object_pass::{ObjectPass, PassContext};
+pub use places::ByObject;
 pub use plan::{Options, Output, Plan, Reason, Stage};
 pub use planes::{NEAR, PlaneSet};
 use pool::Pool;
@@ -218,13 +221,13 @@ impl Pipeline {
         let (scenes, screen, meter) = (scenes.into(), Screen::new(target), Meter::new(options));
         let mut projector = Projector::new(camera);
 
-        let places = self.tree.places(scenes, &projector);
+        let found = self.tree.find(scenes, &projector);
         if !options.depth_of_volume {
-            let in_view = places.in_view.and(lines::in_view(scenes, &projector));
+            let in_view = found.in_view.and(lines::in_view(scenes, &projector));
             projector.depths = projector.depths.resolving(in_view);
         }
-        let misplaced = Misplaced::new(camera, &screen, places.in_view);
-        let plan = Plan::new(scenes, &projector, style, places, options);
+        let misplaced = Misplaced::new(camera, &screen, found.in_view);
+        let plan = Plan::new(scenes, &projector, style, found, options);
         let lights = Lights::new(scenes.lights(), &projector, style.shading);
         let is_dark = style.shading == Shading::Wireframe;
         let (shadows, of_maps) = if is_dark { (&[][..], Operations::NONE) } else { self.shadows.of(scenes) };
@@ -243,8 +246,8 @@ impl Pipeline {
         let mut unordered = Unordered::default();
 
         let (faces, pool) = (&mut self.faces, &mut self.pool);
-        let objects = scenes.objects().zip(&plan.objects).enumerate();
-        for (index, (object, todo)) in objects.filter(|(_, (_, todo))| todo.drawn) {
+        let objects = plan.objects.listed().iter();
+        for (index, object, todo) in objects.filter_map(|(index, todo)| Some((*index, scenes.object(*index)?, todo))) {
             if self.progress.is_cancelled() {
                 break;
             }
