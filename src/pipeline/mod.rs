@@ -9,7 +9,7 @@
 //! | back faces dropped | pixels | `faces`, `cull` |
 //! | clipping, before the divide | clip | `faces`, `clip` |
 //! | light on the remaining faces | view | `light`, `shade` |
-//! | order of faces, where no depth buffer decides | view | `hidden_surfaces`, `visibility` |
+//! | order of faces, where no depth buffer decides | view | `hidden_surfaces`, `bsp`, `visibility` |
 //! | edges, outlines, lines, marks, texts | world → pixels | `lines`, `outline` |
 //!
 //! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces,
@@ -28,6 +28,7 @@
 //! | --- | --- |
 //! | `bounding_tree` | a tree of boxes over the scene, so that objects out of sight are dropped by the thousand |
 //! | `bounds` | bounds of a mesh, known before it is looked at: the box and the ball around it |
+//! | `bsp` | the order of faces by a tree of planes, which splits them |
 //! | `budget` | budgets of a drawing, and its shortfall where one is exceeded |
 //! | `clip` | clipping in homogeneous coordinates, before the divide `[2]`: points behind the eye never reach it |
 //! | `clip_parts` | the parts of the scene that clipping keeps and removes |
@@ -44,6 +45,7 @@
 //! | `one_triangle` | one triangle step by step, as every triangle goes |
 //! | `operations` | the operations of the stages on vertices and triangles: how many each formula has |
 //! | `outline` | the outline of a curved solid: its silhouette, which depends on the viewpoint, and its creases |
+//! | `pieces` | faces that may be split, and the points at which splitting has cut their sides |
 //! | `places` | the places of the objects of a picture: those out of sight by groups |
 //! | `plan` | the stages that a picture needs, and the reason why each other one is left out |
 //! | `plan_counts` | counts of planned or finished work, and the reasons that follow from them |
@@ -59,15 +61,17 @@
 //! | `shadow_maps` | the maps of the lights that cast shadows: each light is a camera, and its map the depths of its picture |
 //! | `shadow_rays` | shadows by rays: the truth that shadow maps are held against |
 //! | `shade` | surfaces of the drawing from the faces that are left |
+//! | `split_plane` | planes that separate faces, one or several at once |
 //! | `stage_work` | input and output of a stage, recorded while a picture is made, so that the picture can show them |
 //! | `stages` | reasons of stages, plans and reports of objects |
 //! | `stroke_order` | the order of strokes for outputs that have no depth buffer: later strokes cover earlier ones |
 //! | `stroke_runs` | the visible, the dimmed and the hidden runs of strokes, for outputs that have no depth buffer |
 //! | `transform` | the vertices of an object on the image |
-//! | `visibility` | the order of faces where no depth buffer decides |
+//! | `visibility` | the order of faces by centroids, and pieces put into surfaces |
 
 mod bounding_tree;
 mod bounds;
+mod bsp;
 pub mod budget;
 mod clip;
 pub mod clip_parts;
@@ -84,6 +88,7 @@ mod object_pass;
 pub mod one_triangle;
 mod operations;
 mod outline;
+mod pieces;
 mod places;
 pub mod plan;
 mod plan_counts;
@@ -99,6 +104,7 @@ mod scenes;
 mod shade;
 mod shadow_maps;
 pub mod shadow_rays;
+mod split_plane;
 mod stage_work;
 mod stages;
 pub mod stroke_order;

@@ -1,0 +1,339 @@
+//! The order of faces by a tree of planes: faces that cross a plane are split (Fuchs, Kedem and Naylor 1980).
+//!
+//! Large sets are divided until their parts are worth a thread; each part has its corners to itself, and is then put in
+//! order in one array of pieces. Which set is divided by which plane does not depend on the threads, and what they find
+//! is joined in the order of painting: the result is the same with any number of them.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use glam::DVec3;
+
+use super::cut::{Origin, cut};
+use super::pieces::{Corner, Corners, Cut, Cuts, Layer, NewSides, Piece, pieces};
+use super::projector::Projector;
+use super::split_plane::{self, SplitPlane};
+use super::transform::Screen;
+use super::visibility::Painter;
+use crate::drawing::Surface;
+use crate::limits::MAX_PIECE_BYTES;
+use crate::progress::{Activity, Progress};
+
+/// An exceeded budget of splitting: pieces of the faces of these layers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct TooManyPieces {
+    /// Number of pieces made.
+    pub(super) pieces: usize,
+    /// Number of pieces of each layer.
+    pub(super) of_layer: Vec<usize>,
+}
+
+/// Parts of a set with fewer pieces are not worth a thread of their own.
+const WORTH: usize = 1024;
+/// So many times a set is divided for threads.
+const DEEPEST: usize = 12;
+
+/// Sorts in an order that is right for each two faces, and gives the number of pieces.
+///
+/// # Errors
+/// [`TooManyPieces`] where there would be more than `max_pieces`, or they would take more than [`MAX_PIECE_BYTES`].
+pub(super) fn by_splitting(
+    layers: &[Layer],
+    projector: &Projector,
+    screen: &Screen,
+    max_pieces: usize,
+    progress: &Progress,
+) -> Result<(Vec<Surface>, usize), TooManyPieces> {
+    let of_layer: Vec<usize> = layers.iter().map(|layer| layer.surface.triangles.len()).collect();
+    let budget = Budget::of(of_layer.iter().sum(), max_pieces);
+    if budget.is_exceeded() {
+        return Err(TooManyPieces { pieces: of_layer.iter().sum(), of_layer });
+    }
+    progress.begin(Activity::Ordering, 0);
+    let (set, corners, known) = pieces(layers);
+    let tolerance = tolerance(&corners.views);
+    let tree = Tree { layers, projector, tolerance, progress, budget, sides: NewSides::after(known) };
+    let ordered = tree.ordered(Branch { corners, pieces: set, ..Branch::default() }, 0);
+    if tree.budget.is_exceeded() {
+        return Err(too_many(layers, tree, max_pieces));
+    }
+    let logs: Vec<&[Cut]> = ordered.iter().map(|branch| branch.cuts.as_slice()).collect();
+    let cuts = Cuts::new(tree.sides.count(), &logs);
+    let mut painter = Painter::new(layers, projector, screen);
+    let mut border = Vec::new();
+    for Branch { corners, ordered, .. } in &ordered {
+        for piece in ordered {
+            cuts.complete(corners.whole(piece), &mut border);
+            painter.paint(piece, &border);
+        }
+    }
+    Ok((painter.surfaces, ordered.iter().map(|branch| branch.ordered.len()).sum()))
+}
+
+/// The same again up to the piece that is too much, by one thread: how many of each there were then.
+fn too_many(layers: &[Layer], tree: Tree, max_pieces: usize) -> TooManyPieces {
+    let (set, corners, known) = pieces(layers);
+    let tree = Tree { budget: Budget::of(set.len(), max_pieces), sides: NewSides::after(known), ..tree };
+    let Branch { pieces, ordered, .. } = tree.in_one_array(Branch { corners, pieces: set, ..Branch::default() });
+    let mut of_layer = vec![0; layers.len()];
+    pieces.iter().chain(&ordered).for_each(|piece| of_layer[piece.layer()] += 1);
+    TooManyPieces { pieces: of_layer.iter().sum(), of_layer }
+}
+
+/// The distance from a plane within which a point is on it: a share of the extent of all faces, and the rounding of
+/// their coordinates. Where the scene is small and far away, the second is much less than a share of the distance.
+fn tolerance(corners: &[DVec3]) -> f64 {
+    const OF_EXTENT: f64 = 1e-10;
+    let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let (low, high) = corners.iter().fold(none, |(low, high), &c| (low.min(c), high.max(c)));
+    let farthest = corners.iter().fold(0.0, |most: f64, c| most.max(c.abs().max_element()));
+    let extent = if corners.is_empty() { 0.0 } else { (high - low).max_element() };
+    let tolerance = extent * OF_EXTENT + 4.0 * farthest * f64::EPSILON;
+    if tolerance.is_nan() { 0.0 } else { tolerance }
+}
+
+/// The work of splitting so far, and how much is allowed.
+struct Budget {
+    pieces: AtomicUsize,
+    bytes: AtomicUsize,
+    max_pieces: usize,
+}
+
+impl Budget {
+    /// Before anything is split.
+    fn of(pieces: usize, max_pieces: usize) -> Self {
+        Self { pieces: pieces.into(), bytes: (pieces * bytes(3)).into(), max_pieces }
+    }
+
+    /// Records that a piece with `whole` corners has become two.
+    fn split(&self, whole: usize, [front, back]: [usize; 2]) {
+        self.pieces.fetch_add(1, Ordering::Relaxed);
+        self.bytes.fetch_add(bytes(front) + bytes(back) - bytes(whole), Ordering::Relaxed);
+    }
+
+    /// It only grows: whether it is exceeded in the end does not depend on the threads.
+    fn is_exceeded(&self) -> bool {
+        self.pieces.load(Ordering::Relaxed) > self.max_pieces || self.bytes.load(Ordering::Relaxed) > MAX_PIECE_BYTES
+    }
+}
+
+/// Memory of a piece with this number of corners, at most: its corners are there twice while it is split.
+fn bytes(corners: usize) -> usize {
+    40 + corners * 64
+}
+
+/// All that branches have in common.
+struct Tree<'a> {
+    layers: &'a [Layer],
+    projector: &'a Projector,
+    tolerance: f64,
+    progress: &'a Progress,
+    budget: Budget,
+    sides: NewSides,
+}
+
+/// Some pieces, with their corners; and the work on them.
+#[derive(Default)]
+struct Branch {
+    corners: Corners,
+    /// To be put in order.
+    pieces: Vec<Piece>,
+    /// In the order of painting.
+    ordered: Vec<Piece>,
+    /// Where sides were cut, in the order in which it was done.
+    cuts: Vec<Cut>,
+    planes: Vec<Option<SplitPlane>>,
+    scratch: Scratch,
+}
+
+/// Memory that serves one set after the other.
+#[derive(Default)]
+struct Scratch {
+    on: Vec<Piece>,
+    far: Vec<Piece>,
+    candidates: Vec<SplitPlane>,
+    along: Vec<f64>,
+    distances: Vec<f64>,
+    parts: [Vec<(DVec3, Corner)>; 2],
+}
+
+/// What is done with the pieces from a place on.
+enum Task {
+    Order(usize),
+    Paint(usize),
+}
+
+impl Tree<'_> {
+    /// The pieces of a branch in the order of painting: by branches, one after the other.
+    fn ordered(&self, mut branch: Branch, depth: usize) -> Vec<Branch> {
+        let is_small = branch.pieces.len() < 2 * WORTH || depth == DEEPEST;
+        let plane = if is_small { None } else { self.plane(&mut branch, 0) };
+        let Some(plane) = plane else { return vec![self.in_one_array(branch)] };
+        let [near, on] = branch.divide(self, &plane, 0);
+        if self.is_stopped() || near < WORTH || branch.pieces.len() - near - on < WORTH {
+            return vec![self.finished(branch, vec![Task::Order(0), Task::Paint(near), Task::Order(near + on)])];
+        }
+        let mut far = branch.apart(near + on);
+        let mut on = branch.apart(near);
+        on.ordered = std::mem::take(&mut on.pieces);
+        on.ordered.reverse();
+        // The cuts that were made first come first.
+        std::mem::swap(&mut branch.cuts, &mut far.cuts);
+        let (mut all, near) = rayon::join(|| self.ordered(far, depth + 1), || self.ordered(branch, depth + 1));
+        all.push(on);
+        all.extend(near);
+        all
+    }
+
+    /// The same as one branch.
+    fn in_one_array(&self, branch: Branch) -> Branch {
+        self.finished(branch, vec![Task::Order(0)])
+    }
+
+    /// Does what is left to do. A tree that is one long branch must not exhaust the stack: `tasks` wait, the next at the
+    /// end, and each is about the pieces from its place to the end.
+    fn finished(&self, mut branch: Branch, mut tasks: Vec<Task>) -> Branch {
+        while let Some(task) = tasks.pop().filter(|_| !self.is_stopped()) {
+            let first = match task {
+                Task::Paint(first) => {
+                    branch.paint(first);
+                    continue;
+                }
+                Task::Order(first) => first,
+            };
+            let Some(plane) = self.plane(&mut branch, first) else {
+                branch.paint(first);
+                continue;
+            };
+            let [near, on] = branch.divide(self, &plane, first);
+            tasks.extend([Task::Order(first), Task::Paint(first + near), Task::Order(first + near + on)]);
+        }
+        branch
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.budget.is_exceeded() || self.progress.is_cancelled()
+    }
+
+    /// The plane that divides the pieces from a place on, if they are to be divided: of some planes of faces, and in
+    /// large sets of some upright planes through the middle too, the best.
+    fn plane(&self, branch: &mut Branch, first: usize) -> Option<SplitPlane> {
+        const TRIED: usize = 6;
+        const LARGE: usize = 128;
+        let Branch { corners, pieces, planes, scratch: Scratch { candidates, along, .. }, .. } = branch;
+        let set = &mut pieces[first..];
+        let &[of, _, ..] = &*set else { return None };
+        if self.layers[of.layer()].never_hides_itself && set.iter().all(|piece| piece.layer == of.layer) {
+            return None;
+        }
+        let mut plane_of = |piece: &mut Piece| {
+            if piece.plane == u32::MAX {
+                piece.plane = super::pieces::to_u32(planes.len());
+                planes.push(SplitPlane::of(corners.of(piece)));
+            }
+            planes[piece.plane as usize]
+        };
+        let step = set.len().div_ceil(TRIED);
+        candidates.clear();
+        candidates.extend(set.iter_mut().step_by(step).filter_map(&mut plane_of));
+        if candidates.is_empty() {
+            candidates.extend(set.iter_mut().find_map(&mut plane_of));
+        }
+        if set.len() > LARGE && !candidates.is_empty() {
+            for axis in DVec3::AXES {
+                along.clear();
+                along.extend(set.iter().map(|piece| axis.dot(corners.views[piece.first])));
+                let middle = along.len() / 2;
+                let (_, median, _) = along.select_nth_unstable_by(middle, f64::total_cmp);
+                candidates.push(SplitPlane { point: axis * *median, normal: axis });
+            }
+        }
+        split_plane::best(candidates, set, corners, self.tolerance)
+    }
+}
+
+impl Branch {
+    /// Of faces in one plane the first listed is painted last: it stays, as in a depth buffer.
+    fn paint(&mut self, first: usize) {
+        self.ordered.extend(self.pieces.drain(first..).rev());
+    }
+
+    /// The pieces from a place on as a branch of their own.
+    fn apart(&mut self, first: usize) -> Self {
+        let mut pieces = self.pieces.split_off(first);
+        Self { corners: self.corners.extracted(&mut pieces), pieces, ..Self::default() }
+    }
+
+    /// Divides the pieces from a place on: those nearer to the eye come first, then those in the plane, then those
+    /// behind it, each in the order they had. Returns the number of the first and of the second.
+    fn divide(&mut self, tree: &Tree, plane: &SplitPlane, first: usize) -> [usize; 2] {
+        let front_is_near = plane.faces_eye(tree.projector);
+        let mut near = first;
+        self.scratch.on.clear();
+        self.scratch.far.clear();
+        for k in first..self.pieces.len() {
+            let piece = self.pieces[k];
+            let [front, back] = match plane.sides(self.corners.of(&piece), tree.tolerance) {
+                (false, false) => {
+                    self.scratch.on.push(piece);
+                    continue;
+                }
+                (true, false) => [Some(piece), None],
+                (false, true) => [None, Some(piece)],
+                (true, true) => self.split(tree, plane, &piece).map(Some),
+            };
+            let (nearer, farther) = if front_is_near { (front, back) } else { (back, front) };
+            if let Some(piece) = nearer {
+                self.pieces[near] = piece;
+                near += 1;
+            }
+            self.scratch.far.extend(farther);
+        }
+        self.pieces.truncate(near);
+        self.pieces.extend_from_slice(&self.scratch.on);
+        self.pieces.extend_from_slice(&self.scratch.far);
+        [near - first, self.scratch.on.len()]
+    }
+
+    /// The two pieces, in front and behind, of one that crosses the plane.
+    fn split(&mut self, tree: &Tree, plane: &SplitPlane, piece: &Piece) -> [Piece; 2] {
+        let Scratch { distances, parts: [front, back], .. } = &mut self.scratch;
+        let new_side = tree.sides.next();
+        let (views, rest) = self.corners.whole(piece);
+        let count = views.len();
+        distances.clear();
+        distances.extend(views.iter().map(|&view| plane.distance(view, tree.tolerance)));
+        front.clear();
+        back.clear();
+        // `side`: 1 on the front, −1 on the back. Where the border leaves it, the piece goes on along the plane.
+        let corner = |origin: Origin, side: f64| {
+            let next_is_beyond = |first: usize| side * distances[(first + 1) % count] < 0.0;
+            match origin {
+                Origin::Corner(i) => {
+                    let leaves = distances[i] == 0.0 && next_is_beyond(i);
+                    (views[i], Corner { side: if leaves { new_side } else { rest[i].side }, ..rest[i] })
+                }
+                Origin::Edge(edge) => {
+                    let (inside, outside) = (&rest[edge.inside], &rest[edge.outside]);
+                    let view = views[edge.inside] * edge.shares[0] + views[edge.outside] * edge.shares[1];
+                    let weights = std::array::from_fn(|k| edge.mean(inside.weights[k], outside.weights[k]));
+                    let side = if next_is_beyond(edge.first) { new_side } else { rest[edge.first].side };
+                    (view, Corner { weights, original: false, side })
+                }
+            }
+        };
+        cut(
+            count,
+            |i| distances[i],
+            |origin| {
+                let corner = corner(origin, 1.0);
+                if let Origin::Edge(edge) = origin {
+                    self.cuts.push((rest[edge.first].side, corner.0));
+                }
+                front.push(corner);
+            },
+            |origin| back.push(corner(origin, -1.0)),
+        );
+        tree.budget.split(count, [front.len(), back.len()]);
+        [self.corners.add(piece, front), self.corners.add(piece, back)]
+    }
+}
