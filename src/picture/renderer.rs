@@ -56,7 +56,7 @@ impl Renderer {
     pub fn forget(&mut self) {
         self.on_window = None;
         for pipeline in self.pipelines.iter_mut().chain([&mut self.window_pipeline]) {
-            pipeline.stages.forget();
+            pipeline.forget();
         }
     }
 

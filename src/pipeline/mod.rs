@@ -52,6 +52,7 @@
 //! | `planes` | the six planes of the view volume |
 //! | `pool` | reuse of the memory of returned drawings: fresh memory costs more than writing to it |
 //! | `project` | the scene after clipping and projection: the content of the canonical volume |
+//! | `projected` | the mesh of an object after clipping and projection |
 //! | `projector` | the camera as the pipeline applies it, point by point: object → world → view → clip, in `f64` |
 //! | `recorder` | the record of a picture while it is made: counts, times, the stage that is shown, rounding |
 //! | `report` | the report of a picture: counts and times, stage by stage |
@@ -95,6 +96,7 @@ mod plan_counts;
 mod planes;
 mod pool;
 pub mod project;
+mod projected;
 mod projector;
 mod recorder;
 pub mod report;
