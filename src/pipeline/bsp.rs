@@ -7,6 +7,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::cut::{Origin, cut};
 use super::pieces::{Corner, Corners, Cut, Cuts, Layer, NewSides, Piece, pieces};
@@ -59,15 +60,44 @@ pub(super) fn by_splitting(
     let logs: Vec<&[Cut]> = ordered.iter().map(|branch| branch.cuts.as_slice()).collect();
     let cuts = Cuts::new(tree.sides.count(), &logs);
     let mut painter = Painter::new(layers, projector, screen);
-    let mut border = Vec::new();
-    for Branch { corners, ordered, .. } in &ordered {
-        for piece in ordered {
-            cuts.complete(corners.whole(piece), &mut border);
-            painter.paint(piece, &border);
+    let parts: Vec<Part> = ordered.iter().flat_map(Branch::parts).collect();
+    // As many at a time as there is memory for.
+    for some in parts.chunks(PARTS) {
+        let borders: Vec<_> = some.par_iter().map(|part| part.borders(&cuts)).collect();
+        for (part, (all, ends)) in some.iter().zip(borders) {
+            let mut first = 0;
+            for (piece, end) in part.pieces.iter().zip(ends) {
+                painter.paint(piece, &all[first..end]);
+                first = end;
+            }
         }
     }
     Ok((painter.surfaces, ordered.iter().map(|branch| branch.ordered.len()).sum()))
 }
+
+/// Some pieces of a branch, in the order of painting.
+#[derive(Clone, Copy)]
+struct Part<'a> {
+    corners: &'a Corners,
+    pieces: &'a [Piece],
+}
+
+impl Part<'_> {
+    /// All corners of its pieces, and where those of each end.
+    fn borders(&self, cuts: &Cuts) -> (Vec<(DVec3, Corner)>, Vec<usize>) {
+        let (mut all, mut ends) = (Vec::with_capacity(4 * self.pieces.len()), Vec::with_capacity(self.pieces.len()));
+        for piece in self.pieces {
+            cuts.complete(self.corners.whole(piece), &mut all);
+            ends.push(all.len());
+        }
+        (all, ends)
+    }
+}
+
+/// Number of pieces of a part, at most.
+const PART: usize = 4096;
+/// Number of parts that are completed together.
+const PARTS: usize = 16;
 
 /// The same again up to the piece that is too much, by one thread: how many of each there were then.
 fn too_many(layers: &[Layer], tree: Tree, max_pieces: usize) -> TooManyPieces {
@@ -252,6 +282,10 @@ impl Tree<'_> {
 }
 
 impl Branch {
+    fn parts(&self) -> impl Iterator<Item = Part<'_>> {
+        self.ordered.chunks(PART).map(|pieces| Part { corners: &self.corners, pieces })
+    }
+
     /// Of faces in one plane the first listed is painted last: it stays, as in a depth buffer.
     fn paint(&mut self, first: usize) {
         self.ordered.extend(self.pieces.drain(first..).rev());

@@ -107,41 +107,54 @@ pub(super) fn pieces(layers: &[Layer]) -> (Vec<Piece>, Corners, u32) {
     let faces = layers.iter().map(|layer| layer.surface.triangles.len()).sum();
     let mut all = Vec::with_capacity(faces);
     let mut corners = Corners { views: Vec::with_capacity(3 * faces), rest: Vec::with_capacity(3 * faces) };
-    let mut sides = Sides::default();
+    let mut ends = Vec::with_capacity(3 * faces);
+    let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(layers.iter().map(|layer| layer.view.len()).sum());
     for (layer, of) in (0_u32..).zip(layers) {
-        let points: Vec<u32> = of.view.iter().map(|&p| sides.point(p)).collect();
+        // Points with the same coordinates are one.
+        let number = |p: &DVec3| {
+            let next = to_u32(known.len());
+            *known.entry(p.to_array().map(f64::to_bits)).or_insert(next)
+        };
+        let points: Vec<u32> = of.view.iter().map(number).collect();
         for (triangle, vertices) in (0_u32..).zip(&of.surface.triangles) {
             all.push(Piece { first: corners.views.len(), count: 3, layer, triangle, plane: u32::MAX });
             for k in 0..3 {
                 let [from, to] = [vertices[k], vertices[(k + 1) % 3]].map(|i| points[i as usize]);
+                ends.push([from.min(to), from.max(to)]);
                 corners.views.push(of.view[vertices[k] as usize]);
-                let side = sides.between(from, to);
-                corners.rest.push(Corner { weights: OWN_WEIGHTS[k], original: true, side });
+                corners.rest.push(Corner { weights: OWN_WEIGHTS[k], original: true, side: 0 });
             }
         }
     }
-    (all, corners, to_u32(sides.known.len()))
+    let sides = number_sides(&ends, known.len(), |corner, side| corners.rest[corner].side = side);
+    (all, corners, sides)
 }
 
-/// The sides of faces by their ends: the same for both faces that have one.
-#[derive(Default)]
-struct Sides {
-    points: HashMap<[u64; 3], u32>,
-    known: HashMap<[u32; 2], u32>,
-}
-
-impl Sides {
-    /// The number of a point; points with the same coordinates are one.
-    fn point(&mut self, p: DVec3) -> u32 {
-        let next = to_u32(self.points.len());
-        *self.points.entry(p.to_array().map(f64::to_bits)).or_insert(next)
+/// Gives each side a number, the same one to all with the same two ends, the lesser first; there are so many `points`.
+/// Returns how many numbers were given.
+fn number_sides(ends: &[[u32; 2]], points: usize, mut give: impl FnMut(usize, u32)) -> u32 {
+    // Sides by their first ends: counts are summed up, and the beginnings move on while they are filled.
+    let mut first = vec![0_usize; points + 2];
+    ends.iter().for_each(|[a, _]| first[*a as usize + 2] += 1);
+    for k in 2..first.len() {
+        first[k] += first[k - 1];
     }
-
-    /// The number of a side.
-    fn between(&mut self, a: u32, b: u32) -> u32 {
-        let next = to_u32(self.known.len());
-        *self.known.entry([a.min(b), a.max(b)]).or_insert(next)
+    let mut sorted = vec![(0_u32, 0_usize); ends.len()];
+    for (side, [a, b]) in ends.iter().enumerate() {
+        let next = &mut first[*a as usize + 1];
+        sorted[*next] = (*b, side);
+        *next += 1;
     }
+    let mut count = 0;
+    for at in first.windows(2).take(points) {
+        let of_point = &mut sorted[at[0]..at[1]];
+        of_point.sort_unstable();
+        for same in of_point.chunk_by(|(b, _), (c, _)| b == c) {
+            same.iter().for_each(|(_, side)| give(*side, count));
+            count += 1;
+        }
+    }
+    count
 }
 
 /// Numbers for the sides that splitting makes.
@@ -200,9 +213,8 @@ impl Cuts {
         &self.points[self.first[side] as usize..self.first[side + 1] as usize]
     }
 
-    /// All corners of a piece, with those that its neighbours' pieces have in its border.
+    /// Adds all corners of a piece, with those that its neighbours' pieces have in its border.
     pub(super) fn complete(&self, (views, rest): (&[DVec3], &[Corner]), all: &mut Vec<(DVec3, Corner)>) {
-        all.clear();
         for (i, (&from, corner)) in views.iter().zip(rest).enumerate() {
             all.push((from, *corner));
             let on_side = self.on(corner.side);

@@ -1,6 +1,7 @@
 //! The parts of a picture that bodies cover: a text there would hide the subject of the picture.
 
 use glam::DVec2;
+use rayon::prelude::*;
 
 use crate::drawing::Drawing;
 
@@ -10,6 +11,9 @@ const CELLS: u32 = 90;
 const LEAST: f64 = 3.0;
 /// From this on, a face is more than glass.
 const OPAQUE: u8 = 110;
+
+/// So many triangles are worth a thread.
+const MANY: usize = 8192;
 
 /// The parts of a picture that faces cover, in square cells.
 pub(super) struct Solids {
@@ -31,13 +35,26 @@ impl Solids {
         // A picture without pixels has no cell that a face could cover.
         let surfaces = drawing.surfaces.iter().filter(|_| columns * rows > 0);
         for surface in surfaces {
-            let positions: Vec<DVec2> =
-                surface.positions.iter().map(|p| DVec2::new(f64::from(p[0]), f64::from(p[1])) / cell).collect();
+            let in_cells = |p: &[f32; 3]| DVec2::new(f64::from(p[0]), f64::from(p[1])) / cell;
             let is_opaque = |i: usize| surface.alpha_of(i).is_some_and(|alpha| alpha >= OPAQUE);
-            for (_, triangle) in surface.triangles.iter().enumerate().filter(|(i, _)| is_opaque(*i)) {
-                let corners = triangle.map(|i| positions.get(i as usize).copied().unwrap_or(DVec2::NAN));
-                cover(&mut covered, columns, rows, corners);
-            }
+            let cover_some = |mut covered: Vec<bool>, (first, some): (usize, &[[u32; 3]])| {
+                for (_, triangle) in some.iter().enumerate().filter(|(i, _)| is_opaque(first + i)) {
+                    let corners = triangle.map(|i| surface.positions.get(i as usize).map_or(DVec2::NAN, in_cells));
+                    cover(&mut covered, columns, rows, corners);
+                }
+                covered
+            };
+            covered = if surface.triangles.len() < 2 * MANY {
+                cover_some(covered, (0, &surface.triangles))
+            } else {
+                let stretches = surface.triangles.par_chunks(MANY).enumerate().map(|(k, some)| (k * MANY, some));
+                let grids = stretches.fold(|| vec![false; columns * rows], cover_some);
+                let either = |mut a: Vec<bool>, b: Vec<bool>| {
+                    a.iter_mut().zip(b).for_each(|(a, b)| *a |= b);
+                    a
+                };
+                either(covered, grids.reduce(|| vec![false; columns * rows], either))
+            };
         }
         Self { cell, columns, rows, sums: sums(&covered, columns, rows) }
     }
@@ -66,9 +83,14 @@ fn cover(covered: &mut [bool], columns: usize, rows: usize, [a, b, c]: [DVec2; 3
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cell of the picture")]
     let index = |v: f64, count: usize| (v.max(0.0) as usize).min(count.saturating_sub(1));
     let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+    let (first, last) = ([index(low.x, columns), index(low.y, rows)], [index(high.x, columns), index(high.y, rows)]);
+    if first == last {
+        covered[first[1] * columns + first[0]] = true;
+        return;
+    }
     let side = |p: DVec2, q: DVec2, at: DVec2| (q - p).perp_dot(at - p);
-    for y in index(low.y, rows)..=index(high.y, rows) {
-        for x in index(low.x, columns)..=index(high.x, columns) {
+    for y in first[1]..=last[1] {
+        for x in first[0]..=last[0] {
             #[expect(clippy::cast_precision_loss, reason = "a cell of the picture")]
             let middle = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
             let sides = [side(a, b, middle), side(b, c, middle), side(c, a, middle)];
