@@ -44,6 +44,17 @@ pub(super) fn by_splitting(
     max_pieces: usize,
     progress: &Progress,
 ) -> Result<(Vec<Surface>, usize), TooManyPieces> {
+    from_depth(layers, (projector, screen), max_pieces, progress, 0)
+}
+
+/// The same, where so many divisions for threads are taken as done.
+fn from_depth(
+    layers: &[Layer],
+    (projector, screen): (&Projector, &Screen),
+    max_pieces: usize,
+    progress: &Progress,
+    depth: usize,
+) -> Result<(Vec<Surface>, usize), TooManyPieces> {
     let of_layer: Vec<usize> = layers.iter().map(|layer| layer.surface.triangles.len()).collect();
     let budget = Budget::of(of_layer.iter().sum(), max_pieces);
     if budget.is_exceeded() {
@@ -53,7 +64,7 @@ pub(super) fn by_splitting(
     let (set, corners, known) = pieces(layers);
     let tolerance = tolerance(&corners.views);
     let tree = Tree { layers, projector, tolerance, progress, budget, sides: NewSides::after(known) };
-    let ordered = tree.ordered(Branch { corners, pieces: set, ..Branch::default() }, 0);
+    let ordered = tree.ordered(Branch { corners, pieces: set, ..Branch::default() }, depth);
     if tree.budget.is_exceeded() {
         return Err(too_many(layers, tree, max_pieces));
     }
@@ -369,5 +380,61 @@ impl Branch {
         );
         tree.budget.split(count, [front.len(), back.len()]);
         [self.corners.add(piece, front), self.corners.add(piece, back)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::appearance::Rgba;
+    use crate::camera::{Camera, Parameters};
+    use crate::pipeline::Target;
+
+    /// Two layers of triangles that cross one another, some with common sides.
+    fn layers() -> Vec<Layer> {
+        let mut state = 11_u64;
+        let mut number = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            f64::from(u32::try_from(state >> 40).unwrap()) / f64::from(1_u32 << 24) - 0.5
+        };
+        let mut layer = |color| {
+            let (mut view, mut triangles) = (Vec::new(), Vec::new());
+            for k in 0..1500_u32 {
+                let middle = 4.0 * DVec3::new(number(), number(), number()) - 8.0 * DVec3::Z;
+                view.extend((0..4).map(|_| middle + 0.3 * DVec3::new(number(), number(), number())));
+                triangles.extend([[4 * k, 4 * k + 1, 4 * k + 2], [4 * k + 1, 4 * k, 4 * k + 3]]);
+            }
+            let positions = view.iter().map(|p| p.as_vec3().to_array()).collect();
+            Layer { surface: Surface::solid(positions, triangles, color), view, never_hides_itself: false }
+        };
+        vec![layer(Rgba::rgb(200, 0, 0)), layer(Rgba::rgb(0, 0, 200).with_alpha(100))]
+    }
+
+    fn sorted(max_pieces: usize, depth: usize, threads: usize) -> Result<(Vec<Surface>, usize), TooManyPieces> {
+        let projector = Projector::new(&Camera::new(&Parameters::default()).unwrap());
+        let target = Target { width: 300, height: 200, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
+        let (screen, progress) = (Screen::new(target), Progress::default());
+        let threads = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        threads.install(|| from_depth(&layers(), (&projector, &screen), max_pieces, &progress, depth))
+    }
+
+    #[test]
+    fn neither_threads_nor_the_parts_for_them_change_the_order() {
+        let one = sorted(usize::MAX, DEEPEST, 1).unwrap();
+        assert!(one.1 > 6000 + 500, "{}", one.1);
+        for (depth, threads) in [(0, 1), (0, 3), (DEEPEST - 1, 2)] {
+            assert!(sorted(usize::MAX, depth, threads).unwrap() == one, "{depth} {threads}");
+        }
+    }
+
+    #[test]
+    fn what_is_too_much_is_counted_up_to_the_same_piece() {
+        let one = sorted(6300, DEEPEST, 1).unwrap_err();
+        assert!(one.pieces > 6300 && one.of_layer.iter().sum::<usize>() == one.pieces);
+        for threads in [1, 3] {
+            assert_eq!(sorted(6300, 0, threads).unwrap_err(), one);
+        }
     }
 }
