@@ -70,7 +70,8 @@ fn from_depth(
     }
     let logs: Vec<&[Cut]> = ordered.iter().map(|branch| branch.cuts.as_slice()).collect();
     let cuts = Cuts::new(tree.sides.count(), &logs);
-    let mut painter = Painter::new(layers, projector, screen);
+    let count = ordered.iter().map(|branch| branch.ordered.len()).sum();
+    let mut painter = Painter::new(layers, projector, screen, count);
     let parts: Vec<Part> = ordered.iter().flat_map(Branch::parts).collect();
     // As many at a time as there is memory for.
     for some in parts.chunks(PARTS) {
@@ -83,7 +84,7 @@ fn from_depth(
             }
         }
     }
-    Ok((painter.surfaces, ordered.iter().map(|branch| branch.ordered.len()).sum()))
+    Ok((painter.surfaces, count))
 }
 
 /// Some pieces of a branch, in the order of painting.
@@ -106,7 +107,7 @@ impl Part<'_> {
 }
 
 /// Number of pieces of a part, at most.
-const PART: usize = 4096;
+const PART: usize = 1024;
 /// Number of parts that are completed together.
 const PARTS: usize = 16;
 
@@ -312,30 +313,35 @@ impl Branch {
     /// behind it, each in the order they had. Returns the number of the first and of the second.
     fn divide(&mut self, tree: &Tree, plane: &SplitPlane, first: usize) -> [usize; 2] {
         let front_is_near = plane.faces_eye(tree.projector);
-        let mut near = first;
+        let (mut near, mut far, end) = (first, 0, self.pieces.len());
         self.scratch.on.clear();
-        self.scratch.far.clear();
-        for k in first..self.pieces.len() {
+        let mut behind = std::mem::take(&mut self.scratch.far);
+        if let Some(of) = self.pieces.get(first) {
+            behind.resize(behind.len().max(end - first), *of);
+        }
+        for k in first..end {
             let piece = self.pieces[k];
-            let [front, back] = match plane.sides(self.corners.of(&piece), tree.tolerance) {
-                (false, false) => {
-                    self.scratch.on.push(piece);
-                    continue;
+            let (mut nearer, mut farther) = (piece, piece);
+            let sides = plane.sides(self.corners.of(&piece), tree.tolerance);
+            match sides {
+                (false, false) => self.scratch.on.push(piece),
+                (true, true) => {
+                    let [front, back] = self.split(tree, plane, &piece);
+                    (nearer, farther) = if front_is_near { (front, back) } else { (back, front) };
                 }
-                (true, false) => [Some(piece), None],
-                (false, true) => [None, Some(piece)],
-                (true, true) => self.split(tree, plane, &piece).map(Some),
-            };
-            let (nearer, farther) = if front_is_near { (front, back) } else { (back, front) };
-            if let Some(piece) = nearer {
-                self.pieces[near] = piece;
-                near += 1;
+                _ => {}
             }
-            self.scratch.far.extend(farther);
+            // Written to both places, and counted where it belongs: which one is next is anybody's guess.
+            let (is_near, is_far) = if front_is_near { sides } else { (sides.1, sides.0) };
+            self.pieces[near] = nearer;
+            behind[far] = farther;
+            near += usize::from(is_near);
+            far += usize::from(is_far);
         }
         self.pieces.truncate(near);
         self.pieces.extend_from_slice(&self.scratch.on);
-        self.pieces.extend_from_slice(&self.scratch.far);
+        self.pieces.extend_from_slice(&behind[..far]);
+        self.scratch.far = behind;
         [near - first, self.scratch.on.len()]
     }
 

@@ -38,10 +38,13 @@ impl SplitPlane {
     /// Whether any corner is in front, and whether any is behind.
     #[inline(always)]
     pub(super) fn sides(&self, corners: &[DVec3], tolerance: f64) -> (bool, bool) {
-        corners.iter().fold((false, false), |(before, behind), &corner| {
-            let distance = self.distance(corner, tolerance);
-            (before || distance > 0.0, behind || distance < 0.0)
-        })
+        let (mut most, mut least) = (0.0, 0.0);
+        for &corner in corners {
+            let distance = self.normal.dot(corner - self.point);
+            most = if distance > most { distance } else { most };
+            least = if distance < least { distance } else { least };
+        }
+        (most > tolerance, least < -tolerance)
     }
 }
 

@@ -21,7 +21,7 @@ pub(super) fn by_centroid(layers: &[Layer], projector: &Projector, screen: &Scre
     // Of equal distances the first listed is painted last: it stays, as in a depth buffer.
     pieces.reverse();
     pieces.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut painter = Painter::new(layers, projector, screen);
+    let mut painter = Painter::new(layers, projector, screen, pieces.len());
     let mut border = Vec::new();
     for (_, piece) in &pieces {
         let (views, rest) = corners.whole(piece);
@@ -40,12 +40,14 @@ pub(super) struct Painter<'a> {
     pub(super) surfaces: Vec<Surface>,
     last_layer: u32,
     origins: Vec<VertexOrigin>,
+    /// Number of pieces that are expected.
+    expected: usize,
 }
 
 impl<'a> Painter<'a> {
-    /// Before anything is painted.
-    pub(super) fn new(layers: &'a [Layer], projector: &'a Projector, screen: &'a Screen) -> Self {
-        Self { layers, projector, screen, surfaces: Vec::new(), last_layer: u32::MAX, origins: Vec::new() }
+    /// Before anything is painted, of so many pieces as are expected.
+    pub(super) fn new(layers: &'a [Layer], projector: &'a Projector, screen: &'a Screen, expected: usize) -> Self {
+        Self { layers, projector, screen, surfaces: Vec::new(), last_layer: u32::MAX, origins: Vec::new(), expected }
     }
 
     /// Paints a piece, whose border has these corners.
@@ -56,6 +58,11 @@ impl<'a> Painter<'a> {
         self.last_layer = piece.layer;
         if !self.surfaces.last().is_some_and(|last| same_layer || takes(last, old)) {
             self.surfaces.push(surface_like(old));
+            if let [only] = self.surfaces.as_mut_slice() {
+                // Most often it stays the only one.
+                only.positions.reserve(4 * self.expected);
+                only.triangles.reserve(2 * self.expected);
+            }
         }
         let Some(surface) = self.surfaces.last_mut() else { return };
         let first = u32::try_from(surface.positions.len()).unwrap_or(u32::MAX);

@@ -258,7 +258,7 @@ fn large_and_in_parts(paint: &str, mirrored: bool) -> [Scene; 2] {
         "vertices" => ObjectPaint::Vertices(colors(mesh.positions.len())),
         _ => ObjectPaint::Solid(CLAY),
     };
-    let place = at(0.4, 0.2, -2.6) * DMat4::from_scale(DVec3::new(if mirrored { -1.5 } else { 1.5 }, 1.5, 1.5));
+    let place = at(0.9, 0.2, -1.9) * DMat4::from_scale(DVec3::new(if mirrored { -1.5 } else { 1.5 }, 1.5, 1.5));
     let parts = mesh.triangles.chunks(1000).enumerate().map(|(k, triangles)| {
         let paint = match &paint {
             ObjectPaint::Faces(colors) => {
