@@ -28,10 +28,16 @@ pub(super) struct TooManyPieces {
     pub(super) of_layer: Vec<usize>,
 }
 
+/// Number of corners for which memory is kept: some 30 MiB with all that belongs to them.
+const MOST_KEPT: usize = 1 << 19;
 /// Parts of a set with fewer pieces are not worth a thread of their own.
 const WORTH: usize = 1024;
 /// So many times a set is divided for threads.
 const DEEPEST: usize = 12;
+
+/// Memory that serves one picture after the other.
+#[derive(Debug, Default)]
+pub(super) struct BspMemory(Branch);
 
 /// Sorts in an order that is right for each two faces, and gives the number of pieces.
 ///
@@ -43,8 +49,9 @@ pub(super) fn by_splitting(
     screen: &Screen,
     max_pieces: usize,
     progress: &Progress,
+    memory: &mut BspMemory,
 ) -> Result<(Vec<Surface>, usize), TooManyPieces> {
-    from_depth(layers, (projector, screen), max_pieces, progress, 0)
+    from_depth(layers, (projector, screen), max_pieces, progress, 0, memory)
 }
 
 /// The same, where so many divisions for threads are taken as done.
@@ -54,6 +61,7 @@ fn from_depth(
     max_pieces: usize,
     progress: &Progress,
     depth: usize,
+    BspMemory(memory): &mut BspMemory,
 ) -> Result<(Vec<Surface>, usize), TooManyPieces> {
     let of_layer: Vec<usize> = layers.iter().map(|layer| layer.surface.triangles.len()).collect();
     let budget = Budget::of(of_layer.iter().sum(), max_pieces);
@@ -61,10 +69,15 @@ fn from_depth(
         return Err(TooManyPieces { pieces: of_layer.iter().sum(), of_layer });
     }
     progress.begin(Activity::Ordering, 0);
-    let (set, corners, known) = pieces(layers);
-    let tolerance = tolerance(&corners.views);
+    let Branch { corners, pieces: set, mut ordered, mut cuts, mut planes, scratch } = std::mem::take(memory);
+    let (set, corners, known) = pieces(layers, (set, corners));
+    ordered.clear();
+    cuts.clear();
+    planes.clear();
+    let whole = Branch { corners, pieces: set, ordered, cuts, planes, scratch };
+    let tolerance = tolerance(&whole.corners.views);
     let tree = Tree { layers, projector, tolerance, progress, budget, sides: NewSides::after(known) };
-    let ordered = tree.ordered(Branch { corners, pieces: set, ..Branch::default() }, depth);
+    let mut ordered = tree.ordered(whole, depth);
     if tree.budget.is_exceeded() {
         return Err(too_many(layers, tree, max_pieces));
     }
@@ -84,7 +97,10 @@ fn from_depth(
             }
         }
     }
-    Ok((painter.surfaces, count))
+    let surfaces = painter.surfaces;
+    // The last branch has the memory of the first; a great deal of it is not kept.
+    *memory = ordered.pop().filter(|last| last.corners.views.len() < MOST_KEPT).unwrap_or_default();
+    Ok((surfaces, count))
 }
 
 /// Some pieces of a branch, in the order of painting.
@@ -113,7 +129,7 @@ const PARTS: usize = 16;
 
 /// The same again up to the piece that is too much, by one thread: how many of each there were then.
 fn too_many(layers: &[Layer], tree: Tree, max_pieces: usize) -> TooManyPieces {
-    let (set, corners, known) = pieces(layers);
+    let (set, corners, known) = pieces(layers, Default::default());
     let tree = Tree { budget: Budget::of(set.len(), max_pieces), sides: NewSides::after(known), ..tree };
     let Branch { pieces, ordered, .. } = tree.in_one_array(Branch { corners, pieces: set, ..Branch::default() });
     let mut of_layer = vec![0; layers.len()];
@@ -174,7 +190,7 @@ struct Tree<'a> {
 }
 
 /// Some pieces, with their corners; and the work on them.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Branch {
     corners: Corners,
     /// To be put in order.
@@ -188,7 +204,7 @@ struct Branch {
 }
 
 /// Memory that serves one set after the other.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Scratch {
     on: Vec<Piece>,
     far: Vec<Piece>,
@@ -423,7 +439,9 @@ mod tests {
         let target = Target { width: 300, height: 200, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
         let (screen, progress) = (Screen::new(target), Progress::default());
         let threads = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        threads.install(|| from_depth(&layers(), (&projector, &screen), max_pieces, &progress, depth))
+        threads.install(|| {
+            from_depth(&layers(), (&projector, &screen), max_pieces, &progress, depth, &mut BspMemory::default())
+        })
     }
 
     #[test]

@@ -122,6 +122,7 @@ use crate::progress::Progress;
 use crate::scene::Scene;
 use crate::stage::Operations;
 use bounding_tree::BoundingTree;
+use bsp::BspMemory;
 pub use budget::OverBudget;
 pub use cull::Containment;
 use faces::Faces;
@@ -183,6 +184,7 @@ fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> (Drawing, Operati
 pub struct Pipeline {
     faces: Faces,
     pool: Pool,
+    ordering: BspMemory,
     tree: BoundingTree,
     shadows: ShadowMaps,
     progress: Progress,
@@ -195,6 +197,7 @@ impl Default for Pipeline {
         Self {
             faces: Faces::default(),
             pool: Pool::default(),
+            ordering: BspMemory::default(),
             tree: BoundingTree::default(),
             shadows: ShadowMaps::default(),
             progress: Progress::default(),
@@ -278,7 +281,8 @@ impl Pipeline {
             // Forced, but only edges were requested.
             unordered = Unordered::default();
         }
-        let ordered = unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress);
+        let ordered =
+            unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress, &mut self.ordering);
         recorder.meter.pieces = ordered.pieces;
         recorder.meter.lap(Stage::HiddenSurfaces);
 

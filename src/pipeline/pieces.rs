@@ -102,11 +102,16 @@ impl Corners {
     }
 }
 
-/// All faces, unsplit, in the order of the layers, with their corners and the number of their sides.
-pub(super) fn pieces(layers: &[Layer]) -> (Vec<Piece>, Corners, u32) {
+/// All faces, unsplit, in the order of the layers, with their corners, in memory that is no longer needed; and the
+/// number of their sides.
+pub(super) fn pieces(layers: &[Layer], (mut all, mut corners): (Vec<Piece>, Corners)) -> (Vec<Piece>, Corners, u32) {
     let faces = layers.iter().map(|layer| layer.surface.triangles.len()).sum();
-    let mut all = Vec::with_capacity(faces);
-    let mut corners = Corners { views: Vec::with_capacity(3 * faces), rest: Vec::with_capacity(3 * faces) };
+    all.clear();
+    all.reserve(faces);
+    corners.views.clear();
+    corners.views.reserve(3 * faces);
+    corners.rest.clear();
+    corners.rest.reserve(3 * faces);
     let mut ends = Vec::with_capacity(3 * faces);
     let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(layers.iter().map(|layer| layer.view.len()).sum());
     for (layer, of) in (0_u32..).zip(layers) {
@@ -223,10 +228,12 @@ impl Cuts {
             }
             let next = (i + 1) % views.len();
             let along = views[next] - from;
-            let place = |p: DVec3| (p - from).dot(along) / along.length_squared();
+            let length = along.length_squared();
             let cuts = on_side.iter().filter(|&&p| p != from && p != views[next]);
-            let mut cuts: Vec<(f64, DVec3)> =
-                cuts.map(|&p| (place(p), p)).filter(|(t, _)| *t > 0.0 && *t < 1.0).collect();
+            // Most are on other parts of the side.
+            let cuts = cuts.map(|&p| ((p - from).dot(along), p)).filter(|(t, _)| *t > 0.0 && *t < length);
+            let cuts = cuts.map(|(t, p)| (t / length, p)).filter(|(t, _)| *t > 0.0);
+            let mut cuts: Vec<(f64, DVec3)> = cuts.collect();
             cuts.sort_by(|p, q| p.0.total_cmp(&q.0));
             cuts.dedup_by_key(|cut| cut.1);
             let mean = |t: f64| std::array::from_fn(|k| corner.weights[k] * (1.0 - t) + rest[next].weights[k] * t);

@@ -15,7 +15,7 @@ use crate::drawing::Surface;
 /// Sorted by the distance of the centroid, the farthest first. Wrong where faces interlock or differ much in size, and
 /// there to be seen failing.
 pub(super) fn by_centroid(layers: &[Layer], projector: &Projector, screen: &Screen) -> (Vec<Surface>, usize) {
-    let (all, corners, _) = pieces(layers);
+    let (all, corners, _) = pieces(layers, Default::default());
     let distance = |piece: &Piece| corners.of(piece).iter().map(|view| -view.z).sum::<f64>();
     let mut pieces: Vec<(f64, Piece)> = all.into_iter().map(|piece| (distance(&piece), piece)).collect();
     // Of equal distances the first listed is painted last: it stays, as in a depth buffer.
