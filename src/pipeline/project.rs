@@ -73,12 +73,14 @@ impl Projections {
         let Arrays { mesh, colors } = &mut self.arrays;
         mesh.positions.clear();
         mesh.triangles.clear();
+        mesh.edges.clear();
         colors.clear();
         for object in scene.objects.into_iter().rev() {
             // What somebody else still has stays there.
             if let Some(made) = Arc::into_inner(object.mesh) {
                 mesh.positions.push(made.positions);
                 mesh.triangles.push(made.triangles);
+                mesh.edges.push(made.edges);
             }
             if let ObjectPaint::Faces(made) | ObjectPaint::Vertices(made) = object.paint {
                 colors.extend(Arc::into_inner(made));

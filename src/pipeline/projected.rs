@@ -37,6 +37,7 @@ pub(super) struct MeshArrays {
     /// Those of meshes that are no longer needed, the first one on top.
     pub(super) positions: Vec<Vec<DVec3>>,
     pub(super) triangles: Vec<Vec<[u32; 3]>>,
+    pub(super) edges: Vec<Vec<[u32; 2]>>,
 }
 
 /// The result of clipping and projection. Vertices of the old mesh that are still used come first, in its order; then
@@ -116,16 +117,21 @@ impl Origins {
     }
 }
 
-/// What is left of a stretch of triangles. Corners that clipping made are counted from the number of old vertices on.
+/// A vertex that clipping made.
+type NewVertex = (VertexOrigin, ClipPoint);
+
+/// What is left of a stretch of triangles, or of edges. Corners that clipping made are counted from the number of old
+/// vertices on.
 #[derive(Default)]
-struct Part {
-    /// All triangles are left as they were, and the lists are empty.
+struct Part<const N: usize> {
+    /// All are left as they were, and the lists are empty.
     whole: bool,
     count: usize,
+    left: Vec<[u32; N]>,
+    new: Vec<NewVertex>,
+    /// Of triangles: whether any was cut, the old one of each, and the sides along which they were cut.
     cut: bool,
-    triangles: Vec<[u32; 3]>,
     sources: Vec<u32>,
-    new: Vec<(VertexOrigin, ClipPoint)>,
     borders: Vec<[DVec3; 2]>,
 }
 
@@ -153,13 +159,11 @@ pub(super) fn projected(vertices: Vertices, mesh: &Mesh, arrays: &mut MeshArrays
     used.iter_mut().for_each(|used| *used.get_mut() = false);
     let task = Task { vertices, mesh, mirrored: view_from_object.mirrored(), outcodes, used };
     let stretches = each_stretch(mesh.triangles.len(), |range| task.triangles(range));
-    let mut lines = Part::default();
-    let mut clipper = Clipper::default();
-    let edges = mesh.edges.iter().filter_map(|&ends| task.edge(ends, &mut clipper, &mut lines));
-    let mut edges: Vec<[u32; 2]> = edges.collect();
+    let edge_stretches = each_stretch(mesh.edges.len(), |range| task.edges(range));
+    let (mut of_shared, mut clipper) = (Vec::new(), Clipper::default());
     let shared = mesh.adjacency.edges.iter();
-    let shared =
-        shared.filter_map(|edge| Some(SharedEdge { ends: task.edge(edge.ends, &mut clipper, &mut lines)?, ..*edge }));
+    let shared = shared
+        .filter_map(|edge| Some(SharedEdge { ends: task.edge(edge.ends, &mut clipper, &mut of_shared)?, ..*edge }));
     let mut shared: Vec<SharedEdge> = shared.collect();
 
     let all = |used: &AtomicBool| used.load(Ordering::Relaxed);
@@ -176,24 +180,23 @@ pub(super) fn projected(vertices: Vertices, mesh: &Mesh, arrays: &mut MeshArrays
     let numbering =
         Numbering { of: to_u32(positions.len()), own: own.as_ref().map_or(positions.len(), Vec::len), ranks };
 
-    let mut first = 0;
-    let mut bases = Vec::with_capacity(stretches.len() + 1);
-    for part in stretches.iter().chain([&lines]) {
-        bases.push(to_u32(first));
-        first += part.new.len();
-    }
-    let base = bases.last().copied().unwrap_or(0);
-    edges.iter_mut().for_each(|ends| *ends = ends.map(|i| numbering.of(i, base)));
+    let mut new: Vec<NewVertex> = Vec::new();
+    let mut add = |more: &[NewVertex]| {
+        let base = to_u32(new.len());
+        new.extend_from_slice(more);
+        base
+    };
+    let bases: Vec<u32> = stretches.iter().map(|part| add(&part.new)).collect();
+    let edge_bases: Vec<u32> = edge_stretches.iter().map(|part| add(&part.new)).collect();
+    let base = add(&of_shared);
     shared.iter_mut().for_each(|edge| edge.ends = edge.ends.map(|i| numbering.of(i, base)));
-
-    let new: Vec<(VertexOrigin, ClipPoint)> =
-        stretches.iter().chain([&lines]).flat_map(|part| part.new.iter().copied()).collect();
     let mut points = arrays.positions.pop().unwrap_or_default();
     let in_view = display(&vertices, own.as_deref(), &new, &mut points);
-    let faces: usize = stretches.iter().map(|part| part.count).sum();
     let mut triangles = arrays.triangles.pop().unwrap_or_default();
-    triangles.resize(faces, [0; 3]);
-    write_triangles(&mut triangles, &stretches, &bases, &mesh.triangles, numbering);
+    numbering.write(&mut triangles, &stretches, &bases, &mesh.triangles);
+    let mut edges = arrays.edges.pop().unwrap_or_default();
+    numbering.write(&mut edges, &edge_stretches, &edge_bases, &mesh.edges);
+    let faces = triangles.len();
     let is_same = stretches.iter().all(|part| part.whole);
     let sources = (!is_same).then(|| {
         let all = stretches.iter().enumerate().map(|(k, part)| (to_u32(k * CHUNK), part));
@@ -233,29 +236,30 @@ impl Numbering<'_> {
         }
         self.ranks.map_or(index, |ranks| ranks[index as usize])
     }
-}
 
-/// Puts the triangles of all stretches one after the other.
-fn write_triangles(into: &mut [[u32; 3]], parts: &[Part], bases: &[u32], old: &[[u32; 3]], numbering: Numbering) {
-    let mut rest = into;
-    let mut tasks = Vec::with_capacity(parts.len());
-    for ((part, old), &base) in parts.iter().zip(old.chunks(CHUNK)).zip(bases) {
-        let (own, behind) = rest.split_at_mut(part.count);
-        tasks.push((own, part, old, base));
-        rest = behind;
-    }
-    let write = |(into, part, old, base): (&mut [[u32; 3]], &Part, &[[u32; 3]], u32)| {
-        if part.whole && numbering.ranks.is_none() {
-            into.copy_from_slice(old);
-            return;
+    /// Puts the triangles, or the edges, of all stretches one after the other.
+    fn write<const N: usize>(self, into: &mut Vec<[u32; N]>, parts: &[Part<N>], bases: &[u32], old: &[[u32; N]]) {
+        into.resize(parts.iter().map(|part| part.count).sum(), [0; N]);
+        let mut rest = into.as_mut_slice();
+        let mut tasks = Vec::with_capacity(parts.len());
+        for ((part, old), &base) in parts.iter().zip(old.chunks(CHUNK)).zip(bases) {
+            let (own, behind) = rest.split_at_mut(part.count);
+            tasks.push((own, part, old, base));
+            rest = behind;
         }
-        let from = if part.whole { old } else { part.triangles.as_slice() };
-        into.iter_mut().zip(from).for_each(|(into, from)| *into = from.map(|i| numbering.of(i, base)));
-    };
-    if tasks.len() > 2 {
-        tasks.into_par_iter().for_each(write);
-    } else {
-        tasks.into_iter().for_each(write);
+        let write = |(into, part, old, base): (&mut [[u32; N]], &Part<N>, &[[u32; N]], u32)| {
+            if part.whole && self.ranks.is_none() {
+                into.copy_from_slice(old);
+                return;
+            }
+            let from = if part.whole { old } else { part.left.as_slice() };
+            into.iter_mut().zip(from).for_each(|(into, from)| *into = from.map(|i| self.of(i, base)));
+        };
+        if tasks.len() > 2 {
+            tasks.into_par_iter().for_each(write);
+        } else {
+            tasks.into_iter().for_each(write);
+        }
     }
 }
 
@@ -308,7 +312,7 @@ fn each_stretch<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync +
 
 impl Task<'_> {
     /// What is left of a stretch of triangles.
-    fn triangles(&self, range: Range<usize>) -> Part {
+    fn triangles(&self, range: Range<usize>) -> Part<3> {
         let all = &self.mesh.triangles[range.clone()];
         let mut part = Part { whole: !self.mirrored, ..Part::default() };
         let mut clipper = Clipper::default();
@@ -322,7 +326,7 @@ impl Task<'_> {
             } else if part.whole {
                 // Up to here it was.
                 part.whole = false;
-                part.triangles.extend_from_slice(&all[..k]);
+                part.left.extend_from_slice(&all[..k]);
                 part.sources.extend((range.start..range.start + k).map(to_u32));
             }
             let source = to_u32(range.start + k);
@@ -335,17 +339,17 @@ impl Task<'_> {
                 self.cut(triangle, source, either, &mut clipper, &mut part);
             }
         }
-        part.count = if part.whole { all.len() } else { part.triangles.len() };
+        part.count = if part.whole { all.len() } else { part.left.len() };
         part
     }
 
     /// Clips a triangle against some planes.
-    fn cut(&self, triangle: [u32; 3], source: u32, planes: PlaneSet, clipper: &mut Clipper, part: &mut Part) {
+    fn cut(&self, triangle: [u32; 3], source: u32, planes: PlaneSet, clipper: &mut Clipper, part: &mut Part<3>) {
         part.cut = true;
         let projector = self.vertices.projector;
         let kept = clipper.triangle(projector, triangle.map(|i| self.vertices.clip(i)), planes);
         let polygon: Vec<u32> =
-            kept.iter().map(|corner| self.vertex(corner.point, corner.origin(triangle), part)).collect();
+            kept.iter().map(|corner| self.vertex(corner.point, corner.origin(triangle), &mut part.new)).collect();
         // A side whose ends both lie in a plane that the triangle crosses is where that plane cuts it.
         for (corner, next) in kept.iter().zip(kept.iter().cycle().skip(1)) {
             let lies_in = |plane: usize| corner.distances[plane] == 0.0 && next.distances[plane] == 0.0;
@@ -356,17 +360,41 @@ impl Task<'_> {
         part.polygon(&polygon, source);
     }
 
+    /// What is left of a stretch of edges.
+    fn edges(&self, range: Range<usize>) -> Part<2> {
+        let all = &self.mesh.edges[range];
+        let mut part = Part { whole: true, ..Part::default() };
+        let mut clipper = Clipper::default();
+        for (k, &ends) in all.iter().enumerate() {
+            let left = self.edge(ends, &mut clipper, &mut part.new);
+            if part.whole && left != Some(ends) {
+                // Up to here it was.
+                part.whole = false;
+                part.left.extend_from_slice(&all[..k]);
+            }
+            if !part.whole {
+                part.left.extend(left);
+            }
+        }
+        part.count = if part.whole { all.len() } else { part.left.len() };
+        part
+    }
+
     /// The part of an edge that is in the volume.
-    fn edge(&self, ends: [u32; 2], clipper: &mut Clipper, part: &mut Part) -> Option<[u32; 2]> {
+    fn edge(&self, ends: [u32; 2], clipper: &mut Clipper, new: &mut Vec<NewVertex>) -> Option<[u32; 2]> {
         let [a, b] = ends;
-        self.codes([a, b, b])?;
+        let [of_a, of_b, _] = self.codes([a, b, b])?;
+        if of_a | of_b == 0 {
+            ends.iter().for_each(|&i| self.uses(i));
+            return Some(ends);
+        }
         let kept = clipper.segment(self.vertices.projector, ends.map(|i| self.vertices.clip(i)))?;
         Some(std::array::from_fn(|k| {
             let (point, cut) = kept[k];
             let own = ends[k];
             // An edge has no colour: the origin of its new ends does not matter.
             let between = VertexOrigin::Between { of: [own; 3], weights: [1.0, 0.0, 0.0] };
-            self.vertex(point, if cut { between } else { VertexOrigin::Vertex(own) }, part)
+            self.vertex(point, if cut { between } else { VertexOrigin::Vertex(own) }, new)
         }))
     }
 
@@ -379,25 +407,29 @@ impl Task<'_> {
 
     #[inline(always)]
     fn uses(&self, vertex: u32) {
-        self.used[vertex as usize].store(true, Ordering::Relaxed);
+        let used = &self.used[vertex as usize];
+        // Most are known to be, and threads do not take the memory from one another.
+        if !used.load(Ordering::Relaxed) {
+            used.store(true, Ordering::Relaxed);
+        }
     }
 
     /// The index of a vertex, which is new unless it is one of the old mesh.
-    fn vertex(&self, point: ClipPoint, origin: VertexOrigin, part: &mut Part) -> u32 {
+    fn vertex(&self, point: ClipPoint, origin: VertexOrigin, new: &mut Vec<NewVertex>) -> u32 {
         if let VertexOrigin::Vertex(i) = origin {
             self.uses(i);
             return i;
         }
-        part.new.push((origin, point));
-        to_u32(self.vertices.len() + part.new.len() - 1)
+        new.push((origin, point));
+        to_u32(self.vertices.len() + new.len() - 1)
     }
 }
 
-impl Part {
+impl Part<3> {
     /// Adds a convex polygon, which is a part of the old triangle `source`, as a fan.
     fn polygon(&mut self, corners: &[u32], source: u32) {
         for k in 1..corners.len().saturating_sub(1) {
-            self.triangles.push([corners[0], corners[k], corners[k + 1]]);
+            self.left.push([corners[0], corners[k], corners[k + 1]]);
             self.sources.push(source);
         }
     }
