@@ -214,7 +214,7 @@ struct Scratch {
     parts: [Vec<(DVec3, Corner)>; 2],
 }
 
-/// What is done with the pieces from a place on.
+/// A treatment of the pieces from a place on.
 enum Task {
     Order(usize),
     Paint(usize),
@@ -247,8 +247,8 @@ impl Tree<'_> {
         self.finished(branch, vec![Task::Order(0)])
     }
 
-    /// Does what is left to do. A tree that is one long branch must not exhaust the stack: `tasks` wait, the next at the
-    /// end, and each is about the pieces from its place to the end.
+    /// Does what is left to do. A tree that is one long branch must not exhaust the stack: `tasks` wait, the next at
+    /// the end, and each is about the pieces from its place to the end.
     fn finished(&self, mut branch: Branch, mut tasks: Vec<Task>) -> Branch {
         while let Some(task) = tasks.pop().filter(|_| !self.is_stopped()) {
             let first = match task {

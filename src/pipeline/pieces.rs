@@ -38,7 +38,7 @@ impl Piece {
     }
 }
 
-/// What a corner is besides its place.
+/// A corner, apart from its place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     /// Share of each corner of the whole face.
@@ -199,7 +199,7 @@ impl Cuts {
     pub(super) fn new(sides: u32, cuts: &[&[Cut]]) -> Self {
         let mut first = vec![0_u32; sides as usize + 2];
         let all = || cuts.iter().copied().flatten();
-        // Each begins where the one before ends: counts are summed up, and the beginnings move on while they are filled.
+        // Each begins where the one before ends: counts are summed up, and beginnings move on while they are filled.
         all().for_each(|(side, _)| first[*side as usize + 2] += 1);
         for k in 2..first.len() {
             first[k] += first[k - 1];

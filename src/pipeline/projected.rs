@@ -120,7 +120,7 @@ impl Origins {
 /// A vertex that clipping made.
 type NewVertex = (VertexOrigin, ClipPoint);
 
-/// What is left of a stretch of triangles, or of edges. Corners that clipping made are counted from the number of old
+/// The rest of a stretch of triangles, or of edges. Corners that clipping made are counted from the number of old
 /// vertices on.
 #[derive(Default)]
 struct Part<const N: usize> {
@@ -311,7 +311,7 @@ fn each_stretch<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync +
 }
 
 impl Task<'_> {
-    /// What is left of a stretch of triangles.
+    /// The rest of a stretch of triangles.
     fn triangles(&self, range: Range<usize>) -> Part<3> {
         let all = &self.mesh.triangles[range.clone()];
         let mut part = Part { whole: !self.mirrored, ..Part::default() };
@@ -360,7 +360,7 @@ impl Task<'_> {
         part.polygon(&polygon, source);
     }
 
-    /// What is left of a stretch of edges.
+    /// The rest of a stretch of edges.
     fn edges(&self, range: Range<usize>) -> Part<2> {
         let all = &self.mesh.edges[range];
         let mut part = Part { whole: true, ..Part::default() };
