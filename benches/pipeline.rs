@@ -4,8 +4,8 @@
 //! least time of each stage in milliseconds, of the pipeline, of the raster and of both. "transform" takes a vertex
 //! through all spaces, the divide and the viewport included. Rows: one bumpy sphere that fills most of the picture,
 //! wholly inside, across some planes, and for the most part out of the picture; the same with a picture on it, and
-//! in the shadow of itself; faces put in order; many objects, of which few are in view; the three pictures of the
-//! default figure. Words choose rows (`1000000 gouraud`).
+//! in the shadow of itself; faces put in order, of that sphere and of two tori that are linked; many objects, of which
+//! few are in view; the three pictures of the default figure, and of a sphere. Words choose rows (`1000000 gouraud`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 
@@ -16,7 +16,7 @@ use camera_lab::appearance::{Rgba, Sampler, Shading, Style, Texture, Visibility}
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::clock;
 use camera_lab::figure::Figure;
-use camera_lab::i18n::{Lang, pictures};
+use camera_lab::i18n::{self, Lang};
 use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::pipeline::{Options, Pipeline, Scenes, Stage, Target};
 use camera_lab::progress::{Progress, at_once};
@@ -191,6 +191,14 @@ fn main() {
             }
         }
     }
+    if wanted("63000 bsp, linked tori") {
+        let torus = Arc::new(primitives::torus(178));
+        let across = DMat4::from_translation(DVec3::X * 0.35) * DMat4::from_rotation_x(std::f64::consts::FRAC_PI_2);
+        let linked =
+            scene(vec![object(torus.clone(), DMat4::from_translation(DVec3::X * -0.35)), object(torus, across)]);
+        let style = Style { visibility: Visibility::Bsp, ..style(Shading::Flat) };
+        measure("63000 bsp, linked tori", 5, &linked, &parameters(4.0, 0.5), &style);
+    }
     for side in [10_u32, 32, 100, 316] {
         let name = format!("{} objects, few in view", side * side);
         if wanted(&name) {
@@ -200,30 +208,44 @@ fn main() {
             measure(&name, 50, &scene(objects.collect()), &parameters(8.0, 1.0), &style(Shading::Flat));
         }
     }
-    let figure = Figure::default();
-    let (Ok(camera), Ok(scene)) =
-        (Camera::new(&figure.camera), scene_of(&figure, &mut |_| Ok(Vec::new()), &Progress::default()))
-    else {
+    let (mut spheres, figure) = (Figure::default(), Figure::default());
+    spheres.camera = parameters(3.2, 0.5);
+    spheres.style = style(Shading::Flat);
+    let of_file = scene_of(&figure, &mut |_| Ok(Vec::new()), &Progress::default());
+    let ball = |triangles| move || Some(scene(vec![object(Arc::new(mesh(triangles)), DMat4::from_rotation_x(0.4))]));
+    pictures("default figure", 50, &figure, &wanted, || of_file.ok());
+    pictures("100000 triangles", 50, &spheres, &wanted, ball(1e5));
+    pictures("1000000 triangles", 20, &spheres, &wanted, ball(1e6));
+}
+
+/// Times the three pictures of a figure that shows a scene.
+fn pictures(
+    name: &str,
+    frames: usize,
+    figure: &Figure,
+    wanted: &impl Fn(&str) -> bool,
+    scene: impl FnOnce() -> Option<Scene>,
+) {
+    let names = View::ALL.map(|view| (view, format!("{name}, {}", view.name())));
+    if !names.iter().any(|(_, name)| wanted(name)) {
         return;
-    };
-    let labels = pictures::labels(Lang::En);
+    }
+    let (Ok(camera), Some(scene)) = (Camera::new(&figure.camera), scene()) else { return };
     let scene = SharedScene::new(scene);
-    for view in View::ALL {
-        let name = format!("default figure, {}", view.name());
-        if wanted(&name) {
-            let (mut renderer, mut picture) = (Renderer::default(), Pixels::default());
-            renderer.measure(Some(clock::now));
-            let size = Size { width: 640, height: 640, scale: 1.0 };
-            let request = Request::of(&figure, view, &camera, &scene, labels, size);
-            Least::row(&name, 50, || {
-                renderer.forget();
-                let Some(account) = at_once(renderer.pixels_into(&request, &mut picture)) else { return Vec::new() };
-                let time = |stage: Stage| account.stages[stage as usize].time.unwrap_or_default().as_secs_f64();
-                let times = STAGES.map(time);
-                let fill = time(Stage::Fill);
-                let total = account.total.as_secs_f64();
-                times.into_iter().chain([total - fill, fill, total]).collect()
-            });
-        }
+    let labels = i18n::pictures::labels(Lang::En);
+    for (view, name) in names.iter().filter(|(_, name)| wanted(name)) {
+        let (mut renderer, mut picture) = (Renderer::default(), Pixels::default());
+        renderer.measure(Some(clock::now));
+        let size = Size { width: 640, height: 640, scale: 1.0 };
+        let request = Request::of(figure, *view, &camera, &scene, labels, size);
+        Least::row(name, frames, || {
+            renderer.forget();
+            let Some(account) = at_once(renderer.pixels_into(&request, &mut picture)) else { return Vec::new() };
+            let time = |stage: Stage| account.stages[stage as usize].time.unwrap_or_default().as_secs_f64();
+            let times = STAGES.map(time);
+            let fill = time(Stage::Fill);
+            let total = account.total.as_secs_f64();
+            times.into_iter().chain([total - fill, fill, total]).collect()
+        });
     }
 }

@@ -56,7 +56,7 @@ impl Renderer {
     pub fn forget(&mut self) {
         self.on_window = None;
         for pipeline in self.pipelines.iter_mut().chain([&mut self.window_pipeline]) {
-            pipeline.stages.forget();
+            pipeline.forget();
         }
     }
 
@@ -254,9 +254,11 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
-    use crate::camera::Camera;
+    use crate::appearance::Shading;
+    use crate::camera::{Camera, Parameters};
     use crate::clock;
     use crate::drawing::Drawing;
+    use crate::figure::Observer;
     use crate::figure::read::parse;
     use crate::i18n::{Lang, pictures};
     use crate::pipeline::{Output, Reason, Stage};
@@ -289,6 +291,35 @@ mod tests {
             pipeline.stages.max_pieces = 40;
         }
         renderer
+    }
+
+    #[test]
+    fn the_canonical_volume_is_made_anew_where_scene_camera_or_shading_has_changed() {
+        let first = request(View::Canonical, "depth-buffer");
+        let mut moved = first.clone();
+        moved.camera = Camera::new(&Parameters { near: 3.5, ..*first.camera.parameters() }).unwrap();
+        let mut other = request(View::Canonical, "bsp");
+        other.scene = SharedScene::new(Scene { lights: Vec::new(), ..Scene::clone(&first.scene) });
+        let shaded = |shading| {
+            let mut request = first.clone();
+            Arc::make_mut(&mut request.shot).look.style.shading = shading;
+            request
+        };
+        let mut around = first.clone();
+        around.observer = Some(Observer { azimuth: 77.0, ..first.seen_from().unwrap() });
+        let [wired, smooth] = [Shading::Wireframe, Shading::Gouraud].map(shaded);
+        let all = [&first, &around, &moved, &moved, &other, &wired, &wired, &smooth, &first];
+        let mut kept = Renderer::default();
+        let mut last = Vec::new();
+        for (k, request) in all.into_iter().enumerate() {
+            let pixels = kept.pixels(request).unwrap();
+            assert!(pixels == Renderer::default().pixels(request).unwrap(), "{k}");
+            assert_eq!(pixels == *last.last().unwrap_or(&Pixels::default()), [3, 6].contains(&k), "{k}");
+            last.push(pixels);
+            if k == 4 {
+                kept.forget();
+            }
+        }
     }
 
     #[test]

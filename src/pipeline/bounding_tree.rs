@@ -8,6 +8,7 @@ use glam::{DMat4, DVec3};
 use super::bounds::Bounds;
 use super::cull::{Containment, containment, outside};
 use super::depths::InView;
+use super::places::{Group, Places};
 use super::projector::Projector;
 use super::scenes::Scenes;
 use crate::geometry::Aabb;
@@ -26,6 +27,8 @@ pub(super) struct BoundingTree {
     revision: Option<(SceneRevision, usize)>,
     /// Objects in the order of the leaves.
     order: Vec<u32>,
+    /// The place of each object in `order`; [`u32::MAX`] of those that are not there.
+    ranks: Arc<[u32]>,
     /// Each before the two below it; empty where there is nothing to gain.
     nodes: Vec<Node>,
     /// Objects that are not, or no longer, where the tree has them.
@@ -34,11 +37,10 @@ pub(super) struct BoundingTree {
     without_box: usize,
 }
 
-/// The places of the objects of a scene.
+/// The objects of a scene, held against the volume.
 #[derive(Debug)]
-pub(super) struct Places {
-    /// Of each.
-    pub(super) containments: Vec<Containment>,
+pub(super) struct Found {
+    pub(super) places: Places,
     /// Number of boxes tested against the volume.
     pub(super) boxes_tested: usize,
     /// Between which distances there may be any of them in the volume.
@@ -72,45 +74,48 @@ const FEW: usize = 16;
 const LEAF: usize = 4;
 
 impl BoundingTree {
-    /// The place of each object of `scene`.
-    pub(super) fn places(&mut self, scenes: Scenes, projector: &Projector) -> Places {
+    /// The place of each object of `scenes`.
+    pub(super) fn find(&mut self, scenes: Scenes, projector: &Projector) -> Found {
         self.update(scenes);
-        let (mut tested, mut in_view) = (0, InView::NOTHING);
-        let mut test = |k: usize| match &self.objects[k] {
-            Known { bounds: None, .. } => Containment::Empty,
-            Known { bounds: Some(bounds), world_from_object, .. } => {
-                tested += 1;
-                let place = containment(projector, &projector.view_from_object(*world_from_object), bounds);
-                in_view = in_view.and(place.in_view);
-                place.containment
-            }
-        };
-        if self.nodes.is_empty() {
-            let containments = (0..self.objects.len()).map(&mut test).collect();
-            return Places { containments, boxes_tested: tested, in_view };
-        }
-        let mut places = vec![Containment::Empty; self.objects.len()];
+        let (mut alone, mut in_view, mut groups) = (Vec::new(), InView::NOTHING, Vec::new());
         let (mut next, mut boxes) = (0, 0);
+        let mut test = |k: u32| {
+            let place = match &self.objects[k as usize] {
+                Known { bounds: None, .. } => Containment::Empty,
+                Known { bounds: Some(bounds), world_from_object, .. } => {
+                    boxes += 1;
+                    let place = containment(projector, &projector.view_from_object(*world_from_object), bounds);
+                    in_view = in_view.and(place.in_view);
+                    place.containment
+                }
+            };
+            alone.push((k, place));
+        };
+        let count = self.objects.len();
+        if self.nodes.is_empty() {
+            (0..to_u32(count)).for_each(&mut test);
+        }
+        let mut visited = 0;
         while let Some((k, node)) = self.nodes.get(next).map(|node| (next, node)) {
-            boxes += 1;
+            visited += 1;
             next += 1;
             let planes = outside(projector, &node.aabb, node.magnitude);
-            let leaf = node.skip as usize == next;
-            if planes == 0 && !leaf {
+            let is_leaf = node.skip as usize == next;
+            if planes == 0 && !is_leaf {
                 continue;
             }
-            for &k in &self.order[node.first as usize..node.end as usize] {
-                // A scene may have become shorter.
-                if let Some(at) = places.get_mut(k as usize) {
-                    *at = if planes == 0 { test(k as usize) } else { Containment::Outside(planes) };
-                }
+            if planes != 0 {
+                groups.push(Group { first: node.first, end: node.end, planes });
+            } else {
+                let objects = &self.order[node.first as usize..node.end as usize];
+                // A scene may have become shorter, and objects may have gone elsewhere.
+                objects.iter().filter(|&&k| (k as usize) < count && !self.loose.contains(&k)).for_each(|&k| test(k));
             }
             next = self.nodes[k].skip as usize;
         }
-        for &k in &self.loose {
-            places[k as usize] = test(k as usize);
-        }
-        Places { containments: places, boxes_tested: boxes + tested, in_view }
+        self.loose.iter().for_each(|&k| test(k));
+        let boxes_tested = boxes + visited;
+        Found { places: Places::new(count, alone, groups, self.ranks.clone()), boxes_tested, in_view }
     }
 
     /// Updates the tree and the bounds.
@@ -156,8 +161,10 @@ impl BoundingTree {
         self.nodes.clear();
         grow(&mut self.nodes, &mut boxes, 0);
         self.order = boxes.iter().map(|boxed| boxed.object).collect();
-        let held: BTreeSet<u32> = self.order.iter().copied().collect();
-        self.loose = (0_u32..).zip(&self.objects).map(|(k, _)| k).filter(|k| !held.contains(k)).collect();
+        let mut ranks = vec![u32::MAX; self.objects.len()];
+        (0..).zip(&self.order).for_each(|(rank, &object)| ranks[object as usize] = rank);
+        self.loose = (0_u32..).zip(&ranks).filter(|(_, rank)| **rank == u32::MAX).map(|(k, _)| k).collect();
+        self.ranks = ranks.into();
         self.without_box = self.loose.len();
     }
 }

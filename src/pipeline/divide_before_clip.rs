@@ -9,7 +9,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3};
 
 use super::cut::{Origin, cut};
-use super::project::displayed;
+use super::projected::displayed;
 use super::projector::{ClipPoint, Projector};
 use super::resample::{OWN_WEIGHTS, Remake, VertexOrigin, object_paint, with_triangles};
 use crate::camera::Camera;

@@ -1,9 +1,11 @@
 //! Which face is in front: left to a depth buffer, or to the order in which faces are painted.
 
+use super::bsp::{self, BspMemory, TooManyPieces};
 use super::budget::OverBudget;
+use super::pieces::Layer;
 use super::projector::Projector;
 use super::transform::Screen;
-use super::visibility::{self, Layer, TooManyPieces};
+use super::visibility;
 use crate::appearance::Visibility;
 use crate::drawing::Surface;
 use crate::progress::Progress;
@@ -43,11 +45,12 @@ impl<'a> Unordered<'a> {
         (projector, screen): (&Projector, &Screen),
         max_pieces: usize,
         progress: &Progress,
+        memory: &mut BspMemory,
     ) -> Ordered {
         let faces = self.layers.iter().map(|layer| layer.surface.triangles.len()).sum();
         let sorted = match order {
             Visibility::DepthBuffer => return Ordered { surfaces: self.surfaces, ..Ordered::default() },
-            Visibility::Bsp => visibility::by_splitting(&self.layers, projector, screen, max_pieces, progress),
+            Visibility::Bsp => bsp::by_splitting(&self.layers, projector, screen, max_pieces, progress, memory),
             Visibility::Painter => Ok(visibility::by_centroid(&self.layers, projector, screen)),
         };
         match sorted {

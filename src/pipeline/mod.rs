@@ -9,7 +9,7 @@
 //! | back faces dropped | pixels | `faces`, `cull` |
 //! | clipping, before the divide | clip | `faces`, `clip` |
 //! | light on the remaining faces | view | `light`, `shade` |
-//! | order of faces, where no depth buffer decides | view | `hidden_surfaces`, `visibility` |
+//! | order of faces, where no depth buffer decides | view | `hidden_surfaces`, `bsp`, `visibility` |
 //! | edges, outlines, lines, marks, texts | world → pixels | `lines`, `outline` |
 //!
 //! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces,
@@ -28,6 +28,7 @@
 //! | --- | --- |
 //! | `bounding_tree` | a tree of boxes over the scene, so that objects out of sight are dropped by the thousand |
 //! | `bounds` | bounds of a mesh, known before it is looked at: the box and the ball around it |
+//! | `bsp` | the order of faces by a tree of planes, which splits them |
 //! | `budget` | budgets of a drawing, and its shortfall where one is exceeded |
 //! | `clip` | clipping in homogeneous coordinates, before the divide `[2]`: points behind the eye never reach it |
 //! | `clip_parts` | the parts of the scene that clipping keeps and removes |
@@ -44,11 +45,14 @@
 //! | `one_triangle` | one triangle step by step, as every triangle goes |
 //! | `operations` | the operations of the stages on vertices and triangles: how many each formula has |
 //! | `outline` | the outline of a curved solid: its silhouette, which depends on the viewpoint, and its creases |
+//! | `pieces` | faces that may be split, and the points at which splitting has cut their sides |
+//! | `places` | the places of the objects of a picture: those out of sight by groups |
 //! | `plan` | the stages that a picture needs, and the reason why each other one is left out |
 //! | `plan_counts` | counts of planned or finished work, and the reasons that follow from them |
 //! | `planes` | the six planes of the view volume |
 //! | `pool` | reuse of the memory of returned drawings: fresh memory costs more than writing to it |
 //! | `project` | the scene after clipping and projection: the content of the canonical volume |
+//! | `projected` | the mesh of an object after clipping and projection |
 //! | `projector` | the camera as the pipeline applies it, point by point: object → world → view → clip, in `f64` |
 //! | `recorder` | the record of a picture while it is made: counts, times, the stage that is shown, rounding |
 //! | `report` | the report of a picture: counts and times, stage by stage |
@@ -58,15 +62,17 @@
 //! | `shadow_maps` | the maps of the lights that cast shadows: each light is a camera, and its map the depths of its picture |
 //! | `shadow_rays` | shadows by rays: the truth that shadow maps are held against |
 //! | `shade` | surfaces of the drawing from the faces that are left |
+//! | `split_plane` | planes that separate faces, one or several at once |
 //! | `stage_work` | input and output of a stage, recorded while a picture is made, so that the picture can show them |
 //! | `stages` | reasons of stages, plans and reports of objects |
 //! | `stroke_order` | the order of strokes for outputs that have no depth buffer: later strokes cover earlier ones |
 //! | `stroke_runs` | the visible, the dimmed and the hidden runs of strokes, for outputs that have no depth buffer |
 //! | `transform` | the vertices of an object on the image |
-//! | `visibility` | the order of faces where no depth buffer decides |
+//! | `visibility` | the order of faces by centroids, and pieces put into surfaces |
 
 mod bounding_tree;
 mod bounds;
+mod bsp;
 pub mod budget;
 mod clip;
 pub mod clip_parts;
@@ -83,11 +89,14 @@ mod object_pass;
 pub mod one_triangle;
 mod operations;
 mod outline;
+mod pieces;
+mod places;
 pub mod plan;
 mod plan_counts;
 mod planes;
 mod pool;
 pub mod project;
+mod projected;
 mod projector;
 mod recorder;
 pub mod report;
@@ -97,6 +106,7 @@ mod scenes;
 mod shade;
 mod shadow_maps;
 pub mod shadow_rays;
+mod split_plane;
 mod stage_work;
 mod stages;
 pub mod stroke_order;
@@ -112,6 +122,7 @@ use crate::progress::Progress;
 use crate::scene::Scene;
 use crate::stage::Operations;
 use bounding_tree::BoundingTree;
+use bsp::BspMemory;
 pub use budget::OverBudget;
 pub use cull::Containment;
 use faces::Faces;
@@ -119,6 +130,7 @@ use hidden_surfaces::Unordered;
 use light::Lights;
 use lines::Strokes;
 use object_pass::{ObjectPass, PassContext};
+pub use places::ByObject;
 pub use plan::{Options, Output, Plan, Reason, Stage};
 pub use planes::{NEAR, PlaneSet};
 use pool::Pool;
@@ -172,6 +184,7 @@ fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> (Drawing, Operati
 pub struct Pipeline {
     faces: Faces,
     pool: Pool,
+    ordering: BspMemory,
     tree: BoundingTree,
     shadows: ShadowMaps,
     progress: Progress,
@@ -184,6 +197,7 @@ impl Default for Pipeline {
         Self {
             faces: Faces::default(),
             pool: Pool::default(),
+            ordering: BspMemory::default(),
             tree: BoundingTree::default(),
             shadows: ShadowMaps::default(),
             progress: Progress::default(),
@@ -218,13 +232,13 @@ impl Pipeline {
         let (scenes, screen, meter) = (scenes.into(), Screen::new(target), Meter::new(options));
         let mut projector = Projector::new(camera);
 
-        let places = self.tree.places(scenes, &projector);
+        let found = self.tree.find(scenes, &projector);
         if !options.depth_of_volume {
-            let in_view = places.in_view.and(lines::in_view(scenes, &projector));
+            let in_view = found.in_view.and(lines::in_view(scenes, &projector));
             projector.depths = projector.depths.resolving(in_view);
         }
-        let misplaced = Misplaced::new(camera, &screen, places.in_view);
-        let plan = Plan::new(scenes, &projector, style, places, options);
+        let misplaced = Misplaced::new(camera, &screen, found.in_view);
+        let plan = Plan::new(scenes, &projector, style, found, options);
         let lights = Lights::new(scenes.lights(), &projector, style.shading);
         let is_dark = style.shading == Shading::Wireframe;
         let (shadows, of_maps) = if is_dark { (&[][..], Operations::NONE) } else { self.shadows.of(scenes) };
@@ -243,8 +257,8 @@ impl Pipeline {
         let mut unordered = Unordered::default();
 
         let (faces, pool) = (&mut self.faces, &mut self.pool);
-        let objects = scenes.objects().zip(&plan.objects).enumerate();
-        for (index, (object, todo)) in objects.filter(|(_, (_, todo))| todo.drawn) {
+        let objects = plan.objects.listed().iter();
+        for (index, object, todo) in objects.filter_map(|(index, todo)| Some((*index, scenes.object(*index)?, todo))) {
             if self.progress.is_cancelled() {
                 break;
             }
@@ -267,7 +281,8 @@ impl Pipeline {
             // Forced, but only edges were requested.
             unordered = Unordered::default();
         }
-        let ordered = unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress);
+        let ordered =
+            unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress, &mut self.ordering);
         recorder.meter.pieces = ordered.pieces;
         recorder.meter.lap(Stage::HiddenSurfaces);
 

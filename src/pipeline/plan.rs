@@ -4,10 +4,12 @@
 //! properties of the meshes alone. It changes no pixel: with [`Options::force_all_stages`] everything runs, and the
 //! picture is the same.
 
+use std::sync::Arc;
 use std::time::Duration;
 
-use super::bounding_tree::Places;
+use super::bounding_tree::Found;
 use super::cull::Containment;
+use super::places::ByObject;
 use super::plan_counts::Survey;
 use super::planes::ALL_PLANES;
 use super::projector::Projector;
@@ -20,8 +22,8 @@ pub use crate::stage::Stage;
 /// The plan of a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Plan {
-    /// One entry for each object of the scene.
-    pub objects: Vec<ObjectPlan>,
+    /// The plan of each object of the scene.
+    pub objects: ByObject<ObjectPlan>,
     /// One entry for each stage, in order.
     pub stages: Vec<StagePlan>,
     /// The hidden-surface algorithm: the style's choice, or that of the output, where faces may hide each other at all.
@@ -52,21 +54,26 @@ pub struct Options {
 }
 
 impl Plan {
-    /// Plans the picture; `places` are those of the objects.
-    pub(super) fn new(scenes: Scenes, projector: &Projector, style: &Style, places: Places, options: Options) -> Self {
-        let Places { containments, boxes_tested, .. } = places;
+    /// Plans the picture of the objects that were found.
+    pub(super) fn new(scenes: Scenes, projector: &Projector, style: &Style, found: Found, options: Options) -> Self {
+        let Found { places, boxes_tested, .. } = found;
         let force = options.force_all_stages;
         let dark = scenes.lights().is_empty();
-        let objects = scenes.objects().zip(containments);
         let casts = scenes.casts_shadows() && style.shading != Shading::Wireframe;
-        let objects = objects.map(|(object, containment)| {
+        let planned = |(index, containment)| {
+            let object = scenes.object(index)?;
             let planned = plan_object(object, containment, style, dark, force);
             let is_lit_in_world = || object.in_world.as_ref().is_some_and(|in_world| !in_world.taken.is_empty());
-            // Those out of sight, of which there may be thousands, are not looked at.
-            let takes_shadow = planned.drawn && (planned.lit != LitAt::Nowhere || is_lit_in_world());
-            ObjectPlan { shadowed: casts && takes_shadow, ..planned }
-        });
-        let objects: Vec<ObjectPlan> = objects.collect();
+            let takes_shadow = planned.lit != LitAt::Nowhere || is_lit_in_world();
+            planned.drawn.then_some((index, ObjectPlan { shadowed: casts && takes_shadow, ..planned }))
+        };
+        // Those out of sight, of which there may be thousands, are not looked at.
+        let drawn = if force {
+            places.iter().filter_map(planned).collect()
+        } else {
+            places.in_view().filter_map(planned).collect()
+        };
+        let objects = ByObject::new(drawn, Arc::new(places));
         let survey = Survey::new(scenes, &objects, style);
         let stages = Stage::ALL
             .map(|stage| {
@@ -105,17 +112,7 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
         Containment::Empty => false,
     };
     if !drawn {
-        return ObjectPlan {
-            containment,
-            drawn,
-            clip_planes: 0,
-            faces: false,
-            cull_back: false,
-            lit: LitAt::Nowhere,
-            shadowed: false,
-            translucent: false,
-            textured: false,
-        };
+        return containment.into();
     }
     let clip_planes = match containment {
         Containment::Crosses(planes) if !force => planes,

@@ -1,6 +1,7 @@
 //! Counts of planned or finished work, and the reasons that follow from them.
 
 use super::cull::Containment;
+use super::places::ByObject;
 use super::planes::{NEAR, PlaneSet};
 use super::projector::Projector;
 use super::scenes::Scenes;
@@ -37,12 +38,11 @@ pub(super) struct Survey {
 }
 
 impl Survey {
-    pub(super) fn new(scenes: Scenes, plans: &[ObjectPlan], style: &Style) -> Self {
-        let in_view: Vec<(&Object, &ObjectPlan)> = scenes
-            .objects()
-            .zip(plans)
-            .filter(|(_, plan)| matches!(plan.containment, Containment::Crosses(_)))
-            .collect();
+    pub(super) fn new(scenes: Scenes, plans: &ByObject<ObjectPlan>, style: &Style) -> Self {
+        let drawn = plans.listed().iter();
+        let in_view = drawn.filter(|(_, plan)| matches!(plan.containment, Containment::Crosses(_)));
+        let in_view: Vec<(&Object, &ObjectPlan)> =
+            in_view.filter_map(|(index, plan)| Some((scenes.object(*index)?, plan))).collect();
         let wireframe = style.shading == Shading::Wireframe;
         let faces: Vec<_> = in_view.iter().filter(|(_, plan)| plan.faces && !wireframe).collect();
         let lit = |at: LitAt| faces.iter().filter(|(_, plan)| plan.lit == at).count();
@@ -58,7 +58,7 @@ impl Survey {
         };
         Self {
             objects: scenes.object_count(),
-            outside: plans.iter().filter(|plan| matches!(plan.containment, Containment::Outside(_))).count(),
+            outside: plans.outside(),
             in_view: in_view.len(),
             crossing: in_view.iter().filter(|(_, plan)| planes(plan) != 0).count(),
             planes: in_view.iter().fold(0, |all, (_, plan)| all | planes(plan)),
@@ -88,21 +88,22 @@ impl Survey {
 
     /// The same counts of finished work: an object all of whose faces were dropped or clipped away has none, and one
     /// that the front plane has cut open keeps its back faces.
-    pub(super) fn of_done(scenes: Scenes, plans: &[ObjectPlan], done: &[ObjectReport], style: &Style) -> Self {
-        let left = plans.iter().zip(done).map(|(plan, done)| ObjectPlan {
-            faces: plan.faces && done.triangles > 0,
+    pub(super) fn of_done(
+        scenes: Scenes,
+        plans: &ByObject<ObjectPlan>,
+        done: &ByObject<ObjectReport>,
+        style: &Style,
+    ) -> Self {
+        let culled = |plan: &ObjectPlan, done: &ObjectReport| ObjectPlan {
             cull_back: done.faces == FacesDone::BackDropped,
             ..*plan
-        });
-        let left = Self::new(scenes, &left.collect::<Vec<_>>(), style);
+        };
+        let left = plans
+            .zipped(done, |plan, done| ObjectPlan { faces: plan.faces && done.triangles > 0, ..culled(plan, done) });
         // Culling comes before the remaining faces are known: it counts all objects whose faces it was given.
-        let culling = plans
-            .iter()
-            .zip(done)
-            .map(|(plan, done)| ObjectPlan { cull_back: done.faces == FacesDone::BackDropped, ..*plan });
-        let culling = Self::new(scenes, &culling.collect::<Vec<_>>(), style);
-        let cut_open = done.iter().filter(|done| done.faces == FacesDone::CutOpen).count();
-        Self { culled: culling.culled, cut_open, ..left }
+        let culling = Self::new(scenes, &plans.zipped(done, culled), style);
+        let cut_open = done.listed().iter().filter(|(_, done)| done.faces == FacesDone::CutOpen).count();
+        Self { culled: culling.culled, cut_open, ..Self::new(scenes, &left, style) }
     }
 
     /// The final report of a stage that works on faces: whether it had anything to do, and why. `None` for other

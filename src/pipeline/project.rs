@@ -6,20 +6,19 @@ use glam::{DMat4, DVec3, DVec4};
 
 use super::clip::Clipper;
 use super::depths::{DepthScale, InView, Sheet};
-use super::light::{Lights, ObjectLight};
+use super::light::{LANES, Lights, ObjectLight};
 use super::lines;
-use super::planes::{NEAR, NOT_A_NUMBER, PLANES, outcode};
+use super::planes::{NEAR, outcode};
+use super::projected::{MeshArrays, Origins, Projected, displayed, projected};
 use super::projector::{ClipPoint, Projector};
-use super::resample::{Remake, VertexOrigin, color_at, face_color, object_paint};
+use super::resample::{VertexOrigin, color_at, face_color, object_paint};
 use super::scenes::Scenes;
 use super::shade::WHITE;
-use super::transform::{Vertices, each_chunk};
+use super::transform::Vertices;
 use crate::appearance::{LightShare, LineStyle, Rgba, Shading};
 use crate::camera::Camera;
 use crate::drawing::single;
-use crate::scene::{
-    Adjacency, FoundLight, InWorld, Line, Mesh, Object, ObjectPaint, PointMark, Scene, SharedEdge, Text,
-};
+use crate::scene::{Adjacency, FoundLight, InWorld, Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
 
 /// All of `scene` that is in the volume of `camera`, clipped and projected to `(x_n, y_n, −z_n)`: NDC are left-handed,
 /// with z away from the eye, and this is their display in a right-handed space.
@@ -31,7 +30,7 @@ use crate::scene::{
 /// convex if it was.
 #[must_use]
 pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
-    clipped_by(scene, &Projector::new(camera), shading).0
+    clipped_by(scene, &Projector::new(camera), shading, &mut Arrays::default()).0
 }
 
 /// [`clipped_scene`], unless all of it together is thinner along z_n than a picture of the volume can show: with an F
@@ -39,13 +38,66 @@ pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene 
 /// pixel or two thick then.
 #[must_use]
 pub fn legible_clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
-    let mut projector = Projector::new(camera);
-    let (clipped, in_view) = clipped_by(scene, &projector, shading);
-    projector.sheet = Sheet::of(&projector.depths, in_view);
-    if projector.sheet.is_some() { clipped_by(scene, &projector, shading).0 } else { clipped }
+    Projections::default().legible(scene, camera, shading)
 }
 
-fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene, InView) {
+/// Makes the content of one canonical volume after the other, in the memory of those that are no longer needed.
+#[derive(Debug, Default)]
+pub struct Projections {
+    arrays: Arrays,
+}
+
+/// A clone begins with empty buffers.
+impl Clone for Projections {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Projections {
+    /// As [`legible_clipped_scene`] gives it.
+    #[must_use]
+    pub fn legible(&mut self, scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
+        let mut projector = Projector::new(camera);
+        let (clipped, in_view) = clipped_by(scene, &projector, shading, &mut self.arrays);
+        projector.sheet = Sheet::of(&projector.depths, in_view);
+        if projector.sheet.is_none() {
+            return clipped;
+        }
+        self.recycle(clipped);
+        clipped_by(scene, &projector, shading, &mut self.arrays).0
+    }
+
+    /// Takes back what it has made: the next one is made in its memory, and that of others is forgotten.
+    pub fn recycle(&mut self, scene: Scene) {
+        let Arrays { mesh, colors } = &mut self.arrays;
+        mesh.positions.clear();
+        mesh.triangles.clear();
+        mesh.edges.clear();
+        colors.clear();
+        for object in scene.objects.into_iter().rev() {
+            // What somebody else still has stays there.
+            if let Some(made) = Arc::into_inner(object.mesh) {
+                mesh.positions.push(made.positions);
+                mesh.triangles.push(made.triangles);
+                mesh.edges.push(made.edges);
+            }
+            if let ObjectPaint::Faces(made) | ObjectPaint::Vertices(made) = object.paint {
+                colors.extend(Arc::into_inner(made));
+            }
+        }
+    }
+}
+
+/// Memory of the last scene.
+#[derive(Debug, Default)]
+struct Arrays {
+    mesh: MeshArrays,
+    /// The first one on top.
+    colors: Vec<Vec<Rgba>>,
+}
+
+fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading, arrays: &mut Arrays) -> (Scene, InView) {
     let mut in_view = lines::in_view(scene.into(), projector);
     // Edges alone show the object's own colour.
     let lit = shading != Shading::Wireframe && !scene.lights.is_empty();
@@ -59,7 +111,7 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
     };
     let mut borders = Vec::new();
     let mut clip = |object| {
-        let (clipped, depths, cuts) = clipped_object(object, projector, lights, shading)?;
+        let (clipped, depths, cuts) = clipped_object(object, projector, lights, shading, arrays)?;
         in_view = in_view.and(depths);
         borders.extend(cuts);
         Some(clipped)
@@ -120,15 +172,6 @@ pub fn clipped_segment_of(camera: &Camera) -> impl Fn([DVec3; 2]) -> Option<[DVe
     }
 }
 
-/// `(x_n, y_n, −z_n)`; the last is twice the depth of the picture less one, so it has no cancellation either.
-pub(super) fn displayed(projector: &Projector, p: ClipPoint) -> DVec3 {
-    let z = match projector.sheet {
-        None => 2.0 * projector.depths.depth(p.depth) - 1.0,
-        Some(Sheet { farthest, slope, behind }) => behind + slope * (farthest - p.depth) / p.w,
-    };
-    DVec3::new(p.x / p.w, p.y / p.w, z)
-}
-
 /// [`displayed`] as a matrix, from view space: the divide is still to be done.
 fn display_from_view(projector: &Projector) -> DMat4 {
     let [sx, sy] = projector.scale;
@@ -181,47 +224,16 @@ struct WorldLight<'a> {
     casting: &'a [usize],
 }
 
-/// An object on its way into the volume.
-struct Projected<'a> {
-    projector: &'a Projector,
-    vertices: Vertices<'a>,
-    outcodes: Vec<u8>,
-    remake: Remake,
-    /// The displayed position of each new vertex.
-    positions: Vec<DVec3>,
-    in_view: InView,
-    cut: bool,
-    /// The sides along which triangles were cut.
-    borders: Vec<[DVec3; 2]>,
-}
-
 fn clipped_object(
     object: &Object,
     projector: &Projector,
     lights: Option<WorldLight>,
     shading: Shading,
+    arrays: &mut Arrays,
 ) -> Option<(Object, InView, Vec<Line>)> {
     let view_from_object = projector.view_from_object(object.world_from_object);
     let vertices = Vertices { projector, view_from_object: &view_from_object, positions: &object.mesh.positions };
-    let mut outcodes = vec![0; vertices.len()];
-    each_chunk(&mut outcodes, |codes, first| {
-        for (code, &p) in codes.iter_mut().zip(&vertices.positions[first..]) {
-            *code = outcode(projector, projector.clip(view_from_object.point(p)));
-        }
-    });
-    let mut projected = Projected {
-        projector,
-        vertices,
-        outcodes,
-        remake: Remake::new(&object.mesh),
-        positions: Vec::new(),
-        in_view: InView::NOTHING,
-        cut: false,
-        borders: Vec::new(),
-    };
-    projected.triangles(&object.mesh.triangles, view_from_object.mirrored());
-    projected.edges(&object.mesh.edges);
-    projected.shared(&object.mesh.adjacency.edges);
+    let projected = projected(vertices, &object.mesh, &mut arrays.mesh);
     let planes = match object.mesh.adjacency.planes.as_slice() {
         [] => Vec::new(),
         planes => {
@@ -230,12 +242,13 @@ fn clipped_object(
             planes.iter().map(|&plane| of_planes * plane).collect()
         }
     };
-    if projected.remake.is_empty() {
+    if projected.triangles.is_empty() && projected.edges.is_empty() {
         return None;
     }
-    let whole = !projected.cut && projected.remake.sources.len() == object.mesh.triangles.len();
-    let (paint, in_world) = projected.paint(object, lights.filter(|_| object.lit), shading);
-    let Projected { remake: Remake { triangles, edges, shared, .. }, positions, in_view, borders, .. } = projected;
+    let lights = lights.filter(|_| object.lit);
+    let colored = Colored { object, vertices, origins: &projected.origins, shading };
+    let (paint, in_world) = colored.paint(lights, &mut arrays.colors);
+    let Projected { positions, triangles, edges, shared, in_view, whole, borders, .. } = projected;
     // What has edges or an outline has them where it was cut too; of a wireframe only edges are seen.
     let border = object.edges.or(object.outline).filter(|_| shading != Shading::Wireframe && object.faces);
     let cuts = border
@@ -265,166 +278,121 @@ fn clipped_object(
     Some((clipped, in_view, cuts))
 }
 
-impl Projected<'_> {
-    fn triangles(&mut self, triangles: &[[u32; 3]], mirrored: bool) {
-        let mut clipper = Clipper::default();
-        for (source, &triangle) in (0_u32..).zip(triangles) {
-            let triangle = if mirrored { [triangle[0], triangle[2], triangle[1]] } else { triangle };
-            let Some([a, b, c]) = self.codes(triangle) else { continue };
-            let either = a | b | c;
-            if a & b & c != 0 || either & NOT_A_NUMBER != 0 {
-                continue;
-            }
-            if either == 0 {
-                let corners = triangle.map(|i| self.own_vertex(i));
-                self.remake.polygon(&corners, source);
-                continue;
-            }
-            self.cut = true;
-            let corners = triangle.map(|i| self.vertices.clip(i));
-            let mut polygon: Vec<u32> = Vec::new();
-            let kept = clipper.triangle(self.projector, corners, either);
-            for corner in kept {
-                polygon.push(self.vertex(corner.point, corner.origin(triangle)));
-            }
-            // A side whose ends both lie in a plane that the triangle crosses is where that plane cuts it.
-            for (corner, next) in kept.iter().zip(kept.iter().cycle().skip(1)) {
-                let lies_in = |plane: usize| corner.distances[plane] == 0.0 && next.distances[plane] == 0.0;
-                if (0..PLANES).any(|plane| either >> plane & 1 == 1 && lies_in(plane)) {
-                    self.borders.push([corner, next].map(|end| displayed(self.projector, end.point)));
-                }
-            }
-            self.remake.polygon(&polygon, source);
-        }
-    }
+/// An object whose mesh is made, and its paint is not yet.
+struct Colored<'a> {
+    object: &'a Object,
+    vertices: Vertices<'a>,
+    origins: &'a Origins,
+    shading: Shading,
+}
 
-    fn edges(&mut self, edges: &[[u32; 2]]) {
-        let mut clipper = Clipper::default();
-        for &ends in edges {
-            if let Some(ends) = self.edge(ends, &mut clipper) {
-                self.remake.edges.push(ends);
-            }
-        }
-    }
-
-    fn shared(&mut self, edges: &[SharedEdge]) {
-        let mut clipper = Clipper::default();
-        for &edge in edges {
-            if let Some(ends) = self.edge(edge.ends, &mut clipper) {
-                self.remake.shared.push(SharedEdge { ends, ..edge });
-            }
-        }
-    }
-
-    /// The part of an edge that is in the volume.
-    fn edge(&mut self, ends: [u32; 2], clipper: &mut Clipper) -> Option<[u32; 2]> {
-        let [a, b] = ends;
-        self.codes([a, b, b])?;
-        let kept = clipper.segment(self.projector, ends.map(|i| self.vertices.clip(i)))?;
-        Some(std::array::from_fn(|k| {
-            let (point, cut) = kept[k];
-            let own = ends[k];
-            // An edge has no colour: the origin of its new ends does not matter.
-            let between = VertexOrigin::Between { of: [own; 3], weights: [1.0, 0.0, 0.0] };
-            self.vertex(point, if cut { between } else { VertexOrigin::Vertex(own) })
-        }))
-    }
-
-    /// The outcodes of three vertices; `None` where the mesh has no such vertices.
-    fn codes(&self, corners: [u32; 3]) -> Option<[u8; 3]> {
-        let code = |i: u32| self.outcodes.get(i as usize).copied();
-        Some([code(corners[0])?, code(corners[1])?, code(corners[2])?])
-    }
-
-    fn own_vertex(&mut self, i: u32) -> u32 {
-        self.vertex(self.vertices.clip(i), VertexOrigin::Vertex(i))
-    }
-
-    fn vertex(&mut self, point: ClipPoint, origin: VertexOrigin) -> u32 {
-        let index = self.remake.vertex(origin);
-        if self.remake.origins.len() > self.positions.len() {
-            self.positions.push(displayed(self.projector, point));
-            self.in_view = self.in_view.and(InView::between(point.depth, point.depth));
-        }
-        index
-    }
-
+impl Colored<'_> {
     /// The colours without light.
-    fn own_paint(&self, object: &Object) -> ObjectPaint {
-        object_paint(object, self.remake.origins.iter().copied(), &self.remake.sources)
+    fn own_paint(&self) -> ObjectPaint {
+        let object = self.object;
+        if self.origins.is_same() && !matches!(object.paint, ObjectPaint::Texture(_)) {
+            return object.paint.clone();
+        }
+        object_paint(object, self.origins.vertices(), &self.origins.sources())
     }
 
     /// One colour for each face, without light.
-    fn face_colors(&self, object: &Object) -> Arc<Vec<Rgba>> {
-        let color = |&face: &u32| face_color(&object.paint, face, object.mesh.triangles[face as usize]);
-        Arc::new(self.remake.sources.iter().map(color).collect())
+    fn face_colors(&self) -> Arc<Vec<Rgba>> {
+        let color = |face: u32| face_color(&self.object.paint, face, self.object.mesh.triangles[face as usize]);
+        Arc::new((0..self.origins.faces()).map(|face| color(self.origins.source(face))).collect())
     }
 
     /// One colour for each face, lit by `light`.
-    fn lit_faces(&self, object: &Object, light: &ObjectLight) -> Arc<Vec<Rgba>> {
+    fn lit_faces(&self, light: &ObjectLight, memory: Vec<Rgba>) -> Arc<Vec<Rgba>> {
         let face = |k: usize| {
-            let source = self.remake.sources[k];
-            let triangle = object.mesh.triangles[source as usize];
-            (triangle, face_color(&object.paint, source, triangle))
+            let source = self.origins.source(k);
+            let triangle = self.object.mesh.triangles[source as usize];
+            (triangle, face_color(&self.object.paint, source, triangle))
         };
-        Arc::new(light.faces(Vec::new(), self.remake.sources.len(), face))
+        Arc::new(light.faces(memory, self.origins.faces(), face))
+    }
+
+    /// One colour for each vertex, lit by `light`.
+    fn lit_vertices(
+        &self,
+        light: &ObjectLight,
+        memory: Vec<Rgba>,
+        color: impl Fn(u32) -> Rgba + Sync + Send,
+    ) -> Arc<Vec<Rgba>> {
+        let lit = light.vertices(memory, &self.origins.used(LANES), color);
+        if self.origins.is_same() {
+            return Arc::new(lit);
+        }
+        Arc::new(self.origins.vertices().map(|origin| origin.of(|i| color_at(&lit, i))).collect())
     }
 
     /// The shares of a light.
-    fn found(&self, old: &Mesh, light: &ObjectLight, is_smooth: bool) -> FoundLight {
-        if is_smooth {
+    fn found(&self, light: &ObjectLight) -> FoundLight {
+        if self.is_smooth() {
             let shares: Vec<LightShare> = light.vertices(Vec::new(), &[], |_| WHITE);
             let at = |i: u32| shares.get(i as usize).copied().unwrap_or_default();
-            return FoundLight::Vertices(self.remake.origins.iter().map(|origin| origin.of(at)).collect());
+            return FoundLight::Vertices(self.origins.vertices().map(|origin| origin.of(at)).collect());
         }
-        let sources = &self.remake.sources;
-        let face = |k: usize| (old.triangles[sources[k] as usize], WHITE);
-        FoundLight::Faces(light.faces(Vec::new(), sources.len(), face))
+        let face = |k: usize| (self.object.mesh.triangles[self.origins.source(k) as usize], WHITE);
+        FoundLight::Faces(light.faces(Vec::new(), self.origins.faces(), face))
+    }
+
+    fn is_smooth(&self) -> bool {
+        matches!(self.shading, Shading::Gouraud | Shading::Phong)
     }
 
     /// The colours as they are seen in the world, or their own colours and the light of the world on them.
-    fn paint(&self, object: &Object, world: Option<WorldLight>, shading: Shading) -> (ObjectPaint, Option<InWorld>) {
+    fn paint(&self, world: Option<WorldLight>, memory: &mut Vec<Vec<Rgba>>) -> (ObjectPaint, Option<InWorld>) {
+        let Self { object, vertices, origins, .. } = *self;
         let old = &object.mesh;
-        let cut_open = old.closed && self.outcodes.iter().any(|code| code & NEAR != 0);
+        let cut_open = old.closed && origins.outside & NEAR != 0;
         let both_sides = object.two_sided || cut_open || (old.closed && object.paint.is_translucent());
-        let light_of = |lights| ObjectLight::new(lights, old, self.vertices, both_sides);
-        let is_smooth = matches!(shading, Shading::Gouraud | Shading::Phong);
+        let light_of = |lights| ObjectLight::new(lights, old, vertices, both_sides);
         let casting = world.map_or(&[][..], |world| world.casting);
         if matches!(object.paint, ObjectPaint::Texture(_)) || !casting.is_empty() {
-            let w = |i: u32| self.vertices.clip(i).w;
-            let inverse = |origin: &VertexOrigin| self.projector.depths.relative_inverse_w(origin.of(w));
-            let place = |i: u32| object.world_from_object.transform_point3(old.positions[i as usize]);
-            let origins = || self.remake.origins.iter();
-            let of_one = |world: WorldLight, light| {
-                let alone = world.lights.only(light);
-                self.found(old, &ObjectLight::new(&alone, old, self.vertices, both_sides), is_smooth)
-            };
-            let in_world = InWorld {
-                light: world.map_or(FoundLight::None, |world| self.found(old, &light_of(world.lights), is_smooth)),
-                inverse_w: origins().filter(|_| self.projector.perspective).map(inverse).collect(),
-                positions: origins().filter(|_| !casting.is_empty()).map(|origin| origin.of(place)).collect(),
-                taken: world.map_or_else(Vec::new, |world| {
-                    casting.iter().map(|&light| (light, of_one(world, light))).collect()
-                }),
-            };
-            // Flat faces have one colour, that of their light too.
-            let paint = match &object.paint {
-                ObjectPaint::Vertices(_) if !is_smooth => ObjectPaint::Faces(self.face_colors(object)),
-                _ => self.own_paint(object),
-            };
-            return (paint, Some(in_world));
+            return self.in_world(world, casting, both_sides);
         }
-        let Some(WorldLight { lights, .. }) = world else { return (self.own_paint(object), None) };
+        let Some(WorldLight { lights, .. }) = world else { return (self.own_paint(), None) };
         let light = light_of(lights);
-        let vertices = |color: &dyn Fn(u32) -> Rgba| {
-            let lit = |i: u32| light.vertex(i, color(i));
-            ObjectPaint::Vertices(Arc::new(self.remake.origins.iter().map(|origin| origin.of(lit)).collect()))
-        };
+        let memory = memory.pop().unwrap_or_default();
         let paint = match &object.paint {
-            ObjectPaint::Solid(color) if is_smooth => vertices(&|_| *color),
-            ObjectPaint::Vertices(colors) if is_smooth => vertices(&|i| color_at(colors, i)),
-            _ => ObjectPaint::Faces(self.lit_faces(object, &light)),
+            ObjectPaint::Solid(color) if self.is_smooth() => {
+                ObjectPaint::Vertices(self.lit_vertices(&light, memory, |_| *color))
+            }
+            ObjectPaint::Vertices(colors) if self.is_smooth() => {
+                ObjectPaint::Vertices(self.lit_vertices(&light, memory, |i| color_at(colors, i)))
+            }
+            _ => ObjectPaint::Faces(self.lit_faces(&light, memory)),
         };
         (paint, None)
+    }
+
+    /// Own colours and the light of the world apart.
+    fn in_world(
+        &self,
+        world: Option<WorldLight>,
+        casting: &[usize],
+        both_sides: bool,
+    ) -> (ObjectPaint, Option<InWorld>) {
+        let Self { object, vertices, origins, .. } = *self;
+        let (old, projector) = (&object.mesh, vertices.projector);
+        let w = |i: u32| vertices.clip(i).w;
+        let inverse = |origin: VertexOrigin| projector.depths.relative_inverse_w(origin.of(w));
+        let place = |i: u32| object.world_from_object.transform_point3(old.positions[i as usize]);
+        let of = |lights: &Lights| self.found(&ObjectLight::new(lights, old, vertices, both_sides));
+        let in_world = InWorld {
+            light: world.map_or(FoundLight::None, |world| of(world.lights)),
+            inverse_w: origins.vertices().filter(|_| projector.perspective).map(inverse).collect(),
+            positions: origins.vertices().filter(|_| !casting.is_empty()).map(|origin| origin.of(place)).collect(),
+            taken: world.map_or_else(Vec::new, |world| {
+                casting.iter().map(|&light| (light, of(&world.lights.only(light)))).collect()
+            }),
+        };
+        // Flat faces have one colour, that of their light too.
+        let paint = match &object.paint {
+            ObjectPaint::Vertices(_) if !self.is_smooth() => ObjectPaint::Faces(self.face_colors()),
+            _ => self.own_paint(),
+        };
+        (paint, Some(in_world))
     }
 }

@@ -4,6 +4,7 @@
 use super::budget::OverBudget;
 use super::faces::Faces;
 use super::object_pass::{ObjectPass, PassContext};
+use super::places::ByObject;
 use super::plan_counts::Survey;
 use super::report::{FollowedTriangle, Frame, Meter};
 use super::rounding_check::Misplaced;
@@ -17,7 +18,7 @@ use crate::stage::Stage;
 pub(super) struct Recorder<'a> {
     pub(super) meter: Meter,
     /// The report of each object.
-    objects: Vec<ObjectReport>,
+    objects: ByObject<ObjectReport>,
     followed: Option<FollowedTriangle>,
     notes: Option<Notes<'a>>,
     misplaced: Misplaced<'a>,
@@ -33,7 +34,7 @@ impl<'a> Recorder<'a> {
             notes.objects(scenes, plan);
         }
         meter.lap(Stage::Traverse);
-        let objects = plan.objects.iter().map(ObjectReport::new).collect();
+        let objects = plan.objects.map(|planned| ObjectReport::from(planned.containment));
         Self { meter, objects, followed: None, notes, misplaced, context }
     }
 
@@ -62,7 +63,7 @@ impl<'a> Recorder<'a> {
             let its = (0..).zip(&faces.source).filter(|(_, source)| **source == triangle).map(|(i, _)| i);
             self.followed = Some(FollowedTriangle { surface, triangles: its.collect() });
         }
-        let done = &mut self.objects[pass.index];
+        let Some(done) = self.objects.listed_mut(pass.index) else { return };
         done.triangles = faces.triangles.len();
         done.lit = pass.plan.lit;
         done.faces = pass.faces_done(faces);

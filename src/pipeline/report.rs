@@ -8,6 +8,7 @@ use super::faces::Faces;
 use super::light::Lights;
 use super::object_pass::ObjectPass;
 use super::operations;
+use super::places::ByObject;
 use super::plan::{Options, Plan};
 use super::plan_counts::Survey;
 use super::stage_work::StageWork;
@@ -29,7 +30,7 @@ pub struct Frame {
     /// Operations on vertices and triangles, by the stage to which they belong.
     pub cost: Cost,
     /// The report, by object of the scene.
-    pub objects: Vec<ObjectReport>,
+    pub objects: ByObject<ObjectReport>,
     /// The exceeded budget. Where it is that of pieces, the drawing is for an output with a depth buffer, whatever was
     /// requested; it is reported in preference to rounding.
     pub too_much: Option<OverBudget>,
@@ -177,7 +178,7 @@ impl Meter {
 
     /// Tells of all stages. `done` says of each stage that works on faces whether it had any to work on, and why.
     pub(super) fn report(&self, plan: &Plan, done: &Survey, style: &Style) -> Vec<StageReport> {
-        let drawn = plan.objects.iter().filter(|object| object.drawn).count();
+        let drawn = plan.objects.listed().len();
         let same = |n: usize| Some((n, n));
         plan.stages
             .iter()

@@ -68,6 +68,11 @@ impl<'a> Scenes<'a> {
         self.hiding.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
     }
 
+    /// The number of the scene in which [`Self::hiding`] are, where it is known.
+    pub(super) fn hiding_revision(self) -> Option<SceneRevision> {
+        self.revision.filter(|_| std::ptr::eq(self.hiding, self.scene))
+    }
+
     /// True where a light casts a shadow of anything.
     pub(super) fn casts_shadows(self) -> bool {
         self.lights.iter().any(|light| light.shadows.cast) && self.hiding().next().is_some()
@@ -95,6 +100,12 @@ impl<'a> Scenes<'a> {
 
     pub(super) fn objects(self) -> impl Iterator<Item = &'a Object> {
         self.scene.objects.iter().chain(&self.gear.objects)
+    }
+
+    /// One of [`Self::objects`].
+    pub(super) fn object(self, index: usize) -> Option<&'a Object> {
+        let own = self.scene.objects.len();
+        if index < own { self.scene.objects.get(index) } else { self.gear.objects.get(index - own) }
     }
 
     pub(super) fn lines(self) -> impl Iterator<Item = &'a Line> {

@@ -4,12 +4,12 @@ use glam::{DMat4, DVec3};
 
 use super::faces::Faces;
 use super::light::{Lights, ObjectLight};
+use super::pieces::Layer;
 use super::pool::Pool;
 use super::resample::{VertexOrigin, base_of, color_at, face_color, found_light, object_paint};
 use super::shadow_maps::{SeenByLight, ShadowLight};
 use super::stages::{LitAt, ObjectPlan};
 use super::transform::{Vertices, each_chunk};
-use super::visibility::Layer;
 use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, PixelLight, Shadow, Surface, SurfaceLight, TakenLight, single};
 use crate::scene::{FoundLight, Object, ObjectPaint, Pictured};

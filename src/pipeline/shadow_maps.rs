@@ -14,7 +14,7 @@ use crate::appearance::Rgba;
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::drawing::{Rays, ShadowMap, single};
 use crate::geometry::try_unit;
-use crate::scene::{Light, LightKind, Mesh, Object, ObjectPaint, Scene, Shadows};
+use crate::scene::{Light, LightKind, Mesh, Object, ObjectPaint, Scene, SceneRevision, Shadows};
 use crate::stage::Operations;
 
 /// F of the camera of a lamp, as a share of B: what is nearer casts no shadow.
@@ -43,6 +43,8 @@ pub(super) struct ShadowLight {
 #[derive(Debug, Default)]
 pub(super) struct ShadowMaps {
     hiding: Vec<Hiding>,
+    /// That of the scene of those things, where it is known.
+    revision: Option<SceneRevision>,
     made: Vec<(Light, ShadowLight)>,
     /// Those of the picture at hand.
     lights: Vec<ShadowLight>,
@@ -69,13 +71,8 @@ impl ShadowMaps {
         if !scenes.casts_shadows() {
             return (&[], cost);
         }
-        let same = self.hiding.iter().map(Some).chain(std::iter::repeat(None));
-        let mut count = 0;
-        let unchanged = scenes.hiding().zip(same).all(|(object, old)| {
-            count += 1;
-            old.is_some_and(|old| old.is(object))
-        });
-        if !unchanged || count != self.hiding.len() {
+        let (before, now) = (std::mem::replace(&mut self.revision, scenes.hiding_revision()), scenes.hiding_revision());
+        if (now.is_none() || before != now) && !self.holds(scenes) {
             self.made.clear();
             let all = scenes.hiding();
             self.hiding = all
@@ -97,6 +94,17 @@ impl ShadowMaps {
             self.lights.push(ShadowLight { light: index, ..found });
         }
         (&self.lights, cost)
+    }
+
+    /// True where the things that hide light are those of the last picture.
+    fn holds(&self, scenes: Scenes) -> bool {
+        let same = self.hiding.iter().map(Some).chain(std::iter::repeat(None));
+        let mut count = 0;
+        let unchanged = scenes.hiding().zip(same).all(|(object, old)| {
+            count += 1;
+            old.is_some_and(|old| old.is(object))
+        });
+        unchanged && count == self.hiding.len()
     }
 }
 

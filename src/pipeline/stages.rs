@@ -281,9 +281,26 @@ pub enum FacesDone {
     CutOpen,
 }
 
-impl ObjectReport {
-    /// Before anything is done.
-    pub(super) fn new(plan: &ObjectPlan) -> Self {
-        Self { containment: plan.containment, faces: FacesDone::NotDrawn, lit: LitAt::Nowhere, triangles: 0 }
+/// Of one that is not drawn.
+impl From<Containment> for ObjectPlan {
+    fn from(containment: Containment) -> Self {
+        Self {
+            containment,
+            drawn: false,
+            clip_planes: 0,
+            faces: false,
+            cull_back: false,
+            lit: LitAt::Nowhere,
+            shadowed: false,
+            translucent: false,
+            textured: false,
+        }
+    }
+}
+
+/// Of one of which nothing is drawn, or not yet.
+impl From<Containment> for ObjectReport {
+    fn from(containment: Containment) -> Self {
+        Self { containment, faces: FacesDone::NotDrawn, lit: LitAt::Nowhere, triangles: 0 }
     }
 }

@@ -20,7 +20,7 @@ use super::label_layout::{Author, Rules};
 use super::legend::LegendRow;
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
-use super::revealed_scene::{self, PipelineReveal};
+use super::revealed_scene;
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
 use super::{Labels, Palette, Request, label_layout, light_view, probe, triangle_overlay};
@@ -86,11 +86,8 @@ pub(super) fn screen(request: &Request) -> Option<Screen> {
 
 /// The clipped and projected scene, in display space.
 pub(super) fn contents(request: &Request) -> Scene {
-    revealed(request).scene.into_owned()
-}
-
-fn revealed(request: &Request) -> PipelineReveal<'_> {
-    revealed_scene::in_canonical(request, Palette::of(request.shot.look.style.theme))
+    let palette = Palette::of(request.shot.look.style.theme);
+    revealed_scene::in_canonical(request, None, palette).scene.into_owned()
 }
 
 /// The observer of the picture.
@@ -106,9 +103,11 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let Some(screen) = screen(request) else {
         return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
     };
-    let mut revealed = revealed(request);
+    let clipped = (!request.shot.look.reveal.divide_first).then(|| pipeline.projected(request));
+    let mut revealed = revealed_scene::in_canonical(request, clipped.as_deref(), palette);
     let (change, style) = gizmos::wired(style);
-    let scene = pipeline.scene(request, std::mem::take(&mut revealed.scene), change);
+    let of = clipped.as_ref().unwrap_or(&request.scene);
+    let scene = pipeline.scene(of, std::mem::take(&mut revealed.scene), change);
     let mut builder = GearBuilder::new(&screen, style.hidden_lines);
     let canonical = CanonicalBox::of(request);
     axes(&mut builder, &canonical, palette);

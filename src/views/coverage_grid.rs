@@ -1,6 +1,7 @@
 //! The parts of a picture that bodies cover: a text there would hide the subject of the picture.
 
 use glam::DVec2;
+use rayon::prelude::*;
 
 use crate::drawing::Drawing;
 
@@ -10,6 +11,9 @@ const CELLS: u32 = 90;
 const LEAST: f64 = 3.0;
 /// From this on, a face is more than glass.
 const OPAQUE: u8 = 110;
+
+/// So many triangles are worth a thread.
+const MANY: usize = 8192;
 
 /// The parts of a picture that faces cover, in square cells.
 pub(super) struct Solids {
@@ -28,16 +32,42 @@ impl Solids {
         let cells = |side: u32| (f64::from(side) / cell).ceil() as usize;
         let (columns, rows) = (cells(drawing.width), cells(drawing.height));
         let mut covered = vec![false; columns * rows];
+        let grid = Grid { columns, rows };
         // A picture without pixels has no cell that a face could cover.
         let surfaces = drawing.surfaces.iter().filter(|_| columns * rows > 0);
         for surface in surfaces {
-            let positions: Vec<DVec2> =
-                surface.positions.iter().map(|p| DVec2::new(f64::from(p[0]), f64::from(p[1])) / cell).collect();
+            let in_cells = |p: &[f32; 3]| DVec2::new(f64::from(p[0]), f64::from(p[1])) / cell;
+            let at = |i: u32| surface.positions.get(i as usize).map_or(DVec2::NAN, in_cells);
+            // Most faces of a fine mesh lie in one cell.
+            let cell_of = |p: &[f32; 3]| Some(in_cells(p)).filter(|p| p.is_finite()).map(|p| grid.cell(p));
+            let cells: Vec<Option<u32>> = if surface.positions.len() < MANY {
+                surface.positions.iter().map(cell_of).collect()
+            } else {
+                surface.positions.par_iter().map(cell_of).collect()
+            };
             let is_opaque = |i: usize| surface.alpha_of(i).is_some_and(|alpha| alpha >= OPAQUE);
-            for (_, triangle) in surface.triangles.iter().enumerate().filter(|(i, _)| is_opaque(*i)) {
-                let corners = triangle.map(|i| positions.get(i as usize).copied().unwrap_or(DVec2::NAN));
-                cover(&mut covered, columns, rows, corners);
-            }
+            let cover_some = |mut covered: Vec<bool>, (first, some): (usize, &[[u32; 3]])| {
+                for (_, triangle) in some.iter().enumerate().filter(|(i, _)| is_opaque(first + i)) {
+                    match triangle.map(|i| cells.get(i as usize).copied().flatten()) {
+                        [Some(a), Some(b), Some(c)] if a == b && b == c => covered[a as usize] = true,
+                        [Some(_), Some(_), Some(_)] => grid.cover(&mut covered, triangle.map(at)),
+                        // What is not a number is nowhere.
+                        _ => {}
+                    }
+                }
+                covered
+            };
+            covered = if surface.triangles.len() < 2 * MANY {
+                cover_some(covered, (0, &surface.triangles))
+            } else {
+                let stretches = surface.triangles.par_chunks(MANY).enumerate().map(|(k, some)| (k * MANY, some));
+                let grids = stretches.fold(|| vec![false; columns * rows], cover_some);
+                let either = |mut a: Vec<bool>, b: Vec<bool>| {
+                    a.iter_mut().zip(b).for_each(|(a, b)| *a |= b);
+                    a
+                };
+                either(covered, grids.reduce(|| vec![false; columns * rows], either))
+            };
         }
         Self { cell, columns, rows, sums: sums(&covered, columns, rows) }
     }
@@ -58,27 +88,44 @@ impl Solids {
     }
 }
 
-/// Marks the cells whose middle is in a triangle (in cells), and those of its corners.
-fn cover(covered: &mut [bool], columns: usize, rows: usize, [a, b, c]: [DVec2; 3]) {
-    if !(a.is_finite() && b.is_finite() && c.is_finite()) {
-        return;
+/// The cells of a picture.
+#[derive(Clone, Copy)]
+struct Grid {
+    columns: usize,
+    rows: usize,
+}
+
+impl Grid {
+    /// The column, or the row, of a place; those beside the picture have the nearest one.
+    fn index(v: f64, count: usize) -> usize {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cell of the picture")]
+        let index = v.max(0.0) as usize;
+        index.min(count.saturating_sub(1))
     }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cell of the picture")]
-    let index = |v: f64, count: usize| (v.max(0.0) as usize).min(count.saturating_sub(1));
-    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-    let side = |p: DVec2, q: DVec2, at: DVec2| (q - p).perp_dot(at - p);
-    for y in index(low.y, rows)..=index(high.y, rows) {
-        for x in index(low.x, columns)..=index(high.x, columns) {
-            #[expect(clippy::cast_precision_loss, reason = "a cell of the picture")]
-            let middle = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
-            let sides = [side(a, b, middle), side(b, c, middle), side(c, a, middle)];
-            if sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0) {
-                covered[y * columns + x] = true;
+
+    /// The cell of a place.
+    fn cell(self, p: DVec2) -> u32 {
+        let cell = Self::index(p.y, self.rows) * self.columns + Self::index(p.x, self.columns);
+        u32::try_from(cell).unwrap_or(u32::MAX)
+    }
+
+    /// Marks the cells whose middle is in a triangle (in cells), and those of its corners.
+    fn cover(self, covered: &mut [bool], [a, b, c]: [DVec2; 3]) {
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        let side = |p: DVec2, q: DVec2, at: DVec2| (q - p).perp_dot(at - p);
+        for y in Self::index(low.y, self.rows)..=Self::index(high.y, self.rows) {
+            for x in Self::index(low.x, self.columns)..=Self::index(high.x, self.columns) {
+                #[expect(clippy::cast_precision_loss, reason = "a cell of the picture")]
+                let middle = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
+                let sides = [side(a, b, middle), side(b, c, middle), side(c, a, middle)];
+                if sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0) {
+                    covered[y * self.columns + x] = true;
+                }
             }
         }
-    }
-    for p in [a, b, c] {
-        covered[index(p.y, rows) * columns + index(p.x, columns)] = true;
+        for p in [a, b, c] {
+            covered[self.cell(p) as usize] = true;
+        }
     }
 }
 

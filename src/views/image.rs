@@ -71,7 +71,7 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     let target = Target { width: rect.width, height: rect.height, ..whole };
     let (mut revealed, wrong) = revealed_scene::in_image(request, palette);
     let change = greys.map(|_| SceneChange::Faces);
-    let scene = pipeline.scene(request, std::mem::take(&mut revealed.scene), change);
+    let scene = pipeline.scene(&request.scene, std::mem::take(&mut revealed.scene), change);
     let mut builder = GearBuilder::new(&screen, style.hidden_lines);
     revealed.mark(&mut builder, palette);
     probe::in_image(&mut builder, request, palette);

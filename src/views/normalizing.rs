@@ -176,7 +176,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let mut scene = canonical::contents(request);
     scene.project(&matrix);
     let (change, style) = gizmos::wired(&request.shot.look.style);
-    let scene = pipeline.scene(request, Cow::Owned(scene), change);
+    let scene = pipeline.scene(&request.scene, Cow::Owned(scene), change);
     let mut builder = GearBuilder::new(&screen, style.hidden_lines);
     let last = way.step + 1 == way.factors.len();
     let before = radius(way, &request.camera, way.step)?;

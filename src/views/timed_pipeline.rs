@@ -5,10 +5,11 @@ use std::time::Duration;
 
 use super::gizmos::{self, SceneChange};
 use super::{Request, SharedScene, View, depth, stage_overlay};
-use crate::appearance::{DepthFormat, Style};
+use crate::appearance::{DepthFormat, Shading, Style};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::pipeline::depths::DepthScale;
+use crate::pipeline::project::Projections;
 use crate::pipeline::{Frame, Options, Pipeline, Scenes, Target};
 use crate::scene::Scene;
 
@@ -22,12 +23,46 @@ pub struct TimedPipeline {
     pub clock: Option<fn() -> Duration>,
     /// The changed scene of the last picture that had one: the pointer moves over the same one for long.
     changed: Option<(SharedScene, SceneChange, SharedScene)>,
+    projections: Projections,
+    /// The content of the canonical volume of the last picture: its observer may go around it for long.
+    projected: Option<(SharedScene, Camera, Shading, SharedScene)>,
 }
 
 impl TimedPipeline {
-    /// A scene for a picture, changed. That of the request is changed once, and neither copied nor changed again for
-    /// the next picture of it.
-    pub(super) fn scene(&mut self, request: &Request, scene: Cow<'_, Scene>, by: Option<SceneChange>) -> SharedScene {
+    /// Forgets what was made of scenes and shadow maps: the next picture makes its own, in the same memory.
+    pub fn forget(&mut self) {
+        self.stages.forget();
+        self.take_back();
+    }
+
+    /// The scene of the request, clipped and projected; made once for all pictures of it and its camera.
+    pub(super) fn projected(&mut self, request: &Request) -> SharedScene {
+        let (camera, shading) = (&request.camera, request.shot.look.style.shading);
+        if let Some((of, by, lit, made)) = &self.projected
+            && *of == request.scene
+            && by == camera
+            && *lit == shading
+        {
+            return made.clone();
+        }
+        self.take_back();
+        let made = SharedScene::new(self.projections.legible(&request.scene, camera, shading));
+        self.projected = Some((request.scene.clone(), camera.clone(), shading, made.clone()));
+        made
+    }
+
+    /// Keeps the memory of the last canonical volume.
+    fn take_back(&mut self) {
+        let Some((.., made)) = self.projected.take() else { return };
+        self.changed = self.changed.take().filter(|(of, ..)| *of != made);
+        if let Some(scene) = made.into_scene() {
+            self.projections.recycle(scene);
+        }
+    }
+
+    /// A scene for a picture, changed: one of its own, or `of`, which is changed once, and neither copied nor changed
+    /// again for the next picture of it.
+    pub(super) fn scene(&mut self, of: &SharedScene, scene: Cow<'_, Scene>, by: Option<SceneChange>) -> SharedScene {
         let changed = |mut scene: Scene| {
             match by {
                 None => {}
@@ -38,12 +73,12 @@ impl TimedPipeline {
         };
         match (scene, by) {
             (Cow::Owned(scene), _) => changed(scene),
-            (Cow::Borrowed(_), None) => request.scene.clone(),
+            (Cow::Borrowed(_), None) => of.clone(),
             (Cow::Borrowed(_), Some(by)) => match &self.changed {
-                Some((of, how, made)) if *of == request.scene && *how == by => made.clone(),
+                Some((known, how, made)) if known == of && *how == by => made.clone(),
                 _ => {
-                    let made = changed(Scene::clone(&request.scene));
-                    self.changed = Some((request.scene.clone(), by, made.clone()));
+                    let made = changed(Scene::clone(of));
+                    self.changed = Some((of.clone(), by, made.clone()));
                     made
                 }
             },
@@ -118,7 +153,7 @@ mod tests {
         let size = Size { width: 10, height: 10, scale: 1.0 };
         let request = Request::of(&figure, View::World, &camera, &scene, pictures::labels(Lang::En), size);
         let mut pipeline = TimedPipeline::default();
-        let mut made = |by| pipeline.scene(&request, Cow::Borrowed(&*request.scene), by);
+        let mut made = |by| pipeline.scene(&request.scene, Cow::Borrowed(&*request.scene), by);
         assert_eq!(made(None), scene);
         let wired = made(Some(SceneChange::Wired(HiddenLines::Dashed)));
         assert!(wired.objects.iter().all(|object| !object.faces) && wired != scene);

@@ -40,7 +40,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         revealed_scene::in_world(request, palette)
     };
     let (change, style) = gizmos::wired(style);
-    let scene = pipeline.scene(request, std::mem::take(&mut revealed.scene), change);
+    let scene = pipeline.scene(&request.scene, std::mem::take(&mut revealed.scene), change);
     let builder = GearBuilder::new(&screen, style.hidden_lines);
     let mut world = World {
         request,

@@ -6,10 +6,11 @@ use std::sync::Arc;
 
 use camera_lab::appearance::{Rgba, Shading, Style};
 use camera_lab::camera::{Camera, Parameters};
-use camera_lab::pipeline::{Containment, Frame, Options, Pipeline, Scenes, Target};
+use camera_lab::pipeline::{Containment, Frame, Options, Pipeline, Reason, Scenes, Stage, Target};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Light, Mesh, Object, Scene, SceneRevision, primitives};
+use camera_lab::scene::{Light, Mesh, Object, Scene, SceneRevision, Shadows, primitives};
 use glam::{DMat4, DVec3};
+use proptest::prelude::*;
 
 use super::pipeline::object;
 
@@ -135,12 +136,130 @@ fn a_scene_with_a_number_is_looked_at_when_the_number_changes_and_its_gear_alway
     }
 }
 
+/// Something that happens between two pictures.
+#[derive(Clone, Copy, Debug)]
+enum Change {
+    Nothing,
+    Moves(usize, [f64; 3]),
+    Shape(usize),
+    Shorter(usize),
+    Longer(u32),
+    Gear(u32),
+    Light,
+    Shadows,
+}
+
+fn changes() -> impl Strategy<Value = (Change, [f64; 4])> {
+    let change = prop_oneof![
+        3 => Just(Change::Nothing),
+        3 => (any::<usize>(), prop::array::uniform3(-9.0..9.0)).prop_map(|(k, at)| Change::Moves(k, at)),
+        1 => any::<usize>().prop_map(Change::Shape),
+        1 => (0..40_usize).prop_map(Change::Shorter),
+        1 => (1..5_u32).prop_map(Change::Longer),
+        1 => (0..3_u32).prop_map(Change::Gear),
+        1 => Just(Change::Light),
+        1 => Just(Change::Shadows),
+    ];
+    (change, [-3.0..3.0, -9.0..9.0, -9.0..9.0, 4.0..60.0])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    #[test]
+    fn a_pipeline_that_knows_a_scene_draws_and_reports_as_a_new_one(
+        changes in prop::collection::vec(changes(), 1..12),
+        side in 2..14_u32,
+        knows in any::<bool>(),
+    ) {
+        let mesh = Arc::new(primitives::cube());
+        let (mut scene, mut gear) = (field(side, &mesh), Scene::default());
+        let (mut kept, mut revision) = (Pipeline::default(), SceneRevision::next());
+        for (change, [height, x, y, view_angle]) in changes {
+            let count = scene.objects.len().max(1);
+            match change {
+                Change::Nothing => {}
+                Change::Gear(side) => gear = field(side, &mesh),
+                Change::Light => scene.lights.push(Light::directional(DVec3::new(1.0, 2.0, -3.0))),
+                Change::Shadows => {
+                    scene.lights[0].shadows = Shadows { map: 64, ..Shadows::CAST };
+                }
+                Change::Moves(k, at) => if let Some(object) = scene.objects.get_mut(k % count) {
+                    object.world_from_object = DMat4::from_translation(DVec3::from_array(at)) * object.world_from_object;
+                },
+                Change::Shape(k) => if let Some(object) = scene.objects.get_mut(k % count) {
+                    object.mesh = Arc::new(if k % 3 == 0 { Mesh::default() } else { primitives::sphere(6) });
+                },
+                Change::Shorter(by) => scene.objects.truncate(scene.objects.len().saturating_sub(by)),
+                Change::Longer(side) => scene.objects.extend(field(side, &mesh).objects),
+            }
+            if !matches!(change, Change::Nothing | Change::Gear(_)) {
+                revision = SceneRevision::next();
+            }
+            let camera = Camera::new(&Parameters {
+                position: DVec3::new(x, y, 8.0 + height),
+                focal_point: DVec3::new(0.7 * x, 0.8 * y, 0.0),
+                view_angle,
+                aspect: 1.0,
+                near: 1.0,
+                far: 40.0,
+                ..Parameters::default()
+            }).unwrap();
+            let style = Style { antialias: 1, ..super::pipeline::shading(Shading::Gouraud) };
+            let draw = |pipeline: &mut Pipeline, scenes: Scenes, force_all_stages| {
+                let options = Options { force_all_stages, ..Options::default() };
+                pipeline.frame(scenes, &camera, SMALL, &style, options)
+            };
+            let scenes = Scenes::new(&scene, &gear);
+            let known = draw(&mut kept, if knows { scenes.of_revision(revision) } else { scenes }, false);
+            let mut fresh = Pipeline::default();
+            let new = draw(&mut fresh, scenes, false);
+            prop_assert!(known.drawing == new.drawing);
+            // Maps of shadows are kept, and cost nothing then.
+            let operations = |frame: &Frame| frame.report.iter().map(|r| (r.stage, r.ran, r.reason, r.counts)).collect::<Vec<_>>();
+            prop_assert_eq!(operations(&known), operations(&new));
+            prop_assert_eq!(&known.plan.stages, &new.plan.stages);
+            prop_assert!(pixels(&known) == pixels(&draw(&mut fresh, scenes, true)));
+
+            let all = || scene.objects.iter().chain(&gear.objects);
+            prop_assert_eq!((known.objects.len(), known.plan.objects.len()), (all().count(), all().count()));
+            let outside = |place| matches!(place, Containment::Outside(_));
+            let mut dropped = 0;
+            for (k, object) in all().enumerate() {
+                let (report, plan) = (known.objects.get(k).unwrap(), known.plan.objects.get(k).unwrap());
+                prop_assert_eq!(plan.containment, report.containment);
+                dropped += usize::from(outside(report.containment));
+                let alone = Scene { objects: vec![object.clone()], ..Scene::default() };
+                let alone = draw(&mut Pipeline::default(), Scenes::from(&alone), false).objects.get(0).unwrap();
+                match (report.containment, alone.containment) {
+                    // A group is outside of what all of it is outside of.
+                    (Containment::Outside(planes), Containment::Outside(all)) => {
+                        prop_assert!(planes != 0 && planes & !all == 0, "{planes:b} {all:b}");
+                        prop_assert_eq!((report.triangles, plan.drawn), (0, false));
+                    }
+                    (found, right) => {
+                        prop_assert_eq!(found, right);
+                        prop_assert_eq!(Some(report), new.objects.get(k));
+                        prop_assert_eq!(Some(plan), new.plan.objects.get(k));
+                    }
+                }
+            }
+            let culled = new.report.iter().find(|report| report.stage == Stage::CullObjects).unwrap().reason;
+            let said = if dropped == 0 { Reason::NoneOutside { of: all().count() } } else {
+                Reason::Outside { outside: dropped, of: all().count() }
+            };
+            prop_assert_eq!(culled, said);
+            kept.recycle(known.drawing);
+        }
+    }
+}
+
 #[test]
 fn a_ball_is_inside_where_the_corners_of_its_box_are_not() {
     let ball = |radius: f64| {
         let place = DMat4::from_rotation_x(0.7) * DMat4::from_rotation_y(0.6) * DMat4::from_scale(DVec3::splat(radius));
         let scene = Scene { objects: vec![object(primitives::sphere(16), place)], ..Scene::default() };
-        frame(&mut Pipeline::default(), &scene, false).plan.objects[0].containment
+        frame(&mut Pipeline::default(), &scene, false).plan.objects.get(0).unwrap().containment
     };
     // The planes go through x = ±2 on z = 0, and are 2 · cos(atan 0.2) = 1.961 from the origin.
     assert_eq!(ball(1.95), Containment::Crosses(0));

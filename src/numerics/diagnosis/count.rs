@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::{Camera, ImageSize, Projection};
-use crate::pipeline::{ObjectReport, Options, Pipeline, Target};
+use crate::pipeline::{ByObject, ObjectReport, Options, Pipeline, Target};
 use crate::raster::Rasterizer;
 use crate::scene::{Object, ObjectPaint, Scene};
 
@@ -20,7 +20,7 @@ pub(super) struct Drawn {
     /// Pixels that anything but a text covers.
     pub(super) pixels: u64,
     /// The report of each object of the scene.
-    pub(super) objects: Vec<ObjectReport>,
+    pub(super) objects: ByObject<ObjectReport>,
 }
 
 impl Counter {
@@ -84,7 +84,7 @@ impl Counter {
         style: &Style,
         image: ImageSize,
         mut each: impl FnMut([u8; 4]),
-    ) -> Option<Vec<ObjectReport>> {
+    ) -> Option<ByObject<ObjectReport>> {
         let clear = Rgba::rgba(0, 0, 0, 0);
         let target = Target { width: image.width, height: image.height, scale: 1.0, background: clear };
         // The order of faces does not change which pixels are covered.

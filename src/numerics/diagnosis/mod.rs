@@ -21,7 +21,7 @@ use glam::DVec3;
 
 use crate::appearance::{Shading, Style};
 use crate::camera::{Camera, ImageSize};
-use crate::pipeline::{FacesDone, ObjectReport};
+use crate::pipeline::{ByObject, FacesDone, ObjectReport};
 use crate::scene::Scene;
 pub use count::Counter;
 pub use repair::{Repair, Value, changes};
@@ -261,7 +261,7 @@ struct Looked<'a> {
 
 impl Looked<'_> {
     /// Judges a subject with another camera.
-    fn judge_from(&mut self, camera: &Camera, subject: &NamedThing, report: Option<&ObjectReport>) -> Judgement {
+    fn judge_from(&mut self, camera: &Camera, subject: &NamedThing, report: Option<ObjectReport>) -> Judgement {
         let counter = std::mem::take(&mut self.counter);
         let mut other = Looked { camera, counter, ..*self };
         let judgement = other.judge(subject, report);
@@ -270,7 +270,7 @@ impl Looked<'_> {
     }
 
     /// Finds the reason why a subject is not in the picture; `report`: its treatment by the pipeline.
-    fn judge(&mut self, subject: &NamedThing, report: Option<&ObjectReport>) -> Judgement {
+    fn judge(&mut self, subject: &NamedThing, report: Option<ObjectReport>) -> Judgement {
         let place = Whereabouts::of(subject, self.camera, self.image);
         let sides = |sides: Vec<Side>| sides.into_iter().map(Cause::outside);
         let mut judgement = if subject.contains(self.camera.position()) {
@@ -308,7 +308,7 @@ impl Looked<'_> {
     fn not_drawn(
         &mut self,
         subject: &NamedThing,
-        report: Option<&ObjectReport>,
+        report: Option<ObjectReport>,
         place: &Whereabouts,
     ) -> Option<Judgement> {
         if !subject.has_faces(self.style) {
@@ -347,7 +347,7 @@ impl Looked<'_> {
     }
 
     /// The subjects of which the inside is seen, because the near plane cuts their front away.
-    fn opened_by_near(&mut self, subjects: &[NamedThing], reports: &[ObjectReport]) -> Vec<usize> {
+    fn opened_by_near(&mut self, subjects: &[NamedThing], reports: &ByObject<ObjectReport>) -> Vec<usize> {
         if self.style.shading == Shading::Wireframe {
             return Vec::new();
         }
