@@ -15,7 +15,7 @@ use crate::simd::{Simd, f32x8, i32x8, u32x8};
 use super::eights::{Eights, next_column};
 use super::fragments::{Fragments, Rank};
 use super::pixel::{Pixel, over_eight, premultiply, scale_eight};
-use super::segment::{Columns, Segment, Segments, TOGETHER, center, length, pixels};
+use super::segment::{Columns, Point, Segment, Segments, TOGETHER, center, length, pixels};
 use super::shade::LANES;
 
 /// The strokes over some rows of a picture, empty once they are painted.
@@ -39,9 +39,6 @@ pub(super) struct Coverage {
     /// The layers with a rank.
     fragments: Fragments,
 }
-
-/// A point of a stroke's middle line.
-pub(super) type Point = [f32; 3];
 
 impl Coverage {
     /// Makes the mask fit some rows of a picture.
@@ -255,6 +252,8 @@ impl Coverage {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
     use crate::simd::with_vectors;
 
@@ -279,7 +278,7 @@ mod tests {
 
         /// Of a pixel the share by the layer at hand, and the depth, in a layer with a rank.
         #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
-        pub(in super::super) fn at(&self, row: usize, column: usize) -> (u8, f32) {
+        fn at(&self, row: usize, column: usize) -> (u8, f32) {
             let at = (row - self.rows.start) * self.pitch + column;
             (self.shares[at] as u8, self.depths.get(at).copied().unwrap_or_default())
         }
@@ -486,6 +485,65 @@ mod tests {
             coverage.end_on(&mut pixels);
             coverage.lay(&mut pixels);
             assert_eq!(pixels[MIDDLE], [255, 0, 0, 255], "{depths:?}");
+        }
+    }
+
+    /// Share (bytes) and depth of a pixel, by the formula for one pixel alone.
+    #[expect(clippy::cast_possible_truncation, reason = "a share is 0 … 1")]
+    fn alone([a, b]: [Point; 2], radius: f32, [column, row]: [usize; 2]) -> (u8, f32) {
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let length = length(dx, dy);
+        let (ux, uy) = if length > 1e-6 { (dx / length, dy / length) } else { (1.0, 0.0) };
+        let (x, y) = (center(column) - a[0], center(row) - a[1]);
+        let along = x * ux + y * uy;
+        let beside = x * uy - y * ux;
+        let beyond = (-along).max(along - length).max(0.0);
+        let distance = (beside * beside + beyond * beyond).sqrt();
+        let share = (radius.min(distance + 0.5) - (-radius).max(distance - 0.5)).clamp(0.0, 1.0);
+        let rise = (b[2] - a[2]) / length.max(1e-6);
+        ((share * 255.0 + 0.5) as u8, a[2] + rise * along.clamp(0.0, length))
+    }
+
+    const WIDTH: usize = 61;
+
+    fn segment() -> impl Strategy<Value = [Point; 2]> {
+        let at = || prop_oneof![4 => -8.0..70.0_f32, 1 => Just(10.5_f32), 1 => Just(20.0_f32), 1 => -3e4..3e4_f32];
+        let from = (at(), at(), 0.0..1.0_f32);
+        // To anywhere, level, upright, by a few pixels, by nothing.
+        let by = || prop_oneof![-3.0..3.0_f32, -60.0..60.0_f32, Just(0.0_f32), Just(1e-7_f32)];
+        (from, by(), by(), 0.0..1.0_f32).prop_map(|((x, y, z), dx, dy, to)| [[x, y, z], [x + dx, y + dy, to]])
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1000))]
+
+        #[test]
+        fn eight_pixels_get_what_each_would_alone(
+            segments in prop::collection::vec(segment(), 1..12),
+            radius in prop_oneof![Just(0.625_f32), 0.01..4.0_f32],
+            first in 0_usize..20,
+        ) {
+            let rows = first..first + 40;
+            for rank in [None, Some(Rank { visible: true, width: 1.0 })] {
+                let mut coverage = Coverage::default();
+                coverage.fit(WIDTH, rows.clone());
+                coverage.begin(Rgba::rgb(0, 0, 0), rank);
+                with_vectors!(simd => coverage.segments(simd, &segments, radius));
+                for row in rows.clone() {
+                    for column in 0..WIDTH {
+                        let mut expected = (0, 0.0);
+                        for &segment in &segments {
+                            let here = alone(segment, radius, [column, row]);
+                            if here.0 > 0 && here > expected {
+                                expected = here;
+                            }
+                        }
+                        let (share, depth) = coverage.at(row, column);
+                        prop_assert_eq!(share, expected.0, "share of {:?}", [column, row]);
+                        prop_assert!(rank.is_none() || share == 0 || depth == expected.1, "{} {}", depth, expected.1);
+                    }
+                }
+            }
         }
     }
 }

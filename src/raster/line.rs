@@ -8,10 +8,9 @@ use std::ops::Range;
 use crate::appearance::{LineStyle, Occlusion, head_corners};
 use crate::drawing::StrokeSet;
 
-use super::coverage::Point;
-use super::depth::Occluders;
+use super::depth::{EACH, Occluders};
 use super::pieces::{Head, Pieces};
-use super::segment::length;
+use super::segment::{Point, length};
 
 /// Distance of the points of a stroke that are held against the depth buffer, in pixels.
 const STEP: f32 = 0.5;
@@ -92,7 +91,8 @@ impl Lines {
 fn whole_segment(a: Point, b: Point) -> Option<[Point; 2]> {
     let way = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     // Of zero length, it is its first point; false where anything is not a number.
-    let is_short = length(way[0], way[1]) < LONGEST && a[2].is_finite() && b[2].is_finite();
+    let is_near = way[0].abs() + way[1].abs() < 0.9 * LONGEST;
+    let is_short = (is_near || length(way[0], way[1]) < LONGEST) && a[2].is_finite() && b[2].is_finite();
     let end = if way[0] == 0.0 && way[1] == 0.0 { a } else { [a[0] + way[0], a[1] + way[1], a[2] + way[2]] };
     is_short.then_some([a, end])
 }
@@ -124,19 +124,27 @@ impl Polyline {
             let mut from = start;
             let mut step = 1.0;
             while step <= steps {
-                let now = faces.before(point(step / steps));
-                if now != before {
-                    // The position between the two points, to 1/16 of a step.
-                    let (mut low, mut high) = ((step - 1.0) / steps, step / steps);
-                    for _ in 0..4 {
-                        let middle = 0.5 * (low + high);
-                        if faces.before(point(middle)) == before { low = middle } else { high = middle }
-                    }
-                    let change = start + high * (end - start);
-                    run(from..change, before);
-                    (from, before) = (change, now);
+                let (mut tried, mut found) = ([[0.0; 3]; EACH], [Occlusion::None; EACH]);
+                let mut count = 0;
+                while count < EACH && step + count as f32 <= steps {
+                    tried[count] = point((step + count as f32) / steps);
+                    count += 1;
                 }
-                step += 1.0;
+                faces.before_each(&tried[..count], &mut found[..count]);
+                for &now in &found[..count] {
+                    if now != before {
+                        // The position between the two points, to 1/16 of a step.
+                        let (mut low, mut high) = ((step - 1.0) / steps, step / steps);
+                        for _ in 0..4 {
+                            let middle = 0.5 * (low + high);
+                            if faces.before(point(middle)) == before { low = middle } else { high = middle }
+                        }
+                        let change = start + high * (end - start);
+                        run(from..change, before);
+                        (from, before) = (change, now);
+                    }
+                    step += 1.0;
+                }
             }
             run(from..end, before);
         }
@@ -241,6 +249,7 @@ fn dashes(range: Range<f32>, style: LineStyle, mut draw: impl FnMut(f32, f32)) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::pieces::Bands;
     use super::*;
     use crate::appearance::{Dash, HiddenLines, Rgba};
 
@@ -296,5 +305,33 @@ mod tests {
         assert_eq!(line.at(&points, 10.0), [3.0, 9.0, 0.25]);
         assert_eq!(line.at(&points, 99.0), [3.0, 14.0, 0.0]);
         assert_eq!(line.at(&points, -1.0), [0.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn a_polyline_of_two_points_is_the_piece_that_it_would_be_among_others() {
+        let style = LineStyle { hidden: HiddenLines::Shown, ..style(Dash::Solid) };
+        let ends = [
+            [[1.3, 2.7, 0.1], [30.9, 17.1, 0.7]],
+            [[4.1, 5.0, 0.2], [4.1, 5.0, 0.9]],
+            [[4.1, 5.0, 0.2], [4.1, 5.1, 0.9]],
+            [[f32::NAN, 5.0, 0.2], [4.1, 5.1, 0.9]],
+            [[3.0, 5.0, f32::INFINITY], [4.1, 5.1, 0.9]],
+            [[-3.0, 5.0, 0.4], [2e6, 5.1, 0.9]],
+            [[-4e5, 5.0, 0.4], [5e5, 4e5, 0.9]],
+            [[20.0, -7e5, 0.4], [21.0, 2.5e5, 0.9]],
+        ];
+        let bands = Bands { width: 40, height: 30, rows_log: 5 };
+        let (mut together, mut alone) = (Pieces::default(), Pieces::default());
+        together.fit(bands, 1);
+        alone.fit(bands, 1);
+        let points = ends.concat();
+        let polylines = (0..8).map(|k| 2 * k..2 * k + 2).collect();
+        Lines::default().cut(&StrokeSet { points, polylines, style }, 0..8, None, &mut together);
+        for ends in ends {
+            Lines::default().cut_one(style, &ends, None, &mut alone);
+        }
+        let segments = |pieces: &Pieces| pieces.bin(Occlusion::None, 0).map(|bin| bin.segments.clone());
+        assert_eq!(segments(&together), segments(&alone));
+        assert_eq!(segments(&together).map(|all| all.len()), Some(5));
     }
 }

@@ -4,8 +4,7 @@ use std::ops::Range;
 
 use crate::appearance::Occlusion;
 
-use super::coverage::Point;
-use super::segment::pixels;
+use super::segment::Point;
 
 /// An arrow head.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,14 +49,17 @@ impl Bands {
         first..self.height.min(first + (1 << self.rows_log))
     }
 
-    /// The bands with pixels whose centres lie in a box.
+    /// The bands that may have pixels whose centres lie in a box.
     #[inline(always)]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to the picture")]
     fn touched(self, [left, right]: [f32; 2], [top, bottom]: [f32; 2]) -> Range<usize> {
-        let (columns, rows) = (pixels(left, right, 0..self.width), pixels(top, bottom, 0..self.height));
-        if columns.is_empty() || rows.is_empty() {
+        let (width, height) = (self.width as f32, self.height as f32);
+        // False where anything is not a number.
+        if !(right > 0.0 && left < width && bottom > 0.0 && top < height) {
             return 0..0;
         }
-        rows.start >> self.rows_log..((rows.end - 1) >> self.rows_log) + 1
+        let (first, last) = (top.max(0.0) as u32, bottom.min(height - 1.0) as u32);
+        (first >> self.rows_log) as usize..(last >> self.rows_log) as usize + 1
     }
 }
 
@@ -89,7 +91,8 @@ impl Pieces {
     #[inline(always)]
     pub(super) fn segment(&mut self, behind: Occlusion, [a, b]: [Point; 2], radius: f32) {
         let reach = radius + 0.5;
-        let [x, y] = [0, 1].map(|k| [a[k].min(b[k]) - reach, a[k].max(b[k]) + reach]);
+        let x = [a[0].min(b[0]) - reach, a[0].max(b[0]) + reach];
+        let y = [a[1].min(b[1]) - reach, a[1].max(b[1]) + reach];
         let first = layer(behind) * self.bands.count();
         for band in self.bands.touched(x, y) {
             if let Some(bin) = self.bins.get_mut(first + band) {
@@ -117,5 +120,35 @@ fn layer(behind: Occlusion) -> usize {
         Occlusion::None => 0,
         Occlusion::Translucent => 1,
         Occlusion::Opaque => 2,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The bands in which a segment of half width 1 is, in a picture of 100 × 70 in bands of 16 rows.
+    fn bands(ends: [[f32; 2]; 2]) -> Vec<usize> {
+        let bands = Bands { width: 100, height: 70, rows_log: 4 };
+        let mut pieces = Pieces::default();
+        pieces.fit(bands, 3);
+        pieces.segment(Occlusion::Opaque, ends.map(|[x, y]| [x, y, 0.5]), 1.0);
+        let is_in = |behind, band| pieces.bin(behind, band).is_some_and(|bin| !bin.is_empty());
+        assert!((0..bands.count()).all(|band| !is_in(Occlusion::None, band) && !is_in(Occlusion::Translucent, band)));
+        (0..bands.count()).filter(|&band| is_in(Occlusion::Opaque, band)).collect()
+    }
+
+    #[test]
+    fn a_piece_is_in_each_band_that_it_touches_and_in_no_other() {
+        assert_eq!(bands([[10.0, 8.0], [90.0, 8.0]]), [0]);
+        // It covers a part of the first row of the second band.
+        assert_eq!(bands([[10.0, 15.2], [90.0, 15.2]]), [0, 1]);
+        assert_eq!(bands([[10.0, 66.0], [10.0, 20.0]]), [1, 2, 3, 4]);
+        assert_eq!(bands([[-40.0, -30.0], [300.0, 400.0]]), [0, 1, 2, 3, 4]);
+        for outside in [[[-9.0, 5.0], [-2.0, 9.0]], [[102.0, 5.0], [200.0, 9.0]], [[5.0, -2.0], [9.0, -8.0]]] {
+            assert_eq!(bands(outside), [0_usize; 0]);
+        }
+        assert_eq!(bands([[5.0, 72.0], [9.0, 78.0]]), [0_usize; 0]);
+        assert_eq!(bands([[5.0, f32::NAN], [f32::NAN, 78.0]]), [0_usize; 0]);
     }
 }

@@ -12,7 +12,8 @@ use crate::drawing::order::stroke_reach;
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, u32x8};
 
-use super::coverage::Point;
+/// A point of a stroke's middle line.
+pub(super) type Point = [f32; 3];
 
 /// Segments whose boxes are found together.
 pub(super) const TOGETHER: usize = 8;
@@ -219,74 +220,4 @@ fn pixels_of_eight<K: Simd>(from: f32x8<K>, to: f32x8<K>, range: Range<usize>) -
 #[expect(clippy::cast_possible_truncation, reason = "rounded to the precision of pixels")]
 pub(super) fn length(dx: f32, dy: f32) -> f32 {
     DVec2::new(f64::from(dx), f64::from(dy)).length() as f32
-}
-
-#[cfg(test)]
-mod tests {
-    use proptest::prelude::*;
-
-    use super::super::coverage::Coverage;
-    use super::super::fragments::Rank;
-    use super::*;
-    use crate::appearance::Rgba;
-    use crate::simd::with_vectors;
-
-    /// Share (bytes) and depth of a pixel, by the formula for one pixel alone.
-    #[expect(clippy::cast_possible_truncation, reason = "a share is 0 … 1")]
-    fn alone([a, b]: [Point; 2], radius: f32, [column, row]: [usize; 2]) -> (u8, f32) {
-        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        let length = length(dx, dy);
-        let (ux, uy) = if length > 1e-6 { (dx / length, dy / length) } else { (1.0, 0.0) };
-        let (x, y) = (center(column) - a[0], center(row) - a[1]);
-        let along = x * ux + y * uy;
-        let beside = x * uy - y * ux;
-        let beyond = (-along).max(along - length).max(0.0);
-        let distance = (beside * beside + beyond * beyond).sqrt();
-        let share = (radius.min(distance + 0.5) - (-radius).max(distance - 0.5)).clamp(0.0, 1.0);
-        let rise = (b[2] - a[2]) / length.max(1e-6);
-        ((share * 255.0 + 0.5) as u8, a[2] + rise * along.clamp(0.0, length))
-    }
-
-    const WIDTH: usize = 61;
-
-    fn segment() -> impl Strategy<Value = [Point; 2]> {
-        let at = || prop_oneof![4 => -8.0..70.0_f32, 1 => Just(10.5_f32), 1 => Just(20.0_f32), 1 => -3e4..3e4_f32];
-        let from = (at(), at(), 0.0..1.0_f32);
-        // To anywhere, level, upright, by a few pixels, by nothing.
-        let by = || prop_oneof![-3.0..3.0_f32, -60.0..60.0_f32, Just(0.0_f32), Just(1e-7_f32)];
-        (from, by(), by(), 0.0..1.0_f32).prop_map(|((x, y, z), dx, dy, to)| [[x, y, z], [x + dx, y + dy, to]])
-    }
-
-    proptest! {
-        #![proptest_config(ProptestConfig::with_cases(1000))]
-
-        #[test]
-        fn eight_pixels_get_what_each_would_alone(
-            segments in prop::collection::vec(segment(), 1..12),
-            radius in prop_oneof![Just(0.625_f32), 0.01..4.0_f32],
-            first in 0_usize..20,
-        ) {
-            let rows = first..first + 40;
-            for rank in [None, Some(Rank { visible: true, width: 1.0 })] {
-                let mut coverage = Coverage::default();
-                coverage.fit(WIDTH, rows.clone());
-                coverage.begin(Rgba::rgb(0, 0, 0), rank);
-                with_vectors!(simd => coverage.segments(simd, &segments, radius));
-                for row in rows.clone() {
-                    for column in 0..WIDTH {
-                        let mut expected = (0, 0.0);
-                        for &segment in &segments {
-                            let here = alone(segment, radius, [column, row]);
-                            if here.0 > 0 && here > expected {
-                                expected = here;
-                            }
-                        }
-                        let (share, depth) = coverage.at(row, column);
-                        prop_assert_eq!(share, expected.0, "share of {:?}", [column, row]);
-                        prop_assert!(rank.is_none() || share == 0 || depth == expected.1, "{} {}", depth, expected.1);
-                    }
-                }
-            }
-        }
-    }
 }
