@@ -4,8 +4,8 @@
 //! least time of each stage in milliseconds, of the pipeline, of the raster and of both. "transform" takes a vertex
 //! through all spaces, the divide and the viewport included. Rows: one bumpy sphere that fills most of the picture,
 //! wholly inside, across some planes, and for the most part out of the picture; the same with a picture on it, and
-//! in the shadow of itself; its edges alone, or with its faces; faces put in order; many objects, of which few are in view; the three pictures of the
-//! default figure. Words choose rows (`1000000 gouraud`).
+//! in the shadow of itself; its edges alone, or with its faces; faces put in order; many objects, of which few are in
+//! view; the three pictures of the default figure. Words choose rows (`1000000 gouraud`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 
