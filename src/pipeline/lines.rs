@@ -147,18 +147,22 @@ impl<'a> Strokes<'a> {
         set.points.resize(first_point + 2 * edges.len(), [0.0; 3]);
         set.polylines.resize(first + edges.len(), 0..0);
         let (points, polylines) = (&mut set.points[first_point..], &mut set.polylines[first..]);
-        let fill = |(k, ((edges, points), polylines)): (usize, ((&[[u32; 2]], &mut [[f32; 3]]), &mut [Range<u32>]))| {
-            let start = first_point + 2 * CHUNK * k;
+        let fill = |start: usize, edges: &[[u32; 2]], points: &mut [[f32; 3]], polylines: &mut [Range<u32>]| {
+            let points = points.as_chunks_mut::<2>().0;
             let starts = (start..).step_by(2);
-            for (((&[a, b], points), polyline), start) in
-                edges.iter().zip(points.as_chunks_mut::<2>().0).zip(polylines).zip(starts)
-            {
+            for (((&[a, b], points), polyline), start) in edges.iter().zip(points).zip(polylines).zip(starts) {
                 *points = [ends[a as usize], ends[b as usize]];
                 *polyline = range(start, start + 2);
             }
         };
-        let pieces = edges.par_chunks(CHUNK).zip(points.par_chunks_mut(2 * CHUNK)).zip(polylines.par_chunks_mut(CHUNK));
-        pieces.enumerate().for_each(fill);
+        if edges.len() > 2 * CHUNK {
+            let stretches = points.par_chunks_mut(2 * CHUNK).zip(polylines.par_chunks_mut(CHUNK));
+            edges.par_chunks(CHUNK).zip(stretches).enumerate().for_each(|(k, (edges, (points, polylines)))| {
+                fill(first_point + 2 * CHUNK * k, edges, points, polylines);
+            });
+        } else {
+            fill(first_point, edges, points, polylines);
+        }
     }
 
     /// The outline of an object: silhouette and creases. Gives how many points were transformed.

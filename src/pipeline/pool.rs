@@ -10,11 +10,14 @@ use crate::drawing::{Base, Drawing, SurfaceLight, TakenLight};
 use super::faces::Faces;
 use super::transform::OnImage;
 
+/// Points, and polylines.
+type StrokeArrays = (Vec<[f32; 3]>, Vec<Range<u32>>);
+
 /// Arrays for strokes.
 #[derive(Debug, Default)]
 pub(super) struct StrokePool {
     /// Points and polylines of sets, with arbitrary content, the first set on top.
-    pub(super) sets: Vec<(Vec<[f32; 3]>, Vec<Range<u32>>)>,
+    pub(super) sets: Vec<StrokeArrays>,
     /// The vertices of an object on the image, for its edges.
     pub(super) ends: OnImage,
 }

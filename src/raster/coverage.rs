@@ -75,8 +75,9 @@ impl Coverage {
 
     #[inline(always)]
     fn segments_of<K: Simd, const DEPTH: bool>(&mut self, simd: K, segments: &[[Point; 2]], radius: f32) {
-        // Also for NaN.
-        if !(radius + 0.5 > 0.5) {
+        // Nothing of its width is left beside half a pixel, or it is not a number.
+        let is_wide = radius + 0.5 > 0.5;
+        if !is_wide {
             return;
         }
         for eight in segments.chunks(TOGETHER) {

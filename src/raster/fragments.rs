@@ -6,7 +6,7 @@ use super::eights::{Eights, next_column};
 use super::pixel::{Pixel, over, scale};
 use super::shade::LANES;
 
-/// What layers of strokes cover of some rows of a picture; empty once it is laid on it.
+/// The pixels of some rows of a picture with all that layers of strokes cover of them; empty once it is painted.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Fragments {
     width: usize,

@@ -2,8 +2,8 @@
 //!
 //! Surfaces come first: `bins` sorts their triangles into bands of rows, and `fill` paints the bands, on as many
 //! threads as there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and
-//! with their depth, come strokes (`strokes`), areas, marks and texts (`label`). The bytes do not depend on the number of
-//! threads.
+//! with their depth, come strokes (`strokes`), areas, marks and texts (`label`). The bytes do not depend on the number
+//! of threads.
 //!
 //! | file | purpose |
 //! | --- | --- |
