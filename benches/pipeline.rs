@@ -4,15 +4,16 @@
 //! least time of each stage in milliseconds, of the pipeline, of the raster and of both. "transform" takes a vertex
 //! through all spaces, the divide and the viewport included. Rows: one bumpy sphere that fills most of the picture,
 //! wholly inside, across some planes, and for the most part out of the picture; the same with a picture on it, and
-//! in the shadow of itself; faces put in order, of that sphere and of two tori that are linked; many objects, of which
-//! few are in view; the three pictures of the default figure, and of a sphere. Words choose rows (`1000000 gouraud`).
+//! in the shadow of itself; its edges alone, or with its faces; faces put in order, of that sphere and of two tori that
+//! are linked; many objects, of which few are in view; the three pictures of the default figure, and of a sphere. Words
+//! choose rows (`1000000 gouraud`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 
 use std::sync::Arc;
 use std::time::Instant;
 
-use camera_lab::appearance::{Rgba, Sampler, Shading, Style, Texture, Visibility};
+use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba, Sampler, Shading, Style, Texture, Visibility};
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::clock;
 use camera_lab::figure::Figure;
@@ -48,6 +49,8 @@ fn mesh(triangles: f64) -> Mesh {
             let [a, b] = [j, (j + 1) % columns].map(|j| i * columns + j);
             let [c, d] = [a + columns, b + columns];
             mesh.triangles.extend([[a, c, d], [a, d, b]]);
+            // Each edge once; at the pole, where i = 0, a and b are one point.
+            mesh.edges.extend([[a, c], [a, d]].into_iter().chain((i > 0).then_some([a, b])));
         }
     }
     mesh
@@ -117,7 +120,7 @@ impl Least {
         for _ in 1..frames {
             least.0.iter_mut().zip(frame()).for_each(|(least, time)| *least = least.min(time));
         }
-        print!("{name:<32}");
+        print!("{name:<38}");
         least.0.iter().for_each(|time| print!(" {:>15.3}", time * 1e3));
         println!();
     }
@@ -149,14 +152,19 @@ fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
     let wanted = |name: &str| words.iter().all(|word| name.contains(word.as_str()));
     let style = |shading| Style { shading, antialias: 1, ..Style::default() };
-    print!("{:<32}", "least ms");
+    print!("{:<38}", "least ms");
     STAGES.iter().for_each(|stage| print!(" {:>15}", stage.name()));
     println!(" {:>15} {:>15} {:>15}", "pipeline", "raster", "both");
 
     for triangles in [1e3, 1e4, 1e5, 1e6] {
         let frames = if triangles > 5e5 { 50 } else { 200 };
         let ball = scene(vec![object(Arc::new(mesh(triangles)), DMat4::from_rotation_x(0.4))]);
-        for (shading, name) in [(Shading::Flat, "flat"), (Shading::Gouraud, "gouraud"), (Shading::Phong, "phong")] {
+        for (shading, name) in [
+            (Shading::Wireframe, "wireframe"),
+            (Shading::Flat, "flat"),
+            (Shading::Gouraud, "gouraud"),
+            (Shading::Phong, "phong"),
+        ] {
             for (view, distance, near, angle) in
                 [("inside", 3.2, 0.5, 40.0), ("crossing", 2.2, 1.4, 40.0), ("zoomed", 2.2, 0.5, 4.0)]
             {
@@ -180,6 +188,15 @@ fn main() {
         if wanted(&name) {
             ball.lights[0].shadows = Shadows::CAST;
             measure(&name, 200, &ball, &parameters(3.2, 0.5), &style(shading));
+        }
+    }
+    for (hidden, name) in [(HiddenLines::Hidden, "none"), (HiddenLines::Dashed, "dashes")] {
+        let name = format!("100000 flat inside, edges, {name} behind");
+        if wanted(&name) {
+            let mut ball = scene(vec![object(Arc::new(mesh(1e5)), DMat4::from_rotation_x(0.4))]);
+            let (color, dash) = (Rgba::rgb(20, 20, 20), Dash::Solid);
+            ball.objects[0].edges = Some(LineStyle { color, width: 1.25, dash, hidden, arrow: false });
+            measure(&name, 50, &ball, &parameters(3.2, 0.5), &style(Shading::Flat));
         }
     }
     for (visibility, name) in [(Visibility::Painter, "painter"), (Visibility::Bsp, "bsp")] {

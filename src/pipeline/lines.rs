@@ -3,15 +3,17 @@
 use std::ops::Range;
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::Target;
 use super::clip::Clipper;
 use super::depths::InView;
 use super::outline::outline;
-use super::planes::outcode;
+use super::planes::{NOT_A_NUMBER, outcode};
+use super::pool::{Pool, StrokePool};
 use super::projector::{ClipPoint, Projector};
 use super::scenes::Scenes;
-use super::transform::{Screen, Vertices, off_grid};
+use super::transform::{CHUNK, Screen, Vertices, off_grid};
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Anchor, Label, Mark, StrokeSet};
 use crate::scene::{Object, ObjectPaint};
@@ -39,14 +41,22 @@ pub(super) struct Strokes<'a> {
     fine: f32,
     background: Rgba,
     clipper: Clipper,
-    pub(super) sets: Vec<StrokeSet>,
+    pool: StrokePool,
+    sets: Vec<StrokeSet>,
     /// Number of requested edges, polylines of outlines, lines, marks and texts.
     pub(super) asked: usize,
 }
 
 impl<'a> Strokes<'a> {
-    pub(super) fn new(projector: &'a Projector, screen: &'a Screen, target: Target, fineness: f32) -> Self {
+    pub(super) fn new(
+        projector: &'a Projector,
+        screen: &'a Screen,
+        target: Target,
+        fineness: f32,
+        pool: &mut Pool,
+    ) -> Self {
         Self {
+            pool: std::mem::take(&mut pool.strokes),
             projector,
             screen,
             scale: target.scale,
@@ -84,18 +94,75 @@ impl<'a> Strokes<'a> {
         self.flush(&mut run, style, false);
     }
 
-    /// The edges of an object. Gives how many ends were transformed: two for each edge.
+    /// The edges of an object. Gives how many points were transformed: each vertex once, where edges share them, and
+    /// the ends of those that cross a plane once more.
     pub(super) fn edges(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
         let Some(line_style) = edge_style(object, style.shading == Shading::Wireframe, self.background) else {
             return 0;
         };
-        self.asked += object.mesh.edges.len();
-        for edge in &object.mesh.edges {
-            if edge.iter().all(|&i| (i as usize) < vertices.len()) {
-                self.polyline(edge.map(|i| vertices.view(i)), line_style, self.fine);
+        let edges = &object.mesh.edges;
+        self.asked += edges.len();
+        let cut = |strokes: &mut Self, edge: [u32; 2]| {
+            strokes.polyline(edge.map(|i| vertices.view(i)), line_style, strokes.fine);
+            edge.len()
+        };
+        if vertices.len() > 2 * edges.len() {
+            // Few edges of many vertices.
+            let known = edges.iter().filter(|edge| edge.iter().all(|&i| (i as usize) < vertices.len()));
+            return known.map(|&edge| cut(self, edge)).sum();
+        }
+        let mut ends = std::mem::take(&mut self.pool.ends);
+        ends.fill::<false>(vertices, self.screen, true, false);
+        let mut points = vertices.len();
+        let style = LineStyle { width: line_style.width * self.fine, ..line_style };
+        if ends.outcodes.is_empty() && edges.iter().flatten().all(|&i| (i as usize) < vertices.len()) {
+            self.whole_edges(edges, &ends.positions, style);
+        } else {
+            let end = |i: u32| {
+                let code = if ends.outcodes.is_empty() { 0 } else { *ends.outcodes.get(i as usize)? };
+                Some((*ends.positions.get(i as usize)?, code))
+            };
+            for &[a, b] in edges {
+                let (Some((p, p_code)), Some((q, q_code))) = (end(a), end(b)) else { continue };
+                let either = p_code | q_code;
+                if either == 0 {
+                    self.push(&[p, q], style);
+                } else if p_code & q_code == 0 && either & NOT_A_NUMBER == 0 {
+                    points += cut(self, [a, b]);
+                }
             }
         }
-        2 * object.mesh.edges.len()
+        self.pool.ends = ends;
+        points
+    }
+
+    /// Edges between points of the picture, none of them outside the volume: `edges` are indices into `ends`.
+    fn whole_edges(&mut self, edges: &[[u32; 2]], ends: &[[f32; 3]], style: LineStyle) {
+        if edges.is_empty() {
+            return;
+        }
+        let (set, is_new) = self.set(style);
+        // The old content of a new set is overwritten.
+        let (first_point, first) = if is_new { (0, 0) } else { (set.points.len(), set.polylines.len()) };
+        set.points.resize(first_point + 2 * edges.len(), [0.0; 3]);
+        set.polylines.resize(first + edges.len(), 0..0);
+        let (points, polylines) = (&mut set.points[first_point..], &mut set.polylines[first..]);
+        let fill = |start: usize, edges: &[[u32; 2]], points: &mut [[f32; 3]], polylines: &mut [Range<u32>]| {
+            let points = points.as_chunks_mut::<2>().0;
+            let starts = (start..).step_by(2);
+            for (((&[a, b], points), polyline), start) in edges.iter().zip(points).zip(polylines).zip(starts) {
+                *points = [ends[a as usize], ends[b as usize]];
+                *polyline = range(start, start + 2);
+            }
+        };
+        if edges.len() > 2 * CHUNK {
+            let stretches = points.par_chunks_mut(2 * CHUNK).zip(polylines.par_chunks_mut(CHUNK));
+            edges.par_chunks(CHUNK).zip(stretches).enumerate().for_each(|(k, (edges, (points, polylines)))| {
+                fill(first_point + 2 * CHUNK * k, edges, points, polylines);
+            });
+        } else {
+            fill(first_point, edges, points, polylines);
+        }
     }
 
     /// The outline of an object: silhouette and creases. Gives how many points were transformed.
@@ -171,21 +238,38 @@ impl<'a> Strokes<'a> {
     /// Ends a run; `whole_end` says that its last point is the last of the line.
     fn flush(&mut self, run: &mut Vec<[f32; 3]>, style: LineStyle, whole_end: bool) {
         if run.len() >= 2 {
-            let style = LineStyle { arrow: style.arrow && whole_end, ..style };
-            push(&mut self.sets, run, style);
+            self.push(run, LineStyle { arrow: style.arrow && whole_end, ..style });
         }
         run.clear();
     }
-}
 
-fn push(sets: &mut Vec<StrokeSet>, run: &[[f32; 3]], style: LineStyle) {
-    if sets.last().is_none_or(|set| set.style != style) {
-        sets.push(StrokeSet { points: Vec::new(), polylines: Vec::new(), style });
-    }
-    if let Some(set) = sets.last_mut() {
+    fn push(&mut self, run: &[[f32; 3]], style: LineStyle) {
+        let (set, is_new) = self.set(style);
+        if is_new {
+            set.points.clear();
+            set.polylines.clear();
+        }
         let start = set.points.len();
         set.points.extend_from_slice(run);
         set.polylines.push(range(start, set.points.len()));
+    }
+
+    /// The set of this style for the next strokes: the last one, or a new one (true), whose arrays still have some old
+    /// content.
+    fn set(&mut self, style: LineStyle) -> (&mut StrokeSet, bool) {
+        let is_new = self.sets.last().is_none_or(|set| set.style != style);
+        if is_new {
+            let (points, polylines) = self.pool.sets.pop().unwrap_or_default();
+            self.sets.push(StrokeSet { points, polylines, style });
+        }
+        let last = self.sets.len() - 1;
+        (&mut self.sets[last], is_new)
+    }
+
+    /// All strokes, and their arrays back to the pool.
+    pub(super) fn into_sets(self, pool: &mut Pool) -> Vec<StrokeSet> {
+        pool.strokes = self.pool;
+        self.sets
     }
 }
 

@@ -253,10 +253,10 @@ impl Pipeline {
         };
         let mut recorder = Recorder::new(meter, misplaced, scenes, context);
         recorder.meter.cost.add(Stage::Shadow, of_maps, 1);
-        let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness());
+        let (faces, pool) = (&mut self.faces, &mut self.pool);
+        let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness(), pool);
         let mut unordered = Unordered::default();
 
-        let (faces, pool) = (&mut self.faces, &mut self.pool);
         let objects = plan.objects.listed().iter();
         for (index, object, todo) in objects.filter_map(|(index, todo)| Some((*index, scenes.object(*index)?, todo))) {
             if self.progress.is_cancelled() {
@@ -302,7 +302,7 @@ impl Pipeline {
                 && (plan.order != Visibility::DepthBuffer || options.output == Output::Vectors),
             depth_format: DepthFormat::default(),
             surfaces: ordered.surfaces,
-            strokes: strokes.sets,
+            strokes: strokes.into_sets(pool),
             areas: Vec::new(),
             marks,
             labels,

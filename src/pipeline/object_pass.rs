@@ -53,7 +53,7 @@ impl<'a> ObjectPass<'a> {
         let PassContext { projector, screen, .. } = self.context;
         let interpolates = projector.perspective && Shaded::interpolates(self.object, self.plan);
         pool.refill(faces);
-        faces.image.fill(&self.vertices(), screen, self.plan.clip_planes != 0, interpolates);
+        faces.image.fill::<true>(&self.vertices(), screen, self.plan.clip_planes != 0, interpolates);
     }
 
     /// Drops the faces that turn their back, or are outside of a plane.

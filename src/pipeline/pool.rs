@@ -1,11 +1,26 @@
 //! Reuse of the memory of returned drawings: fresh memory costs more than writing to it.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, Drawing, SurfaceLight, TakenLight};
 
 use super::faces::Faces;
+use super::transform::OnImage;
+
+/// Points, and polylines.
+type StrokeArrays = (Vec<[f32; 3]>, Vec<Range<u32>>);
+
+/// Arrays for strokes.
+#[derive(Debug, Default)]
+pub(super) struct StrokePool {
+    /// Points and polylines of sets, with arbitrary content, the first set on top.
+    pub(super) sets: Vec<StrokeArrays>,
+    /// The vertices of an object on the image, for its edges.
+    pub(super) ends: OnImage,
+}
 
 /// Arrays of the last drawing that was given back, the first one on top.
 #[derive(Debug, Default)]
@@ -16,6 +31,7 @@ pub(super) struct Pool {
     triangles: Vec<Vec<[u32; 3]>>,
     colors: Vec<Vec<Rgba>>,
     shares: Vec<Vec<LightShare>>,
+    pub(super) strokes: StrokePool,
     /// Places of vertices for a light, while its shadows are made.
     pub(super) exact: Vec<DVec3>,
 }
@@ -23,7 +39,10 @@ pub(super) struct Pool {
 impl Pool {
     /// Keeps the arrays of one drawing, and forgets those of others.
     pub(super) fn keep(&mut self, drawing: Drawing) {
-        *self = Self { exact: std::mem::take(&mut self.exact), ..Self::default() };
+        let (exact, mut strokes) = (std::mem::take(&mut self.exact), std::mem::take(&mut self.strokes));
+        strokes.sets.clear();
+        strokes.sets.extend(drawing.strokes.into_iter().rev().map(|set| (set.points, set.polylines)));
+        *self = Self { exact, strokes, ..Self::default() };
         for surface in drawing.surfaces.into_iter().rev() {
             match surface.base {
                 Base::Faces(colors) | Base::Vertices(colors) => self.colors.push(colors),

@@ -81,7 +81,7 @@ pub struct StageReport {
     /// | cull objects | objects of the scene | those that may be in view |
     /// | normals | vertices whose normals are transformed to view space | the same |
     /// | light | faces or vertices, if they are lit before there are pixels | the same |
-    /// | transform, oblique window | vertices of objects that may be in view and have faces, ends of edges and points of outlines of the others | the same |
+    /// | transform, oblique window | vertices of objects that may be in view and have faces; of the others, those of edges (each once, where edges share them) and of outlines | the same |
     /// | cull faces | triangles of these objects | the front faces |
     /// | clip | these triangles | triangles inside the volume |
     /// | divide, viewport | vertices of these objects, and those that clipping made | the same |

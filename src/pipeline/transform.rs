@@ -37,7 +37,7 @@ impl Vertices<'_> {
 /// The vertices of an object on the image, in the order of the mesh; keeps its buffers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct OnImage {
-    /// Pixels on the grid, and depth. What lies outside the volume is anywhere in the picture.
+    /// Pixels, on the grid or not, and depth. What lies outside the volume is anywhere in the picture.
     pub(super) positions: Vec<[f32; 3]>,
     /// See [`DepthScale::relative_inverse_w`](super::depths::DepthScale::relative_inverse_w); empty where nobody wants
     /// it.
@@ -62,9 +62,15 @@ struct VertexChunk<'a> {
 }
 
 impl OnImage {
-    /// Takes each vertex once through all spaces, and holds it against the planes, if the object may cross any
-    /// (`crosses`).
-    pub(super) fn fill(&mut self, vertices: &Vertices, screen: &Screen, crosses: bool, want_inverse_w: bool) {
+    /// Takes each vertex once through all spaces, to the grid (`GRID`) or to where it lies, and holds it against the
+    /// planes, if the object may cross any (`crosses`).
+    pub(super) fn fill<const GRID: bool>(
+        &mut self,
+        vertices: &Vertices,
+        screen: &Screen,
+        crosses: bool,
+        want_inverse_w: bool,
+    ) {
         let n = vertices.len();
         self.huge = screen.half_width.max(screen.half_height) > 0.5 * 65_536.0;
         // The old content is overwritten.
@@ -79,7 +85,7 @@ impl OnImage {
             inverse_w: inverse_w.next().unwrap_or_default(),
             outcodes: outcodes.next().unwrap_or_default(),
         });
-        let fill = |mut stretch: VertexChunk| with_vectors!(_simd => stretch.fill(vertices, screen));
+        let fill = |mut stretch: VertexChunk| with_vectors!(_simd => stretch.fill::<GRID>(vertices, screen));
         let either = |a: PlaneSet, b: PlaneSet| a | b;
         self.outside = if n > 2 * CHUNK {
             stretches.collect::<Vec<_>>().into_par_iter().map(fill).reduce(|| 0, either)
@@ -95,7 +101,7 @@ impl OnImage {
 impl VertexChunk<'_> {
     /// Returns the planes that any vertex is outside of.
     #[inline(always)]
-    fn fill(&mut self, vertices: &Vertices, screen: &Screen) -> PlaneSet {
+    fn fill<const GRID: bool>(&mut self, vertices: &Vertices, screen: &Screen) -> PlaneSet {
         let Vertices { projector, view_from_object, .. } = *vertices;
         let (mut x, mut y, mut z, mut w) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
         let mut image = [[0.0_f32; BLOCK]; 3];
@@ -115,7 +121,7 @@ impl VertexChunk<'_> {
             }
             for l in 0..BLOCK {
                 let p = screen.project(projector, ClipPoint { x: x[l], y: y[l], w: w[l], depth: z[l] });
-                [image[0][l], image[1][l], image[2][l]] = on_grid(p);
+                [image[0][l], image[1][l], image[2][l]] = if GRID { on_grid(p) } else { off_grid(p) };
             }
             for (l, position) in self.positions[here.clone()].iter_mut().enumerate() {
                 *position = [image[0][l], image[1][l], image[2][l]];

@@ -1,126 +1,152 @@
-//! Coverage of pixels by strokes, and the order of strokes in depth.
+//! Coverage of pixels by strokes.
 //!
 //! All pieces of a layer (the visible or the hidden parts of a set of strokes) meet in one mask, each pixel keeping the
 //! greatest share: pieces may overlap (joints, crossings, arrow heads) without a translucent colour growing darker
-//! there. Each pixel stores the layers that cover it, with share and depth, as in an A-buffer (Carpenter 1984); only
-//! when all are known are they painted, from back to front. So strokes are as smooth where one passes in front of
-//! another as anywhere else.
+//! there. A layer that no depth can put behind another is painted as soon as its mask is complete. Of the others each
+//! pixel keeps share and depth, as in an A-buffer (Carpenter 1984); only when all are known are they painted, from back
+//! to front. So strokes are as smooth where one passes in front of another as anywhere else.
 
 use std::ops::Range;
 
-use glam::DVec2;
-
 use crate::appearance::Rgba;
-use crate::drawing::order::{StrokePoint, later_is_over, stroke_reach};
+use crate::simd::prelude::*;
+use crate::simd::{Simd, f32x8, i32x8, u32x8};
 
-use super::pixel::{Pixel, over, premultiply, scale};
+use super::eights::{Eights, next_column};
+use super::fragments::{Fragments, Rank};
+use super::pixel::{Pixel, over_eight, premultiply, scale_eight};
+use super::segment::{Columns, Point, Segment, Segments, TOGETHER, center, length, pixels};
+use super::shade::LANES;
 
-/// The strokes over some rows of a picture, empty once they are laid on it.
+/// The strokes over some rows of a picture, empty once they are painted.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Coverage {
     width: usize,
     /// The rows of the picture.
-    first: usize,
-    end: usize,
-    layers: Vec<Layer>,
-    fragments: Vec<Fragment>,
-    /// For each pixel the fragment that came last, counted from 1; 0 where there is none.
-    last: Vec<u32>,
-    /// For each row the columns that were touched: first and end.
-    rows: Vec<(u32, u32)>,
-    /// The rows that were touched, counted from `first`.
-    touched: Range<usize>,
-    /// The fragments of the pixel at hand, from back to front.
-    order: Vec<Fragment>,
-}
-
-/// A set of pieces painted in one way.
-#[derive(Clone, Copy, Debug)]
-struct Layer {
+    rows: Range<usize>,
+    /// Values from one row to the next: there is room for a vector beyond the last column.
+    pitch: usize,
+    /// Of the layer at hand 255 times the share of each pixel, and ½; in a layer with a rank, the whole number below.
+    shares: Vec<f32>,
+    /// The depth of a stroke's middle line where it is nearest to the pixel, and its [`Fragment::reach`]; arbitrary
+    /// where the share is 0. Only in layers with a rank.
+    depths: Vec<f32>,
+    reaches: Vec<f32>,
+    /// The eights of columns that the layer may cover.
+    touched: Eights,
     color: Pixel,
-    depth: LayerDepth,
+    rank: Option<Rank>,
+    /// The layers with a rank.
+    fragments: Fragments,
 }
-
-/// The order of a layer relative to others.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum LayerDepth {
-    /// Hidden only by later layers.
-    OnTop,
-    /// Compared by its depth, and by the other criteria of [`later_is_over`].
-    Tested {
-        /// No face hides it.
-        visible: bool,
-        /// Of the stroke, in pixels.
-        width: f32,
-    },
-}
-
-/// The share of a pixel that a layer covers.
-#[derive(Clone, Copy, Debug)]
-struct Fragment {
-    layer: u32,
-    /// The fragment of the same pixel that came before, counted from 1.
-    before: u32,
-    share: u8,
-    /// Depth of the stroke's middle line where it is nearest to the pixel.
-    depth: f32,
-    /// By how much depths may differ between there and the places on the stroke around that touch the pixel.
-    reach: f32,
-}
-
-/// A point of a stroke's middle line.
-pub(super) type Point = [f32; 3];
-
-const UNTOUCHED: (u32, u32) = (u32::MAX, 0);
 
 impl Coverage {
     /// Makes the mask fit some rows of a picture.
     pub(super) fn fit(&mut self, width: usize, rows: Range<usize>) {
         if (self.width, self.rows.len()) != (width, rows.len()) {
-            self.last.clear();
-            self.last.resize(width * rows.len(), 0);
-            self.rows.clear();
-            self.rows.resize(rows.len(), UNTOUCHED);
+            self.pitch = width.next_multiple_of(LANES) + LANES;
+            self.shares.clear();
+            self.shares.resize(self.pitch * rows.len(), 0.0);
+            self.touched.fit(width, rows.len());
+            self.fragments.fit(width, rows.len());
         }
-        (self.width, self.first, self.end) = (width, rows.start, rows.end);
+        (self.width, self.rows) = (width, rows);
     }
 
-    /// Begins a layer: the following pieces are painted in this colour.
-    pub(super) fn begin(&mut self, color: Rgba, depth: LayerDepth) {
-        self.layers.push(Layer { color: premultiply(color), depth });
+    /// Begins a layer: the following pieces are painted in this colour, over all that has been painted, or, with a
+    /// rank, where their depths are in front of others.
+    pub(super) fn begin(&mut self, color: Rgba, rank: Option<Rank>) {
+        (self.color, self.rank) = (premultiply(color), rank);
+        if rank.is_some() {
+            self.depths.resize(self.shares.len(), 0.0);
+            self.reaches.resize(self.shares.len(), 0.0);
+        }
     }
 
-    /// Covers the points within `radius` of the segment a–b: a stroke with round ends. A stroke thinner than a pixel
-    /// covers it in part.
-    pub(super) fn capsule(&mut self, a: Point, b: Point, radius: f32) {
-        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        let length = length(dx, dy);
-        let reach = radius + 0.5;
-        if !(length.is_finite() && reach > 0.5) {
+    /// Covers the points within `radius` of each segment: strokes with round ends.
+    #[inline(always)]
+    pub(super) fn segments<K: Simd>(&mut self, simd: K, segments: &[[Point; 2]], radius: f32) {
+        if self.rank.is_some() {
+            self.segments_of::<K, true>(simd, segments, radius);
+        } else {
+            self.segments_of::<K, false>(simd, segments, radius);
+        }
+    }
+
+    #[inline(always)]
+    fn segments_of<K: Simd, const DEPTH: bool>(&mut self, simd: K, segments: &[[Point; 2]], radius: f32) {
+        // Nothing of its width is left beside half a pixel, or it is not a number.
+        let is_wide = radius + 0.5 > 0.5;
+        if !is_wide {
             return;
         }
-        let (ux, uy) = if length > 1e-6 { (dx / length, dy / length) } else { (1.0, 0.0) };
-        let (left, right) = (a[0].min(b[0]) - reach, a[0].max(b[0]) + reach);
-        // The depth along the middle line.
-        let rise = (b[2] - a[2]) / length.max(1e-6);
-        let depth_reach = stroke_reach(radius, b[2] - a[2], length);
-        for j in pixels(a[1].min(b[1]) - reach, a[1].max(b[1]) + reach, self.first..self.end) {
-            let y = center(j) - a[1];
-            // Along the row the distance to the line grows by |uy| a pixel.
-            let (mut from, mut to) = (left, right);
-            if uy.abs() > 1e-3 {
-                let (middle, half) = (a[0] + y * ux / uy, reach / uy.abs());
-                (from, to) = (from.max(middle - half), to.min(middle + half));
+        for eight in segments.chunks(TOGETHER) {
+            let set_up = Segments::new::<K, DEPTH>(simd, eight, radius, self.rows.clone(), self.width);
+            for lane in 0..eight.len() {
+                let [rows, columns] = set_up.around(lane);
+                if rows.is_empty() || columns.is_empty() {
+                    continue;
+                }
+                let segment = set_up.one(lane);
+                let reach = if DEPTH { set_up.depth_reach(lane) } else { 0.0 };
+                if columns.len() <= LANES {
+                    // So short that beyond its reach its share is less than a step, whatever is rounded.
+                    let eight = segment.columns(simd, columns.start);
+                    for row in rows {
+                        let at = (row - self.rows.start) * self.pitch + columns.start;
+                        self.raise::<K, DEPTH>(simd, at, segment.at(eight, row), reach);
+                        self.touched.add(row - self.rows.start, columns.start, columns.end - 1);
+                    }
+                } else {
+                    for row in rows {
+                        self.row::<K, DEPTH>(simd, &segment, row, reach);
+                    }
+                }
             }
-            self.row(j, from, to, depth_reach, |x| {
-                let x = x - a[0];
-                let along = x * ux + y * uy;
-                let beside = x * uy - y * ux;
-                let beyond = (-along).max(along - length).max(0.0);
-                let depth = a[2] + rise * along.clamp(0.0, length);
-                (overlap((beside * beside + beyond * beyond).sqrt(), radius), depth)
-            });
         }
+    }
+
+    /// Covers a row of a long segment.
+    #[inline(always)]
+    fn row<K: Simd, const DEPTH: bool>(&mut self, simd: K, segment: &Segment, row: usize, reach: f32) {
+        let columns = segment.columns_of(row, self.width);
+        if columns.is_empty() {
+            return;
+        }
+        let start = (row - self.rows.start) * self.pitch;
+        for first in columns.clone().step_by(LANES) {
+            let eight: Columns<K> = segment.columns(simd, first);
+            let [mut share, depth] = segment.at(eight, row);
+            if columns.end - first < LANES {
+                let lanes = f32x8::from_slice(simd, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+                let inside = lanes.simd_lt((columns.end - first) as f32);
+                share = inside.select(share, f32x8::splat(simd, 0.0));
+            }
+            self.raise::<K, DEPTH>(simd, start + first, [share, depth], reach);
+        }
+        self.touched.add(row - self.rows.start, columns.start, columns.end - 1);
+    }
+
+    /// Raises the shares of eight pixels.
+    #[inline(always)]
+    fn raise<K: Simd, const DEPTH: bool>(&mut self, simd: K, at: usize, [share, depth]: [f32x8<K>; 2], reach: f32) {
+        let here = at..at + LANES;
+        let Some(shares) = self.shares.get_mut(here.clone()) else { return };
+        let own = f32x8::from_slice(simd, shares);
+        if !DEPTH {
+            own.max(share).store_slice(shares);
+            return;
+        }
+        let (Some(depths), Some(reaches)) = (self.depths.get_mut(here.clone()), self.reaches.get_mut(here)) else {
+            return;
+        };
+        let share = share.floor();
+        let (own_depth, own_reach) = (f32x8::from_slice(simd, depths), f32x8::from_slice(simd, reaches));
+        // Of pieces that cover the same share the nearer one tells the depth.
+        let more = share.simd_gt(own) | (share.simd_eq(own) & depth.simd_gt(own_depth));
+        more.select(share, own).store_slice(shares);
+        more.select(depth, own_depth).store_slice(depths);
+        more.select(f32x8::splat(simd, reach), own_reach).store_slice(reaches);
     }
 
     /// Covers a triangle, an arrow head; `depths`: the least and the greatest in it.
@@ -137,147 +163,100 @@ impl Coverage {
         });
         let low = |k: usize| a[k].min(b[k]).min(c[k]) - 0.5;
         let high = |k: usize| a[k].max(b[k]).max(c[k]) + 0.5;
-        for j in pixels(low(1), high(1), self.first..self.end) {
-            let y = center(j);
-            self.row(j, low(0), high(0), depths[1] - depths[0], |x| {
-                let inside = |(p, dx, dy): ([f32; 2], f32, f32)| dx * (y - p[1]) - dy * (x - p[0]);
-                let depth = inside(edges[0]).min(inside(edges[1])).min(inside(edges[2]));
-                ((depth + 0.5).clamp(0.0, 1.0), 0.5 * (depths[0] + depths[1]))
-            });
-        }
-    }
-
-    /// Raises the shares of a row between two abscissae to the value of `share` for each pixel centre, with the depth
-    /// there.
-    fn row(&mut self, j: usize, from: f32, to: f32, reach: f32, share: impl Fn(f32) -> (f32, f32)) {
-        let columns = pixels(from, to, 0..self.width);
-        if columns.is_empty() || self.layers.is_empty() {
+        let columns = pixels(low(0), high(0), 0..self.width);
+        if columns.is_empty() {
             return;
         }
-        let j = j - self.first;
-        let touched = &mut self.rows[j];
-        self.touched =
-            if self.touched.is_empty() { j..j + 1 } else { self.touched.start.min(j)..self.touched.end.max(j + 1) };
-        #[expect(clippy::cast_possible_truncation, reason = "sides are at most 16384")]
-        let (first, end) = (columns.start as u32, columns.end as u32);
-        *touched = (touched.0.min(first), touched.1.max(end));
-        let layer = number(self.layers.len() - 1);
-        for i in columns {
-            let (share, depth) = share(center(i));
-            #[expect(clippy::cast_possible_truncation, reason = "a share is 0 … 1")]
-            let share = (share * 255.0 + 0.5) as u8;
-            if share == 0 {
-                continue;
+        let (depth, reach) = (0.5 * (depths[0] + depths[1]), depths[1] - depths[0]);
+        for row in pixels(low(1), high(1), self.rows.clone()) {
+            let j = row - self.rows.start;
+            self.touched.add(j, columns.start, columns.end - 1);
+            for i in columns.clone() {
+                let (x, y) = (center(i), center(row));
+                let inside = |(p, dx, dy): ([f32; 2], f32, f32)| dx * (y - p[1]) - dy * (x - p[0]);
+                let within = inside(edges[0]).min(inside(edges[1])).min(inside(edges[2]));
+                self.raise_one(j * self.pitch + i, (within + 0.5).clamp(0.0, 1.0) * 255.0 + 0.5, depth, reach);
             }
-            let last = &mut self.last[j * self.width + i];
-            match self.fragments.get_mut((*last as usize).wrapping_sub(1)) {
-                // Of pieces that cover the same share the nearer one tells the depth.
-                Some(own) if own.layer == layer => {
-                    if (share, depth) > (own.share, own.depth) {
-                        (own.share, own.depth, own.reach) = (share, depth, reach);
+        }
+    }
+
+    /// Raises the share of one pixel.
+    fn raise_one(&mut self, at: usize, share: f32, depth: f32, reach: f32) {
+        let own = &mut self.shares[at];
+        if self.rank.is_none() {
+            *own = own.max(share);
+        } else if (share.floor(), depth) > (*own, self.depths[at]) {
+            (*own, self.depths[at], self.reaches[at]) = (share.floor(), depth, reach);
+        }
+    }
+
+    /// Ends a layer: paints it on `pixels` (the rows of the mask), or, with a rank, keeps what it covers.
+    #[inline(always)]
+    pub(super) fn end<K: Simd>(&mut self, simd: K, pixels: &mut [[u8; 4]]) {
+        if let Some(rank) = self.rank {
+            self.fragments.begin(self.color, rank);
+        }
+        for row in 0..self.rows.len() {
+            for word in 0..self.touched.words {
+                let mut eights = self.touched.take(row, word);
+                while eights != 0 {
+                    let column = next_column(&mut eights, word);
+                    match self.rank {
+                        None => self.paint(simd, row, column, pixels),
+                        Some(_) => self.keep(row, column),
                     }
                 }
-                _ => {
-                    self.fragments.push(Fragment { layer, before: *last, share, depth, reach });
-                    *last = number(self.fragments.len());
-                }
             }
         }
     }
 
-    /// Lays all layers on `pixels` (the rows of the mask), from back to front, and forgets them.
+    /// Paints eight columns, and empties the mask there.
+    #[inline(always)]
+    fn paint<K: Simd>(&mut self, simd: K, row: usize, column: usize, pixels: &mut [[u8; 4]]) {
+        let at = row * self.pitch + column;
+        let Some(shares) = self.shares.get_mut(at..at + LANES) else { return };
+        let share = f32x8::from_slice(simd, shares).to_int::<i32x8<K>>().bitcast::<u32x8<K>>();
+        f32x8::splat(simd, 0.0).store_slice(shares);
+        let start = row * self.width + column;
+        let count = LANES.min(self.width - column);
+        let Some(pixels) = pixels.get_mut(start..start + count) else { return };
+        let mut old = [0; LANES];
+        for (old, pixel) in old.iter_mut().zip(&*pixels) {
+            *old = u32::from_le_bytes(*pixel);
+        }
+        let source = scale_eight(u32x8::splat(simd, self.color), share);
+        let mut new = [0; LANES];
+        over_eight(source, u32x8::from_slice(simd, &old)).store_slice(&mut new);
+        for (new, pixel) in new.iter().zip(pixels) {
+            *pixel = new.to_le_bytes();
+        }
+    }
+
+    /// Keeps what the layer covers of eight columns, and empties the mask there.
+    fn keep(&mut self, row: usize, column: usize) {
+        let at = row * self.pitch + column;
+        let count = LANES.min(self.width - column);
+        for (column, at) in (column..).zip(at..at + count) {
+            #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
+            let share = std::mem::take(&mut self.shares[at]) as u8;
+            if share > 0 {
+                self.fragments.add([row, column], share, self.depths[at], self.reaches[at]);
+            }
+        }
+    }
+
+    /// Lays all layers with a rank on `pixels` (the rows of the mask), from back to front, and forgets them.
     pub(super) fn lay(&mut self, pixels: &mut [[u8; 4]]) {
-        for j in std::mem::take(&mut self.touched) {
-            let (first, end) = std::mem::replace(&mut self.rows[j], UNTOUCHED);
-            if first >= end {
-                continue;
-            }
-            let range = j * self.width + first as usize..j * self.width + end as usize;
-            for (last, pixel) in self.last[range.clone()].iter_mut().zip(&mut pixels[range]) {
-                let mut next = std::mem::take(last);
-                if next == 0 {
-                    continue;
-                }
-                self.order.clear();
-                while let Some(&fragment) = self.fragments.get((next as usize).wrapping_sub(1)) {
-                    self.order.push(fragment);
-                    next = fragment.before;
-                }
-                self.order.reverse();
-                sort(&mut self.order, &self.layers);
-                for fragment in &self.order {
-                    let source = scale(self.layers[fragment.layer as usize].color, u32::from(fragment.share));
-                    *pixel = over(source, u32::from_le_bytes(*pixel)).to_le_bytes();
-                }
-            }
-        }
-        self.layers.clear();
-        self.fragments.clear();
+        self.fragments.lay(pixels);
     }
-}
-
-/// Sorts the fragments of a pixel, which come in the order of the drawing, from back to front: each goes below those
-/// that it is behind. ("Of the same depth" is not an order, since it is within bounds; so each is held against one
-/// after the other.)
-fn sort(fragments: &mut [Fragment], layers: &[Layer]) {
-    for k in 1..fragments.len() {
-        let mut at = k;
-        while at > 0 && is_behind(&fragments[at], &fragments[at - 1], layers) {
-            fragments.swap(at, at - 1);
-            at -= 1;
-        }
-    }
-}
-
-/// True where a fragment is behind one that came before it in the drawing.
-fn is_behind(later: &Fragment, earlier: &Fragment, layers: &[Layer]) -> bool {
-    let of = |fragment: &Fragment| layers[fragment.layer as usize].depth;
-    match (of(later), of(earlier)) {
-        (LayerDepth::OnTop, _) => false,
-        (LayerDepth::Tested { .. }, LayerDepth::OnTop) => true,
-        (LayerDepth::Tested { visible, width }, LayerDepth::Tested { visible: other_visible, width: other_width }) => {
-            let point = |&Fragment { depth, reach, .. }: &Fragment, visible, width| StrokePoint {
-                depth,
-                reach,
-                visible,
-                width,
-            };
-            !later_is_over(point(later, visible, width), point(earlier, other_visible, other_width))
-        }
-    }
-}
-
-/// Fragments are counted with 32 bits: each pixel of a picture has room for thirty.
-fn number(k: usize) -> u32 {
-    u32::try_from(k).unwrap_or(u32::MAX)
-}
-
-/// The length of a way, rounded once.
-#[expect(clippy::cast_possible_truncation, reason = "rounded to the precision of pixels")]
-pub(super) fn length(dx: f32, dy: f32) -> f32 {
-    DVec2::new(f64::from(dx), f64::from(dy)).length() as f32
-}
-
-/// The share of a pixel that a stroke of this half width covers, `distance` from its middle line.
-fn overlap(distance: f32, radius: f32) -> f32 {
-    (radius.min(distance + 0.5) - (-radius).max(distance - 0.5)).clamp(0.0, 1.0)
-}
-
-fn center(i: usize) -> f32 {
-    i as f32 + 0.5
-}
-
-/// The pixels of a range whose centres lie between two abscissae.
-#[expect(clippy::cast_possible_truncation, reason = "`as` saturates; NaN gives nothing")]
-fn pixels(from: f32, to: f32, range: Range<usize>) -> Range<usize> {
-    let first = (from - 0.5).ceil().max(0.0) as usize;
-    let end = (to + 0.5).floor().max(0.0) as usize;
-    first.max(range.start)..end.min(range.end)
 }
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+    use crate::simd::with_vectors;
 
     const INK: Rgba = Rgba::rgb(0, 0, 0);
 
@@ -285,19 +264,40 @@ mod tests {
     fn mask(width: usize, rows: Range<usize>) -> Coverage {
         let mut coverage = Coverage::default();
         coverage.fit(width, rows);
-        coverage.begin(INK, LayerDepth::OnTop);
+        coverage.begin(INK, None);
         coverage
     }
 
     impl Coverage {
+        fn capsule(&mut self, a: Point, b: Point, radius: f32) {
+            with_vectors!(simd => self.segments(simd, &[[a, b]], radius));
+        }
+
         fn flat(&mut self, a: [f32; 2], b: [f32; 2], radius: f32) {
             self.capsule([a[0], a[1], 0.5], [b[0], b[1], 0.5], radius);
         }
 
-        /// Coverage of each pixel by the last layer.
+        /// Of a pixel the share by the layer at hand, and the depth, in a layer with a rank.
+        #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
+        fn at(&self, row: usize, column: usize) -> (u8, f32) {
+            let at = (row - self.rows.start) * self.pitch + column;
+            (self.shares[at] as u8, self.depths.get(at).copied().unwrap_or_default())
+        }
+
+        fn end_on(&mut self, pixels: &mut [[u8; 4]]) {
+            with_vectors!(simd => self.end(simd, pixels));
+        }
+
+        /// Coverage of each pixel by the layer at hand.
+        #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
         fn shares(&self) -> Vec<u8> {
-            let share = |last: &u32| self.fragments.get((*last as usize).wrapping_sub(1)).map_or(0, |f| f.share);
-            self.last.iter().map(share).collect()
+            let rows = self.shares.chunks(self.pitch).take(self.rows.len());
+            rows.flat_map(|row| &row[..self.width]).map(|&share| share as u8).collect()
+        }
+
+        fn is_empty(&self) -> bool {
+            // Rounding may leave less than a step.
+            self.touched.is_empty() && self.fragments.is_empty() && self.shares().iter().all(|&share| share == 0)
         }
     }
 
@@ -379,13 +379,13 @@ mod tests {
     fn overlapping_pieces_darken_nothing() {
         let mut pixels = [[0; 4]; 20 * 5];
         let mut coverage = mask(20, 0..5);
-        coverage.begin(Rgba::rgba(255, 255, 255, 128), LayerDepth::OnTop);
+        coverage.begin(Rgba::rgba(255, 255, 255, 128), None);
         coverage.flat([2.0, 2.5], [12.0, 2.5], 1.0);
         coverage.flat([8.0, 2.5], [18.0, 2.5], 1.0);
-        coverage.lay(&mut pixels);
+        coverage.end_on(&mut pixels);
         let alpha = |i: usize| pixels[2 * 20 + i][3];
         assert_eq!((alpha(5), alpha(10), alpha(15)), (128, 128, 128));
-        assert!(coverage.shares().iter().all(|&s| s == 0));
+        assert!(coverage.is_empty());
     }
 
     #[test]
@@ -411,11 +411,12 @@ mod tests {
         let mut coverage = Coverage::default();
         coverage.fit(20, 0..20);
         for &(color, [a, b], width, visible) in strokes {
-            coverage.begin(color, LayerDepth::Tested { visible, width });
+            coverage.begin(color, Some(Rank { visible, width }));
             coverage.capsule(a, b, width / 2.0);
+            coverage.end_on(&mut pixels);
         }
         coverage.lay(&mut pixels);
-        assert!(coverage.last.iter().all(|&last| last == 0));
+        assert!(coverage.is_empty());
         pixels
     }
 
@@ -474,31 +475,76 @@ mod tests {
             let mut pixels = [[255; 4]; 400];
             let mut coverage = Coverage::default();
             coverage.fit(20, 0..20);
-            coverage.begin(RED, LayerDepth::Tested { visible: true, width: 3.0 });
+            coverage.begin(RED, Some(Rank { visible: true, width: 3.0 }));
             for [a, b] in depths.map(level) {
                 coverage.capsule(a, b, 1.5);
             }
-            coverage.begin(BLUE, LayerDepth::Tested { visible: true, width: 3.0 });
+            coverage.end_on(&mut pixels);
+            coverage.begin(BLUE, Some(Rank { visible: true, width: 3.0 }));
             let [a, b] = upright(0.5);
             coverage.capsule(a, b, 1.5);
+            coverage.end_on(&mut pixels);
             coverage.lay(&mut pixels);
             assert_eq!(pixels[MIDDLE], [255, 0, 0, 255], "{depths:?}");
         }
     }
 
-    #[test]
-    fn what_nothing_hides_is_painted_in_its_order_over_all_others() {
-        let mut pixels = vec![[255; 4]; 400];
-        let mut coverage = mask(20, 0..20);
-        for (color, ends) in [(RED, level(0.1)), (BLUE, upright(0.9))] {
-            coverage.begin(color, LayerDepth::OnTop);
-            coverage.capsule(ends[0], ends[1], 1.5);
+    /// Share (bytes) and depth of a pixel, by the formula for one pixel alone.
+    #[expect(clippy::cast_possible_truncation, reason = "a share is 0 … 1")]
+    fn alone([a, b]: [Point; 2], radius: f32, [column, row]: [usize; 2]) -> (u8, f32) {
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let length = length(dx, dy);
+        let (ux, uy) = if length > 1e-6 { (dx / length, dy / length) } else { (1.0, 0.0) };
+        let (x, y) = (center(column) - a[0], center(row) - a[1]);
+        let along = x * ux + y * uy;
+        let beside = x * uy - y * ux;
+        let beyond = (-along).max(along - length).max(0.0);
+        let distance = (beside * beside + beyond * beyond).sqrt();
+        let share = (radius.min(distance + 0.5) - (-radius).max(distance - 0.5)).clamp(0.0, 1.0);
+        let rise = (b[2] - a[2]) / length.max(1e-6);
+        ((share * 255.0 + 0.5) as u8, a[2] + rise * along.clamp(0.0, length))
+    }
+
+    const WIDTH: usize = 61;
+
+    fn segment() -> impl Strategy<Value = [Point; 2]> {
+        let at = || prop_oneof![4 => -8.0..70.0_f32, 1 => Just(10.5_f32), 1 => Just(20.0_f32), 1 => -3e4..3e4_f32];
+        let from = (at(), at(), 0.0..1.0_f32);
+        // To anywhere, level, upright, by a few pixels, by nothing.
+        let by = || prop_oneof![-3.0..3.0_f32, -60.0..60.0_f32, Just(0.0_f32), Just(1e-7_f32)];
+        (from, by(), by(), 0.0..1.0_f32).prop_map(|((x, y, z), dx, dy, to)| [[x, y, z], [x + dx, y + dy, to]])
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1000))]
+
+        #[test]
+        fn eight_pixels_get_what_each_would_alone(
+            segments in prop::collection::vec(segment(), 1..12),
+            radius in prop_oneof![Just(0.625_f32), 0.01..4.0_f32],
+            first in 0_usize..20,
+        ) {
+            let rows = first..first + 40;
+            for rank in [None, Some(Rank { visible: true, width: 1.0 })] {
+                let mut coverage = Coverage::default();
+                coverage.fit(WIDTH, rows.clone());
+                coverage.begin(Rgba::rgb(0, 0, 0), rank);
+                with_vectors!(simd => coverage.segments(simd, &segments, radius));
+                for row in rows.clone() {
+                    for column in 0..WIDTH {
+                        let mut expected = (0, 0.0);
+                        for &segment in &segments {
+                            let here = alone(segment, radius, [column, row]);
+                            if here.0 > 0 && here > expected {
+                                expected = here;
+                            }
+                        }
+                        let (share, depth) = coverage.at(row, column);
+                        prop_assert_eq!(share, expected.0, "share of {:?}", [column, row]);
+                        prop_assert!(rank.is_none() || share == 0 || depth == expected.1, "{} {}", depth, expected.1);
+                    }
+                }
+            }
         }
-        coverage.begin(INK, LayerDepth::Tested { visible: true, width: 9.0 });
-        coverage.capsule([2.0, 2.0, 1.0], [18.0, 18.0, 1.0], 4.5);
-        coverage.lay(&mut pixels);
-        assert_eq!(pixels[MIDDLE], [0, 0, 255, 255]);
-        assert_eq!(pixels[10 * 20 + 7], [255, 0, 0, 255]);
-        assert_eq!(pixels[6 * 20 + 6], [0, 0, 0, 255]);
     }
 }

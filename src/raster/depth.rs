@@ -2,7 +2,9 @@
 
 use super::setup::STEPS;
 use crate::appearance::Occlusion;
-use crate::drawing::order::on_a_face;
+use crate::drawing::order::{on_a_face, same_depth};
+use crate::simd::prelude::*;
+use crate::simd::{Simd, f32x4, u32x4, with_vectors};
 
 /// Depth per pixel, greater is nearer.
 ///
@@ -117,6 +119,73 @@ impl DepthBuffer {
     }
 }
 
+impl DepthBuffer {
+    /// [`shows`](Self::shows) for some points.
+    fn shows_each(&self, points: &[[f32; 3]], shown: &mut [bool]) {
+        with_vectors!(simd => {
+            for (shown, &p) in shown.iter_mut().zip(points) {
+                *shown = match self.around(p) {
+                    Some(around) => around.show(simd, p, self.step),
+                    None => self.shows(p),
+                };
+            }
+        });
+    }
+
+    /// The four pixels around a point; `None` where they are not all in one band of the picture.
+    #[inline(always)]
+    fn around(&self, p: [f32; 3]) -> Option<Around> {
+        let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
+        let (i, j) = (floor(x), floor(y));
+        let (column, row) = (usize::try_from(i).ok()?, usize::try_from(j).ok()?);
+        let band = row >> self.rows_log;
+        if column + 1 >= self.width || row + 1 >= self.height || (row + 1) >> self.rows_log != band {
+            return None;
+        }
+        let start = (row - (band << self.rows_log)) * self.pitch + column;
+        let band = self.bands.get(band).filter(|band| band.used)?;
+        let (above, below) = (band.values.get(start..start + 2)?, band.values.get(start + self.pitch..)?.get(..2)?);
+        let (left, top) = (x - i as f32, y - j as f32);
+        let (right, bottom) = (x - (i + 1) as f32, y - (j + 1) as f32);
+        let mut slopes = [0; 4];
+        if !band.slopes.is_empty() {
+            let (above, below) = (band.slopes.get(start..start + 2)?, band.slopes.get(start + self.pitch..)?.get(..2)?);
+            slopes = [above[0], above[1], below[0], below[1]];
+        }
+        Some(Around {
+            depths: [above[0], above[1], below[0], below[1]],
+            slopes,
+            across: [left, right, left, right],
+            down: [top, top, bottom, bottom],
+        })
+    }
+}
+
+/// Four pixels around a point.
+struct Around {
+    depths: [f32; 4],
+    /// Packed.
+    slopes: [u32; 4],
+    /// From each to the point.
+    across: [f32; 4],
+    down: [f32; 4],
+}
+
+impl Around {
+    /// True where any has nothing in front of the point, by the formula of [`DepthBuffer::shows`].
+    #[inline(always)]
+    fn show<K: Simd>(&self, simd: K, p: [f32; 3], step: f32) -> bool {
+        let (depth, packed) = (f32x4::from_slice(simd, &self.depths), u32x4::from_slice(simd, &self.slopes));
+        let dx = (packed & 0xffff_0000).bitcast::<f32x4<K>>();
+        let dy = (packed << 16).bitcast::<f32x4<K>>();
+        let (across, down) = (f32x4::from_slice(simd, &self.across), f32x4::from_slice(simd, &self.down));
+        let plane = depth + dx * across + dy * down;
+        let on_the_face = (dx.abs() + dy.abs()) * 0.02 + same_depth(p[2]);
+        let shown = plane.simd_le(on_the_face + p[2] + step);
+        (shown | !depth.simd_gt(f32::NEG_INFINITY)).any_true()
+    }
+}
+
 /// The depths that are held against strokes and marks.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Occluders<'a> {
@@ -142,7 +211,26 @@ impl Occluders<'_> {
             Occlusion::None
         }
     }
+
+    /// [`before`](Self::before) for some points, [`EACH`] at most.
+    pub(super) fn before_each(&self, points: &[[f32; 3]], before: &mut [Occlusion]) {
+        let mut shown = [[true; EACH]; 2];
+        self.opaque.shows_each(points, &mut shown[0]);
+        if let Some(tints) = self.tints {
+            tints.shows_each(points, &mut shown[1]);
+        }
+        for (k, before) in before.iter_mut().enumerate().take(EACH) {
+            *before = match [shown[0][k], shown[1][k]] {
+                [false, _] => Occlusion::Opaque,
+                [_, false] => Occlusion::Translucent,
+                _ => Occlusion::None,
+            };
+        }
+    }
 }
+
+/// Points that are held against the faces before them together.
+pub(super) const EACH: usize = 32;
 
 /// The whole number below; the library's function is slow on processors for which no instruction may be assumed.
 #[expect(clippy::cast_possible_truncation, reason = "`as` saturates, short of the last number")]
@@ -159,4 +247,43 @@ pub(super) fn pack_slope(dx: f32, dy: f32) -> u32 {
 /// The slopes that [`pack_slope`] packed, towards 0 by 1/128 at most.
 fn unpack_slope(packed: u32) -> [f32; 2] {
     [f32::from_bits(packed & 0xffff_0000), f32::from_bits(packed << 16)]
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn points_together_are_shown_as_each_alone(
+            values in prop::collection::vec(prop_oneof![Just(f32::NEG_INFINITY), 0.0..1.0_f32], 7 * 6),
+            slopes in prop::collection::vec([-0.3..0.3_f32, -0.3..0.3], 7 * 6),
+            points in prop::collection::vec([-2.0..8.0_f32, -2.0..9.0, 0.0..1.0], 1..EACH),
+            (with_slopes, used, step) in (any::<bool>(), any::<bool>(), prop_oneof![Just(0.0_f32), Just(0.01)]),
+        ) {
+            let slopes: Vec<u32> = slopes.into_iter().map(|[dx, dy]| pack_slope(dx, dy)).collect();
+            // Two bands of four rows, of which the picture has six.
+            let band = |first: usize, used| BandDepth {
+                used,
+                values: values[first..].to_vec(),
+                slopes: if with_slopes { slopes[first..].to_vec() } else { Vec::new() },
+            };
+            let buffer = DepthBuffer {
+                width: 5,
+                height: 6,
+                offset: [0.125, -0.375],
+                rows_log: 2,
+                pitch: 7,
+                bands: vec![band(0, true), band(7, used)],
+                step,
+            };
+            let mut shown = [false; EACH];
+            buffer.shows_each(&points, &mut shown);
+            for (&point, shown) in points.iter().zip(shown) {
+                prop_assert_eq!(shown, buffer.shows(point), "{:?}", point);
+            }
+        }
+    }
 }

@@ -20,6 +20,7 @@ use super::depth::pack_slope;
 use super::few::{FEW, FEW_COSTLY, Few};
 use super::operations::Depths;
 use super::per_pixel::PerPixel;
+use super::pixel::over_eight;
 use super::setup::{AffineValue, Borders, ROWS, any, in_pixels, stored};
 use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader};
 
@@ -396,22 +397,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         for (s, covered) in (0..).zip(&*covered) {
             let place = place.plane(s * band.plane);
             let Some(old) = place.load::<K, u32x4<K>, SQUARE>(self.simd, band.colors) else { return };
-            let colors = if self.translucent { over(colors, old) } else { colors };
+            let colors = if self.translucent { over_eight(colors, old) } else { colors };
             place.store::<K, u32x8<K>, SQUARE>(covered.select(colors, old), band.colors);
         }
     }
-}
-
-/// Source over target, as [`pixel::over`](super::pixel::over).
-#[inline(always)]
-fn over<K: Simd>(source: u32x8<K>, target: u32x8<K>) -> u32x8<K> {
-    let clear = !(source >> 24) & 0xff;
-    source + (scale_alternate(target, clear) | (scale_alternate(target >> 8, clear) << 8))
-}
-
-/// v · a / 255, rounded, for the first and third byte of each lane; the others are 0.
-#[inline(always)]
-fn scale_alternate<K: Simd>(v: u32x8<K>, a: u32x8<K>) -> u32x8<K> {
-    let t = (v & 0x00ff_00ff) * a + 0x0080_0080;
-    ((t + ((t >> 8) & 0x00ff_00ff)) >> 8) & 0x00ff_00ff
 }

@@ -1,19 +1,16 @@
-//! Strokes: the visible parts of a polyline, its dashes, its arrow head.
+//! Polylines of strokes → pieces: the visible parts, their dashes, the arrow head.
 //!
 //! Everything along a polyline is measured by arc length in pixels from its first point, so that dashes do not start
 //! anew where it bends or goes behind a face.
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-use tiny_skia::Pixmap;
+use crate::appearance::{LineStyle, Occlusion, head_corners};
+use crate::drawing::StrokeSet;
 
-use crate::appearance::{HiddenLines, LineStyle, Occlusion, head_corners};
-use crate::drawing::{Drawing, StrokeSet};
-use crate::progress::{Activity, Progress};
-
-use super::coverage::{Coverage, LayerDepth, Point, length};
-use super::depth::Occluders;
+use super::depth::{EACH, Occluders};
+use super::pieces::{Head, Pieces};
+use super::segment::{Point, length};
 
 /// Distance of the points of a stroke that are held against the depth buffer, in pixels.
 const STEP: f32 = 0.5;
@@ -23,41 +20,20 @@ const SHORTEST: f32 = 1.25;
 const LONGEST: f32 = 1e6;
 /// The most points that are tried on one segment: enough for the longest diagonal.
 const MOST_STEPS: f32 = 60_000.0;
-/// Polylines that are held against the depth buffer as one piece of work.
-const CHUNK: usize = 16;
-/// Fewer polylines than this are not worth a second thread.
-const FEW: usize = 64;
 
-/// Draws strokes; keeps its buffers from one picture to the next.
+/// Makes pieces of polylines; keeps its buffers.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Strokes {
-    chunks: Vec<Chunk>,
-    /// For as many strips of rows as there are threads.
-    strips: Vec<Strip>,
-}
-
-/// Some polylines of a set.
-#[derive(Clone, Debug, Default)]
-struct Chunk {
-    set: usize,
-    polylines: Range<usize>,
-    runs: Vec<ArcRun>,
+pub(super) struct Lines {
     line: Polyline,
+    /// Of the polyline at hand.
+    runs: Vec<ArcRun>,
 }
 
 /// A run of a polyline, behind the same faces throughout, by arc length.
 #[derive(Clone, Debug, PartialEq)]
 struct ArcRun {
-    polyline: usize,
     range: Range<f32>,
     behind: Occlusion,
-}
-
-/// The painter of some rows of the picture.
-#[derive(Clone, Debug, Default)]
-struct Strip {
-    coverage: Coverage,
-    line: Polyline,
 }
 
 /// The arc length at each point of a polyline.
@@ -66,122 +42,59 @@ struct Polyline {
     arcs: Vec<f32>,
 }
 
-impl Strokes {
-    /// Draws all strokes of a drawing over its surfaces, from back to front.
-    pub(super) fn draw(&mut self, pixmap: &mut Pixmap, faces: Occluders, drawing: &Drawing, progress: &Progress) {
-        let sets = &drawing.strokes;
-        let mut used = 0;
-        for (set, polylines) in sets.iter().map(|s| s.polylines.len()).enumerate() {
-            for first in (0..polylines).step_by(CHUNK) {
-                self.chunks.resize_with(self.chunks.len().max(used + 1), Chunk::default);
-                (self.chunks[used].set, self.chunks[used].polylines) = (set, first..polylines.min(first + CHUNK));
-                used += 1;
+impl Lines {
+    /// Adds the pieces of some polylines of a set. `faces`: those that may hide any of it.
+    pub(super) fn cut(
+        &mut self,
+        set: &StrokeSet,
+        polylines: Range<usize>,
+        faces: Option<Occluders>,
+        pieces: &mut Pieces,
+    ) {
+        let is_plain = faces.is_none() && !set.style.arrow && is_unbroken(set.style);
+        for polyline in set.polylines.get(polylines).unwrap_or_default() {
+            let Some(points) = set.points.get(polyline.start as usize..polyline.end as usize) else { continue };
+            match points {
+                [a, b] if is_plain => {
+                    if let Some(segment) = whole_segment(*a, *b) {
+                        pieces.segment(Occlusion::None, segment, 0.5 * set.style.width);
+                    }
+                }
+                _ => self.cut_one(set.style, points, faces, pieces),
             }
         }
-        let chunks = &mut self.chunks[..used];
-        let count: usize = sets.iter().map(|s| s.polylines.len()).sum();
-        if count == 0 {
+    }
+
+    fn cut_one(&mut self, style: LineStyle, points: &[Point], faces: Option<Occluders>, pieces: &mut Pieces) {
+        let fits = points.len() >= 2 && points.iter().all(|p| p.iter().all(|v| v.is_finite()));
+        if !(fits && self.line.measure(points) < LONGEST) {
             return;
         }
-        let threads = if count < FEW { 1 } else { rayon::current_num_threads() };
-        progress.begin(Activity::Painting, 0);
-        let split = |chunk: &mut Chunk| {
-            chunk.runs.clear();
-            if !progress.is_cancelled() {
-                chunk.split(&sets[chunk.set], faces);
+        self.runs.clear();
+        match faces {
+            Some(faces) => {
+                self.line.split(points, faces, |range, behind| push(&mut self.runs, ArcRun { range, behind }));
+                smooth(&mut self.runs);
             }
-        };
-        if threads > 1 {
-            chunks.par_iter_mut().for_each(split);
-        } else {
-            chunks.iter_mut().for_each(split);
+            None => self.runs.push(ArcRun { range: 0.0..self.line.length(), behind: Occlusion::None }),
         }
-
-        let (width, height) = (pixmap.width() as usize, pixmap.height() as usize);
-        let rows = height.div_ceil(threads);
-        self.strips.resize_with(self.strips.len().max(threads), Strip::default);
-        let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
-        let work = |(k, (strip, pixels)): (usize, (&mut Strip, &mut [[u8; 4]]))| {
-            strip.coverage.fit(width, k * rows..k * rows + pixels.len() / width);
-            strip.draw(pixels, sets, chunks, progress);
-        };
-        if threads > 1 {
-            self.strips.par_iter_mut().zip(pixels.par_chunks_mut(rows * width)).enumerate().for_each(work);
-        } else {
-            self.strips.iter_mut().zip(pixels.chunks_mut(rows * width)).enumerate().for_each(work);
-        }
-    }
-}
-
-/// The points of a polyline, where they are two or more, all of them numbers and not too far apart.
-fn points<'a>(set: &'a StrokeSet, polyline: usize, line: &mut Polyline) -> Option<&'a [[f32; 3]]> {
-    let range = set.polylines.get(polyline)?;
-    let points = set.points.get(range.start as usize..range.end as usize)?;
-    let fits = points.len() >= 2 && points.iter().all(|p| p.iter().all(|v| v.is_finite()));
-    (fits && line.measure(points) < LONGEST).then_some(points)
-}
-
-impl Chunk {
-    /// Finds the visible, the dimmed and the hidden parts of the chunk's polylines, whose runs are empty before.
-    fn split(&mut self, set: &StrokeSet, faces: Occluders) {
-        let test = set.style.hidden != HiddenLines::Shown && !faces.is_empty();
-        for polyline in self.polylines.clone() {
-            let Some(points) = points(set, polyline, &mut self.line) else { continue };
-            let first = self.runs.len();
-            if test {
-                self.line.split(points, faces, |range, behind| {
-                    push(&mut self.runs, first, ArcRun { polyline, range, behind });
-                });
-                smooth(&mut self.runs, first);
-            } else {
-                self.runs.push(ArcRun { polyline, range: 0.0..self.line.length(), behind: Occlusion::None });
+        for run in &self.runs {
+            if let Some(style) = style.behind(run.behind) {
+                self.line.pieces(points, run, style, pieces);
             }
         }
     }
 }
 
-impl Strip {
-    fn draw(&mut self, pixels: &mut [[u8; 4]], sets: &[StrokeSet], chunks: &[Chunk], progress: &Progress) {
-        for (index, set) in sets.iter().enumerate() {
-            if progress.is_cancelled() {
-                break;
-            }
-            let first = chunks.partition_point(|c| c.set < index);
-            let chunks = &chunks[first..][..chunks[first..].partition_point(|c| c.set == index)];
-            let on_top = set.style.hidden == HiddenLines::Shown;
-            for behind in [Occlusion::Opaque, Occlusion::Translucent, Occlusion::None] {
-                let Some(style) = set.style.behind(behind) else { continue };
-                let mut runs = chunks.iter().flat_map(|c| &c.runs).filter(|run| run.behind == behind).peekable();
-                if runs.peek().is_none() {
-                    continue;
-                }
-                let tested = LayerDepth::Tested { visible: behind != Occlusion::Opaque, width: set.style.width };
-                self.coverage.begin(style.color, if on_top { LayerDepth::OnTop } else { tested });
-                for run in runs {
-                    self.cover(set, run, style);
-                }
-            }
-        }
-        self.coverage.lay(pixels);
-    }
-
-    /// Covers a run of a polyline, with the arrow head if that is in it.
-    fn cover(&mut self, set: &StrokeSet, run: &ArcRun, style: LineStyle) {
-        let Some(points) = points(set, run.polyline, &mut self.line) else { return };
-        let length = self.line.length();
-        let head = style.head_length(length);
-        // The shaft ends a little inside the head, whose point would be blunt otherwise.
-        let shaft = length - 0.8 * head;
-        dashes(run.range.start..run.range.end.min(shaft), style, |from, to| {
-            self.line.cover(points, from..to, &mut self.coverage, 0.5 * style.width);
-        });
-        let middle = length - 0.5 * head;
-        if head > 0.0 && run.range.start < middle && middle <= run.range.end {
-            let (tip, base) = (self.line.at(points, length), self.line.at(points, length - head));
-            let corners = head_corners([[tip[0], tip[1]], [base[0], base[1]]]);
-            self.coverage.triangle(corners, [tip[2].min(base[2]), tip[2].max(base[2])]);
-        }
-    }
+/// The whole of a polyline of two points, as [`Polyline::pieces`] would have it; `None` where that would have nothing.
+#[inline(always)]
+fn whole_segment(a: Point, b: Point) -> Option<[Point; 2]> {
+    let way = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    // Of zero length, it is its first point; false where anything is not a number.
+    let is_near = way[0].abs() + way[1].abs() < 0.9 * LONGEST;
+    let is_short = (is_near || length(way[0], way[1]) < LONGEST) && a[2].is_finite() && b[2].is_finite();
+    let end = if way[0] == 0.0 && way[1] == 0.0 { a } else { [a[0] + way[0], a[1] + way[1], a[2] + way[2]] };
+    is_short.then_some([a, end])
 }
 
 impl Polyline {
@@ -211,19 +124,27 @@ impl Polyline {
             let mut from = start;
             let mut step = 1.0;
             while step <= steps {
-                let now = faces.before(point(step / steps));
-                if now != before {
-                    // The position between the two points, to 1/16 of a step.
-                    let (mut low, mut high) = ((step - 1.0) / steps, step / steps);
-                    for _ in 0..4 {
-                        let middle = 0.5 * (low + high);
-                        if faces.before(point(middle)) == before { low = middle } else { high = middle }
-                    }
-                    let change = start + high * (end - start);
-                    run(from..change, before);
-                    (from, before) = (change, now);
+                let (mut tried, mut found) = ([[0.0; 3]; EACH], [Occlusion::None; EACH]);
+                let mut count = 0;
+                while count < EACH && step + count as f32 <= steps {
+                    tried[count] = point((step + count as f32) / steps);
+                    count += 1;
                 }
-                step += 1.0;
+                faces.before_each(&tried[..count], &mut found[..count]);
+                for &now in &found[..count] {
+                    if now != before {
+                        // The position between the two points, to 1/16 of a step.
+                        let (mut low, mut high) = ((step - 1.0) / steps, step / steps);
+                        for _ in 0..4 {
+                            let middle = 0.5 * (low + high);
+                            if faces.before(point(middle)) == before { low = middle } else { high = middle }
+                        }
+                        let change = start + high * (end - start);
+                        run(from..change, before);
+                        (from, before) = (change, now);
+                    }
+                    step += 1.0;
+                }
             }
             run(from..end, before);
         }
@@ -238,41 +159,65 @@ impl Polyline {
         std::array::from_fn(|k| p[k] + t * (q[k] - p[k]))
     }
 
-    /// Covers the polyline between two arc lengths.
-    fn cover(&self, points: &[[f32; 3]], range: Range<f32>, coverage: &mut Coverage, radius: f32) {
+    /// Adds the pieces of a run, with the arrow head if that is in it.
+    fn pieces(&self, points: &[Point], run: &ArcRun, style: LineStyle, pieces: &mut Pieces) {
+        let length = self.length();
+        let head = style.head_length(length);
+        // The shaft ends a little inside the head, whose point would be blunt otherwise.
+        let shaft = length - 0.8 * head;
+        dashes(run.range.start..run.range.end.min(shaft), style, |from, to| {
+            self.segments(points, from..to, |segment| pieces.segment(run.behind, segment, 0.5 * style.width));
+        });
+        let middle = length - 0.5 * head;
+        if head > 0.0 && run.range.start < middle && middle <= run.range.end {
+            let (tip, base) = (self.at(points, length), self.at(points, length - head));
+            let corners = head_corners([[tip[0], tip[1]], [base[0], base[1]]]);
+            pieces.head(run.behind, Head { corners, depths: [tip[2].min(base[2]), tip[2].max(base[2])] });
+        }
+    }
+
+    /// Calls `found` for each segment of the polyline between two arc lengths.
+    fn segments(&self, points: &[[f32; 3]], range: Range<f32>, mut found: impl FnMut([Point; 2])) {
         let mut from = self.at(points, range.start);
         let first = self.arcs.partition_point(|&a| a <= range.start);
         for (&corner, _) in points.iter().zip(&self.arcs).skip(first).take_while(|&(_, &arc)| arc < range.end) {
-            coverage.capsule(from, corner, radius);
+            found([from, corner]);
             from = corner;
         }
-        coverage.capsule(from, self.at(points, range.end), radius);
+        found([from, self.at(points, range.end)]);
     }
 }
 
-/// Adds a run of the polyline whose runs begin at `first`; one that goes on as the last did makes that longer.
-fn push(runs: &mut Vec<ArcRun>, first: usize, run: ArcRun) {
-    match runs[first..].last_mut() {
+/// Adds a run of a polyline; one that goes on as the last did makes that longer.
+fn push(runs: &mut Vec<ArcRun>, run: ArcRun) {
+    match runs.last_mut() {
         Some(last) if last.behind == run.behind => last.range.end = run.range.end,
         _ => runs.push(run),
     }
 }
 
-/// Drops runs that are too short to mean anything, of the polyline whose runs begin at `first`.
-fn smooth(runs: &mut Vec<ArcRun>, first: usize) {
-    if runs.len() < first + 2 {
+/// Drops runs that are too short to mean anything.
+fn smooth(runs: &mut Vec<ArcRun>) {
+    if runs.len() < 2 {
         return;
     }
-    let all = runs.split_off(first);
+    let all = std::mem::take(runs);
     let last = all.len() - 1;
     for (k, run) in all.iter().enumerate() {
         let length = run.range.end - run.range.start;
         // At the ends of a line there is only one neighbour to rely on: a shorter run is enough.
         let shortest = if k == 0 || k == last { 0.5 * SHORTEST } else { SHORTEST };
-        let before = runs[first..].last().map_or(all[1].behind, |p| p.behind);
+        let before = runs.last().map_or(all[1].behind, |p| p.behind);
         let behind = if length < shortest { before } else { run.behind };
-        push(runs, first, ArcRun { behind, ..run.clone() });
+        push(runs, ArcRun { behind, ..run.clone() });
     }
+}
+
+/// True where a style has no gaps.
+fn is_unbroken(style: LineStyle) -> bool {
+    let period = style.dash.pattern().iter().sum::<f32>() * style.width;
+    // A pattern finer than a fifth of a pixel is seen as a plain line.
+    style.dash.pattern().is_empty() || period < 0.2 || !period.is_finite()
 }
 
 /// Calls `draw` with each dash in a range of arc length, from the middle of its first round end to that of its last.
@@ -283,8 +228,7 @@ fn dashes(range: Range<f32>, style: LineStyle, mut draw: impl FnMut(f32, f32)) {
     if range.end <= range.start && range.start > 0.0 {
         return;
     }
-    // A pattern finer than a fifth of a pixel is seen as a plain line.
-    if pattern.is_empty() || period < 0.2 || !period.is_finite() {
+    if is_unbroken(style) {
         draw(range.start, range.end.max(range.start));
         return;
     }
@@ -305,8 +249,9 @@ fn dashes(range: Range<f32>, style: LineStyle, mut draw: impl FnMut(f32, f32)) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::pieces::Bands;
     use super::*;
-    use crate::appearance::{Dash, Rgba};
+    use crate::appearance::{Dash, HiddenLines, Rgba};
 
     fn style(dash: Dash) -> LineStyle {
         LineStyle { color: Rgba::rgb(0, 0, 0), width: 2.0, dash, hidden: HiddenLines::Dashed, arrow: false }
@@ -339,16 +284,15 @@ mod tests {
     fn short_parts_are_taken_for_rounding() {
         let run = |range, visible| {
             let behind = if visible { Occlusion::None } else { Occlusion::Opaque };
-            ArcRun { polyline: 3, range, behind }
+            ArcRun { range, behind }
         };
-        // Of another polyline: stays as it is.
-        let mut runs = vec![run(0.0..0.1, true)];
+        let mut runs = Vec::new();
         for (range, visible) in [(0.0..10.0, true), (10.0..10.5, false), (10.5..20.0, true), (20.0..23.0, false)] {
-            push(&mut runs, 1, run(range, visible));
+            push(&mut runs, run(range, visible));
         }
-        assert_eq!(runs.len(), 5);
-        smooth(&mut runs, 1);
-        assert_eq!(runs, [run(0.0..0.1, true), run(0.0..20.0, true), run(20.0..23.0, false)]);
+        assert_eq!(runs.len(), 4);
+        smooth(&mut runs);
+        assert_eq!(runs, [run(0.0..20.0, true), run(20.0..23.0, false)]);
     }
 
     #[test]
@@ -361,5 +305,33 @@ mod tests {
         assert_eq!(line.at(&points, 10.0), [3.0, 9.0, 0.25]);
         assert_eq!(line.at(&points, 99.0), [3.0, 14.0, 0.0]);
         assert_eq!(line.at(&points, -1.0), [0.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn a_polyline_of_two_points_is_the_piece_that_it_would_be_among_others() {
+        let style = LineStyle { hidden: HiddenLines::Shown, ..style(Dash::Solid) };
+        let ends = [
+            [[1.3, 2.7, 0.1], [30.9, 17.1, 0.7]],
+            [[4.1, 5.0, 0.2], [4.1, 5.0, 0.9]],
+            [[4.1, 5.0, 0.2], [4.1, 5.1, 0.9]],
+            [[f32::NAN, 5.0, 0.2], [4.1, 5.1, 0.9]],
+            [[3.0, 5.0, f32::INFINITY], [4.1, 5.1, 0.9]],
+            [[-3.0, 5.0, 0.4], [2e6, 5.1, 0.9]],
+            [[-4e5, 5.0, 0.4], [5e5, 4e5, 0.9]],
+            [[20.0, -7e5, 0.4], [21.0, 2.5e5, 0.9]],
+        ];
+        let bands = Bands { width: 40, height: 30, rows_log: 5 };
+        let (mut together, mut alone) = (Pieces::default(), Pieces::default());
+        together.fit(bands, 1);
+        alone.fit(bands, 1);
+        let points = ends.concat();
+        let polylines = (0..8).map(|k| 2 * k..2 * k + 2).collect();
+        Lines::default().cut(&StrokeSet { points, polylines, style }, 0..8, None, &mut together);
+        for ends in ends {
+            Lines::default().cut_one(style, &ends, None, &mut alone);
+        }
+        let segments = |pieces: &Pieces| pieces.bin(Occlusion::None, 0).map(|bin| bin.segments.clone());
+        assert_eq!(segments(&together), segments(&alone));
+        assert_eq!(segments(&together).map(|all| all.len()), Some(5));
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! Surfaces come first: `bins` sorts their triangles into bands of rows, and `fill` paints the bands, on as many
 //! threads as there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and
-//! with their depth, come strokes (`line`), areas, marks and texts (`label`). The bytes do not depend on the number of
-//! threads.
+//! with their depth, come strokes (`strokes`), areas, marks and texts (`label`). The bytes do not depend on the number
+//! of threads.
 //!
 //! | file | purpose |
 //! | --- | --- |
@@ -11,19 +11,24 @@
 //! | `batch` | eight triangles at a time: their boxes, and their setup for filling |
 //! | `bins` | the triangles that touch each band of rows, in the order of drawing |
 //! | `counts` | counts of processed samples, and of the operations on them |
-//! | `coverage` | coverage of pixels by strokes, and the order of strokes in depth |
+//! | `coverage` | coverage of pixels by strokes |
 //! | `depth` | the depth of the visible surface at each pixel |
+//! | `eights` | sets of places in a mask, eight columns each |
 //! | `few` | the pixels of tiny triangles: found for eight triangles at once |
 //! | `fill` | a band of rows: its triangles → its samples |
 //! | `filter` | texels → colours: the nearest, the four around a point, and those of two levels of detail |
+//! | `fragments` | the order of strokes in depth: what layers cover of each pixel |
 //! | `label` | filled areas, point marks and texts on the picture |
-//! | `line` | strokes: the visible parts of a polyline, its dashes, its arrow head |
+//! | `line` | polylines of strokes → pieces: the visible parts, their dashes, the arrow head |
 //! | `operations` | the operations of filling and colouring: how many each formula has |
 //! | `per_pixel` | light, textures and translucent colours between vertices: computed at each pixel, eight at a time |
+//! | `pieces` | the pieces of strokes that touch each band of rows, by what is in front of them |
 //! | `pixel` | colours as pixels: premultiplied bytes in one `u32`, red lowest |
+//! | `segment` | segments of strokes, eight at a time: the pixels around each, and their shares of these |
 //! | `setup` | coverage of a triangle, and values that are affine over it |
 //! | `shade` | the colours of triangles' pixels, eight at a time |
 //! | `shadow` | the share of a light that arrives at a pixel: its place held against the depths that the light sees |
+//! | `strokes` | all strokes of a picture: pieces of them, then bands of rows, each painted on its own |
 //! | `texel` | pictures on triangles: the colour of a texture at a pixel |
 //! | `surfaces` | all surfaces of a picture: bands of rows, each painted on its own, by as many threads as there are |
 
@@ -33,17 +38,22 @@ mod bins;
 mod counts;
 mod coverage;
 mod depth;
+mod eights;
 mod few;
 mod fill;
 mod filter;
+mod fragments;
 mod label;
 mod line;
 mod operations;
 mod per_pixel;
+mod pieces;
 mod pixel;
+mod segment;
 mod setup;
 mod shade;
 mod shadow;
+mod strokes;
 mod surfaces;
 mod texel;
 
@@ -67,7 +77,7 @@ pub struct Rasterizer {
     surfaces: surfaces::Surfaces,
     depth: DepthBuffer,
     tint_depth: DepthBuffer,
-    strokes: line::Strokes,
+    strokes: strokes::Strokes,
     clock: Option<fn() -> Duration>,
     work: Work,
     progress: Progress,

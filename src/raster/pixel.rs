@@ -1,6 +1,7 @@
 //! Colours as pixels: premultiplied bytes in one `u32`, red lowest.
 
 use crate::appearance::Rgba;
+use crate::simd::{Simd, u32x8};
 
 /// Premultiplied colour: `r | g << 8 | b << 16 | a << 24`.
 pub(super) type Pixel = u32;
@@ -28,6 +29,25 @@ pub(super) fn scale(p: Pixel, a: u32) -> Pixel {
 pub(super) fn over(source: Pixel, target: Pixel) -> Pixel {
     // The sum stays below 256 in each channel: premultiplied channels are at most their alpha, and 255 · a / 255 is a.
     source + scale(target, 255 - (source >> 24))
+}
+
+/// [`scale`] for eight.
+#[inline(always)]
+pub(super) fn scale_eight<K: Simd>(p: u32x8<K>, a: u32x8<K>) -> u32x8<K> {
+    scale_alternate(p, a) | (scale_alternate(p >> 8, a) << 8)
+}
+
+/// [`over`] for eight.
+#[inline(always)]
+pub(super) fn over_eight<K: Simd>(source: u32x8<K>, target: u32x8<K>) -> u32x8<K> {
+    source + scale_eight(target, !(source >> 24) & 0xff)
+}
+
+/// v · a / 255, rounded, for the first and third byte of each lane; the others are 0.
+#[inline(always)]
+fn scale_alternate<K: Simd>(v: u32x8<K>, a: u32x8<K>) -> u32x8<K> {
+    let t = (v & ALTERNATE) * a + 0x0080_0080;
+    ((t + ((t >> 8) & ALTERNATE)) >> 8) & ALTERNATE
 }
 
 /// The mean of some pixels, rounded to nearest (a half rounds up). `S` is a power of two, 16 at most.

@@ -1,0 +1,144 @@
+//! The order of strokes in depth: what layers cover of each pixel, painted from back to front when all are known.
+
+use crate::drawing::order::{StrokePoint, later_is_over};
+
+use super::eights::{Eights, next_column};
+use super::pixel::{Pixel, over, scale};
+use super::shade::LANES;
+
+/// The pixels of some rows of a picture with all that layers of strokes cover of them; empty once it is painted.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Fragments {
+    width: usize,
+    rows: usize,
+    layers: Vec<Layer>,
+    fragments: Vec<Fragment>,
+    /// For each pixel the fragment that came last, counted from 1; 0 where there is none.
+    last: Vec<u32>,
+    touched: Eights,
+    /// The fragments of the pixel at hand, from back to front.
+    order: Vec<Fragment>,
+}
+
+/// A set of pieces painted in one way.
+#[derive(Clone, Copy, Debug)]
+struct Layer {
+    color: Pixel,
+    rank: Rank,
+}
+
+/// The criteria besides depth by which a layer is put before or behind others: those of [`later_is_over`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Rank {
+    /// No face hides it.
+    pub(super) visible: bool,
+    /// Of the stroke, in pixels.
+    pub(super) width: f32,
+}
+
+/// The share of a pixel that a layer covers.
+#[derive(Clone, Copy, Debug)]
+struct Fragment {
+    layer: u32,
+    /// The fragment of the same pixel that came before, counted from 1.
+    before: u32,
+    share: u8,
+    /// Depth of the stroke's middle line where it is nearest to the pixel.
+    depth: f32,
+    /// By how much depths may differ between there and the places on the stroke around that touch the pixel.
+    reach: f32,
+}
+
+impl Fragments {
+    /// Makes room for some rows of a picture; only when it is empty.
+    pub(super) fn fit(&mut self, width: usize, rows: usize) {
+        (self.width, self.rows) = (width, rows);
+        self.last.clear();
+        self.last.resize(width * rows, 0);
+        self.touched.fit(width, rows);
+    }
+
+    /// Begins a layer.
+    pub(super) fn begin(&mut self, color: Pixel, rank: Rank) {
+        self.layers.push(Layer { color, rank });
+    }
+
+    /// Adds what the layer covers of a pixel: its share, the depth there, and the reach of that.
+    #[inline]
+    pub(super) fn add(&mut self, [row, column]: [usize; 2], share: u8, depth: f32, reach: f32) {
+        let layer = number(self.layers.len().wrapping_sub(1));
+        self.touched.add(row, column, column);
+        let last = &mut self.last[row * self.width + column];
+        self.fragments.push(Fragment { layer, before: *last, share, depth, reach });
+        *last = number(self.fragments.len());
+    }
+
+    /// Lays all layers on `pixels`, from back to front, and forgets them.
+    pub(super) fn lay(&mut self, pixels: &mut [[u8; 4]]) {
+        for row in 0..self.rows {
+            for word in 0..self.touched.words {
+                let mut eights = self.touched.take(row, word);
+                while eights != 0 {
+                    let first = next_column(&mut eights, word);
+                    for column in first..self.width.min(first + LANES) {
+                        let at = row * self.width + column;
+                        self.lay_pixel(at, &mut pixels[at]);
+                    }
+                }
+            }
+        }
+        self.layers.clear();
+        self.fragments.clear();
+    }
+
+    fn lay_pixel(&mut self, at: usize, pixel: &mut [u8; 4]) {
+        let mut next = std::mem::take(&mut self.last[at]);
+        if next == 0 {
+            return;
+        }
+        self.order.clear();
+        while let Some(&fragment) = self.fragments.get((next as usize).wrapping_sub(1)) {
+            self.order.push(fragment);
+            next = fragment.before;
+        }
+        self.order.reverse();
+        sort(&mut self.order, &self.layers);
+        for fragment in &self.order {
+            let source = scale(self.layers[fragment.layer as usize].color, u32::from(fragment.share));
+            *pixel = over(source, u32::from_le_bytes(*pixel)).to_le_bytes();
+        }
+    }
+
+    /// For tests: nothing is left of an earlier picture.
+    #[cfg(test)]
+    pub(super) fn is_empty(&self) -> bool {
+        self.fragments.is_empty() && self.layers.is_empty() && self.last.iter().all(|&last| last == 0)
+    }
+}
+
+/// Sorts the fragments of a pixel, which come in the order of the drawing, from back to front: each goes below those
+/// that it is behind. ("Of the same depth" is not an order, since it is within bounds; so each is held against one
+/// after the other.)
+fn sort(fragments: &mut [Fragment], layers: &[Layer]) {
+    for k in 1..fragments.len() {
+        let mut at = k;
+        while at > 0 && is_behind(&fragments[at], &fragments[at - 1], layers) {
+            fragments.swap(at, at - 1);
+            at -= 1;
+        }
+    }
+}
+
+/// True where a fragment is behind one that came before it in the drawing.
+fn is_behind(later: &Fragment, earlier: &Fragment, layers: &[Layer]) -> bool {
+    let point = |&Fragment { layer, depth, reach, .. }: &Fragment| {
+        let Rank { visible, width } = layers[layer as usize].rank;
+        StrokePoint { depth, reach, visible, width }
+    };
+    !later_is_over(point(later), point(earlier))
+}
+
+/// Fragments are counted with 32 bits: each pixel of a picture has room for thirty.
+fn number(k: usize) -> u32 {
+    u32::try_from(k).unwrap_or(u32::MAX)
+}

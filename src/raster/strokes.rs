@@ -1,0 +1,208 @@
+//! All strokes of a picture: pieces of them, then bands of rows, each painted on its own, by as many threads as there
+//! are.
+
+use std::ops::Range;
+use std::sync::Mutex;
+
+use rayon::prelude::*;
+use tiny_skia::Pixmap;
+
+use crate::appearance::{HiddenLines, LineStyle, Occlusion};
+use crate::drawing::{Drawing, StrokeSet};
+use crate::progress::{Activity, Progress};
+use crate::simd::{Simd, with_vectors};
+
+use super::coverage::Coverage;
+use super::depth::Occluders;
+use super::fragments::Rank;
+use super::line::Lines;
+use super::pieces::{Bands, Bin, Pieces};
+
+/// Polylines that are made into pieces as one piece of work: so many at least, and a share of all, so that no thread
+/// waits long for the last.
+const CHUNK: usize = 16;
+const CHUNKS_OF_A_THREAD: usize = 8;
+/// Fewer polylines than this are not worth a second thread.
+const FEW: usize = 64;
+/// The masks of a band should stay in a processor's own cache: this many pixels, with twelve bytes each.
+const BAND_PIXELS: usize = 1 << 16;
+/// Rows of the lowest and of the highest band; powers of two.
+const BAND_ROWS: (usize, usize) = (8, 64);
+
+/// Draws strokes; keeps its buffers from one picture to the next.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Strokes {
+    chunks: Vec<Chunk>,
+    layers: Vec<Layer>,
+    /// One for each thread.
+    coverages: Vec<Coverage>,
+}
+
+/// Some polylines of a set.
+#[derive(Clone, Debug, Default)]
+struct Chunk {
+    set: usize,
+    polylines: Range<usize>,
+    lines: Lines,
+    pieces: Pieces,
+}
+
+/// The parts of a set that are painted in one way.
+#[derive(Clone, Debug)]
+struct Layer {
+    chunks: Range<usize>,
+    behind: Occlusion,
+    style: LineStyle,
+    /// `None`: painted over all that have one.
+    rank: Option<Rank>,
+}
+
+/// State shared by all bands.
+#[derive(Clone, Copy)]
+struct SharedByBands<'a> {
+    chunks: &'a [Chunk],
+    layers: &'a [Layer],
+    bands: Bands,
+}
+
+impl Strokes {
+    /// Draws all strokes of a drawing over its surfaces, from back to front.
+    pub(super) fn draw(&mut self, pixmap: &mut Pixmap, faces: Occluders, drawing: &Drawing, progress: &Progress) {
+        let sets = &drawing.strokes;
+        let count: usize = sets.iter().map(|set| set.polylines.len()).sum();
+        if count == 0 {
+            return;
+        }
+        let threads = if count < FEW { 1 } else { rayon::current_num_threads() };
+        let used = self.divide(sets, count.div_ceil(threads * CHUNKS_OF_A_THREAD).max(CHUNK));
+        let (width, height) = (pixmap.width() as usize, pixmap.height() as usize);
+        let rows_log = (BAND_PIXELS / width).clamp(BAND_ROWS.0, BAND_ROWS.1).ilog2();
+        let bands = Bands { width, height, rows_log };
+        progress.begin(Activity::Painting, 0);
+        let cut = |chunk: &mut Chunk| chunk.cut(&sets[chunk.set], faces, bands, progress);
+        let chunks = &mut self.chunks[..used];
+        if threads > 1 {
+            chunks.par_iter_mut().for_each(cut);
+        } else {
+            chunks.iter_mut().for_each(cut);
+        }
+
+        let shared = SharedByBands { chunks, layers: &self.layers, bands };
+        self.coverages.resize_with(self.coverages.len().max(threads), Coverage::default);
+        let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
+        let mut jobs = pixels.chunks_mut(width << rows_log).enumerate();
+        if threads > 1 {
+            let queue = Mutex::new(jobs);
+            rayon::scope(|scope| {
+                for coverage in &mut self.coverages[..threads] {
+                    let queue = &queue;
+                    scope.spawn(move |_| {
+                        while let Some((band, pixels)) = queue.lock().ok().and_then(|mut jobs| jobs.next()) {
+                            if progress.is_cancelled() {
+                                return;
+                            }
+                            shared.paint(coverage, band, pixels);
+                        }
+                    });
+                }
+            });
+        } else if let Some(coverage) = self.coverages.first_mut() {
+            while let Some((band, pixels)) = jobs.next().filter(|_| !progress.is_cancelled()) {
+                shared.paint(coverage, band, pixels);
+            }
+        }
+    }
+
+    /// Divides sets into chunks of so many polylines, and lists their layers. Gives the number of chunks.
+    fn divide(&mut self, sets: &[StrokeSet], size: usize) -> usize {
+        self.layers.clear();
+        let mut used = 0;
+        for (index, set) in sets.iter().enumerate() {
+            let first = used;
+            for start in (0..set.polylines.len()).step_by(size) {
+                self.chunks.resize_with(self.chunks.len().max(used + 1), Chunk::default);
+                let chunk = &mut self.chunks[used];
+                (chunk.set, chunk.polylines) = (index, start..set.polylines.len().min(start + size));
+                used += 1;
+            }
+            let on_top = set.style.hidden == HiddenLines::Shown;
+            for behind in [Occlusion::Opaque, Occlusion::Translucent, Occlusion::None] {
+                let rank = Rank { visible: behind != Occlusion::Opaque, width: set.style.width };
+                let rank = (!on_top).then_some(rank);
+                // What is shown although hidden is never found to be behind anything.
+                if let Some(style) = set.style.behind(behind).filter(|_| !on_top || behind == Occlusion::None) {
+                    self.layers.push(Layer { chunks: first..used, behind, style, rank });
+                }
+            }
+        }
+        used
+    }
+}
+
+impl Chunk {
+    /// Finds the visible, the dimmed and the hidden pieces of the chunk's polylines.
+    fn cut(&mut self, set: &StrokeSet, faces: Occluders, bands: Bands, progress: &Progress) {
+        let faces = (set.style.hidden != HiddenLines::Shown && !faces.is_empty()).then_some(faces);
+        self.pieces.fit(bands, if faces.is_some() { 3 } else { 1 });
+        if !progress.is_cancelled() {
+            self.lines.cut(set, self.polylines.clone(), faces, &mut self.pieces);
+        }
+    }
+}
+
+impl<'a> SharedByBands<'a> {
+    fn paint(self, coverage: &mut Coverage, band: usize, pixels: &mut [[u8; 4]]) {
+        coverage.fit(self.bands.width, self.bands.rows(band));
+        with_vectors!(simd => self.paint_with(simd, coverage, band, pixels));
+    }
+
+    #[inline(always)]
+    fn paint_with<K: Simd>(self, simd: K, coverage: &mut Coverage, band: usize, pixels: &mut [[u8; 4]]) {
+        let mut ranked = 0;
+        for layer in self.layers {
+            ranked += usize::from(layer.rank.is_some() && self.is_in(layer, band));
+        }
+        for layer in self.layers {
+            if layer.rank.is_some() && self.is_in(layer, band) {
+                // One alone is behind none of them.
+                coverage.begin(layer.style.color, layer.rank.filter(|_| ranked > 1));
+                self.cover(simd, coverage, layer, band);
+                coverage.end(simd, pixels);
+            }
+        }
+        if ranked > 1 {
+            coverage.lay(pixels);
+        }
+        for layer in self.layers {
+            if layer.rank.is_none() && self.is_in(layer, band) {
+                coverage.begin(layer.style.color, None);
+                self.cover(simd, coverage, layer, band);
+                coverage.end(simd, pixels);
+            }
+        }
+    }
+
+    /// True where a layer has pieces in a band.
+    fn is_in(self, layer: &Layer, band: usize) -> bool {
+        self.bins(layer, band).any(|bin| !bin.is_empty())
+    }
+
+    fn bins(self, layer: &Layer, band: usize) -> impl Iterator<Item = &'a Bin> {
+        let behind = layer.behind;
+        self.chunks[layer.chunks.clone()].iter().filter_map(move |chunk| chunk.pieces.bin(behind, band))
+    }
+
+    #[inline(always)]
+    fn cover<K: Simd>(self, simd: K, coverage: &mut Coverage, layer: &Layer, band: usize) {
+        let radius = 0.5 * layer.style.width;
+        for bin in self.bins(layer, band) {
+            let mut done = 0;
+            for (before, head) in &bin.heads {
+                coverage.segments(simd, bin.segments.get(done..*before).unwrap_or_default(), radius);
+                coverage.triangle(head.corners, head.depths);
+                done = *before;
+            }
+            coverage.segments(simd, bin.segments.get(done..).unwrap_or_default(), radius);
+        }
+    }
+}
