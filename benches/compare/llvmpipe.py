@@ -2,8 +2,8 @@
 """Mesa's llvmpipe drawing the same mesh with the same camera, pixels read back: llvmpipe.py FIGURE.toml CAMERA_LAB [FRAMES [PICTURE.png]]
 
 Needs moderngl and numpy (PyPI), Pillow where the object has a texture, and Mesa's EGL. The matrices come from `camera-lab inspect`;
-a frame is: clear, draw, read all pixels (RGBA, 8 bits) into one reused buffer. A shadow map is drawn once, as there: neither light nor
-mesh moves. Prints one JSON object in the form of `camera-lab bench`.
+a frame is: draw the shadow map, if there is one, as `bench` does; clear, draw, read all pixels (RGBA, 8 bits) into one reused buffer.
+Prints one JSON object in the form of `camera-lab bench`.
 """
 import json
 import os
@@ -119,9 +119,8 @@ def main():
         program["map_from_world"].write(view)
         into_map = ctx.program(vertex_shader=DEPTHS[0], fragment_shader=DEPTHS[1])
         into_map["map_from_world"].write(view)
-        ctx.framebuffer(depth_attachment=depths).use()
-        ctx.clear(depth=1.0)
-        ctx.vertex_array(into_map, [(data, "3f 5x4", "position")], indices).render(moderngl.TRIANGLES)
+        map_target = ctx.framebuffer(depth_attachment=depths)
+        casters = ctx.vertex_array(into_map, [(data, "3f 5x4", "position")], indices)
         depths.use(0)
     inputs = (data, "3f 3f 2f", "position", "normal", "uv") if kind == "texture" else (data, "3f 3f 2x4", "position", "normal")
     mesh = ctx.vertex_array(program, [inputs], indices)
@@ -134,6 +133,10 @@ def main():
     times = []
     for i in range(frames + 5):
         start = time.perf_counter()
+        if kind == "shadows":
+            map_target.use()
+            map_target.clear(depth=1.0)
+            casters.render(moderngl.TRIANGLES)
         draw_to.use()
         draw_to.clear(1.0, 1.0, 1.0, 1.0)
         mesh.render(moderngl.TRIANGLES)
