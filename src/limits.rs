@@ -124,8 +124,8 @@ pub const MAX_SCENE_BYTES: usize = 512 << 20;
 /// The longest side of a texture in texels.
 pub const MAX_TEXTURE_SIDE: u32 = 16_384;
 
-/// The most texels of a texture, and of all textures of a scene together: 4096 × 4096, which take 270 MB with their
-/// levels of detail, once as they are and once laid out for filters.
+/// The most texels of a texture, and of all textures of a scene together: 4096 × 4096, which take 90 MB with their
+/// levels of detail, and 270 where a filter mixes two of these, for which they are laid out once more.
 pub const MAX_TEXELS: u64 = 1 << 24;
 
 /// The most repetitions of a texture on a surface: beyond these nothing is left of it.

@@ -12,8 +12,8 @@ pub struct Texture {
     /// The picture itself, then smaller ones, each half as wide and high as the one before, down to one texel. Only the
     /// first is there where no filter asks for the others.
     levels: Vec<Level>,
-    /// The same for filters that mix two levels; none where there is only one.
-    pairs: Option<LevelPairs>,
+    /// The same for filters that mix two levels; laid out once, where a picture is drawn with such a filter.
+    pairs: OnceLock<LevelPairs>,
     /// Looked for once, where somebody asks.
     one_color: OnceLock<Option<[u8; 4]>>,
     opaque: OnceLock<bool>,
@@ -147,8 +147,7 @@ impl Texture {
     }
 
     fn of_levels(levels: Vec<Level>) -> Self {
-        let pairs = (levels.len() > 1).then(|| LevelPairs::new(&levels));
-        Self { levels, pairs, one_color: OnceLock::new(), opaque: OnceLock::new() }
+        Self { levels, pairs: OnceLock::new(), one_color: OnceLock::new(), opaque: OnceLock::new() }
     }
 
     /// The levels of detail, the picture itself first; never empty.
@@ -159,7 +158,7 @@ impl Texture {
 
     /// The levels of detail in one array; `None` where there is only the picture itself.
     pub(crate) fn level_pairs(&self) -> Option<&LevelPairs> {
-        self.pairs.as_ref()
+        (self.levels.len() > 1).then(|| self.pairs.get_or_init(|| LevelPairs::new(&self.levels)))
     }
 
     /// Width in texels.
