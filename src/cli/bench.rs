@@ -68,9 +68,7 @@ fn measure(requests: &[Request], frames: usize) -> Option<Vec<Duration>> {
     for frame in 0..WARM_UP + frames {
         let start = clock::now();
         renderer.forget();
-        for (request, picture) in requests.iter().zip(&mut pictures) {
-            at_once(renderer.pixels_into(request, picture))?;
-        }
+        at_once(renderer.all_into(requests, &mut pictures))?;
         if frame >= WARM_UP {
             times.push(clock::now().saturating_sub(start));
         }

@@ -20,7 +20,6 @@ use eframe::egui;
 
 use crate::progress::{Activity, Progress, at_once};
 use in_frames::InFrames;
-use shares::Shares;
 
 /// Begins jobs, one at a time.
 type Work<Job, Outcome> = Box<dyn FnMut(Job, Progress) -> Slices<Outcome>>;
@@ -48,9 +47,9 @@ fn one_by_one<Job: 'static, Outcome: 'static>(
     })
 }
 
-/// Does one job after the other. Of each slot the latest job wins: one that has not been begun is forgotten when the
-/// next comes. Every slot that waits gets the same share of the time: a light job is not as late as a heavy one, and
-/// none starves.
+/// Does the jobs of each slot one after the other, and those of several slots side by side. Of each slot the latest job
+/// wins: one that has not been begun is forgotten when the next comes. Without threads every slot that waits gets the
+/// same share of the time: a light job is not as late as a heavy one, and none starves.
 pub(super) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
     shared: Arc<Shared<Job, Outcome, SLOTS>>,
     place: Backend<Job, Outcome, SLOTS>,
@@ -61,10 +60,8 @@ pub(super) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
 
 /// The place of the work.
 enum Backend<Job, Outcome, const SLOTS: usize> {
-    /// Nothing has been requested.
-    Nowhere,
-    /// On a thread.
-    Thread,
+    /// On a thread for each slot, begun with its first job: true for those that there are.
+    Threads([bool; SLOTS]),
     /// In the frames.
     InFrames(InFrames<Job, Outcome, SLOTS>),
 }
@@ -88,7 +85,7 @@ pub(super) struct Running {
 }
 
 struct Shared<Job, Outcome, const SLOTS: usize> {
-    progress: Progress,
+    progress: [Progress; SLOTS],
     mailbox: Mutex<Mailbox<Job, Outcome, SLOTS>>,
     wake: Condvar,
     done: Condvar,
@@ -96,8 +93,8 @@ struct Shared<Job, Outcome, const SLOTS: usize> {
 
 struct Mailbox<Job, Outcome, const SLOTS: usize> {
     wanted: [Option<Job>; SLOTS],
-    /// The slot whose job is being done, and since when.
-    busy: Option<(usize, Duration)>,
+    /// The slots whose jobs are being done, and since when.
+    busy: [Option<Duration>; SLOTS],
     /// Slots with cancelled jobs, whose results are still taken.
     cancelled: [bool; SLOTS],
     finished: [Option<Done<Outcome>>; SLOTS],
@@ -115,33 +112,39 @@ impl<Job, Outcome, const SLOTS: usize> Shared<Job, Outcome, SLOTS> {
 
 impl<Job, Outcome, const SLOTS: usize> Mailbox<Job, Outcome, SLOTS> {
     fn is_pending(&self, slot: usize) -> bool {
-        self.busy.is_some_and(|(busy, _)| busy == slot) || self.wanted[slot].is_some()
+        self.busy[slot].is_some() || self.wanted[slot].is_some()
     }
 
     fn any_pending(&self) -> bool {
         (0..SLOTS).any(|slot| self.is_pending(slot))
     }
 
-    /// Slots with a job that has not begun.
+    /// Slots whose next job can begin.
     fn waiting(&self) -> [bool; SLOTS] {
-        std::array::from_fn(|slot| self.wanted[slot].is_some())
+        std::array::from_fn(|slot| self.wanted[slot].is_some() && self.busy[slot].is_none())
     }
 
     /// Takes the job of a slot to do it. As long as the mailbox is held, whoever cancels means this job.
     fn begin(&mut self, slot: usize, progress: &Progress, clock: fn() -> Duration) -> Option<Job> {
         let job = self.wanted[slot].take()?;
-        self.busy = Some((slot, clock()));
+        self.busy[slot] = Some(clock());
         progress.begin_anew();
         if std::mem::take(&mut self.cancelled[slot]) {
             progress.cancel();
         }
         Some(job)
     }
+
+    /// Keeps the result of the job of a slot.
+    fn end(&mut self, slot: usize, done: Done<Outcome>) {
+        self.busy[slot] = None;
+        self.finished[slot] = Some(done);
+    }
 }
 
 impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Job, Outcome, SLOTS> {
-    /// `make` makes the function that does the jobs: on the thread, with the first job, and anew after a panic. `name`
-    /// is the thread's.
+    /// `make` makes the function that does the jobs of a slot: on its thread, with the first job, and anew after a
+    /// panic; without threads, one for all slots. `name` is the threads'.
     pub(super) fn new<W: AsyncFnMut(Job, &Progress) -> Outcome + 'static>(
         name: &'static str,
         clock: fn() -> Duration,
@@ -149,19 +152,25 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
     ) -> Self {
         let mailbox = Mailbox {
             wanted: std::array::from_fn(|_| None),
-            busy: None,
+            busy: [None; SLOTS],
             cancelled: [false; SLOTS],
             finished: std::array::from_fn(|_| None),
             waited_for: false,
             quit: false,
         };
         let shared = Arc::new(Shared {
-            progress: Progress::default(),
+            progress: std::array::from_fn(|_| Progress::default()),
             mailbox: Mutex::new(mailbox),
             wake: Condvar::new(),
             done: Condvar::new(),
         });
-        Self { shared, place: Backend::Nowhere, name, make: Arc::new(move || one_by_one(make())), clock }
+        Self {
+            shared,
+            place: Backend::Threads([false; SLOTS]),
+            name,
+            make: Arc::new(move || one_by_one(make())),
+            clock,
+        }
     }
 
     /// Does the jobs in the frames, as where there are no threads.
@@ -173,20 +182,22 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
 
     /// Requests a job; requests a frame of `ctx` when it is done.
     pub(super) fn ask(&mut self, ctx: &egui::Context, slot: usize, job: Job) {
-        if matches!(self.place, Backend::Nowhere) {
+        if let Backend::Threads(begun) = &mut self.place
+            && !begun[slot]
+        {
             let (shared, wake, clock) = (Arc::clone(&self.shared), ctx.clone(), self.clock);
             let make = Arc::clone(&self.make);
             let thread = std::thread::Builder::new().name(self.name.to_owned());
-            self.place = match thread.spawn(move || work(&shared, &wake, &make, clock)) {
-                Ok(_) => Backend::Thread,
-                Err(_) => Backend::InFrames(InFrames::new(ctx, (self.make)())),
-            };
+            match thread.spawn(move || work(&shared, slot, &wake, &make, clock)) {
+                Ok(_) => begun[slot] = true,
+                Err(_) => self.place = Backend::InFrames(InFrames::new(ctx, (self.make)())),
+            }
         }
         let mut mailbox = self.shared.mailbox();
         mailbox.wanted[slot] = Some(job);
         mailbox.cancelled[slot] = false;
         drop(mailbox);
-        self.shared.wake.notify_one();
+        self.shared.wake.notify_all();
         if matches!(self.place, Backend::InFrames(_)) {
             // It is done in the next frame: nothing else may request one.
             ctx.request_repaint();
@@ -198,33 +209,33 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         self.shared.mailbox().is_pending(slot)
     }
 
-    /// The job that is being done, if any, or that will be in the next frame and take long there.
+    /// The job that has been done for the longest time, or one that will be in the next frame and take long there.
     pub(super) fn running(&self) -> Option<Running> {
         if let Backend::InFrames(in_frames) = &self.place
             && let Some(announced) = in_frames.announced()
         {
             return Some(announced);
         }
-        let (slot, since) = self.shared.mailbox().busy?;
-        Some(Running { slot, time: (self.clock)().saturating_sub(since), now: self.shared.progress.now() })
+        let busy = self.shared.mailbox().busy;
+        let (slot, since) =
+            busy.iter().enumerate().filter_map(|(slot, since)| Some((slot, (*since)?))).min_by_key(|of| of.1)?;
+        Some(Running { slot, time: (self.clock)().saturating_sub(since), now: self.shared.progress[slot].now() })
     }
 
     /// Cancels all requested jobs. Each one still ends, but soon.
     pub(super) fn cancel(&self) {
         let mut mailbox = self.shared.mailbox();
         mailbox.cancelled = std::array::from_fn(|slot| mailbox.wanted[slot].is_some());
-        if mailbox.busy.is_some() {
-            self.shared.progress.cancel();
-        }
+        let busy = mailbox.busy.iter().zip(&self.shared.progress).filter(|(since, _)| since.is_some());
+        busy.for_each(|(_, progress)| progress.cancel());
     }
 
     /// Takes results. Waits up to `patience` for all.
     pub(super) fn take(&mut self, patience: Duration) -> [Option<Done<Outcome>>; SLOTS] {
         let mut mailbox = self.shared.mailbox();
         match &mut self.place {
-            Backend::Nowhere => {}
-            Backend::Thread if patience.is_zero() || !mailbox.any_pending() => {}
-            Backend::Thread => {
+            Backend::Threads(_) if patience.is_zero() || !mailbox.any_pending() => {}
+            Backend::Threads(_) => {
                 mailbox.waited_for = true;
                 let waiting = self.shared.done.wait_timeout_while(mailbox, patience, |mailbox| mailbox.any_pending());
                 mailbox = match waiting {
@@ -246,8 +257,8 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
 impl<Job, Outcome, const SLOTS: usize> Drop for Worker<Job, Outcome, SLOTS> {
     fn drop(&mut self) {
         self.shared.mailbox().quit = true;
-        self.shared.progress.cancel();
-        self.shared.wake.notify_one();
+        self.shared.progress.iter().for_each(Progress::cancel);
+        self.shared.wake.notify_all();
     }
 }
 
@@ -257,25 +268,23 @@ impl<Job, Outcome, const SLOTS: usize> fmt::Debug for Worker<Job, Outcome, SLOTS
     }
 }
 
-/// The thread.
+/// The thread of a slot.
 fn work<Job, Outcome, const SLOTS: usize>(
     shared: &Shared<Job, Outcome, SLOTS>,
+    slot: usize,
     ctx: &egui::Context,
     make: &Make<Job, Outcome>,
     clock: fn() -> Duration,
 ) {
-    let mut work = make();
-    let mut shares = Shares::<SLOTS>::default();
+    let (mut work, progress) = (make(), &shared.progress[slot]);
     loop {
         let mut mailbox = shared.mailbox();
-        let (slot, job) = loop {
+        let job = loop {
             if mailbox.quit {
                 return;
             }
-            let turn = shares.next(mailbox.waiting());
-            let next = turn.and_then(|slot| Some((slot, mailbox.begin(slot, &shared.progress, clock)?)));
-            if let Some(next) = next {
-                break next;
+            if let Some(job) = mailbox.begin(slot, progress, clock) {
+                break job;
             }
             mailbox = shared.wake.wait(mailbox).unwrap_or_else(PoisonError::into_inner);
         };
@@ -283,16 +292,14 @@ fn work<Job, Outcome, const SLOTS: usize>(
 
         let start = clock();
         // A panic here is a bug, but not one for which the window should freeze: half-done parts are made anew.
-        let outcome = catch_unwind(AssertUnwindSafe(|| at_once(work(job, shared.progress.clone())))).ok().flatten();
+        let outcome = catch_unwind(AssertUnwindSafe(|| at_once(work(job, progress.clone())))).ok().flatten();
         if outcome.is_none() {
             work = make();
         }
         let time = clock().saturating_sub(start);
-        shares.book(slot, time);
 
         let mut mailbox = shared.mailbox();
-        mailbox.busy = None;
-        mailbox.finished[slot] = Some(Done { outcome, time });
+        mailbox.end(slot, Done { outcome, time });
         let waited_for = mailbox.waited_for;
         drop(mailbox);
         shared.done.notify_one();
@@ -438,6 +445,22 @@ mod tests {
         // Where the frame itself takes long, so does the slice.
         *NOW.lock().unwrap() += Duration::from_millis(50);
         assert_eq!(frame(&mut worker), [None, Some((34, 80))]);
+    }
+
+    #[test]
+    fn jobs_of_several_slots_are_done_at_the_same_time() {
+        let both = Arc::new(std::sync::Barrier::new(2));
+        let mut worker: Worker<u32, u32, 2> = Worker::new("meeting", clock::now, move || {
+            let both = Arc::clone(&both);
+            async move |n, _: &Progress| {
+                both.wait();
+                n
+            }
+        });
+        for slot in 0..2 {
+            worker.ask(&egui::Context::default(), slot, 7 + u32::try_from(slot).unwrap());
+        }
+        assert_eq!(worker.take(MINUTE).map(|done| done.unwrap().outcome), [Some(7), Some(8)]);
     }
 
     #[test]

@@ -32,9 +32,14 @@ pub struct Renderer {
     other_side: Pixels,
     /// The scene of such a side where its hidden lines are drawn in another way.
     hidden_lines: Option<(SharedScene, [HiddenLines; 2], SharedScene)>,
+    /// For pictures that are made at the same time as its own.
+    beside: Vec<Self>,
     clock: Option<fn() -> Duration>,
     progress: Progress,
 }
+
+/// Pictures that are made at the same time: more would need more memory, and each has several threads where it is large.
+const AT_ONCE: usize = View::COUNT;
 
 impl Renderer {
     /// Times every stage from now on, by a clock that gives the time since any moment that stays the same; `None`: no
@@ -58,6 +63,7 @@ impl Renderer {
         for pipeline in self.pipelines.iter_mut().chain([&mut self.window_pipeline]) {
             pipeline.forget();
         }
+        self.beside.iter_mut().for_each(Self::forget);
     }
 
     /// A picture. `None` where a side is 0, there is not enough memory, or it was cancelled.
@@ -154,15 +160,56 @@ impl Renderer {
         Some(())
     }
 
+    /// Several pictures, each as [`pixels_into`](Self::pixels_into) gives it, at the same time where there are threads:
+    /// part of a picture is always made by one of them. `None` where one of the results is.
+    pub async fn all_into(&mut self, requests: &[Request], pictures: &mut [Pixels]) -> Option<Vec<RenderReport>> {
+        let count = if rayon::current_num_threads() > 1 { AT_ONCE.min(requests.len()) } else { 1 };
+        let jobs = requests.iter().zip(pictures);
+        if count < 2 {
+            let mut reports = Vec::with_capacity(requests.len());
+            for (request, picture) in jobs {
+                reports.push(self.pixels_into(request, picture).await?);
+            }
+            return Some(reports);
+        }
+        let mut beside = std::mem::take(&mut self.beside);
+        beside.resize_with(beside.len().max(count - 1), Self::default);
+        for other in &mut beside {
+            other.measure(self.clock);
+            // How far this one has come is told.
+            other.watch(&self.progress.part());
+        }
+        let mut reports: Vec<Option<RenderReport>> = requests.iter().map(|_| None).collect();
+        let mut shares: Vec<Vec<_>> = (0..count).map(|_| Vec::new()).collect();
+        for (k, job) in jobs.zip(&mut reports).enumerate() {
+            shares[k % count].push(job);
+        }
+        // Threads of their own: one of the pool that waits within a picture would begin another one meanwhile, and wait
+        // for ever where that needs what the first is about to find.
+        let make = |renderer: &mut Self, share: Vec<((&Request, &mut Pixels), &mut Option<RenderReport>)>| {
+            for ((request, picture), report) in share {
+                *report = at_once(renderer.pixels_into(request, picture));
+            }
+        };
+        let own = shares.swap_remove(0);
+        std::thread::scope(|scope| {
+            for (renderer, share) in beside.iter_mut().zip(shares) {
+                scope.spawn(move || make(renderer, share));
+            }
+            make(self, own);
+        });
+        self.beside = beside;
+        reports.into_iter().collect()
+    }
+
     /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty background around it. And
     /// the shortfall of any of them. `None` as for [`pixels`](Self::pixels), and without pictures.
     pub async fn sheet(&mut self, sheet: &Composite, crop: bool) -> Option<(Pixels, Option<OverBudget>)> {
-        let (mut pictures, mut too_much) = (Vec::new(), None);
-        for request in &sheet.requests {
-            let mut picture = Pixels::default();
-            let account = self.pixels_into(request, &mut picture).await?;
-            too_much = too_much.or(account.too_much);
-            pictures.push(if crop { picture.cropped(sheet.gap) } else { picture });
+        let mut pictures = vec![Pixels::default(); sheet.requests.len()];
+        let reports = self.all_into(&sheet.requests, &mut pictures).await?;
+        let too_much = reports.into_iter().find_map(|report| report.too_much);
+        if crop {
+            pictures.iter_mut().for_each(|picture| *picture = std::mem::take(picture).cropped(sheet.gap));
         }
         if pictures.len() == 1 && sheet.grid.is_none() {
             return Some((pictures.pop()?, too_much));
@@ -403,6 +450,29 @@ mod tests {
         assert_eq!(cropped.width(), wide + 2 * sheet(false).gap);
         assert_eq!(cropped.height(), each.iter().map(Pixels::height).max().unwrap());
         assert!(each.iter().all(|picture| picture.width() < first.width), "there was ground to crop");
+    }
+
+    #[test]
+    fn pictures_at_the_same_time_are_those_one_after_the_other() {
+        let requests: Vec<Request> = ["depth-buffer", "bsp"]
+            .iter()
+            .flat_map(|visibility| View::ALL.map(|view| request(view, visibility)))
+            .collect();
+        let mut renderer = Renderer::default();
+        for _ in 0..2 {
+            let mut pictures = vec![Pixels::default(); requests.len()];
+            let reports = at_once(renderer.all_into(&requests, &mut pictures)).unwrap();
+            assert_eq!(reports.len(), requests.len());
+            for (request, picture) in requests.iter().zip(&pictures) {
+                assert_eq!(Renderer::default().pixels(request).as_ref(), Some(picture));
+            }
+            renderer.forget();
+        }
+        let progress = Progress::default();
+        renderer.watch(&progress);
+        progress.cancel();
+        let mut pictures = vec![Pixels::default(); requests.len()];
+        assert!(at_once(renderer.all_into(&requests, &mut pictures)).is_none());
     }
 
     #[test]

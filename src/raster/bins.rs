@@ -31,8 +31,32 @@ pub(super) struct Bins {
 #[derive(Clone, Debug, Default)]
 struct Runs {
     triangles: Vec<u32>,
+    columns: Columns,
     /// The surface of some that follow one another, and the end of these in the list.
     surfaces: Vec<(usize, usize)>,
+}
+
+/// The triangles of a stretch that touch a band.
+#[derive(Clone, Debug, Default)]
+struct Bin {
+    triangles: Vec<u32>,
+    columns: Columns,
+}
+
+/// The columns that triangles touch: the first, and the one after the last.
+#[derive(Clone, Copy, Debug)]
+struct Columns([i32; 2]);
+
+impl Default for Columns {
+    fn default() -> Self {
+        Self([i32::MAX, 0])
+    }
+}
+
+impl Columns {
+    fn and(self, Self([first, end]): Self) -> Self {
+        Self([self.0[0].min(first), self.0[1].max(end)])
+    }
 }
 
 /// A stretch of the triangles of one surface.
@@ -41,8 +65,7 @@ struct Chunk {
     surface: usize,
     first: u32,
     end: u32,
-    /// For each band the numbers of the triangles that touch it.
-    bands: Vec<Vec<u32>>,
+    bands: Vec<Bin>,
     /// Number of triangles that touch any.
     kept: usize,
 }
@@ -54,6 +77,7 @@ struct Translucent {
     depth: f32,
     surface: usize,
     triangle: u32,
+    columns: Columns,
     first_band: usize,
     last_band: usize,
 }
@@ -96,12 +120,13 @@ impl Bins {
         self.translucent.clear();
         let sorted = |s: &Surface| !drawing.painted_in_order && s.translucent;
         for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| sorted(s)) {
-            boxes(s, 0..s.triangles.len(), many, size, |triangle, rows| {
+            boxes(s, 0..s.triangles.len(), many, size, |triangle, rows, columns| {
                 let depth = |k: usize| s.positions[s.triangles[triangle as usize][k] as usize][2];
                 self.translucent.push(Translucent {
                     depth: depth(0) + depth(1) + depth(2),
                     surface,
                     triangle,
+                    columns,
                     first_band: rows.start as usize / height,
                     last_band: (rows.end - 1) as usize / height,
                 });
@@ -115,11 +140,13 @@ impl Bins {
         self.runs.resize_with(bands, Runs::default);
         for runs in &mut self.runs {
             runs.triangles.clear();
+            runs.columns = Columns::default();
             runs.surfaces.clear();
         }
         for t in &self.translucent {
             for runs in self.runs.get_mut(t.first_band..=t.last_band).unwrap_or_default() {
                 runs.triangles.push(t.triangle);
+                runs.columns = runs.columns.and(t.columns);
                 let end = runs.triangles.len();
                 match runs.surfaces.last_mut() {
                     Some((surface, old_end)) if *surface == t.surface => *old_end = end,
@@ -129,10 +156,19 @@ impl Bins {
         }
     }
 
+    /// The columns that the triangles of a band touch.
+    pub(super) fn columns(&self, band: usize) -> Range<usize> {
+        let opaque = self.chunks[..self.used].iter().map(|chunk| chunk.bands[band].columns);
+        let Columns([first, end]) = opaque.fold(self.runs[band].columns, Columns::and);
+        let [first, end] = [first.min(end), end].map(|column| usize::try_from(column).unwrap_or_default());
+        first..end
+    }
+
     /// The triangles that touch a band, surface and numbers: the opaque ones in the order of the drawing, then the
     /// translucent ones from back to front.
     pub(super) fn band(&self, band: usize) -> impl Iterator<Item = (usize, &[u32])> {
-        let opaque = self.chunks[..self.used].iter().map(move |chunk| (chunk.surface, chunk.bands[band].as_slice()));
+        let opaque =
+            self.chunks[..self.used].iter().map(move |chunk| (chunk.surface, chunk.bands[band].triangles.as_slice()));
         let runs = &self.runs[band];
         let translucent = runs.surfaces.iter().scan(0, |start, &(surface, end)| {
             let triangles = &runs.triangles[*start..end];
@@ -145,36 +181,55 @@ impl Bins {
 
 impl Chunk {
     fn fill(&mut self, surface: &Surface, many: bool, size: Size, height: usize, bands: usize) {
-        self.bands.resize_with(bands, Vec::new);
-        self.bands.iter_mut().for_each(Vec::clear);
+        self.bands.resize_with(bands, Bin::default);
+        for bin in &mut self.bands {
+            bin.triangles.clear();
+            bin.columns = Columns::default();
+        }
         // Heights of bands are powers of two.
         let shift = height.trailing_zeros();
         self.kept = 0;
-        boxes(surface, self.first as usize..self.end as usize, many, size, |triangle, rows| {
+        boxes(surface, self.first as usize..self.end as usize, many, size, |triangle, rows, columns| {
             self.kept += 1;
             for band in rows.start >> shift..=(rows.end - 1) >> shift {
-                if let Some(band) = self.bands.get_mut(band as usize) {
-                    band.push(triangle);
+                if let Some(bin) = self.bands.get_mut(band as usize) {
+                    bin.triangles.push(triangle);
+                    bin.columns = bin.columns.and(columns);
                 }
             }
         });
     }
 }
 
-/// Calls `found` for each triangle that may own a sample, in order, with the rows of the picture that it touches.
-fn boxes(surface: &Surface, range: Range<usize>, many: bool, size: Size, mut found: impl FnMut(u32, Range<i32>)) {
+/// Calls `found` for each triangle that may own a sample, in order, with the rows and columns of the picture that it
+/// touches.
+fn boxes(
+    surface: &Surface,
+    range: Range<usize>,
+    many: bool,
+    size: Size,
+    mut found: impl FnMut(u32, Range<i32>, Columns),
+) {
     let triangles = surface.triangles.get(range.clone()).unwrap_or_default();
     for (first, triangles) in (range.start..).step_by(BATCH).zip(triangles.chunks(BATCH)) {
-        let rows = with_vectors!(simd => rows(simd, surface, triangles, many, size));
-        for (l, rows) in rows.into_iter().enumerate().filter(|(_, [top, bottom])| top < bottom) {
-            found(number(first + l), rows[0]..rows[1]);
+        let boxes = with_vectors!(simd => eight_boxes(simd, surface, triangles, many, size));
+        for (l, [top, bottom, left, right]) in
+            boxes.into_iter().enumerate().filter(|(_, [top, bottom, ..])| top < bottom)
+        {
+            found(number(first + l), top..bottom, Columns([left, right]));
         }
     }
 }
 
-/// The rows that eight triangles touch: first and end; (0, 0) for those that own no sample.
+/// The rows and columns that eight triangles touch, first and end of each; zeros for those that own no sample.
 #[inline(always)]
-fn rows<K: Simd>(simd: K, surface: &Surface, triangles: &[[u32; 3]], many: bool, size: Size) -> [[i32; 2]; BATCH] {
+fn eight_boxes<K: Simd>(
+    simd: K,
+    surface: &Surface,
+    triangles: &[[u32; 3]],
+    many: bool,
+    size: Size,
+) -> [[i32; 4]; BATCH] {
     let [x, y, _] = gather_points(simd, &surface.positions, &corners_of(triangles));
     let batch = Batch::new(simd, &x, &y, many, size);
     let mut some = batch.some;
@@ -183,10 +238,10 @@ fn rows<K: Simd>(simd: K, surface: &Surface, triangles: &[[u32; 3]], many: bool,
         // all.
         some &= !batch.one | batch.set_up(0).own_first();
     }
-    let mut result = [[0; 2]; BATCH];
-    for (l, rows) in result.iter_mut().enumerate() {
+    let mut result = [[0; 4]; BATCH];
+    for (l, of) in result.iter_mut().enumerate() {
         if some[l] != 0 {
-            *rows = [batch.top[l], batch.bottom[l]];
+            *of = [batch.top[l], batch.bottom[l], batch.left[l], batch.right[l]];
         }
     }
     result

@@ -235,12 +235,18 @@ impl Coverage {
     /// Keeps what the layer covers of eight columns, and empties the mask there.
     fn keep(&mut self, row: usize, column: usize) {
         let at = row * self.pitch + column;
-        let count = LANES.min(self.width - column);
-        for (column, at) in (column..).zip(at..at + count) {
+        let here = at..at + LANES.min(self.width - column);
+        let (Some(shares), Some(depths), Some(reaches)) =
+            (self.shares.get_mut(here.clone()), self.depths.get(here.clone()), self.reaches.get(here))
+        else {
+            return;
+        };
+        self.fragments.touch(row, column);
+        for (column, ((share, depth), reach)) in (column..).zip(shares.iter_mut().zip(depths).zip(reaches)) {
             #[expect(clippy::cast_possible_truncation, reason = "0 … 255")]
-            let share = std::mem::take(&mut self.shares[at]) as u8;
+            let share = std::mem::take(share) as u8;
             if share > 0 {
-                self.fragments.add([row, column], share, self.depths[at], self.reaches[at]);
+                self.fragments.add([row, column], share, *depth, *reach);
             }
         }
     }

@@ -1,5 +1,7 @@
 //! The depth of the visible surface at each pixel.
 
+use std::ops::Range;
+
 use super::setup::STEPS;
 use crate::appearance::Occlusion;
 use crate::drawing::order::{on_a_face, same_depth};
@@ -26,8 +28,8 @@ pub struct DepthBuffer {
 /// The part of a depth buffer that belongs to one band of rows.
 #[derive(Clone, Debug, Default)]
 pub(super) struct BandDepth {
-    /// Whether anything was drawn; if not, the arrays hold an older picture.
-    pub(super) used: bool,
+    /// The columns that may have a surface; elsewhere the arrays hold an older picture.
+    pub(super) columns: Range<usize>,
     /// −∞ where there is no surface.
     pub(super) values: Vec<f32>,
     /// Change of the depth per pixel to the right and down on the visible face, packed; empty unless requested.
@@ -41,7 +43,7 @@ impl DepthBuffer {
         self.offset = offset.map(|v| v as f32 / STEPS as f32);
         self.bands.resize_with(height.div_ceil(rows), BandDepth::default);
         for band in &mut self.bands {
-            band.used = false;
+            band.columns = 0..0;
         }
     }
 
@@ -53,7 +55,7 @@ impl DepthBuffer {
     /// The depth at a pixel and the slope of the face there.
     #[inline]
     fn value(&self, x: usize, y: usize) -> Option<(f32, [f32; 2])> {
-        let band = self.bands.get(y >> self.rows_log).filter(|band| band.used && x < self.width)?;
+        let band = self.bands.get(y >> self.rows_log).filter(|band| band.columns.contains(&x))?;
         let index = (y - (y >> self.rows_log << self.rows_log)) * self.pitch + x;
         let depth = *band.values.get(index)?;
         let slope = band.slopes.get(index).map_or([0.0; 2], |&packed| unpack_slope(packed));
@@ -65,10 +67,10 @@ impl DepthBuffer {
         let mut values = Vec::with_capacity(self.width * self.height);
         for y in 0..self.height {
             let (band, first) = (&self.bands[y >> self.rows_log], (y & ((1 << self.rows_log) - 1)) * self.pitch);
-            match band.values.get(first..first + self.width).filter(|_| band.used) {
-                Some(row) => values.extend_from_slice(row),
-                None => values.resize(values.len() + self.width, f32::NEG_INFINITY),
-            }
+            let Range { start, end } = band.columns;
+            values.resize(values.len() + start, f32::NEG_INFINITY);
+            values.extend_from_slice(band.values.get(first + start..first + end).unwrap_or_default());
+            values.resize((y + 1) * self.width, f32::NEG_INFINITY);
         }
         values
     }
@@ -76,7 +78,7 @@ impl DepthBuffer {
     /// True where no surface was drawn.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        !self.bands.iter().any(|band| band.used)
+        self.bands.iter().all(|band| band.columns.is_empty())
     }
 
     /// The point of its pixel at which a depth was taken, relative to the pixel's centre, in pixels: (0, 0) without
@@ -132,18 +134,21 @@ impl DepthBuffer {
         });
     }
 
-    /// The four pixels around a point; `None` where they are not all in one band of the picture.
+    /// The four pixels around a point; `None` where they are not all in one band of the picture, where surfaces may be.
     #[inline(always)]
     fn around(&self, p: [f32; 3]) -> Option<Around> {
         let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
         let (i, j) = (floor(x), floor(y));
         let (column, row) = (usize::try_from(i).ok()?, usize::try_from(j).ok()?);
         let band = row >> self.rows_log;
-        if column + 1 >= self.width || row + 1 >= self.height || (row + 1) >> self.rows_log != band {
+        if row + 1 >= self.height || (row + 1) >> self.rows_log != band {
             return None;
         }
         let start = (row - (band << self.rows_log)) * self.pitch + column;
-        let band = self.bands.get(band).filter(|band| band.used)?;
+        let band = self.bands.get(band)?;
+        if column < band.columns.start || column + 1 >= band.columns.end {
+            return None;
+        }
         let (above, below) = (band.values.get(start..start + 2)?, band.values.get(start + self.pitch..)?.get(..2)?);
         let (left, top) = (x - i as f32, y - j as f32);
         let (right, bottom) = (x - (i + 1) as f32, y - (j + 1) as f32);
@@ -261,12 +266,12 @@ mod tests {
             values in prop::collection::vec(prop_oneof![Just(f32::NEG_INFINITY), 0.0..1.0_f32], 7 * 6),
             slopes in prop::collection::vec([-0.3..0.3_f32, -0.3..0.3], 7 * 6),
             points in prop::collection::vec([-2.0..8.0_f32, -2.0..9.0, 0.0..1.0], 1..EACH),
-            (with_slopes, used, step) in (any::<bool>(), any::<bool>(), prop_oneof![Just(0.0_f32), Just(0.01)]),
+            (with_slopes, columns, step) in (any::<bool>(), [0..5_usize, 0..6], prop_oneof![Just(0.0_f32), Just(0.01)]),
         ) {
             let slopes: Vec<u32> = slopes.into_iter().map(|[dx, dy]| pack_slope(dx, dy)).collect();
             // Two bands of four rows, of which the picture has six.
-            let band = |first: usize, used| BandDepth {
-                used,
+            let band = |first: usize, columns| BandDepth {
+                columns,
                 values: values[first..].to_vec(),
                 slopes: if with_slopes { slopes[first..].to_vec() } else { Vec::new() },
             };
@@ -276,7 +281,7 @@ mod tests {
                 offset: [0.125, -0.375],
                 rows_log: 2,
                 pitch: 7,
-                bands: vec![band(0, true), band(7, used)],
+                bands: vec![band(0, 0..5), band(7, columns[0]..columns[1])],
                 step,
             };
             let mut shown = [false; EACH];

@@ -63,14 +63,20 @@ impl Fragments {
         self.layers.push(Layer { color, rank });
     }
 
-    /// Adds what the layer covers of a pixel: its share, the depth there, and the reach of that.
+    /// Adds what the layer covers of a pixel, one of eight that are [told](Self::touch): its share, the depth there, and
+    /// the reach of that.
     #[inline]
     pub(super) fn add(&mut self, [row, column]: [usize; 2], share: u8, depth: f32, reach: f32) {
         let layer = number(self.layers.len().wrapping_sub(1));
-        self.touched.add(row, column, column);
         let last = &mut self.last[row * self.width + column];
         self.fragments.push(Fragment { layer, before: *last, share, depth, reach });
         *last = number(self.fragments.len());
+    }
+
+    /// Tells that pixels among the eight columns from this one have fragments.
+    #[inline]
+    pub(super) fn touch(&mut self, row: usize, column: usize) {
+        self.touched.add(row, column, column);
     }
 
     /// Lays all layers on `pixels`, from back to front, and forgets them.
@@ -92,21 +98,23 @@ impl Fragments {
     }
 
     fn lay_pixel(&mut self, at: usize, pixel: &mut [u8; 4]) {
-        let mut next = std::mem::take(&mut self.last[at]);
-        if next == 0 {
+        let (fragments, layers) = (&self.fragments, &self.layers);
+        let get = |number: u32| fragments.get((number as usize).wrapping_sub(1)).copied();
+        let Some(last) = get(std::mem::take(&mut self.last[at])) else { return };
+        let mut lay = |fragment: &Fragment| {
+            let source = scale(layers[fragment.layer as usize].color, u32::from(fragment.share));
+            *pixel = over(source, u32::from_le_bytes(*pixel)).to_le_bytes();
+        };
+        // Most pixels have one, and nothing to sort.
+        if last.before == 0 {
+            lay(&last);
             return;
         }
         self.order.clear();
-        while let Some(&fragment) = self.fragments.get((next as usize).wrapping_sub(1)) {
-            self.order.push(fragment);
-            next = fragment.before;
-        }
+        self.order.extend(std::iter::successors(Some(last), |fragment| get(fragment.before)));
         self.order.reverse();
-        sort(&mut self.order, &self.layers);
-        for fragment in &self.order {
-            let source = scale(self.layers[fragment.layer as usize].color, u32::from(fragment.share));
-            *pixel = over(source, u32::from_le_bytes(*pixel)).to_le_bytes();
-        }
+        sort(&mut self.order, layers);
+        self.order.iter().for_each(lay);
     }
 
     /// For tests: nothing is left of an earlier picture.

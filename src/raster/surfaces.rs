@@ -1,5 +1,6 @@
 //! All surfaces of a picture: bands of rows, each painted on its own, by as many threads as there are.
 
+use std::ops::Range;
 use std::sync::Mutex;
 
 use tiny_skia::Pixmap;
@@ -175,25 +176,34 @@ impl Scratch {
     fn paint(&mut self, frame: &SharedByBands, job: BandJob) {
         let SharedByBands { drawing, size, samples, pitch, .. } = *frame;
         let width = size.width as usize;
-        if frame.bins.band(job.band).next().is_none() {
+        let columns = frame.bins.columns(job.band);
+        if columns.is_empty() {
             job.pixels.fill(frame.background.to_le_bytes());
             return;
         }
         let rows = job.pixels.len() / width;
         // One row more: a tile may reach below the last.
         let plane = (rows + 1) * pitch;
-        self.colors.clear();
-        self.colors.resize(samples.len() * plane, frame.background);
-        let cleared = (samples.len() * job.pixels.len()) as u64;
+        fit(&mut self.colors, samples.len() * plane, frame.background);
+        let sample_rows = || (0..samples.len()).flat_map(|s| (0..rows).map(move |row| s * plane + row * pitch));
+        // Where no triangle is, nobody looks at what is left of an older band.
+        for start in sample_rows() {
+            self.colors[start + columns.start..start + columns.end].fill(frame.background);
+        }
+        let cleared = (samples.len() * rows * columns.len()) as u64;
         self.cleared[0] += cleared;
         self.cleared[1] += if frame.depth_test { cleared } else { 0 };
         let together = samples.len().min(4);
-        let BandDepth { used, values, slopes } = job.depth;
-        *used = frame.depth_test;
-        let depths = if together == 1 { &mut *values } else { &mut self.depths };
-        depths.clear();
+        let BandDepth { columns: with_depth, values, slopes } = job.depth;
+        let mut depths: &mut [f32] = &mut [];
         if frame.depth_test {
-            depths.resize(samples.len() * plane, f32::NEG_INFINITY);
+            *with_depth = columns.clone();
+            let all = if together == 1 { &mut *values } else { &mut self.depths };
+            fit(all, samples.len() * plane, f32::NEG_INFINITY);
+            depths = &mut all[..samples.len() * plane];
+            for start in sample_rows() {
+                depths[start + columns.start..start + columns.end].fill(f32::NEG_INFINITY);
+            }
         }
         slopes.resize(if frame.want_slopes { plane } else { 0 }, 0);
         #[expect(clippy::cast_possible_truncation, reason = "rows are at most 16384")]
@@ -227,23 +237,41 @@ impl Scratch {
             }
         }
         with_vectors!(_simd => match samples.len() {
-            1 => resolve::<1>(job.pixels, &self.colors, width, pitch, plane),
-            4 => resolve::<4>(job.pixels, &self.colors, width, pitch, plane),
-            _ => resolve::<16>(job.pixels, &self.colors, width, pitch, plane),
+            1 => resolve::<1>(job.pixels, &self.colors, frame, &columns, plane),
+            4 => resolve::<4>(job.pixels, &self.colors, frame, &columns, plane),
+            _ => resolve::<16>(job.pixels, &self.colors, frame, &columns, plane),
         });
         if frame.depth_test && together > 1 {
-            values.clear();
-            values.extend_from_slice(&self.depths[..plane]);
+            fit(values, plane, f32::NEG_INFINITY);
+            for start in (0..rows).map(|row| row * pitch) {
+                let here = start + columns.start..start + columns.end;
+                values[here.clone()].copy_from_slice(&self.depths[here]);
+            }
         }
     }
 }
 
-/// Writes the means of the samples of each pixel, whose planes lie `plane` apart.
+/// Makes a buffer that large at least, whatever it holds.
+fn fit<T: Copy>(buffer: &mut Vec<T>, length: usize, new: T) {
+    buffer.resize(buffer.len().max(length), new);
+}
+
+/// Writes the means of the samples of each pixel, whose planes lie `plane` apart; beyond some columns the background.
 #[inline(always)]
-fn resolve<const S: usize>(pixels: &mut [[u8; 4]], colors: &[Pixel], width: usize, pitch: usize, plane: usize) {
-    for (row, pixels) in pixels.chunks_exact_mut(width).enumerate() {
-        let samples: [&[Pixel]; S] = std::array::from_fn(|s| &colors[s * plane + row * pitch..][..width]);
-        for (i, pixel) in pixels.iter_mut().enumerate() {
+fn resolve<const S: usize>(
+    pixels: &mut [[u8; 4]],
+    colors: &[Pixel],
+    frame: &SharedByBands,
+    columns: &Range<usize>,
+    plane: usize,
+) {
+    let background = frame.background.to_le_bytes();
+    for (row, pixels) in pixels.chunks_exact_mut(frame.size.width as usize).enumerate() {
+        pixels[..columns.start].fill(background);
+        pixels[columns.end..].fill(background);
+        let first = row * frame.pitch + columns.start;
+        let samples: [&[Pixel]; S] = std::array::from_fn(|s| &colors[s * plane + first..][..columns.len()]);
+        for (i, pixel) in pixels[columns.clone()].iter_mut().enumerate() {
             *pixel = mean::<S>(std::array::from_fn(|s| samples[s][i])).to_le_bytes();
         }
     }

@@ -1,5 +1,6 @@
 //! Has pictures drawn beside the window's thread, each only when something that made it has changed.
 
+use std::sync::{Arc, PoisonError, RwLock};
 use std::time::Duration;
 
 use eframe::egui;
@@ -75,7 +76,7 @@ pub(super) struct Rendering {
 impl Default for Rendering {
     fn default() -> Self {
         Self {
-            worker: Worker::new("pictures", clock::now, work),
+            worker: drawing(),
             asked: Default::default(),
             given_up: Default::default(),
             drawn: [0; MAX_PICTURES],
@@ -85,10 +86,20 @@ impl Default for Rendering {
     }
 }
 
-fn work() -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome {
+/// Draws pictures at the same time, but alone what is timed: its times are not those of waiting for the others.
+fn drawing() -> Worker<RenderJob, DrawOutcome, MAX_PICTURES> {
+    let turn = Arc::new(RwLock::new(()));
+    Worker::new("pictures", clock::now, move || work(Arc::clone(&turn)))
+}
+
+fn work(turn: Arc<RwLock<()>>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome {
     let mut renderer = Renderer::default();
     let mut pictures: [Pixels; MAX_PICTURES] = Default::default();
+    #[expect(clippy::await_holding_lock, reason = "where jobs pause, none begins before the last one has ended")]
     async move |job: RenderJob, progress: &Progress| {
+        // Each is a turn, and the lock holds nothing that a panic could leave half done.
+        let _alone = job.accounted.then(|| turn.write().unwrap_or_else(PoisonError::into_inner));
+        let _beside = (!job.accounted).then(|| turn.read().unwrap_or_else(PoisonError::into_inner));
         let RenderJob { picture, mut request, draft, max_side, accounted } = job;
         if draft {
             request = request.with_shot(|shot| shot.look.style.antialias = 1);
@@ -164,7 +175,9 @@ impl Rendering {
     /// the last drawings took longer than that, it does not wait at all, and the window gets a frame of its own when
     /// they are done.
     pub(super) fn collect(&mut self, patience: Duration) -> [Option<Result<Rendered, Missing>>; MAX_PICTURES] {
-        let expected: Duration = (0..MAX_PICTURES).filter(|&i| self.worker.is_pending(i)).map(|i| self.cost[i]).sum();
+        let pending = (0..MAX_PICTURES).filter(|&i| self.worker.is_pending(i));
+        // They are drawn at the same time, and their costs are of times when they were.
+        let expected = pending.map(|i| self.cost[i]).max().unwrap_or_default();
         let mut done = self.worker.take(if expected <= patience { patience } else { Duration::ZERO });
         std::array::from_fn(|i| {
             let done = done[i].take()?;
@@ -276,7 +289,7 @@ mod tests {
     #[test]
     fn where_there_are_no_threads_pictures_are_drawn_in_the_frame() {
         let ctx = egui::Context::default();
-        let worker = Worker::new("pictures", clock::now, work).without_thread(&ctx);
+        let worker = drawing().without_thread(&ctx);
         let mut rendering = Rendering { worker, ..Rendering::default() };
         rendering.ask(&ctx, job(25));
         let rendered = rendering.collect(Duration::ZERO);

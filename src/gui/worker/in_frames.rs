@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use super::{Done, Make, Running, Shared, Shares, Slices, Work};
+use super::shares::Shares;
+use super::{Done, Make, Running, Shared, Slices, Work};
 
 /// Time for jobs in a frame: the animation moves on in between.
 const SLICE: Duration = Duration::from_millis(30);
@@ -76,9 +77,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
                     let UnderWay { slot, time, longest, .. } = job;
                     self.shares.book(slot, time);
                     self.longest[slot] = longest;
-                    let mut mailbox = shared.mailbox();
-                    mailbox.busy = None;
-                    mailbox.finished[slot] = Some(Done { outcome, time });
+                    shared.mailbox().end(slot, Done { outcome, time });
                 }
             }
             if clock().saturating_sub(begin) >= slice {
@@ -99,8 +98,9 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
             self.announced = Some(slot);
             return None;
         }
-        let job = shared.mailbox().begin(slot, &shared.progress, clock)?;
-        let slices = (self.work)(job, shared.progress.clone());
+        let progress = &shared.progress[slot];
+        let job = shared.mailbox().begin(slot, progress, clock)?;
+        let slices = (self.work)(job, progress.clone());
         Some(UnderWay { slot, slices, time: Duration::ZERO, longest: Duration::ZERO })
     }
 
