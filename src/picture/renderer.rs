@@ -160,20 +160,20 @@ impl Renderer {
         Some(())
     }
 
-    /// Several pictures, each as [`pixels_into`](Self::pixels_into) gives it, at the same time where there are threads:
-    /// part of a picture is always made by one of them. `None` where one of the results is.
+    /// Several pictures, each as [`pixels_into`](Self::pixels_into) gives it, at the same time where there are threads,
+    /// without a pause: part of a picture is always made by one of them. `None` where one of the results is.
     pub async fn all_into(&mut self, requests: &[Request], pictures: &mut [Pixels]) -> Option<Vec<RenderReport>> {
-        let count = if rayon::current_num_threads() > 1 { AT_ONCE.min(requests.len()) } else { 1 };
         let jobs = requests.iter().zip(pictures);
-        if count < 2 {
+        if rayon::current_num_threads() < 2 {
             let mut reports = Vec::with_capacity(requests.len());
             for (request, picture) in jobs {
                 reports.push(self.pixels_into(request, picture).await?);
             }
             return Some(reports);
         }
+        let count = AT_ONCE.min(requests.len());
         let mut beside = std::mem::take(&mut self.beside);
-        beside.resize_with(beside.len().max(count - 1), Self::default);
+        beside.resize_with(beside.len().max(count.saturating_sub(1)), Self::default);
         for other in &mut beside {
             other.measure(self.clock);
             // How far this one has come is told.
@@ -184,19 +184,16 @@ impl Renderer {
         for (k, job) in jobs.zip(&mut reports).enumerate() {
             shares[k % count].push(job);
         }
-        // Threads of their own: one of the pool that waits within a picture would begin another one meanwhile, and wait
-        // for ever where that needs what the first is about to find.
-        let make = |renderer: &mut Self, share: Vec<((&Request, &mut Pixels), &mut Option<RenderReport>)>| {
-            for ((request, picture), report) in share {
-                *report = at_once(renderer.pixels_into(request, picture));
+        // Threads of the pool: one that is about to share a part with others begins it at once, and wakes nobody. (While
+        // it waits for them it may make another picture: nothing that pictures share may be found by several threads.)
+        rayon::scope(|scope| {
+            for (renderer, share) in [&mut *self].into_iter().chain(&mut beside).zip(shares) {
+                scope.spawn(move |_| {
+                    for ((request, picture), report) in share {
+                        *report = at_once(renderer.pixels_into(request, picture));
+                    }
+                });
             }
-        };
-        let own = shares.swap_remove(0);
-        std::thread::scope(|scope| {
-            for (renderer, share) in beside.iter_mut().zip(shares) {
-                scope.spawn(move || make(renderer, share));
-            }
-            make(self, own);
         });
         self.beside = beside;
         reports.into_iter().collect()

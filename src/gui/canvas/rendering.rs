@@ -107,7 +107,7 @@ fn work(turn: Arc<RwLock<()>>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawO
         renderer.measure(accounted.then_some(clock::now));
         renderer.watch(progress);
         let pixels = &mut pictures[picture];
-        let account = renderer.pixels_into(&request, pixels).await;
+        let account = renderer.all_into(&[request], std::slice::from_mut(pixels)).await.and_then(|mut all| all.pop());
         let rendered = account.map(|account| Rendered {
             tiles: Tiles::of(pixels, max_side),
             too_much: account.too_much.clone(),
