@@ -38,7 +38,7 @@ pub struct Renderer {
     progress: Progress,
 }
 
-/// Pictures that are made at the same time: more would need more memory, and each has several threads where it is large.
+/// Pictures that are made at the same time: more would need more memory, and a large one has several threads.
 const AT_ONCE: usize = View::COUNT;
 
 impl Renderer {
@@ -184,8 +184,8 @@ impl Renderer {
         for (k, job) in jobs.zip(&mut reports).enumerate() {
             shares[k % count].push(job);
         }
-        // Threads of the pool: one that is about to share a part with others begins it at once, and wakes nobody. (While
-        // it waits for them it may make another picture: nothing that pictures share may be found by several threads.)
+        // Threads of the pool: one that shares a part with others begins it at once, and need not be woken. While it
+        // waits for them it may make another picture, so what pictures share is found without the pool.
         rayon::scope(|scope| {
             for (renderer, share) in [&mut *self].into_iter().chain(&mut beside).zip(shares) {
                 scope.spawn(move |_| {

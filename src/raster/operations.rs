@@ -271,18 +271,21 @@ fn texture(sampler: Sampler, image: &Texture) -> (Operations, Operations) {
 }
 
 /// Adds the work on all pixels of a picture: they are sorted, cleared, and written. `samples`: of a pixel; `cleared`:
-/// the samples whose colours, and whose depths, were set before anything was filled.
+/// the samples whose colours, and whose depths, were set before anything was filled: those of the pixels around which
+/// there are triangles. The other pixels get the background.
 pub(super) fn of_picture(cost: &mut Cost, drawing: &Drawing, samples: u64, cleared: [u64; 2]) {
     let pixels = u64::from(drawing.width) * u64::from(drawing.height);
+    let sampled = cleared[0] / samples;
     let triangles: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
     // Sorted into bands of rows by their boxes.
     cost.add(Stage::Fill, BOX, triangles as u64);
     cost.add(Stage::Fill, STORE, cleared[0]);
     cost.add(Stage::HiddenSurfaces, STORE, cleared[1]);
     if samples > 1 {
-        cost.add(Stage::Antialias, SAMPLE.times(samples).and(MEAN), pixels);
+        cost.add(Stage::Antialias, SAMPLE.times(samples).and(MEAN), sampled);
         cost.add(Stage::Write, STORE, pixels);
     } else {
-        cost.add(Stage::Write, COPY, pixels);
+        cost.add(Stage::Write, COPY, sampled);
+        cost.add(Stage::Write, STORE, pixels - sampled);
     }
 }

@@ -208,7 +208,8 @@ pub struct SharedScene(Arc<SceneWithBounds>);
 #[derive(Debug, Default)]
 struct SceneWithBounds {
     scene: Scene,
-    /// The box around the scene: with a million vertices it takes a while to find.
+    /// The box around the scene: with a million vertices it takes a while to find. By one thread: those of the pool
+    /// would begin another picture of the scene meanwhile, which would wait for it.
     bounds: OnceLock<Option<Aabb>>,
     revision: OnceLock<SceneRevision>,
 }

@@ -102,7 +102,9 @@ fn the_cost_of_vertices_grows_with_their_number_and_that_of_pixels_with_theirs()
     }
     // 18 operations to view space, 2 to clip space, 4 of the oblique window where that did not run.
     assert_eq!(of(&coarse, "transform"), [128 * (18 + 2 + 4), 0, 128 * 3]);
-    assert_eq!(of(&coarse, "write"), [0, 0, 2 * 160 * 120]);
+    // Each pixel is written, and read before that where there may be triangles.
+    let write = of(&coarse, "write");
+    assert!(write[..2] == [0, 0] && (160 * 120 + 1..2 * 160 * 120).contains(&write[2]), "{write:?}");
     let large = told(&bench, &["coarse.toml", "--size", "320x240"]);
     assert_eq!(of(&large, "transform"), of(&coarse, "transform"));
     let grown = of(&large, "interpolate")[0] as f64 / of(&coarse, "interpolate")[0] as f64;
