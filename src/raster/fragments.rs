@@ -63,8 +63,8 @@ impl Fragments {
         self.layers.push(Layer { color, rank });
     }
 
-    /// Adds what the layer covers of a pixel, one of eight that are [told](Self::touch): its share, the depth there, and
-    /// the reach of that.
+    /// Adds what the layer covers of a pixel, one of eight that [have some](Self::touch): its share, the depth there,
+    /// and the reach of that.
     #[inline]
     pub(super) fn add(&mut self, [row, column]: [usize; 2], share: u8, depth: f32, reach: f32) {
         let layer = number(self.layers.len().wrapping_sub(1));
