@@ -5,11 +5,12 @@
 //! through all spaces, the divide and the viewport included. Rows: one bumpy sphere that fills most of the picture,
 //! wholly inside, across some planes, and for the most part out of the picture; the same with a picture on it, and
 //! in the shadow of itself; its edges alone, or with its faces; faces put in order, of that sphere and of two tori that
-//! are linked; many objects, of which few are in view; the three pictures of the default figure, and of a sphere. Words
-//! choose rows (`1000000 gouraud`).
+//! are linked; many objects, of which few are in view; the three pictures of the default figure, and of a sphere; these
+//! three at the same time, beside a memory that is cleared and copied. Words choose rows (`1000000 gouraud`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 
+use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -233,6 +234,37 @@ fn main() {
     pictures("default figure", 50, &figure, &wanted, || of_file.ok());
     pictures("100000 triangles", 50, &spheres, &wanted, ball(1e5));
     pictures("1000000 triangles", 20, &spheres, &wanted, ball(1e6));
+    at_the_same_time(&figure, &wanted);
+}
+
+/// Times the three pictures of a figure side by side, 1920 × 1080 in all, and what a memory takes to clear and copy so
+/// many pixels.
+fn at_the_same_time(figure: &Figure, wanted: &impl Fn(&str) -> bool) {
+    let columns = |total: f64| [vec![0.0; STAGES.len() + 2], vec![total]].concat();
+    let name = "clear and copy, 1920x1080";
+    if wanted(name) {
+        let [mut source, mut target] = [vec![0_u32; 1920 * 1080], vec![0_u32; 1920 * 1080]];
+        Least::row(name, 200, || {
+            let start = Instant::now();
+            source.fill(black_box(u32::MAX));
+            target.copy_from_slice(black_box(&source));
+            black_box(&target);
+            columns(start.elapsed().as_secs_f64())
+        });
+    }
+    let name = "default figure, all, 1920x1080";
+    let scene = scene_of(figure, &mut |_| Ok(Vec::new()), &Progress::default());
+    let (true, Ok(camera), Ok(scene)) = (wanted(name), Camera::new(&figure.camera), scene) else { return };
+    let (scene, labels) = (SharedScene::new(scene), i18n::pictures::labels(Lang::En));
+    let size = Size { width: 640, height: 1080, scale: 1.0 };
+    let requests = View::ALL.map(|view| Request::of(figure, view, &camera, &scene, labels, size));
+    let (mut renderer, mut pictures) = (Renderer::default(), View::ALL.map(|_| Pixels::default()));
+    Least::row(name, 100, || {
+        let start = Instant::now();
+        renderer.forget();
+        at_once(renderer.all_into(&requests, &mut pictures));
+        columns(start.elapsed().as_secs_f64())
+    });
 }
 
 /// Times the three pictures of a figure that shows a scene.

@@ -170,9 +170,9 @@ fn the_cost_of_shadows_is_that_of_their_maps_and_of_looking_into_them() {
     let map = |side: u32| format!("shadows = true\nshadow_map = {side}\n");
     assert_eq!(cost("", "image"), [0; 3]);
     let [small, large] = [512, 1024].map(|side| cost(&map(side), "image"));
-    // At least: a colour is read and written, a depth cleared, read and written.
+    // At least: a colour is written, a depth read and written.
     let texels = 1024 * 1024 - 512 * 512;
-    assert!(large[2] - small[2] >= 4 * texels && large[2] - small[2] < 12 * texels, "{small:?} {large:?}");
+    assert!(large[2] - small[2] >= 3 * texels && large[2] - small[2] < 12 * texels, "{small:?} {large:?}");
     let lamp = "[[scene.lights]]\nkind = \"point\"\nposition = [3.0, 4.0, 3.0]\n";
     let both = cost(&format!("{}{lamp}{}", map(1024), map(512)), "image");
     assert!(both[2] - large[2] > 6 * 2 * 512 * 512, "{large:?} {both:?}");
