@@ -175,6 +175,7 @@ fn the_cost_of_shadows_is_that_of_their_maps_and_of_looking_into_them() {
     assert!(large[2] - small[2] >= 3 * texels && large[2] - small[2] < 12 * texels, "{small:?} {large:?}");
     let lamp = "[[scene.lights]]\nkind = \"point\"\nposition = [3.0, 4.0, 3.0]\n";
     let both = cost(&format!("{}{lamp}{}", map(1024), map(512)), "image");
-    assert!(both[2] - large[2] > 6 * 2 * 512 * 512, "{large:?} {both:?}");
+    // The lamp sees the torus in two of its six maps at least.
+    assert!(both[2] - large[2] > 2 * 3 * 512 * 512, "{large:?} {both:?}");
     assert!(small[0] > 0 && cost(&map(512), "canonical")[0] > 0 && cost(&map(512), "world")[0] > 0);
 }
