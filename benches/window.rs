@@ -4,10 +4,11 @@
 //! display: events go in, shapes and textures come out. A frame here is the layout by egui with all of this program's
 //! code; it waits for its pictures, however long they take, so that it ends when all pictures of a change are in their
 //! textures. What a window does then is not in it: tessellation is a column of its own, and OpenGL is not called (for
-//! its share see `docs/performance.md`). Each row takes turns with frames in which nothing changes: "beyond" is how much
-//! longer its frame takes than those, of the medians and of the least. "kB" is what a frame sends to textures,
-//! "pictures" how many it draws. Rows: nothing changes; the pointer moves; a hand drags the observer of the world, θ,
-//! and the slider of the azimuth; a field has the caret in it, and nobody types. Words choose rows (`observer`).
+//! its share see `docs/performance.md`). Each row takes turns with frames in which nothing changes: "beyond" is how
+//! much longer its frame takes than those, of the medians and of the least. "layers" is how often a frame paints each
+//! pixel of the window, on average; "kB" is what it sends to textures, "pictures" how many it draws. Rows: nothing
+//! changes; the pointer moves; a hand drags the observer of the world, θ, and the slider of the azimuth; a field has
+//! the caret in it, and nobody types. Words choose rows (`observer`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 
@@ -68,7 +69,9 @@ impl Window {
         app.canvas.patience = Duration::from_secs(60);
         let mut window = Self { ctx, app, now: 0.0 };
         // Sizes settle, and the atlas gets its letters.
-        (0..30).for_each(|_| drop(window.frame(Vec::new())));
+        for _ in 0..30 {
+            window.frame(Vec::new());
+        }
         Some(window)
     }
 
