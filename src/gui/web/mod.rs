@@ -239,7 +239,7 @@ impl eframe::App for Page {
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
-        self.app.clear_color(visuals)
+        eframe::App::clear_color(&self.app, visuals)
     }
 
     fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
