@@ -236,8 +236,7 @@ impl App {
         tooltip::beside_nothing(&ctx);
         motion::show_done(&ctx, &mut self.state);
         self.state.follow_panels();
-        let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
-        let pictures = egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
+        let pictures = egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.ui(ui, &mut self.state));
         self.state.consult(&ctx);
         presentation::show(&ctx, &mut self.state, pictures.response.rect);
         let bar = if presenting { presentation::bar(&ctx, &self.state) } else { bar };
@@ -405,6 +404,11 @@ impl eframe::App for App {
         #[cfg(not(target_arch = "wasm32"))]
         self.opening.go_on(ui.ctx());
         self.show(ui);
+    }
+
+    /// The ground of the window: to clear it costs little, and to paint it once more, in software, milliseconds.
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        visuals.panel_fill.to_normalized_gamma_f32()
     }
 
     fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {

@@ -188,7 +188,9 @@ pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
     if let Ok(icon) = eframe::icon_data::from_png_bytes(include_bytes!("../../dist/icon.png")) {
         viewport = viewport.with_icon(icon);
     }
-    let options = eframe::NativeOptions { viewport, system_font_fallback: false, ..Default::default() };
+    // No gradient of the window is long enough to have bands, and OpenGL in software dithers every pixel.
+    let options =
+        eframe::NativeOptions { viewport, system_font_fallback: false, dithering: false, ..Default::default() };
     eframe::run_native(
         "camera-lab",
         options,

@@ -19,6 +19,7 @@ mod explain;
 mod explain_steps;
 mod explained;
 mod files;
+mod frames;
 mod gallery;
 mod guide_pictures;
 mod heavy;
@@ -32,6 +33,8 @@ mod notes;
 mod numerics;
 mod order;
 mod other_programs;
+#[path = "../common/overdraw.rs"]
+mod overdraw;
 mod painter;
 mod panels;
 mod pictures;

@@ -83,7 +83,10 @@ impl egui_kittest::TestRenderer for Painter {
         let textures = self.textures.0.borrow();
         let scale = output.pixels_per_point;
         let size = ctx.content_rect().size() * scale;
-        let mut image = RgbaImage::new(size.x.round() as u32, size.y.round() as u32);
+        // As a frame of the window begins.
+        let ground = ctx.global_style().visuals.panel_fill;
+        let mut image =
+            RgbaImage::from_pixel(size.x.round() as u32, size.y.round() as u32, image::Rgba(ground.to_array()));
         for ClippedPrimitive { clip_rect, primitive } in ctx.tessellate(output.shapes.clone(), scale) {
             let Primitive::Mesh(mesh) = primitive else { return Err("a paint callback".to_owned()) };
             let texture = textures.get(&mesh.texture_id).ok_or("an unknown texture")?;

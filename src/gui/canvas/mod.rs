@@ -250,7 +250,6 @@ impl Canvas {
     pub fn ui(&mut self, ui: &mut Ui, state: &mut State) {
         let room = ui.available_rect_before_wrap();
         ui.take_available_space();
-        ui.painter().rect_filled(room, 0.0, ui.visuals().panel_fill);
         let texts = words::texts(state.settings.lang);
         let lines = status::height(ui, room.width(), state.settings.presentation);
         let (room, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
@@ -483,10 +482,13 @@ impl Canvas {
         self.report(ctx, state);
         let palette = Palette::of(style.theme);
         for pane in panes.iter() {
-            let ground = if pane.view == View::Image { palette.surround } else { palette.paper };
-            let Rgba { r, g, b, .. } = ground;
-            ui.painter().rect_filled(pane.rect.rect, 0.0, eframe::egui::Color32::from_rgb(r, g, b));
-            self.pictures[pane.picture].texture.paint(ui, &pane.rect);
+            let texture = &mut self.pictures[pane.picture].texture;
+            if !texture.covers(&pane.rect) {
+                let ground = if pane.view == View::Image { palette.surround } else { palette.paper };
+                let Rgba { r, g, b, .. } = ground;
+                ui.painter().rect_filled(pane.rect.rect, 0.0, eframe::egui::Color32::from_rgb(r, g, b));
+            }
+            texture.paint(ui, &pane.rect);
         }
     }
 

@@ -43,6 +43,11 @@ impl PictureRect {
         Self { rect, size, pixels_per_point }
     }
 
+    /// Width and height in pixels.
+    fn sides(&self) -> [usize; 2] {
+        [self.size.width as usize, self.size.height as usize]
+    }
+
     /// A point of the screen in the picture's pixels.
     pub(super) fn pixel(&self, point: Pos2) -> DVec2 {
         let p = (point - self.rect.min) * self.pixels_per_point;
@@ -209,13 +214,18 @@ impl PictureTexture {
         self.failed
     }
 
+    /// True where the picture leaves nothing of its place free: what is beneath it, nobody sees.
+    pub(super) fn covers(&self, place: &PictureRect) -> bool {
+        !self.tiles.is_empty() && self.size == place.sides()
+    }
+
     /// Paints the picture at its place; one of another size, which is there while the next is being drawn, in the
     /// middle.
     pub(super) fn paint(&mut self, ui: &Ui, place: &PictureRect) {
         paint_tiles(ui, place, self.size, &self.tiles, Color32::WHITE);
         let Some(fading) = &self.fading else { return };
         let left = 1.0 - (ui.input(|input| input.time) - fading.began) / FADE;
-        let is_at_its_place = fading.size == [place.size.width as usize, place.size.height as usize];
+        let is_at_its_place = fading.size == place.sides();
         if left > 0.0 && is_at_its_place {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
             let tint = Color32::from_white_alpha((255.0 * left as f32).round() as u8);
@@ -312,6 +322,20 @@ mod tests {
             assert_eq!(sent, Vec::from_iter(expected), "{black:?}");
             output.textures_delta.clear();
         }
+    }
+
+    #[test]
+    fn a_picture_of_the_size_of_its_place_covers_it_and_no_other_does() {
+        let mut texture = PictureTexture::default();
+        let place = |width, height| {
+            let room = Rect::from_min_size(pos2(10.0, 20.0), vec2(width, height));
+            PictureRect::in_room(room, 1.0, 1.0)
+        };
+        assert!(!texture.covers(&place(40.0, 30.0)) && !texture.covers(&place(0.0, 0.0)));
+        let tiles = Tiles { size: [40, 30], tiles: vec![([0, 0], picture([40, 30], &[]))] };
+        texture.set(&Context::default(), "picture", Some(tiles));
+        assert!(texture.covers(&place(40.0, 30.0)));
+        assert!(!texture.covers(&place(40.0, 31.0)) && !texture.covers(&place(39.0, 30.0)));
     }
 
     #[test]

@@ -238,6 +238,10 @@ impl eframe::App for Page {
         }
     }
 
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        eframe::App::clear_color(&self.app, visuals)
+    }
+
     fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
         for file in std::mem::take(&mut input.dropped_files) {
             if let Some(file) = file.web_file() {
