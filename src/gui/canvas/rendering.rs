@@ -95,9 +95,10 @@ fn drawing() -> Worker<RenderJob, DrawOutcome, MAX_PICTURES> {
 fn work(turn: Arc<RwLock<()>>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome {
     let mut renderer = Renderer::default();
     let mut pictures: [Pixels; MAX_PICTURES] = Default::default();
-    #[expect(clippy::await_holding_lock, reason = "where jobs pause, none begins before the last one has ended")]
+    let mut last: [Vec<Arc<egui::ColorImage>>; MAX_PICTURES] = Default::default();
     async move |job: RenderJob, progress: &Progress| {
-        // Each is a turn, and the lock holds nothing that a panic could leave half done.
+        // Where jobs pause, none begins before the last one has ended; and the lock holds nothing that a panic could
+        // leave half done.
         let _alone = job.accounted.then(|| turn.write().unwrap_or_else(PoisonError::into_inner));
         let _beside = (!job.accounted).then(|| turn.read().unwrap_or_else(PoisonError::into_inner));
         let RenderJob { picture, mut request, draft, max_side, accounted } = job;
@@ -108,11 +109,15 @@ fn work(turn: Arc<RwLock<()>>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawO
         renderer.watch(progress);
         let pixels = &mut pictures[picture];
         let account = renderer.all_into(&[request], std::slice::from_mut(pixels)).await.and_then(|mut all| all.pop());
-        let rendered = account.map(|account| Rendered {
-            tiles: Tiles::of(pixels, max_side),
-            too_much: account.too_much.clone(),
-            labels: account.labels.clone(),
-            account: accounted.then_some(account),
+        let rendered = account.map(|account| {
+            let tiles = Tiles::of(pixels, max_side).since(&last[picture]);
+            last[picture] = tiles.images();
+            Rendered {
+                tiles,
+                too_much: account.too_much.clone(),
+                labels: account.labels.clone(),
+                account: accounted.then_some(account),
+            }
         });
         DrawOutcome { rendered: rendered.ok_or_else(|| Missing::of(progress)), draft }
     }

@@ -71,8 +71,17 @@ impl PictureRect {
 pub(super) struct Tiles {
     /// Width and height in pixels.
     pub(super) size: [usize; 2],
-    /// The place of each tile (left, top, in pixels) and its pixels.
-    tiles: Vec<([usize; 2], ColorImage)>,
+    tiles: Vec<Tile>,
+}
+
+/// A part of a picture.
+#[derive(Clone)]
+struct Tile {
+    /// Left and top in the picture, in pixels.
+    place: [usize; 2],
+    image: Arc<ColorImage>,
+    /// The pixels that another image needs to become this one, and that image.
+    since: Option<(Arc<ColorImage>, Changed)>,
 }
 
 impl Tiles {
@@ -98,10 +107,24 @@ impl Tiles {
                     }
                     ColorImage::from_rgba_premultiplied([w, h], &part)
                 };
-                tiles.push(([left, top], image));
+                tiles.push(Tile { place: [left, top], image: Arc::new(image), since: None });
             }
         }
         Self { size: [width, height], tiles }
+    }
+
+    /// Its images, tile by tile.
+    pub(super) fn images(&self) -> Vec<Arc<ColorImage>> {
+        self.tiles.iter().map(|tile| Arc::clone(&tile.image)).collect()
+    }
+
+    /// The same with its difference from the images of another picture, which is probably the one on the screen: who
+    /// makes the picture has more time than who shows it.
+    pub(super) fn since(mut self, images: &[Arc<ColorImage>]) -> Self {
+        for (tile, image) in self.tiles.iter_mut().zip(images) {
+            tile.since = Some((Arc::clone(image), Changed::between(image, &tile.image)));
+        }
+        self
     }
 }
 
@@ -126,16 +149,17 @@ struct PlacedTile {
 }
 
 impl PlacedTile {
-    /// Shows other pixels: only those that changed go to the texture, since the way there costs as much as to draw
+    /// Shows another tile: only the pixels that changed go to the texture, since the way there costs as much as to draw
     /// them.
-    fn show(&mut self, place: [usize; 2], image: ColorImage) {
+    fn show(&mut self, Tile { place, image, since }: Tile) {
         self.place = place;
-        let image = Arc::new(image);
-        match changed(&self.image, &image) {
+        let changed = match since {
+            Some((from, changed)) if Arc::ptr_eq(&from, &self.image) => changed,
+            _ => Changed::between(&self.image, &image),
+        };
+        match changed {
             Changed::Nothing => {}
-            Changed::Part { corner, size } => {
-                self.texture.set_partial(corner, image.region_by_pixels(corner, size), OPTIONS);
-            }
+            Changed::Part { corner, pixels } => self.texture.set_partial(corner, pixels, OPTIONS),
             Changed::All => self.texture.set(Arc::clone(&image), OPTIONS),
         }
         self.image = image;
@@ -143,39 +167,44 @@ impl PlacedTile {
 }
 
 /// The difference between two pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 enum Changed {
     Nothing,
-    /// Nothing outside of a rectangle: its upper left corner, its width and its height in pixels.
+    /// Nothing outside of a rectangle: its upper left corner, and its pixels.
     Part {
         corner: [usize; 2],
-        size: [usize; 2],
+        pixels: Arc<ColorImage>,
     },
     /// Another size, or most of the pixels.
     All,
 }
 
-fn changed(from: &ColorImage, to: &ColorImage) -> Changed {
-    let [width, height] = to.size;
-    if from.size != to.size || width == 0 {
-        return Changed::All;
+impl Changed {
+    fn between(from: &ColorImage, to: &ColorImage) -> Self {
+        let [width, height] = to.size;
+        if from.size != to.size || width == 0 {
+            return Self::All;
+        }
+        let rows = || from.pixels.chunks_exact(width).zip(to.pixels.chunks_exact(width));
+        let differ = |(old, new): (&[Color32], &[Color32])| old != new;
+        let (Some(top), Some(bottom)) = (rows().position(differ), rows().rposition(differ)) else {
+            return Self::Nothing;
+        };
+        let (mut left, mut right) = (width, 0);
+        for (old, new) in rows().take(bottom + 1).skip(top) {
+            // Of each row only the ends beyond those that are known to differ.
+            let at_left = old.iter().zip(new).take(left).position(|(old, new)| old != new);
+            left = at_left.unwrap_or(left);
+            let at_right = old.iter().zip(new).skip(right).rposition(|(old, new)| old != new);
+            right = at_right.map_or(right, |at| right + at + 1);
+        }
+        let size = [right.saturating_sub(left), bottom + 1 - top];
+        // A part is copied first, a whole picture is not.
+        if 4 * size[0] * size[1] > 3 * width * height {
+            return Self::All;
+        }
+        Self::Part { corner: [left, top], pixels: Arc::new(to.region_by_pixels([left, top], size)) }
     }
-    let rows = || from.pixels.chunks_exact(width).zip(to.pixels.chunks_exact(width));
-    let differ = |(old, new): (&[Color32], &[Color32])| old != new;
-    let (Some(top), Some(bottom)) = (rows().position(differ), rows().rposition(differ)) else {
-        return Changed::Nothing;
-    };
-    let (mut left, mut right) = (width, 0);
-    for (old, new) in rows().take(bottom + 1).skip(top) {
-        // Of each row only the ends beyond those that are known to differ.
-        let at_left = old.iter().zip(new).take(left).position(|(old, new)| old != new);
-        left = at_left.unwrap_or(left);
-        let at_right = old.iter().zip(new).skip(right).rposition(|(old, new)| old != new);
-        right = at_right.map_or(right, |at| right + at + 1);
-    }
-    let size = [right.saturating_sub(left), bottom + 1 - top];
-    // A part is copied first, a whole picture is not.
-    if 4 * size[0] * size[1] > 3 * width * height { Changed::All } else { Changed::Part { corner: [left, top], size } }
 }
 
 /// The picture before, as it disappears.
@@ -193,12 +222,12 @@ impl PictureTexture {
         let Some(Tiles { size, tiles }) = picture else { return };
         self.size = size;
         self.tiles.truncate(tiles.len());
-        for (i, (place, image)) in tiles.into_iter().enumerate() {
-            if let Some(tile) = self.tiles.get_mut(i) {
-                tile.show(place, image);
+        for (i, tile) in tiles.into_iter().enumerate() {
+            if let Some(placed) = self.tiles.get_mut(i) {
+                placed.show(tile);
                 continue;
             }
-            let image = Arc::new(image);
+            let Tile { place, image, .. } = tile;
             let texture = ctx.load_texture(name, Arc::clone(&image), OPTIONS);
             self.tiles.push(PlacedTile { place, image, texture });
         }
@@ -264,7 +293,7 @@ mod tests {
             let Tiles { size, tiles } = Tiles::cut([7, 5], &rgba, max_side);
             assert_eq!(size, [7, 5]);
             let mut seen = [0; 35];
-            for ([left, top], image) in &tiles {
+            for Tile { place: [left, top], image, .. } in &tiles {
                 assert!(image.size[0] <= max_side && image.size[1] <= max_side);
                 for (k, pixel) in image.pixels.iter().enumerate() {
                     let (x, y) = (left + k % image.size[0], top + k / image.size[0]);
@@ -292,14 +321,19 @@ mod tests {
             (&[[39, 29]][..], [39, 29], [1, 1]),
             (&[[20, 5], [3, 6], [30, 7], [12, 20]][..], [3, 5], [28, 16]),
         ] {
-            let part = Changed::Part { corner, size };
-            assert_eq!(changed(&grey, &picture([40, 30], black)), part);
-            assert_eq!(changed(&picture([40, 30], black), &grey), part);
+            for [from, to] in [[&grey, &picture([40, 30], black)], [&picture([40, 30], black), &grey]] {
+                let pixels = Arc::new(to.region_by_pixels(corner, size));
+                assert_eq!(Changed::between(from, to), Changed::Part { corner, pixels });
+            }
         }
-        assert_eq!(changed(&grey, &grey), Changed::Nothing);
-        assert_eq!(changed(&grey, &picture([40, 30], &[[0, 0], [39, 29]])), Changed::All);
-        assert_eq!(changed(&grey, &picture([30, 40], &[])), Changed::All);
-        assert_eq!(changed(&picture([0, 0], &[]), &picture([0, 0], &[])), Changed::All);
+        assert_eq!(Changed::between(&grey, &grey), Changed::Nothing);
+        assert_eq!(Changed::between(&grey, &picture([40, 30], &[[0, 0], [39, 29]])), Changed::All);
+        assert_eq!(Changed::between(&grey, &picture([30, 40], &[])), Changed::All);
+        assert_eq!(Changed::between(&picture([0, 0], &[]), &picture([0, 0], &[])), Changed::All);
+    }
+
+    fn tiles(size: [usize; 2], black: &[[usize; 2]]) -> Tiles {
+        Tiles { size, tiles: vec![Tile { place: [0, 0], image: Arc::new(picture(size, black)), since: None }] }
     }
 
     #[test]
@@ -307,14 +341,20 @@ mod tests {
         let ctx = Context::default();
         let mut texture = PictureTexture::default();
         let size = [40, 30];
-        // A pixel of each; the whole as it is at first, then what goes to it.
-        for (black, expected) in [
-            (&[[7, 9]][..], Some((None, size))),
-            (&[[7, 9]][..], None),
-            (&[[8, 11]][..], Some((Some([7, 9]), [2, 3]))),
-            (&[[0, 0], [39, 29]][..], Some((None, size))),
+        let (mut last, foreign) = (Vec::new(), tiles(size, &[[8, 11]]).images());
+        // A pixel of each; the whole as it is at first, then what goes to it; by the difference from the last one, from
+        // another one, or from none that was found before.
+        for (black, since, expected) in [
+            (&[[7, 9]][..], 0, Some((None, size))),
+            (&[[7, 9]][..], 1, None),
+            (&[[8, 11]][..], 1, Some((Some([7, 9]), [2, 3]))),
+            (&[[0, 0], [39, 29]][..], 1, Some((None, size))),
+            (&[[7, 9]][..], 2, Some((None, size))),
+            (&[[8, 11]][..], 2, Some((Some([7, 9]), [2, 3]))),
+            (&[[8, 12]][..], 0, Some((Some([8, 11]), [1, 2]))),
         ] {
-            let tiles = Tiles { size, tiles: vec![([0, 0], picture(size, black))] };
+            let tiles = tiles(size, black).since([&[], &last[..], &foreign[..]][since]);
+            last = tiles.images();
             let mut output = ctx.run_ui(Default::default(), |ui| texture.set(ui.ctx(), "picture", Some(tiles.clone())));
             let id = texture.tiles[0].texture.id();
             let sent = output.textures_delta.set.iter().filter(|(of, _)| **of == id).flat_map(|(_, deltas)| deltas);
@@ -332,8 +372,7 @@ mod tests {
             PictureRect::in_room(room, 1.0, 1.0)
         };
         assert!(!texture.covers(&place(40.0, 30.0)) && !texture.covers(&place(0.0, 0.0)));
-        let tiles = Tiles { size: [40, 30], tiles: vec![([0, 0], picture([40, 30], &[]))] };
-        texture.set(&Context::default(), "picture", Some(tiles));
+        texture.set(&Context::default(), "picture", Some(tiles([40, 30], &[])));
         assert!(texture.covers(&place(40.0, 30.0)));
         assert!(!texture.covers(&place(40.0, 31.0)) && !texture.covers(&place(39.0, 30.0)));
     }
