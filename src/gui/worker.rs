@@ -190,6 +190,12 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
             let thread = std::thread::Builder::new().name(self.name.to_owned());
             match thread.spawn(move || work(&shared, slot, &wake, &make, clock)) {
                 Ok(_) => begun[slot] = true,
+                Err(_) if begun.contains(&true) => {
+                    // The threads that there are go on; this job is one that was not done.
+                    self.shared.mailbox().end(slot, Done { outcome: None, time: Duration::ZERO });
+                    ctx.request_repaint();
+                    return;
+                }
                 Err(_) => self.place = Backend::InFrames(InFrames::new(ctx, (self.make)())),
             }
         }

@@ -389,6 +389,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         for covered in &covered[1..] {
             wanted |= *covered;
         }
+        // Beyond the picture nobody sees them, and counts must not depend on what an older band has left there.
+        wanted &= own;
         if let Some(counts) = &mut band.counts {
             let kind = if self.shader.divides() { Kind::Divided } else { Kind::Colored };
             counts.add(self.simd, kind, wanted & own);

@@ -443,17 +443,28 @@ fn what_is_counted_is_what_happens() {
 fn buffers_keep_nothing_of_the_picture_before() {
     let mut random = Random(8);
     let (positions, triangles) = carpet(40, 6, &mut random);
-    let full = drawing(40, 40, 1, vec![surface(positions, triangles, Base::Solid(BLACK))]);
-    let corners = vec![[5.0, 5.0, 0.1], [20.0, 6.0, 0.1], [8.0, 18.0, 0.1]];
-    let small = drawing(30, 40, 4, vec![surface(corners, vec![[0, 1, 2]], Base::Solid(Rgba::rgb(9, 8, 7)))]);
-    let mut rasterizer = Rasterizer::default();
+    // In front of all that follows.
+    let near: Vec<_> = positions.iter().map(|p| [p[0], p[1], 0.9]).collect();
+    let full = surface(near, triangles, Base::Solid(BLACK));
+    let corners = vec![[5.0, 5.0, 0.1], [20.0, 6.0, 0.1], [8.0, 18.0, 0.1], [24.0, 9.0, 0.1]];
+    let small = surface(corners, vec![[0, 1, 2], [1, 2, 3]], Base::Solid(Rgba::rgb(9, 8, 7)));
+    let mut rasterizer = measuring();
     let mut pixmap = Pixmap::new(1, 1).expect("a pixmap");
-    for d in [&full, &small, &full, &drawing(40, 40, 1, Vec::new()), &small] {
-        assert!(at_once(rasterizer.paint_into(d, &mut pixmap)));
-        let mut fresh = Rasterizer::default();
-        assert!(pixmap == fresh.paint(d).expect("a picture"));
-        for k in 0..40 * 40 {
-            assert_eq!(rasterizer.depth().at(k % 40, k / 40), fresh.depth().at(k % 40, k / 40));
+    for (first, then) in [(1, 1), (1, 4), (4, 4), (4, 16), (16, 16), (16, 1), (4, 1)] {
+        for width in [40, 30, 40] {
+            let full = drawing(40, 40, first, vec![full.clone()]);
+            let over = Surface { depth_test: false, ..small.clone() };
+            let empty = drawing(40, 40, then, Vec::new());
+            for d in [full, drawing(width, 40, then, vec![small.clone()]), drawing(width, 40, then, vec![over]), empty]
+            {
+                assert!(at_once(rasterizer.paint_into(&d, &mut pixmap)));
+                let mut fresh = measuring();
+                assert!(pixmap == fresh.paint(&d).expect("a picture"), "{first} to {then} samples, {width} wide");
+                assert_eq!(rasterizer.work(), fresh.work());
+                for k in 0..40 * 40 {
+                    assert_eq!(rasterizer.depth().at(k % 40, k / 40), fresh.depth().at(k % 40, k / 40));
+                }
+            }
         }
     }
 }

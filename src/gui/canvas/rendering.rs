@@ -1,5 +1,6 @@
 //! Has pictures drawn beside the window's thread, each only when something that made it has changed.
 
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, PoisonError, RwLock};
 use std::time::Duration;
 
@@ -57,6 +58,17 @@ impl Missing {
 struct DrawOutcome {
     rendered: Result<Rendered, Missing>,
     draft: bool,
+    /// The part of its time in which it waited for other pictures.
+    waited: Duration,
+    /// Number of pictures that shared the processors with it, itself included.
+    together: u32,
+}
+
+impl DrawOutcome {
+    /// The time that the picture would have taken alone, about.
+    fn own_time(&self, time: Duration) -> Duration {
+        time.saturating_sub(self.waited) / self.together.max(1)
+    }
 }
 
 /// Has pictures drawn, one slot for each.
@@ -68,7 +80,7 @@ pub(super) struct Rendering {
     given_up: [Option<RenderJob>; MAX_PICTURES],
     /// Number of pictures drawn, by picture.
     drawn: [u64; MAX_PICTURES],
-    /// The time of the last drawing of each picture, and of the last one that was not a draft.
+    /// The time of the last drawing of each picture, and that of the last one that was not a draft, as if alone.
     cost: [Duration; MAX_PICTURES],
     full_cost: [Duration; MAX_PICTURES],
 }
@@ -88,19 +100,40 @@ impl Default for Rendering {
 
 /// Draws pictures at the same time, but alone what is timed: its times are not those of waiting for the others.
 fn drawing() -> Worker<RenderJob, DrawOutcome, MAX_PICTURES> {
-    let turn = Arc::new(RwLock::new(()));
+    let turn = Arc::new(Turn::default());
     Worker::new("pictures", clock::now, move || work(Arc::clone(&turn)))
 }
 
-fn work(turn: Arc<RwLock<()>>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome {
+/// The pictures that are being drawn.
+#[derive(Default)]
+struct Turn {
+    /// Held by one that is drawn alone, shared by the others.
+    lock: RwLock<()>,
+    drawing: AtomicU32,
+}
+
+/// One of them, until it is dropped.
+struct UnderWay<'a>(&'a Turn);
+
+impl Drop for UnderWay<'_> {
+    fn drop(&mut self) {
+        self.0.drawing.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+fn work(turn: Arc<Turn>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome {
     let mut renderer = Renderer::default();
     let mut pictures: [Pixels; MAX_PICTURES] = Default::default();
     let mut last: [Vec<Arc<egui::ColorImage>>; MAX_PICTURES] = Default::default();
     async move |job: RenderJob, progress: &Progress| {
         // Where jobs pause, none begins before the last one has ended; and the lock holds nothing that a panic could
         // leave half done.
-        let _alone = job.accounted.then(|| turn.write().unwrap_or_else(PoisonError::into_inner));
-        let _beside = (!job.accounted).then(|| turn.read().unwrap_or_else(PoisonError::into_inner));
+        let asked = clock::now();
+        let _alone = job.accounted.then(|| turn.lock.write().unwrap_or_else(PoisonError::into_inner));
+        let _beside = (!job.accounted).then(|| turn.lock.read().unwrap_or_else(PoisonError::into_inner));
+        let waited = clock::now().saturating_sub(asked);
+        let before = turn.drawing.fetch_add(1, Ordering::Relaxed) + 1;
+        let _under_way = UnderWay(&turn);
         let RenderJob { picture, mut request, draft, max_side, accounted } = job;
         if draft {
             request = request.with_shot(|shot| shot.look.style.antialias = 1);
@@ -108,7 +141,13 @@ fn work(turn: Arc<RwLock<()>>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawO
         renderer.measure(accounted.then_some(clock::now));
         renderer.watch(progress);
         let pixels = &mut pictures[picture];
-        let account = renderer.all_into(&[request], std::slice::from_mut(pixels)).await.and_then(|mut all| all.pop());
+        let account = if accounted {
+            // By this thread: one of the pool may make a part of something else in between.
+            renderer.pixels_into(&request, pixels).await
+        } else {
+            renderer.all_into(&[request], std::slice::from_mut(pixels)).await.and_then(|mut all| all.pop())
+        };
+        let together = before.max(turn.drawing.load(Ordering::Relaxed));
         let rendered = account.map(|account| {
             let tiles = Tiles::of(pixels, max_side).since(&last[picture]);
             last[picture] = tiles.images();
@@ -119,7 +158,7 @@ fn work(turn: Arc<RwLock<()>>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawO
                 account: accounted.then_some(account),
             }
         });
-        DrawOutcome { rendered: rendered.ok_or_else(|| Missing::of(progress)), draft }
+        DrawOutcome { rendered: rendered.ok_or_else(|| Missing::of(progress)), draft, waited, together }
     }
 }
 
@@ -190,7 +229,7 @@ impl Rendering {
             self.cost[i] = done.time;
             let Some(outcome) = done.outcome else { return Some(Err(Missing::NotDrawn)) };
             if !outcome.draft {
-                self.full_cost[i] = done.time;
+                self.full_cost[i] = outcome.own_time(done.time);
             }
             Some(outcome.rendered)
         })
@@ -264,7 +303,8 @@ mod tests {
                 while !progress.is_cancelled() {
                     std::thread::yield_now();
                 }
-                DrawOutcome { rendered: Err(Missing::of(progress)), draft: job.draft }
+                let rendered = Err(Missing::of(progress));
+                DrawOutcome { rendered, draft: job.draft, waited: Duration::ZERO, together: 1 }
             }
         };
         let ctx = egui::Context::default();
@@ -299,6 +339,33 @@ mod tests {
         rendering.ask(&ctx, job(25));
         let rendered = rendering.collect(Duration::ZERO);
         assert_eq!(rendered[2].as_ref().unwrap().as_ref().unwrap().tiles.size, [25, 25]);
+    }
+
+    #[test]
+    fn a_picture_is_as_heavy_as_it_would_be_alone() {
+        let outcome = |waited, together| DrawOutcome {
+            rendered: Err(Missing::NotDrawn),
+            draft: false,
+            waited: Duration::from_millis(waited),
+            together,
+        };
+        let time = Duration::from_millis(60);
+        assert_eq!(outcome(0, 1).own_time(time), time);
+        assert_eq!(outcome(24, 3).own_time(time), Duration::from_millis(12));
+        assert_eq!(outcome(70, 2).own_time(time), Duration::ZERO);
+        // None of several pictures waits for itself.
+        let ctx = egui::Context::default();
+        let mut rendering = Rendering::default();
+        for picture in 0..3 {
+            rendering.ask(&ctx, RenderJob { picture, accounted: picture == 1, ..job(60) });
+        }
+        assert_eq!(
+            rendering.collect(Duration::from_secs(60)).iter().filter(|one| matches!(one, Some(Ok(_)))).count(),
+            3
+        );
+        for i in 0..3 {
+            assert!(rendering.full_cost[i] <= rendering.cost[i] && !rendering.full_cost[i].is_zero());
+        }
     }
 
     #[test]
