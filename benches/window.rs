@@ -198,8 +198,9 @@ fn caret(name: &str, window: &mut Window) {
     let [median, _] = median_and_least(frames.iter().map(|frame| frame.layout + frame.tessellation));
     let a_second = count as f64 / seconds;
     println!(
-        "{name:<34} {count} frames of {median:.2} ms in {seconds:.1} s, {:.2} % of a core; none after these",
-        a_second * median / 10.0
+        "{name:<34} {count} frames of {median:.2} ms in {seconds:.1} s, {:.2} % of a core; {}",
+        a_second * median / 10.0,
+        if frames.last().is_some_and(|frame| frame.next == Duration::MAX) { "none after these" } else { "and more" }
     );
 }
 

@@ -100,7 +100,7 @@ impl Renderer {
         Some(account)
     }
 
-    /// The other side of a comparison, whose scene has hidden lines in its style; made once for all its pictures.
+    /// The other side of a comparison, whose scene has hidden lines in its style; made once for all its pictures here.
     fn with_hidden_lines(&mut self, other: &Request, own: &Request) -> Request {
         let [from, to] = [own, other].map(|request| request.shot.look.style.hidden_lines);
         if from == to {
@@ -456,9 +456,14 @@ mod tests {
             .flat_map(|visibility| View::ALL.map(|view| request(view, visibility)))
             .collect();
         let mut renderer = Renderer::default();
+        // Whatever the machine has.
+        let threads = rayon::ThreadPoolBuilder::new().num_threads(4).build().unwrap();
+        let all = |renderer: &mut Renderer, pictures: &mut [Pixels]| {
+            threads.install(|| at_once(renderer.all_into(&requests, pictures)))
+        };
         for _ in 0..2 {
             let mut pictures = vec![Pixels::default(); requests.len()];
-            let reports = at_once(renderer.all_into(&requests, &mut pictures)).unwrap();
+            let reports = all(&mut renderer, &mut pictures).unwrap();
             assert_eq!(reports.len(), requests.len());
             for (request, picture) in requests.iter().zip(&pictures) {
                 assert_eq!(Renderer::default().pixels(request).as_ref(), Some(picture));
@@ -469,7 +474,8 @@ mod tests {
         renderer.watch(&progress);
         progress.cancel();
         let mut pictures = vec![Pixels::default(); requests.len()];
-        assert!(at_once(renderer.all_into(&requests, &mut pictures)).is_none());
+        assert!(all(&mut renderer, &mut pictures).is_none());
+        assert!(pictures.iter().all(|picture| *picture == Pixels::default()), "none of them was made");
     }
 
     #[test]

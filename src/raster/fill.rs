@@ -393,7 +393,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         wanted &= own;
         if let Some(counts) = &mut band.counts {
             let kind = if self.shader.divides() { Kind::Divided } else { Kind::Colored };
-            counts.add(self.simd, kind, wanted & own);
+            counts.add(self.simd, kind, wanted);
         }
         let colors = self.shader.colors(wanted);
         for (s, covered) in (0..).zip(&*covered) {
