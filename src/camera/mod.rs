@@ -36,6 +36,7 @@
 //! | `reading` | how a matrix of another program is read: what it does, and in whose axes |
 //! | `recognition` | the kind and the axes of a matrix of another program, where they are not stated |
 //! | `recovery` | a matrix → its camera: (5.7) and (5.13) to (5.16) read backwards, in any convention of NDC |
+//! | `repair` | repairs of parameters that make no camera |
 //! | `stations` | one point in every space, from the world to the viewport |
 //! | `unproject` | from a pixel with a depth back to the world: `[0]` Eqs |
 //! | `volume` | the view volume: eight corners, six planes |
@@ -59,6 +60,7 @@ mod ray;
 mod reading;
 mod recognition;
 mod recovery;
+mod repair;
 mod stations;
 mod unproject;
 mod volume;
@@ -73,12 +75,15 @@ pub use image_map::{ImageSize, Viewport};
 pub use matrix_text::{MatrixEntries, MatrixTextError};
 pub use ndc::{Api, InfiniteParallel, Ndc};
 pub use operations::{Changes, Convention, Operation};
-pub use parameters::{CameraError, Checked, Derived, ParameterKey, Parameters, Projection, Range, ViewWindow};
+pub use parameters::{
+    CameraError, Checked, Derived, ParameterKey, Parameters, Projection, Range, ViewWindow, is_infinite_far,
+};
 pub use path::CameraPath;
 pub use place::Place;
 pub use reading::{Axes, MatrixKind, Reading};
 pub use recognition::{Evidence, Recognised, Stated, recognise};
 pub use recovery::{Lines, Recovered, RecoveryError, Unknown, recover};
+pub use repair::{CameraRepair, camera_repairs};
 pub use stations::{Projected, Stations};
 pub use unproject::{NotProjectable, WayBack};
 pub use warnings::{Warning, thresholds};

@@ -275,6 +275,12 @@ pub(super) fn check_range(key: Checked, value: f64, allowed: Range) -> Result<()
     if allowed.contains(value) { Ok(()) } else { Err(CameraError::OutOfRange { key, value, allowed }) }
 }
 
+/// Whether a value asks for a volume without a back plane, which a convention of NDC can have.
+#[must_use]
+pub fn is_infinite_far(key: Checked, value: f64) -> bool {
+    key == Checked::Parameter(ParameterKey::Far) && value == f64::INFINITY
+}
+
 /// The numbers that a value may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Range {
@@ -352,7 +358,7 @@ pub enum CameraError {
     #[error("view_up is collinear with focal_point − position; allowed: any vector in another direction")]
     ViewUpCollinear,
     /// A value is out of its range.
-    #[error("{key} is {value:?}; allowed: {allowed}")]
+    #[error("{key} is {value:?}; allowed: {allowed}{}", if is_infinite_far(*key, *value) { "; for B → ∞ keep a finite far and use --ndc NAME-infinite" } else { "" })]
     OutOfRange {
         /// The parameter, or the operation.
         key: Checked,
@@ -362,7 +368,9 @@ pub enum CameraError {
         allowed: Range,
     },
     /// F ≥ B.
-    #[error("near is {near:?} and far is {far:?}; allowed: 0 < near < far")]
+    #[error(
+        "near is {near:?} and far is {far:?}; allowed: 0 < near < far; for reversed depths keep that and use --ndc NAME-reversed"
+    )]
     FarNotBeyondNear {
         /// F.
         near: f64,

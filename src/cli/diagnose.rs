@@ -6,22 +6,26 @@ use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
 use super::args::DiagnoseArgs;
-use super::words::TableFormat;
-use super::{Failure, OpenFigure, print, say};
+use super::words::{LangArg, TableFormat};
+use super::{Failure, OpenFigure, print, progress, say, scene};
+use crate::camera::{Camera, CameraError};
 use crate::figure::{Figure, update};
-use crate::files::{self, Overwrite};
+use crate::files::{self, Opened, Overwrite};
 use crate::i18n::{Lang, coach, messages};
-use crate::numerics::diagnosis::{Diagnosis, Repair, Value, diagnose};
+use crate::numerics::diagnosis::{
+    Diagnosis, Finding, ImageSpec, ImpossibleCamera, Repair, Value, WrongPixels, diagnose, impossible_camera,
+};
 use crate::numerics::health::{Health, health};
+use crate::progress::at_once;
 use crate::sanitize;
 
 /// The JSON output.
 #[derive(Serialize)]
-struct Answer<'a> {
+struct Answer {
     visible: u64,
     covered: f64,
     health: Vec<HealthLine>,
-    findings: Vec<FindingLine<'a>>,
+    findings: Vec<FindingLine>,
 }
 
 #[derive(Serialize)]
@@ -33,11 +37,15 @@ struct HealthLine {
 }
 
 #[derive(Serialize)]
-struct FindingLine<'a> {
+struct FindingLine {
     code: &'static str,
-    objects: Vec<&'a str>,
+    objects: Vec<String>,
     message: String,
     repair: Option<Changes>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wrong_pixels: Option<u64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wrong_share: Option<f64>,
 }
 
 /// Keys and the values that they get, in order.
@@ -51,34 +59,101 @@ impl Serialize for Changes {
     }
 }
 
-pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
-    let subject = OpenFigure::open(&args.figure, &args.common, None, lang)?;
-    let OpenFigure { opened, camera, scene, .. } = &subject;
-    let figure = &opened.figure;
-    let health = health(camera, figure.image, scene.bounds());
-    let diagnosis = diagnose(scene, camera, &figure.style, figure.image).ok_or_else(|| subject.too_large())?;
-    let written = subject.lang;
-    let line = |line: &Health| HealthLine {
-        code: line.quantity.code(),
-        level: line.level.name(),
-        value: line.value,
-        message: coach::health(written, line, camera),
+/// A figure under examination: with a camera, or with the error of an impossible one.
+struct Examined {
+    opened: Opened,
+    camera: Option<Camera>,
+    diagnosis: Diagnosis,
+    /// The wrong pixels on the other side of a comparison.
+    other_side: Vec<Finding>,
+    health: Vec<Health>,
+    lang: Lang,
+}
+
+impl Examined {
+    fn open(args: &DiagnoseArgs, lang: Lang) -> Result<Self, Failure> {
+        let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+        if let Some((opened, error)) = impossible(args, lang)? {
+            let scene = scene(&args.figure, &opened, &args.common, lang)?;
+            let Figure { camera, style, reveal, image, .. } = opened.figure;
+            let impossible = ImpossibleCamera { error, parameters: camera, style, reveal, image };
+            let diagnosis = impossible_camera(&impossible, &scene);
+            let (camera, health, other_side) = (None, Vec::new(), Vec::new());
+            return Ok(Self { opened, camera, diagnosis, other_side, health, lang: written });
+        }
+        let subject = OpenFigure::open(&args.figure, &args.common, None, lang)?;
+        let Figure { style, reveal, image, .. } = &subject.opened.figure;
+        let spec = ImageSpec { scene: &subject.scene, camera: &subject.camera, style, reveal, image: *image };
+        let diagnosed = progress::watched(lang, |progress| at_once(diagnose(&spec, progress)));
+        let diagnosis = diagnosed.map_err(|_| subject.too_large())?;
+        let other_side = other_side(&subject, &diagnosis, lang)?;
+        let health = health(&subject.camera, style.depth_format, *image, subject.scene.bounds());
+        let OpenFigure { opened, camera, .. } = subject;
+        Ok(Self { opened, camera: Some(camera), diagnosis, other_side, health, lang: written })
+    }
+}
+
+/// The figure and its error, if its camera is impossible. Operations need a camera: with any, the error is reported as
+/// of every other command.
+fn impossible(args: &DiagnoseArgs, lang: Lang) -> Result<Option<(Opened, CameraError)>, Failure> {
+    if !args.common.operations(lang)?.is_empty() {
+        return Ok(None);
+    }
+    // Other errors of the file are reported when it is opened as usual.
+    let opened = files::open_figure_with_any_camera(&args.figure).ok();
+    Ok(opened.and_then(|(opened, error)| Some((opened, error?))))
+}
+
+/// The wrong pixels on the other side of a comparison, as far as the figure itself hasn't them. The keys of the figure
+/// can't repair them.
+fn other_side(subject: &OpenFigure, own: &Diagnosis, lang: Lang) -> Result<Vec<Finding>, Failure> {
+    let figure = &subject.opened.figure;
+    let Some(other) = figure.compare.as_ref().and_then(|compare| compare.other_side(figure).ok()) else {
+        return Ok(Vec::new());
     };
-    let changes = |repair: &Repair| Changes(repair.changes(&figure.camera, &figure.style));
+    let camera = other.camera.as_ref().unwrap_or(&subject.camera);
+    let Figure { style, reveal, image, .. } = &other.figure;
+    let spec = ImageSpec { scene: &subject.scene, camera, style, reveal, image: *image };
+    let diagnosed = progress::watched(lang, |progress| at_once(diagnose(&spec, progress)));
+    let findings = diagnosed.map_err(|_| subject.too_large())?.findings.into_iter();
+    let is_new = |finding: &Finding| own.findings.iter().all(|known| known.cause != finding.cause);
+    Ok(findings
+        .filter(|finding| finding.pixels.is_some() && is_new(finding))
+        .map(|finding| Finding { repair: None, ..finding })
+        .collect())
+}
+
+pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
+    let Examined { opened, camera, diagnosis, other_side, health, lang: written } = Examined::open(args, lang)?;
+    let figure = &opened.figure;
+    let line = |line: &Health| {
+        let message = |camera| coach::health(written, line, camera, figure.style.depth_format);
+        HealthLine {
+            code: line.quantity.code(),
+            level: line.level.name(),
+            value: line.value,
+            message: camera.as_ref().map_or_else(String::new, message),
+        }
+    };
+    let changes = |repair: &Repair| Changes(repair.changes(figure));
+    let finding = |finding: &Finding| FindingLine {
+        code: finding.cause.code(),
+        objects: finding.objects().map(str::to_owned).collect(),
+        message: coach::finding(written, finding, &diagnosis, &figure.scene),
+        repair: finding.repair.as_ref().map(changes),
+        wrong_pixels: finding.pixels.map(|pixels| pixels.wrong),
+        wrong_share: finding.pixels.map(WrongPixels::share),
+    };
+    let aside = coach::texts(written).on_the_other_side;
+    let on_the_other_side = other_side.iter().map(|f| {
+        let line = finding(f);
+        FindingLine { message: format!("{aside} {}", line.message), ..line }
+    });
     let answer = Answer {
         visible: diagnosis.visible,
         covered: diagnosis.covered,
         health: health.iter().map(line).collect(),
-        findings: diagnosis
-            .findings
-            .iter()
-            .map(|finding| FindingLine {
-                code: finding.cause.code(),
-                objects: finding.objects().collect(),
-                message: coach::finding(written, finding, &diagnosis, &figure.scene),
-                repair: finding.repair.as_ref().map(changes),
-            })
-            .collect(),
+        findings: diagnosis.findings.iter().map(finding).chain(on_the_other_side).collect(),
     };
     let text = match args.format {
         TableFormat::Json => {
@@ -103,27 +178,37 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
 /// The figure with the repair of the first finding, or the message in its place.
 fn repaired(figure: &Figure, diagnosis: &Diagnosis, lang: Lang) -> (Figure, Option<&'static str>) {
     let t = coach::texts(lang);
-    match diagnosis.findings.first().map(|finding| finding.repair) {
-        Some(Some(Repair { camera, style })) => (Figure { camera, style, ..figure.clone() }, None),
-        Some(None) => (figure.clone(), Some(t.cannot_repair)),
-        None => (figure.clone(), Some(t.nothing_repaired)),
-    }
+    let mut figure = figure.clone();
+    let note = match diagnosis.findings.first().map(|finding| finding.repair) {
+        Some(Some(repair)) => {
+            repair.apply(&mut figure);
+            None
+        }
+        Some(None) => Some(t.cannot_repair),
+        None => Some(t.nothing_repaired),
+    };
+    (figure, note)
 }
 
 /// The output as text.
-fn sentences(answer: &Answer<'_>, health: &[Health], lang: Lang) -> String {
+fn sentences(answer: &Answer, health: &[Health], lang: Lang) -> String {
     let t = coach::texts(lang);
     let mut text = String::new();
     // Writing to a String cannot fail.
-    let _ = writeln!(text, "{}", coach::seen(lang, answer.visible, answer.covered));
-    let _ = writeln!(text, "\n{}", t.findings);
+    if !health.is_empty() {
+        let _ = writeln!(text, "{}\n", coach::seen(lang, answer.visible, answer.covered));
+    }
+    let _ = writeln!(text, "{}", t.findings);
     for finding in &answer.findings {
         let _ = writeln!(text, "  {:<21} {}", finding.code, finding.message);
         let repair = finding.repair.as_ref().map_or_else(|| t.no_repair.to_owned(), |c| coach::changes(&c.0));
         let _ = writeln!(text, "  {:<21} {}: {repair}", "", t.repair);
     }
     if answer.findings.is_empty() {
-        let _ = writeln!(text, "  {}", t.as_it_should_be);
+        let _ = writeln!(text, "  {}", t.no_problems);
+    }
+    if health.is_empty() {
+        return text;
     }
     let _ = writeln!(text, "\n{}", t.health);
     for (line, health) in answer.health.iter().zip(health) {

@@ -24,12 +24,14 @@ mod shipped;
 mod windows_names;
 
 #[cfg(not(target_arch = "wasm32"))]
+use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io;
 #[cfg(not(target_arch = "wasm32"))]
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
+use crate::camera::CameraError;
 use crate::export::png::{self, PngError};
 use crate::export::vector;
 use crate::figure::{Figure, FigureError, read};
@@ -136,10 +138,29 @@ impl Opened {
 /// # Errors
 /// [`FileError`]; for a figure file with a fault it names the line.
 pub fn open_figure(path: &Path) -> Result<Opened, FileError> {
-    if let Some(text) = share::link_of(path).and_then(share::text_in) {
-        return Ok(Opened { from_picture: true, ..figure_from(&text?)? });
+    let (bytes, is_link) = figure_bytes(path)?;
+    let opened = figure_from(&bytes)?;
+    Ok(Opened { from_picture: opened.from_picture || is_link, ..opened })
+}
+
+/// As [`open_figure`], but of a figure whose camera is impossible: it comes with the error of its camera.
+///
+/// # Errors
+/// As for [`open_figure`], except for an impossible camera.
+pub fn open_figure_with_any_camera(path: &Path) -> Result<(Opened, Option<CameraError>), FileError> {
+    let (bytes, is_link) = figure_bytes(path)?;
+    let (text, from_picture) = figure_text(&bytes)?;
+    let (figure, error) = read::parse_with_any_camera(read::text_of(&text, MAX_FIGURE_BYTES)?)?;
+    let text = String::from_utf8_lossy(&text).into_owned();
+    Ok((Opened { figure, text, from_picture: from_picture || is_link }, error))
+}
+
+/// The bytes behind a path, and whether they come from a link.
+fn figure_bytes(path: &Path) -> Result<(Vec<u8>, bool), FileError> {
+    match share::link_of(path).and_then(share::text_in) {
+        Some(text) => Ok((text?, true)),
+        None => Ok((read_file(path)?, false)),
     }
-    figure_from(&read_file(path)?)
 }
 
 /// The figure in the bytes of a figure file, or of a PNG that holds one.
@@ -147,14 +168,20 @@ pub fn open_figure(path: &Path) -> Result<Opened, FileError> {
 /// # Errors
 /// [`FileError`]; for a figure file with a fault it names the line.
 pub fn figure_from(bytes: &[u8]) -> Result<Opened, FileError> {
+    let (bytes, from_picture) = figure_text(bytes)?;
+    let figure = read::parse_bytes(&bytes)?;
+    Ok(Opened { figure, text: String::from_utf8_lossy(&bytes).into_owned(), from_picture })
+}
+
+/// The text of the figure in the bytes of a file, and whether the file is a picture.
+fn figure_text(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool), FileError> {
     let from_vectors = vector::figure_in(bytes);
     let from_picture = png::is_png(bytes) || from_vectors.is_some();
-    let bytes = match from_vectors {
+    let text = match from_vectors {
         Some(found) => found.filter(|text| text.len() <= MAX_FIGURE_BYTES).ok_or(PngError::NoFigure)?.into(),
         None => png::figure_bytes(bytes, MAX_FIGURE_BYTES)?,
     };
-    let figure = read::parse_bytes(&bytes)?;
-    Ok(Opened { figure, text: String::from_utf8_lossy(&bytes).into_owned(), from_picture })
+    Ok((text, from_picture))
 }
 
 /// The bytes of a regular file of this machine.

@@ -10,7 +10,7 @@ mod triangle_tree;
 
 use glam::DVec3;
 
-pub use triangle_tree::{TriangleHit, TriangleTree};
+pub use triangle_tree::{TriangleHit, TriangleTree, ray_meets_triangle};
 
 /// An angle. Kept in degrees, as users give it, so that 30°, 45°, 90° stay exact; radians are an inner matter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]

@@ -124,7 +124,7 @@ impl TriangleTree {
             }
             for &k in &self.order[node.range.clone()] {
                 let triangle = k as usize;
-                let Some((t, is_front)) = crossing(origin, ray, self.triangles[triangle]) else { continue };
+                let Some((t, is_front)) = ray_meets_triangle(origin, ray, self.triangles[triangle]) else { continue };
                 if within.contains(&t) && best.is_none_or(|old| t < old.t) && wanted(triangle, is_front) {
                     best = Some(TriangleHit { triangle, t });
                     if any {
@@ -137,7 +137,7 @@ impl TriangleTree {
     }
 }
 
-/// Whether a ray may touch a box: the box is a little larger, for the roundings here and in [`crossing`].
+/// Whether a ray may touch a box: the box is a little larger, for the roundings here and in [`ray_meets_triangle`].
 fn touches(aabb: &Aabb, origin: DVec3, inverse: DVec3, within: Range<f64>) -> bool {
     let room = 1e-12 * (aabb.min.abs().max(aabb.max.abs()) + origin.abs());
     let (mut from, mut to) = (within.start, within.end);
@@ -159,7 +159,8 @@ fn touches(aabb: &Aabb, origin: DVec3, inverse: DVec3, within: Range<f64>) -> bo
 
 /// The place where a ray meets a triangle, and whether it comes from the side from which the corners run
 /// counter-clockwise; Möller and Trumbore (1997).
-fn crossing(origin: DVec3, ray: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, bool)> {
+#[must_use]
+pub fn ray_meets_triangle(origin: DVec3, ray: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, bool)> {
     let (ab, ac) = (b - a, c - a);
     let p = ray.cross(ac);
     let determinant = ab.dot(p);
@@ -206,7 +207,7 @@ mod tests {
             }
             let within = 0.0..if k % 3 == 0 { f64::INFINITY } else { 4.0 };
             let all = triangles.iter().enumerate().filter_map(|(triangle, &corners)| {
-                let (t, is_front) = crossing(origin, ray, corners)?;
+                let (t, is_front) = ray_meets_triangle(origin, ray, corners)?;
                 (within.contains(&t) && is_front && triangle != 7).then_some(TriangleHit { triangle, t })
             });
             let expected = all.min_by(|a, b| a.t.total_cmp(&b.t));

@@ -40,6 +40,7 @@ impl Brief {
         let worst = health.iter().map(|line| line.level).max().unwrap_or(Level::Good);
         let findings = diagnosis.as_ref().map_or(0, |diagnosis| diagnosis.findings.len());
         let (text, level) = match diagnosis {
+            Some(Diagnosis { camera_error: Some(_), .. }) => (t.one_finding.to_owned(), Level::Poor),
             Some(Diagnosis { visible: 0, .. }) => (t.image_empty.to_owned(), Level::Poor),
             _ if findings == 1 => (t.one_finding.to_owned(), Level::Fair.max(worst)),
             _ if findings > 1 => (format!("{findings} {}", t.many_findings), Level::Fair.max(worst)),
@@ -89,7 +90,9 @@ pub(super) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
     let lang = state.settings.lang;
     let t = words::texts(lang);
     let Some(diagnosis) = state.coach.advice().and_then(|advice| advice.diagnosis.as_ref()) else { return };
-    let Some(finding) = diagnosis.findings.first().filter(|_| diagnosis.visible == 0) else { return };
+    // With an impossible camera the last good image stays.
+    let is_empty = diagnosis.visible == 0 && diagnosis.camera_error.is_none();
+    let Some(finding) = diagnosis.findings.first().filter(|_| is_empty) else { return };
     let (text, repair) = (words::finding(lang, finding, diagnosis, &state.document.figure().scene), finding.repair);
     let change = repair.map(|repair| change(state, &repair));
     let room = picture.shrink2(vec2(16.0, 8.0));
@@ -114,8 +117,7 @@ pub(super) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
 
 /// The changes of a repair.
 fn change(state: &State, repair: &Repair) -> String {
-    let figure = state.document.figure();
-    words::changes_in_symbols(state.settings.lang, &repair.changes(&figure.camera, &figure.style))
+    words::changes_in_symbols(state.settings.lang, &repair.changes(state.document.figure()))
 }
 
 /// An action to take.
@@ -173,9 +175,11 @@ fn findings(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>
         ui.label(t.too_large);
         return;
     };
-    ui.label(words::seen(lang, diagnosis.visible, diagnosis.covered));
+    if diagnosis.camera_error.is_none() {
+        ui.label(words::seen(lang, diagnosis.visible, diagnosis.covered));
+    }
     if diagnosis.findings.is_empty() {
-        ui.label(t.as_it_should_be);
+        ui.label(t.no_problems);
     }
     for finding in &diagnosis.findings {
         let button = finding.repair.map(|repair| (t.show_it, change(state, &repair)));
@@ -188,7 +192,9 @@ fn findings(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>
 fn health(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) {
     let lang = state.settings.lang;
     let t = words::texts(lang);
-    title(ui, t.health);
+    if !advice.health.is_empty() {
+        title(ui, t.health);
+    }
     for health in &advice.health {
         let color = color(ui, health.level);
         let sign = if health.level == Level::Good { "" } else { "⚠ " };
@@ -197,7 +203,7 @@ fn health(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) 
         let figure = state.document.figure();
         let change = |camera| words::changes_in_symbols(lang, &changes(&figure.camera, camera));
         let button = health.repair.as_ref().map(|camera| (t.improve, change(camera)));
-        if line(ui, &words::health(lang, health, &advice.camera), button) {
+        if line(ui, &words::health(lang, health, &advice.camera, figure.style.depth_format), button) {
             *wish = health.repair.map(Wish::Camera);
         }
     }

@@ -46,7 +46,6 @@
 //! | `preview` | the picture in the export dialog, and the one it copies |
 //! | `prose` | text in Markdown, with mathematics between dollar signs |
 //! | `qr` | a link as a QR code over the whole window |
-//! | `repair` | one-click repairs of impossible camera parameters |
 //! | `scene_cache` | the scene of the pictures; mesh files are read beside the window's thread |
 //! | `search` | one search for everything in the window |
 //! | `selection_gizmo` | the effect of the gizmo in the world on the selection |
@@ -106,7 +105,6 @@ mod presentation;
 pub mod preview;
 mod prose;
 mod qr;
-pub mod repair;
 pub mod scene_cache;
 mod search;
 mod selection_gizmo;

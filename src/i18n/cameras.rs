@@ -7,8 +7,8 @@ use super::Lang;
 use super::expressions::in_expression;
 use super::wording::Wording;
 use crate::camera::{
-    Amount, CameraError, Derived, Descriptor, InfiniteParallel, NotProjectable, Operation, OperationError,
-    ParameterKey, Range, Warning,
+    Amount, CameraError, Checked, Derived, Descriptor, InfiniteParallel, NotProjectable, Operation, OperationError,
+    ParameterKey, Range, Warning, is_infinite_far,
 };
 use crate::inspect::InspectError;
 use crate::sanitize::escaped;
@@ -44,14 +44,16 @@ pub(super) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
             match lang {
                 Lang::En => english(&format!("{symbol} must be {}", allowed.in_symbols)),
                 Lang::PtBr => Wording::new(
-                    format!("{key} é {value:?}; permitido: {}", allowed.full),
+                    format!("{key} é {value:?}; permitido: {}{}", allowed.full, way_out(*key, *value)),
                     format!("{symbol} tem de ser {}", allowed.in_symbols),
                 ),
             }
         }
         (Lang::En, CameraError::FarNotBeyondNear { .. }) => english("F must be less than B"),
         (Lang::PtBr, CameraError::FarNotBeyondNear { near, far }) => Wording::new(
-            format!("near é {near:?} e far é {far:?}; permitido: 0 < near < far"),
+            format!(
+                "near é {near:?} e far é {far:?}; permitido: 0 < near < far; para profundidades invertidas, mantenha essa ordem e use --ndc NOME-reversed"
+            ),
             "F tem de ser menor que B",
         ),
         (Lang::En, CameraError::WindowWidth { .. }) => english("l must be less than r"),
@@ -82,6 +84,11 @@ pub(super) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
             }
         }
     }
+}
+
+/// How to get what a value out of its range asks for, in Portuguese.
+fn way_out(key: Checked, value: f64) -> &'static str {
+    if is_infinite_far(key, value) { "; para B → ∞, deixe far finito e use --ndc NOME-infinite" } else { "" }
 }
 
 fn range(lang: Lang, range: Range) -> Wording {

@@ -3,10 +3,11 @@
 use super::cameras::warning_wording;
 use super::scenes::preset_object;
 use super::{Lang, conventions};
-use crate::camera::{Camera, Ndc, Projection};
+use crate::appearance::DepthFormat;
+use crate::camera::{Camera, CameraError, Ndc, Projection};
 use crate::numbers::significant;
-use crate::numerics::diagnosis::{Cause, Diagnosis, Finding, Value};
-use crate::numerics::health::{Health, HealthQuantity, Level, volume_sides};
+use crate::numerics::diagnosis::{Cause, Diagnosis, Finding, Value, WrongPixels};
+use crate::numerics::health::{Health, HealthQuantity, Level, coarseness, volume_sides};
 use crate::sanitize::escaped;
 use crate::scene::SceneSpec;
 
@@ -14,7 +15,8 @@ texts! {
     // Of the command line.
     health: "Health", "Saúde";
     findings: "Findings", "Achados";
-    as_it_should_be: "The picture is as it should be.", "A imagem está como deve ser.";
+    no_problems: "No problems found: the image agrees with exact visibility.", "Nenhum problema encontrado: a imagem concorda com a visibilidade exata.";
+    on_the_other_side: "On the other side of the comparison:", "Do outro lado da comparação:";
     repair: "Repair", "Conserto";
     no_repair: "no change to the camera repairs this", "nenhuma mudança na câmera conserta isto";
     nothing_repaired: "nothing to repair: the figure is written unchanged", "nada a consertar: a figura é gravada sem mudança";
@@ -48,6 +50,7 @@ texts! {
     at_focus: "at the distance of PF,", "na distância de PF,";
     suggested: "F and B that hold the scene:", "F e B que contêm a cena:";
     use_them: "Use them", "Usar";
+    shadow_bias: "bias of shadows", "folga das sombras";
     good: "good", "boa";
     fair: "fair", "regular";
     poor: "poor", "ruim";
@@ -90,7 +93,7 @@ pub const fn quantity(lang: Lang, quantity: HealthQuantity) -> &'static str {
 
 /// A plain sentence about one quantity of a camera, with the equation of the notes that it comes from.
 #[must_use]
-pub fn health(lang: Lang, health: &Health, camera: &Camera) -> String {
+pub fn health(lang: Lang, health: &Health, camera: &Camera, format: DepthFormat) -> String {
     let n = |x: f64| length(lang, x);
     let perspective = camera.projection() == Projection::Perspective;
     let own = match health.quantity {
@@ -120,7 +123,7 @@ pub fn health(lang: Lang, health: &Health, camera: &Camera) -> String {
                 ),
             }
         }
-        HealthQuantity::DepthResolution => depth_resolution(lang, camera),
+        HealthQuantity::DepthResolution => depth_resolution(lang, camera, format),
         HealthQuantity::PositionDigits => {
             let (ratio, digits) = (n(camera.origin_ratio()), n(health.value));
             match lang {
@@ -183,22 +186,32 @@ fn length(lang: Lang, x: f64) -> String {
     }
 }
 
-fn depth_resolution(lang: Lang, camera: &Camera) -> String {
-    let [at_near, at_focus, at_far] =
-        [camera.near(), camera.distance(), camera.far()].map(|z| length(lang, camera.depth_step(z)));
-    match (camera.projection(), lang) {
+fn depth_resolution(lang: Lang, camera: &Camera, format: DepthFormat) -> String {
+    let step = |z: f64| length(lang, (camera.depth_step(z) * coarseness(format)).min(f64::MAX));
+    let [at_near, at_focus, at_far] = [camera.near(), camera.distance(), camera.far()].map(step);
+    let (bits, power) = if format == DepthFormat::Fixed16 { (16, "2¹⁶") } else { (24, "2²⁴") };
+    let own = match (camera.projection(), lang) {
         (Projection::Perspective, Lang::En) => format!(
-            "24 bits of Z (5.25) tell apart depths d that differ by d² (B − F) / (B F 2²⁴): by {at_near} at F, {at_focus} at PF, {at_far} at B."
+            "{bits} bits of Z (5.25) tell apart depths d that differ by d² (B − F) / (B F {power}): by {at_near} at F, {at_focus} at PF, {at_far} at B."
         ),
         (Projection::Perspective, Lang::PtBr) => format!(
-            "24 bits de Z (5.25) distinguem profundidades d que diferem de d² (B − F) / (B F 2²⁴): de {at_near} em F, {at_focus} em PF, {at_far} em B."
+            "{bits} bits de Z (5.25) distinguem profundidades d que diferem de d² (B − F) / (B F {power}): de {at_near} em F, {at_focus} em PF, {at_far} em B."
         ),
         (Projection::Parallel, Lang::En) => {
-            format!("24 bits of Z (5.25) tell apart depths that differ by (B − F) / 2²⁴ = {at_far}, at every depth.")
+            format!(
+                "{bits} bits of Z (5.25) tell apart depths that differ by (B − F) / {power} = {at_far}, at every depth."
+            )
         }
         (Projection::Parallel, Lang::PtBr) => format!(
-            "24 bits de Z (5.25) distinguem profundidades que diferem de (B − F) / 2²⁴ = {at_far}, em toda profundidade."
+            "{bits} bits de Z (5.25) distinguem profundidades que diferem de (B − F) / {power} = {at_far}, em toda profundidade."
         ),
+    };
+    match (format, lang) {
+        (DepthFormat::Float, Lang::En) => format!("{own} This figure's reversed f32 depths are finer."),
+        (DepthFormat::Float, Lang::PtBr) => {
+            format!("{own} As profundidades desta figura, em f32 invertido, são mais finas.")
+        }
+        _ => own,
     }
 }
 
@@ -244,33 +257,111 @@ pub fn two_planes(lang: Lang, share: f64) -> String {
     }
 }
 
-/// Why something is not in the picture, with the names concerned, as they are called in this language; `scene`: the
+/// Explains a finding, with the names of the objects concerned as they are called in this language. `scene`: the
 /// figure's, whose own objects have their names from its author.
 #[must_use]
 pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &SceneSpec) -> String {
-    if finding.cause == Cause::EmptyScene {
-        return match lang {
-            Lang::En => "The scene is empty: there is nothing to draw.".to_owned(),
-            Lang::PtBr => "A cena está vazia: não há o que desenhar.".to_owned(),
-        };
+    if let Some(error) = &diagnosis.camera_error {
+        return impossible_camera(lang, finding.cause, error);
+    }
+    if let Some(pixels) = finding.pixels {
+        let names: Vec<String> = finding.objects().map(|name| object_name(lang, name, scene)).collect();
+        let sentence = wrong_pixels(lang, finding.cause, pixels);
+        return if names.is_empty() { sentence } else { format!("{}: {sentence}", listed(lang, &names)) };
+    }
+    match (lang, finding.cause) {
+        (Lang::En, Cause::EmptyScene) => return "The scene is empty: there is nothing to draw.".to_owned(),
+        (Lang::PtBr, Cause::EmptyScene) => return "A cena está vazia: não há o que desenhar.".to_owned(),
+        (Lang::En, Cause::NotCompared) => {
+            return "The image has too many pixels or faces to be compared with exact visibility.".to_owned();
+        }
+        (Lang::PtBr, Cause::NotCompared) => {
+            return "A imagem tem pixels ou faces demais para ser comparada com a visibilidade exata.".to_owned();
+        }
+        _ => {}
     }
     let said = |partly| match lang {
         Lang::En => english(finding.cause, partly, diagnosis),
         Lang::PtBr => portuguese(finding.cause, partly, diagnosis),
     };
     let (whole, in_part) = (said(false), said(true));
-    let called = |name: &String| match name.as_str() {
-        "" if lang == Lang::En => "The scene".to_owned(),
-        "" => "A cena".to_owned(),
-        name if scene.objects.iter().any(|object| object.name == name) => escaped(name),
-        name => preset_object(lang, name),
-    };
-    let [lost, cut] = [&finding.whole, &finding.partly].map(|names| names.iter().map(called).collect::<Vec<_>>());
+    let [lost, cut] = [&finding.whole, &finding.partly]
+        .map(|names| names.iter().map(|name| object_name(lang, name, scene)).collect::<Vec<_>>());
     // A sentence that holds for objects seen in part too is written once.
     let groups =
         if whole == in_part { vec![([lost, cut].concat(), whole)] } else { vec![(lost, whole), (cut, in_part)] };
     let sentences = groups.into_iter().filter(|(names, _)| !names.is_empty());
     sentences.map(|(names, said)| format!("{}: {said}", listed(lang, &names))).collect::<Vec<_>>().join(" ")
+}
+
+/// The name of an object: its author's, or in this language that of a part of a named scene.
+fn object_name(lang: Lang, name: &str, scene: &SceneSpec) -> String {
+    match name {
+        "" if lang == Lang::En => "The scene".to_owned(),
+        "" => "A cena".to_owned(),
+        name if scene.objects.iter().any(|object| object.name == name) => escaped(name),
+        name => preset_object(lang, name),
+    }
+}
+
+/// Why the parameters make no camera, and the equation that has no result.
+fn impossible_camera(lang: Lang, cause: Cause, error: &CameraError) -> String {
+    let why = match (lang, cause) {
+        (Lang::En, Cause::ViewUpAlongView) => " Then u = VUP × n / |VUP × n| (5.3) has no direction.",
+        (Lang::PtBr, Cause::ViewUpAlongView) => " Assim u = VUP × n / |VUP × n| (5.3) não tem direção.",
+        (Lang::En, Cause::FocalPointAtPosition) => " Then DOP = PF − C has no direction.",
+        (Lang::PtBr, Cause::FocalPointAtPosition) => " Assim DOP = PF − C não tem direção.",
+        (Lang::En, Cause::NearBeyondFar) => " Then the view volume from F to B is empty.",
+        (Lang::PtBr, Cause::NearBeyondFar) => " Assim o volume de vista entre F e B fica vazio.",
+        (Lang::En, Cause::ViewAngleRange) => " Then H = 2 F tan(θ/2) (5.5) is no height.",
+        (Lang::PtBr, Cause::ViewAngleRange) => " Assim H = 2 F tan(θ/2) (5.5) não é uma altura.",
+        _ => "",
+    };
+    format!("{}.{why}", super::cameras::camera(lang, error))
+}
+
+/// What is wrong with pixels, and with how many.
+fn wrong_pixels(lang: Lang, cause: Cause, pixels: WrongPixels) -> String {
+    let WrongPixels { wrong, of } = pixels;
+    let share = lang.mark().number(100.0 * pixels.share(), 3);
+    let count = match lang {
+        Lang::En => format!("{wrong} of {of} pixels ({share} %)"),
+        Lang::PtBr => format!("{wrong} de {of} pixels ({share} %)"),
+    };
+    match (lang, cause) {
+        (Lang::En, Cause::WrongOrder) => format!(
+            "{count} show a farther face in front of a nearer one, because faces are painted in the order of their centroids."
+        ),
+        (Lang::PtBr, Cause::WrongOrder) => format!(
+            "{count} mostram uma face mais distante na frente de uma mais próxima, porque as faces são pintadas na ordem de seus centroides."
+        ),
+        (Lang::En, Cause::ShadowAcne) => {
+            format!(
+                "{count} that face a light lie in their own shadow (shadow acne). The bias of the shadow map is too small."
+            )
+        }
+        (Lang::PtBr, Cause::ShadowAcne) => format!(
+            "{count} voltados para uma luz estão em sua própria sombra (acne de sombras). A folga do mapa de sombras é pequena demais."
+        ),
+        (Lang::En, Cause::ShadowDetached) => format!(
+            "{count} that face a light are lit although something blocks it: the shadow is detached from its object. The bias of the shadow map is too large."
+        ),
+        (Lang::PtBr, Cause::ShadowDetached) => format!(
+            "{count} voltados para uma luz estão iluminados, embora algo a bloqueie: a sombra se descola do objeto. A folga do mapa de sombras é grande demais."
+        ),
+        (Lang::En, Cause::AffineTexture) => {
+            format!("{count} show the wrong part of a texture, because it is interpolated without w.")
+        }
+        (Lang::PtBr, Cause::AffineTexture) => {
+            format!("{count} mostram a parte errada de uma textura, porque ela é interpolada sem w.")
+        }
+        (Lang::En, _) => format!(
+            "{count} show a farther face in front of a nearer one, because the depth format can't tell their depths apart."
+        ),
+        (Lang::PtBr, _) => format!(
+            "{count} mostram uma face mais distante na frente de uma mais próxima, porque o formato de profundidade não distingue as duas."
+        ),
+    }
 }
 
 /// Some names, and how many more.
@@ -287,7 +378,18 @@ fn listed(lang: Lang, names: &[String]) -> String {
 fn english(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
     let most = if partly { "most of it is " } else { "" };
     match cause {
-        Cause::EmptyScene => String::new(),
+        Cause::EmptyScene
+        | Cause::NotCompared
+        | Cause::ViewUpAlongView
+        | Cause::FocalPointAtPosition
+        | Cause::NearBeyondFar
+        | Cause::ViewAngleRange
+        | Cause::CameraValue
+        | Cause::DepthConflict
+        | Cause::WrongOrder
+        | Cause::ShadowAcne
+        | Cause::ShadowDetached
+        | Cause::AffineTexture => String::new(),
         Cause::CameraInsideObject => "the camera is inside it, and all its faces are turned away.".to_owned(),
         Cause::BehindCamera => format!("{most}behind the camera, z_c ≥ 0 (5.7): it looks the other way."),
         Cause::BeforeNear => format!("{most}nearer than the front plane, −z_c < F: clipping removes what is there."),
@@ -306,7 +408,18 @@ fn english(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
 fn portuguese(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
     let most = if partly { "a maior parte está " } else { "" };
     match cause {
-        Cause::EmptyScene => String::new(),
+        Cause::EmptyScene
+        | Cause::NotCompared
+        | Cause::ViewUpAlongView
+        | Cause::FocalPointAtPosition
+        | Cause::NearBeyondFar
+        | Cause::ViewAngleRange
+        | Cause::CameraValue
+        | Cause::DepthConflict
+        | Cause::WrongOrder
+        | Cause::ShadowAcne
+        | Cause::ShadowDetached
+        | Cause::AffineTexture => String::new(),
         Cause::CameraInsideObject => "a câmera está dentro, onde todas as faces lhe dão as costas.".to_owned(),
         Cause::BehindCamera => format!("{most}atrás da câmera, z_c ≥ 0 (5.7): ela olha para o outro lado."),
         Cause::BeforeNear => {
@@ -341,6 +454,7 @@ pub fn changes(changes: &[(&'static str, Value)]) -> String {
             format!("{key} = [{}, {}] × [{}, {}]", n(w.left), n(w.right), n(w.bottom), n(w.top))
         }
         Value::Word(word) => format!("{key} = {word}"),
+        Value::Absent => format!("{key} = –"),
     };
     changes.iter().map(of).collect::<Vec<_>>().join(", ")
 }
@@ -360,6 +474,9 @@ pub fn changes_in_symbols(lang: Lang, changes: &[(&'static str, Value)]) -> Stri
         "near" => "F",
         "far" => "B",
         "shading" => super::window::texts(lang).shading,
+        "visibility" => super::window::texts(lang).visibility,
+        "depth_format" => texts(lang).format,
+        "scene.lights.shadow_bias" => texts(lang).shadow_bias,
         key => key,
     };
     let of = |(key, value): &(&'static str, Value)| match value {
@@ -367,16 +484,20 @@ pub fn changes_in_symbols(lang: Lang, changes: &[(&'static str, Value)]) -> Stri
         Value::Number(x) => format!("{} = {}", symbol(key), n(*x)),
         Value::Vector(v) => format!("{} = {}", symbol(key), mark.tuple(&v.to_array(), 4)),
         Value::Window(w) => format!("l = {}, r = {}, b = {}, t = {}", n(w.left), n(w.right), n(w.bottom), n(w.top)),
-        Value::Word(word) => format!("{}: {}", symbol(key), shading_word(lang, word)),
+        Value::Word(word) => format!("{}: {}", symbol(key), style_word(lang, word)),
+        Value::Absent => format!("{}: –", symbol(key)),
     };
     changes.iter().map(of).collect::<Vec<_>>().join(" · ")
 }
 
-fn shading_word(lang: Lang, word: &'static str) -> &'static str {
+/// A word of `[style]` as the panels write it.
+fn style_word(lang: Lang, word: &'static str) -> &'static str {
     let t = super::window::texts(lang);
     match word {
         "wireframe" => t.shading_wireframe,
         "flat" => t.shading_flat,
+        "depth-buffer" => t.visibility_depth_buffer,
+        "bsp" => t.visibility_bsp,
         word => word,
     }
 }

@@ -3,6 +3,7 @@
 
 use glam::DVec3;
 
+use crate::appearance::DepthFormat;
 use crate::camera::thresholds::{COARSE_DEPTH, FAR_AWAY, NEARLY_COLLINEAR_DEGREES, WIDE_DEGREES};
 use crate::camera::{Camera, ImageSize, Parameters, Projection, Warning};
 use crate::geometry::Aabb;
@@ -38,7 +39,8 @@ pub enum HealthQuantity {
     VupAngle,
     /// B / F.
     FarNearRatio,
-    /// The smallest difference of depth that 24 bits keep at B, in scene units.
+    /// The smallest difference of depth at B that the figure's depth format keeps, in scene units: of whole numbers as
+    /// the figure has them, otherwise of 24 bits, which a graphics card has unless a program asks for more.
     DepthResolution,
     /// Decimal digits left for the view of the camera, of the 16 that an `f64` has.
     PositionDigits,
@@ -121,24 +123,25 @@ pub struct Health {
     pub repair: Option<Parameters>,
 }
 
-/// Judges a camera; `bounds`: the box around the scene it looks at.
+/// Judges a camera. `format`: the figure's format of depths; `bounds`: the box around the scene it looks at.
 #[must_use]
-pub fn health(camera: &Camera, image: ImageSize, bounds: Option<Aabb>) -> Vec<Health> {
+pub fn health(camera: &Camera, format: DepthFormat, image: ImageSize, bounds: Option<Aabb>) -> Vec<Health> {
     let warnings: Vec<Warning> = camera.warnings().into_iter().chain(camera.aspect_warning(image)).collect();
     let line = |quantity| {
         let warnings: Vec<Warning> = warnings.iter().filter(|w| HealthQuantity::of(w) == quantity).cloned().collect();
-        let (value, level) = judged(quantity, camera);
+        let (value, level) = judged(quantity, camera, format);
         // JSON has no infinity; the greatest number says as much.
         let value = value.min(f64::MAX);
         let level = if warnings.is_empty() { level } else { level.max(Level::Fair) };
-        let repair = (level > Level::Good).then(|| repaired(quantity, camera, image, bounds, &warnings)).flatten();
+        let repair =
+            (level > Level::Good).then(|| repaired(quantity, (camera, format), image, bounds, &warnings)).flatten();
         Health { quantity, level, value, warnings, repair: repair.filter(|p| Camera::new(p).is_ok()) }
     };
     HealthQuantity::ALL.into_iter().map(line).collect()
 }
 
 /// The value of a quantity, and how good it is.
-fn judged(quantity: HealthQuantity, camera: &Camera) -> (f64, Level) {
+fn judged(quantity: HealthQuantity, camera: &Camera, format: DepthFormat) -> (f64, Level) {
     let perspective = camera.projection() == Projection::Perspective;
     match quantity {
         HealthQuantity::VupAngle => {
@@ -157,7 +160,7 @@ fn judged(quantity: HealthQuantity, camera: &Camera) -> (f64, Level) {
             (ratio, level)
         }
         HealthQuantity::DepthResolution => {
-            let step = camera.depth_step(camera.far());
+            let step = camera.depth_step(camera.far()) * coarseness(format);
             let length = if perspective { camera.far() } else { camera.window_height().max(camera.window_width()) };
             (step, above(step, VISIBLE_STEP * length, COARSE_DEPTH * length))
         }
@@ -177,6 +180,15 @@ fn judged(quantity: HealthQuantity, camera: &Camera) -> (f64, Level) {
             (degrees, level.max(below(degrees, NARROW_DEGREES, NEEDLE_DEGREES)))
         }
         HealthQuantity::ViewAngle => (0.0, Level::Good),
+    }
+}
+
+/// How many times as long a step of a depth format is as one of 24 bits.
+#[must_use]
+pub fn coarseness(format: DepthFormat) -> f64 {
+    match format {
+        DepthFormat::Fixed16 => 256.0,
+        DepthFormat::Fixed24 | DepthFormat::Float => 1.0,
     }
 }
 
@@ -229,7 +241,7 @@ pub fn with_planes(p: &Parameters, [near, far]: [f64; 2]) -> Parameters {
 
 fn repaired(
     quantity: HealthQuantity,
-    camera: &Camera,
+    (camera, format): (&Camera, DepthFormat),
     image: ImageSize,
     bounds: Option<Aabb>,
     warnings: &[Warning],
@@ -238,7 +250,8 @@ fn repaired(
     let planes = || {
         let suggested = suggested_planes(camera, bounds?)?;
         let mended = with_planes(&p, suggested);
-        let is_better = Camera::new(&mended).is_ok_and(|after| judged(quantity, &after).1 < judged(quantity, camera).1);
+        let is_better = Camera::new(&mended)
+            .is_ok_and(|after| judged(quantity, &after, format).1 < judged(quantity, camera, format).1);
         is_better.then_some(mended)
     };
     match quantity {

@@ -141,7 +141,7 @@ impl TrueLight {
 
 /// A value for each pixel, by its column and row and by its place among all. `None` where it was cancelled. It pauses
 /// on the way.
-async fn by_rows<T: Send>(
+pub async fn by_rows<T: Send>(
     image: ImageSize,
     progress: &Progress,
     of: impl Fn([u32; 2], usize) -> T + Sync,
@@ -160,7 +160,8 @@ async fn by_rows<T: Send>(
 }
 
 /// The middle of a pixel, along one axis.
-fn center(pixel: u32) -> f64 {
+#[must_use]
+pub fn center(pixel: u32) -> f64 {
     f64::from(pixel) + 0.5
 }
 

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use camera_lab::appearance::DepthFormat;
 use camera_lab::camera::{Camera, ImageSize, Ndc, Parameters, Projection};
 use camera_lab::figure::read;
 use camera_lab::numbers::random::Random;
@@ -14,7 +15,7 @@ use crate::common::program::Bench;
 const IMAGE: ImageSize = ImageSize { width: 400, height: 300 };
 
 fn line(p: &Parameters, quantity: HealthQuantity) -> Health {
-    let lines = health(&Camera::new(p).unwrap(), IMAGE, None);
+    let lines = health(&Camera::new(p).unwrap(), DepthFormat::Float, IMAGE, None);
     lines.into_iter().find(|line| line.quantity == quantity).unwrap()
 }
 
@@ -129,7 +130,7 @@ fn where_a_warning_says_something_the_line_is_not_good_and_repairs_help() {
         };
         let Ok(camera) = Camera::new(&p) else { continue };
         let warnings = camera.warnings().len() + usize::from(camera.aspect_warning(IMAGE).is_some());
-        let lines = health(&camera, IMAGE, None);
+        let lines = health(&camera, DepthFormat::Float, IMAGE, None);
         assert_eq!(lines.iter().map(|line| line.warnings.len()).sum::<usize>(), warnings);
         for line in lines {
             warned += line.warnings.len();

@@ -5,10 +5,12 @@
 
 use camera_lab::appearance::Style;
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
+use camera_lab::figure::{Figure, Reveal};
 use camera_lab::i18n::{Lang, coach};
 use camera_lab::numbers::random::Random;
-use camera_lab::numerics::diagnosis::{Cause, Diagnosis, diagnose};
+use camera_lab::numerics::diagnosis::{Cause, Diagnosis, ImageSpec};
 use camera_lab::pipeline::{Target, draw};
+use camera_lab::progress::{Progress, at_once};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{ObjectSpec, Preset, Scene, SceneSpec, Shape, build, no_files};
 use glam::DVec3;
@@ -94,6 +96,11 @@ impl Case {
     }
 }
 
+fn diagnose(scene: &Scene, camera: &Camera, style: &Style, image: ImageSize) -> Option<Diagnosis> {
+    let spec = ImageSpec { scene, camera, style, reveal: &Reveal::default(), image };
+    at_once(camera_lab::numerics::diagnosis::diagnose(&spec, &Progress::default())).ok()
+}
+
 fn scene(objects: Vec<ObjectSpec>) -> Scene {
     build(&SceneSpec { preset: Preset::Empty, objects, ..SceneSpec::default() }, &Style::default(), &mut no_files)
         .unwrap()
@@ -119,7 +126,7 @@ fn hold(seed: u64, cause: Cause, case: &Case, scene: &Scene) -> Diagnosis {
     assert_eq!(first.cause, cause, "{seed}: {:?}\n{:?}", diagnosis.findings, case.camera.parameters());
     assert_eq!(first.objects().collect::<Vec<_>>(), ["thing"], "{seed}");
     let repair = first.repair.unwrap_or_else(|| panic!("{seed}: no repair for {cause:?}"));
-    assert!(!repair.changes(case.camera.parameters(), &Style::default()).is_empty());
+    assert!(!repair.changes(&Figure { camera: *case.camera.parameters(), ..Figure::default() }).is_empty());
     assert!(pixels(scene, &repair.camera, &repair.style) > 0, "{seed}: {repair:?}");
     let after = diagnose(scene, &Camera::new(&repair.camera).unwrap(), &repair.style, IMAGE).unwrap();
     assert!(after.findings.is_empty(), "{seed}: {cause:?} → {:?}\n{:?}", after.findings, repair.camera);

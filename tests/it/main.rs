@@ -21,6 +21,7 @@ mod cost;
 mod depth_in_view;
 mod diagnose;
 mod diagnose_causes;
+mod diagnose_exact;
 mod exercise_follows;
 mod exercise_mistakes;
 mod exercise_slips;

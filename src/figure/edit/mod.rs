@@ -31,7 +31,8 @@ pub fn update(text: &str, figure: &Figure) -> String {
 }
 
 fn edit(text: &str, figure: &Figure) -> Option<String> {
-    let mut old = document(&read::parse(text).ok()?);
+    // A repair replaces a camera that may be impossible.
+    let mut old = document(&read::parse_with_any_camera(text).ok()?.0);
     let new = document(figure);
     if same_table(old.as_table(), new.as_table()) {
         return Some(text.to_owned());

@@ -34,7 +34,7 @@ use super::words::{
 };
 use super::{AXES_LENGTHS, Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook, WorldPart, WorldParts};
 use crate::appearance::Style;
-use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
+use crate::camera::{Camera, CameraError, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
 use crate::sanitize;
 pub use comparison::typed_comparison;
@@ -112,6 +112,23 @@ pub fn parse_known(text: &str) -> Result<(Figure, Vec<String>), FigureError> {
     }
 }
 
+/// As [`parse`], but a camera that is impossible is no fault: its error is given back with the figure.
+///
+/// # Errors
+/// As for [`parse`], except for [`Problem::Camera`].
+pub fn parse_with_any_camera(text: &str) -> Result<(Figure, Option<CameraError>), FigureError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let (figure, faults) = figure_and_faults(text)?;
+    let (mut camera_error, mut others) = (None, Vec::new());
+    for fault in faults {
+        match fault.problem {
+            Problem::Camera(error) if fault.key.starts_with("[camera]") => camera_error = Some(error),
+            _ => others.push(fault),
+        }
+    }
+    first_of(text, others).map_or(Ok((figure, camera_error)), Err)
+}
+
 fn first_of(text: &str, faults: Vec<Fault>) -> Option<FigureError> {
     let Fault { at, key, problem } = faults.into_iter().min_by_key(|fault| fault.at)?;
     Some(FigureError { line: line_of(text, at), key, problem })
@@ -173,7 +190,7 @@ fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Parameters {
         height: section.number("height", default.height),
         aspect: section.number("aspect", default.aspect),
         near: section.number("near", default.near),
-        far: section.number("far", default.far),
+        far: section.number_or_infinity("far", default.far),
         window: window(&mut section, faults),
     };
     if section.faults.is_empty()

@@ -157,6 +157,14 @@ impl<'a> Section<'a> {
         self.quantity(key, Dimension::Number, default)
     }
 
+    /// A number, or infinity, which the caller refuses with a better message.
+    pub(crate) fn number_or_infinity(&mut self, key: &'static str, default: f64) -> f64 {
+        self.read_numbers(key, default, Allowed::Number, |value| match value.as_float() {
+            Some(f64::INFINITY) => Ok(f64::INFINITY),
+            _ => number(value, Dimension::Number),
+        })
+    }
+
     /// Degrees.
     pub(crate) fn angle(&mut self, key: &'static str, default: f64) -> f64 {
         self.quantity(key, Dimension::Angle, default)

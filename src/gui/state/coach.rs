@@ -8,8 +8,9 @@ use eframe::egui;
 use super::State;
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters};
+use crate::figure::{Figure, Reveal};
 use crate::gui::memo::Latest;
-use crate::numerics::diagnosis::{Diagnosis, Repair, diagnose};
+use crate::numerics::diagnosis::{Diagnosis, ImageSpec, ImpossibleCamera, Repair, diagnose, impossible_camera};
 use crate::numerics::health::{Health, health};
 use crate::progress::Progress;
 use crate::views::SharedScene;
@@ -20,7 +21,10 @@ struct HealthRequest {
     camera: Camera,
     scene: SharedScene,
     style: Style,
+    reveal: Reveal,
     image: ImageSize,
+    /// Parameters in the fields that make no camera.
+    impossible: Option<ImpossibleCamera>,
 }
 
 /// The faults of the picture, and the health of the camera.
@@ -30,7 +34,7 @@ pub struct Advice {
     pub camera: Camera,
     /// `None` where the image is too large to be drawn.
     pub diagnosis: Option<Diagnosis>,
-    /// Six quantities.
+    /// Six quantities; none of an impossible camera.
     pub health: Vec<Health>,
 }
 
@@ -45,10 +49,18 @@ pub struct Coach {
 impl Default for Coach {
     fn default() -> Self {
         let advice = Latest::new("coach", || {
-            async |HealthRequest { camera, scene, style, image }: &HealthRequest, _: &Progress| Advice {
-                camera: camera.clone(),
-                diagnosis: diagnose(scene, camera, style, *image),
-                health: health(camera, *image, scene.bounds()),
+            async |request: &HealthRequest, progress: &Progress| {
+                let HealthRequest { camera, scene, style, reveal, image, impossible } = request;
+                if let Some(impossible) = impossible {
+                    let diagnosis = Some(impossible_camera(impossible, scene));
+                    return Advice { camera: camera.clone(), diagnosis, health: Vec::new() };
+                }
+                let spec = ImageSpec { scene, camera, style, reveal, image: *image };
+                Advice {
+                    camera: camera.clone(),
+                    diagnosis: diagnose(&spec, progress).await.ok(),
+                    health: health(camera, style.depth_format, *image, scene.bounds()),
+                }
             }
         });
         Self { advice, gap: 0.01 }
@@ -83,20 +95,24 @@ impl State {
         }
         // Until then the scene is not whole.
         if self.scene_cache.loading().is_empty() {
-            let request = HealthRequest {
-                camera: self.document.camera().clone(),
-                scene: self.scene_cache.scene().clone(),
-                style: self.document.figure().style,
-                image: self.document.figure().image,
-            };
+            let Figure { style, reveal, image, .. } = *self.document.figure();
+            let impossible = self.document.problem().cloned().map(|error| ImpossibleCamera {
+                error,
+                parameters: *self.document.draft(),
+                style,
+                reveal,
+                image,
+            });
+            let (camera, scene) = (self.document.camera().clone(), self.scene_cache.scene().clone());
+            let request = HealthRequest { camera, scene, style, reveal, image, impossible };
             self.coach.advice.ask(ctx, request);
         }
     }
 
-    /// Changes camera and style as a repair has it, as one step that can be undone.
-    pub(in crate::gui) fn apply_repair(&mut self, Repair { camera, style }: Repair) {
-        self.apply_camera(camera);
-        self.document.edit(|figure| figure.style.shading = style.shading);
+    /// Changes the figure as a repair has it, as one step that can be undone.
+    pub(in crate::gui) fn apply_repair(&mut self, repair: Repair) {
+        self.apply_camera(repair.camera);
+        self.document.edit(|figure| repair.apply(figure));
     }
 
     /// Applies a repair of the camera alone.

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::appearance::{Rgba, Shading, Style, Visibility};
+use crate::appearance::{DepthFormat, Rgba, Shading, Style, Visibility};
 use crate::camera::{Camera, ImageSize, Projection};
-use crate::pipeline::{ByObject, ObjectReport, Options, Pipeline, Target};
+use crate::pipeline::{ByObject, ObjectReport, Options, OverBudget, Pipeline, Target};
 use crate::raster::Rasterizer;
 use crate::scene::{Object, ObjectPaint, Scene};
 
@@ -27,8 +27,10 @@ impl Counter {
     /// Draws the image with one sample for each pixel. `None` where it is too large.
     pub(super) fn draw(&mut self, scene: &Scene, camera: &Camera, style: &Style, image: ImageSize) -> Option<Drawn> {
         let mut pixels = 0;
-        let objects = self.paint(scene, camera, style, image, |pixel| pixels += u64::from(pixel[3] > 0))?;
-        Some(Drawn { pixels, objects })
+        // The order of faces does not change which pixels are covered.
+        let style = Style { visibility: Visibility::DepthBuffer, ..*style };
+        let painted = self.paint(scene, camera, &style, image, |pixel| pixels += u64::from(pixel[3] > 0))?;
+        Some(Drawn { pixels, objects: painted.objects })
     }
 
     /// Of each of these objects, the pixels on which a face is seen that turns its back to the eye.
@@ -55,16 +57,7 @@ impl Counter {
         let mut marked = Scene::default();
         for (i, object) in scene.objects.iter().enumerate().filter(|(_, object)| object.faces) {
             let mark = of.iter().position(|&j| j == i).and_then(|k| u32::try_from(k + 1).ok()).unwrap_or(0);
-            let [_, r, g, b] = mark.to_be_bytes();
-            let color = |counts: bool| if counts { Rgba::rgb(r, g, b) } else { Rgba::rgb(0, 0, 0) };
-            let colors = (0..object.mesh.triangles.len()).map(|t| color(counts_as(object, t)));
-            marked.objects.push(Object {
-                paint: ObjectPaint::Faces(Arc::new(colors.collect())),
-                lit: false,
-                edges: None,
-                outline: None,
-                ..object.clone()
-            });
+            marked.objects.push(numbered(object, |triangle| if counts_as(object, triangle) { mark } else { 0 }));
         }
         let mut counts = vec![0; of.len()];
         let style = Style { shading: Shading::Flat, ..Style::default() };
@@ -77,26 +70,49 @@ impl Counter {
         counts
     }
 
-    fn paint(
+    /// Paints a scene with one sample for each pixel, and gives each pixel to `each`, row by row. `None` if the image is
+    /// too large.
+    pub(super) fn paint(
         &mut self,
         scene: &Scene,
         camera: &Camera,
         style: &Style,
         image: ImageSize,
         mut each: impl FnMut([u8; 4]),
-    ) -> Option<ByObject<ObjectReport>> {
+    ) -> Option<Painted> {
         let clear = Rgba::rgba(0, 0, 0, 0);
         let target = Target { width: image.width, height: image.height, scale: 1.0, background: clear };
-        // The order of faces does not change which pixels are covered.
-        let style = Style { antialias: 1, visibility: Visibility::DepthBuffer, ..*style };
-        let mut frame = self.pipeline.frame(scene, camera, target, &style, Options::default());
+        let style = Style { antialias: 1, ..*style };
+        // As the image is drawn: whole numbers of a format are shares of the range from F to B.
+        let depth_of_volume = style.depth_format != DepthFormat::Float;
+        let options = Options { depth_of_volume, ..Options::default() };
+        let mut frame = self.pipeline.frame(scene, camera, target, &style, options);
+        frame.drawing.depth_format = style.depth_format;
         // The name of a thing that is not seen is not the thing.
         frame.drawing.labels.clear();
         let pixmap = self.rasterizer.paint(&frame.drawing)?;
         self.pipeline.recycle(frame.drawing);
         pixmap.data().chunks_exact(4).for_each(|pixel| each([pixel[0], pixel[1], pixel[2], pixel[3]]));
-        Some(frame.objects)
+        Some(Painted { objects: frame.objects, too_much: frame.too_much })
     }
+}
+
+/// What the pipeline reports of a painted scene.
+pub(super) struct Painted {
+    objects: ByObject<ObjectReport>,
+    /// The faces that were too many to be put in order.
+    pub(super) too_much: Option<OverBudget>,
+}
+
+/// An object whose faces have numbers, 0 … 2²⁴ − 1, for colours, and no strokes.
+pub(super) fn numbered(object: &Object, number: impl Fn(usize) -> u32) -> Object {
+    let color = |triangle| {
+        let [_, r, g, b] = number(triangle).to_be_bytes();
+        Rgba::rgb(r, g, b)
+    };
+    let colors = (0..object.mesh.triangles.len()).map(color).collect();
+    let paint = ObjectPaint::Faces(Arc::new(colors));
+    Object { paint, lit: false, edges: None, outline: None, ..object.clone() }
 }
 
 /// True where the eye is behind the plane of a triangle.

@@ -3,27 +3,38 @@
 //!
 //! Visibility is counted in pixels that the pipeline really draws. The reason for a missing part is found from the
 //! sides of the planes of the volume on which its points lie; a repair is offered only after it was applied, and its
-//! picture was checked.
+//! picture was checked. Then the image is compared with exact visibility: only if that finds no wrong pixel either is
+//! there nothing to report.
 //!
 //! | file | purpose |
 //! | --- | --- |
+//! | `camera` | parameters that make no camera, as a finding |
 //! | `count` | counts of the pixels that a scene covers |
+//! | `exact` | the image compared with exact visibility |
 //! | `place` | the place of a subject: sides of the planes, depth, pixels |
 //! | `repair` | repairs of a camera, from small to large |
 //! | `subject` | the contents of a scene, by name: objects and grids |
+//! | `tiles` | the nearest face at any place of the image |
 
+mod camera;
 mod count;
+mod exact;
 mod place;
 mod repair;
 mod subject;
+mod tiles;
 
 use glam::DVec3;
 
 use crate::appearance::{Shading, Style};
-use crate::camera::{Camera, ImageSize};
+use crate::camera::{Camera, CameraError, ImageSize};
+use crate::figure::Reveal;
 use crate::pipeline::{ByObject, FacesDone, ObjectReport};
+use crate::progress::Progress;
 use crate::scene::Scene;
+pub use camera::{ImpossibleCamera, impossible_camera};
 pub use count::Counter;
+pub use exact::WrongPixels;
 pub use repair::{Repair, Value, changes};
 
 use place::{Side, Whereabouts};
@@ -63,6 +74,28 @@ pub enum Cause {
     HiddenByNearCut,
     /// The scene is seen, but on less than 0.1 % of the image.
     FewPixels,
+    /// VUP is along the view, or has no length.
+    ViewUpAlongView,
+    /// C = PF.
+    FocalPointAtPosition,
+    /// Not 0 < F < B.
+    NearBeyondFar,
+    /// Not 0° < θ < 180°.
+    ViewAngleRange,
+    /// Another parameter of the camera is out of its range.
+    CameraValue,
+    /// The figure's depth format shows farther faces in front of nearer ones.
+    DepthConflict,
+    /// The order of painting shows farther faces in front of nearer ones.
+    WrongOrder,
+    /// Faces lie in their own shadow.
+    ShadowAcne,
+    /// Shadows come off the thing that casts them.
+    ShadowDetached,
+    /// A texture is interpolated without w.
+    AffineTexture,
+    /// The image is too large, or has too many faces, to be compared with exact visibility.
+    NotCompared,
 }
 
 impl Cause {
@@ -83,6 +116,17 @@ impl Cause {
             Self::FullyTransparent => "fully-transparent",
             Self::HiddenByNearCut => "hidden-by-near-cut",
             Self::FewPixels => "few-pixels",
+            Self::ViewUpAlongView => "view-up-along-view",
+            Self::FocalPointAtPosition => "focal-point-at-position",
+            Self::NearBeyondFar => "near-beyond-far",
+            Self::ViewAngleRange => "view-angle-range",
+            Self::CameraValue => "camera-value",
+            Self::DepthConflict => "depth-conflict",
+            Self::WrongOrder => "wrong-order",
+            Self::ShadowAcne => "shadow-acne",
+            Self::ShadowDetached => "shadow-detached",
+            Self::AffineTexture => "affine-texture",
+            Self::NotCompared => "not-compared",
         }
     }
 
@@ -108,6 +152,23 @@ pub struct Finding {
     /// The repair that shows the objects for which it is most useful: where there are any, those that this alone keeps
     /// out of the picture. `None` where no change of the camera does.
     pub repair: Option<Repair>,
+    /// The pixels that show something else than they should, if the cause is one of them.
+    pub pixels: Option<WrongPixels>,
+}
+
+/// The image to examine.
+#[derive(Clone, Copy, Debug)]
+pub struct ImageSpec<'a> {
+    /// What is in it.
+    pub scene: &'a Scene,
+    /// From where it is seen.
+    pub camera: &'a Camera,
+    /// How it is drawn.
+    pub style: &'a Style,
+    /// What it shows of the pipeline: textures without w and shadows without bias are drawn wrong on purpose.
+    pub reveal: &'a Reveal,
+    /// Its size.
+    pub image: ImageSize,
 }
 
 impl Finding {
@@ -124,15 +185,20 @@ pub struct Diagnosis {
     pub visible: u64,
     /// Their share of the image.
     pub covered: f64,
-    /// The most useful first; empty where the picture is as it should be.
+    /// The most useful first. Empty only if the image was compared with exact visibility and is right.
     pub findings: Vec<Finding>,
+    /// Why there is no image: the parameters make no camera.
+    pub camera_error: Option<CameraError>,
 }
 
-/// Looks at the image that a camera gives of a scene. `None` where an image of this size cannot be drawn.
-#[must_use]
-pub fn diagnose(scene: &Scene, camera: &Camera, style: &Style, image: ImageSize) -> Option<Diagnosis> {
+/// Looks at the image that a camera gives of a scene, and compares it with exact visibility. It pauses on the way.
+///
+/// # Errors
+/// [`NoDiagnosis`] if the image can't be drawn, or the work was cancelled.
+pub async fn diagnose(spec: &ImageSpec<'_>, progress: &Progress) -> Result<Diagnosis, NoDiagnosis> {
+    let ImageSpec { scene, camera, style, image, .. } = *spec;
     let mut counter = Counter::default();
-    let drawn = counter.draw(scene, camera, style, image)?;
+    let drawn = counter.draw(scene, camera, style, image).ok_or(NoDiagnosis::TooLarge)?;
     #[expect(clippy::cast_precision_loss, reason = "an image has less than 2^53 pixels")]
     let covered = drawn.pixels as f64 / (f64::from(image.width) * f64::from(image.height));
     let subjects = NamedThing::all(scene);
@@ -140,7 +206,7 @@ pub fn diagnose(scene: &Scene, camera: &Camera, style: &Style, image: ImageSize)
     if subjects.is_empty() {
         findings.0.push(Group { cause: Cause::EmptyScene, rank: 0, members: Vec::new() });
     }
-    let mut looked = Looked { scene, camera, style, image, counter };
+    let mut looked = Looked { scene, camera, style, reveal: spec.reveal, image, counter };
     let mut seen = Vec::new();
     for (index, subject) in subjects.iter().enumerate() {
         let report = subject.index.and_then(|i| drawn.objects.get(i));
@@ -163,16 +229,36 @@ pub fn diagnose(scene: &Scene, camera: &Camera, style: &Style, image: ImageSize)
     if drawn.pixels > 0 && covered < FEW && !seen.is_empty() {
         findings.few(&seen);
     }
-    let findings = findings.sorted().into_iter().map(|group| {
+    let mut found = Vec::new();
+    for group in findings.sorted() {
         let names = |partly: bool| {
             let members = group.members.iter().filter(|member| member.partly == partly);
             members.map(|member| subjects[member.subject].name.to_owned()).collect()
         };
         let leading: Vec<&NamedThing> = group.leading().map(|member| &subjects[member.subject]).collect();
         let repair = looked.repair(group.cause, &leading);
-        Finding { cause: group.cause, whole: names(false), partly: names(true), repair }
-    });
-    Some(Diagnosis { visible: drawn.pixels, covered, findings: findings.collect() })
+        found.push(Finding { cause: group.cause, whole: names(false), partly: names(true), repair, pixels: None });
+    }
+    let faults = exact::faults(spec, &mut looked.counter, progress).await.ok_or(NoDiagnosis::Cancelled)?;
+    for fault in faults {
+        let repair = looked.repair_of_fault(spec, &fault, progress).await;
+        let names =
+            fault.objects.iter().filter_map(|&place| scene.objects.get(place)).map(|object| object.name.clone());
+        let pixels = (fault.cause != Cause::NotCompared).then_some(fault.pixels);
+        found.push(Finding { cause: fault.cause, whole: Vec::new(), partly: names.collect(), repair, pixels });
+    }
+    Ok(Diagnosis { visible: drawn.pixels, covered, findings: found, camera_error: None })
+}
+
+/// Why there is no diagnosis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoDiagnosis {
+    /// The image can't be drawn.
+    #[error("the image is too large to be drawn")]
+    TooLarge,
+    /// The work was cancelled.
+    #[error("cancelled")]
+    Cancelled,
 }
 
 /// A subject with a cause.
@@ -255,6 +341,7 @@ struct Looked<'a> {
     scene: &'a Scene,
     camera: &'a Camera,
     style: &'a Style,
+    reveal: &'a Reveal,
     image: ImageSize,
     counter: Counter,
 }

@@ -4,23 +4,29 @@ use glam::DVec3;
 use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
+use super::exact::{Fault, shadows, wrong_faces};
 use super::place::Whereabouts;
 use super::subject::{NamedThing, ball};
-use super::{Ball, Cause, FEW, Looked, MANY_BACK_FACES};
-use crate::appearance::{Shading, Style};
+use super::{Ball, Cause, FEW, ImageSpec, Looked, MANY_BACK_FACES};
+use crate::appearance::{DepthFormat, Shading, Style, Visibility};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
-use crate::figure::words;
+use crate::figure::{Figure, Reveal, words};
 use crate::numbers::{nice_above, nice_below, round_to};
-use crate::numerics::health::with_planes;
+use crate::numerics::health::{suggested_planes, with_planes};
+use crate::progress::Progress;
 use crate::scene::Scene;
 
-/// A change of `[camera]` or `[style]`.
+/// A change of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repair {
     /// The camera afterwards.
     pub camera: Parameters,
     /// The style afterwards.
     pub style: Style,
+    /// What the image shows of the pipeline afterwards.
+    pub reveal: Reveal,
+    /// The bias of shadow maps afterwards, in steps of the map; `None`: as it is.
+    pub shadow_bias: Option<f64>,
 }
 
 /// The success criterion of a repair.
@@ -36,19 +42,101 @@ impl Looked<'_> {
     /// The repair of a cause; `None` where none shows its objects.
     pub(super) fn repair(&mut self, cause: Cause, members: &[&NamedThing]) -> Option<Repair> {
         let largest = members.iter().max_by(|a, b| radius(a).total_cmp(&radius(b)))?;
-        let (camera, style) = (*self.camera.parameters(), *self.style);
+        let style = *self.style;
         if cause == Cause::FullyTransparent {
             let can = members.iter().any(|member| member.can_be_wireframe());
-            return can.then_some(Repair { camera, style: Style { shading: Shading::Wireframe, ..style } });
+            let style = Style { shading: Shading::Wireframe, ..style };
+            return can.then_some(Repair { style, ..self.as_it_is() });
         }
         for (members, wanted) in [(members, Wanted::Well), (members, Wanted::AtAll), (&[*largest], Wanted::AtAll)] {
             let mut candidates = self.small(cause, members);
             candidates.extend(self.reframed(members));
             if let Some(camera) = candidates.into_iter().find(|camera| self.shows(camera, members, wanted)) {
-                return Some(Repair { camera, style });
+                return Some(Repair { camera, ..self.as_it_is() });
             }
         }
         None
+    }
+
+    /// The repair that changes nothing.
+    fn as_it_is(&self) -> Repair {
+        Repair { camera: *self.camera.parameters(), style: *self.style, reveal: *self.reveal, shadow_bias: None }
+    }
+
+    /// The repair of wrong pixels: the first change after which the image has none of them, or the one that leaves the
+    /// fewest, if that is less than half.
+    pub(super) async fn repair_of_fault(
+        &mut self,
+        spec: &ImageSpec<'_>,
+        fault: &Fault,
+        progress: &Progress,
+    ) -> Option<Repair> {
+        let mut best: Option<(u64, Repair)> = None;
+        for repair in self.changes_for(fault.cause) {
+            let Ok(camera) = Camera::new(&repair.camera) else { continue };
+            let lights = spec.scene.lights.iter().map(|light| {
+                let mut light = *light;
+                light.shadows.bias = repair.shadow_bias.unwrap_or(light.shadows.bias);
+                light
+            });
+            let lit = repair.shadow_bias.map(|_| Scene { lights: lights.collect(), ..spec.scene.clone() });
+            let scene = lit.as_ref().unwrap_or(spec.scene);
+            let after = ImageSpec { scene, camera: &camera, style: &repair.style, reveal: &repair.reveal, ..*spec };
+            let wrong = match fault.cause {
+                Cause::DepthConflict | Cause::WrongOrder => wrong_faces(&after, &mut self.counter, progress).await?,
+                // Less acne must not cost shadows that come off.
+                Cause::ShadowAcne | Cause::ShadowDetached => {
+                    shadows(&after, progress).await?.iter().map(|fault| fault.pixels.wrong).sum()
+                }
+                // With w, a texture is right.
+                _ => 0,
+            };
+            if wrong == 0 {
+                return Some(repair);
+            }
+            if best.is_none_or(|(least, _)| wrong < least) {
+                best = Some((wrong, repair));
+            }
+        }
+        best.filter(|(wrong, _)| *wrong < fault.pixels.wrong / 2).map(|(_, repair)| repair)
+    }
+
+    /// The changes that may undo wrong pixels, the least first.
+    fn changes_for(&self, cause: Cause) -> Vec<Repair> {
+        let now = self.as_it_is();
+        let style = |style: Style| Repair { style, ..now };
+        match cause {
+            Cause::DepthConflict => {
+                let bounds = self.scene.bounds();
+                let planes = bounds.and_then(|bounds| suggested_planes(self.camera, bounds));
+                let planes = planes.map(|planes| Repair { camera: with_planes(&now.camera, planes), ..now });
+                let finer = [DepthFormat::Fixed24, DepthFormat::Float]
+                    .into_iter()
+                    .filter(|format| *format != self.style.depth_format);
+                let finer: Vec<DepthFormat> = finer.collect();
+                let formats = finer.iter().map(|&depth_format| style(Style { depth_format, ..now.style }));
+                let both = planes.into_iter().flat_map(|planes| {
+                    finer
+                        .iter()
+                        .map(move |&depth_format| Repair { style: Style { depth_format, ..planes.style }, ..planes })
+                });
+                let exact = style(Style { visibility: Visibility::Bsp, ..now.style });
+                planes.into_iter().chain(formats).chain(both).chain([exact]).collect()
+            }
+            Cause::WrongOrder => [Visibility::DepthBuffer, Visibility::Bsp]
+                .into_iter()
+                .filter(|visibility| *visibility != now.style.visibility)
+                .map(|visibility| style(Style { visibility, ..now.style }))
+                .collect(),
+            Cause::ShadowAcne | Cause::ShadowDetached => {
+                let shown = Reveal { shadows: None, ..now.reveal };
+                let biases = [1.0, 2.0, 4.0].map(|bias| Repair { shadow_bias: Some(bias), reveal: shown, ..now });
+                let as_in_file = (now.reveal != shown).then_some(Repair { reveal: shown, ..now });
+                as_in_file.into_iter().chain(biases).collect()
+            }
+            Cause::AffineTexture => vec![Repair { reveal: Reveal { texture: None, ..now.reveal }, ..now }],
+            _ => Vec::new(),
+        }
     }
 
     /// True where the picture of a camera shows these subjects.
@@ -102,7 +190,18 @@ impl Looked<'_> {
             | Cause::FewPixels
             | Cause::CameraInsideObject
             | Cause::EmptyScene
-            | Cause::FullyTransparent => Vec::new(),
+            | Cause::FullyTransparent
+            | Cause::ViewUpAlongView
+            | Cause::FocalPointAtPosition
+            | Cause::NearBeyondFar
+            | Cause::ViewAngleRange
+            | Cause::CameraValue
+            | Cause::DepthConflict
+            | Cause::WrongOrder
+            | Cause::ShadowAcne
+            | Cause::ShadowDetached
+            | Cause::AffineTexture
+            | Cause::NotCompared => Vec::new(),
         }
     }
 
@@ -246,6 +345,8 @@ pub enum Value {
     Window(ViewWindow),
     /// One of a list.
     Word(&'static str),
+    /// None: the key goes.
+    Absent,
 }
 
 /// The keys of `[camera]` that differ, with the values that they get.
@@ -270,12 +371,36 @@ pub fn changes(before: &Parameters, after: &Parameters) -> Vec<(&'static str, Va
 }
 
 impl Repair {
-    /// The keys of `[camera]` and `[style]` that it changes, with the values that they get.
+    /// The keys that it changes, with their new values: those of `[camera]` and `[style]` by their names, `texture` and
+    /// `shadows` of `[reveal]` and `shadow_bias` of the lights with their section.
     #[must_use]
-    pub fn changes(&self, camera: &Parameters, style: &Style) -> Vec<(&'static str, Value)> {
-        let shading = words::name(words::SHADINGS, self.style.shading);
-        let shading = (self.style != *style).then_some(("shading", Value::Word(shading)));
-        changes(camera, &self.camera).into_iter().chain(shading).collect()
+    pub fn changes(&self, figure: &Figure) -> Vec<(&'static str, Value)> {
+        let Figure { camera, style, reveal, .. } = figure;
+        let word = |key, is_changed: bool, word| is_changed.then_some((key, Value::Word(word)));
+        let (new, old) = (&self.style, style);
+        let words = [
+            word("shading", new.shading != old.shading, words::name(words::SHADINGS, new.shading)),
+            word("visibility", new.visibility != old.visibility, words::name(words::VISIBILITIES, new.visibility)),
+            word(
+                "depth_format",
+                new.depth_format != old.depth_format,
+                words::name(words::DEPTH_FORMATS, new.depth_format),
+            ),
+        ];
+        let gone = [
+            (self.reveal.texture != reveal.texture).then_some(("reveal.texture", Value::Absent)),
+            (self.reveal.shadows != reveal.shadows).then_some(("reveal.shadows", Value::Absent)),
+        ];
+        let bias = self.shadow_bias.map(|bias| ("scene.lights.shadow_bias", Value::Number(bias)));
+        changes(camera, &self.camera).into_iter().chain(words.into_iter().chain(gone).flatten()).chain(bias).collect()
+    }
+
+    /// Applies it to a figure.
+    pub fn apply(&self, figure: &mut Figure) {
+        (figure.camera, figure.style, figure.reveal) = (self.camera, self.style, self.reveal);
+        if let Some(bias) = self.shadow_bias {
+            figure.scene.lights.iter_mut().for_each(|light| light.shadows.bias = bias);
+        }
     }
 }
 
@@ -285,6 +410,7 @@ impl Serialize for Value {
             Self::Number(x) => x.serialize(serializer),
             Self::Vector(v) => v.to_array().serialize(serializer),
             Self::Word(word) => word.serialize(serializer),
+            Self::Absent => serializer.serialize_unit(),
             Self::Window(w) => {
                 let mut sides = serializer.serialize_map(Some(4))?;
                 for (side, x) in [("left", w.left), ("right", w.right), ("bottom", w.bottom), ("top", w.top)] {

@@ -16,14 +16,13 @@ use eframe::egui;
 use glam::DVec3;
 
 use super::{complaint, row};
-use crate::camera::{Camera, CameraError, ParameterKey, Parameters};
+use crate::camera::{Camera, CameraError, CameraRepair, ParameterKey, Parameters, camera_repairs};
 use crate::explain::Symbol;
 use crate::figure::{Measure, Measured, WindowSide};
 use crate::gui::command::Command;
 use crate::gui::context_help::{has_focus, help_topic_row};
 use crate::gui::focus::keep_in_sight;
 use crate::gui::number_field::{FieldOutput, NumberField};
-use crate::gui::repair::{Repair, repairs};
 use crate::gui::state::{State, Tab, symbols_of};
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
@@ -151,7 +150,7 @@ impl ParameterForm {
         complaint(ui, &faults::camera_error(self.lang, error));
         let mut mended = None;
         ui.horizontal_wrapped(|ui| {
-            for (repair, parameters) in repairs(error, &self.parameters, &self.good) {
+            for (repair, parameters) in camera_repairs(error, &self.parameters, &self.good) {
                 if ui.button(label(self.t, repair)).clicked() {
                     mended = Some(parameters);
                 }
@@ -260,14 +259,14 @@ fn measure_of(key: ParameterKey) -> Option<Measured> {
     Some(Measured::Dimension(measure))
 }
 
-fn label(t: &Texts, repair: Repair) -> String {
+fn label(t: &Texts, repair: CameraRepair) -> String {
     match repair {
-        Repair::FocalPointAhead => t.repair_focal_point.to_owned(),
-        Repair::ViewUp(axis) => format!("{} ({}, {}, {})", t.repair_view_up, axis.x, axis.y, axis.z),
-        Repair::SwapNearFar => t.repair_swap_near_far.to_owned(),
-        Repair::FarTenTimesNear => t.repair_far.to_owned(),
-        Repair::ViewAngle(angle) => format!("{} {}°", t.repair_angle, t.lang.mark().printed(&angle.to_string())),
-        Repair::SwapSides => t.repair_sides.to_owned(),
-        Repair::Back => t.repair_back.to_owned(),
+        CameraRepair::FocalPointAhead => t.repair_focal_point.to_owned(),
+        CameraRepair::ViewUp(axis) => format!("{} ({}, {}, {})", t.repair_view_up, axis.x, axis.y, axis.z),
+        CameraRepair::SwapNearFar => t.repair_swap_near_far.to_owned(),
+        CameraRepair::FarTenTimesNear => t.repair_far.to_owned(),
+        CameraRepair::ViewAngle(angle) => format!("{} {}°", t.repair_angle, t.lang.mark().printed(&angle.to_string())),
+        CameraRepair::SwapSides => t.repair_sides.to_owned(),
+        CameraRepair::Back => t.repair_back.to_owned(),
     }
 }

@@ -1,12 +1,12 @@
-//! One-click repairs of impossible camera parameters.
+//! Repairs of parameters that make no camera, for `diagnose` and for the buttons next to a field.
 
 use glam::DVec3;
 
-use crate::camera::{Camera, CameraError, Checked, ParameterKey, Parameters};
+use super::{Camera, CameraError, Checked, ParameterKey, Parameters};
 
-/// A repair, in the words of its button.
+/// A change of [`Parameters`] after which they make a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Repair {
+pub enum CameraRepair {
     /// PF goes back to where the camera looked last.
     FocalPointAhead,
     /// VUP becomes this axis.
@@ -23,14 +23,18 @@ pub enum Repair {
     Back,
 }
 
-/// The repairs of `draft`, the best first; `good` is the last possible camera. Each gives parameters that are possible.
+/// The usual θ in degrees, for an angle out of its range.
+const USUAL_DEGREES: f64 = 45.0;
+
+/// Lists the repairs of `draft`, the best first. `good` is a camera to fall back on: the last one that was possible.
+/// Each repair gives parameters that [`Camera::new`] accepts.
 #[must_use]
-pub fn repairs(error: &CameraError, draft: &Parameters, good: &Camera) -> Vec<(Repair, Parameters)> {
+pub fn camera_repairs(error: &CameraError, draft: &Parameters, good: &Camera) -> Vec<(CameraRepair, Parameters)> {
     let mut list = Vec::new();
     match error {
         CameraError::FocalPointAtPosition => {
             let ahead = good.focal_point() - good.position();
-            list.push((Repair::FocalPointAhead, Parameters { focal_point: draft.position + ahead, ..*draft }));
+            list.push((CameraRepair::FocalPointAhead, Parameters { focal_point: draft.position + ahead, ..*draft }));
         }
         CameraError::ViewUpZero | CameraError::ViewUpCollinear => {
             let forward = (draft.focal_point - draft.position).abs();
@@ -39,15 +43,15 @@ pub fn repairs(error: &CameraError, draft: &Parameters, good: &Camera) -> Vec<(R
                 .into_iter()
                 .find(|axis| forward.dot(*axis) < 0.9 * forward.length())
                 .unwrap_or(DVec3::Y);
-            list.push((Repair::ViewUp(axis), Parameters { view_up: axis, ..*draft }));
+            list.push((CameraRepair::ViewUp(axis), Parameters { view_up: axis, ..*draft }));
         }
         CameraError::FarNotBeyondNear { near, far } => {
-            list.push((Repair::FarTenTimesNear, Parameters { far: 10.0 * near, ..*draft }));
-            list.push((Repair::SwapNearFar, Parameters { near: *far, far: *near, ..*draft }));
+            list.push((CameraRepair::SwapNearFar, Parameters { near: *far, far: *near, ..*draft }));
+            list.push((CameraRepair::FarTenTimesNear, Parameters { far: 10.0 * near, ..*draft }));
         }
-        CameraError::OutOfRange { key: Checked::Parameter(ParameterKey::ViewAngle), value, .. } => {
-            let angle = if *value >= 180.0 { 179.0 } else { 1.0 };
-            list.push((Repair::ViewAngle(angle), Parameters { view_angle: angle, ..*draft }));
+        CameraError::OutOfRange { key: Checked::Parameter(ParameterKey::ViewAngle), .. } => {
+            let view_angle = USUAL_DEGREES;
+            list.push((CameraRepair::ViewAngle(view_angle), Parameters { view_angle, ..*draft }));
         }
         CameraError::WindowWidth { .. } | CameraError::WindowHeight { .. } => {
             let mut mended = *draft;
@@ -59,14 +63,14 @@ pub fn repairs(error: &CameraError, draft: &Parameters, good: &Camera) -> Vec<(R
                     std::mem::swap(&mut w.bottom, &mut w.top);
                 }
             }
-            list.push((Repair::SwapSides, mended));
+            list.push((CameraRepair::SwapSides, mended));
         }
         CameraError::OutOfRange { .. } | CameraError::Overflow { .. } => {}
     }
-    list.push((Repair::Back, back(error.parameters(), draft, good.parameters())));
+    list.push((CameraRepair::Back, back(error.parameters(), draft, good.parameters())));
     list.retain(|(_, mended)| Camera::new(mended).is_ok());
     if list.is_empty() {
-        list.push((Repair::Back, *good.parameters()));
+        list.push((CameraRepair::Back, *good.parameters()));
     }
     list
 }
@@ -83,12 +87,12 @@ mod tests {
     use super::*;
     use crate::camera::ViewWindow;
 
-    fn mend(change: impl FnOnce(&mut Parameters)) -> Vec<(Repair, Parameters)> {
+    fn mend(change: impl FnOnce(&mut Parameters)) -> Vec<(CameraRepair, Parameters)> {
         let good = Camera::new(&Parameters::default()).unwrap_or_else(|e| panic!("{e}"));
         let mut draft = *good.parameters();
         change(&mut draft);
         let error = Camera::new(&draft).err().unwrap_or_else(|| panic!("{draft:?} is possible"));
-        let list = repairs(&error, &draft, &good);
+        let list = camera_repairs(&error, &draft, &good);
         assert!(!list.is_empty());
         for (repair, mended) in &list {
             assert!(Camera::new(mended).is_ok(), "{repair:?} leaves {mended:?}");
@@ -99,25 +103,28 @@ mod tests {
     #[test]
     fn collinear_up_takes_another_axis() {
         let list = mend(|p| (p.position, p.view_up) = (DVec3::new(0.0, 5.0, 0.0), DVec3::Y));
-        assert_eq!(list[0].0, Repair::ViewUp(DVec3::Z));
+        assert_eq!(list[0].0, CameraRepair::ViewUp(DVec3::Z));
         let list = mend(|p| p.view_up = DVec3::ZERO);
-        assert_eq!(list[0].0, Repair::ViewUp(DVec3::Y));
+        assert_eq!(list[0].0, CameraRepair::ViewUp(DVec3::Y));
     }
 
     #[test]
     fn near_behind_far_is_moved_or_swapped() {
         let list = mend(|p| (p.near, p.far) = (8.0, 2.0));
-        assert_eq!(list[0].1.far, 80.0);
-        assert_eq!((list[1].1.near, list[1].1.far), (2.0, 8.0));
+        assert_eq!((list[0].1.near, list[0].1.far), (2.0, 8.0));
+        assert_eq!(list[1].1.far, 80.0);
         let list = mend(|p| (p.near, p.far) = (3.0, 3.0));
-        assert_eq!(list.iter().map(|(r, _)| *r).collect::<Vec<_>>(), [Repair::FarTenTimesNear, Repair::Back]);
+        assert_eq!(
+            list.iter().map(|(r, _)| *r).collect::<Vec<_>>(),
+            [CameraRepair::FarTenTimesNear, CameraRepair::Back]
+        );
     }
 
     #[test]
     fn every_other_fault_has_a_way_back() {
-        assert_eq!(mend(|p| p.view_angle = 200.0)[0].0, Repair::ViewAngle(179.0));
-        assert_eq!(mend(|p| p.view_angle = -3.0)[0].0, Repair::ViewAngle(1.0));
-        assert_eq!(mend(|p| p.focal_point = p.position)[0].0, Repair::FocalPointAhead);
+        assert_eq!(mend(|p| p.view_angle = 200.0)[0].0, CameraRepair::ViewAngle(USUAL_DEGREES));
+        assert_eq!(mend(|p| p.view_angle = -3.0)[0].0, CameraRepair::ViewAngle(USUAL_DEGREES));
+        assert_eq!(mend(|p| p.focal_point = p.position)[0].0, CameraRepair::FocalPointAhead);
         let sides = ViewWindow { left: 1.0, right: -1.0, bottom: -1.0, top: 1.0 };
         let list = mend(|p| p.window = Some(sides));
         assert_eq!(list[0].1.window.map(|w| (w.left, w.right)), Some((-1.0, 1.0)));
