@@ -41,6 +41,12 @@ pub enum Problem {
         /// The parser's explanation, in English.
         detail: String,
     },
+    /// An expression or an angle without the quotes that TOML needs around it.
+    #[error("an expression without quotes: {text}")]
+    Unquoted {
+        /// The expression.
+        text: String,
+    },
     /// A key or section that is there twice.
     #[error("there twice")]
     Duplicate,

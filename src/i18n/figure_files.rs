@@ -34,6 +34,7 @@ pub fn without_line(lang: Lang, error: &FigureError) -> String {
         Problem::NotUtf8 { .. }
         | Problem::TooLarge { .. }
         | Problem::Syntax { .. }
+        | Problem::Unquoted { .. }
         | Problem::Duplicate
         | Problem::TooMany { .. }
         | Problem::UnknownKey { .. }
@@ -70,6 +71,10 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
                 ),
             }
         }
+        Problem::Unquoted { text } => match lang {
+            Lang::En => format!("is {text}; allowed: a number, or an expression in quotes, \"{text}\""),
+            Lang::PtBr => format!("é {text}; permitido: um número, ou uma expressão entre aspas, \"{text}\""),
+        },
         Problem::Duplicate => match lang {
             Lang::En => "appears twice; allowed: once".to_owned(),
             Lang::PtBr => "aparece duas vezes; permitido: uma".to_owned(),

@@ -5,7 +5,7 @@ use std::time::Duration;
 use camera_lab::camera::{Api, Ndc, Parameters};
 use camera_lab::figure::Explanation;
 use camera_lab::gui::state::Dialog;
-use camera_lab::i18n::Lang;
+use camera_lab::i18n::{Lang, coach};
 use camera_lab::scene::Preset;
 use eframe::egui::{Event, Key, Modifiers, PointerButton};
 use egui_kittest::kittest::Queryable;
@@ -57,7 +57,7 @@ fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
     settled(&mut window);
     window.click("⚠ Camera check: poor");
     settled(&mut window);
-    assert!(window.says("The picture is as it should be."));
+    assert!(window.says(coach::texts(Lang::En).no_problems));
     assert!(window.says("⚠ B / F: poor"));
     let improve = window.harness.query_all_by_label("Improve").next().expect("a repair");
     improve.click();
@@ -66,6 +66,29 @@ fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
     assert!(window.harness.query_by_label("Camera check: good").is_some());
     window.command_key(Key::Z);
     assert_eq!(window.state().document.figure().camera.near, 1e-5);
+}
+
+/// Numbers in the fields that make no camera are a finding with a repair, and the last good image stays.
+#[test]
+fn an_impossible_camera_is_a_finding_and_one_click_repairs_it() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let t = coach::texts(lang);
+        let mut window = window(lang);
+        let good = window.state().document.figure().camera;
+        window.enter("B", "0,01");
+        settled(&mut window);
+        assert_eq!(window.state().document.figure().camera, good);
+        window.click(&format!("⚠ {}", t.one_finding));
+        settled(&mut window);
+        assert!(window.says("0 < near < far"), "{lang:?}");
+        window.click(t.show_it);
+        settled(&mut window);
+        assert!(window.state().document.problem().is_none());
+        // B = 10 F, since with F and B exchanged the cube would be beyond the back plane.
+        assert_eq!(window.state().document.figure().camera, Parameters { far: 10.0 * good.near, ..good });
+        window.command_key(Key::Z);
+        assert_eq!(window.state().document.figure().camera, good);
+    }
 }
 
 /// While the coach looks at what has changed, a click on its button is the coach's all the same, and its neighbours

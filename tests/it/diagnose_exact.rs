@@ -164,6 +164,21 @@ fn a_refused_camera_names_the_way_to_get_what_it_asks_for() {
 }
 
 #[test]
+fn an_angle_in_radians_is_read_and_one_without_quotes_is_explained() {
+    let bench = Bench::new("figure-radians");
+    bench.write("f.toml", "[camera]\nview_angle = \"0.9 rad\"\n");
+    let angle = bench.run(&["inspect", "f.toml", "--op", "azimuth=0.9 rad", "--format", "json"]).json();
+    assert!((angle["camera"]["view_angle"].as_f64().unwrap() - 0.9_f64.to_degrees()).abs() < 1e-12);
+    for (value, lang) in [("0.9 rad", "en"), ("45°", "pt-BR"), ("1/3  # a third", "en")] {
+        bench.write("f.toml", format!("[camera]\nview_angle = {value}\n"));
+        let refused = bench.run(&["inspect", "f.toml", "--lang", lang]);
+        let quoted = format!("\"{}\"", value.split('#').next().unwrap().trim());
+        assert!(refused.status == Some(2) && refused.err.contains(&quoted), "{}", refused.err);
+        assert!(refused.err.contains("line 2") || refused.err.contains("linha 2"), "{}", refused.err);
+    }
+}
+
+#[test]
 fn the_resolution_of_depths_is_that_of_the_figure() {
     let bench = Bench::new("diagnose-resolution");
     for (format, steps) in [("fixed-16", 65536.0), ("fixed-24", 16_777_216.0), ("f32-reversed", 16_777_216.0)] {

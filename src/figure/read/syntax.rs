@@ -3,6 +3,7 @@
 use toml_edit::TomlError;
 
 use super::{line_of, snippet};
+use crate::expression;
 use crate::figure::error::{FigureError, Problem};
 use crate::sanitize;
 
@@ -32,9 +33,20 @@ pub(super) fn explain(text: &str, error: &TomlError) -> FigureError {
         (None, None) => String::new(),
     };
     let line = line_at(text, at);
+    if let Some(expression) = unquoted(line) {
+        return FigureError { line: line_of(text, at), key, problem: Problem::Unquoted { text: expression } };
+    }
     let found = snippet(line, 0..line.len());
     let detail = snippet_of_message(error.message());
     FigureError { line: line_of(text, at), key, problem: Problem::Syntax { found, detail } }
+}
+
+/// The value of a line if it would be a number in quotes: `45°`, `0.9 rad`, `1/3`.
+fn unquoted(line: &str) -> Option<String> {
+    let (_, value) = line.split_once('=')?;
+    let value = value.split('#').next().unwrap_or_default().trim();
+    expression::evaluate(value, expression::Dimension::Angle).ok()?;
+    Some(snippet(value, 0..value.len()))
 }
 
 fn snippet_of_message(message: &str) -> String {
