@@ -86,7 +86,9 @@ pub(super) fn diagnose(
     }
     // Those that the answers beside it exclude were not made: a sign, or the whole turned round, may give the same.
     let are_excluded = !agreeing.is_empty();
-    let multiple = multiple_of_direction(ask, right, given, &slipped);
+    // Two digits change the length of a vector too.
+    let multiple =
+        if is_rounded_too_early(ask, given, right) { None } else { multiple_of_direction(ask, right, given, &slipped) };
     if let Some(diagnosis) = multiple.filter(|_| !are_excluded) {
         return Some(diagnosis);
     }

@@ -107,11 +107,13 @@ pub enum Mistake {
     HalfwayForgotten,
     /// The exponent of the highlight is left out.
     ExponentForgotten,
+    /// A formula that holds only nearly.
+    Approximation,
 }
 
 impl Mistake {
     /// All, with their codes in the contract.
-    pub const ALL: [(Self, &'static str); 52] = [
+    pub const ALL: [(Self, &'static str); 53] = [
         (Self::ArithmeticSlip, "arithmetic-slip"),
         (Self::Sign, "sign"),
         (Self::NReversed, "n-reversed"),
@@ -164,6 +166,7 @@ impl Mistake {
         (Self::ShareForgotten, "share-forgotten"),
         (Self::HalfwayForgotten, "halfway-forgotten"),
         (Self::ExponentForgotten, "exponent-forgotten"),
+        (Self::Approximation, "approximation"),
     ];
 
     /// Its code.

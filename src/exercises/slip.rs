@@ -293,10 +293,40 @@ slips! {
     ReflectedForHalfway = HalfwayForgotten "reflected";
     /// Without the exponent of the highlight.
     ExponentForgotten = ExponentForgotten;
+    /// **n** towards the viewer, in the left-handed system of `[3]`.
+    LeftHandedNReversed = NReversed "left-handed";
+    /// **u** = **v** × **n**, in the left-handed system of `[3]`.
+    LeftHandedUReversed = UReversed "left-handed";
+    /// **v** points down, in the left-handed system of `[3]`.
+    LeftHandedVReversed = VReversed "left-handed";
+    /// F and B exchanged.
+    NearFarExchanged = NearFarAsCoordinates "exchanged";
+    /// The scale of a perspective, 2F/W, in parallel projection.
+    PerspectiveScale = ProjectionsExchanged "scale";
+    /// tan(θ/2) where its reciprocal belongs, with A at the right place.
+    TangentForCotangent = Inverse "scale";
+    /// W/2F and H/2F.
+    ScaleInverted = Inverse "scale";
+    /// 1 for the sides that a point is inside of.
+    OutcodeInverted = Inverse "outcode";
+    /// The corner on the other side, left or right.
+    OtherCornerAcross = Sign "corner";
+    /// The corner on the other side, top or bottom.
+    OtherCornerUp = Sign "corner";
+    /// The opposite corner.
+    OtherCorner = Sign "corner";
+    /// M_p applied to points of the world.
+    ViewForgotten = NotDone "view";
+    /// d²/(F 2^b): without B/(B − F), and 2^b for 2^b − 1.
+    ApproximateStep = Approximation;
+    /// Without B/(B − F).
+    FarForgotten = Approximation "far";
+    /// 2^b for 2^b − 1.
+    PowerOfTwo = Approximation "power";
 }
 
 /// [`Slips`] has a bit for each.
-const _: () = assert!(Slip::ALL.len() <= u128::BITS as usize);
+const _: () = assert!(Slip::ALL.len() <= 2 * u128::BITS as usize);
 
 impl Slip {
     /// The mistake that it is.
@@ -318,6 +348,9 @@ impl Slip {
                 | Self::NReversed
                 | Self::UnitViewUpAsV
                 | Self::ViewUpAsV
+                | Self::LeftHandedNReversed
+                | Self::LeftHandedUReversed
+                | Self::LeftHandedVReversed
                 | Self::PrintedViewUp
                 | Self::PrintedViewUpUnit
                 | Self::NothingNormalised
@@ -330,28 +363,31 @@ impl Slip {
 
 /// The slips that are made together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Slips(u128);
+pub struct Slips([u128; 2]);
 
 impl Slips {
     /// None: the right way.
-    pub const NONE: Self = Self(0);
+    pub const NONE: Self = Self([0; 2]);
 
     /// One.
     #[must_use]
     pub const fn one(slip: Slip) -> Self {
-        Self(1 << slip as u128)
+        Self::NONE.and(slip)
     }
 
     /// One more.
     #[must_use]
-    pub const fn and(self, slip: Slip) -> Self {
-        Self(self.0 | 1 << slip as u128)
+    pub const fn and(mut self, slip: Slip) -> Self {
+        let place = slip as usize;
+        self.0[place / 128] |= 1 << (place % 128);
+        self
     }
 
     /// Whether it is made.
     #[must_use]
     pub const fn has(self, slip: Slip) -> bool {
-        self.0 & (1 << slip as u128) != 0
+        let place = slip as usize;
+        self.0[place / 128] & (1 << (place % 128)) != 0
     }
 
     /// Whether any of these is made.

@@ -89,16 +89,36 @@ impl<'a> Textbook<'a> {
 
     /// M_p as it is written down.
     fn shown_projection(&self) -> DMat4 {
-        if !self.slips.has(Slip::OtherLastRow) {
-            return self.projection;
-        }
-        let last = match self.projection() {
-            Projection::Perspective => DVec4::W,
-            Projection::Parallel => DVec4::NEG_Z,
-        };
         let mut rows = self.projection.transpose();
-        rows.w_axis = last;
+        let (near, far) = (self.near, self.far);
+        let is_perspective = self.projection() == Projection::Perspective;
+        let [x, y] = [rows.x_axis.x, rows.y_axis.y];
+        let scale = if is_perspective && self.slips.has(Slip::NearFarExchanged) {
+            [x * far / near, y * far / near]
+        } else if !is_perspective && self.slips.has(Slip::PerspectiveScale) {
+            [x * near, y * near]
+        } else if is_perspective && self.is_symmetric() && self.slips.has(Slip::ScaleInverted) {
+            [1.0 / x, 1.0 / y]
+        } else if is_perspective && self.is_symmetric() && self.slips.has(Slip::TangentForCotangent) {
+            [x / (y * y), 1.0 / y]
+        } else {
+            [x, y]
+        };
+        [rows.x_axis.x, rows.y_axis.y] = scale;
+        if self.slips.has(Slip::NearFarExchanged) {
+            // B − F turns round; B + F and B F don't.
+            rows.z_axis = -rows.z_axis;
+        }
+        if self.slips.has(Slip::OtherLastRow) {
+            rows.w_axis = if is_perspective { DVec4::W } else { DVec4::NEG_Z };
+        }
         rows.transpose()
+    }
+
+    /// Whether the window is as wide to the left as to the right, and as high as deep.
+    fn is_symmetric(&self) -> bool {
+        let ViewWindow { left, right, bottom, top } = self.window;
+        left == -right && bottom == -top
     }
 
     fn view_projection(&self) -> DMat4 {
@@ -124,13 +144,15 @@ impl<'a> Textbook<'a> {
         let depth = if is_printed { self.near } else { distance };
         let depth = if self.slips.has(Slip::NearForgottenOnWindow) && k < 4 { 0.0 } else { depth };
         let depth = if self.slips.any(&[Slip::WSign, Slip::LeftHanded, Slip::ViewDepthSign]) { -depth } else { depth };
+        let x = if self.slips.any(&[Slip::OtherCorner, Slip::OtherCornerAcross]) { -x } else { x };
+        let y = if self.slips.any(&[Slip::OtherCorner, Slip::OtherCornerUp]) { -y } else { y };
         let [u, v, n] = self.axes();
         (k < 8).then(|| self.camera.position() + u * (x * spread) + v * (y * spread) - n * depth)
     }
 
     fn point(&self, world: DVec3, number: PointNumber) -> Option<Table> {
         let view = if self.slips.has(Slip::ViewInverted) { self.view.inverse() } else { self.view };
-        let seen = view * world.extend(1.0);
+        let seen = if self.slips.has(Slip::ViewForgotten) { world.extend(1.0) } else { view * world.extend(1.0) };
         let seen = if self.slips.has(Slip::ViewDepthSign) { DVec4::new(seen.x, seen.y, -seen.z, 1.0) } else { seen };
         let clip = self.projection * seen;
         let ndc = if self.slips.has(Slip::NoDivide) { clip.truncate() } else { clip.truncate() / clip.w };

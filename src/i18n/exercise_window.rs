@@ -30,7 +30,7 @@ texts! {
     your_answer: "Your answer", "Sua resposta";
     answer_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5. Enter moves on to the next empty field, then checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5. Enter passa ao próximo campo vazio, e depois confere";
     first_field_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5; or the whole answer in brackets: [a, b, c] or [[a, b], [c, d]]. Enter moves on to the next empty field, then checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5; ou a resposta inteira entre colchetes: [a; b; c] ou [[a; b]; [c; d]]. Enter passa ao próximo campo vazio, e depois confere";
-    camera_hint: "C=[0, 0, 2]; PF=[0, 0, 0]; projection=parallel; H=2; …, or take the current camera", "C=[0; 0; 2]; PF=[0; 0; 0]; projeção=paralela; H=2; …, ou use a câmera atual";
+    camera_hint: "C=[7, −1, 4]; PF=[2, 1, 0]; θ=30°; F=0.5; …, or take the current camera", "C=[7; −1; 4]; PF=[2; 1; 0]; θ=30°; F=0,5; …, ou use a câmera atual";
     take_camera: "Take the current camera", "Usar a câmera atual";
     take_camera_hint: "The camera of the window becomes your answer", "A câmera da janela passa a ser sua resposta";
     other_figure: "The pictures show another figure; “Show the figure”, above, loads that of this exercise.", "As imagens mostram outra figura; “Mostrar a figura”, acima, carrega a deste exercício.";

@@ -296,10 +296,8 @@ pub fn kind(lang: Lang, ask: &Ask) -> String {
         (Lang::PtBr, Kind::Choice(choices)) => {
             format!("um destes: {}", list_of_choices(choices, |name| choice_of(lang, ask, name)))
         }
-        (Lang::En, Kind::Camera) => "a camera: C=[0, 0, 2]; PF=[0, 0, 0]; projection=parallel; H=2; F=1; …".to_owned(),
-        (Lang::PtBr, Kind::Camera) => {
-            "uma câmera: C=[0; 0; 2]; PF=[0; 0; 0]; projeção=paralela; H=2; F=1; …".to_owned()
-        }
+        (Lang::En, Kind::Camera) => "a camera: C=[7, −1, 4]; PF=[2, 1, 0]; θ=30°; F=0.5; …".to_owned(),
+        (Lang::PtBr, Kind::Camera) => "uma câmera: C=[7; −1; 4]; PF=[2; 1; 0]; θ=30°; F=0,5; …".to_owned(),
     };
     let tolerance = tolerance(lang, ask);
     if tolerance.is_empty() { kind } else { format!("{kind}; {tolerance}") }
@@ -428,8 +426,8 @@ pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
                 list_of_choices(choices, |name| choice(lang, name))
             )
         }
-        (Lang::En, AnswerError::Pair(text)) => format!("“{}” is not NAME=VALUE, as in C=[0, 0, 2]", escaped(text)),
-        (Lang::PtBr, AnswerError::Pair(text)) => format!("“{}” não é NOME=VALOR, como em C=[0; 0; 2]", escaped(text)),
+        (Lang::En, AnswerError::Pair(text)) => format!("“{}” is not NAME=VALUE, as in C=[7, −1, 4]", escaped(text)),
+        (Lang::PtBr, AnswerError::Pair(text)) => format!("“{}” não é NOME=VALOR, como em C=[7; −1; 4]", escaped(text)),
         (Lang::En, AnswerError::Parameter(text)) => {
             format!("“{}” begins with no parameter of a camera; allowed: {CAMERA_NAMES}", escaped(text))
         }

@@ -26,21 +26,22 @@ fn view_matrix(last: [&str; 3]) -> String {
     format!("[[2/√13, 0, -3/√13, {x}], [-3/√182, 13/√182, -2/√182, {y}], [3/√14, 1/√14, 2/√14, {z}], [0, 0, 0, 1]]")
 }
 
-/// M_p of `perspective-matrix` with seed 1, by hand: θ = 60°, A = 5/4, F = 2/5, B = 8.
+/// M_p of `perspective-matrix` with seed 1, by hand: θ = 50°, A = 5/4, F = 2/5, B = 8.
 fn projection_matrix([first, second]: [&str; 2], [scale, shift]: [&str; 2], w: &str) -> String {
     format!("[[{first}, 0, 0, 0], [0, {second}, 0, 0], [0, 0, {scale}, {shift}], [0, 0, {w}, 0]]")
 }
 
 #[test]
 fn each_mistake_gets_its_code() {
-    let perspective = ["4√3/5", "√3"];
+    // θ = 50°, A = 5/4.
+    let perspective = ["4/5/tan(25°)", "1/tan(25°)"];
     let depth = ["-21/19", "-16/19"];
     assert!(judge("view-matrix", 1, "Mv", &view_matrix(["-1/√13", "-5/√182", "-9/√14"])).right);
     assert!(judge("perspective-matrix", 1, "Mp", &projection_matrix(perspective, depth, "-1")).right);
     let cases: [(&str, &str, String, &str); 24] = [
         // The others have theirs in `exercise_verdicts` and `exercise_slips`.
-        ("perspective-matrix", "Mp", projection_matrix(["4√3/5", "1.5"], depth, "-1"), "arithmetic-slip"),
-        ("perspective-matrix", "Mp", projection_matrix(["-4√3/5", "√3"], depth, "-1"), "sign"),
+        ("perspective-matrix", "Mp", projection_matrix(["4/5/tan(25°)", "1.5"], depth, "-1"), "arithmetic-slip"),
+        ("perspective-matrix", "Mp", projection_matrix(["-4/5/tan(25°)", "1/tan(25°)"], depth, "-1"), "sign"),
         // C − PF = (1, 1, 1), VUP = (0, 1, 0).
         ("basis", "n", "[-1/√3, -1/√3, -1/√3]".to_owned(), "n-reversed"),
         ("basis", "u", "[-1/√2, 0, 1/√2]".to_owned(), "u-reversed"),
@@ -71,7 +72,7 @@ fn each_mistake_gets_its_code() {
         ("ndc", "ndc", "[0.5/√5*3/4/tan(25°), -7/(3√5)/tan(25°), 25/18]".to_owned(), "no-divide"),
         ("perspective-matrix", "Mp", projection_matrix(perspective, depth, "1"), "z-sign"),
         ("perspective-matrix", "Mp", projection_matrix(perspective, ["-20/19", "-8/19"], "-1"), "z-range"),
-        ("perspective-matrix", "Mp", projection_matrix(["-4√3/5", "-√3"], ["-21/19", "16/19"], "-1"), "near-far-as-coordinates"),
+        ("perspective-matrix", "Mp", projection_matrix(["-4/5/tan(25°)", "-1/tan(25°)"], ["-21/19", "16/19"], "-1"), "near-far-as-coordinates"),
         // x_p = −21/4 + (21/2)·15/84 = −3.375 and y_p = 3 − 6·47/48 = −2.875 along u = (−2, 3, 0)/√13 and v = (18, 12,
         // 13)/(7√13).
         (

@@ -31,7 +31,7 @@ fn a_camera_has_the_tolerance_of_its_box() {
 
 #[test]
 fn one_number_is_no_evidence_of_a_mistake_beside_another_one() {
-    let other_row = "[[0.333333,0,0,0],[0,0.5,0,0],[0,0,-0.0833333,-1.08333],[0,0,-1,0]]";
+    let other_row = "[[1/3,0,0,0],[0,0.5,0,0],[0,0,-5/39,-41/39],[0,0,-1,0]]";
     assert_eq!(verdict("parallel-matrix", 600, "Mp", other_row), "projections-exchanged");
     for (lang, words) in [(Lang::En, "The last row"), (Lang::PtBr, "A última linha")] {
         assert!(text("parallel-matrix", 600, "Mp", other_row, lang).contains(words));

@@ -48,7 +48,10 @@ fn outcodes(seed: u64) -> Exercise {
 
 fn outcodes_of(a: DVec4, b: DVec4) -> Exercise {
     let ask = |name: &str, p: DVec4| {
-        let code = move |slips| distances(p, slips).map(|distance| f64::from(u8::from(distance < 0.0)));
+        let code = move |slips: Slips| {
+            let inverted = slips.has(Slip::OutcodeInverted);
+            distances(p, slips).map(|distance| f64::from(u8::from((distance < 0.0) != inverted)))
+        };
         let of = |text: &'static str, latex, value| named(text, latex, value);
         let [x, y, z, w] = [of("x", "x", p.x), of("y", "y", p.y), of("z", "z", p.z), of("w", "w", p.w)];
         let distance = distances(p, Slips::NONE);

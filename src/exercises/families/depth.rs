@@ -19,7 +19,7 @@ pub(super) const ZOOM_OR_DOLLY: Entry =
 fn resolution(seed: u64) -> Exercise {
     let mut random = numbers("depth-resolution", seed);
     let near = random.one_of(&[0.1, 0.5, 1.0, 2.0]);
-    let far = near * random.one_of(&[10.0, 50.0, 100.0, 1000.0]);
+    let far = near * random.one_of(&[10.0, 50.0, 100.0, 20.0]);
     let bits = random.one_of(&[8.0_f64, 10.0, 12.0, 16.0]);
     let distance = near + (far - near) * random.one_of(&[0.25, 0.5, 0.75]);
     let z = move |slips: Slips| {
@@ -32,8 +32,10 @@ fn resolution(seed: u64) -> Exercise {
         if slips.has(Slip::DepthNotMapped) { ndc } else { f64::midpoint(ndc, 1.0) }
     };
     let step = move |slips: Slips| {
-        let steps = bits.exp2() - 1.0;
-        let slope = far * near / ((far - near) * distance * distance);
+        let is_near = slips.has(Slip::ApproximateStep);
+        let steps = if is_near || slips.has(Slip::PowerOfTwo) { bits.exp2() } else { bits.exp2() - 1.0 };
+        let range = if is_near || slips.has(Slip::FarForgotten) { far } else { far - near };
+        let slope = far * near / (range * distance * distance);
         let slope = if slips.has(Slip::DepthNotMapped) { 2.0 * slope } else { slope };
         if slips.has(Slip::StepNotConverted) {
             return 1.0 / steps;
@@ -193,7 +195,9 @@ fn zoom_or_dolly(seed: u64) -> Exercise {
         let step = Worked::new("share", "(5.5)").row(d, moved).row(named("h'", "h'", value), formula);
         Ask::computed(name, Kind::Number, vec![step], move |slips| {
             let by = |factor: f64| if slips.has(Slip::FactorInverted) { 1.0 / factor } else { factor };
-            let (zoom, dolly) = if slips.any(&[Slip::Dollied, Slip::Zoomed]) { (dolly, zoom) } else { (zoom, dolly) };
+            // Each question names the operation that was done in its place: a zoom for a dolly, or a dolly for a zoom.
+            let is_other = if zoom == 1.0 { slips.has(Slip::Zoomed) } else { slips.has(Slip::Dollied) };
+            let (zoom, dolly) = if is_other { (dolly, zoom) } else { (zoom, dolly) };
             let once = if slips.has(Slip::ScaleHalved) { 2.0 } else { 1.0 };
             let (zoom, dolly) = if slips.has(Slip::NothingDone) { (1.0, 1.0) } else { (zoom, dolly) };
             let found = share(slips, by(zoom), distance / by(dolly) + further) * once;

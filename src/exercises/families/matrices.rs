@@ -57,7 +57,14 @@ fn window(seed: u64) -> Exercise {
 }
 
 fn projection_matrix(family: &str, seed: u64, projection: Projection) -> Exercise {
-    let subject = subject(lens_camera(&mut numbers(family, seed), projection));
+    let mut random = numbers(family, seed);
+    // With F = 1 the scale of a perspective, 2F/W, would be right in parallel projection too.
+    let mut camera = Parameters { projection, ..lens_camera(&mut random, Projection::Perspective) };
+    // tan 30° is cot 60°, and tan 45° is 1: that would take one mistake for another.
+    if camera.view_angle >= 60.0 {
+        camera.view_angle = random.one_of(&[40.0, 50.0, 70.0]);
+    }
+    let subject = subject(camera);
     let asks = vec![Ask::quantity("Mp", &subject, Quantity::Matrix(ReportMatrix::Projection))];
     Exercise { asks, ..about(subject) }
 }

@@ -26,7 +26,7 @@ fn pyramid(seed: u64) -> Exercise {
 
 /// **n** into the scene, **v** from VUV' without its part along **n**, **u** = **n** × **v**.
 fn left_handed_basis(normal: DVec3, up: DVec3, slips: Slips) -> [DVec3; 3] {
-    let into = if slips.has(Slip::NReversed) { -normal } else { normal };
+    let into = if slips.has(Slip::LeftHandedNReversed) { -normal } else { normal };
     let keeps = slips.any(&[Slip::NothingNormalised, Slip::NNotNormalised]);
     let n = if keeps { into } else { into.normalize() };
     // The formula of [3] with a VPN that is not of length 1 takes away too much.
@@ -39,8 +39,8 @@ fn left_handed_basis(normal: DVec3, up: DVec3, slips: Slips) -> [DVec3; 3] {
     } else {
         v.normalize()
     };
-    let v = if slips.has(Slip::VReversed) { -v } else { v };
-    let u = if slips.has(Slip::UReversed) { v.cross(n) } else { n.cross(v) };
+    let v = if slips.has(Slip::LeftHandedVReversed) { -v } else { v };
+    let u = if slips.has(Slip::LeftHandedUReversed) { v.cross(n) } else { n.cross(v) };
     [u, v, n]
 }
 

@@ -184,6 +184,7 @@ pub(super) fn projection(free: &Free) -> Exercise {
                 matrix(&subject, Quantity::Matrix(ReportMatrix::View), slips)?,
                 matrix(&subject, Quantity::Matrix(ReportMatrix::Projection), slips)?,
             );
+            let view = if slips.has(Slip::ViewForgotten) { DMat4::IDENTITY } else { view };
             Some(world.iter().map(|vertex| projection * (view * *vertex)).collect())
         })
     };
