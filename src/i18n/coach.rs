@@ -320,7 +320,7 @@ fn impossible_camera(lang: Lang, cause: Cause, error: &CameraError) -> String {
     format!("{}.{why}", super::cameras::camera(lang, error))
 }
 
-/// What is wrong with pixels, and with how many.
+/// The fault of pixels, with their number.
 fn wrong_pixels(lang: Lang, cause: Cause, pixels: WrongPixels) -> String {
     let WrongPixels { wrong, of } = pixels;
     let share = lang.mark().number(100.0 * pixels.share(), 3);

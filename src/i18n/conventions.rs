@@ -6,7 +6,7 @@ use crate::camera::{InfiniteParallel, Ndc};
 texts! {
     title: "Conventions", "Convenções";
     ndc: "NDC of", "NDC de";
-    ndc_hint: "Whose normalised device coordinates M_p, the probe and the canonical volume use. Pixels and depths of the image stay the same", "De quem são as coordenadas normalizadas de dispositivo que M_p, a sonda e o volume canônico usam. Pixels e profundidades da imagem não mudam";
+    ndc_hint: "Whose normalised device coordinates M_p, the probe and the canonical volume use. Pixels and depths of the image stay the same", "De quem são as coordenadas de dispositivo normalizadas que M_p, a sonda e o volume canônico usam. Pixels e profundidades da imagem não mudam";
     compared: "compared with", "comparar com";
     compared_hint: "The same matrices in another convention, below; entries that differ are marked", "As mesmas matrizes em outra convenção, embaixo; os elementos que diferem ficam marcados";
     nobody: "nothing", "nada";

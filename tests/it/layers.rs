@@ -35,7 +35,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "formula", "numbers", "text"]),
     ("export", &["drawing", "raster", "inspect", "text", "formula"]),
     ("share", &[]),
-    ("files", &["figure", "export", "scene", "exercises", "lessons", "numbers", "share"]),
+    ("files", &["camera", "figure", "export", "scene", "exercises", "lessons", "numbers", "share"]),
     ("clock", &[]),
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export", "text"]),
     ("numerics", &["geometry", "numbers", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),

@@ -17,7 +17,7 @@ pub struct ImpossibleCamera {
     pub parameters: Parameters,
     /// How the image is drawn.
     pub style: Style,
-    /// What the image shows of the pipeline.
+    /// The inner work of the pipeline in the image.
     pub reveal: Reveal,
     /// Its size.
     pub image: ImageSize,

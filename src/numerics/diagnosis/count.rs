@@ -70,8 +70,8 @@ impl Counter {
         counts
     }
 
-    /// Paints a scene with one sample for each pixel, and gives each pixel to `each`, row by row. `None` if the image is
-    /// too large.
+    /// Paints a scene with one sample for each pixel, and gives each pixel to `each`, row by row. `None` if the image
+    /// is too large.
     pub(super) fn paint(
         &mut self,
         scene: &Scene,
@@ -97,7 +97,7 @@ impl Counter {
     }
 }
 
-/// What the pipeline reports of a painted scene.
+/// The report of the pipeline on a painted scene.
 pub(super) struct Painted {
     objects: ByObject<ObjectReport>,
     /// The faces that were too many to be put in order.

@@ -10,7 +10,6 @@
 use std::collections::BTreeSet;
 
 use glam::DVec3;
-use tiny_skia::Pixmap;
 
 use super::count::{Counter, numbered};
 use super::tiles::Tiles;
@@ -259,8 +258,8 @@ fn plain(scene: &Scene, wanted: impl Fn(&Object) -> bool) -> Scene {
 
 /// Compares two images. A pixel differs if at least three of its neighbours do too: pieces that meet at an edge may
 /// each take a single pixel of it.
-fn differing(a: &Pixmap, b: &Pixmap, image: ImageSize) -> WrongPixels {
-    let [a, b] = [a, b].map(|pixmap| pixmap.data().chunks_exact(4));
+fn differing(a: &[u8], b: &[u8], image: ImageSize) -> WrongPixels {
+    let [a, b] = [a, b].map(|bytes| bytes.chunks_exact(4));
     let covered = a.clone().zip(b.clone()).filter(|(a, b)| a[3] > 0 || b[3] > 0).count() as u64;
     let differs: Vec<bool> = a.zip(b).map(|(a, b)| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > VISIBLE)).collect();
     let at = |x: i64, y: i64| {
@@ -294,8 +293,8 @@ pub(super) async fn shadows(spec: &ImageSpec<'_>, progress: &Progress) -> Option
         }
         let Some(texels) = Texels::new(spec.scene, &light) else { continue };
         let drawing = arriving(&mut pipeline, &under(spec.scene, light), spec.camera, spec.image);
-        let mut shares = Pixmap::new(1, 1)?;
-        if !rasterizer.paint_into(&drawing, &mut shares).await || progress.is_cancelled() {
+        let shares = rasterizer.paint(&drawing)?;
+        if progress.is_cancelled() {
             return None;
         }
         let truth = TrueLight::by_rays(solids, spec.camera, &light, spec.image, progress).await?;
@@ -401,15 +400,11 @@ impl Counter {
         numbers
     }
 
-    /// The colours of a scene, one sample in each pixel. `None` if there are too many faces to be put in order.
-    fn colors(&mut self, scene: &Scene, spec: &ImageSpec<'_>, style: &Style) -> Option<Pixmap> {
+    /// The colours of a scene, four bytes for each pixel, with one sample in it. `None` if there are too many faces to be put in order.
+    fn colors(&mut self, scene: &Scene, spec: &ImageSpec<'_>, style: &Style) -> Option<Vec<u8>> {
         let mut bytes = Vec::new();
         let style = Style { hidden_lines: HiddenLines::Hidden, ..*style };
         let drawn = self.paint(scene, spec.camera, &style, spec.image, |pixel| bytes.extend(pixel))?;
-        if drawn.too_much.is_some() {
-            return None;
-        }
-        let size = tiny_skia::IntSize::from_wh(spec.image.width, spec.image.height)?;
-        Pixmap::from_vec(bytes, size)
+        drawn.too_much.is_none().then_some(bytes)
     }
 }

@@ -159,13 +159,13 @@ pub struct Finding {
 /// The image to examine.
 #[derive(Clone, Copy, Debug)]
 pub struct ImageSpec<'a> {
-    /// What is in it.
+    /// The scene in it.
     pub scene: &'a Scene,
     /// From where it is seen.
     pub camera: &'a Camera,
     /// How it is drawn.
     pub style: &'a Style,
-    /// What it shows of the pipeline: textures without w and shadows without bias are drawn wrong on purpose.
+    /// The inner work of the pipeline in it: textures without w and shadows without bias are drawn wrong on purpose.
     pub reveal: &'a Reveal,
     /// Its size.
     pub image: ImageSize,

@@ -23,7 +23,7 @@ pub struct Repair {
     pub camera: Parameters,
     /// The style afterwards.
     pub style: Style,
-    /// What the image shows of the pipeline afterwards.
+    /// The inner work of the pipeline in the image afterwards.
     pub reveal: Reveal,
     /// The bias of shadow maps afterwards, in steps of the map; `None`: as it is.
     pub shadow_bias: Option<f64>,

@@ -102,7 +102,8 @@ impl<'a> Tiles<'a> {
         Some([[tile(x[0]), tile(y[0])], [tile(x[1].min(size[0])), tile(y[1].min(size[1]))]])
     }
 
-    /// Where a point in front of the eye is in the image, in pixels from the top left; `[0]` Eqs. (5.9), (5.10), (5.22).
+    /// The place of a point in front of the eye in the image, in pixels from the top left; `[0]` Eqs. (5.9), (5.10),
+    /// (5.22).
     fn place(&self, p: DVec3) -> [f64; 2] {
         let window = self.camera.window();
         let scale = match self.camera.projection() {
