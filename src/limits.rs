@@ -201,5 +201,8 @@ pub const MAX_RAY_TRIANGLES: usize = 1 << 21;
 /// Steps of a lesson: more than fit into an hour.
 pub const MAX_LESSON_STEPS: usize = 100;
 
+/// Conditions of one goal of a lesson: each may draw the image.
+pub const MAX_CONDITIONS: usize = 64;
+
 /// Bytes of a lesson file: a hundred steps with their texts and figures.
 pub const MAX_LESSON_BYTES: usize = 4 << 20;

@@ -26,6 +26,7 @@ use crate::picture::{self, Composite, FileOptions};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::Scene;
+use crate::share;
 
 /// Runs the command; for `play`, gives what the window opens with.
 pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>, Failure> {
@@ -44,8 +45,14 @@ fn find(args: &WhichArgs, lang: Lang) -> Result<Found, Failure> {
     if let Some(shipped) = shipped().iter().find(|shipped| shipped.lesson.id == args.id) {
         return Ok(Found { lesson: shipped.lesson.clone(), path: None });
     }
+    // As the address of a page has it, for the lessons of the program.
+    if let Some((_, asked)) = args.id.split_once("?lesson=") {
+        let id = asked.split(['&', '#']).next().unwrap_or_default().to_owned();
+        return find(&WhichArgs { id, lang: args.lang, allow_files: args.allow_files }, lang);
+    }
     let path = PathBuf::from(&args.id);
-    if !path.exists() && !args.id.contains(['.', '/', '\\']) {
+    let is_name = share::link_of(&path).is_none() && !args.id.contains(['.', '/', '\\']);
+    if is_name && !path.exists() {
         let near = shipped()
             .iter()
             .map(|shipped| (strsim::jaro_winkler(&shipped.lesson.id, &args.id), &*shipped.lesson.id))
@@ -62,7 +69,7 @@ fn read(path: &Path, lang: Lang) -> Result<(Lesson, String), Failure> {
 }
 
 fn of_file(path: &Path, error: &FileError, lang: Lang) -> Failure {
-    Failure::BadInput(messages::file(lang, &sanitize::path(path), error))
+    Failure::BadInput(messages::file(lang, &messages::opened(lang, path), error))
 }
 
 fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
@@ -97,7 +104,10 @@ fn show(args: &ShowArgs, lang: Lang) -> Result<(), Failure> {
     let written = args.which.lang.map_or(Lang::En, LangArg::lang);
     let text = match args.format {
         TableFormat::Json => json_text(&described(written, &lesson)),
-        TableFormat::Text => texts::to_read(written, &lesson),
+        // Line by line: the lines are ours.
+        TableFormat::Text => {
+            texts::to_read(written, &lesson).split('\n').map(sanitize::printable).collect::<Vec<_>>().join("\n")
+        }
     };
     print(text.as_bytes(), lang)
 }
@@ -161,14 +171,14 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     let mut read = Vec::new();
     for path in &args.files {
         match files::read_lesson(path) {
-            Err(error) => faults.push(messages::file(lang, &sanitize::path(path), &error)),
+            Err(error) => faults.push(messages::file(lang, &messages::opened(lang, path), &error)),
             Ok((lesson, text)) => read.push((path, lesson, text)),
         }
     }
     let of_program = shipped().iter().map(|shipped| shipped.lesson.id.as_str());
     let ids: Vec<&str> = of_program.chain(read.iter().map(|(_, lesson, _)| lesson.id.as_str())).collect();
     for (path, lesson, text) in &read {
-        let name = sanitize::path(path);
+        let name = messages::opened(lang, path);
         for (part, say) in faults_of(lesson, &ids, Some(path), args.allow_files, lang) {
             // What was read is there.
             let (line, key) = place(text, part).map_or((None, String::new()), |(line, key)| (Some(line), key));
@@ -210,7 +220,10 @@ fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files:
         }
         match scene(&step.figure, path, allow_files, lang) {
             Err(why) => faults.push((Part::Step(k), Box::new(move |key| format!("{key}: {why}")))),
-            Ok(scene) => {
+            Ok((scene, missing)) => {
+                for why in missing {
+                    faults.push((Part::Step(k), Box::new(move |key| format!("{key}: {why}"))));
+                }
                 if let Some(Task::Try(goal)) = &step.task {
                     faults.extend(faults_of_goal(goal, (k, &step.figure), &scene, &mut seen, lang));
                 }
@@ -259,32 +272,38 @@ fn faults_of_goal(
 fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     let size = args.size(lang)?;
     let found = find(&args.which, lang)?;
-    if lesson_handout::is_handout(&args.output) {
+    let is_handout = lesson_handout::is_handout(&args.output);
+    if let Some(option) = args.unused(is_handout) {
+        return Err(Failure::BadInput(texts::unused_option(lang, option, is_handout)));
+    }
+    if is_handout {
         return lesson_handout::write(args, &found, lang);
     }
     // A folder of pictures that has the name of one is a slip.
-    let is_named = args.output.extension().is_some();
-    if is_named && PictureFormat::of(&args.output).is_some() && !args.output.is_dir() {
+    if args.output.extension().is_some() && PictureFormat::of(&args.output).is_some() {
         return Err(Failure::BadInput(texts::output_name(lang, &sanitize::path(&args.output))));
     }
     let lesson = &found.lesson;
     let written = args.which.lang.map_or(Lang::En, LangArg::lang);
-    fs::create_dir_all(&args.output).map_err(|error| {
-        Failure::Failed(messages::file(lang, &sanitize::path(&args.output), &FileError::Write(error)))
-    })?;
+    let format = args.format.unwrap_or_default();
     let digits = lesson.steps.len().to_string().len().max(2);
+    // Nothing is written if a step is faulty.
+    let mut made = Vec::new();
     for (k, step) in lesson.steps.iter().enumerate() {
-        let name = format!("{:0digits$}-{}.{}", k + 1, lesson.id, args.format.ending());
+        let name = format!("{:0digits$}-{}.{}", k + 1, lesson.id, format.ending());
         let output = args.output.join(name);
         let views = args.view.unwrap_or_else(|| views_of(&step.figure));
         let sheet = composite(args, &found, (k, step), size_of(size, views), lang)?;
         let told = pictures::told_of(written, &step.figure, &sheet, to_toml(&step.figure)).for_file(&output);
-        let options = FileOptions::of(args.format.format());
-        let made = at_once(picture::file(&sheet, options, &told, &Progress::default()));
-        let file = made.map_err(|error| no_picture(lang, &sanitize::path(&output), error, pixels_of(&sheet)))?;
-        save(&output, &file.bytes, file.beside, lang)?;
+        let options = FileOptions::of(format.format());
+        let file = at_once(picture::file(&sheet, options, &told, &Progress::default()));
+        let file = file.map_err(|error| no_picture(lang, &sanitize::path(&output), error, pixels_of(&sheet)))?;
+        made.push((output, file));
     }
-    Ok(())
+    fs::create_dir_all(&args.output).map_err(|error| {
+        Failure::Failed(messages::file(lang, &sanitize::path(&args.output), &FileError::Write(error)))
+    })?;
+    made.into_iter().try_for_each(|(output, file)| save(&output, &file.bytes, file.beside, lang))
 }
 
 fn pixels_of(sheet: &Composite) -> [u64; 2] {

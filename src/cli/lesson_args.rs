@@ -117,12 +117,12 @@ pub(super) struct LessonRenderArgs {
     /// Width and height of each picture file in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
-    /// Format of the pictures
-    #[arg(long, value_enum, default_value_t)]
-    pub(super) format: StepFormat,
-    /// Steps on a page of a handout: 2 or 4
-    #[arg(long, value_name = "N", default_value = "2", allow_hyphen_values = true)]
-    per_page: String,
+    /// Format of the pictures; PNG if not given
+    #[arg(long, value_enum)]
+    pub(super) format: Option<StepFormat>,
+    /// Steps on a page of a handout: 2 (if not given) or 4
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    per_page: Option<String>,
     /// Put the solutions of the questions at the end of a handout
     #[arg(long)]
     pub(super) answers: bool,
@@ -135,8 +135,18 @@ pub(super) struct LessonRenderArgs {
 impl LessonRenderArgs {
     /// The number of steps on a page of a handout.
     pub(super) fn per_page(&self, lang: Lang) -> Result<usize, Failure> {
-        let number = self.per_page.trim().parse().ok().filter(|number| [2, 4].contains(number));
-        number.ok_or_else(|| Failure::BadInput(texts::per_page(lang, &self.per_page)))
+        let Some(per_page) = &self.per_page else { return Ok(2) };
+        let number = per_page.trim().parse().ok().filter(|number| [2, 4].contains(number));
+        number.ok_or_else(|| Failure::BadInput(texts::per_page(lang, per_page)))
+    }
+
+    /// A given option that says nothing of a handout, or of a folder of pictures.
+    pub(super) fn unused(&self, is_handout: bool) -> Option<&'static str> {
+        let of_pictures =
+            [("--size", self.size.is_some()), ("--view", self.view.is_some()), ("--format", self.format.is_some())];
+        let of_handouts = [("--per-page", self.per_page.is_some()), ("--answers", self.answers)];
+        let unused: &[(&'static str, bool)] = if is_handout { &of_pictures } else { &of_handouts };
+        unused.iter().find(|(_, is_given)| *is_given).map(|(option, _)| *option)
     }
 
     /// Width and height of each file, if they are given.

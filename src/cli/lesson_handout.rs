@@ -67,7 +67,7 @@ fn lettered(size: ImageSize, columns: usize) -> Size {
 
 /// True where a handout is wanted, and not a folder of pictures.
 pub(super) fn is_handout(output: &Path) -> bool {
-    output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) && !output.is_dir()
+    output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf"))
 }
 
 fn beginning(lang: Lang, lesson: &Lesson) -> Vec<Paragraph> {

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::Failure;
 use super::lesson_args::LessonRenderArgs;
 use super::render::no_picture;
 use super::words::LangArg;
+use super::{Failure, say};
 use crate::camera::{Camera, ImageSize};
 use crate::figure::Figure;
 use crate::files::{FigureFiles, FileAccess};
@@ -28,12 +28,25 @@ pub(super) struct Found {
     pub(super) path: Option<PathBuf>,
 }
 
-/// The scene of a step, whose meshes are beside the lesson.
-pub(super) fn scene(figure: &Figure, path: Option<&PathBuf>, allow_files: bool, lang: Lang) -> Result<Scene, String> {
+/// The scene of a step, whose meshes and textures are in the folder of the lesson or below; and why files are missing
+/// without which it can be drawn.
+pub(super) fn scene(
+    figure: &Figure,
+    path: Option<&PathBuf>,
+    allow_files: bool,
+    lang: Lang,
+) -> Result<(Scene, Vec<String>), String> {
     let folder = path.and_then(|path| path.parent()).unwrap_or(Path::new(""));
-    let mut files = FigureFiles::new(folder, FileAccess::of(path.map_or(folder, |path| path), false, allow_files));
-    scene_of(figure, &mut |wanted| files.read(wanted), &Progress::default())
-        .map_err(|error| messages::scene(lang, &error))
+    let mut files = FigureFiles::new(folder, FileAccess::of_lesson(path.map(PathBuf::as_path), allow_files));
+    let scene = scene_of(figure, &mut |wanted| files.read(wanted), &Progress::default())
+        .map_err(|error| messages::scene(lang, &error))?;
+    let missing = files.unread().iter().map(|unread| messages::without_colors(lang, unread));
+    let notices = scene
+        .notices
+        .iter()
+        .map(|(object, notice)| format!("{}: {}", sanitize::escaped(object), messages::mesh_notice(lang, notice)));
+    let missing = missing.chain(notices).collect();
+    Ok((scene, missing))
 }
 
 /// The pictures of a step on a sheet.
@@ -45,8 +58,13 @@ pub(super) fn composite(
     lang: Lang,
 ) -> Result<Composite, Failure> {
     let written = args.which.lang.map_or(Lang::En, LangArg::lang);
-    let failed = |why: String| Failure::BadInput(texts::of_step(lang, k + 1, &why));
-    let scene = scene(&step.figure, found.path.as_ref(), args.which.allow_files, lang).map_err(failed)?;
+    let of_step = |why: &str| {
+        let name = found.path.as_ref().map_or_else(|| found.lesson.id.clone(), |path| messages::opened(lang, path));
+        format!("{name}: {}", texts::of_step(lang, k + 1, why))
+    };
+    let failed = |why: String| Failure::BadInput(of_step(&why));
+    let (scene, missing) = scene(&step.figure, found.path.as_ref(), args.which.allow_files, lang).map_err(failed)?;
+    missing.iter().for_each(|why| say(&of_step(why)));
     let camera = Camera::new(&step.figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
     let views = args.view.unwrap_or_else(|| views_of(&step.figure));
     let (shot, scene) = (Shot::of(&step.figure), SharedScene::new(scene));

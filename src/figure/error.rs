@@ -193,6 +193,10 @@ pub enum Allowed {
     Quantity,
     /// Paths to two vectors in the output of `inspect`, not of length 0.
     TwoVectors,
+    /// At most the number of another key.
+    NotAbove(&'static str),
+    /// Conditions of which none excludes another.
+    Compatible,
     /// A key or a section of the steps of a lesson so far.
     KeyOfSteps,
     /// The identifier of an exercise of the program.

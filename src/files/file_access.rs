@@ -15,6 +15,8 @@ use crate::share;
 pub enum FileAccess {
     /// Of a figure that came without a folder, as in a link: it has the meshes of the program.
     Link,
+    /// A step of a lesson file: its meshes and textures, and the files they name, are in the lesson's folder or below.
+    Lesson,
     /// A figure from a picture: its meshes, and the files they name, are in the picture's folder or below.
     Picture,
     /// A figure file: its meshes may be anywhere on this machine; the files they name are in their folder or below.
@@ -35,6 +37,18 @@ impl FileAccess {
             (false, true) if has_folder => Self::Picture,
             (false, true) => Self::Link,
             (false, false) => Self::Figure,
+        }
+    }
+
+    /// The reach of the steps of a lesson in a file with this path or in a link, or of one of the program (`None`).
+    /// `allowed`: the user lets it name any file.
+    #[must_use]
+    pub fn of_lesson(path: Option<&Path>, allowed: bool) -> Self {
+        let in_file = path.filter(|path| share::link_of(path).is_none());
+        match (allowed, in_file) {
+            (true, _) => Self::Anywhere,
+            (false, Some(_)) => Self::Lesson,
+            (false, None) => Self::Link,
         }
     }
 }
@@ -139,6 +153,7 @@ impl FigureFiles {
                 let folder = self.folder.join(mesh).parent().map(Path::to_owned).unwrap_or_default();
                 Some((folder, NamedBy::Mesh))
             }
+            (FileAccess::Lesson, _) => Some((self.folder.clone(), NamedBy::Lesson)),
             (FileAccess::Picture | FileAccess::Link, _) => Some((self.folder.clone(), NamedBy::Picture)),
         }
     }

@@ -315,6 +315,14 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
                 "um caminho na saída de inspect para esta figura, como \"basis.u\" ou \"points.0.ndc\"".to_owned()
             }
         },
+        Allowed::NotAbove(key) => match lang {
+            Lang::En => format!("a number that is not above {key}"),
+            Lang::PtBr => format!("um número que não passe de {key}"),
+        },
+        Allowed::Compatible => match lang {
+            Lang::En => "conditions that one figure can meet together".to_owned(),
+            Lang::PtBr => "condições que uma mesma figura possa cumprir juntas".to_owned(),
+        },
         Allowed::TwoVectors => match lang {
             Lang::En => {
                 "paths to two vectors in the output of inspect, such as [\"camera.view_up\", \"dop\"]".to_owned()

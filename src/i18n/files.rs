@@ -10,15 +10,18 @@ use crate::files::FileError;
 use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES};
 use crate::sanitize;
 use crate::scene::ReadProblem;
-use crate::share::{self, ShareError};
+use crate::share::{self, Held, ShareError};
 
 /// The name of an opened figure: its path, or a phrase for a link, which is long and meaningless to people.
 #[must_use]
 pub fn opened(lang: Lang, path: &Path) -> String {
-    match lang {
-        _ if share::link_of(path).is_none() => sanitize::path(path),
-        Lang::En => "the figure in the link".to_owned(),
-        Lang::PtBr => "a figura no link".to_owned(),
+    let held = share::link_of(path).and_then(share::held_in);
+    match (lang, held) {
+        (_, None) => sanitize::path(path),
+        (Lang::En, Some(Held::Figure)) => "the figure in the link".to_owned(),
+        (Lang::PtBr, Some(Held::Figure)) => "a figura no link".to_owned(),
+        (Lang::En, Some(Held::Lesson)) => "the lesson in the link".to_owned(),
+        (Lang::PtBr, Some(Held::Lesson)) => "a aula no link".to_owned(),
     }
 }
 

@@ -348,6 +348,19 @@ pub fn per_page(lang: Lang, found: &str) -> String {
     }
 }
 
+/// An option of handouts with a folder of pictures, or the other way round.
+#[must_use]
+pub fn unused_option(lang: Lang, option: &str, is_handout: bool) -> String {
+    match (lang, is_handout) {
+        (Lang::En, true) => format!("{option} is for a folder of pictures; a handout takes --per-page and --answers"),
+        (Lang::En, false) => format!("{option} is for a handout; allowed: -o OUT.pdf"),
+        (Lang::PtBr, true) => {
+            format!("{option} vale para uma pasta de imagens; uma apostila aceita --per-page e --answers")
+        }
+        (Lang::PtBr, false) => format!("{option} vale para uma apostila; permitido: -o SAIDA.pdf"),
+    }
+}
+
 /// Pictures of a lesson are asked for in a file that holds only one.
 #[must_use]
 pub fn output_name(lang: Lang, path: &str) -> String {

@@ -107,6 +107,24 @@ impl Goal {
 }
 
 impl Condition {
+    /// Whether no figure can meet both conditions: an object seen and hidden, two values of a key, or ranges of the
+    /// same number that have none in common.
+    #[must_use]
+    pub fn excludes(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Seen(a), Self::Hidden(b)) | (Self::Hidden(a), Self::Seen(b)) => a == b,
+            (Self::Key { key: a, value: x }, Self::Key { key: b, value: y }) => a == b && x != y,
+            (Self::Quantity { path: a, range: x }, Self::Quantity { path: b, range: y }) => {
+                a == b && x.and(*y).is_empty()
+            }
+            (Self::Angle { between: a, range: x }, Self::Angle { between: b, range: y }) => {
+                a == b && x.and(*y).is_empty()
+            }
+            (Self::Number { key: a, range: x }, Self::Number { key: b, range: y }) => a == b && x.and(*y).is_empty(),
+            _ => false,
+        }
+    }
+
     /// The name of the object that it is about.
     #[must_use]
     pub fn object(&self) -> Option<&str> {
@@ -139,6 +157,19 @@ impl Range {
     #[must_use]
     pub fn is_everything(self) -> bool {
         self == Self::default()
+    }
+
+    /// True if no number is in it.
+    #[must_use]
+    pub fn is_empty(self) -> bool {
+        self.least.zip(self.most).is_some_and(|(least, most)| least > most)
+    }
+
+    /// The numbers that are in both.
+    fn and(self, other: Self) -> Self {
+        let least = self.least.into_iter().chain(other.least).reduce(f64::max);
+        let most = self.most.into_iter().chain(other.most).reduce(f64::min);
+        Self { least, most }
     }
 
     fn holds(self, number: f64) -> bool {

@@ -13,7 +13,7 @@ use crate::figure::read::{Fault, Section, Stacked, parse_with, text_of};
 use crate::figure::{Bilingual, Figure, FigureError, varied};
 use crate::inspect::Report;
 use crate::inspect::quantity::QuantityPath;
-use crate::limits::{MAX_LESSON_BYTES, MAX_LESSON_STEPS, MAX_TITLE};
+use crate::limits::{MAX_CONDITIONS, MAX_LESSON_BYTES, MAX_LESSON_STEPS, MAX_TITLE};
 use crate::numbers::DecimalMark;
 
 /// Seconds of the move to a step where a lesson does not say them.
@@ -188,11 +188,23 @@ fn goal(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut
     if conditions.is_empty() && section.faults.is_empty() {
         section.missing("until", Allowed::Sections);
     }
+    let count = conditions.len();
+    if count > MAX_CONDITIONS {
+        section.fault("until", Problem::TooMany { count, limit: MAX_CONDITIONS });
+    }
     let goal = Goal {
         text,
-        until: conditions.into_iter().filter_map(|section| condition(section, figure, report, faults)).collect(),
+        until: conditions
+            .into_iter()
+            .take(MAX_CONDITIONS)
+            .filter_map(|section| condition(section, figure, report, faults))
+            .collect(),
         way: written,
     };
+    let excluded = |k: usize| goal.until.iter().take(k).any(|earlier| earlier.excludes(&goal.until[k]));
+    if (0..goal.until.len()).any(excluded) {
+        section.refuse("until", Allowed::Compatible);
+    }
     if let Ok(camera) = Camera::new(&figure.camera)
         && goal.reached_from(figure, &camera).is_err()
     {
@@ -245,6 +257,8 @@ fn range(section: &mut Section<'_>, is_angle: bool) -> Option<Range> {
     let range = Range { least, most };
     if range.is_everything() {
         section.missing("least", Allowed::Number);
+    } else if range.is_empty() {
+        section.refuse("least", Allowed::NotAbove("most"));
     }
     Some(range).filter(|range| !range.is_everything())
 }

@@ -93,10 +93,13 @@ impl Handout {
             let mut block = Block { items: Vec::new(), height: 0.0, width };
             let drawn = page(sheet, Faces::Auto, [PER_INCH, DPI], false, progress).await?;
             block.picture(drawn.page);
-            block.texts(&entry.paragraphs, size);
+            let fits = block.texts(&entry.paragraphs, size);
             row.push(block);
-            if row.len() >= self.columns {
+            if row.len() >= self.columns || !fits {
                 pages.put_row(std::mem::take(&mut row));
+            }
+            if !fits {
+                pages.flow(&entry.paragraphs, size);
             }
         }
         pages.put_row(row);
@@ -133,17 +136,22 @@ impl Block {
         for line in lines(text, size, self.width - indent) {
             self.height += LEADING * size;
             let at = [indent, self.height - 0.3 * size];
-            self.items.push(written(line.clone(), at, size, color));
-            if bold {
-                // The bundled font has one weight: a heading is drawn a little heavier.
-                self.items.push(written(line, [at[0] + 0.03 * size, at[1]], size, color));
+            let mut item = written(line, at, size, color);
+            if let Item::Text { halo, halo_width, .. } = &mut item
+                && bold
+            {
+                // The bundled font has one weight. A heading has a border in its own colour, so that it is heavier and
+                // still one text for a search.
+                (*halo, *halo_width) = (color, 0.04 * size);
             }
+            self.items.push(item);
         }
         self.height += 0.35 * size;
     }
 
-    /// Texts below a picture. What is higher than a page has fewer lines to write on.
-    fn texts(&mut self, paragraphs: &[Paragraph], size: f32) {
+    /// Texts below a picture. If they are higher than a page, there are fewer lines to write on. False if they don't
+    /// fit even so: then only the picture is left.
+    fn texts(&mut self, paragraphs: &[Paragraph], size: f32) -> bool {
         let (above, most) = (self.height, PAPER[1] - 2.0 * BORDER);
         let given = paragraphs.iter().map(|paragraph| if let Paragraph::Room(lines) = paragraph { *lines } else { 0 });
         for room in (1..=given.max().unwrap_or_default().max(1)).rev() {
@@ -156,9 +164,12 @@ impl Block {
                 }
             }
             if self.height <= most {
-                return;
+                return true;
             }
         }
+        self.items.truncate(1);
+        self.height = above;
+        false
     }
 
     fn formula(&mut self, parts: &[FormulaPart], size: f32) {
@@ -187,18 +198,36 @@ impl Block {
     }
 }
 
-/// The lines of a text that are no wider than `width`; a word that is wider has a line of its own.
+/// The parts of a word that are no wider than `width`.
+fn pieces(word: &str, size: f32, width: f32) -> Vec<String> {
+    let mut pieces = vec![String::new()];
+    for c in word.chars() {
+        let piece = pieces.last().map_or_else(String::new, |last| format!("{last}{c}"));
+        match pieces.last_mut() {
+            Some(last) if last.is_empty() || measure(&piece, size, false).width <= width => *last = piece,
+            _ => pieces.push(c.to_string()),
+        }
+    }
+    pieces
+}
+
+/// The lines of a text that are no wider than `width`. A wider word is broken.
 fn lines(text: &str, size: f32, width: f32) -> Vec<String> {
     let mut lines = Vec::new();
     for hard in text.lines() {
         let mut line = String::new();
         for word in hard.split_whitespace() {
             let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
-            if !line.is_empty() && measure(&longer, size, false).width > width {
-                lines.push(std::mem::replace(&mut line, word.to_owned()));
-            } else {
+            if measure(&longer, size, false).width <= width {
                 line = longer;
+                continue;
             }
+            if !line.is_empty() {
+                lines.push(std::mem::take(&mut line));
+            }
+            let mut broken = pieces(word, size, width);
+            line = broken.pop().unwrap_or_default();
+            lines.append(&mut broken);
         }
         lines.push(line);
     }
@@ -305,6 +334,15 @@ impl<'a> Pages<'a> {
             block.paragraph(paragraph, size);
             block
         };
+        // What is higher than a page goes on line by line.
+        let room = PAPER[1] - 2.0 * BORDER;
+        let in_lines = |paragraph: &Paragraph| match paragraph {
+            Paragraph::Text(text) if block(paragraph).height > room => {
+                lines(text, size, width).into_iter().map(Paragraph::Text).collect()
+            }
+            paragraph => vec![paragraph.clone()],
+        };
+        let paragraphs: Vec<Paragraph> = paragraphs.iter().flat_map(in_lines).collect();
         for (k, paragraph) in paragraphs.iter().enumerate() {
             let Block { items, height, .. } = block(paragraph);
             // The first lines of an entry stay together.

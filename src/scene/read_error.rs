@@ -96,6 +96,9 @@ pub enum NamedBy {
     /// A figure that came inside a picture.
     #[error("a figure inside a picture")]
     Picture,
+    /// A lesson.
+    #[error("a lesson")]
+    Lesson,
 }
 
 /// An error of the system in plain English; an unusual one by its number: its own sentence may be in any language.

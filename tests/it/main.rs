@@ -43,6 +43,7 @@ mod image_pixels;
 mod inspect_report;
 mod labels;
 mod layers;
+mod lesson_limits;
 mod lessons;
 mod manual;
 mod meshes;

@@ -400,8 +400,8 @@ impl Counter {
         numbers
     }
 
-    /// The colours of a scene, four bytes for each pixel, with one sample in it. `None` if there are too many faces to be
-    /// put in order.
+    /// The colours of a scene, four bytes for each pixel, with one sample in it. `None` if there are too many faces to
+    /// be put in order.
     fn colors(&mut self, scene: &Scene, spec: &ImageSpec<'_>, style: &Style) -> Option<Vec<u8>> {
         let mut bytes = Vec::new();
         let style = Style { hidden_lines: HiddenLines::Hidden, ..*style };
