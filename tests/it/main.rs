@@ -31,6 +31,7 @@ mod exercises;
 mod explain;
 mod explain_formulas;
 mod export;
+mod exports;
 mod extreme_pictures;
 mod families;
 mod figure;
