@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::Renderer;
-use crate::drawing::Drawing;
+use crate::drawing::{Drawing, Surface};
 use crate::pipeline::{Frame, OverBudget};
 use crate::views::Request;
 
@@ -35,8 +35,14 @@ impl From<Frame> for Plates {
 }
 
 impl Renderer {
-    /// The plates of a picture in which nothing is compared. `None` without enough memory for the image on the window.
+    /// The plates of a picture in which nothing is compared, for a page of vectors. `None` without enough memory for the
+    /// image on the window.
     pub(super) fn plates(&mut self, request: &Request) -> Option<Plates> {
-        self.drawing(request).map(Plates::from)
+        let mut plates = Plates::from(self.drawing(request)?);
+        // A forced stage asks a texture of one colour for the colour of each pixel. A page has areas of that colour.
+        for plate in &mut plates.plates {
+            plate.drawing.surfaces.iter_mut().for_each(Surface::simplify);
+        }
+        Some(plates)
     }
 }

@@ -62,6 +62,8 @@ pub enum NoAreas {
     Shaded,
     /// Faces cross too often to be put in order.
     OverBudget(OverBudget),
+    /// Only the first faces are shown, in the order in which a depth buffer gets them.
+    Partial,
 }
 
 /// A page, and what fell short.
@@ -248,6 +250,11 @@ impl Painter {
         let finer = others.finer;
         let mut ordered = drawing;
         if !drawing.painted_in_order {
+            if others.request.shot.show.painted.is_some() {
+                // From back to front, other faces would be the first ones.
+                say(NoAreas::Partial, &mut self.no_areas);
+                return None;
+            }
             let sorted = others.sorted(&mut self.renderer)?;
             ordered = &sorted.plates.get(place)?.drawing;
             if let Some(over_budget) = sorted.too_much.clone().filter(|_| !ordered.painted_in_order) {

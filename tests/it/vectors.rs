@@ -104,7 +104,7 @@ pub(crate) fn bench_with_fonts(name: &str) -> Bench {
 }
 
 /// The mean difference of a channel, and the share of pixels of which a channel differs by more than a quarter.
-pub(crate) fn difference(one: &[u8], other: &[u8]) -> (f64, f64) {
+fn difference(one: &[u8], other: &[u8]) -> (f64, f64) {
     assert_eq!(one.len(), other.len());
     let sum: u64 = one.iter().zip(other).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     let pixels = || one.as_chunks::<4>().0.iter().zip(other.as_chunks::<4>().0);
