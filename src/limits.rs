@@ -70,8 +70,8 @@ pub const MAX_EAR_STEPS: usize = 1 << 28;
 /// The most lights of a scene: each is computed at each pixel, and more than a few can hardly be distinguished.
 pub const MAX_LIGHTS: usize = 1024;
 
-/// The most texels of all shadow maps of a scene: half a gigabyte of depths, which all its pictures share. A lamp has six
-/// maps.
+/// The most texels of all shadow maps of a scene: half a gigabyte of depths, which all its pictures share. A lamp has
+/// six maps.
 pub const MAX_SHADOW_TEXELS: u64 = 1 << 27;
 
 /// The most named points of a figure: more names and rays can hardly be distinguished in a picture.

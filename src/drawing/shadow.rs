@@ -42,7 +42,7 @@ pub struct ShadowMap {
     pub rays: Rays,
     /// Width of the soft edge, texels.
     pub softness: f32,
-    /// What is to be painted; `None` once it is: each view draws the whole scene.
+    /// The drawings that are still to be painted, each of the whole scene; `None` once they are.
     views: Mutex<Option<Arc<Vec<Drawing>>>>,
     /// The depths, row by row; −∞ where the light sees nothing.
     depths: OnceLock<Vec<Vec<f32>>>,

@@ -11,6 +11,7 @@ use super::plate::Plates;
 use super::shadow_truth::FoundShadows;
 use super::{Composite, FollowedTriangle, Pixels, RenderReport};
 use crate::appearance::{Shading, Texture};
+use crate::drawing::Surface;
 use crate::pipeline::{Frame, OverBudget, ShadowMaps};
 use crate::progress::{Progress, at_once};
 use crate::raster::Rasterizer;
@@ -256,6 +257,17 @@ impl Renderer {
     /// without enough memory for the image on the window.
     pub fn drawing(&mut self, request: &Request) -> Option<Frame> {
         at_once(self.timed_drawing(request)).map(|(frame, _)| frame)
+    }
+
+    /// The plates of a picture in which nothing is compared, for a page of vectors. `None` without enough memory for
+    /// the image on the window.
+    pub(super) fn plates(&mut self, request: &Request) -> Option<Plates> {
+        let mut plates = Plates::from(self.drawing(request)?);
+        // A forced stage asks a texture of one colour for the colour of each pixel. A page has areas of that colour.
+        for plate in &mut plates.plates {
+            plate.drawing.surfaces.iter_mut().for_each(Surface::simplify);
+        }
+        Some(plates)
     }
 
     /// The drawing of a picture, and the time that the image on the window took, if one was drawn for it.

@@ -132,8 +132,8 @@ impl Bins {
                 });
             });
         }
-        // What is not tested lies over all that is, whatever its depth. Stable: of equal depths the first in the drawing
-        // is drawn first.
+        // Untested triangles lie over all tested ones, whatever their depths. Stable: of equal depths the first in the
+        // drawing is drawn first.
         let is_over = |t: &Translucent| !drawing.surfaces[t.surface].depth_test;
         self.translucent.sort_by(|a, b| is_over(a).cmp(&is_over(b)).then(a.depth.total_cmp(&b.depth)));
     }

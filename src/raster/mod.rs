@@ -201,7 +201,8 @@ impl Rasterizer {
 }
 
 impl Rasterizer {
-    /// Paints the depths that a light sees, unless that has been done. It pauses as [`paint_into`](Self::paint_into) does.
+    /// Paints the depths that a light sees, unless that has been done. It pauses as [`paint_into`](Self::paint_into)
+    /// does.
     pub async fn paint_shadows(&mut self, map: &ShadowMap) {
         self.progress.begin(Activity::Painting, rows_of(map));
         self.paint_map(map).await;
