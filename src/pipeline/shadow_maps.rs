@@ -3,6 +3,7 @@
 //! A map holds all that casts shadows, whatever the camera of the picture sees, so that it is made once for all
 //! pictures of a scene, and made again only if a light or a thing that hides light has changed.
 
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use glam::{DMat4, DVec3};
@@ -267,8 +268,18 @@ fn made(light: &Light, hiding: &[Hiding]) -> Option<(ShadowLight, Operations)> {
     let views = cameras.iter().map(&mut seen).collect();
     let projector = Projector::new(cameras.first()?);
     let rays = rays(&cameras, &projector, size)?;
-    let map = ShadowMap::new(views, size, rays, single(shadows.softness));
+    let map = ShadowMap::new(views, size, rays, single(shadows.softness), recipe(light, hiding));
     Some((ShadowLight { map: Arc::new(map), light: 0, bias: 0.0, projector }, cost))
+}
+
+/// A hash of a light and of the things that hide it.
+fn recipe(light: &Light, hiding: &[Hiding]) -> u64 {
+    let mut hash = DefaultHasher::new();
+    (light.kind == LightKind::Point, light.vector.to_array().map(f64::to_bits)).hash(&mut hash);
+    for Hiding { mesh, world_from_object } in hiding {
+        (Arc::as_ptr(mesh), world_from_object.to_cols_array().map(f64::to_bits)).hash(&mut hash);
+    }
+    hash.finish()
 }
 
 /// Faces and nothing else, without light, seen from both sides.
