@@ -162,6 +162,8 @@ pub enum HiddenLines {
     Hidden,
     /// Drawn as if nothing were in front of it.
     Shown,
+    /// As the style of the picture says. Lines of a scene have this, strokes of a drawing never do.
+    OfStyle,
 }
 
 /// The format in which the image stores depths (`[style] depth_format`).
@@ -284,6 +286,13 @@ pub enum Occlusion {
 }
 
 impl LineStyle {
+    /// The line as a picture in this style draws it: it decides about hidden parts that are left to it.
+    #[must_use]
+    pub fn in_style(self, style: &Style) -> Self {
+        let hidden = if self.hidden == HiddenLines::OfStyle { style.hidden_lines } else { self.hidden };
+        Self { hidden, ..self }
+    }
+
     /// The style of the part behind such faces; `None`: it is not drawn.
     #[must_use]
     pub fn behind(self, faces: Occlusion) -> Option<Self> {
@@ -293,7 +302,7 @@ impl LineStyle {
             (Occlusion::None, _) | (_, HiddenLines::Shown) => Some(self),
             (Occlusion::Translucent, _) => Some(Self { color: faded(3), ..self }),
             (Occlusion::Opaque, HiddenLines::Hidden) => None,
-            (Occlusion::Opaque, HiddenLines::Dashed) => {
+            (Occlusion::Opaque, HiddenLines::Dashed | HiddenLines::OfStyle) => {
                 Some(Self { color: faded(7), width: 0.7 * self.width, dash: Dash::Dashed, ..self })
             }
         }

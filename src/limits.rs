@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-/// The longest side of a picture in pixels: the rasterizer counts in 1/16 of a pixel, and has room for this and a
+/// The longest side of a picture in pixels: the rasterizer counts in 1/256 of a pixel, and has room for this and a
 /// border.
 pub const MAX_SIDE: u32 = 16_384;
 
@@ -63,10 +63,15 @@ pub const MAX_VERTICES: usize = 1 << 31;
 /// drawn, and a mesh file can begin one with each face.
 pub const MAX_OBJECTS: usize = 1 << 17;
 
+/// The most steps of cutting the concave polygons of a mesh file into triangles, each a corner compared with an ear: a
+/// second. A polygon takes about the square of its corners, so that one of 10 000 is still cut right.
+pub const MAX_EAR_STEPS: usize = 1 << 28;
+
 /// The most lights of a scene: each is computed at each pixel, and more than a few can hardly be distinguished.
 pub const MAX_LIGHTS: usize = 1024;
 
-/// The most texels of all shadow maps of a scene: half a gigabyte of depths. A lamp has six maps.
+/// The most texels of all shadow maps of a scene: half a gigabyte of depths, which all its pictures share. A lamp has
+/// six maps.
 pub const MAX_SHADOW_TEXELS: u64 = 1 << 27;
 
 /// The most named points of a figure: more names and rays can hardly be distinguished in a picture.
@@ -98,9 +103,6 @@ pub const MAX_SHOWN_OBJECTS: usize = 32;
 
 /// The most keys and operations of a comparison: its headings name them all.
 pub const MAX_COMPARED_KEYS: usize = 8;
-
-/// The most steps of a way to the canonical volume that can be requested; no way has more than eight.
-pub const MAX_STEPS: f64 = 100.0;
 
 /// The longest figure file in bytes: a hundred times the largest that people write.
 pub const MAX_FIGURE_BYTES: usize = 8 << 20;

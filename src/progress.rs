@@ -79,6 +79,13 @@ impl Progress {
         self.steps.doing.store(index.unwrap_or(0), Ordering::Relaxed);
     }
 
+    /// Starts one of several passes, each an equal share of an activity: this one has a number of steps.
+    pub fn begin_pass(&self, doing: Activity, steps: usize, [pass, passes]: [usize; 2]) {
+        self.begin(doing, 0);
+        self.advance(steps * pass);
+        self.steps.of.store(steps * passes, Ordering::Relaxed);
+    }
+
     /// More steps are done.
     pub fn advance(&self, steps: usize) {
         self.steps.done.fetch_add(steps, Ordering::Relaxed);
@@ -140,6 +147,20 @@ mod tests {
             assert_eq!(progress.now(), Some((Activity::Measuring, Some(f32::from(done) / 3.0))));
         }
         assert_eq!(slice(), Poll::Ready(whole));
+    }
+
+    #[test]
+    fn passes_are_equal_shares_however_many_steps_they_have() {
+        let progress = Progress::default();
+        let mut shares = Vec::new();
+        for (pass, steps) in [4, 1, 10].into_iter().enumerate() {
+            progress.begin_pass(Activity::Painting, steps, [pass, 3]);
+            shares.push(progress.now());
+            progress.advance(steps);
+            shares.push(progress.now());
+        }
+        let share = |thirds: f32| Some((Activity::Painting, Some(thirds / 3.0)));
+        assert_eq!(shares, [0.0, 1.0, 1.0, 2.0, 2.0, 3.0].map(share));
     }
 
     #[test]

@@ -240,7 +240,14 @@ fn set(text: &str, mathematical: bool) -> (Vec<Placed>, f32) {
     (placed, x)
 }
 
-/// The runs of a text: `_c` lowers one character, `_{abc}` several. A `_` with nothing to lower stands for itself.
+/// A text whose every `_` stands for itself: a name that a user gave, a key of a file.
+#[must_use]
+pub fn literal(text: &str) -> String {
+    text.replace('_', "\\_")
+}
+
+/// The runs of a text: `_c` lowers one character, `_{abc}` several. A `_` with nothing to lower stands for itself, and
+/// so does that of `\_`.
 #[must_use]
 pub fn runs(text: &str) -> Vec<Run<'_>> {
     let mut runs = Vec::new();
@@ -249,6 +256,12 @@ pub fn runs(text: &str) -> Vec<Run<'_>> {
     while let Some(at) = rest.find('_') {
         let (before, mark) = rest.split_at(at);
         let after = &mark[1..];
+        if let Some(before) = before.strip_suffix('\\') {
+            push(before, false);
+            push(&mark[..1], false);
+            rest = after;
+            continue;
+        }
         push(before, false);
         rest = if let Some((group, after)) = after.strip_prefix('{').and_then(|group| group.split_once('}')) {
             push(group, true);
@@ -299,17 +312,17 @@ pub struct SetRun {
 pub fn set_runs(text: &str, size: f32, mathematical: bool) -> Vec<SetRun> {
     let mut x = 0.0;
     let mut set: Vec<SetRun> = Vec::new();
+    let mut last = None;
     for run in runs(text) {
         let (scale, y) = if run.lowered { (SUBSCRIPT_SIZE, SUBSCRIPT_DROP) } else { (1.0, 0.0) };
         let size_here = scale * size;
-        let mut last = None;
         for c in run.text.chars().filter(|c| !c.is_control()) {
             let (face, c) = face(c, mathematical);
-            match set.last_mut().filter(|_| last == Some(face)) {
+            match set.last_mut().filter(|_| last == Some((face, run.lowered))) {
                 Some(run) => run.text.push(c),
                 None => set.push(SetRun { text: c.to_string(), face, at: [x, y * size], size: size_here }),
             }
-            last = Some(face);
+            last = Some((face, run.lowered));
             x += advance(face, glyph(face, c)) * size_here;
         }
     }

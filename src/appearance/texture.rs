@@ -183,6 +183,15 @@ impl Texture {
         })
     }
 
+    /// The one colour of all its texels, multiplied by another one, opaque; `None` if they differ.
+    #[must_use]
+    pub fn one_color_times(&self, tint: Rgba) -> Option<Rgba> {
+        let [r, g, b, _] = self.one_color()?;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+        let product = |texel: u8, tint: u8| (f32::from(texel) * (f32::from(tint) / 255.0) + 0.5) as u8;
+        Some(Rgba::rgb(product(r, tint.r), product(g, tint.g), product(b, tint.b)))
+    }
+
     /// True where no texel lets anything through.
     #[must_use]
     pub fn is_opaque(&self) -> bool {

@@ -96,6 +96,15 @@ impl Decomposition {
         }
     }
 
+    /// The most steps that it has, in perspective or parallel projection.
+    #[must_use]
+    pub const fn most_steps(self) -> u32 {
+        match self {
+            Self::Notes | Self::Scale => 4,
+            Self::Box | Self::Normalised => 5,
+        }
+    }
+
     /// Its number in the list of sources: `[0]` … `[3]`.
     #[must_use]
     pub fn source(self) -> &'static str {

@@ -1,7 +1,7 @@
 //! Shadows on surfaces: the depths that a light sees, and the part of the light that is missing where it sees
 //! something nearer.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::Drawing;
 use crate::appearance::LightShare;
@@ -11,6 +11,8 @@ use crate::appearance::LightShare;
 pub struct Shadow {
     /// The view of the light.
     pub map: Arc<ShadowMap>,
+    /// See [`Shadows::bias`](crate::scene::Shadows::bias).
+    pub bias: f32,
     /// The place of each vertex for the light, in the space of [`Rays`]; affine over each triangle.
     pub places: Vec<[f32; 3]>,
     /// The plane of each triangle for the light, as [`Rays`] has it.
@@ -30,20 +32,21 @@ pub enum TakenLight {
     Light(usize),
 }
 
-/// The view of a light: drawings of all that casts shadows, of whose depths a rasterizer makes a map.
+/// The view of a light: the depths of all that casts shadows, of which a rasterizer makes them. Pictures of one scene
+/// share it.
 #[derive(Debug)]
 pub struct ShadowMap {
-    /// One for parallel light, six around a lamp: square, without light, one sample in each pixel. A pixel is a texel.
-    pub views: Vec<Drawing>,
-    /// Side of each, texels.
+    /// Side of each view, texels.
     pub size: u32,
     /// How its rays go.
     pub rays: Rays,
-    /// See [`Shadows::bias`](crate::scene::Shadows::bias).
-    pub bias: f32,
     /// Width of the soft edge, texels.
     pub softness: f32,
-    /// The depths, row by row; −∞ where the light sees nothing. Those of a view are none before it was painted.
+    /// A hash of the light and of all that casts shadows.
+    recipe: u64,
+    /// The drawings that are still to be painted, each of the whole scene; `None` once they are.
+    views: Mutex<Option<Arc<Vec<Drawing>>>>,
+    /// The depths, row by row; −∞ where the light sees nothing.
     depths: OnceLock<Vec<Vec<f32>>>,
 }
 
@@ -69,30 +72,38 @@ pub enum Rays {
 }
 
 impl ShadowMap {
-    /// A map that is still to be painted.
+    /// A map that is still to be painted. `views`: one for parallel light, six around a lamp; square, without light,
+    /// one sample in each pixel. A pixel is a texel. `recipe`: a hash of the light and of all that casts shadows.
     #[must_use]
-    pub fn new(views: Vec<Drawing>, size: u32, rays: Rays, [bias, softness]: [f32; 2]) -> Self {
-        Self { views, size, rays, bias, softness, depths: OnceLock::new() }
+    pub fn new(views: Vec<Drawing>, size: u32, rays: Rays, softness: f32, recipe: u64) -> Self {
+        Self { size, rays, softness, recipe, views: Mutex::new(Some(Arc::new(views))), depths: OnceLock::new() }
     }
 
-    /// The depths of each view, row by row, once somebody has painted them.
+    /// The depths of each view, row by row; `None` until they are painted. Those of an empty view are none.
     #[must_use]
     pub fn depths(&self) -> Option<&[Vec<f32>]> {
         self.depths.get().map(Vec::as_slice)
     }
 
-    /// Keeps the depths that were painted; the first ones stay.
+    /// The views that are still to be painted; `None` once they are.
+    #[must_use]
+    pub fn unpainted(&self) -> Option<Arc<Vec<Drawing>>> {
+        self.views.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Keeps the depths that were painted, and drops the views; the first depths stay.
     pub fn keep(&self, depths: Vec<Vec<f32>>) {
-        // Whoever was first has the same.
+        // Two pictures may have painted it at the same time: both have the same.
         let _ = self.depths.set(depths);
+        self.views.lock().unwrap_or_else(PoisonError::into_inner).take();
     }
 }
 
-/// Equal recipes: whether they have been painted is of no matter.
+/// Equal recipes: views and depths are too large to be compared.
 impl PartialEq for ShadowMap {
     fn eq(&self, other: &Self) -> bool {
-        let numbers = |map: &Self| (map.size, map.bias, map.softness);
-        numbers(self) == numbers(other) && self.rays == other.rays && self.views == other.views
+        let numbers = |map: &Self| (map.recipe, map.size, map.softness);
+        numbers(self) == numbers(other) && self.rays == other.rays
     }
 }
 
@@ -105,7 +116,7 @@ impl Shadow {
             TakenLight::Vertices(_) => TakenLight::Vertices(Vec::new()),
             TakenLight::Light(light) => TakenLight::Light(*light),
         };
-        Self { map: Arc::clone(&self.map), places: Vec::new(), planes: Vec::new(), taken }
+        Self { map: Arc::clone(&self.map), bias: self.bias, places: Vec::new(), planes: Vec::new(), taken }
     }
 
     /// Keeps only what belongs to the first triangles.

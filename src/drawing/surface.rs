@@ -184,6 +184,17 @@ impl Surface {
         self.triangles.iter().enumerate().filter(move |(k, _)| tints(*k)).map(|(_, triangle)| *triangle)
     }
 
+    /// Replaces an opaque picture of one colour by the colour.
+    pub fn simplify(&mut self) {
+        if let Base::Texture { image, sampler, tint, .. } = &self.base
+            && !self.translucent
+            && sampler.reveal.is_none()
+            && let Some(color) = image.one_color_times(*tint)
+        {
+            self.base = Base::Solid(color);
+        }
+    }
+
     /// Gives it other colours, which are final.
     pub fn repaint(&mut self, base: Base) {
         (self.base, self.light) = (base, SurfaceLight::InBase);

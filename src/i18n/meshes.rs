@@ -44,6 +44,9 @@ pub fn notice(lang: Lang, notice: &MeshNotice) -> String {
             };
             format!("linha {line}: uma face com {found} vértices; {left_out}")
         }
+        (Lang::PtBr, MeshNotice::CutAsConvex { count }) => format!(
+            "faces côncavas com vértices demais: {count}; elas são preenchidas como se fossem convexas, o que mostra áreas erradas"
+        ),
         (Lang::PtBr, MeshNotice::Texture(error)) => {
             format!("a textura {}; a cor do objeto aparece em seu lugar", texture_in_portuguese(error))
         }

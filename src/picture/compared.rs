@@ -1,35 +1,79 @@
 //! The pictures of both sides of a comparison, put together.
 
+use tiny_skia::{ColorU8, Pixmap};
+
 use super::Pixels;
 use crate::appearance::Rgba;
-use crate::views::Side;
+use crate::views::{Palette, Request, Side, Size};
 
 /// The greatest difference of a channel that counts as none: what rounding makes.
 const SAME: u8 = 8;
 /// Pixels from one stripe to the next, and of a stripe, at scale 1.
 const STRIPES: (f32, f32) = (6.0, 2.0);
 
-/// The columns of each side, over those of the first; the share of pixels that differ, which are marked if a colour is
-/// given. `scale`: of the stripes.
-pub(super) fn joined(
-    whole: &mut Pixels,
-    sides: &[Side; 2],
-    pictures: &[Pixels; 2],
-    mark: Option<Rgba>,
-    scale: f32,
-) -> Option<f64> {
+/// The pixels in which the pictures of two sides differ.
+pub(super) struct Differences {
+    differing: Vec<bool>,
+    width: usize,
+    color: Rgba,
+    /// Pixels from one stripe to the next, and of a stripe.
+    stripes: [usize; 2],
+}
+
+impl Differences {
+    /// The differences that a compared picture marks; `None` if it marks none.
+    pub(super) fn marked(request: &Request, pictures: &[Pixels; 2]) -> Option<Self> {
+        let compared = request.shot.compared.as_ref().filter(|compared| compared.comparison.differences);
+        let color = Palette::of(request.shot.look.style.theme).differing;
+        compared.map(|_| Self::new(pictures, color, request.size.scale))
+    }
+
+    /// Compares the pictures of two sides. `color` and `scale`: of the stripes that mark the differing pixels.
+    fn new([one, other]: &[Pixels; 2], color: Rgba, scale: f32) -> Self {
+        let pixels = |picture: &Pixels| picture.rgba.as_chunks::<4>().0.to_vec();
+        let differs = |(a, b): (&[u8; 4], &[u8; 4])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > SAME);
+        let differing = pixels(one).iter().zip(&pixels(other)).map(differs).collect();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few pixels")]
+        let stripes = [STRIPES.0, STRIPES.1].map(|pixels| (pixels * scale).round().max(1.0) as usize);
+        Self { differing, width: one.width as usize, color, stripes }
+    }
+
+    /// The share of pixels that differ, 0 … 1.
+    #[expect(clippy::cast_precision_loss, reason = "a share")]
+    pub(super) fn share(&self) -> f64 {
+        let count = self.differing.iter().filter(|differs| **differs).count();
+        count as f64 / self.differing.len().max(1) as f64
+    }
+
+    /// The opacity of the mark on a pixel of a side that begins in this column of the whole picture; `None`: both
+    /// sides are alike there.
+    fn mark(&self, [x, y]: [usize; 2], left: usize) -> Option<u8> {
+        let [period, stripe] = self.stripes;
+        let is_marked = self.differing.get(y * self.width + x) == Some(&true);
+        is_marked.then_some(if (x + left + y) % period < stripe { 220 } else { 90 })
+    }
+
+    /// The marks on a side, on a clear ground; `None` without memory.
+    pub(super) fn marks(&self, side: &Side) -> Option<Pixmap> {
+        let Size { width, height, .. } = side.request.size;
+        let mut marks = Pixmap::new(width, height)?;
+        let Rgba { r, g, b, .. } = self.color;
+        for (k, pixel) in marks.pixels_mut().iter_mut().enumerate() {
+            if let Some(alpha) = self.mark([k % width as usize, k / width as usize], side.left as usize) {
+                *pixel = ColorU8::from_rgba(r, g, b, alpha).premultiply();
+            }
+        }
+        Some(marks)
+    }
+}
+
+/// Puts the columns of each side into the whole picture, with marks where they differ if that is asked.
+pub(super) fn joined(whole: &mut Pixels, sides: &[Side; 2], pictures: &[Pixels; 2], differences: Option<&Differences>) {
     let width = whole.width as usize;
-    let marked = mark.map(|color| {
-        let differing = differing(pictures);
-        let count = differing.iter().filter(|differs| **differs).count();
-        (differing, count, color)
-    });
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few pixels")]
-    let [period, stripe] = [STRIPES.0, STRIPES.1].map(|pixels| (pixels * scale).round().max(1.0) as usize);
     for (side, picture) in sides.iter().zip(pictures) {
-        let inner = picture.width as usize;
+        let (inner, left) = (picture.width as usize, side.left as usize);
         for column in side.columns.start as usize..side.columns.end as usize {
-            let Some(x) = column.checked_sub(side.left as usize).filter(|x| *x < inner) else { continue };
+            let Some(x) = column.checked_sub(left).filter(|x| *x < inner) else { continue };
             for y in 0..whole.height.min(picture.height) as usize {
                 let (from, to) = (4 * (y * inner + x), 4 * (y * width + column));
                 let (Some(from_pixel), Some(pixel)) =
@@ -38,23 +82,12 @@ pub(super) fn joined(
                     continue;
                 };
                 pixel.copy_from_slice(from_pixel);
-                if let Some((differing, _, color)) = &marked
-                    && differing.get(y * inner + x) == Some(&true)
-                {
-                    tint(pixel, *color, if (column + y) % period < stripe { 220 } else { 90 });
+                if let Some((alpha, color)) = differences.and_then(|all| Some((all.mark([x, y], left)?, all.color))) {
+                    tint(pixel, color, alpha.into());
                 }
             }
         }
     }
-    #[expect(clippy::cast_precision_loss, reason = "a share")]
-    marked.map(|(differing, count, _)| count as f64 / differing.len().max(1) as f64)
-}
-
-/// For each pixel whether the two pictures differ there.
-fn differing([one, other]: &[Pixels; 2]) -> Vec<bool> {
-    let pixels = |picture: &Pixels| picture.rgba.as_chunks::<4>().0.to_vec();
-    let differs = |(a, b): (&[u8; 4], &[u8; 4])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > SAME);
-    pixels(one).iter().zip(&pixels(other)).map(differs).collect()
 }
 
 /// Mixes a colour into a premultiplied pixel, which becomes as opaque as it is mixed.

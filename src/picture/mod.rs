@@ -11,6 +11,7 @@
 //! | `file` | pictures as files, in the requested format |
 //! | `handout` | pictures with texts on pages of paper, to be handed out |
 //! | `handout_formula` | formulas of a handout on lines of their own: matrices in rows between brackets |
+//! | `plate` | plates: the drawings that a picture is painted from |
 //! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
 //! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
 //! | `shadow_truth` | shadow maps held against rays, pixel by pixel |
@@ -27,6 +28,7 @@ mod family;
 mod file;
 mod handout;
 mod handout_formula;
+mod plate;
 mod render_report;
 mod renderer;
 pub mod shadow_truth;

@@ -1,37 +1,39 @@
 //! Makes pictures from requests: the drawing of the view, then its pixels.
 
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
 
-use super::compared::joined;
+use super::compared::{Differences, joined};
+use super::plate::Plates;
 use super::shadow_truth::FoundShadows;
 use super::{Composite, FollowedTriangle, Pixels, RenderReport};
-use crate::appearance::{HiddenLines, Texture};
-use crate::pipeline::{Frame, OverBudget};
+use crate::appearance::{Shading, Texture};
+use crate::drawing::Surface;
+use crate::pipeline::{Frame, OverBudget, ShadowMaps};
 use crate::progress::{Progress, at_once};
 use crate::raster::Rasterizer;
-use crate::scene::Scene;
-use crate::views::{self, LabelPlace, Palette, Request, SharedScene, Side, Size, TimedPipeline, View, overlay};
+use crate::views::{self, LabelPlace, Request, SharedScene, Side, Size, TimedPipeline, View, overlay};
 
 /// Makes pictures; keeps its buffers, and the image on the view window, from one to the next.
 ///
 /// *Guarantees*: equal requests give equal pixels, whatever has been drawn before.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Renderer {
     /// One for each picture: each finds its own buffers again.
     pipelines: [TimedPipeline; View::COUNT],
     /// For the image that the view window of the world shows.
     window_pipeline: TimedPipeline,
+    /// The same for all pictures of a scene.
+    shadow_maps: ShadowMaps,
     rasterizer: Rasterizer,
     on_window: Option<(Request, Arc<Texture>)>,
     triangle: FollowedTriangle,
     shadows: FoundShadows,
     /// The buffer of the other side of a comparison.
     other_side: Pixels,
-    /// The scene of such a side where its hidden lines are drawn in another way.
-    hidden_lines: Option<(SharedScene, [HiddenLines; 2], SharedScene)>,
     /// For pictures that are made at the same time as its own.
     beside: Vec<Self>,
     clock: Option<fn() -> Duration>,
@@ -41,7 +43,35 @@ pub struct Renderer {
 /// Pictures that are made at the same time: more would need more memory, and a large one has several threads.
 const AT_ONCE: usize = View::COUNT;
 
+impl Default for Renderer {
+    fn default() -> Self {
+        Self::sharing(&ShadowMaps::default())
+    }
+}
+
 impl Renderer {
+    /// A renderer that shares these shadow maps with others.
+    fn sharing(shadow_maps: &ShadowMaps) -> Self {
+        let pipeline = || {
+            let mut pipeline = TimedPipeline::default();
+            pipeline.stages.share_shadows(shadow_maps);
+            pipeline
+        };
+        Self {
+            pipelines: std::array::from_fn(|_| pipeline()),
+            window_pipeline: pipeline(),
+            shadow_maps: shadow_maps.clone(),
+            rasterizer: Rasterizer::default(),
+            on_window: None,
+            triangle: FollowedTriangle::default(),
+            shadows: FoundShadows::default(),
+            other_side: Pixels::default(),
+            beside: Vec::new(),
+            clock: None,
+            progress: Progress::default(),
+        }
+    }
+
     /// Times every stage from now on, by a clock that gives the time since any moment that stays the same; `None`: no
     /// more.
     pub fn measure(&mut self, clock: Option<fn() -> Duration>) {
@@ -76,20 +106,17 @@ impl Renderer {
     /// `None`, the other one is lost too. It pauses where [`Rasterizer::paint_into`] does. Where the figure is
     /// compared, the report is that of the figure as it is, with the shortfall and the labels of either side.
     pub async fn pixels_into(&mut self, request: &Request, picture: &mut Pixels) -> Option<RenderReport> {
-        let Some(sides) = request.sides() else { return self.one_into(request, picture).await };
+        let Some(sides) = request.sides() else { return self.one_into(request, picture, [0, 1]).await };
         let mut pictures = [Pixels::default(), std::mem::take(&mut self.other_side)];
-        let other = self.with_hidden_lines(&sides[1].request, request);
-        let of_other = self.one_into(&other, &mut pictures[1]).await?;
-        let mut account = self.one_into(&sides[0].request, &mut pictures[0]).await?;
+        let of_other = self.one_into(&sides[1].request, &mut pictures[1], [0, 2]).await?;
+        let mut account = self.one_into(&sides[0].request, &mut pictures[0], [1, 2]).await?;
         account.too_much = account.too_much.or(of_other.too_much);
         account.labels = labels_of([account.labels, of_other.labels], &sides);
-        let Size { width, height, scale } = request.size;
+        let Size { width, height, .. } = request.size;
         let mut whole = Pixels::from(Pixmap::new(width, height)?);
-        let compared = request.shot.compared.as_ref();
-        let marked = compared.is_some_and(|compared| compared.comparison.differences);
-        let mark = marked.then(|| Palette::of(request.shot.look.style.theme).differing);
-        let differ = joined(&mut whole, &sides, &pictures, mark, scale);
-        let over = overlay(request, &sides, differ)?;
+        let differences = Differences::marked(request, &pictures);
+        joined(&mut whole, &sides, &pictures, differences.as_ref());
+        let over = overlay(request, &sides, differences.map(|all| all.share()))?;
         account.labels.extend(LabelPlace::all(&over));
         let over = self.rasterizer.paint(&over)?;
         let mut pixmap = whole.take_pixmap()?;
@@ -100,27 +127,8 @@ impl Renderer {
         Some(account)
     }
 
-    /// The other side of a comparison, whose scene has hidden lines in its style; made once for all its pictures here.
-    fn with_hidden_lines(&mut self, other: &Request, own: &Request) -> Request {
-        let [from, to] = [own, other].map(|request| request.shot.look.style.hidden_lines);
-        if from == to {
-            return other.clone();
-        }
-        let made = match &self.hidden_lines {
-            Some((of, how, made)) if *of == other.scene && *how == [from, to] => made.clone(),
-            _ => {
-                let mut scene = Scene::clone(&other.scene);
-                let edges = scene.objects.iter_mut().flat_map(|object| [&mut object.edges, &mut object.outline]);
-                let edges = edges.flatten().chain(scene.lines.iter_mut().map(|line| &mut line.style));
-                edges.filter(|style| style.hidden == from).for_each(|style| style.hidden = to);
-                other.scene.marked(scene)
-            }
-        };
-        self.hidden_lines = Some((other.scene.clone(), [from, to], made.clone()));
-        Request { scene: made, ..other.clone() }
-    }
-
-    async fn one_into(&mut self, request: &Request, picture: &mut Pixels) -> Option<RenderReport> {
+    /// A picture in which nothing is compared; `side`: which of how many are painted for one picture.
+    async fn one_into(&mut self, request: &Request, picture: &mut Pixels, side: [usize; 2]) -> Option<RenderReport> {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
         let (frame, on_window) = self.timed_drawing(request).await?;
@@ -130,7 +138,10 @@ impl Renderer {
         let mut pixmap = picture.take_pixmap().or_else(|| Pixmap::new(1, 1))?;
         self.rasterizer.measure(self.clock);
         let mut frame = frame;
-        let painted = self.rasterizer.paint_into(&frame.drawing, &mut pixmap).await;
+        let drops_faces = !frame.dropped_faces.is_empty();
+        let passes = 1 + usize::from(drops_faces) + usize::from(frame.before.is_some());
+        let pass = |pass: usize| [side[0] * passes + pass, side[1] * passes];
+        let painted = self.rasterizer.paint_pass(&frame.drawing, &mut pixmap, pass(0)).await;
         if !painted || self.progress.is_cancelled() {
             return None;
         }
@@ -142,22 +153,25 @@ impl Renderer {
                 RenderReport { too_much: frame.too_much.take(), labels, ..RenderReport::default() }
             }
         };
-        self.show_stage(&mut frame, &mut pixmap)?;
+        let mut plates = Plates::from(frame).plates.into_iter();
+        let whole = plates.next()?;
+        // The report above is of the picture without the faces that a stage drops.
+        if drops_faces && !self.rasterizer.paint_pass(&whole.drawing, &mut pixmap, pass(1)).await {
+            return None;
+        }
+        for plate in plates {
+            let mut part = Pixmap::new(1, 1)?;
+            if !self.rasterizer.paint_pass(&plate.drawing, &mut part, pass(passes - 1)).await {
+                return None;
+            }
+            put_columns(&part, plate.columns, &mut pixmap);
+        }
+        if self.progress.is_cancelled() {
+            return None;
+        }
         *picture = pixmap.into();
-        self.pipelines[request.view.index()].stages.recycle(frame.drawing);
+        self.pipelines[request.view.index()].stages.recycle(whole.drawing);
         Some(account)
-    }
-
-    /// Paints the display of a stage: faces over the picture, or the half before it. `None` without enough memory.
-    fn show_stage(&mut self, frame: &mut Frame, pixmap: &mut Pixmap) -> Option<()> {
-        if !frame.dropped_faces.is_empty() {
-            frame.drawing.surfaces.append(&mut frame.dropped_faces);
-            *pixmap = self.rasterizer.paint(&frame.drawing)?;
-        }
-        if let Some(before) = &frame.before {
-            left_half(&self.rasterizer.paint(before)?, pixmap);
-        }
-        Some(())
     }
 
     /// Several pictures, each as [`pixels_into`](Self::pixels_into) gives it, at the same time where there are threads,
@@ -171,9 +185,10 @@ impl Renderer {
             }
             return Some(reports);
         }
+        self.paint_shadows(requests).await;
         let count = AT_ONCE.min(requests.len());
         let mut beside = std::mem::take(&mut self.beside);
-        beside.resize_with(beside.len().max(count.saturating_sub(1)), Self::default);
+        beside.resize_with(beside.len().max(count.saturating_sub(1)), || Self::sharing(&self.shadow_maps));
         for other in &mut beside {
             other.measure(self.clock);
             // How far this one has come is told.
@@ -197,6 +212,20 @@ impl Renderer {
         });
         self.beside = beside;
         reports.into_iter().collect()
+    }
+
+    /// Paints the shadow maps of pictures that are made at the same time: otherwise each would paint them.
+    async fn paint_shadows(&mut self, requests: &[Request]) {
+        let mut painted: Option<&SharedScene> = None;
+        let shaded = requests.iter().filter(|request| request.shot.look.style.shading != Shading::Wireframe);
+        for Request { scene, .. } in shaded {
+            // Maps of one scene at a time are kept.
+            if painted.get_or_insert(scene) == &scene {
+                for map in self.shadow_maps.of_scene(scene.alone()) {
+                    self.rasterizer.paint_shadows(&map).await;
+                }
+            }
+        }
     }
 
     /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty background around it. And
@@ -228,6 +257,17 @@ impl Renderer {
     /// without enough memory for the image on the window.
     pub fn drawing(&mut self, request: &Request) -> Option<Frame> {
         at_once(self.timed_drawing(request)).map(|(frame, _)| frame)
+    }
+
+    /// The plates of a picture in which nothing is compared, for a page of vectors. `None` without enough memory for
+    /// the image on the window.
+    pub(super) fn plates(&mut self, request: &Request) -> Option<Plates> {
+        let mut plates = Plates::from(self.drawing(request)?);
+        // A forced stage asks a texture of one colour for the colour of each pixel. A page has areas of that colour.
+        for plate in &mut plates.plates {
+            plate.drawing.surfaces.iter_mut().for_each(Surface::simplify);
+        }
+        Some(plates)
     }
 
     /// The drawing of a picture, and the time that the image on the window took, if one was drawn for it.
@@ -286,11 +326,12 @@ fn labels_of(labels: [Vec<LabelPlace>; 2], sides: &[Side; 2]) -> Vec<LabelPlace>
     sides.iter().zip(labels).flat_map(of_side).collect()
 }
 
-/// Puts the left half of a picture over that of another one of the same size.
-fn left_half(from: &Pixmap, onto: &mut Pixmap) {
-    let (width, half) = (4 * onto.width() as usize, 4 * (onto.width() / 2) as usize);
+/// Puts columns of a picture over those of another one of the same size.
+fn put_columns(from: &Pixmap, columns: Range<u32>, onto: &mut Pixmap) {
+    let width = 4 * onto.width() as usize;
+    let columns = 4 * columns.start as usize..4 * columns.end as usize;
     let rows = onto.data_mut().chunks_exact_mut(width.max(1)).zip(from.data().chunks_exact(width.max(1)));
-    rows.for_each(|(row, before)| row[..half].copy_from_slice(&before[..half]));
+    rows.for_each(|(row, part)| row[columns.clone()].copy_from_slice(&part[columns.clone()]));
 }
 
 #[cfg(test)]
@@ -302,11 +343,11 @@ mod tests {
     use crate::camera::{Camera, Parameters};
     use crate::clock;
     use crate::drawing::Drawing;
-    use crate::figure::Observer;
     use crate::figure::read::parse;
+    use crate::figure::{Observer, ShadowReveal};
     use crate::i18n::{Lang, pictures};
     use crate::pipeline::{Output, Reason, Stage};
-    use crate::scene::no_files;
+    use crate::scene::{Scene, no_files};
     use crate::views::{Finish, SharedScene, Shot, Size, Views};
 
     /// Three boxes through one another, with some glass: a BSP tree splits them into more than fifty pieces.
@@ -364,6 +405,31 @@ mod tests {
                 kept.forget();
             }
         }
+    }
+
+    #[test]
+    fn pictures_of_a_scene_share_shadow_maps_whose_drawings_go_when_they_are_painted() {
+        let text = "[scene]\npreset = \"house\"\n[[scene.lights]]\nkind = \"point\"\nposition = [2, 5, 3]\n\
+            shadows = true\nshadow_map = 64\n";
+        let figure = parse(text).unwrap();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let scene = SharedScene::new(views::scene_of(&figure, &mut no_files, &Progress::default()).unwrap());
+        let size = Size { width: 80, height: 60, scale: 1.0 };
+        let of = |view| Request::of(&figure, view, &camera, &scene, pictures::labels(Lang::En), size);
+        // Without bias the depths are the same.
+        let acne = of(View::Image).with_shot(|shot| shot.look.reveal.shadows = Some(ShadowReveal::Acne));
+        let requests: Vec<Request> = View::ALL.map(of).into_iter().chain([acne]).collect();
+        let mut renderer = Renderer::default();
+        let mut pictures = vec![Pixels::default(); requests.len()];
+        at_once(renderer.all_into(&requests, &mut pictures)).unwrap();
+        let mut maps: Vec<Arc<crate::drawing::ShadowMap>> = Vec::new();
+        for (request, picture) in requests.iter().zip(&pictures) {
+            let frame = renderer.drawing(request).unwrap();
+            maps.extend(frame.drawing.surfaces.iter().flat_map(|surface| &surface.shadows).map(|s| s.map.clone()));
+            assert!(*picture == Renderer::default().pixels(request).unwrap());
+        }
+        assert!(maps.len() >= requests.len() && maps.iter().all(|map| Arc::ptr_eq(map, &maps[0])));
+        assert!(maps[0].unpainted().is_none() && maps[0].depths().is_some());
     }
 
     #[test]

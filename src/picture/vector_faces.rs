@@ -19,6 +19,9 @@ const TOUCH: f32 = 0.01;
 /// The most pictures among the areas of a picture: a surface that is cut into more of them would show its seams.
 const MOST_PICTURES: usize = 8;
 
+/// The most pairs of triangles that are compared to put parts of pictures together: a second.
+const MOST_COMPARED: usize = 1 << 26;
+
 /// Makes pixels of surfaces.
 pub(super) struct Pictures<'a> {
     /// Pixels per unit of the page.
@@ -125,6 +128,55 @@ impl Part<'_> {
     }
 }
 
+/// The place of a part: its triangles, each in the order of painting, and the box around them.
+struct Shape {
+    triangles: Vec<Corners>,
+    bounds: [[f32; 2]; 2],
+}
+
+impl Shape {
+    fn of(part: &Part) -> Self {
+        let triangles = part.triangles();
+        let bounds = bounds_of(triangles.as_flattened());
+        Self { triangles, bounds }
+    }
+
+    /// True if the two cover a place together; `steps`: pairs of triangles that may still be compared. True without any
+    /// left.
+    fn covers(&self, other: &Self, steps: &mut usize) -> bool {
+        if are_apart(self.bounds, other.bounds) {
+            return false;
+        }
+        self.triangles.iter().any(|triangle| {
+            let bounds = bounds_of(triangle);
+            !are_apart(bounds, other.bounds)
+                && other.triangles.iter().any(|other| {
+                    *steps = steps.saturating_sub(1);
+                    *steps == 0 || (!are_apart(bounds, bounds_of(other)) && overlap(*triangle, *other))
+                })
+        })
+    }
+
+    /// Takes the triangles of another one, before or after its own.
+    fn join(&mut self, moved: Self, before: bool) {
+        let at = if before { 0 } else { self.triangles.len() };
+        self.triangles.splice(at..at, moved.triangles);
+        self.bounds = bounds_of([self.bounds, moved.bounds].as_flattened());
+    }
+}
+
+/// The box around points: its least and its greatest coordinates.
+fn bounds_of(points: &[[f32; 2]]) -> [[f32; 2]; 2] {
+    let widened = |[low, high]: [[f32; 2]; 2], p: &[f32; 2]| {
+        [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]]
+    };
+    points.iter().fold([[f32::INFINITY; 2], [f32::NEG_INFINITY; 2]], widened)
+}
+
+fn are_apart([low, high]: [[f32; 2]; 2], [other_low, other_high]: [[f32; 2]; 2]) -> bool {
+    (0..2).any(|axis| high[axis] < other_low[axis] || other_high[axis] < low[axis])
+}
+
 /// The triangles of a surface that have an area, all of one winding.
 fn triangles_of(surface: &Surface) -> impl Iterator<Item = Corners> {
     surface.triangles.iter().filter_map(|triangle| {
@@ -143,31 +195,33 @@ fn wound([a, b, c]: Corners) -> Option<Corners> {
     Some(if area > 0.0 { [a, b, c] } else { [a, c, b] })
 }
 
-/// Puts parts of one picture together where nothing that lies between them in the order covers the one that moves: the
+/// Puts parts of one picture together if nothing that lies between them in the order covers the one that moves: the
 /// order cuts a surface by the planes of faces that need not be near it, and each cut would be a seam.
 fn gather(parts: &mut Vec<Part>) {
+    if !parts.iter().any(|part| matches!(part, Part::Pictured(_))) {
+        return;
+    }
+    let mut shapes: Vec<Shape> = parts.iter().map(Shape::of).collect();
+    let mut steps = MOST_COMPARED;
     let mut from = 0;
     while let Some(first) = (from..parts.len()).find(|k| matches!(parts[*k], Part::Pictured(_))) {
         from = first + 1;
         let next = (from..parts.len()).find(|k| is_of_one_picture(&parts[first], &parts[*k]));
         let Some(next) = next else { continue };
-        let is_free = |moved: usize| {
-            let own = parts[moved].triangles();
-            parts[first + 1..next].iter().all(|between| {
-                between.triangles().iter().all(|other| own.iter().all(|triangle| !overlap(*triangle, *other)))
-            })
-        };
-        let (to, is_first_moved) = match (is_free(first), is_free(next)) {
-            (true, _) => (next, true),
-            (false, true) => (first, false),
+        let between = first + 1..next;
+        let mut is_free =
+            |moved: usize| !shapes[between.clone()].iter().any(|shape| shapes[moved].covers(shape, &mut steps));
+        // What was painted first is still painted first.
+        let (moved, to, before) = match (is_free(first), is_free(next)) {
+            (true, _) => (first, next - 1, true),
+            (false, true) => (next, first, false),
             (false, false) => continue,
         };
-        let moved = parts.remove(if is_first_moved { first } else { next });
-        let to = if is_first_moved { to - 1 } else { to };
+        let (moved, shape) = (parts.remove(moved), shapes.remove(moved));
         let (Part::Pictured(moved), Some(Part::Pictured(stays))) = (moved, parts.get_mut(to)) else { continue };
-        // What was painted first is still painted first.
-        let at = if is_first_moved { 0 } else { stays.len() };
+        let at = if before { 0 } else { stays.len() };
         stays.splice(at..at, moved);
+        shapes[to].join(shape, before);
         // The part that has grown may go on.
         from = first;
     }

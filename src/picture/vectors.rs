@@ -4,20 +4,23 @@
 use glam::DVec2;
 use tiny_skia::Pixmap;
 
+use super::compared::Differences;
 use super::error::PictureError;
+use super::plate::{Plate, Plates};
 use super::vector_faces::{Pictures, can_be_written, faces_of, polygon};
-use super::{Composite, Renderer};
-use crate::appearance::{DepthFormat, LineStyle, Occlusion, Rgba, head_corners};
+use super::{Composite, Pixels, Renderer};
+use crate::appearance::{DepthFormat, LineStyle, Occlusion, Rgba, TextureReveal, head_corners};
 use crate::drawing::{Drawing, single};
 use crate::export::vector::{Item, Page};
+use crate::figure::{Reveal, ShadowReveal};
 use crate::limits::MAX_PIXELS;
 use crate::pipeline::stroke_order::painted_runs;
 use crate::pipeline::stroke_runs::{Run, occlusions};
-use crate::pipeline::{Frame, Output, OverBudget};
+use crate::pipeline::{Output, OverBudget};
 use crate::progress::{Activity, Progress};
 use crate::raster::{FADED, HALO, Rasterizer, area_outline, baseline, mark_layers, mark_outline};
 use crate::text::Element;
-use crate::views::{Request, Size, overlay};
+use crate::views::{Request, Side, Size, overlay};
 
 /// How the faces of a page are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -59,6 +62,8 @@ pub enum NoAreas {
     Shaded,
     /// Faces cross too often to be put in order.
     OverBudget(OverBudget),
+    /// Only the first faces are shown, in the order in which a depth buffer gets them.
+    Partial,
 }
 
 /// A page, and what fell short.
@@ -85,7 +90,8 @@ pub(super) async fn page(
 ) -> Result<Drawn, PictureError> {
     let mut painter = Painter { faces, finer: finer(sheet, dpi / per_inch), ..Painter::default() };
     let (mut pictures, mut sizes) = (Vec::new(), Vec::new());
-    painter.renderer.watch(progress);
+    // The steps below are pictures, not the rows of each.
+    painter.renderer.watch(&progress.part());
     progress.begin(Activity::Painting, sheet.requests.len());
     for request in &sheet.requests {
         let items = painter.picture(request)?;
@@ -145,51 +151,77 @@ impl Painter {
     /// The things of a picture; of a compared one, those of both sides.
     fn picture(&mut self, request: &Request) -> Result<Vec<Item>, PictureError> {
         let Some(sides) = request.sides() else { return self.one(request) };
+        let differences = self.differences(request, &sides)?;
         let mut items = Vec::new();
         for side in &sides {
-            let inner = self.one(&side.request)?;
+            let mut inner = self.one(&side.request)?;
+            if let Some(differences) = &differences {
+                let size = [side.request.size.width, side.request.size.height].map(unit);
+                let pixels = differences.marks(side).ok_or(PictureError::TooLarge)?;
+                inner.push(Item::Picture { corner: [0.0; 2], size, pixels });
+            }
             let left = unit(side.left);
             let [from, to] = [side.columns.start, side.columns.end].map(|column| unit(column) - left);
             let clip = [from, 0.0, to, unit(request.size.height)];
             items.push(Item::Group { corner: [left, 0.0], clip, items: inner });
         }
-        let over = overlay(request, &sides, None).ok_or(PictureError::TooLarge)?;
+        let share = differences.map(|all| all.share());
+        let over = overlay(request, &sides, share).ok_or(PictureError::TooLarge)?;
         items.extend(over_faces(&over)?);
         Ok(items)
     }
 
+    /// The differing pixels of a comparison that marks them: those of the same picture made of pixels.
+    fn differences(&mut self, request: &Request, sides: &[Side; 2]) -> Result<Option<Differences>, PictureError> {
+        if !request.shot.compared.as_ref().is_some_and(|compared| compared.comparison.differences) {
+            return Ok(None);
+        }
+        let mut pictures = [Pixels::default(), Pixels::default()];
+        for (side, picture) in sides.iter().zip(&mut pictures) {
+            *picture = self.renderer.pixels(&side.request).ok_or(PictureError::TooLarge)?;
+        }
+        Ok(Differences::marked(request, &pictures))
+    }
+
+    /// The things of a picture in which nothing is compared.
     fn one(&mut self, request: &Request) -> Result<Vec<Item>, PictureError> {
-        let mut frame = self.renderer.drawing(request).ok_or(PictureError::TooLarge)?;
-        self.too_much = self.too_much.take().or_else(|| frame.too_much.take());
-        // The display of a stage adds the faces that were dropped.
-        frame.drawing.surfaces.append(&mut frame.dropped_faces);
-        let mut items = self.drawing(request, &frame, |frame| &frame.drawing)?;
-        if let Some(before) = &frame.before {
-            let half = unit(before.width / 2);
-            let inner = self.drawing(request, &frame, |frame| frame.before.as_ref().unwrap_or(&frame.drawing))?;
-            let clip = [0.0, 0.0, half, unit(before.height)];
+        let Plates { plates, too_much } = self.renderer.plates(request).ok_or(PictureError::TooLarge)?;
+        self.too_much = self.too_much.take().or(too_much);
+        let finer = if shows_pixels(request) { 1 } else { self.finer };
+        let mut others = OtherVersions { request, finer, sorted: None, larger: None };
+        let mut items = Vec::new();
+        for (k, Plate { drawing, columns }) in plates.iter().enumerate() {
+            let inner = self.plate(drawing, k, &mut others)?;
+            if k == 0 {
+                items = inner;
+                continue;
+            }
+            let clip = [unit(columns.start), 0.0, unit(columns.end), unit(drawing.height)];
             items.push(Item::Group { corner: [0.0; 2], clip, items: inner });
         }
         Ok(items)
     }
 
-    /// The things of a drawing of a request, which `which` finds in a frame of it.
-    fn drawing(
+    /// The things of a plate of a picture, which has a place among its plates.
+    fn plate(
         &mut self,
-        request: &Request,
-        frame: &Frame,
-        which: fn(&Frame) -> &Drawing,
+        drawing: &Drawing,
+        place: usize,
+        others: &mut OtherVersions,
     ) -> Result<Vec<Item>, PictureError> {
-        let drawing = which(frame);
         let size = [drawing.width, drawing.height].map(unit);
         let mut items = Vec::new();
         if drawing.background.a > 0 {
             items.push(rectangle([0.0, 0.0, size[0], size[1]], drawing.background));
         }
         if drawing.surfaces.iter().any(|surface| !surface.triangles.is_empty()) {
-            match self.areas(request, drawing, which) {
+            match self.areas(drawing, place, others) {
                 Some(areas) => items.extend(areas),
-                None => items.push(self.faces_as_picture(request, size, which)?),
+                None => {
+                    let larger = others.larger(&mut self.renderer).and_then(|plates| plates.plates.get(place));
+                    let larger = larger.ok_or(PictureError::TooLarge)?;
+                    items.push(faces_as_picture(&larger.drawing, size, &mut self.rasterizer)?);
+                }
             }
         }
         items.extend(over_faces(drawing)?);
@@ -197,7 +229,7 @@ impl Painter {
     }
 
     /// The faces as areas, from back to front; `None` where they have to be a picture.
-    fn areas(&mut self, request: &Request, drawing: &Drawing, which: fn(&Frame) -> &Drawing) -> Option<Vec<Item>> {
+    fn areas(&mut self, drawing: &Drawing, place: usize, others: &mut OtherVersions) -> Option<Vec<Item>> {
         if self.faces == Faces::Picture {
             return None;
         }
@@ -215,56 +247,30 @@ impl Painter {
         if !is_asked && triangles > MOST_AREAS {
             return None;
         }
-        let mut pictures = Pictures { finer: self.finer, rasterizer: &mut self.rasterizer };
-        if drawing.painted_in_order {
-            let items = faces_of(drawing, &mut pictures);
-            if items.is_none() {
-                say(NoAreas::Shaded, &mut self.no_areas);
+        let finer = others.finer;
+        let mut ordered = drawing;
+        if !drawing.painted_in_order {
+            if others.request.shot.show.painted.is_some() {
+                // From back to front, other faces would be the first ones.
+                say(NoAreas::Partial, &mut self.no_areas);
+                return None;
             }
-            return items;
+            let sorted = others.sorted(&mut self.renderer)?;
+            ordered = &sorted.plates.get(place)?.drawing;
+            if let Some(over_budget) = sorted.too_much.clone().filter(|_| !ordered.painted_in_order) {
+                say(NoAreas::OverBudget(over_budget), &mut self.no_areas);
+                return None;
+            }
+            let count: usize = ordered.surfaces.iter().map(|surface| surface.triangles.len()).sum();
+            if !ordered.painted_in_order || (!is_asked && count > 2 * MOST_AREAS) {
+                return None;
+            }
         }
-        let sorted = Request { output: Output::Vectors, ..request.clone() };
-        let mut sorted = self.renderer.drawing(&sorted)?;
-        if let Some(over_budget) = sorted.too_much.take().filter(|_| !which(&sorted).painted_in_order) {
-            say(NoAreas::OverBudget(over_budget), &mut self.no_areas);
-            return None;
-        }
-        let ordered = which(&sorted);
-        let count: usize = ordered.surfaces.iter().map(|surface| surface.triangles.len()).sum();
-        if !ordered.painted_in_order || (!is_asked && count > 2 * MOST_AREAS) {
-            return None;
-        }
-        let items = faces_of(ordered, &mut pictures);
+        let items = faces_of(ordered, &mut Pictures { finer, rasterizer: &mut self.rasterizer });
         if items.is_none() {
             say(NoAreas::Shaded, &mut self.no_areas);
         }
         items
-    }
-
-    /// The faces alone, as pixels without a ground.
-    fn faces_as_picture(
-        &mut self,
-        request: &Request,
-        size: [f32; 2],
-        which: fn(&Frame) -> &Drawing,
-    ) -> Result<Item, PictureError> {
-        let Size { width, height, scale } = request.size;
-        #[expect(clippy::cast_precision_loss, reason = "a few")]
-        let larger = Size { width: width * self.finer, height: height * self.finer, scale: scale * self.finer as f32 };
-        let request = Request { size: larger, ..request.clone() };
-        let mut frame = self.renderer.drawing(&request).ok_or(PictureError::TooLarge)?;
-        frame.drawing.surfaces.append(&mut frame.dropped_faces);
-        let drawing = which(&frame);
-        let alone = Drawing {
-            background: drawing.background.with_alpha(0),
-            strokes: Vec::new(),
-            areas: Vec::new(),
-            marks: Vec::new(),
-            labels: Vec::new(),
-            ..drawing.clone()
-        };
-        let pixels = self.rasterizer.paint(&alone).ok_or(PictureError::TooLarge)?;
-        Ok(Item::Picture { corner: [0.0; 2], size, pixels })
     }
 
     /// The part of a picture that is not empty: left, top, width and height in pixels.
@@ -273,6 +279,56 @@ impl Painter {
         let pixmap: Pixmap = pixels.take_pixmap().ok_or(PictureError::TooLarge)?;
         Ok(crate::export::crop::part(&pixmap, margin))
     }
+}
+
+/// True for a picture that shows something as wide as its pixels: with more of them it would be another picture.
+fn shows_pixels(request: &Request) -> bool {
+    let Reveal { texture, shadows, .. } = request.shot.look.reveal;
+    matches!(texture, Some(TextureReveal::Levels | TextureReveal::Texels)) || shadows == Some(ShadowReveal::Acne)
+}
+
+/// Other versions of a picture, each made when a plate of it needs one.
+struct OtherVersions<'a> {
+    request: &'a Request,
+    finer: u32,
+    sorted: Option<Plates>,
+    larger: Option<Plates>,
+}
+
+impl OtherVersions<'_> {
+    /// With its faces listed from back to front.
+    fn sorted(&mut self, renderer: &mut Renderer) -> Option<&Plates> {
+        if self.sorted.is_none() {
+            self.sorted = renderer.plates(&Request { output: Output::Vectors, ..self.request.clone() });
+        }
+        self.sorted.as_ref()
+    }
+
+    /// With more pixels.
+    fn larger(&mut self, renderer: &mut Renderer) -> Option<&Plates> {
+        if self.larger.is_none() {
+            let Size { width, height, scale } = self.request.size;
+            #[expect(clippy::cast_precision_loss, reason = "a few")]
+            let factor = self.finer as f32;
+            let size = Size { width: width * self.finer, height: height * self.finer, scale: scale * factor };
+            self.larger = renderer.plates(&Request { size, ..self.request.clone() });
+        }
+        self.larger.as_ref()
+    }
+}
+
+/// The faces of a drawing alone, as pixels without a ground; `size`: on the page.
+fn faces_as_picture(drawing: &Drawing, size: [f32; 2], rasterizer: &mut Rasterizer) -> Result<Item, PictureError> {
+    let alone = Drawing {
+        background: drawing.background.with_alpha(0),
+        strokes: Vec::new(),
+        areas: Vec::new(),
+        marks: Vec::new(),
+        labels: Vec::new(),
+        ..drawing.clone()
+    };
+    let pixels = rasterizer.paint(&alone).ok_or(PictureError::TooLarge)?;
+    Ok(Item::Picture { corner: [0.0; 2], size, pixels })
 }
 
 /// A coordinate of pixels.

@@ -97,7 +97,7 @@ impl<'a> Strokes<'a> {
     /// The edges of an object. Gives how many points were transformed: each vertex once, where edges share them, and
     /// the ends of those that cross a plane once more.
     pub(super) fn edges(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
-        let Some(line_style) = edge_style(object, style.shading == Shading::Wireframe, self.background) else {
+        let Some(line_style) = edge_style(object, style, self.background) else {
             return 0;
         };
         let edges = &object.mesh.edges;
@@ -168,6 +168,7 @@ impl<'a> Strokes<'a> {
     /// The outline of an object: silhouette and creases. Gives how many points were transformed.
     pub(super) fn outline(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
         let Some(line_style) = object.outline.filter(|_| style.shading != Shading::Wireframe) else { return 0 };
+        let line_style = line_style.in_style(style);
         let polylines = outline(&object.mesh, vertices.view_from_object.seen_from());
         self.asked += polylines.len();
         for polyline in &polylines {
@@ -177,12 +178,12 @@ impl<'a> Strokes<'a> {
     }
 
     /// The lines of the world.
-    pub(super) fn lines(&mut self, scenes: Scenes) {
+    pub(super) fn lines(&mut self, scenes: Scenes, style: &Style) {
         let projector = self.projector;
         self.asked += scenes.line_count();
         for (i, line) in scenes.lines().enumerate() {
             let scale = if i < scenes.own_line_count() { self.fine } else { self.scale };
-            self.polyline(line.points.iter().map(|&p| projector.view(p)), line.style, scale);
+            self.polyline(line.points.iter().map(|&p| projector.view(p)), line.style.in_style(style), scale);
         }
     }
 
@@ -275,11 +276,12 @@ impl<'a> Strokes<'a> {
 
 /// The style of the edges of `object`: its own, and in wireframe always one in the object's own colour, made legible
 /// where it is too near the background of the picture.
-fn edge_style(object: &Object, wireframe: bool, background: Rgba) -> Option<LineStyle> {
-    if !wireframe {
-        return object.edges;
+fn edge_style(object: &Object, style: &Style, background: Rgba) -> Option<LineStyle> {
+    let edges = object.edges.map(|edges| edges.in_style(style));
+    if style.shading != Shading::Wireframe {
+        return edges;
     }
-    let style = object.edges.unwrap_or(LineStyle {
+    let style = edges.unwrap_or(LineStyle {
         color: Rgba::rgb(128, 128, 128),
         width: 1.25,
         dash: Dash::Solid,

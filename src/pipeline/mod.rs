@@ -142,8 +142,7 @@ pub use resample::with_triangles;
 use rounding_check::Misplaced;
 pub use rounding_check::MisplacedVertex;
 pub use scenes::Scenes;
-use shadow_maps::ShadowMaps;
-pub use shadow_maps::light_cameras;
+pub use shadow_maps::{ShadowMaps, light_cameras};
 pub use stage_work::{ObjectWork, StageWork, VertexWork};
 pub use stages::{FacesDone, ObjectReport};
 use transform::Screen;
@@ -241,13 +240,13 @@ impl Pipeline {
         let plan = Plan::new(scenes, &projector, style, found, options);
         let lights = Lights::new(scenes.lights(), &projector, style.shading);
         let is_dark = style.shading == Shading::Wireframe;
-        let (shadows, of_maps) = if is_dark { (&[][..], Operations::NONE) } else { self.shadows.of(scenes) };
+        let (shadows, of_maps) = if is_dark { (Vec::new(), Operations::NONE) } else { self.shadows.of(scenes) };
         let context = PassContext {
             plan: &plan,
             projector: &projector,
             screen: &screen,
             lights: &lights,
-            shadows,
+            shadows: &shadows,
             style,
             options,
         };
@@ -286,7 +285,7 @@ impl Pipeline {
         recorder.meter.pieces = ordered.pieces;
         recorder.meter.lap(Stage::HiddenSurfaces);
 
-        strokes.lines(scenes);
+        strokes.lines(scenes, style);
         let marks = strokes.marks(scenes, target.background);
         let labels = strokes.labels(scenes, target.background);
         recorder.meter.lines = (strokes.asked, strokes.drawn() + marks.len() + labels.len());
@@ -315,9 +314,14 @@ impl Pipeline {
         frame
     }
 
+    /// Takes its shadow maps from these, which other pipelines share.
+    pub fn share_shadows(&mut self, shadows: &ShadowMaps) {
+        self.shadows = shadows.clone();
+    }
+
     /// Forgets shadow maps: the next picture makes its own.
     pub fn forget(&mut self) {
-        self.shadows = ShadowMaps::default();
+        self.shadows.forget();
     }
 
     /// Takes back a drawing that is no longer needed: the next one is made in its memory.

@@ -508,7 +508,7 @@ mod tests {
             let light = light.with_shadows(Shadows::CAST);
             let scene = Scene { lights: vec![light], ..build(&spec, &style, &mut no_files).unwrap() };
             let projector = Projector::new(&light_cameras(&scene, &light).unwrap()[0]);
-            let mut maps = ShadowMaps::default();
+            let maps = ShadowMaps::default();
             let (lights, _) = maps.of(Scenes::from(&scene));
             let (seen, is_lamp) = (lights[0].sees(DMat4::IDENTITY), lights[0].is_lamp());
             let way = projector.view_from_object(DMat4::IDENTITY);

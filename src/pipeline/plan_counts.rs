@@ -7,7 +7,7 @@ use super::projector::Projector;
 use super::scenes::Scenes;
 use super::shade::Shaded;
 use super::stages::{FacesDone, LitAt, ObjectPlan, ObjectReport, Output, Reason, StagePlan};
-use crate::appearance::{HiddenLines, Shading, Style, Visibility};
+use crate::appearance::{HiddenLines, LineStyle, Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint};
 use crate::stage::Stage;
 
@@ -51,11 +51,14 @@ impl Survey {
             Containment::Outside(_) | Containment::Empty => 0,
         };
         let outline = |object: &Object| object.outline.filter(|_| !wireframe);
-        let asks = |hidden: HiddenLines| hidden != HiddenLines::Shown;
+        let asks = |line: LineStyle| line.in_style(style).hidden != HiddenLines::Shown;
         // The inside of an object that the near plane may cut open is hidden by its outside.
         let hides_itself = |object: &Object, plan: &ObjectPlan| {
             !(object.mesh.convex && object.mesh.closed && plan.cull_back && planes(plan) & NEAR == 0)
         };
+        // Whatever the plan is forced to do with a texture of one colour.
+        let has_colors =
+            |object: &Object| matches!(&object.paint, ObjectPaint::Texture(pictured) if pictured.one_color().is_none());
         Self {
             objects: scenes.object_count(),
             outside: plans.outside(),
@@ -72,13 +75,13 @@ impl Survey {
             varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan)).count(),
             casts: scenes.casts_shadows(),
             shadowed: faces.iter().filter(|(_, plan)| plan.shadowed).count(),
-            textured: faces.iter().filter(|(_, plan)| plan.textured).count(),
+            textured: faces.iter().filter(|(object, _)| has_colors(object)).count(),
             pictured: faces.iter().filter(|(object, _)| matches!(object.paint, ObjectPaint::Texture(_))).count(),
             translucent: faces.iter().filter(|(_, plan)| plan.translucent).count(),
             hides_itself: faces.iter().any(|(object, plan)| hides_itself(object, plan)),
-            lines_ask: in_view.iter().any(|(object, _)| object.edges.is_some_and(|style| asks(style.hidden)))
-                || in_view.iter().any(|(object, _)| outline(object).is_some_and(|style| asks(style.hidden)))
-                || scenes.lines().any(|line| asks(line.style.hidden))
+            lines_ask: in_view.iter().any(|(object, _)| object.edges.is_some_and(asks))
+                || in_view.iter().any(|(object, _)| outline(object).is_some_and(asks))
+                || scenes.lines().any(|line| asks(line.style))
                 || scenes.marks().any(|mark| mark.fade_if_hidden)
                 || scenes.texts().any(|text| text.fade_if_hidden),
             lines: in_view.iter().any(|(object, _)| wireframe || object.edges.is_some() || outline(object).is_some())

@@ -10,7 +10,7 @@ use super::report::{FollowedTriangle, Frame, Meter};
 use super::rounding_check::Misplaced;
 use super::scenes::Scenes;
 use super::stage_work::Notes;
-use super::stages::ObjectReport;
+use super::stages::{ObjectReport, Reason};
 use crate::drawing::Drawing;
 use crate::stage::Stage;
 
@@ -85,7 +85,8 @@ impl<'a> Recorder<'a> {
         let PassContext { plan, projector, style, .. } = self.context;
         let done = Survey::of_done(scenes, &plan.objects, &self.objects, style);
         let report = self.meter.report(plan, &done, style);
-        let ran = |stage| report.iter().any(|r| r.stage == stage && r.ran);
+        // A stage that was forced shows nothing, as if it were left out.
+        let ran = |stage| report.iter().any(|r| r.stage == stage && r.ran && r.reason != Reason::Forced);
         Frame {
             drawing,
             work: self.notes.map(|notes| notes.work).filter(|work| ran(work.stage)),

@@ -9,6 +9,7 @@ pub struct Scenes<'a> {
     gear: &'a Scene,
     /// Where the things are that hide light.
     hiding: &'a Scene,
+    hiding_revision: Option<SceneRevision>,
     lights: &'a [Light],
     fineness: f32,
     revision: Option<SceneRevision>,
@@ -34,14 +35,14 @@ impl<'a> Scenes<'a> {
     /// A scene with gear, which is lit by the lights of the scene.
     #[must_use]
     pub fn new(scene: &'a Scene, gear: &'a Scene) -> Self {
-        Self { scene, gear, hiding: scene, lights: &scene.lights, fineness: 1.0, revision: None }
+        Self { scene, gear, hiding: scene, hiding_revision: None, lights: &scene.lights, fineness: 1.0, revision: None }
     }
 
     /// The same, of whose scene (not the gear) this number is known: while it stays, the objects are not compared with
     /// those of the picture before.
     #[must_use]
     pub fn of_revision(self, revision: SceneRevision) -> Self {
-        Self { revision: Some(revision), ..self }
+        Self { revision: Some(revision), hiding_revision: Some(revision), ..self }
     }
 
     /// The number of the scene, and how many of [`Self::objects`] are its own: they come first.
@@ -56,10 +57,11 @@ impl<'a> Scenes<'a> {
         Self { fineness, ..self }
     }
 
-    /// The same in the shadows of another scene: what of this one is not shown casts its shadow all the same.
+    /// The same in the shadows of another one: what of a scene is not shown casts its shadow all the same.
     #[must_use]
-    pub fn in_shadows_of(self, hiding: &'a Scene) -> Self {
-        Self { hiding, ..self }
+    pub fn in_shadows_of(self, other: impl Into<Self>) -> Self {
+        let other = other.into();
+        Self { hiding: other.scene, hiding_revision: other.revision, ..self }
     }
 
     /// The objects that hide light: those with opaque faces. Gear hides none.
@@ -70,7 +72,7 @@ impl<'a> Scenes<'a> {
 
     /// The number of the scene in which [`Self::hiding`] are, where it is known.
     pub(super) fn hiding_revision(self) -> Option<SceneRevision> {
-        self.revision.filter(|_| std::ptr::eq(self.hiding, self.scene))
+        self.hiding_revision
     }
 
     /// True where a light casts a shadow of anything.

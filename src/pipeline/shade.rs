@@ -267,7 +267,7 @@ impl Shaded<'_> {
             // Without light there is no shadow.
             (_, LitAt::Pixels | LitAt::Nowhere) => TakenLight::Light(self.lights.place_of(shadow.light)),
         };
-        Some(Shadow { map: std::sync::Arc::clone(&shadow.map), places, planes, taken })
+        Some(Shadow { map: std::sync::Arc::clone(&shadow.map), bias: shadow.bias, places, planes, taken })
     }
 
     /// Light at each face.

@@ -1,9 +1,10 @@
 //! The maps of the lights that cast shadows: each light is a camera, and its map the depths of its picture.
 //!
-//! A map holds all that casts shadows, whatever the camera of the picture sees, so that it is made once, and made again
-//! only where a light or a thing that hides light has changed.
+//! A map holds all that casts shadows, whatever the camera of the picture sees, so that it is made once for all
+//! pictures of a scene, and made again only if a light or a thing that hides light has changed.
 
-use std::sync::Arc;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use glam::{DMat4, DVec3};
 
@@ -35,19 +36,24 @@ pub(super) struct ShadowLight {
     pub(super) map: Arc<ShadowMap>,
     /// Its place among the lights of the scene.
     pub(super) light: usize,
+    /// How far from the map's depths the shadow begins, in steps of the map.
+    pub(super) bias: f32,
     /// The camera of parallel light, or that of the first view of a lamp.
     projector: Projector,
 }
 
-/// The maps of the last picture.
+/// The shadow maps of a scene. A clone has the same ones, so that pictures of one scene share them.
+///
+/// Those of another scene, and of lights that a picture does not have any more, go when the next picture is made.
+#[derive(Clone, Debug, Default)]
+pub struct ShadowMaps(Arc<Mutex<Kept>>);
+
 #[derive(Debug, Default)]
-pub(super) struct ShadowMaps {
-    hiding: Vec<Hiding>,
-    /// That of the scene of those things, where it is known.
+struct Kept {
+    hiding: Arc<[Hiding]>,
+    /// Revision of the scene of those things, if known.
     revision: Option<SceneRevision>,
     made: Vec<(Light, ShadowLight)>,
-    /// Those of the picture at hand.
-    lights: Vec<ShadowLight>,
 }
 
 /// A thing that hides light.
@@ -64,13 +70,55 @@ impl Hiding {
 }
 
 impl ShadowMaps {
+    /// The maps of a scene that pictures of it will ask for, painted or not.
+    #[must_use]
+    pub fn of_scene(&self, scenes: Scenes) -> Vec<Arc<ShadowMap>> {
+        self.of(scenes).0.into_iter().map(|light| light.map).collect()
+    }
+
     /// The lights of a scene that cast shadows, and the operations for those maps that had to be made.
-    pub(super) fn of(&mut self, scenes: Scenes) -> (&[ShadowLight], Operations) {
-        self.lights.clear();
+    pub(super) fn of(&self, scenes: Scenes) -> (Vec<ShadowLight>, Operations) {
         let mut cost = Operations::NONE;
         if !scenes.casts_shadows() {
-            return (&[], cost);
+            return (Vec::new(), cost);
         }
+        let (hiding, known) = self.kept().known(scenes);
+        let mut lights = Vec::new();
+        for ((index, light), known) in casting(scenes).zip(known) {
+            // The pool may begin another picture meanwhile, which asks for maps too: nothing is locked here.
+            let found = match known {
+                Some(known) => known,
+                None => {
+                    let Some((made, of_map)) = made(&light, &hiding) else { continue };
+                    cost += of_map;
+                    self.kept().keep(light, made, &hiding)
+                }
+            };
+            let bias = single(scenes.lights()[index].shadows.held().bias);
+            lights.push(ShadowLight { light: index, bias, ..found });
+        }
+        (lights, cost)
+    }
+
+    /// Forgets all maps: the next picture makes its own.
+    pub fn forget(&self) {
+        *self.kept() = Kept::default();
+    }
+
+    fn kept(&self) -> MutexGuard<'_, Kept> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The lights that cast shadows, with their places, as far as their maps depend on them.
+fn casting(scenes: Scenes<'_>) -> impl Iterator<Item = (usize, Light)> {
+    let casting = scenes.lights().iter().enumerate().filter(|(_, light)| light.shadows.cast);
+    casting.map(|(index, light)| (index, Light { shadows: Shadows { bias: 0.0, ..light.shadows }, ..*light }))
+}
+
+impl Kept {
+    /// The things that hide light in a scene, and what is known of its lights that cast shadows.
+    fn known(&mut self, scenes: Scenes) -> (Arc<[Hiding]>, Vec<Option<ShadowLight>>) {
         let (before, now) = (std::mem::replace(&mut self.revision, scenes.hiding_revision()), scenes.hiding_revision());
         if (now.is_none() || before != now) && !self.holds(scenes) {
             self.made.clear();
@@ -79,21 +127,20 @@ impl ShadowMaps {
                 .map(|object| Hiding { mesh: Arc::clone(&object.mesh), world_from_object: object.world_from_object })
                 .collect();
         }
-        // Maps of lights that are gone go, too.
-        self.made.retain(|(light, _)| scenes.lights().contains(light));
-        for (index, light) in scenes.lights().iter().enumerate().filter(|(_, light)| light.shadows.cast) {
-            let found = match self.made.iter().find(|(of, _)| of == light) {
-                Some((_, made)) => made.clone(),
-                None => {
-                    let Some((made, of_map)) = made(light, &self.hiding) else { continue };
-                    cost += of_map;
-                    self.made.push((*light, made.clone()));
-                    made
-                }
-            };
-            self.lights.push(ShadowLight { light: index, ..found });
+        self.made.retain(|(of, _)| casting(scenes).any(|(_, light)| light == *of));
+        let found = |light| self.made.iter().find(|(of, _)| *of == light).map(|(_, made)| made.clone());
+        (Arc::clone(&self.hiding), casting(scenes).map(|(_, light)| found(light)).collect())
+    }
+
+    /// Keeps a map of these things, unless another picture has kept one meanwhile, or one of another scene.
+    fn keep(&mut self, light: Light, made: ShadowLight, hiding: &Arc<[Hiding]>) -> ShadowLight {
+        if let Some((_, known)) = self.made.iter().find(|(of, _)| Arc::ptr_eq(&self.hiding, hiding) && *of == light) {
+            return known.clone();
         }
-        (&self.lights, cost)
+        if Arc::ptr_eq(&self.hiding, hiding) {
+            self.made.push((light, made.clone()));
+        }
+        made
     }
 
     /// True where the things that hide light are those of the last picture.
@@ -221,8 +268,18 @@ fn made(light: &Light, hiding: &[Hiding]) -> Option<(ShadowLight, Operations)> {
     let views = cameras.iter().map(&mut seen).collect();
     let projector = Projector::new(cameras.first()?);
     let rays = rays(&cameras, &projector, size)?;
-    let map = ShadowMap::new(views, size, rays, [single(shadows.bias), single(shadows.softness)]);
-    Some((ShadowLight { map: Arc::new(map), light: 0, projector }, cost))
+    let map = ShadowMap::new(views, size, rays, single(shadows.softness), recipe(light, hiding));
+    Some((ShadowLight { map: Arc::new(map), light: 0, bias: 0.0, projector }, cost))
+}
+
+/// A hash of a light and of the things that hide it.
+fn recipe(light: &Light, hiding: &[Hiding]) -> u64 {
+    let mut hash = DefaultHasher::new();
+    (light.kind == LightKind::Point, light.vector.to_array().map(f64::to_bits)).hash(&mut hash);
+    for Hiding { mesh, world_from_object } in hiding {
+        (Arc::as_ptr(mesh), world_from_object.to_cols_array().map(f64::to_bits)).hash(&mut hash);
+    }
+    hash.finish()
 }
 
 /// Faces and nothing else, without light, seen from both sides.

@@ -121,7 +121,9 @@ impl<'a> Notes<'a> {
                 if differs.iter().filter(|d| **d).count() == 1
                     && let Some(side) = self.side([corners[i], corners[j]])
                 {
-                    let sides = if planned.drawn { &mut self.work.after } else { &mut self.work.before };
+                    // Forced, an object outside the volume is drawn too; the test drops it all the same.
+                    let is_left = matches!(planned.containment, Containment::Crosses(_));
+                    let sides = if is_left { &mut self.work.after } else { &mut self.work.before };
                     sides.push(side);
                 }
             }

@@ -132,8 +132,10 @@ impl Bins {
                 });
             });
         }
-        // Stable: of equal depths the first in the drawing is drawn first.
-        self.translucent.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+        // Untested triangles lie over all tested ones, whatever their depths. Stable: of equal depths the first in the
+        // drawing is drawn first.
+        let is_over = |t: &Translucent| !drawing.surfaces[t.surface].depth_test;
+        self.translucent.sort_by(|a, b| is_over(a).cmp(&is_over(b)).then(a.depth.total_cmp(&b.depth)));
     }
 
     fn sort_runs(&mut self, bands: usize) {

@@ -62,15 +62,20 @@ impl DepthBuffer {
         (depth > f32::NEG_INFINITY).then_some((depth, slope))
     }
 
-    /// All depths, row by row; −∞ where no surface was drawn.
-    pub(super) fn values(&self) -> Vec<f32> {
+    /// Takes all depths, row by row; −∞ where no surface was drawn. Each band gives its memory back when its depths are
+    /// copied.
+    pub(super) fn take_values(&mut self) -> Vec<f32> {
         let mut values = Vec::with_capacity(self.width * self.height);
-        for y in 0..self.height {
-            let (band, first) = (&self.bands[y >> self.rows_log], (y & ((1 << self.rows_log) - 1)) * self.pitch);
-            let Range { start, end } = band.columns;
-            values.resize(values.len() + start, f32::NEG_INFINITY);
-            values.extend_from_slice(band.values.get(first + start..first + end).unwrap_or_default());
-            values.resize((y + 1) * self.width, f32::NEG_INFINITY);
+        for (k, band) in self.bands.iter_mut().enumerate() {
+            let Range { start, end } = std::mem::take(&mut band.columns);
+            let depths = std::mem::take(&mut band.values);
+            let first_row = k << self.rows_log;
+            for row in 0..(self.height - first_row).min(1 << self.rows_log) {
+                let first = row * self.pitch;
+                values.resize(values.len() + start, f32::NEG_INFINITY);
+                values.extend_from_slice(depths.get(first + start..first + end).unwrap_or_default());
+                values.resize((first_row + row + 1) * self.width, f32::NEG_INFINITY);
+            }
         }
         values
     }

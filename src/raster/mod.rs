@@ -64,7 +64,7 @@ use tiny_skia::{Color, Pixmap};
 use crate::appearance::{DepthFormat, Rgba};
 use crate::drawing::{Drawing, ShadowMap, Surface};
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
-use crate::progress::{Progress, at_once};
+use crate::progress::{Activity, Progress, at_once};
 use crate::stage::{Cost, Operations, Stage};
 pub use depth::DepthBuffer;
 use depth::Occluders;
@@ -109,7 +109,7 @@ impl Rasterizer {
     /// [`MAX_PIXELS`].
     pub fn paint(&mut self, drawing: &Drawing) -> Option<Pixmap> {
         let mut pixmap = new_pixmap(drawing)?;
-        at_once(self.paint_on(drawing, &mut pixmap));
+        at_once(self.paint_on(drawing, &mut pixmap, [0, 1]));
         Some(pixmap)
     }
 
@@ -117,11 +117,17 @@ impl Rasterizer {
     /// False, and nothing is painted, where [`paint`](Self::paint) would give `None`. On one thread it pauses after
     /// each band of rows.
     pub async fn paint_into(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) -> bool {
+        self.paint_pass(drawing, pixmap, [0, 1]).await
+    }
+
+    /// As [`paint_into`](Self::paint_into), where it is one of several passes over a picture: which one, from 0, and of
+    /// how many. The progress goes on from one to the next.
+    pub async fn paint_pass(&mut self, drawing: &Drawing, pixmap: &mut Pixmap, pass: [usize; 2]) -> bool {
         if (pixmap.width(), pixmap.height()) != (drawing.width, drawing.height) {
             let Some(fresh) = new_pixmap(drawing) else { return false };
             *pixmap = fresh;
         }
-        self.paint_on(drawing, pixmap).await;
+        self.paint_on(drawing, pixmap, pass).await;
         true
     }
 
@@ -148,11 +154,18 @@ impl Rasterizer {
         &self.depth
     }
 
-    async fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) {
+    async fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap, pass: [usize; 2]) {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
-        let of_maps = self.paint_maps(drawing).await;
-        let tints = tints(drawing);
+        let (maps, tints) = (unpainted(drawing), tints(drawing));
+        let has_strokes = drawing.strokes.iter().any(|strokes| !strokes.polylines.is_empty());
+        let times = 1 + usize::from(tints.is_some()) + usize::from(has_strokes);
+        let rows = maps.iter().map(|map| rows_of(map)).sum::<usize>() + times * drawing.height as usize;
+        self.progress.begin_pass(Activity::Painting, rows, pass);
+        let mut of_maps = Operations::NONE;
+        for map in maps {
+            of_maps += self.paint_map(map).await;
+        }
         if let Some(tints) = &tints {
             // For its depth alone: the picture is painted over it.
             let wanted = Wanted { slopes: true, counts: false };
@@ -162,7 +175,7 @@ impl Rasterizer {
         self.surfaces.paint(drawing, pixmap, &mut self.depth, wanted, &self.progress).await;
         let middle = now();
         let faces = Occluders { opaque: &self.depth, tints: tints.is_some().then_some(&self.tint_depth) };
-        self.strokes.draw(pixmap, faces, drawing, &self.progress);
+        self.strokes.draw(pixmap, faces, drawing, &self.progress).await;
         for area in &drawing.areas {
             label::area(pixmap, area);
         }
@@ -188,26 +201,22 @@ impl Rasterizer {
 }
 
 impl Rasterizer {
-    /// Paints the depths that the lights of a drawing see, where that has not been done for an earlier one. Gives the
-    /// operations of those that it paints; without a clock, anything.
-    async fn paint_maps(&mut self, drawing: &Drawing) -> Operations {
-        let maps = drawing.surfaces.iter().flat_map(|surface| &surface.shadows).map(|shadow| &*shadow.map);
-        let mut cost = Operations::NONE;
-        for map in maps {
-            if map.depths().is_none() {
-                cost += self.paint_map(map).await;
-            }
-        }
-        cost
+    /// Paints the depths that a light sees, unless that has been done. It pauses as [`paint_into`](Self::paint_into)
+    /// does.
+    pub async fn paint_shadows(&mut self, map: &ShadowMap) {
+        self.progress.begin(Activity::Painting, rows_of(map));
+        self.paint_map(map).await;
     }
 
+    /// Gives the operations of what it paints; without a clock, anything.
     async fn paint_map(&mut self, map: &ShadowMap) -> Operations {
         /// A depth that the map keeps: read and written.
         const KEPT: Operations = Operations::new(0, 0, 2);
         let wanted = Wanted { slopes: false, counts: self.clock.is_some() };
         let mut cost = Operations::NONE;
-        let (mut depth, mut views) = (DepthBuffer::default(), Vec::with_capacity(map.views.len()));
-        for view in &map.views {
+        let Some(views) = map.unpainted() else { return cost };
+        let (mut depth, mut depths) = (DepthBuffer::default(), Vec::with_capacity(views.len()));
+        for view in &*views {
             let mut values = Vec::new();
             if !view.surfaces.is_empty() {
                 let Some(mut pixmap) = new_pixmap(view) else { return cost };
@@ -215,14 +224,33 @@ impl Rasterizer {
                 if self.progress.is_cancelled() {
                     return cost;
                 }
-                values = depth.values();
+                // A large map has as many bytes as a picture: only its depths stay.
+                drop(pixmap);
+                values = depth.take_values();
                 cost += self.surfaces.work(view).3.total().and(KEPT.times(values.len() as u64));
             }
-            views.push(values);
+            depths.push(values);
         }
-        map.keep(views);
+        map.keep(depths);
         cost
     }
+}
+
+/// The shadow maps of a drawing that no picture has painted yet, each once.
+fn unpainted(drawing: &Drawing) -> Vec<&ShadowMap> {
+    let mut maps: Vec<&ShadowMap> = Vec::new();
+    for map in drawing.surfaces.iter().flat_map(|surface| &surface.shadows).map(|shadow| &*shadow.map) {
+        if map.depths().is_none() && !maps.contains(&map) {
+            maps.push(map);
+        }
+    }
+    maps
+}
+
+/// The rows of a map that are still to be painted.
+fn rows_of(map: &ShadowMap) -> usize {
+    let views = map.unpainted().unwrap_or_default();
+    views.iter().filter(|view| !view.surfaces.is_empty()).map(|view| view.height as usize).sum()
 }
 
 fn new_pixmap(drawing: &Drawing) -> Option<Pixmap> {

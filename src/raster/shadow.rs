@@ -4,7 +4,7 @@
 //! taken along the plane of its triangle to the middle of each texel that it is held against, and the bias says how
 //! much deeper it must lie there. The shares of the texels under the soft edge, a square around the place, are added.
 
-use crate::drawing::{Rays, Shadow, ShadowMap};
+use crate::drawing::{Rays, Shadow};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8};
 
@@ -47,7 +47,7 @@ pub(super) fn arriving<K: Simd>(
         Rays::Parallel { step } => {
             let ([x, y, z], [dx, dy, _]) = (places, planes);
             let (step, view) = (f32x8::splat(simd, *step), i32x8::splat(simd, 0));
-            filtered(map, depths, wanted, &OnMap { x, y, z, slope: [dx, dy], step, view })
+            filtered(shadow, depths, wanted, &OnMap { x, y, z, slope: [dx, dy], step, view })
         }
         Rays::FromLamp { axes, reach, unit } => {
             // The view in whose direction it is farthest.
@@ -79,14 +79,14 @@ pub(super) fn arriving<K: Simd>(
                 step: inverse * (2.0 * reach / size),
                 view,
             };
-            filtered(map, depths, wanted & ahead, &on_map)
+            filtered(shadow, depths, wanted & ahead, &on_map)
         }
     })
 }
 
 /// The share of the texels under the soft edge that are no nearer to the light.
 #[inline(always)]
-fn filtered<K: Simd>(map: &ShadowMap, depths: &[Vec<f32>], wanted: mask32x8<K>, at: &OnMap<K>) -> f32x8<K> {
+fn filtered<K: Simd>(shadow: &Shadow, depths: &[Vec<f32>], wanted: mask32x8<K>, at: &OnMap<K>) -> f32x8<K> {
     let simd = wanted.witness();
     let (zero, one) = (f32x8::splat(simd, 0.0), f32x8::splat(simd, 1.0));
     let OnMap { x, y, z, slope: [dx, dy], step, view } = *at;
@@ -94,11 +94,12 @@ fn filtered<K: Simd>(map: &ShadowMap, depths: &[Vec<f32>], wanted: mask32x8<K>, 
     if !wanted.any_true() {
         return one;
     }
+    let Shadow { map, bias, .. } = shadow;
     let size = map.size.cast_signed();
     let softness = map.softness.max(0.0);
     let half = 0.5 * softness;
-    let follows = map.bias.min(1.0);
-    let allowed = z + (step * STEP + (dx.abs() + dy.abs()) * UNSURE) * map.bias;
+    let follows = bias.min(1.0);
+    let allowed = z + (step * STEP + (dx.abs() + dy.abs()) * UNSURE) * *bias;
     let (left, top) = ((x - half).floor(), (y - half).floor());
     // A soft edge of whole texels reaches over one more.
     #[expect(clippy::cast_possible_truncation, reason = "8 at most")]

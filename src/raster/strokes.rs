@@ -9,7 +9,7 @@ use tiny_skia::Pixmap;
 
 use crate::appearance::{HiddenLines, LineStyle, Occlusion};
 use crate::drawing::{Drawing, StrokeSet};
-use crate::progress::{Activity, Progress};
+use crate::progress::{Progress, pause};
 use crate::simd::{Simd, with_vectors};
 
 use super::coverage::Coverage;
@@ -66,8 +66,15 @@ struct SharedByBands<'a> {
 }
 
 impl Strokes {
-    /// Draws all strokes of a drawing over its surfaces, from back to front.
-    pub(super) fn draw(&mut self, pixmap: &mut Pixmap, faces: Occluders, drawing: &Drawing, progress: &Progress) {
+    /// Draws all strokes of a drawing over its surfaces, from back to front. Each row is a step of the progress. On one
+    /// thread it pauses after some polylines, and after each band.
+    pub(super) async fn draw(
+        &mut self,
+        pixmap: &mut Pixmap,
+        faces: Occluders<'_>,
+        drawing: &Drawing,
+        progress: &Progress,
+    ) {
         let sets = &drawing.strokes;
         let count: usize = sets.iter().map(|set| set.polylines.len()).sum();
         if count == 0 {
@@ -78,13 +85,15 @@ impl Strokes {
         let (width, height) = (pixmap.width() as usize, pixmap.height() as usize);
         let rows_log = (BAND_PIXELS / width).clamp(BAND_ROWS.0, BAND_ROWS.1).ilog2();
         let bands = Bands { width, height, rows_log };
-        progress.begin(Activity::Painting, 0);
         let cut = |chunk: &mut Chunk| chunk.cut(&sets[chunk.set], faces, bands, progress);
         let chunks = &mut self.chunks[..used];
         if threads > 1 {
             chunks.par_iter_mut().for_each(cut);
         } else {
-            chunks.iter_mut().for_each(cut);
+            for chunk in &mut *chunks {
+                cut(chunk);
+                pause().await;
+            }
         }
 
         let shared = SharedByBands { chunks, layers: &self.layers, bands };
@@ -101,14 +110,18 @@ impl Strokes {
                             if progress.is_cancelled() {
                                 return;
                             }
+                            let rows = pixels.len() / width;
                             shared.paint(coverage, band, pixels);
+                            progress.advance(rows);
                         }
                     });
                 }
             });
         } else if let Some(coverage) = self.coverages.first_mut() {
             while let Some((band, pixels)) = jobs.next().filter(|_| !progress.is_cancelled()) {
+                let rows = pixels.len() / width;
                 shared.paint(coverage, band, pixels);
+                progress.advance_and_pause(rows).await;
             }
         }
     }

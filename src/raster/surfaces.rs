@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use tiny_skia::Pixmap;
 
 use crate::drawing::Drawing;
-use crate::progress::{Activity, Progress};
+use crate::progress::Progress;
 use crate::simd::with_vectors;
 use crate::stage::Cost;
 
@@ -77,8 +77,8 @@ struct SharedByBands<'a> {
 }
 
 impl Surfaces {
-    /// Paints background and surfaces over all of `pixmap`, and stores their depth. On one thread it pauses after each
-    /// band.
+    /// Paints background and surfaces over all of `pixmap`, and stores their depth. Each row is a step of the progress.
+    /// On one thread it pauses after each band.
     pub(super) async fn paint(
         &mut self,
         drawing: &Drawing,
@@ -116,7 +116,6 @@ impl Surfaces {
             .zip(depth.bands_mut())
             .enumerate()
             .map(|(band, (pixels, depth))| BandJob { band, pixels, depth });
-        progress.begin(Activity::Painting, bands);
         let threads = rayon::current_num_threads().min(bands);
         self.scratch.resize_with(threads.max(self.scratch.len()), Scratch::default);
         for scratch in &mut self.scratch {
@@ -133,16 +132,18 @@ impl Surfaces {
                             if progress.is_cancelled() {
                                 return;
                             }
+                            let rows = job.pixels.len() / width;
                             scratch.paint(frame, job);
-                            progress.advance(1);
+                            progress.advance(rows);
                         }
                     });
                 }
             });
         } else if let Some(scratch) = self.scratch.first_mut() {
             for job in jobs.take_while(|_| !progress.is_cancelled()) {
+                let rows = job.pixels.len() / width;
                 scratch.paint(&frame, job);
-                progress.advance_and_pause(1).await;
+                progress.advance_and_pause(rows).await;
             }
         }
     }

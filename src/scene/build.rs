@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::import::PartTexture;
-use super::marks::{point_mark, point_name};
+use super::marks::{object_name, point_mark};
 use super::palette::{PALETTE, SceneColors};
 use super::resolve::{Placed, allowed_segments, lights, place};
 use super::texture::{Alpha, UvMesh, builtin, mapped, split};
@@ -18,8 +18,7 @@ use crate::appearance::{LineStyle, MarkShape, Rgba, Sampler, Style, Texture};
 use crate::limits::MAX_OBJECTS;
 use crate::sanitize::escaped;
 
-/// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours and with the hidden edges
-/// of the style.
+/// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme.
 ///
 /// Each object's model matrix is its ancestors' times T · R · S, with R = Rz · Ry · Rx, `[3]`; an object without a
 /// colour has its nearest ancestor's, else the next one of [`PALETTE`]. A single point carries its object's name as a
@@ -43,7 +42,7 @@ pub fn build_with(
     read_file: &mut ReadFile<'_>,
     files: &mut MeshFiles,
 ) -> Result<Scene, SceneError> {
-    let colors = SceneColors { hidden: style.hidden_lines, ..SceneColors::of(style.theme) };
+    let colors = SceneColors::of(style.theme);
     let preset = presets::objects(spec.preset, &colors);
     let placed_preset = place(&preset, &[])?;
     let placed_own = place(&spec.objects, &placed_preset)?;
@@ -106,7 +105,7 @@ impl Maker<'_, '_> {
                     scene.marks.push(point_mark(to_world(*p), MarkShape::Disc, color));
                 }
                 if let [p] = points[..] {
-                    scene.texts.push(point_name(to_world(p), &escaped(name), self.colors.ink));
+                    scene.texts.push(object_name(to_world(p), &escaped(name), self.colors.ink));
                 }
                 scene.objects.push(bare(name, Mesh::point_cloud(points.iter().copied()), placed, color, None));
             }

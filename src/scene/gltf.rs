@@ -19,6 +19,7 @@ use serde_json::error::Category;
 
 use super::Mesh;
 use super::part::{Imported, Part, PartTexture};
+use super::polygon::Triangulator;
 use super::read_error::Beside;
 use super::soup::Soup;
 use super::texture::{Alpha, CornerUv, Textures};
@@ -389,7 +390,7 @@ impl Reader {
         let corner_uv = if uv.is_empty() { Vec::new() } else { corners.iter().map(|&i| uv[i as usize]).collect() };
         let mut soup = Soup { positions, normals, corners, corner_uv, ..Soup::default() };
         soup.weld();
-        let (mesh, uv) = soup.into_mesh()?;
+        let (mesh, uv) = soup.into_mesh(&mut Triangulator::default())?;
         Ok(Some((Arc::new(mesh), Arc::new(uv))))
     }
 

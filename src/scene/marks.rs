@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::{PointMark, Text};
 use crate::appearance::{MarkShape, Rgba};
+use crate::text::literal;
 
 /// Half the width of a point's mark, in pixels at scale 1.
 const MARK_RADIUS: f32 = 4.0;
@@ -15,7 +16,12 @@ pub(super) fn point_mark(position: DVec3, shape: MarkShape, color: Rgba) -> Poin
     PointMark { position, shape, radius: MARK_RADIUS, color, fade_if_hidden: true }
 }
 
-/// The name beside a point.
+/// The name of an object that is a point, as it is typed.
+pub(super) fn object_name(position: DVec3, name: &str, color: Rgba) -> Text {
+    Text { text: literal(name), ..point_name(position, name, color) }
+}
+
+/// The name beside a point, with subscripts.
 pub(super) fn point_name(position: DVec3, text: &str, color: Rgba) -> Text {
     Text {
         name: text.to_owned(),

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use glam::DVec3;
 
 use super::adjacency::Adjacency;
-use super::polygon;
+use super::polygon::{self, Triangulator};
 use crate::geometry::Aabb;
 use crate::limits::MAX_VERTICES;
 
@@ -39,7 +39,7 @@ impl Mesh {
     pub fn polyhedron(corners: &[DVec3], faces: &[&[usize]]) -> Self {
         let mut mesh = Self::default();
         let mut known_edges = BTreeSet::new();
-        let mut triangles = Vec::new();
+        let (mut triangulator, mut triangles) = (Triangulator::default(), Vec::new());
         for face in faces {
             if face.len() < 3 || face.iter().any(|&i| i >= corners.len()) {
                 continue;
@@ -48,7 +48,7 @@ impl Mesh {
             let normal = polygon::normal(points.iter().copied()).unwrap_or(DVec3::Y);
             let ids: Vec<u32> = points.iter().map(|&p| mesh.add_vertex(p, normal)).collect();
             triangles.clear();
-            polygon::triangulate(&points, &mut triangles);
+            triangulator.triangulate(&points, &mut triangles);
             mesh.triangles.extend(triangles.iter().map(|t| t.map(|i| ids[i])));
             for k in 0..face.len() {
                 let next = (k + 1) % face.len();

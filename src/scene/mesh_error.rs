@@ -141,6 +141,14 @@ pub enum MeshNotice {
         /// Number of such faces.
         count: usize,
     },
+    /// Concave faces have so many corners that it would take too long to cut them right.
+    #[error(
+        "concave faces with too many corners: {count}; they are filled as if they were convex, which shows wrong areas"
+    )]
+    CutAsConvex {
+        /// Number of such faces.
+        count: usize,
+    },
     /// A texture cannot be used; the object's colour is shown in its place.
     #[error("the texture {0}; the object's colour is shown instead")]
     Texture(TextureError),

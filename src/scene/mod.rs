@@ -228,11 +228,8 @@ impl Pictured {
     /// The one colour that it has everywhere, opaque; `None` where it has several, or something shows through.
     #[must_use]
     pub fn one_color(&self) -> Option<Rgba> {
-        let [r, g, b, _] = self.image.one_color().filter(|_| !self.translucent && self.sampler.reveal.is_none())?;
-        let Rgba { r: red, g: green, b: blue, .. } = self.tint;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
-        let product = |texel: u8, tint: u8| (f32::from(texel) * (f32::from(tint) / 255.0) + 0.5) as u8;
-        Some(Rgba::rgb(product(r, red), product(g, green), product(b, blue)))
+        let is_plain = !self.translucent && self.sampler.reveal.is_none();
+        is_plain.then(|| self.image.one_color_times(self.tint)).flatten()
     }
 
     /// A picture that is shown once, as it is.

@@ -10,6 +10,7 @@ use glam::{DMat4, DVec3};
 
 use super::mesh::index_u32;
 use super::part::{Imported, Part, PartTexture};
+use super::polygon::Triangulator;
 use super::read_error::Beside;
 use super::soup::Soup;
 use super::texture::{Alpha, Textures};
@@ -53,12 +54,13 @@ pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
     let mut notices = file.notices();
     let mut textures = Textures::default();
     let mut parts = Vec::new();
+    let mut triangulator = Triangulator::default();
     for part in std::mem::take(&mut file.parts) {
         pause().await;
         if progress.is_cancelled() {
             return Err(MeshError::Cancelled);
         }
-        let (mesh, uv) = file.soup(&part).into_mesh()?;
+        let (mesh, uv) = file.soup(&part).into_mesh(&mut triangulator)?;
         if mesh.triangles.is_empty() {
             continue;
         }
@@ -94,6 +96,9 @@ pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
             uv: Arc::new(uv),
             texture,
         });
+    }
+    if triangulator.cut_as_convex > 0 {
+        notices.push(MeshNotice::CutAsConvex { count: triangulator.cut_as_convex });
     }
     Ok(Imported { parts, notices })
 }

@@ -43,7 +43,7 @@ pub const YELLOW: Rgba = PALETTE[6];
 /// Dark blue of [`PALETTE`].
 pub const NAVY: Rgba = PALETTE[7];
 
-/// The scene's share of a style: the colours of its theme, and the drawing of hidden edges.
+/// The scene's colours in a theme.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SceneColors {
     /// Letters, marks and free lines.
@@ -58,12 +58,10 @@ pub struct SceneColors {
     pub ground_other: Rgba,
     /// Walls, columns: background, not the subject.
     pub stone: Rgba,
-    /// Drawing of the hidden parts of edges.
-    pub hidden: HiddenLines,
 }
 
 impl SceneColors {
-    /// The colours of a theme; hidden edges as they are by default.
+    /// The colours of a theme.
     #[must_use]
     pub const fn of(theme: Theme) -> Self {
         match theme {
@@ -74,7 +72,6 @@ impl SceneColors {
                 ground: Rgba::rgb(0xdf, 0xe3, 0xe8),
                 ground_other: Rgba::rgb(0xb9, 0xc1, 0xcb),
                 stone: Rgba::rgb(0xd8, 0xd2, 0xc4),
-                hidden: HiddenLines::Dashed,
             },
             Theme::Dark => Self {
                 ink: Rgba::rgb(0xe8, 0xec, 0xf1),
@@ -83,7 +80,6 @@ impl SceneColors {
                 ground: Rgba::rgb(0x4a, 0x53, 0x60),
                 ground_other: Rgba::rgb(0x35, 0x3d, 0x48),
                 stone: Rgba::rgb(0x9c, 0x96, 0x8a),
-                hidden: HiddenLines::Dashed,
             },
             Theme::Print => Self {
                 ink: Rgba::rgb(0, 0, 0),
@@ -92,7 +88,6 @@ impl SceneColors {
                 ground: Rgba::rgb(0xf2, 0xf2, 0xf2),
                 ground_other: Rgba::rgb(0xd0, 0xd0, 0xd0),
                 stone: Rgba::rgb(0xe2, 0xde, 0xd6),
-                hidden: HiddenLines::Dashed,
             },
         }
     }
@@ -100,13 +95,13 @@ impl SceneColors {
     /// Style of the edges of a faceted object.
     #[must_use]
     pub const fn edge_style(&self) -> LineStyle {
-        LineStyle { color: self.edge, width: 1.0, dash: Dash::Solid, hidden: self.hidden, arrow: false }
+        LineStyle { color: self.edge, width: 1.0, dash: Dash::Solid, hidden: HiddenLines::OfStyle, arrow: false }
     }
 
     /// Style of free segments.
     #[must_use]
     pub const fn segment_style(&self, color: Rgba) -> LineStyle {
-        LineStyle { color, width: 1.75, dash: Dash::Solid, hidden: self.hidden, arrow: false }
+        LineStyle { color, width: 1.75, dash: Dash::Solid, hidden: HiddenLines::OfStyle, arrow: false }
     }
 
     /// Style of a grid.

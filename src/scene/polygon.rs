@@ -3,9 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::geometry::try_unit;
-
-/// A polygon with more corners is cut as if it were convex: the search for ears takes the square of their number.
-const MOST_EARS: usize = 1024;
+use crate::limits::MAX_EAR_STEPS;
 
 /// The doubled vector area of a polygon, planar or nearly so, by Newell's method about its first corner: along the
 /// normal, twice the area long.
@@ -27,29 +25,64 @@ pub(super) fn normal(corners: impl IntoIterator<Item = DVec3>) -> Option<DVec3> 
     try_unit(doubled_area(corners))
 }
 
-/// Cuts a simple polygon, planar or nearly so, into triangles with its own orientation, by cutting off ears; appends
-/// three indices into `corners` for each. Always n − 2 triangles; where the polygon crosses itself some of them
-/// overlap.
-pub(super) fn triangulate(corners: &[DVec3], triangles: &mut Vec<[usize; 3]>) {
-    let n = corners.len();
-    if n == 3 {
-        triangles.push([0, 1, 2]);
-        return;
+/// Cuts the polygons of a mesh file into triangles.
+#[derive(Debug)]
+pub(super) struct Triangulator {
+    /// Corners that may still be compared with ears.
+    steps: usize,
+    /// Number of concave polygons that were cut as if they were convex, because no steps were left.
+    pub(super) cut_as_convex: usize,
+}
+
+impl Default for Triangulator {
+    fn default() -> Self {
+        Self { steps: MAX_EAR_STEPS, cut_as_convex: 0 }
     }
-    let flat = flatten(corners);
-    let convex = (0..n).all(|k| turn(flat[k], flat[(k + 1) % n], flat[(k + 2) % n]) >= 0.0);
-    if convex || n > MOST_EARS {
-        triangles.extend((1..n.saturating_sub(1)).map(|k| [0, k, k + 1]));
-        return;
+}
+
+impl Triangulator {
+    /// Cuts a simple polygon, planar or nearly so, into triangles with its own orientation, by cutting off ears;
+    /// appends three indices into `corners` for each. Always n − 2 triangles; if the polygon crosses itself some of
+    /// them overlap.
+    pub(super) fn triangulate(&mut self, corners: &[DVec3], triangles: &mut Vec<[usize; 3]>) {
+        let n = corners.len();
+        if n == 3 {
+            triangles.push([0, 1, 2]);
+            return;
+        }
+        let flat = flatten(corners);
+        let mut left: Vec<usize> = (0..n).collect();
+        let convex = (0..n).all(|k| turn(flat[k], flat[(k + 1) % n], flat[(k + 2) % n]) >= 0.0);
+        while !convex && left.len() > 3 {
+            let m = left.len();
+            let ear = (0..m).find(|&k| self.is_ear(&flat, &left, k)).unwrap_or(0);
+            if self.steps == 0 {
+                self.cut_as_convex += 1;
+                break;
+            }
+            triangles.push([left[(ear + m - 1) % m], left[ear], left[(ear + 1) % m]]);
+            left.remove(ear);
+        }
+        triangles.extend((2..left.len()).map(|k| [left[0], left[k - 1], left[k]]));
     }
-    let mut left: Vec<usize> = (0..n).collect();
-    while left.len() > 3 {
+
+    /// True if the corner sticks out and no other corner lies in the triangle with its neighbours. False without steps.
+    fn is_ear(&mut self, flat: &[DVec2], left: &[usize], k: usize) -> bool {
         let m = left.len();
-        let ear = (0..m).find(|&k| is_ear(&flat, &left, k)).unwrap_or(0);
-        triangles.push([left[(ear + m - 1) % m], left[ear], left[(ear + 1) % m]]);
-        left.remove(ear);
+        let ids = [left[(k + m - 1) % m], left[k], left[(k + 1) % m]];
+        let [a, b, c] = ids.map(|i| flat[i]);
+        if self.steps == 0 || turn(a, b, c) <= 0.0 {
+            return false;
+        }
+        let is_inside = |i: usize| {
+            let p = flat[i];
+            let inside = turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
+            inside && p != a && p != b && p != c && !ids.contains(&i)
+        };
+        let first = left.iter().position(|&i| is_inside(i));
+        self.steps = self.steps.saturating_sub(first.unwrap_or(m));
+        first.is_none()
     }
-    triangles.push([left[0], left[1], left[2]]);
 }
 
 /// The polygon seen against its normal: counter-clockwise in the plane. The coordinate along which the normal is
@@ -75,26 +108,13 @@ fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - b)
 }
 
-/// True when the corner sticks out and no other corner lies in the triangle with its neighbours.
-fn is_ear(flat: &[DVec2], left: &[usize], k: usize) -> bool {
-    let m = left.len();
-    let ids = [left[(k + m - 1) % m], left[k], left[(k + 1) % m]];
-    let [a, b, c] = ids.map(|i| flat[i]);
-    turn(a, b, c) > 0.0
-        && left.iter().filter(|i| !ids.contains(i)).all(|&i| {
-            let p = flat[i];
-            let inside = turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
-            !inside || p == a || p == b || p == c
-        })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn cut(corners: &[DVec3]) -> Vec<[usize; 3]> {
         let mut triangles = Vec::new();
-        triangulate(corners, &mut triangles);
+        Triangulator::default().triangulate(corners, &mut triangles);
         triangles
     }
 
@@ -127,6 +147,34 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// A ring that is open on one side: `count` corners on its outer and as many on its inner arc.
+    fn ring(count: u32) -> Vec<DVec3> {
+        let at = |k: u32, radius: f64| {
+            let angle = 6.0 * f64::from(k) / f64::from(count - 1);
+            DVec3::new(radius * angle.cos(), radius * angle.sin(), 0.0)
+        };
+        (0..count).map(|k| at(k, 1.0)).chain((0..count).rev().map(|k| at(k, 0.8))).collect()
+    }
+
+    #[test]
+    fn concave_polygons_of_thousands_of_corners_are_covered_once() {
+        for count in [512, 513, 4000] {
+            assert_exact_cover(&ring(count));
+        }
+    }
+
+    #[test]
+    fn polygons_beyond_the_budget_are_counted_and_have_as_many_triangles() {
+        let mut triangulator = Triangulator { steps: 1000, ..Triangulator::default() };
+        let mut triangles = Vec::new();
+        triangulator.triangulate(&ring(100), &mut triangles);
+        triangulator.triangulate(&ring(4), &mut triangles);
+        assert_eq!((triangles.len(), triangulator.cut_as_convex), (198 + 6, 2));
+        // Convex ones need no steps.
+        triangulator.triangulate(&[DVec3::ZERO, DVec3::X, DVec3::ONE - DVec3::Z, DVec3::Y], &mut triangles);
+        assert_eq!(triangulator.cut_as_convex, 2);
     }
 
     #[test]

@@ -273,7 +273,7 @@ fn exercise_51() -> Vec<ObjectSpec> {
 fn rays_of_exercise_51(scene: &mut Scene, colors: &SceneColors) {
     let [c, u, v] = EXERCISE_51;
     let p = c + u + v;
-    let style = |color, dash, arrow| LineStyle { color, width: 2.0, dash, hidden: colors.hidden, arrow };
+    let style = |color, dash, arrow| LineStyle { color, width: 2.0, dash, hidden: HiddenLines::OfStyle, arrow };
     let way = LineStyle { width: 1.25, ..style(colors.ink, Dash::Dotted, false) };
     scene.lines.push(Line { points: vec![c, c + u, p, c + v, c], style: way });
     let parallel = p - c;

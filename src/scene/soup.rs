@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::mesh::{Mesh, index_u32};
-use super::polygon;
+use super::polygon::{self, Triangulator};
 use super::texture::CornerUv;
 use crate::geometry::try_unit;
 use crate::limits::MAX_VERTICES;
@@ -67,7 +67,7 @@ impl Soup {
     /// direction.
     ///
     /// With it come the texture coordinates of the corners of each triangle, where there are any.
-    pub(super) fn into_mesh(self) -> Result<(Mesh, Vec<CornerUv>), TooLarge> {
+    pub(super) fn into_mesh(self, triangulator: &mut Triangulator) -> Result<(Mesh, Vec<CornerUv>), TooLarge> {
         if self.corners.len() >= MAX_VERTICES || self.positions.len() >= MAX_VERTICES {
             return Err(TooLarge);
         }
@@ -107,7 +107,9 @@ impl Soup {
                 };
                 polygon.vertices.push(vertex);
             }
-            maker.add(&mut polygon, &self.corner_uv);
+            polygon.triangles.clear();
+            triangulator.triangulate(&polygon.points, &mut polygon.triangles);
+            maker.add(&polygon, &self.corner_uv);
         }
         let uv = std::mem::take(&mut maker.uv);
         Ok((maker.finish(normals.is_none()), uv))
@@ -193,10 +195,8 @@ impl Maker {
         vertex
     }
 
-    fn add(&mut self, polygon: &mut Polygon, corner_uv: &[[f32; 2]]) {
+    fn add(&mut self, polygon: &Polygon, corner_uv: &[[f32; 2]]) {
         let n = polygon.ids.len();
-        polygon.triangles.clear();
-        polygon::triangulate(&polygon.points, &mut polygon.triangles);
         self.mesh.triangles.extend(polygon.triangles.iter().map(|t| t.map(|i| polygon.vertices[i])));
         if !corner_uv.is_empty() {
             let at = |i: usize| corner_uv.get(polygon.corners[i]).copied().unwrap_or_default();
@@ -250,7 +250,7 @@ mod tests {
 
     #[test]
     fn a_cube_without_normals_gets_creases_and_its_twelve_edges() -> Result<(), TooLarge> {
-        let (mesh, _) = cube(false).into_mesh()?;
+        let (mesh, _) = cube(false).into_mesh(&mut Triangulator::default())?;
         assert_eq!((mesh.positions.len(), mesh.triangles.len(), mesh.edges.len()), (24, 12, 12));
         assert!(mesh.closed);
         for t in &mesh.triangles {
@@ -262,10 +262,10 @@ mod tests {
 
     #[test]
     fn doubled_points_are_welded_before_the_border_is_looked_for() -> Result<(), TooLarge> {
-        assert!(!cube(true).into_mesh()?.0.closed);
+        assert!(!cube(true).into_mesh(&mut Triangulator::default())?.0.closed);
         let mut soup = cube(true);
         soup.weld();
-        let (mesh, _) = soup.into_mesh()?;
+        let (mesh, _) = soup.into_mesh(&mut Triangulator::default())?;
         assert!(mesh.closed);
         assert_eq!((mesh.positions.len(), mesh.edges.len()), (24, 18));
         Ok(())
@@ -275,8 +275,8 @@ mod tests {
     fn smooth_surfaces_share_their_vertices_and_their_normals_are_nearly_the_true_ones() -> Result<(), TooLarge> {
         let sphere = crate::scene::primitives::sphere(64);
         let points = sphere.positions.len();
-        let (mesh, _) =
-            Soup { positions: sphere.positions, corners: sphere.triangles.concat(), ..Soup::default() }.into_mesh()?;
+        let (mesh, _) = Soup { positions: sphere.positions, corners: sphere.triangles.concat(), ..Soup::default() }
+            .into_mesh(&mut Triangulator::default())?;
         assert_eq!(mesh.positions.len(), points);
         assert!(mesh.closed);
         for (p, n) in mesh.positions.iter().zip(&mesh.normals) {
@@ -290,14 +290,14 @@ mod tests {
         let mut open = cube(false);
         open.arities.pop();
         open.corners.truncate(20);
-        assert!(!open.into_mesh()?.0.closed);
+        assert!(!open.into_mesh(&mut Triangulator::default())?.0.closed);
         let mut turned = cube(false);
         turned.corners[20..].reverse();
-        assert!(!turned.into_mesh()?.0.closed);
+        assert!(!turned.into_mesh(&mut Triangulator::default())?.0.closed);
         let mut more = cube(false);
         more.corners.extend([0, 0, 1, 1, 0, 5, 5, 5]);
         more.arities.extend([5, 3]);
-        let (mesh, _) = more.into_mesh()?;
+        let (mesh, _) = more.into_mesh(&mut Triangulator::default())?;
         assert_eq!(mesh.triangles.len(), 12);
         assert!(mesh.closed);
         Ok(())

@@ -108,7 +108,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let (change, style) = gizmos::wired(style);
     let of = clipped.as_ref().unwrap_or(&request.scene);
     let scene = pipeline.scene(of, std::mem::take(&mut revealed.scene), change);
-    let mut builder = GearBuilder::new(&screen, style.hidden_lines);
+    let mut builder = GearBuilder::new(&screen);
     let canonical = CanonicalBox::of(request);
     axes(&mut builder, &canonical, palette);
     revealed.mark(&mut builder, palette);

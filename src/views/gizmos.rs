@@ -33,8 +33,8 @@ pub(super) struct GearBuilder<'a> {
 
 impl<'a> GearBuilder<'a> {
     /// No gear yet; lines are hidden as those of the scene are.
-    pub(super) fn new(screen: &'a Screen, hidden: HiddenLines) -> Self {
-        Self { gear: Scene::default(), screen, hidden }
+    pub(super) fn new(screen: &'a Screen) -> Self {
+        Self { gear: Scene::default(), screen, hidden: HiddenLines::OfStyle }
     }
 
     pub(super) fn line(&mut self, points: Vec<DVec3>, color: Rgba, width: f32, dash: Dash) {
@@ -137,13 +137,13 @@ impl<'a> GearBuilder<'a> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SceneChange {
     /// Its objects are edges in their own colours.
-    Wired(HiddenLines),
+    Wired,
     /// It is left its faces alone, without light.
     Faces,
 }
 
 /// Turns the objects of a scene into edges in their own colours, as wireframe wants them.
-pub(super) fn wire(scene: &mut Scene, hidden: HiddenLines) {
+pub(super) fn wire(scene: &mut Scene) {
     for object in &mut scene.objects {
         let own = match object.paint {
             ObjectPaint::Solid(color) => color.with_alpha(255),
@@ -151,7 +151,7 @@ pub(super) fn wire(scene: &mut Scene, hidden: HiddenLines) {
                 object.edges.map_or(Rgba::rgb(128, 128, 128), |edges| edges.color)
             }
         };
-        object.edges = Some(stroke(own, 1.25, Dash::Solid, hidden));
+        object.edges = Some(stroke(own, 1.25, Dash::Solid, HiddenLines::OfStyle));
         object.outline = None;
         object.faces = false;
     }
@@ -160,7 +160,7 @@ pub(super) fn wire(scene: &mut Scene, hidden: HiddenLines) {
 /// The change of the scene in wireframe, and a style in which the camera's gear keeps its faces.
 pub(super) fn wired(style: &Style) -> (Option<SceneChange>, Style) {
     if style.shading == Shading::Wireframe {
-        (Some(SceneChange::Wired(style.hidden_lines)), Style { shading: Shading::Flat, ..*style })
+        (Some(SceneChange::Wired), Style { shading: Shading::Flat, ..*style })
     } else {
         (None, *style)
     }

@@ -72,7 +72,7 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     let (mut revealed, wrong) = revealed_scene::in_image(request, palette);
     let change = greys.map(|_| SceneChange::Faces);
     let scene = pipeline.scene(&request.scene, std::mem::take(&mut revealed.scene), change);
-    let mut builder = GearBuilder::new(&screen, style.hidden_lines);
+    let mut builder = GearBuilder::new(&screen);
     revealed.mark(&mut builder, palette);
     probe::in_image(&mut builder, request, palette);
     triangle_overlay::in_image(&mut builder, request, palette);
@@ -80,7 +80,7 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     let scenes = scene
         .with(&builder.gear)
         .with_fineness(screen.fineness(request, |p| screen.place(p)))
-        .in_shadows_of(&request.scene)
+        .in_shadows_of(request.scene.alone())
         .lit_by(&lights);
     let marks = Cell::new(false);
     let repaint = |drawing: &mut Drawing, scale: DepthScale| {

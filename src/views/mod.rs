@@ -173,8 +173,7 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
     frame
 }
 
-/// The scene of a figure in the colours of its theme, with the hidden edges of its style; `progress` follows the
-/// reading of its meshes.
+/// The scene of a figure in the colours of its theme; `progress` follows the reading of its meshes.
 ///
 /// # Errors
 /// [`SceneError`] names the object and its fault.

@@ -177,7 +177,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     scene.project(&matrix);
     let (change, style) = gizmos::wired(&request.shot.look.style);
     let scene = pipeline.scene(&request.scene, Cow::Owned(scene), change);
-    let mut builder = GearBuilder::new(&screen, style.hidden_lines);
+    let mut builder = GearBuilder::new(&screen);
     let last = way.step + 1 == way.factors.len();
     let before = radius(way, &request.camera, way.step)?;
     let after = if last { the_box.bounds().radius() } else { radius(way, &request.camera, way.step + 1)? };

@@ -13,9 +13,9 @@ pub(super) fn first(drawing: &mut Drawing, share: f64) -> [usize; 2] {
         reason = "a share of a count"
     )]
     let count = (all as f64 * share.clamp(0.0, 1.0)).round() as usize;
-    // Translucent faces are painted last, whatever their place in the list.
+    // Without an order, translucent faces are painted last, whatever their place in the list.
     let mut order: Vec<usize> = (0..drawing.surfaces.len()).collect();
-    order.sort_by_key(|i| drawing.surfaces[*i].translucent);
+    order.sort_by_key(|i| !drawing.painted_in_order && drawing.surfaces[*i].translucent);
     let mut left = count;
     for i in order {
         let surface = &mut drawing.surfaces[i];

@@ -235,7 +235,17 @@ impl SharedScene {
     /// The scene with the gear of a picture. As it is the same one, its objects are not looked at again.
     #[must_use]
     pub fn with<'a>(&'a self, gear: &'a Scene) -> Scenes<'a> {
-        Scenes::new(self, gear).of_revision(*self.0.revision.get_or_init(SceneRevision::next))
+        Scenes::new(self, gear).of_revision(self.revision())
+    }
+
+    /// The scene alone.
+    #[must_use]
+    pub fn alone(&self) -> Scenes<'_> {
+        Scenes::from(&**self).of_revision(self.revision())
+    }
+
+    fn revision(&self) -> SceneRevision {
+        *self.0.revision.get_or_init(SceneRevision::next)
     }
 
     /// The box around the scene; `None` for an empty one.

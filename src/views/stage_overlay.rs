@@ -9,9 +9,10 @@ use glam::DVec2;
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Style, Visibility};
 use crate::drawing::{Anchor, Area, Base, Drawing, Label, Mark, StrokeSet, Surface};
-use crate::pipeline::{Containment, Frame, Scenes, Stage, StageWork, VertexWork};
+use crate::pipeline::{Containment, Frame, Output, Scenes, Stage, StageWork, VertexWork};
 use crate::sanitize;
 use crate::stage::WorksOn;
+use crate::text::literal;
 
 use super::gizmos::{SMALL_TYPE, stroke};
 use super::label_layout::Author;
@@ -41,7 +42,7 @@ pub(super) fn show(
     request: &Request,
     scenes: Scenes,
     style: &Style,
-    again: impl FnOnce(Scenes, &Style) -> Drawing,
+    again: impl FnOnce(Scenes, &Style, Output) -> Drawing,
 ) {
     let Some(work) = frame.work.take() else { return };
     let palette = Palette::of(request.shot.look.style.theme);
@@ -56,20 +57,25 @@ fn before(
     stage: Stage,
     drawing: &Drawing,
     (scenes, style): (Scenes, &Style),
-    again: impl FnOnce(Scenes, &Style) -> Drawing,
+    again: impl FnOnce(Scenes, &Style, Output) -> Drawing,
     request: &Request,
 ) -> Option<Drawing> {
     let mut before = match stage {
-        Stage::Light => again(scenes.without_lights(), style),
-        // One object over the other, as they come.
-        Stage::HiddenSurfaces => again(scenes, &Style { visibility: Visibility::DepthBuffer, ..*style }),
+        Stage::Light => again(scenes.without_lights(), style, request.output),
+        // Only a drawing for pixels leaves the faces in the order in which they come.
+        Stage::HiddenSurfaces => {
+            again(scenes, &Style { visibility: Visibility::DepthBuffer, ..*style }, Output::Pixels)
+        }
         _ if stage.works_on() == WorksOn::Pixels => drawing.clone(),
         _ => return None,
     };
     before.labels.clear();
     let palette = Palette::of(request.shot.look.style.theme);
     match stage {
-        Stage::HiddenSurfaces => before.surfaces.iter_mut().for_each(|surface| surface.depth_test = false),
+        Stage::HiddenSurfaces => {
+            before.painted_in_order = true;
+            before.surfaces.iter_mut().for_each(|surface| surface.depth_test = false);
+        }
         Stage::Fill => {
             before.strokes = outlines(&before.surfaces, stroke_of(palette.axes[0], request));
             before.surfaces.clear();
@@ -187,7 +193,7 @@ fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Pal
     for object in &work.objects {
         if let Some(middle) = object.middle {
             let name = sanitize::escaped(&object.name);
-            label(object_label(&name), middle, name);
+            label(object_label(&name), middle, literal(&name));
         }
     }
     let mut known: Vec<VertexWork> = Vec::new();
@@ -228,7 +234,7 @@ pub(super) fn rows(frame: &Frame, request: &Request, palette: Palette) -> Vec<Le
     });
     for (object, planes) in lost.take(MOST_NAMES) {
         let name = sanitize::escaped(&object.name);
-        let text = format!("{name}: {}", labels.outside_planes(planes));
+        let text = format!("{}: {}", literal(&name), labels.outside_planes(planes));
         row(true, LegendRow::Title(LegendText::new(&object_label(&name), text), palette.soft));
     }
     row(!work.before.is_empty(), LegendRow::Swatch(color_in, LegendText::new(GOES_IN, labels.goes_in)));

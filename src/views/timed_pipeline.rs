@@ -66,7 +66,7 @@ impl TimedPipeline {
         let changed = |mut scene: Scene| {
             match by {
                 None => {}
-                Some(SceneChange::Wired(hidden)) => gizmos::wire(&mut scene, hidden),
+                Some(SceneChange::Wired) => gizmos::wire(&mut scene),
                 Some(SceneChange::Faces) => depth::only(&mut scene),
             }
             SharedScene::new(scene)
@@ -123,7 +123,8 @@ impl TimedPipeline {
         repaint(&mut frame.drawing, frame.depths);
         if frame.work.is_some() {
             let options = Options { shown: None, clock: None, ..options };
-            let again = |scenes: Scenes, style: &Style| {
+            let again = |scenes: Scenes, style: &Style, output| {
+                let options = Options { output, ..options };
                 let Frame { mut drawing, depths, .. } = self.stages.frame(scenes, camera, target, style, options);
                 repaint(&mut drawing, depths);
                 drawing
@@ -139,7 +140,6 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
     use super::*;
-    use crate::appearance::HiddenLines;
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures};
     use crate::scene::{Preset, no_files};
@@ -155,9 +155,9 @@ mod tests {
         let mut pipeline = TimedPipeline::default();
         let mut made = |by| pipeline.scene(&request.scene, Cow::Borrowed(&*request.scene), by);
         assert_eq!(made(None), scene);
-        let wired = made(Some(SceneChange::Wired(HiddenLines::Dashed)));
+        let wired = made(Some(SceneChange::Wired));
         assert!(wired.objects.iter().all(|object| !object.faces) && wired != scene);
-        assert_eq!(made(Some(SceneChange::Wired(HiddenLines::Dashed))), wired, "the same one");
+        assert_eq!(made(Some(SceneChange::Wired)), wired, "the same one");
         let faces = made(Some(SceneChange::Faces));
         assert!(faces.lights.is_empty() && faces.objects.iter().all(|object| object.edges.is_none()));
     }

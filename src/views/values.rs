@@ -11,6 +11,7 @@ use crate::figure::words::{
 };
 use crate::geometry::Angle;
 use crate::sanitize;
+use crate::text::literal;
 
 /// Parameters of the camera with their symbols in the notes, and their units.
 const SYMBOLS: [(&str, &str, &str); 8] = [
@@ -98,7 +99,7 @@ pub(super) fn said(key: &str, value: Option<&str>, labels: &Labels) -> String {
         (Some(name), Some("false")) => format!("{name}: {}", labels.yes_no[1]),
         _ => {
             // Other keys are those of the file.
-            let name = key.rsplit('.').next().unwrap_or(key);
+            let name = literal(key.rsplit('.').next().unwrap_or(key));
             format!("{name} = {}", value.map_or_else(|| "–".to_owned(), |value| printed(value, labels)))
         }
     })
@@ -115,7 +116,7 @@ fn printed(value: &str, labels: &Labels) -> String {
     }
     let inner = value.strip_prefix('[').and_then(|value| value.strip_suffix(']'));
     let numbers: Option<Vec<f64>> = inner.and_then(|inner| inner.split(',').map(number).collect());
-    numbers.map_or_else(|| sanitize::escaped(value), |numbers| labels.mark.tuple(&numbers, 4))
+    numbers.map_or_else(|| literal(&sanitize::escaped(value)), |numbers| labels.mark.tuple(&numbers, 4))
 }
 
 /// The values of one figure of a family, in the words of the pictures: what stands under its picture.
@@ -162,5 +163,17 @@ mod tests {
             assert_ne!(english, portuguese);
         }
         assert_eq!(said("reveal.depth", Some("false"), pictures::labels(Lang::En)), "colours");
+    }
+
+    #[test]
+    fn keys_and_words_of_a_file_have_no_subscripts() {
+        let shown = |key, value| {
+            let text = said(key, Some(value), pictures::labels(Lang::En));
+            let runs = crate::text::runs(&text);
+            assert!(runs.iter().all(|run| !run.lowered), "{runs:?}");
+            runs.iter().map(|run| run.text).collect::<String>()
+        };
+        assert_eq!(shown("world.window_opacity", "0.5"), "window_opacity = 0.5");
+        assert_eq!(shown("scene.preset", "my_scene"), "preset = my_scene");
     }
 }

@@ -41,7 +41,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     };
     let (change, style) = gizmos::wired(style);
     let scene = pipeline.scene(&request.scene, std::mem::take(&mut revealed.scene), change);
-    let builder = GearBuilder::new(&screen, style.hidden_lines);
+    let builder = GearBuilder::new(&screen);
     let mut world = World {
         request,
         palette,
@@ -84,7 +84,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let scenes = scene
         .with(&world.builder.gear)
         .with_fineness(screen.fineness(request, |p| screen.place(p)))
-        .in_shadows_of(&request.scene)
+        .in_shadows_of(request.scene.alone())
         .lit_by(&lights);
     let mut drawn = pipeline.frame(request, scenes, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));

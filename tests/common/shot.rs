@@ -36,7 +36,7 @@ pub(crate) fn shows() -> impl Strategy<Value = Show> {
         .collect();
     let names: Vec<String> = objects.iter().map(|(name, _)| name.clone()).collect();
     let stage = (option::of(select(&Stage::ALL[..])), select(&View::ALL[..]));
-    let step = (select(&Decomposition::ALL[..]), option::of(0.0..5.0_f64));
+    let step = (select(&Decomposition::ALL[..]), option::of(0.0..=4.0_f64));
     let triangle = (select(objects), 0..64_usize, select(&TriangleStep::ALL[..]), option::of([0..64_u32, 0..48_u32]));
     let measures: Vec<Measured> = MEASURES.iter().map(|(_, measured)| *measured).collect();
     let probe = prop_oneof![

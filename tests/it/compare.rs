@@ -67,6 +67,27 @@ fn left_of_the_wiper_is_one_picture_and_right_of_it_the_other() {
 }
 
 #[test]
+fn hidden_lines_are_compared_but_for_what_is_painted_on_faces_and_grids() {
+    let text = "[scene]\npreset = \"cube\"\n[[scene.objects]]\nname = \"g\"\nshape = \"grid\"\nscale = [3, 1, 3]\n\
+        translate = [0, -0.5, 0]\n";
+    let mut renderer = Renderer::default();
+    let ways = ["dashed", "hidden", "shown"];
+    for (own, other) in ways.iter().flat_map(|own| ways.map(|other| (own, other))).filter(|(own, other)| *own != other)
+    {
+        let figure = read::parse(&format!("{text}[style]\nhidden_lines = \"{own}\"\n")).unwrap();
+        let value = format!("\"{other}\"");
+        let comparison = Comparison { beside: true, ..Comparison::of_key("style.hidden_lines", &value) };
+        let whole = request(&Figure { compare: Some(comparison), ..figure.clone() }, View::Image);
+        let joined = renderer.pixels(&whole).unwrap();
+        let [_, side] = whole.sides().unwrap();
+        let alone = read::parse(&format!("{text}[style]\nhidden_lines = \"{other}\"\n")).unwrap();
+        let alone = Request { size: side.request.size, ..request(&alone, View::Image) };
+        let right = side.left as usize..SIZE.width as usize;
+        assert!(columns(&joined, right) == columns(&drawn(&alone), 0..alone.size.width as usize), "{own} {other}");
+    }
+}
+
+#[test]
 fn each_side_is_the_picture_of_a_figure_with_the_other_value() {
     let other = compared(Comparison::of_key("camera.view_angle", "80"));
     let angled = varied(&house(Show::default()), "camera.view_angle", "80").unwrap();

@@ -45,6 +45,27 @@ fn place(drawing: &Drawing, name: &str) -> LabelPlace {
 }
 
 #[test]
+fn names_of_objects_are_set_as_they_are_typed() {
+    let object = |name: &str, x: f64| {
+        format!("[[scene.objects]]\nname = \"{name}\"\nshape = \"box\"\ntranslate = [{x}, 0, 0]\n")
+    };
+    let text = format!(
+        "{}{}[[scene.objects]]\nname = \"P_1\"\nshape = \"points\"\npoints = [[0, 1, 0]]\n[show]\nstage = \"cull-objects\"\n",
+        object("Cube_001", 0.0),
+        object("left_{wheel}", 90.0)
+    );
+    let drawing = drawing(&text, View::Image);
+    for (name, expected) in
+        [("object:Cube_001", "Cube_001"), ("P_1", "P_1"), ("legend:object:left_{wheel}", "left_{wheel}")]
+    {
+        let runs = camera_lab::text::runs(&label(&drawing, name).unwrap_or_else(|| panic!("{name}")).text);
+        assert!(runs.iter().all(|run| !run.lowered), "{runs:?}");
+        let shown: String = runs.iter().map(|run| run.text).collect();
+        assert_eq!(shown.split(':').next(), Some(expected));
+    }
+}
+
+#[test]
 fn labels_are_hidden_renamed_moved_and_styled_and_notes_are_added() {
     let own = drawing(FIGURE, View::World);
     let drawing = drawing(&format!("{FIGURE}{LABELS}"), View::World);

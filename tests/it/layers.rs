@@ -23,7 +23,7 @@ const TABLE: &[(&str, &[&str])] = &[
     // The sine of whole degrees is exact there.
     ("expression", &["geometry"]),
     ("camera", &["geometry", "numbers", "expression"]),
-    ("scene", &["geometry"]),
+    ("scene", &["geometry", "text"]),
     ("text", &[]),
     ("drawing", &[]),
     ("simd", &[]),

@@ -33,6 +33,7 @@ mod exercises;
 mod explain;
 mod explain_formulas;
 mod export;
+mod exports;
 mod extreme_pictures;
 mod families;
 mod figure;

@@ -456,7 +456,10 @@ fn a_map_is_kept_while_neither_light_nor_scene_changes() {
     scene.objects[2].world_from_object *= glam::DMat4::from_translation(DVec3::Y);
     let other = map(&scene, &camera);
     assert!(!same(&other, &first) && *other != *first);
+    // The bias is that of the picture, the width of the edge that of the map.
     scene.lights[1].shadows.bias = 2.0;
+    assert!(same(&map(&scene, &camera), &other));
+    scene.lights[1].shadows.softness = 3.0;
     assert!(!same(&map(&scene, &camera), &other));
 }
 

@@ -23,9 +23,9 @@ use tiny_skia::Pixmap;
 
 use crate::common::program::Bench;
 
-const SIZE: Size = Size { width: 320, height: 240, scale: 1.0 };
+pub(crate) const SIZE: Size = Size { width: 320, height: 240, scale: 1.0 };
 
-fn request(figure: &Figure, size: Size) -> Request {
+pub(crate) fn request(figure: &Figure, size: Size) -> Request {
     let camera = Camera::new(&figure.camera).unwrap();
     let mut files = FigureFiles::new(Path::new("."), FileAccess::Figure);
     let scene = scene_of(figure, &mut |wanted| files.read(wanted), &Progress::default()).unwrap();
@@ -33,28 +33,28 @@ fn request(figure: &Figure, size: Size) -> Request {
     Request::of(figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size)
 }
 
-fn sheet(figure: &Figure, what: Views, request: &Request) -> Composite {
+pub(crate) fn sheet(figure: &Figure, what: Views, request: &Request) -> Composite {
     Composite::of(what, request, &Shot::of(figure), None).unwrap()
 }
 
-fn written(sheet: &Composite, options: FileOptions, figure: &Figure, text: &str) -> PictureFile {
+pub(crate) fn written(sheet: &Composite, options: FileOptions, figure: &Figure, text: &str) -> PictureFile {
     let told = pictures::told_of(Lang::En, figure, sheet, text.to_owned());
     at_once(file(sheet, options, &told, &Progress::default())).unwrap()
 }
 
-fn svg_of(sheet: &Composite, options: FileOptions, figure: &Figure) -> String {
+pub(crate) fn svg_of(sheet: &Composite, options: FileOptions, figure: &Figure) -> String {
     String::from_utf8(written(sheet, options, figure, "").bytes).unwrap()
 }
 
 /// Whether a program is there; the checks on a bare machine install it.
-fn has(program: &str) -> bool {
+pub(crate) fn has(program: &str) -> bool {
     let found = Command::new(program).arg("--version").output().is_ok();
     assert!(found || std::env::var_os("CAMERA_LAB_ALL_TOOLS").is_none(), "{program} is not installed");
     found
 }
 
 /// The SVG as pixels, `zoom` times as large as the picture; `None` without the program for it.
-fn drawn(svg: &str, zoom: f64, bench: &Bench) -> Option<Pixmap> {
+pub(crate) fn drawn(svg: &str, zoom: f64, bench: &Bench) -> Option<Pixmap> {
     let (from, to) = (format!("{:p}.svg", svg.as_ptr()), format!("{:p}.png", svg.as_ptr()));
     if !has("rsvg-convert") {
         return None;
@@ -69,8 +69,17 @@ fn drawn(svg: &str, zoom: f64, bench: &Bench) -> Option<Pixmap> {
     Some(read(&bench.read(&to)))
 }
 
+/// The first page of a PDF as pixels, one for each of the picture. `name`: of its files.
+pub(crate) fn printed(pdf: &[u8], name: &str, bench: &Bench) -> Pixmap {
+    let path = bench.write(&format!("{name}.pdf"), pdf);
+    let mut run = Command::new("pdftoppm");
+    run.args(["-r", "96", "-png", "-singlefile"]).arg(path).arg(bench.path(name));
+    assert!(run.status().unwrap().success());
+    read(&bench.read(&format!("{name}.png")))
+}
+
 /// A PNG as premultiplied pixels.
-fn read(bytes: &[u8]) -> Pixmap {
+pub(crate) fn read(bytes: &[u8]) -> Pixmap {
     let image = image::load_from_memory(bytes).unwrap().into_rgba8();
     let mut pixmap = Pixmap::new(image.width(), image.height()).unwrap();
     for (to, from) in pixmap.pixels_mut().iter_mut().zip(image.pixels()) {
@@ -81,7 +90,7 @@ fn read(bytes: &[u8]) -> Pixmap {
 }
 
 /// A folder with a configuration of fonts that has the program's alone: a bare machine has none.
-fn bench_with_fonts(name: &str) -> Bench {
+pub(crate) fn bench_with_fonts(name: &str) -> Bench {
     let bench = Bench::new(name);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/fonts");
     let cache = bench.path("fonts");
@@ -106,11 +115,7 @@ fn difference(one: &[u8], other: &[u8]) -> (f64, f64) {
 #[test]
 fn vectors_show_what_pixels_show_in_every_shipped_figure_view_and_theme() {
     let bench = bench_with_fonts("vectors-shipped");
-    // Levels of detail, lines between texels and the stripes of too small a bias are as wide as the pixels, of which a
-    // picture that is embedded has more.
-    const OF_PIXELS: [&str; 3] = ["texture-levels", "texture-texels", "shadow-acne"];
-    let figures = SHIPPED_FIGURES.iter().filter(|figure| !OF_PIXELS.contains(&figure.name));
-    let jobs: Vec<_> = figures.flat_map(|figure| View::ALL.map(|view| (figure, view))).collect();
+    let jobs: Vec<_> = SHIPPED_FIGURES.iter().flat_map(|figure| View::ALL.map(|view| (figure, view))).collect();
     let worst: Vec<String> = jobs
         .into_par_iter()
         .flat_map_iter(|(shipped, view)| {
@@ -141,15 +146,8 @@ fn poppler_shows_what_pixels_show_and_finds_every_name() {
         for view in View::ALL {
             let sheet = sheet(&figure, Views::One(view), &request(&figure, SIZE));
             let pdf = written(&sheet, FileOptions::of(PictureFormat::Pdf), &figure, "");
-            let path = bench.write("a.pdf", pdf.bytes);
-            let run = Command::new("pdftoppm")
-                .args(["-r", "96", "-png", "-singlefile"])
-                .arg(&path)
-                .arg(bench.path("a"))
-                .status()
-                .unwrap();
-            assert!(run.success());
-            let picture = read(&bench.read("a.png"));
+            let path = bench.write("a.pdf", &pdf.bytes);
+            let picture = printed(&pdf.bytes, "b", &bench);
             let pixels = Renderer::default().pixels(&sheet.requests[0]).unwrap();
             let (mean, far) = difference(pixels.rgba(), picture.data());
             assert!(mean < 3.0 && far < 0.02, "{name} {view:?}: {mean:.2} {far:.4}");
@@ -173,7 +171,7 @@ fn texts(svg: &str) -> BTreeSet<String> {
         text.split('<').map(|part| part.split_once('>').map_or(part, |(_, words)| words)).collect()
     };
     let elements = svg.split("<text").skip(1).filter_map(|rest| rest.split_once('>')?.1.split_once("</text>"));
-    elements.map(|(text, _)| inner(text).replace("&lt;", "<").replace("&amp;", "&")).collect()
+    elements.map(|(text, _)| inner(text).replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")).collect()
 }
 
 #[test]
@@ -264,6 +262,49 @@ fn the_same_figure_gives_the_same_bytes_and_comes_back_from_them() {
     }
 }
 
+/// Names from a file, wherever an SVG has them: with what XML does not allow in them.
+#[test]
+fn an_svg_is_well_formed_whatever_names_are() {
+    for name in ["a]]>b", "a\u{ffff}b", "a\u{fffe}b", "<&>\"'", "]]&gt;<!--", "a\u{1f}b", "\u{10ffff}"] {
+        let quoted = toml_edit::Value::from(name).to_string();
+        let quoted = quoted.trim();
+        let text = format!(
+            "title = {quoted}\ncaption = {quoted}\n[scene]\npreset = \"cube\"\n[[scene.objects]]\nname = {quoted}\n\
+             shape = \"points\"\npoints = [[0, 2, 0]]\n[[scene.objects]]\nname = \"b\"\nshape = \"box\"\n[[points]]\n\
+             name = {quoted}\nposition = [1, 1, 1]\n[show]\nstage = \"cull-objects\"\n[labels]\n[[labels.renamed]]\n\
+             name = \"object:b\"\ntext = {quoted}\n[[labels.notes]]\nat = [0.5, 0.5]\ntext = {quoted}\n"
+        );
+        // Controls are no text of a label.
+        let Ok(figure) = parse(&text) else { continue };
+        for (view, letters) in View::ALL.into_iter().flat_map(|view| [(view, Letters::Text), (view, Letters::Outlines)])
+        {
+            let sheet = sheet(&figure, Views::One(view), &request(&figure, SIZE));
+            let svg = svg_of(&sheet, FileOptions { letters, ..FileOptions::of(PictureFormat::Svg) }, &figure);
+            if let Some(wrong) = ill_formed(&svg) {
+                panic!("{name:?} {view:?} {letters:?}: {wrong}");
+            }
+        }
+    }
+}
+
+/// The first character data of an SVG that XML does not allow.
+fn ill_formed(svg: &str) -> Option<String> {
+    if let Some(c) = svg.chars().find(|c| matches!(c, '\u{fffe}' | '\u{ffff}' | '\0'..'\t' | '\u{b}'..' ')) {
+        return Some(format!("{c:?}"));
+    }
+    let mut rest = svg;
+    while let Some((text, tag)) = rest.split_once('<') {
+        let (tag, after) = tag.split_once('>')?;
+        let references = text.split('&').skip(1).chain(tag.split('&').skip(1));
+        let mut names = references.map(|after| after.split(';').next().unwrap_or_default());
+        if text.contains("]]>") || tag.contains('<') || names.any(|name| !["amp", "lt", "gt", "quot"].contains(&name)) {
+            return Some(format!("{text}<{tag}>"));
+        }
+        rest = after;
+    }
+    None
+}
+
 #[test]
 fn words_about_the_picture_are_in_the_file() {
     let text = "title = { en = \"A & <B>\", pt-BR = \"Um título\" }\n[scene]\npreset = \"house\"\n";
@@ -274,7 +315,7 @@ fn words_about_the_picture_are_in_the_file() {
     assert_eq!((title.as_str(), *language), ("Um título", "pt-BR"));
     assert!(description.contains("o que a câmera vê"), "{description}");
     let svg = svg_of(&sheet, FileOptions::of(PictureFormat::Svg), &figure);
-    assert!(svg.contains("<title>A &amp; &lt;B></title>"), "{}", &svg[..600]);
+    assert!(svg.contains("<title>A &amp; &lt;B&gt;</title>"), "{}", &svg[..600]);
     assert!(svg.contains("<desc>Image: ") && svg.contains("xml:lang=\"en\""), "{}", &svg[..600]);
     let pdf = written(&sheet, FileOptions::of(PictureFormat::Pdf), &figure, "").bytes;
     let has = |wanted: &[u8]| pdf.windows(wanted.len()).any(|window| window == wanted);

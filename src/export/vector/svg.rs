@@ -281,9 +281,20 @@ fn look(face: Face) -> &'static [(&'static str, &'static str)] {
     }
 }
 
-/// Without what XML can't hold, and with the sign by which it escapes escaped; the writer does the rest.
+/// A text as XML can hold it, in elements and in attributes: the writer escapes quotes alone in these. `>` must not
+/// follow `]]`. Two characters that XML excludes become U+FFFD; the others that it excludes are controls.
 fn escaped(text: &str) -> String {
-    text.chars().filter(|c| !c.is_control()).collect::<String>().replace('&', "&amp;")
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars().filter(|c| !c.is_control()) {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '\u{fffe}' | '\u{ffff}' => escaped.push(char::REPLACEMENT_CHARACTER),
+            _ => escaped.push(c),
+        }
+    }
+    escaped
 }
 
 /// The commands of a path.

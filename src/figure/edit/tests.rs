@@ -265,7 +265,7 @@ fn screen() -> impl Strategy<Value = Screen> {
 /// Any combination of explanations in the pictures.
 fn show() -> impl Strategy<Value = Show> {
     let stage = (proptest::option::of(select(&Stage::ALL)), select(&View::ALL));
-    let step = (select(&Decomposition::ALL), proptest::option::of(0.0..9.0_f64));
+    let step = (select(&Decomposition::ALL), proptest::option::of(0.0..=4.0_f64));
     let step = proptest::option::of(step.prop_map(|(way, at)| ShownStep { way, at }));
     let pixel = proptest::option::of((0..9_u32, 0..9_u32).prop_map(|(i, j)| [i, j]));
     let triangle = (".*", 0..u32::MAX, select(&TriangleStep::ALL), pixel)

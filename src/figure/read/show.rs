@@ -8,7 +8,7 @@ use crate::figure::error::{Allowed, Problem};
 use crate::figure::words::{MEASURES, NDCS, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
 use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep};
 use crate::geometry::Ray;
-use crate::limits::{MAX_SHOWN_OBJECTS, MAX_STEPS};
+use crate::limits::MAX_SHOWN_OBJECTS;
 
 /// Reads the section; a faulty key shows nothing.
 pub(super) fn show(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Show {
@@ -53,7 +53,9 @@ fn step(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownStep> 
     if way.is_none() && !section.is_present("way") {
         section.missing("way", Allowed::Word { words: WAYS.iter().map(|(word, _)| *word).collect(), near: None });
     }
-    let at = section.is_present("at").then(|| section.number_in("at", 0.0, MAX_STEPS, 0.0));
+    // In either projection: who changes it keeps a figure that can be read.
+    let steps = way.unwrap_or_default().most_steps();
+    let at = section.is_present("at").then(|| section.number_in("at", 0.0, f64::from(steps), 0.0));
     good(section, way.map(|way| ShownStep { way, at }), faults)
 }
 
