@@ -83,7 +83,14 @@ impl Examined {
         }
         let subject = OpenFigure::open(&args.figure, &args.common, None, lang)?;
         let Figure { style, reveal, image, .. } = &subject.opened.figure;
-        let spec = ImageSpec { scene: &subject.scene, camera: &subject.camera, style, reveal, image: *image };
+        let spec = ImageSpec {
+            scene: &subject.scene,
+            camera: &subject.camera,
+            style,
+            reveal,
+            image: *image,
+            compared: u64::MAX,
+        };
         let diagnosed = progress::watched(lang, |progress| at_once(diagnose(&spec, progress)));
         let diagnosis = diagnosed.map_err(|_| subject.too_large())?;
         let other_side = other_side(&subject, &diagnosis, lang)?;
@@ -113,7 +120,7 @@ fn other_side(subject: &OpenFigure, own: &Diagnosis, lang: Lang) -> Result<Vec<F
     };
     let camera = other.camera.as_ref().unwrap_or(&subject.camera);
     let Figure { style, reveal, image, .. } = &other.figure;
-    let spec = ImageSpec { scene: &subject.scene, camera, style, reveal, image: *image };
+    let spec = ImageSpec { scene: &subject.scene, camera, style, reveal, image: *image, compared: u64::MAX };
     let diagnosed = progress::watched(lang, |progress| at_once(diagnose(&spec, progress)));
     let findings = diagnosed.map_err(|_| subject.too_large())?.findings.into_iter();
     let is_new = |finding: &Finding| own.findings.iter().all(|known| known.cause != finding.cause);

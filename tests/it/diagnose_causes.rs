@@ -97,7 +97,7 @@ impl Case {
 }
 
 fn diagnose(scene: &Scene, camera: &Camera, style: &Style, image: ImageSize) -> Option<Diagnosis> {
-    let spec = ImageSpec { scene, camera, style, reveal: &Reveal::default(), image };
+    let spec = ImageSpec { scene, camera, style, reveal: &Reveal::default(), image, compared: u64::MAX };
     at_once(camera_lab::numerics::diagnosis::diagnose(&spec, &Progress::default())).ok()
 }
 

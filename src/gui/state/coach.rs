@@ -10,7 +10,9 @@ use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters};
 use crate::figure::{Figure, Reveal};
 use crate::gui::memo::Latest;
-use crate::numerics::diagnosis::{Diagnosis, ImageSpec, ImpossibleCamera, Repair, diagnose, impossible_camera};
+use crate::numerics::diagnosis::{
+    Diagnosis, IN_A_WINDOW, ImageSpec, ImpossibleCamera, Repair, diagnose, impossible_camera,
+};
 use crate::numerics::health::{Health, health};
 use crate::progress::Progress;
 use crate::views::SharedScene;
@@ -55,7 +57,7 @@ impl Default for Coach {
                     let diagnosis = Some(impossible_camera(impossible, scene));
                     return Advice { camera: camera.clone(), diagnosis, health: Vec::new() };
                 }
-                let spec = ImageSpec { scene, camera, style, reveal, image: *image };
+                let spec = ImageSpec { scene, camera, style, reveal, image: *image, compared: IN_A_WINDOW };
                 Advice {
                     camera: camera.clone(),
                     diagnosis: diagnose(&spec, progress).await.ok(),

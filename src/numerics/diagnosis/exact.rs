@@ -36,7 +36,7 @@ const FEW_WRONG: u64 = 3;
 const WRONG_SHADOWS: f64 = 5e-4;
 /// The most pixels in which shadows are compared: each takes a ray to every light. A larger image is compared with
 /// fewer of them, evenly spread.
-const SHADOW_PIXELS: u32 = 1 << 16;
+const SHADOW_PIXELS: u64 = 1 << 16;
 
 /// A kind of wrong pixels in an image.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,6 +70,7 @@ impl WrongPixels {
 /// `None` if it was cancelled. It pauses on the way.
 pub(super) async fn faults(spec: &ImageSpec<'_>, counter: &mut Counter, progress: &Progress) -> Option<Vec<Fault>> {
     let mut faults = Vec::new();
+    let spec = &ImageSpec { image: smaller(spec.image, spec.compared), ..*spec };
     let pixels = u64::from(spec.image.width) * u64::from(spec.image.height);
     if spec.style.shading == Shading::Wireframe {
         // Lines hide nothing.
@@ -89,6 +90,7 @@ pub(super) async fn faults(spec: &ImageSpec<'_>, counter: &mut Counter, progress
 
 /// The pixels that show an opaque or translucent face of the wrong depth. `None` if it was cancelled.
 pub(super) async fn wrong_faces(spec: &ImageSpec<'_>, counter: &mut Counter, progress: &Progress) -> Option<u64> {
+    let spec = &ImageSpec { image: smaller(spec.image, spec.compared), ..*spec };
     let opaque = faces(spec, counter, progress).await?;
     Some(opaque.into_iter().chain(layers(spec, counter)).map(|fault| fault.pixels.wrong).sum())
 }
@@ -282,7 +284,7 @@ pub(super) async fn shadows(spec: &ImageSpec<'_>, progress: &Progress) -> Option
     if !spec.scene.lights.iter().any(|light| light.shadows.cast) {
         return Some(faults);
     }
-    let spec = &ImageSpec { image: smaller(spec.image), ..*spec };
+    let spec = &ImageSpec { image: smaller(spec.image, SHADOW_PIXELS), ..*spec };
     let solids = &Solids::of(spec.scene);
     let (mut pipeline, mut rasterizer) = (Pipeline::default(), Rasterizer::default());
     rasterizer.watch(progress);
@@ -326,10 +328,10 @@ pub(super) async fn shadows(spec: &ImageSpec<'_>, progress: &Progress) -> Option
     Some(faults)
 }
 
-/// The size of an image with every k-th pixel across and down, which has at most [`SHADOW_PIXELS`].
-fn smaller(image: ImageSize) -> ImageSize {
+/// The size of an image with every k-th pixel across and down, which has at most this many.
+fn smaller(image: ImageSize, most: u64) -> ImageSize {
     let ImageSize { width, height } = image;
-    let fits = |k: &u32| u64::from(width / k) * u64::from(height / k) <= u64::from(SHADOW_PIXELS);
+    let fits = |k: &u32| u64::from(width / k) * u64::from(height / k) <= most;
     let k = (1..).find(fits).unwrap_or(1);
     ImageSize { width: (width / k).max(1), height: (height / k).max(1) }
 }

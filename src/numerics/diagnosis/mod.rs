@@ -169,7 +169,12 @@ pub struct ImageSpec<'a> {
     pub reveal: &'a Reveal,
     /// Its size.
     pub image: ImageSize,
+    /// The most of its pixels that are compared with exact visibility, evenly spread; see [`IN_A_WINDOW`].
+    pub compared: u64,
 }
+
+/// Pixels to compare while a user works: enough for the share of wrong ones, in a few hundredths of a second.
+pub const IN_A_WINDOW: u64 = 1 << 16;
 
 impl Finding {
     /// The names of all objects concerned: those that are lost whole, and the others.
