@@ -10,7 +10,7 @@ use crate::gui::gallery::{Source, figures_in};
 use crate::gui::state::{Message, State};
 
 /// The source of a document; `None`: a new one.
-pub(super) fn source_of(document: &Document) -> Option<Source> {
+pub(in crate::gui) fn source_of(document: &Document) -> Option<Source> {
     match (document.path(), document.shipped_name()) {
         (Some(path), _) => Some(Source::File(path.clone())),
         (None, name) => name.map(Source::Shipped),
@@ -59,9 +59,11 @@ fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Bo
 }
 
 fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) {
-    let left = state.document.clone();
+    let mut left = state.document.clone();
     state.annotations.turn_page(source.clone(), source_of(&document).as_ref());
     state.take_over(document);
+    // What was behind it is kept already.
+    left.take_behind();
     if left.is_changed() {
         state.kept.push((source, left));
     }

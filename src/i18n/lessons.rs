@@ -91,6 +91,10 @@ texts! {
     lesson_minutes_field: "Minutes", "Minutos";
     forget_typed: "Back to the text of the file", "De volta ao texto do arquivo";
     forget_typed_hint: "Forgets what was typed since it was written last", "Esquece o que foi digitado desde que foi escrito";
+    // The question about text that cannot be saved.
+    unsaved_text_title: "Leave without the text of this step?", "Sair sem o texto deste passo?";
+    unsaved_text: "The text you typed isn't in the lesson's file, and can't be saved there:", "O texto que você digitou não está no arquivo da lição e não pode ser salvo nele:";
+    save_copy: "Save a copy…", "Salvar uma cópia…";
     // The texts of a recorded step and lesson.
     new_lesson: "A new lesson", "Uma nova lição";
     new_text: "Say here what is to be seen.", "Diga aqui o que se vê.";

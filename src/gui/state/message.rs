@@ -58,6 +58,8 @@ pub enum Message {
     Saved(PathBuf),
     /// A file was handed to the browser.
     Downloaded(PathBuf),
+    /// A file was chosen for a figure that the window no longer shows: nothing was done with it.
+    OtherFigure(PathBuf),
     /// A link with this number of characters is in the clipboard.
     LinkCopied(usize),
     /// The figure of a link is shown.
@@ -152,6 +154,7 @@ impl Message {
             }
             Self::Saved(path) => (News, about(t.saved, path)),
             Self::Downloaded(path) => (News, about(sharing.downloaded, path)),
+            Self::OtherFigure(path) => (Error, about(t.other_figure, path)),
             Self::LinkCopied(length) => (News, format!("{} {length} {}", sharing.copied, sharing.characters)),
             Self::LinkOpened => (News, sharing.opened.to_owned()),
             Self::File(path, error) => (Error, messages::file(lang, &messages::opened(lang, path), error)),

@@ -85,6 +85,7 @@ pub use conventions::Conventions;
 pub(in crate::gui) use exercises::Done;
 pub use exercises::{Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Typed, is_whole, joined};
 pub use explain::{Explain, Question};
+pub(in crate::gui) use files::Asking;
 pub use files::{
     AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, TEXTURE_ENDINGS, Theirs,
 };
@@ -96,7 +97,7 @@ pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
 pub(in crate::gui) use lesson::FADE;
 pub use lesson::{Moving, Playing};
 pub(in crate::gui) use lesson_writing::FIELDS_OF_STEP;
-pub use lesson_writing::{StepChange, Writing};
+pub use lesson_writing::{StepChange, UnsavedText, Writing};
 pub(in crate::gui) use matrices::symbols_of;
 pub use matrices::{Matrices, Reading};
 pub(in crate::gui) use message::about_session;
@@ -366,8 +367,10 @@ impl State {
         Ok(state)
     }
 
-    /// Goes on with another document; nothing of the one before stays.
+    /// Goes on with another document. The one before is lost, unless the caller has it: ask first. Work behind it is
+    /// kept.
     pub(in crate::gui) fn take_over(&mut self, document: Document) {
+        self.keep_behind();
         let image = document.figure().image;
         self.settings.aspect_follows_image =
             document.draft().aspect == f64::from(image.width) / f64::from(image.height);
@@ -487,13 +490,12 @@ impl State {
         described.camera.as_deref().ok().map(Camera::rounded)
     }
 
-    /// Puts the figure of an exercise into the pictures, as one step that can be undone. The user's own stays in its
-    /// file.
+    /// Puts the figure of an exercise into the pictures, in front of the user's own: undoing leads back to that.
     pub(in crate::gui) fn show_figure_of_exercise(&mut self, figure: Figure) {
         self.operations.motion = None;
         let image = figure.image;
         self.settings.aspect_follows_image = figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
-        let shown = self.document.show_without_file(figure);
+        let shown = self.document.show_in_front(figure);
         self.say_camera_error(shown);
         // Its objects are to be seen, without frames and handles.
         self.tree = SceneTree::default();
