@@ -16,7 +16,7 @@ use super::motion;
 use super::panels::recovery::Decision;
 use super::preferences::Preferences;
 use super::session::{Keeping, Kept, Restored, Sessions};
-use super::state::{AfterSave, PanelHover, Side, State};
+use super::state::{AfterSave, Message, PanelHover, Side, State};
 use super::tab_order::KeyOrder;
 #[cfg(not(target_arch = "wasm32"))]
 use super::window_size::Opening;
@@ -264,6 +264,7 @@ impl App {
         drop_hint(&ctx, &self.state);
         self.focus.end(&ctx);
         self.apply_settings(&ctx);
+        self.refuse_links(&ctx);
         self.update_title(&ctx);
         let moves = self.state.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
         let moving = self.state.operations.motion.is_some() || moves || self.state.explain.steps.plays();
@@ -349,11 +350,32 @@ impl App {
         }
     }
 
+    /// Lets links of texts, which may be somebody else's, open pages and mail only: no files or programs of this
+    /// machine.
+    fn refuse_links(&mut self, ctx: &egui::Context) {
+        let mut refused = None;
+        ctx.output_mut(|output| {
+            output.commands.retain(|command| match command {
+                egui::OutputCommand::OpenUrl(link) if !opens(&link.url) => {
+                    refused = Some(link.url.clone());
+                    false
+                }
+                _ => true,
+            });
+        });
+        if let Some(link) = refused {
+            self.state.say(Message::LinkRefused(link));
+            ctx.request_repaint();
+        }
+    }
+
     /// The name of the figure in the title of the window.
     fn update_title(&mut self, ctx: &egui::Context) {
         let document = &self.state.document;
         let name = document.name().unwrap_or_else(|| window::texts(self.state.settings.lang).untitled.to_owned());
-        let mark = if self.state.has_unsaved() { " •" } else { "" };
+        // It means that closing the window asks.
+        let is_unsaved = self.state.has_unsaved() || self.state.unsaved_text().is_some();
+        let mark = if is_unsaved { " •" } else { "" };
         let title = format!("{}{mark} – Camera Lab", sanitize::escaped(&name));
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
@@ -390,6 +412,12 @@ impl App {
             ctx.set_zoom_factor(zoom);
         }
     }
+}
+
+/// Whether a link may be opened outside of the window.
+fn opens(link: &str) -> bool {
+    let scheme = link.split_once(':').map(|(scheme, _)| scheme.to_ascii_lowercase());
+    scheme.is_some_and(|scheme| ["http", "https", "mailto"].contains(&scheme.as_str()))
 }
 
 /// Names the handle of a panel in the language of the window: egui's own name for it is English.

@@ -53,7 +53,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
     let id = Id::unique("dialog").with(kind);
     if dialog == Dialog::Qr {
-        qr::show(ctx, state);
+        qr::show(ctx, state, first);
         return None;
     }
     if let Dialog::Compare(form) = dialog {
@@ -173,6 +173,10 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     if modal.should_close() {
         state.gallery.end();
         state.file_flow.dialog = None;
+    }
+    if state.file_flow.dialog.is_none() && state.file_flow.covered.is_some() {
+        // It comes back in the next frame.
+        ctx.request_repaint();
     }
     if !matches!(state.file_flow.dialog, Some(Dialog::Export(_))) {
         state.file_flow.preview = None;

@@ -572,6 +572,45 @@ mod tests {
     }
 
     #[test]
+    fn the_answer_of_a_dialog_belongs_to_the_figure_it_was_asked_for() {
+        let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
+        let folder = std::env::temp_dir().join(format!("camera-lab-answer-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let path = folder.join("copy.toml");
+        for is_same in [false, true] {
+            ask(&ctx, &mut state, Purpose::Save(None));
+            assert!(state.file_flow.is_asking());
+            if !is_same {
+                go_on(&ctx, &mut state, AfterSave::Shipped("house"));
+            }
+            answered(&ctx, &mut state, FileAnswer::Chosen(path.clone()));
+            assert!(!state.file_flow.is_asking());
+            assert_eq!((path.exists(), state.document.path().is_some()), (is_same, is_same));
+            assert_eq!(matches!(state.message, Some(Message::OtherFigure(_))), !is_same);
+        }
+        // A lack of dialogs is no reason to have none for the next question.
+        ask(&ctx, &mut state, Purpose::Open);
+        answered(&ctx, &mut state, FileAnswer::Unavailable);
+        assert!(matches!(state.file_flow.dialog, Some(Dialog::Path(Purpose::Open, _))) && state.file_flow.native);
+        std::fs::remove_dir_all(folder).expect("removed");
+    }
+
+    #[test]
+    fn a_latex_picture_replaces_the_pdf_beside_it_only_after_a_question() {
+        let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
+        let folder = std::env::temp_dir().join(format!("camera-lab-beside-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let beside = folder.join("my-fig-art.pdf");
+        std::fs::write(&beside, "precious").expect("written");
+        let export = Export { format: PictureFormat::Tex, ..Export::new([[4, 3]; 3], 1.0) };
+        chosen(&ctx, &mut state, Purpose::Export(export), folder.join("my fig.tex"));
+        let Some(Dialog::Overwrite(purpose, path)) = &state.file_flow.dialog else { panic!("a question") };
+        assert_eq!(replaced(purpose, path), [beside]);
+        assert!(state.file_flow.exporting.is_empty());
+        std::fs::remove_dir_all(folder).expect("removed");
+    }
+
+    #[test]
     fn a_window_that_is_closed_waits_for_its_pictures() {
         static HELD: Mutex<()> = Mutex::new(());
         fn make() -> impl AsyncFnMut(Task, &Progress) -> Exported {

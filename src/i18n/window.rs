@@ -288,6 +288,7 @@ texts! {
     path_name: "file", "arquivo";
     path_hint: "folder/name", "pasta/nome";
     cancel: "Cancel", "Cancelar";
+    link_refused: "Links open web pages and mail only, not", "Links só abrem páginas da web e e-mail, não";
     choosing_title: "Choose a file", "Escolha um arquivo";
     choosing_text: "A file dialog of the system is open. This window goes on when you close it.", "Uma caixa de arquivos do sistema está aberta. Esta janela continua quando você a fechar.";
     other_figure: "The window shows another figure now, so nothing was done with", "A janela agora mostra outra figura, então nada foi feito com";

@@ -14,6 +14,7 @@ use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 
 use super::files::Folder;
+use super::sessions::written;
 use super::window::Window;
 
 /// A window that plays the user's copy of a lesson.
@@ -169,15 +170,12 @@ fn a_text_that_is_wrong_is_told_and_not_lost() {
         window.key(key);
         assert_eq!(window.state().lesson.as_ref().unwrap().step, 1);
     }
-    let typed = |window: &Window| {
-        window.state().lesson.as_ref().map(|lesson| lesson.writing.as_ref().unwrap().typed[1].en.clone())
-    };
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
     assert!(window.says(t.unsaved_text_title) && window.says("basis.nonsense"), "the question says why");
     assert!(window.harness.query_by_label(t.save_copy).is_none(), "no file could hold it");
     window.key(Key::Escape);
-    assert_eq!(typed(&window).as_deref(), Some("See {basis.nonsense}"));
+    assert_eq!(step_text(&window), "See {basis.nonsense}");
     assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
@@ -314,4 +312,32 @@ fn a_link_holds_a_whole_lesson() {
     assert!(!window.state().plays_own_lesson());
     window.key(Key::PageDown);
     assert_eq!(window.state().lesson.as_ref().unwrap().step, 1);
+}
+
+#[test]
+fn text_of_a_window_that_was_killed_is_in_its_fields_again() {
+    let folder = Folder::new("write-killed");
+    let t = words::texts(Lang::En);
+    let (mut window, path) = own(&folder, 1);
+    window.app_mut().keep_session(&folder.file("sessions"), false);
+    write(&mut window);
+    type_into(&mut window, t.step_text_field, "See {basis.nonsense}");
+    window.wait(|_| written(&folder.file("sessions")).contains("basis.nonsense"));
+    drop(window);
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.file("sessions"), true);
+    window.run();
+    window.run();
+    assert_eq!(step_text(&window), "See {basis.nonsense}");
+    assert!(window.says(t.not_written) && window.state().lesson.as_ref().unwrap().step == 1);
+    assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text);
+    type_into(&mut window, t.step_text_field, "See $n$.");
+    pause(&mut window);
+    assert_eq!(read_lesson(&path).unwrap().0.steps[1].text.en, "See $n$.");
+    window.wait(|_| written(&folder.file("sessions")).is_empty());
+}
+
+/// The text of the step, as it is typed.
+fn step_text(window: &Window) -> String {
+    window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed[1].en.clone()
 }

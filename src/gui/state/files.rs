@@ -281,7 +281,8 @@ impl FileFlow {
 
     /// True while an open dialog would lose something if another one took its place.
     pub(in crate::gui) fn has_question(&self) -> bool {
-        self.waits_for_system() || self.dialog.as_ref().is_some_and(Dialog::is_question)
+        // A covered dialog comes back.
+        self.waits_for_system() || self.covered.is_some() || self.dialog.as_ref().is_some_and(Dialog::is_question)
     }
 
     /// Work with files, with nothing pending.

@@ -7,10 +7,12 @@ use std::sync::Arc;
 use super::{Chosen, Message, Panels, State, Writing};
 use crate::camera::Camera;
 use crate::figure::{Figure, Observers, Show};
+use crate::files;
 use crate::gui::document::Document;
 use crate::gui::history::Revision;
 use crate::gui::sequence::source_of;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
+use crate::share;
 
 /// Seconds in which the pictures of a step before fade into those of the next one.
 pub(in crate::gui) const FADE: f64 = 0.4;
@@ -210,6 +212,8 @@ impl State {
     /// once it has asked.
     pub(in crate::gui) fn play(&mut self, open: OpenLesson) {
         let OpenLesson { lesson, path, step } = open;
+        // A session of another folder has to find the file too.
+        let path = path.map(|path| if share::link_of(&path).is_some() { path } else { files::whole(&path) });
         let playing = Playing {
             lesson,
             path,

@@ -9,7 +9,7 @@ use super::{Agreed, Message, State};
 use crate::figure::{Bilingual, Figure, FigureError};
 use crate::files::{self, FileError};
 use crate::i18n::Lang;
-use crate::lessons::{Edit, Lesson, LessonText, OpenLesson, StepText, edited, with_step};
+use crate::lessons::{Edit, Lesson, LessonText, OpenLesson, StepText, Words, edited, reworded, with_step};
 use crate::numbers::significant;
 use crate::share;
 
@@ -104,24 +104,21 @@ impl Writing {
 
     /// The file with the texts as they are typed.
     fn tried(&self) -> Result<(String, Lesson), FigureError> {
-        let mut tried = edited(&self.text, &Edit::Move(self.step, self.step))?;
-        for (change, (typed, kept)) in FIELDS.into_iter().zip(self.typed.iter().zip(&self.kept)) {
-            if typed != kept {
-                tried = edited(&tried.0, &change(self.step, typed.clone()))?;
-            }
-        }
-        Ok(tried)
+        let fields = FIELDS.into_iter().zip(self.typed.iter().zip(&self.kept));
+        let changed = fields.filter(|(_, (typed, kept))| typed != kept);
+        let words: Vec<Words> = changed.map(|(words, (typed, _))| words(self.step, typed.clone())).collect();
+        reworded(&self.text, &words)
     }
 }
 
-/// The change that a field makes: those of a step, then those of the lesson.
-const FIELDS: [fn(usize, Bilingual) -> Edit; 6] = [
-    |step, told| Edit::Say(step, StepText::Title, told),
-    |step, told| Edit::Say(step, StepText::Text, told),
-    |step, told| Edit::Say(step, StepText::Notes, told),
-    |_, told| Edit::Tell(LessonText::Title, told),
-    |_, told| Edit::Tell(LessonText::Sentence, told),
-    |_, told| Edit::Tell(LessonText::Minutes, told),
+/// The words of a field: those of a step, then those of the lesson.
+const FIELDS: [fn(usize, Bilingual) -> Words; 6] = [
+    |step, told| Words::OfStep(step, StepText::Title, told),
+    |step, told| Words::OfStep(step, StepText::Text, told),
+    |step, told| Words::OfStep(step, StepText::Notes, told),
+    |_, told| Words::OfLesson(LessonText::Title, told),
+    |_, told| Words::OfLesson(LessonText::Sentence, told),
+    |_, told| Words::OfLesson(LessonText::Minutes, told),
 ];
 
 /// The fields that are those of the step.

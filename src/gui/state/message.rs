@@ -64,6 +64,8 @@ pub enum Message {
     LinkCopied(usize),
     /// The figure of a link is shown.
     LinkOpened,
+    /// A text has this link, which leads neither to a page nor to mail.
+    LinkRefused(String),
     /// A file cannot be read or written.
     File(PathBuf, FileError),
     /// The camera of the figure in this file is impossible.
@@ -156,6 +158,7 @@ impl Message {
             Self::Downloaded(path) => (News, about(sharing.downloaded, path)),
             Self::OtherFigure(path) => (Error, about(t.other_figure, path)),
             Self::LinkCopied(length) => (News, format!("{} {length} {}", sharing.copied, sharing.characters)),
+            Self::LinkRefused(link) => (Error, format!("{} {}", t.link_refused, sanitize::within(link, 120))),
             Self::LinkOpened => (News, sharing.opened.to_owned()),
             Self::File(path, error) => (Error, messages::file(lang, &messages::opened(lang, path), error)),
             Self::NotOpened(path, error) => {

@@ -124,6 +124,7 @@ use super::document::Document;
 use super::export::Export;
 use super::family_choice::FamilyChoice;
 use super::gallery::{Gallery, Source};
+use super::link_dialog::ShownLink;
 use super::memo::Memo;
 use super::scene_cache::SceneCache;
 
@@ -271,6 +272,8 @@ pub struct State {
     pub welcome: bool,
     /// The followed point.
     pub follow: Follow,
+    /// The link that a dialog shows.
+    pub(in crate::gui) shown_link: ShownLink,
     /// The faults of the picture, and the health of the camera.
     pub coach: Coach,
 }
@@ -353,6 +356,7 @@ impl State {
             explain: Explain::default(),
             exercises: Exercises::default(),
             follow: Follow::default(),
+            shown_link: ShownLink::default(),
             coach: Coach::default(),
             lesson: None,
             own_lessons: Vec::new(),
