@@ -156,7 +156,7 @@ fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
         (FileAnswer::Unavailable, purpose) => ask_in_window(state, purpose),
         (FileAnswer::Chosen(path), Purpose::Open) if !is_same => begin(ctx, state, AfterSave::OpenPath(path)),
         (FileAnswer::Chosen(path), purpose) if is_same || !purpose.is_about_figure() => {
-            chosen(ctx, state, purpose, path)
+            chosen(ctx, state, purpose, path);
         }
         (FileAnswer::Chosen(path), _) => state.say(Message::OtherFigure(path)),
     }

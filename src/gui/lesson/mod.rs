@@ -90,7 +90,8 @@ pub(super) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
         let open = lessons::OpenLesson { lesson: first, path: None, step: 0 };
         file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
     }
-    if shown.inner || command.is_some() {
+    // It stays if the question about changes does.
+    if state.lesson.is_some() || command.is_some() {
         (state.welcome, state.settings.welcomed) = (false, true);
     }
     command
