@@ -259,7 +259,8 @@ impl Work {
             Self::WrongText | Self::TextBeside => true,
             Self::Figure | Self::Step | Self::Path => self.is_in(&state.document),
         };
-        is_open && is_shown && plays == state.lesson.is_some() && !state.settings.presentation && state.welcome
+        let is_at_rest = !state.settings.presentation && state.settings.lang == Lang::En && state.welcome;
+        is_open && is_shown && is_at_rest && plays == state.lesson.is_some()
     }
 }
 
@@ -348,10 +349,10 @@ fn all(folder: &Folder) -> Vec<(String, Vec<Deed>)> {
     rows
 }
 
-/// What takes changes back, or forgets typed text, because the user asks for just that.
+/// What takes changes back because the user asks for just that; it can be undone or redone.
 fn is_asked_for(name: &str) -> bool {
     let t = words::texts(Lang::En);
-    let buttons = [window::texts(Lang::En).undo, t.again, t.forget_typed].map(|label| format!("Button {label}"));
+    let buttons = [window::texts(Lang::En).undo, t.again].map(|label| format!("Button {label}"));
     let commands = [Command::Undo, Command::Reset, Command::StepAgain].map(|command| format!("{command:?}"));
     commands.iter().chain(&buttons).any(|asked| asked == name) || name == "the way back"
 }
@@ -364,8 +365,10 @@ fn clickable(window: &Window) -> Vec<(String, Vec<Deed>)> {
         for (number, node) in window.harness.query_all_by_role(role).enumerate() {
             let place = node.rect().center();
             let beside = place.y > picture.top() && place.y < picture.bottom();
-            if role == Role::Link || !beside {
-                let name = node.accesskit_node().label().unwrap_or_default();
+            let name = node.accesskit_node().label().unwrap_or_default();
+            // This one says that it forgets the text.
+            let is_asked = name == words::texts(Lang::En).forget_typed;
+            if (role == Role::Link || !beside) && !is_asked {
                 rows.push((format!("{role:?} {name}"), vec![Deed::Click(role, number)]));
             }
         }
