@@ -350,7 +350,7 @@ impl App {
         }
     }
 
-    /// Lets links of texts, which may be somebody else's, open pages and mail only: no files or programs of this
+    /// Lets links of texts, which may have another author, open pages and mail only: no files or programs of this
     /// machine.
     fn refuse_links(&mut self, ctx: &egui::Context) {
         let mut refused = None;

@@ -308,7 +308,7 @@ impl Document {
         self.history.forget_future();
         self.in_front = None;
         let left = std::mem::replace(self, shown);
-        // A shown figure that nobody has changed leads back past itself: there is no chain of them.
+        // A shown figure without changes is not worth a way back: there is no chain of them.
         self.behind = if left.is_changed || left.behind.is_none() { Some(Box::new(left)) } else { left.behind };
         Ok(())
     }

@@ -90,11 +90,11 @@ impl Playing {
         self.is_done() || self.passed.contains(&self.step)
     }
 
-    /// Whether the document of a step has work in it. Trying is what a step is for: a camera, an image, or a way of
-    /// drawing that somebody has only tried is not marked, not stored, and ends with the step. Work is what was built:
-    /// objects, lights, points, labels, titles. It is treated as in every other figure: it is marked (•), survives a
-    /// crash, waits in its step while other steps are shown, and whatever would end it asks first. Once the lesson has
-    /// been written here, every change is work: it may be going to be a step.
+    /// Whether the document of a step has work in it. A step is there to be tried: another camera, image or way of
+    /// drawing isn't marked, isn't stored, and ends with the step. What the user builds is work: objects, lights,
+    /// points, labels, titles. It's treated as in every other figure: it's marked (•), survives a crash, waits in its
+    /// step while other steps are shown, and whatever would end it asks first. Once the lesson has been written here,
+    /// every change is work, because it may become a step.
     #[must_use]
     pub(super) fn is_work(&self, document: &Document) -> bool {
         if self.was_written { document.is_changed() } else { document.is_built_on() }
@@ -417,7 +417,7 @@ impl State {
     pub(in crate::gui) fn end_move(&mut self) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
         if self.document.is_built_on() && !moving.target.is_built_on() {
-            // Somebody has changed the figure meanwhile: only the camera arrives.
+            // The figure was changed meanwhile: only the camera arrives.
             let target = moving.target.figure();
             (*self.document.observers_mut(), *self.document.show_mut()) = (target.observers, target.show.clone());
             self.document.set_camera(moving.target.camera().clone());

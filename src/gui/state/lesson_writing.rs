@@ -465,7 +465,7 @@ impl State {
         self.keep(without);
     }
 
-    /// Shows a step of the lesson as another text of the file has it. The work in steps is kept: nobody knows which of
+    /// Shows a step of the lesson as another text of the file has it. The work in steps is kept: it is not known which of
     /// the new ones it belongs to.
     fn play_changed(&mut self, lesson: Lesson, step: usize) {
         self.end_move();
