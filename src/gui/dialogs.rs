@@ -23,7 +23,6 @@ use super::native::Wanted;
 use super::panels::{complaint, scene};
 use super::qr;
 use super::search;
-use super::sequence::source_of;
 use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use super::text_field::TextField;
 use crate::gui::tooltip::Explained;
@@ -139,7 +138,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 state.file_flow.dialog = Some(Dialog::Gallery);
                 if first {
                     let beside = state.document.folder().map(Path::to_owned);
-                    let here = source_of(&state.document);
+                    let here = Source::of(&state.document);
                     state.gallery.begin(&state.recent.files, beside.as_deref(), here.as_ref());
                 }
                 let style = (state.settings.theme, state.settings.lang);

@@ -15,7 +15,6 @@ use super::export::{ExportError, ExportKind, Exporting, Task, chart_bytes};
 use super::file_kind::FileKind;
 use super::gallery::Source;
 use super::native::{FileAnswer, OpenFileDialog, Wanted};
-use super::sequence::source_of;
 use super::state::{
     AfterSave, Agreed, Asking, Changed, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State, Tab,
     Theirs,
@@ -80,7 +79,7 @@ fn quit(ctx: &egui::Context, state: &mut State) {
     if let Some((_, document)) = state.kept.pop() {
         // If the window is not closed after all, the figure is still there.
         if state.has_unsaved() {
-            state.given_up.push((source_of(&state.document), state.document.clone()));
+            state.given_up.push((Source::of(&state.document), state.document.clone()));
         }
         state.take_over(document);
         begin(ctx, state, AfterSave::Quit);

@@ -6,7 +6,6 @@ use eframe::egui::{self, RichText};
 
 use super::dialog_buttons::{Pressed, buttons};
 use super::file_flow;
-use super::memo::Memo;
 use super::panels::complaint;
 use super::state::{Dialog, Message, State};
 use super::text_field::TextField;
@@ -19,10 +18,6 @@ use crate::limits::{MAX_LINK_CHARACTERS, MAX_TYPED};
 use crate::sanitize;
 use crate::scene::Shape;
 use crate::share::{self, Held, ShareError};
-
-/// The link to what is on the screen while a dialog shows it, by the address, and whether it holds a whole lesson: made
-/// when the dialog is opened, since nothing behind it changes.
-pub(in crate::gui) type ShownLink = Memo<(String, bool), Result<String, ShareError>>;
 
 /// Shows the dialog; `first`: it has just been opened.
 pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool) {

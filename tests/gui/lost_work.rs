@@ -1,5 +1,5 @@
-//! Nothing is lost without a question: every command, key, link, card, dropped file and way to close the window is tried
-//! with unsaved work of each kind. The work must still be in the window afterwards, and in a window that starts after
+//! Nothing is lost without a question: every command, key, link, card, dropped file and way to close the window is
+//! tried with unsaved work of each kind. The work must still be in the window afterwards, and in a window that starts after
 //! a crash.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
@@ -13,8 +13,8 @@ use camera_lab::camera::Parameters;
 use camera_lab::files::{open_figure, read_lesson};
 use camera_lab::gui::command::Command;
 use camera_lab::gui::document::Document;
-use camera_lab::gui::session::Sessions;
-use camera_lab::gui::state::{Chosen, Dialog, UnsavedText};
+use camera_lab::gui::session::{Sessions, UnsavedText};
+use camera_lab::gui::state::{Chosen, Dialog};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::{Lang, exercise_window, lessons as words, told, window};
 use camera_lab::lessons::{OpenLesson, shipped};

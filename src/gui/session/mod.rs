@@ -23,14 +23,13 @@ use eframe::egui;
 
 use super::document::{Document, Seen};
 use super::history::Revision;
-use super::state::UnsavedText;
 use crate::clock;
 use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError, Overwrite};
 use crate::limits::{MAX_SESSION_BYTES, MAX_SESSIONS};
 pub use news::{Keeping, News, NewsList, NotKept};
-pub use session_file::Restored;
 use session_file::SessionFile;
+pub use session_file::{Restored, UnsavedText};
 pub use writer::Kept;
 use writer::Writer;
 

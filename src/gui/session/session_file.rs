@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::UnsavedText;
 use crate::figure::{Bilingual, Figure, read, update};
 use crate::files::{SourceFile, disk};
 use crate::gui::document::Document;
@@ -40,6 +39,19 @@ impl KeptPath {
         };
         Some(path).filter(|path| disk::is_whole(path))
     }
+}
+
+/// The text of a lesson that is not in its file: a session stores it, and a window goes on with it after a crash.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnsavedText {
+    /// The file.
+    pub path: PathBuf,
+    /// The step whose texts were written, from 0.
+    pub step: usize,
+    /// The text of the file as the window read or wrote it last.
+    pub text: String,
+    /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as they were typed.
+    pub typed: [Bilingual; 6],
 }
 
 /// The stored session. Unknown keys, from a later version, are ignored.

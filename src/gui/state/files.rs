@@ -222,7 +222,7 @@ pub struct FileFlow {
 /// A question for a file to the system, until it is answered.
 #[derive(Debug)]
 pub(in crate::gui) struct Asking {
-    /// What the file is for.
+    /// The purpose of the file.
     pub(in crate::gui) purpose: Purpose,
     /// The document that was shown when the question came up.
     pub(in crate::gui) document: Revision,

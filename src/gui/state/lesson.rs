@@ -9,8 +9,8 @@ use crate::camera::Camera;
 use crate::figure::{Figure, Observers, Show};
 use crate::files;
 use crate::gui::document::Document;
+use crate::gui::gallery::Source;
 use crate::gui::history::Revision;
-use crate::gui::sequence::source_of;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
 use crate::share;
 
@@ -189,7 +189,7 @@ impl State {
                 std::iter::once(document)
                     .chain(behind)
                     .filter(Document::is_changed)
-                    .map(|document| (source_of(&document), document)),
+                    .map(|document| (Source::of(&document), document)),
             );
         }
     }

@@ -2,12 +2,13 @@
 //! changes of its file, and the way back.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use super::{Agreed, Message, State};
 use crate::figure::{Bilingual, Figure, FigureError};
 use crate::files::{self, FileError};
+use crate::gui::session::UnsavedText;
 use crate::i18n::Lang;
 use crate::lessons::{Edit, Lesson, LessonText, OpenLesson, StepText, Words, edited, reworded, with_step};
 use crate::numbers::significant;
@@ -40,21 +41,8 @@ pub struct Writing {
     pub typed_at: f64,
     /// The file before each change, and the step that was shown.
     earlier: Vec<(String, usize)>,
-    /// What is typed and not in the file, as a session stores it.
+    /// Typed text that is not in the file, as a session stores it.
     unsaved: Option<Arc<UnsavedText>>,
-}
-
-/// The text of a lesson that is not in its file: a session stores it, and a window goes on with it after a crash.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnsavedText {
-    /// The file.
-    pub path: PathBuf,
-    /// The step whose texts were written, from 0.
-    pub step: usize,
-    /// The text of the file as the window read or wrote it last.
-    pub text: String,
-    /// The fields of [`Writing::typed`].
-    pub typed: [Bilingual; FIELDS.len()],
 }
 
 impl Writing {
@@ -465,8 +453,8 @@ impl State {
         self.keep(without);
     }
 
-    /// Shows a step of the lesson as another text of the file has it. The work in steps is kept: it is not known which of
-    /// the new ones it belongs to.
+    /// Shows a step of the lesson as another text of the file has it. The work in steps is kept: which of the new steps
+    /// it belongs to is not known.
     fn play_changed(&mut self, lesson: Lesson, step: usize) {
         self.end_move();
         self.leave_step();

@@ -75,6 +75,7 @@ use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::lessons::Lesson;
 use crate::limits::MAX_NAMED_POINTS;
+use crate::share::ShareError;
 use crate::views::Probe;
 use crate::views::View;
 pub use annotations::Annotations;
@@ -97,7 +98,7 @@ pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
 pub(in crate::gui) use lesson::FADE;
 pub use lesson::{Moving, Playing};
 pub(in crate::gui) use lesson_writing::FIELDS_OF_STEP;
-pub use lesson_writing::{StepChange, UnsavedText, Writing};
+pub use lesson_writing::{StepChange, Writing};
 pub(in crate::gui) use matrices::symbols_of;
 pub use matrices::{Matrices, Reading};
 pub(in crate::gui) use message::about_session;
@@ -124,7 +125,6 @@ use super::document::Document;
 use super::export::Export;
 use super::family_choice::FamilyChoice;
 use super::gallery::{Gallery, Source};
-use super::link_dialog::ShownLink;
 use super::memo::Memo;
 use super::scene_cache::SceneCache;
 
@@ -273,7 +273,9 @@ pub struct State {
     /// The followed point.
     pub follow: Follow,
     /// The link that a dialog shows.
-    pub(in crate::gui) shown_link: ShownLink,
+    /// By the address, and whether it holds a whole lesson; made when the dialog is opened, since nothing behind it
+    /// changes.
+    pub(in crate::gui) shown_link: Memo<(String, bool), Result<String, ShareError>>,
     /// The faults of the picture, and the health of the camera.
     pub coach: Coach,
 }
@@ -356,7 +358,7 @@ impl State {
             explain: Explain::default(),
             exercises: Exercises::default(),
             follow: Follow::default(),
-            shown_link: ShownLink::default(),
+            shown_link: Memo::default(),
             coach: Coach::default(),
             lesson: None,
             own_lessons: Vec::new(),
