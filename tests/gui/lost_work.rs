@@ -1,6 +1,6 @@
 //! Nothing is lost without a question: every command, key, link, card, dropped file and way to close the window is
-//! tried with unsaved work of each kind. The work must still be in the window afterwards, and in a window that starts after
-//! a crash.
+//! tried with unsaved work of each kind. The work must still be in the window afterwards, and in a window that starts
+//! after a crash.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
