@@ -4,10 +4,13 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::own_exercises::toml_files;
-use super::{FileError, read_at_most};
+use super::{FileError, read_at_most, read_start};
 use crate::lessons::{Lesson, parse_bytes};
 use crate::limits::MAX_LESSON_BYTES;
 use crate::share::{self, Held};
+
+/// The first step of a lesson begins within these bytes: before it are only its title, sentence and aims.
+const HEAD: u64 = 64 << 10;
 
 /// The lessons of a folder.
 #[derive(Debug, Default)]
@@ -60,7 +63,8 @@ pub fn is_lesson_file(path: &Path) -> bool {
         return share::held_in(link) == Some(Held::Lesson);
     }
     let is_toml = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    is_toml && read_at_most(path, MAX_LESSON_BYTES as u64).is_ok_and(|bytes| is_lesson(&bytes))
+    // A folder may have thousands of figures, and large ones.
+    is_toml && read_start(path, HEAD).is_ok_and(|bytes| is_lesson(&bytes))
 }
 
 /// True where a file is meant as a lesson.

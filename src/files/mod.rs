@@ -198,6 +198,41 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
 /// As for [`read_file`].
 #[cfg(not(target_arch = "wasm32"))]
 pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+    let (file, length) = open_regular(path)?;
+    // Nothing is read of a file that reports too large a size; one that grows meanwhile is not trusted either.
+    if length > most {
+        return Err(FileError::TooLarge);
+    }
+    let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or_default());
+    file.take(most + 1).read_to_end(&mut bytes).map_err(FileError::Read)?;
+    if bytes.len() as u64 > most { Err(FileError::TooLarge) } else { Ok(bytes) }
+}
+
+/// The first bytes of a file, at most `most`.
+///
+/// # Errors
+/// As for [`read_file`].
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) fn read_start(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+    let mut bytes = Vec::new();
+    open_regular(path)?.0.take(most).read_to_end(&mut bytes).map_err(FileError::Read)?;
+    Ok(bytes)
+}
+
+/// As in a folder: a page has its files in memory.
+///
+/// # Errors
+/// As for [`read_file`].
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn read_start(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+    let mut bytes = read_at_most(path, MAX_FILE_BYTES)?;
+    bytes.truncate(usize::try_from(most).unwrap_or(usize::MAX));
+    Ok(bytes)
+}
+
+/// Opens a regular file; returns its length too.
+#[cfg(not(target_arch = "wasm32"))]
+fn open_regular(path: &Path) -> Result<(File, u64), FileError> {
     check_path(path)?;
     // Asked before it is opened: opening a pipe waits until somebody writes to it.
     let kind = fs::metadata(path).map_err(FileError::Read)?.file_type();
@@ -213,13 +248,7 @@ pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     if !now.is_file() {
         return Err(FileError::NotRegular);
     }
-    // Nothing is read of a file that reports too large a size; one that grows meanwhile is not trusted either.
-    if now.len() > most {
-        return Err(FileError::TooLarge);
-    }
-    let mut bytes = Vec::with_capacity(usize::try_from(now.len()).unwrap_or_default());
-    file.take(most + 1).read_to_end(&mut bytes).map_err(FileError::Read)?;
-    if bytes.len() as u64 > most { Err(FileError::TooLarge) } else { Ok(bytes) }
+    Ok((file, now.len()))
 }
 
 /// Refuses a path that no file of this machine can have.

@@ -3,11 +3,11 @@
 use std::path::Path;
 use std::time::Duration;
 
-use eframe::egui::{self, ViewportCommand};
+use eframe::egui::os::OperatingSystem;
+use eframe::egui::{self, KeyboardShortcut, ViewportCommand};
 
 use super::canvas::Canvas;
 use super::command::{Command, Run};
-use super::document::Document;
 use super::file_flow;
 use super::focus::{self, Focus, Region};
 use super::key_repeat::HeldKey;
@@ -15,8 +15,8 @@ use super::launch_options::LaunchOptions;
 use super::motion;
 use super::panels::recovery::Decision;
 use super::preferences::Preferences;
-use super::session::{Keeping, Sessions};
-use super::state::{AfterSave, PanelHover, Side, State};
+use super::session::{Keeping, Kept, Restored, Sessions};
+use super::state::{AfterSave, Message, PanelHover, Side, State};
 use super::tab_order::KeyOrder;
 #[cfg(not(target_arch = "wasm32"))]
 use super::window_size::Opening;
@@ -67,14 +67,14 @@ impl App {
             #[cfg(not(target_arch = "wasm32"))]
             opening: Opening::default(),
         };
-        app.apply_settings(ctx);
+        app.apply_first_settings(ctx);
         app
     }
 
     /// Stores preferences in `folder` from now on, and sets the window up from them and from the options in `asked`.
     pub fn keep_preferences(&mut self, ctx: &egui::Context, folder: &Path, asked: LaunchOptions) {
         self.preferences = Some(Preferences::begin(folder, &mut self.state, asked));
-        self.apply_settings(ctx);
+        self.apply_first_settings(ctx);
     }
 
     /// Goes on as the system wants it now, where the user has not chosen otherwise.
@@ -102,9 +102,13 @@ impl App {
     }
 
     /// Continues with a restored document.
-    fn go_on_with(&mut self, left: Option<Document>) {
-        if let Some(document) = left {
+    fn go_on_with(&mut self, left: Option<Restored>) {
+        if let Some(Restored { document, text, .. }) = left {
+            let figure = document.figure().clone();
             self.state.take_over(document);
+            if let Some(text) = text {
+                self.state.resume_text(text, figure);
+            }
             // Another program may have gone on with the file.
             self.state.file_flow.look = true;
         }
@@ -145,7 +149,11 @@ impl App {
     /// One frame; `ui` is the whole window.
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let ctx = ui.ctx().clone();
-        ctx.input_mut(|input| text_field::cut_pasted(&mut input.events));
+        let os = ctx.os();
+        ctx.input_mut(|input| {
+            text_field::cut_pasted(&mut input.events);
+            text_field::drop_letters_with_alt(&mut input.events, os);
+        });
         self.caret.follow(&ctx);
         motion::advance(&ctx, &mut self.state);
         lesson::advance(&ctx, &mut self.state);
@@ -244,6 +252,8 @@ impl App {
             self.perform(&ctx, command);
         }
         let of_speaker = lesson::speaker_window(&ctx, &mut self.state);
+        // Its window does not know of questions in this one.
+        let of_speaker = of_speaker.filter(|_| !self.state.file_flow.is_asking());
         if let Some(command) = of_lesson.or(of_speaker) {
             self.perform(&ctx, command);
         }
@@ -254,6 +264,7 @@ impl App {
         drop_hint(&ctx, &self.state);
         self.focus.end(&ctx);
         self.apply_settings(&ctx);
+        self.refuse_links(&ctx);
         self.update_title(&ctx);
         let moves = self.state.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
         let moving = self.state.operations.motion.is_some() || moves || self.state.explain.steps.plays();
@@ -265,7 +276,11 @@ impl App {
             }
             if let Some(sessions) = &mut self.sessions {
                 let seen = self.state.as_seen();
-                sessions.keep(&ctx, (&self.state.document, &seen));
+                let state = &self.state;
+                let explains = state.lesson.is_none() && state.document.explains_other(&seen.show);
+                let is_work = state.has_unsaved() || explains;
+                let shown = Kept { document: &state.document, seen: &seen, is_work, text: state.unsaved_text() };
+                sessions.keep(&ctx, shown, &state.held_documents());
             }
             if let Some(preferences) = &mut self.preferences {
                 preferences.keep(&ctx, &mut self.state);
@@ -290,8 +305,12 @@ impl App {
     /// Takes the first key press out of the input that calls a command, and gives the command.
     fn keyboard(&self, ctx: &egui::Context) -> Option<Command> {
         let typing = ctx.text_edit_focused();
+        // On a Mac, Option writes accents and signs.
+        let writes = |keys: &KeyboardShortcut| {
+            typing && ctx.os() == OperatingSystem::Mac && keys.modifiers.alt && !keys.modifiers.command
+        };
         let mut shortcuts: Vec<_> = Command::all()
-            .filter(|command| !(typing && command.is_for_text_too()) && command.is_enabled(&self.state))
+            .filter(|command| !(typing && command.is_for_text_too()))
             .flat_map(|command| command.keys(&self.state).map(move |keys| (keys, command)))
             .collect();
         if self.state.settings.presentation && !typing && !ctx.any_popup_open() {
@@ -303,14 +322,16 @@ impl App {
         if self.state.lesson.is_some() && !typing && !ctx.any_popup_open() {
             shortcuts.extend(presentation::PAGES);
         }
-        shortcuts.retain(|(_, command)| command.is_enabled(&self.state));
-        // Ctrl+Shift+S is Ctrl+S as well: shortcuts with more keys are tested first.
+        shortcuts.retain(|(keys, _)| !writes(keys));
+        // Ctrl+Shift+S is Ctrl+S as well: shortcuts with more keys are tested first, and also where their command can
+        // do nothing: Ctrl+Shift+Z with nothing to redo must not undo.
         shortcuts.sort_by_key(|(keys, _)| !keys.modifiers.shift);
         let called_by = |event: &egui::Event| match event {
             egui::Event::Key { key, modifiers, pressed: true, .. } => shortcuts
                 .iter()
                 .find(|(keys, _)| keys.logical_key == *key && modifiers.matches_logically(keys.modifiers))
-                .map(|(_, command)| *command),
+                .map(|(_, command)| *command)
+                .filter(|command| command.is_enabled(&self.state)),
             _ => None,
         };
         ctx.input_mut(|input| {
@@ -325,40 +346,55 @@ impl App {
         match command.run() {
             Run::Change(change) => change(&mut self.state, ctx),
             Run::Step { forwards } if self.state.lesson.is_some() => self.state.step_lesson(forwards),
-            Run::Step { forwards } => self.step(ctx, forwards),
+            Run::Step { forwards } => drop(sequence::step(&mut self.state, forwards)),
         }
     }
 
-    /// Shows the next figure, or the one before. Changes of this one are kept, and stay stored.
-    fn step(&mut self, ctx: &egui::Context, forwards: bool) {
-        if self.leave(ctx, |state| sequence::step(state, forwards))
-            && let Some(sessions) = &mut self.sessions
-        {
-            sessions.come_back(sequence::source_of(&self.state.document).as_ref());
+    /// Lets links of texts, which may have another author, open pages and mail only: no files or programs of this
+    /// machine.
+    fn refuse_links(&mut self, ctx: &egui::Context) {
+        let mut refused = None;
+        ctx.output_mut(|output| {
+            output.commands.retain(|command| match command {
+                egui::OutputCommand::OpenUrl(link) if !opens(&link.url) => {
+                    refused = Some(link.url.clone());
+                    false
+                }
+                _ => true,
+            });
+        });
+        if let Some(link) = refused {
+            self.state.say(Message::LinkRefused(link));
+            ctx.request_repaint();
         }
-    }
-
-    /// Goes on to another figure, as `go` does where it returns true; the changes of this one stay stored.
-    fn leave(&mut self, ctx: &egui::Context, go: impl FnOnce(&mut State) -> bool) -> bool {
-        let (left, document) = (sequence::source_of(&self.state.document), self.state.document.clone());
-        let seen = self.state.as_seen();
-        let goes = go(&mut self.state);
-        if let Some(sessions) = self.sessions.as_mut().filter(|_| goes && document.is_changed()) {
-            sessions.leave(ctx, left, (&document, &seen));
-        }
-        goes
     }
 
     /// The name of the figure in the title of the window.
     fn update_title(&mut self, ctx: &egui::Context) {
         let document = &self.state.document;
         let name = document.name().unwrap_or_else(|| window::texts(self.state.settings.lang).untitled.to_owned());
-        let title =
-            format!("{}{} – Camera Lab", sanitize::escaped(&name), if document.is_changed() { " •" } else { "" });
+        // It means that closing the window asks.
+        let is_unsaved = self.state.has_unsaved() || self.state.unsaved_text().is_some();
+        let mark = if is_unsaved { " •" } else { "" };
+        let title = format!("{}{mark} – Camera Lab", sanitize::escaped(&name));
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
         }
+    }
+
+    /// Theme and zoom before the first frame. [`egui::Context::set_zoom_factor`] would scale the size of the window in
+    /// the frame before, and before the first one that is 10,000 points: pictures as large would be drawn.
+    fn apply_first_settings(&self, ctx: &egui::Context) {
+        ctx.options_mut(|options| options.zoom_factor = self.zoom());
+        self.apply_settings(ctx);
+    }
+
+    /// The zoom of the interface, with that of a presentation.
+    fn zoom(&self) -> f32 {
+        let zoom = self.state.settings.zoom;
+        // If everything is large already, a presentation needs nothing larger.
+        if self.state.settings.presentation { PRESENTATION_ZOOM.max(zoom) } else { zoom }
     }
 
     /// Theme and zoom, as the settings say.
@@ -371,13 +407,17 @@ impl App {
             ctx.set_theme(theme);
             ctx.request_repaint();
         }
-        let zoom = self.state.settings.zoom;
-        // Whoever has made everything large already needs nothing larger.
-        let zoom = if self.state.settings.presentation { PRESENTATION_ZOOM.max(zoom) } else { zoom };
+        let zoom = self.zoom();
         if ctx.zoom_factor() != zoom {
             ctx.set_zoom_factor(zoom);
         }
     }
+}
+
+/// Whether a link may be opened outside of the window.
+fn opens(link: &str) -> bool {
+    let scheme = link.split_once(':').map(|(scheme, _)| scheme.to_ascii_lowercase());
+    scheme.is_some_and(|scheme| ["http", "https", "mailto"].contains(&scheme.as_str()))
 }
 
 /// Names the handle of a panel in the language of the window: egui's own name for it is English.
@@ -400,10 +440,11 @@ fn drop_hint(ctx: &egui::Context, state: &State) {
 }
 
 impl eframe::App for App {
-    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+    fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         #[cfg(not(target_arch = "wasm32"))]
         self.opening.go_on(ui.ctx());
         self.show(ui);
+        file_flow::open_dialog(ui.ctx(), &mut self.state, frame);
     }
 
     /// The ground of the window: to clear it costs little, and to paint it once more, in software, milliseconds.
@@ -418,14 +459,14 @@ impl eframe::App for App {
     }
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
-        self.state.leave_lesson();
+        self.state.save_text();
         // Once, whatever came of it.
         self.state.settings.welcomed = true;
         if let Some(preferences) = &mut self.preferences {
             preferences.finish(&mut self.state);
         }
-        // Whoever closes the window has saved, or does not want to.
-        if let Some(sessions) = &mut self.sessions {
+        // The user has been asked about unsaved changes. A system that ends the program has not done that.
+        if let Some(sessions) = self.sessions.as_mut().filter(|_| self.state.file_flow.may_close) {
             sessions.forget();
         }
     }

@@ -23,18 +23,21 @@ use super::native::Wanted;
 use super::panels::{complaint, scene};
 use super::qr;
 use super::search;
-use super::sequence::source_of;
 use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use super::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
-use crate::i18n::{canvas, exercise_window, scenes, sharing};
+use crate::i18n::{canvas, exercise_window, lessons, scenes, sharing};
 use crate::limits::MAX_TYPED;
 use crate::sanitize;
 use crate::scene::edit::Children;
 
 /// Shows the question that is open, if any, and acts on the answer; gives a command that is to be done.
 pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
+    if state.file_flow.waits_for_system() {
+        wait_for_system(ctx, state);
+        return None;
+    }
     let shown = Id::unique("dialog shown");
     let Some(dialog) = state.file_flow.dialog.take() else {
         ctx.data_mut(|data| data.remove::<Option<Discriminant<Dialog>>>(shown));
@@ -49,7 +52,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
     let id = Id::unique("dialog").with(kind);
     if dialog == Dialog::Qr {
-        qr::show(ctx, state);
+        qr::show(ctx, state, first);
         return None;
     }
     if let Dialog::Compare(form) = dialog {
@@ -67,6 +70,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::Export(_) => export_dialog::WIDTH,
             Dialog::Changed(_) => 480.0,
             Dialog::Unsaved(_)
+            | Dialog::UnsavedText(_)
             | Dialog::Path(..)
             | Dialog::Overwrite(..)
             | Dialog::ReadOnly(..)
@@ -86,8 +90,12 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                     Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Unsaved(next)),
                 }
             }
+            Dialog::UnsavedText(next) => ask_text(ui, t, state, next, first),
             Dialog::Overwrite(purpose, path) => {
-                text(ui, t.overwrite_title, &format!("{} {}", sanitize::path(&path), t.overwrite_text));
+                let names: Vec<String> =
+                    file_flow::replaced(&purpose, &path).iter().map(|path| sanitize::path(path)).collect();
+                let is_said = if names.len() > 1 { t.overwrite_several } else { t.overwrite_text };
+                text(ui, t.overwrite_title, &format!("{} {is_said}", names.join(", ")));
                 match buttons(ui, t.cancel, &[t.replace], first.then_some(CANCEL)) {
                     Pressed::Action(_) => file_flow::confirmed(ctx, state, purpose, &path, Agreed::default()),
                     Pressed::Cancel => {}
@@ -130,7 +138,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 state.file_flow.dialog = Some(Dialog::Gallery);
                 if first {
                     let beside = state.document.folder().map(Path::to_owned);
-                    let here = source_of(&state.document);
+                    let here = Source::of(&state.document);
                     state.gallery.begin(&state.recent.files, beside.as_deref(), here.as_ref());
                 }
                 let style = (state.settings.theme, state.settings.lang);
@@ -165,10 +173,27 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
         state.gallery.end();
         state.file_flow.dialog = None;
     }
+    if state.file_flow.dialog.is_none() && state.file_flow.covered.is_some() {
+        // It comes back in the next frame.
+        ctx.request_repaint();
+    }
     if !matches!(state.file_flow.dialog, Some(Dialog::Export(_))) {
         state.file_flow.preview = None;
     }
     wanted
+}
+
+/// Holds the window back while a dialog of the system is open: its answer is for what the window shows now.
+fn wait_for_system(ctx: &egui::Context, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    Modal::new(Id::unique("dialog of the system")).show(ctx, |ui| {
+        ui.set_width(380.0);
+        text(ui, t.choosing_title, t.choosing_text);
+        // A system that does not answer must not keep the window for ever.
+        if matches!(buttons(ui, t.cancel, &[], None), Pressed::Cancel) {
+            state.file_flow.asking = None;
+        }
+    });
 }
 
 fn text(ui: &mut egui::Ui, title: &str, text: &str) {
@@ -176,6 +201,26 @@ fn text(ui: &mut egui::Ui, title: &str, text: &str) {
     ui.add_space(6.0);
     ui.label(text);
     ui.add_space(10.0);
+}
+
+/// Asks about text of a lesson that cannot be saved in its file.
+fn ask_text(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, next: AfterSave, first: bool) {
+    let (ctx, words) = (ui.ctx().clone(), lessons::texts(state.settings.lang));
+    text(ui, words.unsaved_text_title, words.unsaved_text);
+    if let Some(why) = &state.file_flow.refused {
+        complaint(ui, &why.text(state.settings.lang));
+        ui.add_space(10.0);
+    }
+    let actions: &[&str] = if state.has_good_text() { &[t.dont_save, words.save_copy] } else { &[t.dont_save] };
+    match buttons(ui, t.cancel, actions, first.then_some(CANCEL)) {
+        Pressed::Action(1) => file_flow::ask(&ctx, state, Purpose::LessonText(next)),
+        Pressed::Action(_) => {
+            state.forget_text();
+            file_flow::begin(&ctx, state, next);
+        }
+        Pressed::Cancel => {}
+        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::UnsavedText(next)),
+    }
 }
 
 /// Asks about the children of objects that are deleted.

@@ -11,6 +11,8 @@ use crate::share;
 /// The figure that is being edited.
 #[derive(Clone, Debug)]
 pub struct Document {
+    /// Tells this document from every other one, whatever happens to either.
+    id: Revision,
     figure: Figure,
     camera: Camera,
     draft: Parameters,
@@ -32,8 +34,10 @@ pub struct Document {
     is_changed: bool,
     opened: Parameters,
     history: History,
-    /// The file that stays alone while another figure is shown.
-    aside: Option<DetachedFile>,
+    /// The document in front of which this one was shown: undoing past the first step leads back to it.
+    behind: Option<Box<Self>>,
+    /// The document that was shown in front of this one, until undoing led back: redoing leads to it again.
+    in_front: Option<Box<Self>>,
 }
 
 /// From where a figure is seen, and what is explained in it.
@@ -53,23 +57,6 @@ impl Seen {
     }
 }
 
-/// A file whose figure was left for another one, in the same document.
-#[derive(Clone, Debug)]
-struct DetachedFile {
-    path: Option<PathBuf>,
-    shipped: Option<&'static str>,
-    source: String,
-    /// The figure that was left.
-    own: Figure,
-    /// The one that is shown in its place.
-    lent: Figure,
-}
-
-/// True where figures are the same, from wherever they are seen and whatever is explained in them.
-fn same(a: &Figure, b: &Figure) -> bool {
-    a.without_scene() == b.without_scene() && a.scene == b.scene
-}
-
 impl Document {
     /// A document that has not been changed yet.
     ///
@@ -87,6 +74,7 @@ impl Document {
         };
         let revision = Revision::new();
         Ok(Self {
+            id: Revision::new(),
             history: History::new(&figure, revision, &camera),
             revision,
             scene_is_changed: false,
@@ -104,7 +92,8 @@ impl Document {
             saved: figure.clone(),
             opened: figure.camera,
             figure,
-            aside: None,
+            behind: None,
+            in_front: None,
         })
     }
 
@@ -202,6 +191,11 @@ impl Document {
             || self.figure.without_scene() != self.saved.without_scene();
     }
 
+    /// A number that this document keeps through every change, and that no other one has.
+    pub(in crate::gui) fn id(&self) -> Revision {
+        self.id
+    }
+
     /// A number that says which document it is, without a look at it: not from where it is seen, nor what is explained
     /// in it.
     pub(in crate::gui) fn version(&self) -> Revision {
@@ -230,19 +224,6 @@ impl Document {
         self.camera = camera;
         self.has_scene(revision);
         self.problem = Camera::new(&self.draft).err();
-        self.follow_file();
-    }
-
-    /// The file belongs to the figure that was left, and to those before it.
-    fn follow_file(&mut self) {
-        let Some(aside) = &mut self.aside else { return };
-        let has_file = self.path.is_some() || self.shipped.is_some();
-        let comes_back = !has_file && same(&self.figure, &aside.own);
-        if comes_back || (has_file && same(&self.figure, &aside.lent)) {
-            std::mem::swap(&mut self.path, &mut aside.path);
-            std::mem::swap(&mut self.shipped, &mut aside.shipped);
-            std::mem::swap(&mut self.source, &mut aside.source);
-        }
     }
 
     /// Makes an undo step of the changes since the last one. Call it when no pointer or key is held, so that a drag is
@@ -250,25 +231,36 @@ impl Document {
     pub fn commit(&mut self) {
         let is_another = self.committed.replace(self.version) != Some(self.version);
         if is_another || self.history.shows_other(&self.figure.show) {
-            self.history.commit((&self.figure, self.revision), &self.camera, &self.draft);
+            let is_step = self.history.commit((&self.figure, self.revision), &self.camera, &self.draft);
+            if is_step {
+                // As the steps that could be redone.
+                self.in_front = None;
+            }
         }
     }
 
     /// True where there is something to undo.
     #[must_use]
     pub fn can_undo(&self) -> bool {
-        self.history.can_undo()
+        self.history.can_undo() || self.behind.is_some()
     }
 
     /// True where there is something to redo.
     #[must_use]
     pub fn can_redo(&self) -> bool {
-        self.history.can_redo()
+        self.history.can_redo() || self.in_front.is_some()
     }
 
     /// Goes one step back.
     pub fn undo(&mut self) {
         self.commit();
+        if !self.history.can_undo()
+            && let Some(behind) = self.behind.take()
+        {
+            let in_front = std::mem::replace(self, *behind);
+            self.in_front = Some(Box::new(in_front));
+            return;
+        }
         let moment = self.history.undo(self.figure.observers, &self.figure.show);
         self.restore(moment);
     }
@@ -276,6 +268,13 @@ impl Document {
     /// Goes one step forward.
     pub fn redo(&mut self) {
         self.commit();
+        if !self.history.can_redo()
+            && let Some(in_front) = self.in_front.take()
+        {
+            let behind = std::mem::replace(self, *in_front);
+            self.behind = Some(Box::new(behind));
+            return;
+        }
         let moment = self.history.redo(self.figure.observers, &self.figure.show);
         self.restore(moment);
     }
@@ -293,25 +292,46 @@ impl Document {
         self.problem = None;
         self.has_scene(Revision::new());
         self.history.replace(before.show, (&self.figure, self.revision), &self.camera);
+        self.in_front = None;
         Ok(())
     }
 
-    /// Shows another figure, as one undo step. The file stays with the figure that is left: saving asks for another
-    /// one, until undoing has led back.
+    /// Shows another figure in front of this one, as one undo step. It is a document without a file: saving asks for
+    /// one. This document waits behind it with its file and its changes; see [`Self::behind`].
     ///
     /// # Errors
-    /// As for [`Self::replace`].
-    pub fn show_without_file(&mut self, figure: Figure) -> Result<(), CameraError> {
+    /// As for [`Self::new`]; nothing has changed then.
+    pub fn show_in_front(&mut self, figure: Figure) -> Result<(), CameraError> {
+        let shown = Self { folder: self.folder.clone(), reach: self.reach, ..Self::new(figure, None)? };
         self.commit();
-        let own = self.figure.clone();
-        self.replace(figure)?;
-        if self.path.is_some() || self.shipped.is_some() {
-            let (path, shipped) = (self.path.take(), self.shipped.take());
-            let source = std::mem::take(&mut self.source);
-            self.aside = Some(DetachedFile { path, shipped, source, own, lent: self.figure.clone() });
-            self.note_change();
-        }
+        // What could be redone gives way to a new step, as always.
+        self.history.forget_future();
+        self.in_front = None;
+        let left = std::mem::replace(self, shown);
+        // A shown figure without changes is not worth a way back: there is no chain of them.
+        self.behind = if left.is_changed || left.behind.is_none() { Some(Box::new(left)) } else { left.behind };
         Ok(())
+    }
+
+    /// The documents behind this one, the nearest first.
+    pub fn behind(&self) -> impl Iterator<Item = &Self> {
+        std::iter::successors(self.behind.as_deref(), |document| document.behind.as_deref())
+    }
+
+    /// The document behind this one, once this one is left.
+    pub(in crate::gui) fn into_behind(self) -> Option<Self> {
+        self.behind.map(|behind| *behind)
+    }
+
+    /// Takes the documents from behind this one.
+    pub(in crate::gui) fn take_behind(&mut self) -> Vec<Self> {
+        let mut taken = Vec::new();
+        let mut next = self.behind.take();
+        while let Some(mut document) = next {
+            next = document.behind.take();
+            taken.push(*document);
+        }
+        taken
     }
 
     /// True where the camera differs from the one the figure was opened with.
@@ -412,7 +432,6 @@ impl Document {
 
     /// Records that the figure is now in a file with this text.
     pub fn mark_saved(&mut self, path: PathBuf, source: String) {
-        self.aside = None;
         self.folder = path.parent().map(Path::to_owned);
         self.path = Some(path);
         self.source = source;
@@ -438,6 +457,17 @@ impl Document {
     #[must_use]
     pub fn is_changed(&self) -> bool {
         self.is_changed
+    }
+
+    /// Whether something was built: the scene, points, labels, title or caption are other ones than the saved ones.
+    /// The camera, the image and the way of drawing are only tried, however they are set.
+    #[must_use]
+    pub fn is_built_on(&self) -> bool {
+        let built = |figure: &Figure| {
+            let Figure { title, caption, points, labels, .. } = figure;
+            (title.clone(), caption.clone(), points.clone(), labels.clone())
+        };
+        self.is_changed && (self.scene_is_changed || built(&self.figure) != built(&self.saved))
     }
 }
 
@@ -540,7 +570,7 @@ mod tests {
             &|document| document.redo(),
             &|document| document.replace(other.clone()).unwrap(),
             &|document| document.mark_saved(PathBuf::from("/a.toml"), "a".to_owned()),
-            &|document| document.show_without_file(shown.clone()).unwrap(),
+            &|document| document.show_in_front(shown.clone()).unwrap(),
             &|document| document.operate(azimuth(1.0), Convention::RightHand).unwrap(),
             &|document| document.allow_files(),
         ];

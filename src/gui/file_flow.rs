@@ -15,32 +15,38 @@ use super::export::{ExportError, ExportKind, Exporting, Task, chart_bytes};
 use super::file_kind::FileKind;
 use super::gallery::Source;
 use super::native::{FileAnswer, OpenFileDialog, Wanted};
-use super::sequence::source_of;
 use super::state::{
-    AfterSave, Agreed, Changed, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State, Tab, Theirs,
+    AfterSave, Agreed, Asking, Changed, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State, Tab,
+    Theirs,
 };
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::lessons::OpenLesson;
+use crate::picture::file_beside;
 use crate::scene::{Shape, TextureSource};
 use crate::share;
 
-/// Does the `next` action, after asking about changes that would be lost.
+/// Does the `next` action, after asking about everything that would be lost: text of a lesson that cannot be saved, and
+/// changes of the figure. Whatever replaces or closes a document comes through here.
 pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
+    state.end_move();
     state.document.commit();
-    if !state.keep_words() {
-        // What cannot be kept is said.
-        return;
-    }
-    if state.has_unsaved() {
+    if !state.save_text() {
+        // The dialog says why.
+        state.file_flow.refused = state.message.take();
+        state.file_flow.dialog = Some(Dialog::UnsavedText(next));
+    } else if next.replaces_figure()
+        && state.has_unsaved()
+        && !(next == AfterSave::WriteRecorded && state.is_recorded())
+    {
         state.file_flow.dialog = Some(Dialog::Unsaved(next));
     } else {
         go_on(ctx, state, next);
     }
 }
 
-/// Does the `next` action; changes are lost.
+/// Does the `next` action; changes are lost. Only [`begin`] and the answer to its question call this.
 pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     match next {
         AfterSave::New => {
@@ -58,19 +64,29 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
             Err(_) => {}
         },
         AfterSave::Lesson(open) => state.play(open),
+        AfterSave::LeaveLesson => state.leave_lesson(),
+        AfterSave::WriteRecorded => state.write_recorded(),
+        AfterSave::ReadLesson => state.read_lesson_again(),
+        AfterSave::Reload => reload(state),
         AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
-        AfterSave::Quit if !state.kept.is_empty() => {
-            if let Some((_, document)) = state.kept.pop() {
-                // Whoever does not close after all has it still.
-                if state.has_unsaved() {
-                    state.given_up.push((source_of(&state.document), state.document.clone()));
-                }
-                state.take_over(document);
-            }
-            begin(ctx, state, AfterSave::Quit);
+        AfterSave::Quit => quit(ctx, state),
+    }
+}
+
+/// Goes on to the next document that closing would lose; closes the window once there is none.
+fn quit(ctx: &egui::Context, state: &mut State) {
+    state.gather_held();
+    if let Some((_, document)) = state.kept.pop() {
+        // If the window is not closed after all, the figure is still there.
+        if state.has_unsaved() {
+            state.given_up.push((Source::of(&state.document), state.document.clone()));
         }
-        AfterSave::Quit if !state.file_flow.exporting.is_empty() => state.file_flow.dialog = Some(Dialog::Closing),
-        AfterSave::Quit => close(ctx, state),
+        state.take_over(document);
+        begin(ctx, state, AfterSave::Quit);
+    } else if state.file_flow.exporting.is_empty() {
+        close(ctx, state);
+    } else {
+        state.file_flow.dialog = Some(Dialog::Closing);
     }
 }
 
@@ -97,11 +113,51 @@ pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
     if hands_out && !matches!(purpose, Purpose::Save(_)) {
         chosen(ctx, state, purpose, kind.proposal());
     } else if state.file_flow.native && !hands_out {
-        state.file_flow.asking = Some((purpose, OpenFileDialog::start(ctx, kind.question())));
+        // The shell opens the dialog, in front of its window.
+        let (document, question) = (state.document.id(), Some(kind.question()));
+        state.file_flow.asking = Some(Asking { purpose, document, question, dialog: None });
+        ctx.request_repaint();
     } else {
-        let text = kind.proposal().display().to_string();
-        state.file_flow.refused = None;
-        state.file_flow.dialog = Some(Dialog::Path(purpose, text));
+        ask_in_window(state, purpose);
+    }
+}
+
+/// Asks for the path of a file in a field.
+fn ask_in_window(state: &mut State, purpose: Purpose) {
+    let text = FileKind::of(state, &purpose).proposal().display().to_string();
+    state.file_flow.refused = None;
+    state.file_flow.dialog = Some(Dialog::Path(purpose, text));
+}
+
+/// Opens the system's dialog for the question that waits for it, in front of the window of `frame`.
+pub(super) fn open_dialog(ctx: &egui::Context, state: &mut State, frame: &eframe::Frame) {
+    if let Some(asking) = &mut state.file_flow.asking
+        && let Some(question) = asking.question.take()
+    {
+        asking.dialog = Some(OpenFileDialog::start(ctx, question, frame));
+    }
+}
+
+/// Takes the answer of the system's dialog.
+fn take_answer(ctx: &egui::Context, state: &mut State) {
+    let asking = state.file_flow.asking.as_mut();
+    let Some(answer) = asking.and_then(|asking| asking.dialog.as_mut()?.poll()) else { return };
+    answered(ctx, state, answer);
+}
+
+/// Goes on with the answer. It belongs to the document that was shown when the question came up.
+fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
+    let Some(Asking { purpose, document, .. }) = state.file_flow.asking.take() else { return };
+    let is_same = document == state.document.id();
+    match (answer, purpose) {
+        (FileAnswer::Cancelled, _) => {}
+        // The next question may have a dialog again.
+        (FileAnswer::Unavailable, purpose) => ask_in_window(state, purpose),
+        (FileAnswer::Chosen(path), Purpose::Open) if !is_same => begin(ctx, state, AfterSave::OpenPath(path)),
+        (FileAnswer::Chosen(path), purpose) if is_same || !purpose.is_about_figure() => {
+            chosen(ctx, state, purpose, path);
+        }
+        (FileAnswer::Chosen(path), _) => state.say(Message::OtherFigure(path)),
     }
 }
 
@@ -120,11 +176,20 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
     let own = state.document.path() == Some(&path);
     // A step is added to what is there.
     let adds = matches!(purpose, Purpose::Step);
-    if kind.wanted == Wanted::NewFile && !own && !adds && disk::exists(&path) {
+    let is_new = kind.wanted == Wanted::NewFile && !own && !adds;
+    if is_new && !replaced(&purpose, &path).is_empty() {
         state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path));
     } else {
         confirmed(ctx, state, purpose, &path, Agreed::default());
     }
+}
+
+/// The files that are there already, and that writing to `path` replaces: a picture may have another file beside it.
+#[must_use]
+pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
+    let writes_pictures = matches!(purpose, Purpose::Export(_) | Purpose::Animation(_));
+    let beside = file_beside(path).filter(|_| writes_pictures);
+    std::iter::once(path.to_owned()).chain(beside).filter(|path| disk::exists(path)).collect()
 }
 
 /// Opens or writes the file, with the overwrites in `agreed`.
@@ -138,6 +203,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         | Purpose::Progress
         | Purpose::Step
         | Purpose::OwnLesson
+        | Purpose::LessonText(_)
             if !agreed.read_only && files::is_read_only(path) =>
         {
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
@@ -147,6 +213,11 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
         Purpose::Step => state.add_step(path, &agreed),
         Purpose::OwnLesson => state.copy_lesson(path, &agreed),
+        Purpose::LessonText(next) => {
+            if state.save_text_as(path, &agreed) {
+                begin(ctx, state, next);
+            }
+        }
         Purpose::Chart(block) => save_bytes(state, path, chart_bytes(&block, path), &agreed),
         Purpose::Animation(decomposition) => {
             let what = ExportKind::Animation(decomposition, state.settings.theme);
@@ -248,7 +319,7 @@ fn open_shipped(state: &mut State, name: &'static str) {
 }
 
 /// Reads the figure's own file again, and goes on with it.
-pub fn reload(state: &mut State) {
+fn reload(state: &mut State) {
     if let Some(path) = state.document.path().cloned() {
         open(state, &path);
     }
@@ -345,44 +416,61 @@ fn watch(ctx: &egui::Context, state: &mut State) {
 
 /// The automatic part of each frame: answers of dialogs and of exports, dropped files, the window's own close button.
 pub fn poll(ctx: &egui::Context, state: &mut State) {
-    if let Some((purpose, answer)) = state.file_flow.asking.as_mut().and_then(|(p, a)| Some((p.clone(), a.poll()?))) {
-        state.file_flow.asking = None;
-        match answer {
-            FileAnswer::Chosen(path) => chosen(ctx, state, purpose, path),
-            FileAnswer::Cancelled => {}
-            FileAnswer::Unavailable => {
-                state.file_flow.native = false;
-                ask(ctx, state, purpose);
-            }
-        }
-    }
+    take_answer(ctx, state);
     take_exports(ctx, state);
     if !state.file_flow.is_closing() {
         state.kept.append(&mut state.given_up);
     }
     watch(ctx, state);
-    let given = std::mem::take(&mut state.file_flow.given).into_iter().next();
-    let dropped = ctx.input(|input| {
-        let files = &input.raw.dropped_files;
-        files.first().map(|file| (files::whole(file.path()), files.len()))
-    });
-    if let Some(path) = given {
-        take_file(ctx, state, path);
-    } else if let Some((path, count)) = dropped {
-        take_file(ctx, state, path.clone());
-        // An error matters more.
-        if count > 1 && !state.message.as_ref().is_some_and(Message::is_error) {
-            state.say(Message::FirstOfDropped(path, count));
-        }
-    }
+    take_given(ctx, state);
     if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
-        state.document.commit();
-        if state.has_unsaved() || !state.kept.is_empty() || !state.file_flow.exporting.is_empty() {
+        if state.would_lose_something() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-            begin(ctx, state, AfterSave::Quit);
+            ask_before_closing(ctx, state);
         } else {
             state.file_flow.may_close = true;
         }
+    }
+    if state.file_flow.dialog.is_none() && state.file_flow.asking.is_none() && !state.file_flow.may_close {
+        let covered = state.file_flow.covered.take().filter(|(document, _)| *document == state.document.id());
+        state.file_flow.dialog = covered.map(|(_, dialog)| dialog);
+    }
+}
+
+/// Asks what closing the window would lose. A dialog that was open comes back if the window stays.
+fn ask_before_closing(ctx: &egui::Context, state: &mut State) {
+    if state.file_flow.is_closing() {
+        // It has been asked.
+        return;
+    }
+    // The answer of a dialog of the system is not waited for any more.
+    state.file_flow.asking = None;
+    let document = state.document.id();
+    state.file_flow.covered = state.file_flow.dialog.take().map(|dialog| (document, dialog));
+    begin(ctx, state, AfterSave::Quit);
+}
+
+/// Opens files that were dropped, or given to a page: the first one, once no question is open that it would replace.
+fn take_given(ctx: &egui::Context, state: &mut State) {
+    let dropped: Vec<PathBuf> =
+        ctx.input(|input| input.raw.dropped_files.iter().map(|file| files::whole(file.path())).collect());
+    if !dropped.is_empty() {
+        state.file_flow.given = dropped;
+    }
+    if state.file_flow.has_question() {
+        return;
+    }
+    let given = std::mem::take(&mut state.file_flow.given);
+    let count = given.len();
+    let Some(path) = given.into_iter().next() else { return };
+    if state.file_flow.is_asking() {
+        state.file_flow.dialog = None;
+        state.gallery.end();
+    }
+    take_file(ctx, state, path.clone());
+    // An error matters more. The files that come with one to a page are those that it names.
+    if count > 1 && !state.in_browser && !state.message.as_ref().is_some_and(Message::is_error) {
+        state.say(Message::FirstOfDropped(path, count));
     }
 }
 
@@ -480,6 +568,45 @@ mod tests {
         let message = state.message.expect("said");
         let text = message.text(Lang::En);
         assert!(message.is_error() && text.contains("bug in this program") && text.contains("a.png"));
+    }
+
+    #[test]
+    fn the_answer_of_a_dialog_belongs_to_the_figure_it_was_asked_for() {
+        let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
+        let folder = std::env::temp_dir().join(format!("camera-lab-answer-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let path = folder.join("copy.toml");
+        for is_same in [false, true] {
+            ask(&ctx, &mut state, Purpose::Save(None));
+            assert!(state.file_flow.is_asking());
+            if !is_same {
+                go_on(&ctx, &mut state, AfterSave::Shipped("house"));
+            }
+            answered(&ctx, &mut state, FileAnswer::Chosen(path.clone()));
+            assert!(!state.file_flow.is_asking());
+            assert_eq!((path.exists(), state.document.path().is_some()), (is_same, is_same));
+            assert_eq!(matches!(state.message, Some(Message::OtherFigure(_))), !is_same);
+        }
+        // A lack of dialogs is no reason to have none for the next question.
+        ask(&ctx, &mut state, Purpose::Open);
+        answered(&ctx, &mut state, FileAnswer::Unavailable);
+        assert!(matches!(state.file_flow.dialog, Some(Dialog::Path(Purpose::Open, _))) && state.file_flow.native);
+        std::fs::remove_dir_all(folder).expect("removed");
+    }
+
+    #[test]
+    fn a_latex_picture_replaces_the_pdf_beside_it_only_after_a_question() {
+        let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
+        let folder = std::env::temp_dir().join(format!("camera-lab-beside-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let beside = folder.join("my-fig-art.pdf");
+        std::fs::write(&beside, "precious").expect("written");
+        let export = Export { format: PictureFormat::Tex, ..Export::new([[4, 3]; 3], 1.0) };
+        chosen(&ctx, &mut state, Purpose::Export(export), folder.join("my fig.tex"));
+        let Some(Dialog::Overwrite(purpose, path)) = &state.file_flow.dialog else { panic!("a question") };
+        assert_eq!(replaced(purpose, path), [beside]);
+        assert!(state.file_flow.exporting.is_empty());
+        std::fs::remove_dir_all(folder).expect("removed");
     }
 
     #[test]

@@ -59,10 +59,10 @@ impl FileKind {
                 let name = format!("{stem}-{}.gif", decomposition.name());
                 (Wanted::NewFile, t.export_title, t.save_action, filters, name)
             }
-            Purpose::Step | Purpose::OwnLesson => {
+            Purpose::Step | Purpose::OwnLesson | Purpose::LessonText(_) => {
                 let t = lessons::texts(lang);
                 let filters = vec![(t.lesson.to_owned(), &["toml"][..])];
-                let copied = matches!(purpose, Purpose::OwnLesson).then(|| state.lesson.as_ref()).flatten();
+                let copied = state.lesson.as_ref().filter(|_| *purpose != Purpose::Step);
                 let name = copied.map(|playing| format!("{}.toml", playing.lesson.id));
                 let (title, action) =
                     if name.is_some() { (t.copy_title, t.copy_action) } else { (t.step_title, t.step_action) };

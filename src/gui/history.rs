@@ -117,15 +117,16 @@ impl History {
         Self { now, past: Vec::new(), future: Vec::new() }
     }
 
-    /// Makes a step of the changes since the last one.
-    pub(super) fn commit(&mut self, of: (&Figure, Revision), camera: &Camera, draft: &Parameters) {
+    /// Makes a step of the changes since the last one; false if there are none.
+    pub(super) fn commit(&mut self, of: (&Figure, Revision), camera: &Camera, draft: &Parameters) -> bool {
         if self.now.is_of(of, camera, draft) {
             // Another number may have come to the same scene.
             self.now.revision = of.1;
-            return;
+            return false;
         }
         let now = Snapshot::new(of, camera, draft, Some(&self.now));
         self.push(now);
+        true
     }
 
     /// True where something else was chosen to be explained than at the last step.
@@ -165,6 +166,11 @@ impl History {
             newer = step;
         }
         steps
+    }
+
+    /// Drops what could be redone.
+    pub(super) fn forget_future(&mut self) {
+        self.future.clear();
     }
 
     pub(super) fn can_undo(&self) -> bool {

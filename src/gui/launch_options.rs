@@ -59,7 +59,7 @@ impl LaunchOptions {
         (asked, unknown)
     }
 
-    /// Sets a window up so.
+    /// Sets a window up so, but for the lesson.
     pub fn apply(self, state: &mut State) {
         let settings = &mut state.settings;
         settings.lang = self.lang.unwrap_or(settings.lang);
@@ -72,11 +72,15 @@ impl LaunchOptions {
         if let Some(views) = self.views {
             state.layout.shown = View::ALL.map(|view| views.contains(view));
         }
-        if let Some(shipped) = self.lesson.and_then(|lesson| shipped().get(lesson)) {
-            let last = shipped.lesson.steps.len().saturating_sub(1);
-            let step = self.step.map_or(0, |step| step - 1).min(last);
-            state.play(OpenLesson { lesson: shipped.lesson.clone(), path: None, step });
-        }
+    }
+
+    /// The lesson to be played. It takes the place of the figure: `file_flow` asks first.
+    #[must_use]
+    pub fn open_lesson(self) -> Option<OpenLesson> {
+        let lesson = shipped().get(self.lesson?)?.lesson.clone();
+        let last = lesson.steps.len().saturating_sub(1);
+        let step = self.step.map_or(0, |step| step - 1).min(last);
+        Some(OpenLesson { lesson, path: None, step })
     }
 }
 
@@ -122,9 +126,8 @@ mod tests {
 
         let (asked, unknown) = LaunchOptions::of_query("?lesson=basis&step=3");
         assert_eq!(unknown, [""; 0]);
-        asked.apply(&mut state);
-        let playing = state.lesson.as_ref().unwrap();
-        assert_eq!((playing.lesson.id.as_str(), playing.step), ("basis", 2));
+        let open = asked.open_lesson().unwrap();
+        assert_eq!((open.lesson.id.as_str(), open.step), ("basis", 2));
         assert_eq!(LaunchOptions::of_query("lesson=none&step=0").1, ["lesson=none", "step=0"]);
     }
 }

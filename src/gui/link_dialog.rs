@@ -32,7 +32,7 @@ pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool)
         ui.checkbox(&mut playing.links_whole, words.whole_lesson).explained(words.whole_lesson_hint);
         ui.add_space(6.0);
     }
-    let link = link(state, &address);
+    let link = link(state, &address, first);
     match &link {
         Ok(link) => {
             // Where the clipboard is out of reach, it can be copied from here.
@@ -74,11 +74,23 @@ pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool)
     }
 }
 
-/// The link to what is on the screen: of a lesson of the program to its step, else with the whole figure in it.
+/// The link to what is on the screen, for a dialog; `first`: it has just been opened.
 ///
 /// # Errors
-/// [`ShareError`] where the figure makes it too long.
-pub(super) fn link(state: &mut State, address: &str) -> Result<String, ShareError> {
+/// [`ShareError`] if the figure makes it too long.
+pub(super) fn link(state: &mut State, address: &str, first: bool) -> Result<String, ShareError> {
+    let mut shown = std::mem::take(&mut state.shown_link);
+    if first {
+        shown.forget();
+    }
+    let is_whole = state.lesson.as_ref().is_some_and(|playing| playing.links_whole);
+    let link = shown.of((address.to_owned(), is_whole), |_| made(state, address)).clone();
+    state.shown_link = shown;
+    link
+}
+
+/// The link: of a lesson of the program to its step, else with the whole figure in it.
+fn made(state: &State, address: &str) -> Result<String, ShareError> {
     let of_program = state.lesson.as_ref().filter(|playing| playing.path.is_none() && !address.is_empty());
     if let Some(playing) = of_program {
         let lang = state.settings.lang.tag();

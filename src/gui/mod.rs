@@ -202,7 +202,7 @@ pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
                 app.state.file_flow.news.tell(session::News::NoHome);
             }
             if let Some(open) = lesson {
-                app.state.play(open);
+                file_flow::begin(&context.egui_ctx, &mut app.state, state::AfterSave::Lesson(open));
             }
             Ok(Box::new(app))
         }),

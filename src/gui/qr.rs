@@ -10,11 +10,12 @@ use crate::i18n::sharing;
 /// The free border around the code, in modules: as the standard asks for.
 const QUIET: usize = 4;
 
-/// Fills the window with the code, dark on light in every theme: cameras read nothing else well.
-pub(super) fn show(ctx: &egui::Context, state: &mut State) {
+/// Fills the window with the code, dark on light in every theme: cameras read nothing else well. `first`: it has just
+/// been opened.
+pub(super) fn show(ctx: &egui::Context, state: &mut State, first: bool) {
     let t = sharing::texts(state.settings.lang);
     let address = state.own_address.clone().unwrap_or_else(|| state.page_address.clone());
-    let link = link_dialog::link(state, &address);
+    let link = link_dialog::link(state, &address, first);
     let code = link.as_ref().ok().and_then(|link| QrCode::with_error_correction_level(link, EcLevel::L).ok());
     let rect = ctx.content_rect();
     let mut closes = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));

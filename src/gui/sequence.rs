@@ -9,17 +9,9 @@ use crate::gui::document::Document;
 use crate::gui::gallery::{Source, figures_in};
 use crate::gui::state::{Message, State};
 
-/// The source of a document; `None`: a new one.
-pub(super) fn source_of(document: &Document) -> Option<Source> {
-    match (document.path(), document.shipped_name()) {
-        (Some(path), _) => Some(Source::File(path.clone())),
-        (None, name) => name.map(Source::Shipped),
-    }
-}
-
 /// The sequence of the open figure, and its place in it. A new figure comes before the built-in ones.
 fn places(state: &State) -> (Vec<Option<Source>>, usize) {
-    let here = source_of(&state.document);
+    let here = Source::of(&state.document);
     let of_program = || SHIPPED_FIGURES.iter().map(|figure| Some(Source::Shipped(figure.name))).collect();
     let files = match &here {
         Some(Source::File(path)) => path.parent().and_then(|folder| figures_in(folder).ok()),
@@ -59,9 +51,11 @@ fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Bo
 }
 
 fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) {
-    let left = state.document.clone();
-    state.annotations.turn_page(source.clone(), source_of(&document).as_ref());
+    let mut left = state.document.clone();
+    state.annotations.turn_page(source.clone(), Source::of(&document).as_ref());
     state.take_over(document);
+    // What was behind it is kept already.
+    left.take_behind();
     if left.is_changed() {
         state.kept.push((source, left));
     }

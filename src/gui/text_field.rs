@@ -3,6 +3,7 @@
 //! Pasted text may be any file that somebody had on the clipboard: it is cut before it is laid out, which is reported
 //! beside the field. No other file makes fields of egui's own, which take everything.
 
+use eframe::egui::os::OperatingSystem;
 use eframe::egui::{Context, Event, Response, TextEdit, Ui};
 
 use super::tooltip;
@@ -71,6 +72,21 @@ pub(super) fn cut_pasted(events: &mut [Event]) {
     }
 }
 
+/// Takes out the letters of keys that are pressed with Alt: X11 delivers them like typed ones, so a field would have
+/// the letter of each command that is called from it. On a Mac, Option writes accents and signs.
+pub(super) fn drop_letters_with_alt(events: &mut Vec<Event>, os: OperatingSystem) {
+    if os == OperatingSystem::Mac {
+        return;
+    }
+    let mut is_after_alt = false;
+    events.retain(|event| {
+        let is_letter = is_after_alt && matches!(event, Event::Text(_));
+        // With Ctrl it is AltGr, which writes signs.
+        is_after_alt = matches!(event, Event::Key { pressed: true, modifiers, .. } if modifiers.alt && !modifiers.ctrl);
+        !is_letter
+    });
+}
+
 /// The rest of the caret after a while without input: to blink, it draws the whole window anew twice a second.
 #[derive(Debug, Default)]
 pub(super) struct CaretRest {
@@ -101,6 +117,31 @@ impl CaretRest {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn alt_writes_no_letters_but_option_does() {
+        use eframe::egui::{Key, Modifiers};
+        let pressed = |key, modifiers| Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers };
+        let text = |text: &str| Event::Text(text.to_owned());
+        let events = [
+            pressed(Key::M, Modifiers::ALT),
+            text("m"),
+            text("é"),
+            pressed(Key::A, Modifiers::NONE),
+            text("a"),
+            pressed(Key::Q, Modifiers::ALT | Modifiers::CTRL),
+            text("@"),
+        ];
+        let typed = |os| {
+            let mut events = events.to_vec();
+            drop_letters_with_alt(&mut events, os);
+            let texts =
+                events.into_iter().filter_map(|event| if let Event::Text(text) = event { Some(text) } else { None });
+            texts.collect::<String>()
+        };
+        assert_eq!(typed(OperatingSystem::Nix), "éa@");
+        assert_eq!(typed(OperatingSystem::Mac), "méa@");
+    }
 
     #[test]
     fn what_is_pasted_is_cut_where_no_field_has_room_for_it() {

@@ -73,7 +73,7 @@ texts! {
     step_another: "New step after this one", "Novo passo depois deste";
     step_another_hint: "Adds a step that shows what is on the screen", "Acrescenta um passo que mostra o que está na tela";
     step_remove: "Remove the step", "Remover o passo";
-    step_remove_hint: "Takes the step out of the lesson; *Take back* brings it again", "Tira o passo da lição; *Desfazer mudança* o traz de volta";
+    step_remove_hint: "Takes the step out of the lesson; “Take back” brings it again", "Tira o passo da lição; “Desfazer mudança” o traz de volta";
     change_back: "Take back", "Desfazer mudança";
     change_back_hint: "The lesson as it was before the last change of its file", "A lição como era antes da última mudança de seu arquivo";
     read_again: "Read again", "Ler de novo";
@@ -91,6 +91,10 @@ texts! {
     lesson_minutes_field: "Minutes", "Minutos";
     forget_typed: "Back to the text of the file", "De volta ao texto do arquivo";
     forget_typed_hint: "Forgets what was typed since it was written last", "Esquece o que foi digitado desde que foi escrito";
+    // The question about text that cannot be saved.
+    unsaved_text_title: "Leave without the text of this step?", "Sair sem o texto deste passo?";
+    unsaved_text: "The text you typed isn't in the lesson's file, and can't be saved there:", "O texto que você digitou não está no arquivo da lição e não pode ser salvo nele:";
+    save_copy: "Save a copy…", "Salvar uma cópia…";
     // The texts of a recorded step and lesson.
     new_lesson: "A new lesson", "Uma nova lição";
     new_text: "Say here what is to be seen.", "Diga aqui o que se vê.";
@@ -218,9 +222,11 @@ pub fn changed_elsewhere(lang: Lang, file: &str) -> String {
     let again = texts(lang).read_again;
     match lang {
         Lang::En => {
-            format!("Another program has changed {file}, and nothing was written into it. *{again}* takes that over")
+            format!("Another program has changed {file}, so nothing was written into it. “{again}” shows their text")
         }
-        Lang::PtBr => format!("Outro programa mudou {file}, e nada foi escrito nele. *{again}* passa a usar isso"),
+        Lang::PtBr => {
+            format!("Outro programa mudou {file}, então nada foi escrito nele. “{again}” mostra o texto dele")
+        }
     }
 }
 

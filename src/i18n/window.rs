@@ -288,12 +288,17 @@ texts! {
     path_name: "file", "arquivo";
     path_hint: "folder/name", "pasta/nome";
     cancel: "Cancel", "Cancelar";
+    link_refused: "Links open web pages and mail only, not", "Links só abrem páginas da web e e-mail, não";
+    choosing_title: "Choose a file", "Escolha um arquivo";
+    choosing_text: "A file dialog of the system is open. This window goes on when you close it.", "Uma caixa de arquivos do sistema está aberta. Esta janela continua quando você a fechar.";
+    other_figure: "The window shows another figure now, so nothing was done with", "A janela agora mostra outra figura, então nada foi feito com";
     unsaved_title: "Save the changes?", "Salvar as mudanças?";
     unsaved_text: "There are unsaved changes:", "Há mudanças não salvas:";
     dont_save: "Don't save", "Não salvar";
     save_first: "Save", "Salvar";
     overwrite_title: "Replace the file?", "Substituir o arquivo?";
     overwrite_text: "already exists.", "já existe.";
+    overwrite_several: "already exist.", "já existem.";
     replace: "Replace", "Substituir";
     read_only_title: "The file is read-only", "O arquivo é somente de leitura";
     read_only_text: "is read-only. Replace it anyway?", "é somente de leitura. Substituir mesmo assim?";

@@ -1,5 +1,7 @@
 //! Changes of a lesson file as its author makes them in the window: texts, figures, and the order of steps.
 
+use std::borrow::Cow;
+
 use toml_edit::{Array, Document, DocumentMut, InlineTable, Item, Table, Value};
 
 use super::lesson::Lesson;
@@ -31,13 +33,46 @@ pub enum LessonText {
     Minutes,
 }
 
-/// A change of a lesson. Steps are counted from 0.
+/// Another text. Steps are counted from 0.
+#[derive(Clone, Debug)]
+pub enum Words {
+    /// Of the whole lesson.
+    OfLesson(LessonText, Bilingual),
+    /// Of a step.
+    OfStep(usize, StepText, Bilingual),
+}
+
+/// The text of a lesson file with other words, and its lesson. Everything else stays as it is written.
+///
+/// # Errors
+/// [`FigureError`]: the text would be no lesson.
+pub fn reworded(text: &str, words: &[Words]) -> Result<(String, Lesson), FigureError> {
+    let (head, steps) = parts(text);
+    let mut parts: Vec<Cow<'_, str>> = std::iter::once(head).chain(steps).map(Cow::Borrowed).collect();
+    for words in words {
+        let (part, changed) = match words {
+            Words::OfLesson(which, told) => (0, retold(&parts[0], *which, told)),
+            Words::OfStep(step, which, told) => {
+                let part = step + 1;
+                (part, parts.get(part).and_then(|text| respoken(text, *which, told)))
+            }
+        };
+        if let Some(changed) = changed {
+            parts[part] = Cow::Owned(changed);
+        }
+    }
+    let mut out = String::new();
+    for part in parts {
+        separate(&mut out);
+        out.push_str(&part);
+    }
+    let lesson = parse(&out)?;
+    Ok((out, lesson))
+}
+
+/// A change of the steps of a lesson. Steps are counted from 0.
 #[derive(Clone, Debug)]
 pub enum Edit {
-    /// Another text of the whole lesson.
-    Tell(LessonText, Bilingual),
-    /// Another text of a step.
-    Say(usize, StepText, Bilingual),
     /// Another figure of a step.
     Show(usize, Box<Figure>),
     /// A step in the place of another one; those between move up or down.
@@ -62,14 +97,11 @@ pub fn edited(text: &str, edit: &Edit) -> Result<(String, Lesson), FigureError> 
         .into_iter()
         .zip(figures)
         .enumerate()
-        .map(|(place, (text, figure))| Part { text, place, figure, said: None })
+        .map(|(place, (text, figure))| Part { text, place, figure })
         .collect();
     let count = steps.len();
     let mut shown_anew = None;
-    let mut out = head.to_owned();
     match edit {
-        Edit::Tell(which, told) => out = retold(head, *which, told).unwrap_or(out),
-        Edit::Say(step, which, told) if *step < count => steps[*step].said = Some((*which, told)),
         Edit::Show(step, figure) if *step < count => {
             steps[*step].figure = figure;
             shown_anew = Some(*step);
@@ -82,6 +114,7 @@ pub fn edited(text: &str, edit: &Edit) -> Result<(String, Lesson), FigureError> 
         _ => return Ok((text.to_owned(), lesson)),
     }
     let mut before: Option<&Part<'_>> = None;
+    let mut out = head.to_owned();
     for part in &steps {
         // It says only what changes, and so depends on the step before it.
         let places = [Some(part.place), before.map(|before| before.place)];
@@ -89,7 +122,7 @@ pub fn edited(text: &str, edit: &Edit) -> Result<(String, Lesson), FigureError> 
         let stays = is_after_the_same && (shown_anew.is_none() || !places.contains(&shown_anew));
         let figure = (!stays).then(|| difference(before.map(|before| before.figure), part.figure));
         separate(&mut out);
-        match rewritten(part, figure.as_ref()) {
+        match figure.and_then(|figure| redrawn(part.text, &figure)) {
             Some(text) => out.push_str(&text),
             None => out.push_str(part.text),
         }
@@ -105,7 +138,6 @@ struct Part<'a> {
     /// The place where it is written.
     place: usize,
     figure: &'a Figure,
-    said: Option<(StepText, &'a Bilingual)>,
 }
 
 /// A blank line between two steps.
@@ -142,27 +174,30 @@ fn with_comments(text: &str, start: usize) -> usize {
     begin
 }
 
-/// The text of a step with other words or another figure; `None` where neither changes.
-fn rewritten(part: &Part<'_>, figure: Option<&Difference>) -> Option<String> {
-    if part.said.is_none() && figure.is_none() {
-        return None;
-    }
-    let mut document: DocumentMut = part.text.parse().ok()?;
-    let step = document.get_mut("step")?.as_array_of_tables_mut()?.get_mut(0)?;
-    if let Some((which, told)) = part.said {
-        match which {
-            StepText::Title => put(step, "title", told_item(told)),
-            StepText::Text => put(step, "text", told_item(told)),
-            StepText::Notes => put_or_remove(step, "notes", told_if_any(told)),
-        }
-    }
-    if let Some(figure) = figure {
+/// The text of a step after a change of its table.
+fn changed_step(text: &str, change: impl FnOnce(&mut Table)) -> Option<String> {
+    let mut document: DocumentMut = text.parse().ok()?;
+    change(document.get_mut("step")?.as_array_of_tables_mut()?.get_mut(0)?);
+    Some(document.to_string())
+}
+
+/// The text of a step with other words.
+fn respoken(text: &str, which: StepText, told: &Bilingual) -> Option<String> {
+    changed_step(text, |step| match which {
+        StepText::Title => put(step, "title", told_item(told)),
+        StepText::Text => put(step, "text", told_item(told)),
+        StepText::Notes => put_or_remove(step, "notes", told_if_any(told)),
+    })
+}
+
+/// The text of a step with another figure.
+fn redrawn(text: &str, figure: &Difference) -> Option<String> {
+    changed_step(text, |step| {
         let of_figure: Vec<String> =
             step.iter().map(|(key, _)| key.to_owned()).filter(|key| !WORDS.contains(&key.as_str())).collect();
         of_figure.iter().for_each(|key| drop(step.remove(key)));
         put_figure(step, figure);
-    }
-    Some(document.to_string())
+    })
 }
 
 /// The text before the first step with another text of the lesson.
@@ -293,7 +328,7 @@ mod tests {
         let shipped = &shipped()[1];
         let told = Bilingual { en: "Two\nlines".to_owned(), pt_br: "Duas\nlinhas".to_owned() };
         for which in [StepText::Text, StepText::Notes] {
-            let (text, lesson) = edited(shipped.text, &Edit::Say(2, which, told.clone())).unwrap();
+            let (text, lesson) = reworded(shipped.text, &[Words::OfStep(2, which, told.clone())]).unwrap();
             let said =
                 if which == StepText::Text { Some(&lesson.steps[2].text) } else { lesson.steps[2].notes.as_ref() };
             assert_eq!(said, Some(&told));
@@ -304,7 +339,7 @@ mod tests {
             }
             assert!(figures(&lesson) == figures(&shipped.lesson));
         }
-        let (_, lesson) = edited(shipped.text, &Edit::Say(2, StepText::Notes, Bilingual::default())).unwrap();
+        let (_, lesson) = reworded(shipped.text, &[Words::OfStep(2, StepText::Notes, Bilingual::default())]).unwrap();
         assert_eq!(lesson.steps[2].notes, None);
     }
 
@@ -314,7 +349,7 @@ mod tests {
         let told = Bilingual { en: "Axes".to_owned(), pt_br: "Eixos".to_owned() };
         let in_one = Bilingual { pt_br: "Uma frase".to_owned(), ..Bilingual::default() };
         let minutes = |typed: &str| Bilingual { en: typed.to_owned(), ..Bilingual::default() };
-        let say = |text: &str, which, told: &Bilingual| edited(text, &Edit::Tell(which, told.clone()));
+        let say = |text: &str, which, told: &Bilingual| reworded(text, &[Words::OfLesson(which, told.clone())]);
         let (text, _) = say(shipped.text, LessonText::Title, &told).unwrap();
         let (text, _) = say(&text, LessonText::Sentence, &in_one).unwrap();
         let (text, lesson) = say(&text, LessonText::Minutes, &minutes("7,5")).unwrap();
@@ -345,8 +380,8 @@ mod tests {
     fn a_change_that_leaves_no_lesson_is_refused() {
         let shipped = &shipped()[0];
         let unknown = Bilingual { en: "{camera.nonsense}".to_owned(), pt_br: String::new() };
-        assert!(edited(shipped.text, &Edit::Say(0, StepText::Text, unknown)).is_err());
-        assert!(edited(shipped.text, &Edit::Say(0, StepText::Title, Bilingual::default())).is_err());
+        assert!(reworded(shipped.text, &[Words::OfStep(0, StepText::Text, unknown)]).is_err());
+        assert!(reworded(shipped.text, &[Words::OfStep(0, StepText::Title, Bilingual::default())]).is_err());
         let (only, _) =
             edited("id = \"x\"\ntitle = \"x\"\n[[step]]\ntitle = \"a\"\ntext = \"a\"\n", &Edit::Remove(0)).unwrap();
         assert!(only.contains("[[step]]"), "a lesson has one step at least");

@@ -24,7 +24,7 @@ mod record;
 mod shipped;
 
 pub use condition::{Condition, Goal, Range, Seen, Subject, objects_named};
-pub use edit::{Edit, LessonText, StepText, edited};
+pub use edit::{Edit, LessonText, StepText, Words, edited, reworded};
 pub use lesson::{Lesson, Link, OpenLesson, Step, Task};
 pub use numbers_in_texts::{filled, numbers_of};
 pub use passage::Passage;

@@ -1,5 +1,6 @@
 //! The text of a lesson file → [`Lesson`].
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::condition::{Condition, Goal, Range, angle as angle_between};
@@ -7,10 +8,10 @@ use super::lesson::{Lesson, Link, Step, Task};
 use super::numbers_in_texts::{filled, numbers_of, pixels_of};
 use crate::camera::Camera;
 use crate::exercises::own::{harmless, name, question, told, told_list};
-use crate::exercises::{self, Subject};
+use crate::exercises::{self, Entry, Kind, Subject};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{Fault, Section, Stacked, parse_with, text_of};
-use crate::figure::{Bilingual, Figure, FigureError, varied};
+use crate::figure::{Bilingual, Figure, FigureError, update, varied};
 use crate::inspect::Report;
 use crate::inspect::quantity::QuantityPath;
 use crate::limits::{MAX_CONDITIONS, MAX_LESSON_BYTES, MAX_LESSON_STEPS, MAX_TITLE};
@@ -61,8 +62,7 @@ fn lesson(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Lesson {
     }
     faults.extend(root.finish());
     let mut stacked = Stacked::default();
-    let steps = sections.into_iter().enumerate();
-    let steps = steps.map(|(k, section)| step(section, &mut stacked, &format!("{id}.{}", k + 1), faults)).collect();
+    let steps = sections.into_iter().map(|section| step(section, &mut stacked, faults)).collect();
     Lesson { id, title, sentence, minutes, aims, before, steps }
 }
 
@@ -82,7 +82,7 @@ fn optional(section: &mut Section<'_>, key: &'static str) -> Option<Bilingual> {
     harmless(section, key, texts)
 }
 
-fn step(mut section: Section<'_>, stacked: &mut Stacked, id: &str, faults: &mut Vec<Fault>) -> Step {
+fn step(mut section: Section<'_>, stacked: &mut Stacked, faults: &mut Vec<Fault>) -> Step {
     let title = line(&mut section, "title");
     let seconds = section.number_in("seconds", 0.0, MOST_SECONDS, SECONDS);
     let without = section.list("without", Allowed::Texts, |text| Some(text.to_owned()));
@@ -112,7 +112,7 @@ fn step(mut section: Section<'_>, stacked: &mut Stacked, id: &str, faults: &mut 
             figure: figure.clone(),
             operations: Vec::new(),
         };
-        report.as_ref().and_then(|report| task(asked, id, subject, &title, report, faults))
+        report.as_ref().and_then(|report| task(asked, subject, &title, report, faults))
     } else {
         report.filter(|_| to_try.is_table()).map(|report| Task::Try(goal(to_try, &figure, &report, faults)))
     };
@@ -143,7 +143,6 @@ fn in_both([en, pt_br]: &[String; 2], report: &Report) -> Result<[String; 2], St
 /// `[step.ask]`: an exercise of the program, or a question of its own.
 fn task(
     mut section: Section<'_>,
-    id: &str,
     subject: Subject,
     title: &Bilingual,
     report: &Report,
@@ -155,7 +154,8 @@ fn task(
         return exercise.map(|(id, seed)| Task::Exercise { id, seed });
     }
     let at = section.start();
-    let mut entry = question(section, id.to_owned(), subject, title.clone(), faults)?;
+    let figure = subject.figure.clone();
+    let mut entry = question(section, String::new(), subject, title.clone(), faults)?;
     if let Err(found) = entry.with_texts(|text| {
         let filled = in_both(&[text.en.clone(), text.pt_br.clone()], report)?;
         *text = filled.into();
@@ -164,7 +164,31 @@ fn task(
         let problem = Problem::Value { found, allowed: Allowed::Quantity };
         faults.push(Fault { at, key: "[step.ask] text".to_owned(), problem });
     }
+    entry.id = Cow::Owned(question_id(&entry, &figure));
     Some(Task::Question(Arc::new(entry)))
+}
+
+/// The identifier of a question, from its content: answers are stored under it, and belong to the question wherever it
+/// stands, in whichever lesson. A changed question is another one.
+fn question_id(entry: &Entry, figure: &Figure) -> String {
+    let exercise = entry.exercise(0, &Default::default());
+    // The title of the step is no part of what is asked.
+    let mut content = vec![update("", &Figure { title: None, ..figure.clone() })];
+    let mut add = |text: &Bilingual| content.extend([text.en.clone(), text.pt_br.clone()]);
+    exercise.asks.iter().flat_map(|ask| ask.own_choices.values()).for_each(&mut add);
+    exercise.texts.iter().flat_map(|texts| texts.asks.values()).for_each(add);
+    for ask in &exercise.asks {
+        // An answer is stored by the fields that it has, and a choice by its name.
+        let [rows, columns] = ask.shape();
+        content.push(format!("{rows} {columns}"));
+        if let Kind::Choice(choices) = &ask.kind {
+            content.extend(choices.iter().cloned());
+        }
+    }
+    // FNV-1a: it has to give the same in every version of the program.
+    let byte = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    let hash = content.join("\0").bytes().fold(0xcbf2_9ce4_8422_2325, byte);
+    format!("question-{hash:016x}")
 }
 
 /// `exercise` and `seed`.

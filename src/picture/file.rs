@@ -1,6 +1,6 @@
 //! Pictures as files, in the requested format.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::error::PictureError;
 use super::vectors::{Drawn, Faces, NoAreas, page};
@@ -59,6 +59,19 @@ pub struct Beside {
     pub name: String,
     /// Its bytes.
     pub bytes: Vec<u8>,
+}
+
+/// The name, without its ending, of the PDF beside the LaTeX file of a picture.
+fn art_of(stem: &str) -> String {
+    format!("{stem}-art")
+}
+
+/// The file that a picture at `path` is written with, beside it: the PDF of a LaTeX file.
+#[must_use]
+pub fn file_beside(path: &Path) -> Option<PathBuf> {
+    let is_latex = PictureFormat::of(path) == Some(PictureFormat::Tex);
+    let stem = Told::default().for_file(path).stem;
+    is_latex.then(|| path.with_file_name(format!("{}.pdf", art_of(&stem))))
 }
 
 /// Options of a picture file.
@@ -154,7 +167,7 @@ pub async fn file(
         PictureFormat::Tex => {
             let Drawn { page, too_much, no_areas } = drawn(sheet, form, told, progress).await?;
             let art = vector::pdf(&vector::without_texts(&page), letters, &told.figure).ok_or(PictureError::Font)?;
-            let stem = format!("{}-art", told.stem);
+            let stem = art_of(&told.stem);
             let latex = vector::tex(&page, &stem).into_bytes();
             beside = Some(Beside { name: format!("{stem}.pdf"), bytes: art });
             (latex, too_much, no_areas)

@@ -50,7 +50,7 @@ pub use animation::{Animation, FilmFormat};
 pub use composite::{Composite, Crowded, NoComposite, OnPaper, gap};
 pub use error::PictureError;
 pub use family::{Family, SheetSize};
-pub use file::{Beside, FileOptions, PER_INCH, PictureFile, Told, assembled, file};
+pub use file::{Beside, FileOptions, PER_INCH, PictureFile, Told, assembled, file, file_beside};
 pub use handout::{Handout, HandoutEntry, Paragraph};
 pub use handout_formula::FormulaPart;
 pub use render_report::RenderReport;

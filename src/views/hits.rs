@@ -3,12 +3,22 @@
 use glam::DVec3;
 
 use crate::camera::{Camera, Projection};
-use crate::scene::{Object, Scene};
+use crate::scene::{Object, ObjectPaint, Scene};
 
 /// The first point of the scene's faces on a segment (world), beginning at `from`.
 pub(super) fn first_hit(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
     let t = first_crossing(scene, from, to)?;
     Some(from + (to - from) * t)
+}
+
+/// The objects whose faces can be seen: what is wholly transparent neither hides anything nor is picked.
+pub(super) fn faced(scene: &Scene) -> impl Iterator<Item = (usize, &Object)> {
+    let is_invisible = |object: &Object| match &object.paint {
+        ObjectPaint::Solid(color) => color.a == 0,
+        ObjectPaint::Faces(colors) | ObjectPaint::Vertices(colors) => colors.iter().all(|color| color.a == 0),
+        ObjectPaint::Texture(_) => false,
+    };
+    scene.objects.iter().enumerate().filter(move |(_, object)| object.faces && !is_invisible(object))
 }
 
 /// As [`first_hit`], of the faces that leave a depth in the image: opaque ones, and of open one-sided objects only the
@@ -27,8 +37,7 @@ pub(super) fn fronts_only(object: &Object) -> bool {
 
 /// The first intersection of a segment with a face: 0 at `from`, 1 at `to`.
 pub(super) fn first_crossing(scene: &Scene, from: DVec3, to: DVec3) -> Option<f64> {
-    let faced = scene.objects.iter().filter(|o| o.faces);
-    faced.filter_map(|o| crossing(o, from, to, false)).min_by(f64::total_cmp)
+    faced(scene).filter_map(|(_, o)| crossing(o, from, to, false)).min_by(f64::total_cmp)
 }
 
 /// Whether no face hides a point behind a camera's front plane.

@@ -9,7 +9,7 @@ use crate::geometry::Ray;
 use crate::scene::Scene;
 
 use super::canonical_box::shown_at;
-use super::hits::{can_be_seen, crossing, fronts_only, triangle_hit};
+use super::hits::{can_be_seen, crossing, faced, fronts_only, triangle_hit};
 use super::probe::Pixel;
 use super::screen::Screen;
 use super::{Probe, Request, View, canonical, image, world_framing};
@@ -48,8 +48,7 @@ pub fn triangle_in_image(request: &Request, pointer: DVec2) -> Option<(usize, u3
     let ray = camera.ray_through_window(point);
     let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
     let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
-    let faced = request.scene.objects.iter().enumerate().filter(|(_, object)| object.faces);
-    let hits = faced.filter_map(|(i, o)| Some((triangle_hit(o, from, to, fronts_only(o))?, i)));
+    let hits = faced(&request.scene).filter_map(|(i, o)| Some((triangle_hit(o, from, to, fronts_only(o))?, i)));
     hits.min_by(|a, b| a.0.0.total_cmp(&b.0.0)).map(|((_, triangle), object)| (object, triangle))
 }
 
@@ -153,8 +152,7 @@ fn object_in_image(request: &Request, pointer: DVec2) -> Option<String> {
 fn first_object(request: &Request, ray: Ray) -> Option<String> {
     let bounds = request.scene.bounds()?;
     let far = ray.origin + ray.direction * (bounds.center().distance(ray.origin) + 2.0 * bounds.radius());
-    let faced = request.scene.objects.iter().filter(|o| o.faces);
-    let hits = faced.filter_map(|o| Some((crossing(o, ray.origin, far, fronts_only(o))?, o)));
+    let hits = faced(&request.scene).filter_map(|(_, o)| Some((crossing(o, ray.origin, far, fronts_only(o))?, o)));
     hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, object)| object.owner().to_owned())
 }
 
@@ -241,6 +239,27 @@ mod tests {
                 assert_eq!(z, if near < 4.0 { 1.0 } else { -1.0 });
             });
         }
+    }
+
+    #[test]
+    fn an_invisible_object_in_front_is_not_picked() {
+        with_cube(Parameters::default(), |request| {
+            let middle = DVec2::new(300.0, 225.0);
+            let mut scene = (*request.scene).clone();
+            let mut glass = scene.objects[0].clone();
+            glass.paint = crate::scene::ObjectPaint::Solid(crate::appearance::Rgba::rgb(1, 2, 3).with_alpha(0));
+            glass.name = "glass".to_owned();
+            glass.world_from_object = glam::DAffine3::from_scale(DVec3::splat(1.1)) * glass.world_from_object;
+            scene.objects.insert(0, glass);
+            let request = Request { scene: SharedScene::new(scene), ..request.clone() };
+            for view in [View::World, View::Image] {
+                let request = Request { view, ..request.clone() };
+                let corner = screen(&request).unwrap().place(DVec3::new(0.9, 0.9, 1.0)).unwrap();
+                assert_eq!(object(&request, corner).as_deref(), Some("cube"), "{view:?}");
+            }
+            assert_eq!(triangle_in_image(&request, middle).map(|(object, _)| object), Some(1));
+            assert_eq!(vertex(&request, screen(&request).unwrap().place(DVec3::ONE).unwrap(), 4.0), Some(DVec3::ONE));
+        });
     }
 
     #[test]

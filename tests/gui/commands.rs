@@ -11,6 +11,7 @@ use camera_lab::i18n::window::texts;
 use camera_lab::views::View;
 use camera_lab::views::observer::Viewpoint;
 use eframe::egui::accesskit::Role;
+use eframe::egui::os::OperatingSystem;
 use eframe::egui::{self, Event, Key, Modifiers};
 use egui_kittest::kittest::{By, Queryable};
 
@@ -487,4 +488,28 @@ fn what_a_key_has_framed_is_framed_again_in_a_picture_of_another_size_and_what_w
     window.key(Key::F11);
     window.run();
     assert_eq!(seen(&window), turned);
+}
+
+#[test]
+fn redo_with_nothing_to_redo_does_not_undo() {
+    let mut window = Window::new(Lang::En);
+    window.enter("B", "40");
+    window.key(Key::Escape);
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    window.run();
+    assert_eq!(window.state().document.figure().camera.far, 40.0);
+}
+
+#[test]
+fn alt_calls_commands_from_a_field_and_option_writes_into_it() {
+    for (os, is_called) in [(OperatingSystem::Nix, true), (OperatingSystem::Mac, false)] {
+        let mut window = Window::new(Lang::En);
+        window.harness.ctx.set_os(os);
+        window.field("B").click();
+        window.run();
+        window.key_event(Key::M, true, Modifiers::ALT);
+        window.harness.event(Event::Text("µ".to_owned()));
+        window.run();
+        assert_eq!(window.state().settings.reduce_motion, is_called, "{os:?}");
+    }
 }

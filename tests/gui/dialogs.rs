@@ -415,3 +415,22 @@ fn vectors_have_settings_of_their_own_and_are_copied_as_text() {
     };
     assert!(text.starts_with("<svg") && text.contains("aria-label=\"VUP\"") && !text.contains("<text"));
 }
+
+#[test]
+fn a_dialog_of_the_system_holds_the_window_back() {
+    let t = camera_lab::i18n::window::texts(Lang::En);
+    let mut window = Window::new(Lang::En);
+    window.app_mut().state.file_flow.native = true;
+    window.command_key(Key::O);
+    assert!(window.says(t.choosing_title) && window.state().file_flow.is_asking());
+    let before = window.state().document.figure().clone();
+    for key in [Key::G, Key::N, Key::PageDown, Key::E] {
+        window.command_key(key);
+        assert!(window.state().file_flow.dialog.is_none(), "{key:?}");
+    }
+    assert_eq!(window.state().document.figure(), &before);
+    window.click(t.cancel);
+    assert!(!window.state().file_flow.is_asking());
+    window.command_key(Key::G);
+    assert!(window.state().file_flow.dialog.is_some());
+}

@@ -1,9 +1,11 @@
 //! What a frame of the window has to paint: in software each pixel that is painted once more takes its time.
 
 use camera_lab::appearance::Theme;
-use camera_lab::gui::{self, Start, State};
+use camera_lab::gui::{self, App, LaunchOptions, Start, State};
 use camera_lab::scene::Preset;
+use eframe::egui;
 
+use super::files::Folder;
 use super::overdraw::painted;
 use super::window::Window;
 
@@ -38,4 +40,21 @@ fn a_frame_begins_with_the_colour_of_the_panels() {
         assert_eq!([r, g, b, a], visuals.panel_fill.to_normalized_gamma_f32());
         assert_eq!(a, 1.0);
     }
+}
+
+#[test]
+fn with_a_stored_zoom_the_first_pictures_are_no_larger_than_the_window() {
+    let folder = Folder::new("zoom");
+    std::fs::write(folder.file("preferences.toml"), "zoom = 0.8\n").expect("written");
+    let ctx = egui::Context::default();
+    let mut app = App::new(&ctx, State::new(Start::default()).expect("a camera"));
+    app.keep_preferences(&ctx, &folder.0, LaunchOptions::default());
+    let points = gui::DEFAULT_SIZE.map(|side| side / 0.8);
+    let screen = egui::Rect::from_min_size(egui::Pos2::ZERO, points.into());
+    let input = egui::RawInput { screen_rect: Some(screen), ..egui::RawInput::default() };
+    let mut output = ctx.run_ui(input, |ui| app.show(ui));
+    output.textures_delta.clear();
+    assert_eq!(ctx.content_rect(), screen);
+    let [width, height] = gui::DEFAULT_SIZE.map(|side| side as u32);
+    assert!(app.state.picture_sizes.iter().all(|size| size[0] <= width && size[1] <= height));
 }

@@ -93,14 +93,21 @@ fn a_click_is_pinned_when_its_vertex_is_found_and_the_vertex_is_named() {
 
 #[test]
 fn esc_gives_up_a_click_whose_vertex_is_not_found_yet() {
+    // How long it takes here, so that the wait afterwards is long enough to see it.
+    let mut slow = window(with_tree);
+    let (at, since) = (middle(&slow), Instant::now());
+    click(&mut slow, at);
+    slow.wait(|window| window.state().pinned().is_some());
+    let needed = since.elapsed();
+
     let mut window = window(with_tree);
-    let at = middle(&window);
     click(&mut window, at);
     window.harness.remove_cursor();
     window.harness.key_press(Key::Escape);
     window.harness.step();
+    assert_eq!(window.state().pinned(), None, "it is not found yet");
     let since = Instant::now();
-    while since.elapsed() < Duration::from_millis(300) {
+    while since.elapsed() < 2 * needed + Duration::from_millis(100) {
         window.run();
     }
     assert_eq!(window.state().pinned(), None);

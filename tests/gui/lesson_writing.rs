@@ -14,6 +14,7 @@ use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 
 use super::files::Folder;
+use super::sessions::written;
 use super::window::Window;
 
 /// A window that plays the user's copy of a lesson.
@@ -171,12 +172,16 @@ fn a_text_that_is_wrong_is_told_and_not_lost() {
     }
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
-    assert_eq!(window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed[1].en, "See {basis.nonsense}");
+    assert!(window.says(t.unsaved_text_title) && window.says("basis.nonsense"), "the question says why");
+    assert!(window.harness.query_by_label(t.save_copy).is_none(), "no file could hold it");
+    window.key(Key::Escape);
+    assert_eq!(step_text(&window), "See {basis.nonsense}");
     assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text);
-    window.click(t.forget_typed);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::W);
     window.run();
+    window.click(camera_lab::i18n::window::texts(Lang::En).dont_save);
     assert!(window.state().lesson.is_none());
+    assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text);
 }
 
 #[test]
@@ -235,6 +240,43 @@ fn what_another_program_writes_is_not_replaced() {
 }
 
 #[test]
+fn text_whose_file_another_program_has_changed_goes_into_a_copy() {
+    let folder = Folder::new("write-beside");
+    let t = words::texts(Lang::En);
+    let (mut window, path) = own(&folder, 1);
+    write(&mut window);
+    let theirs = shipped()[1].text.replace("[[step]]", "# Theirs.\n[[step]]");
+    std::fs::write(&path, &theirs).unwrap();
+    type_into(&mut window, t.step_text_field, "My words.");
+    window.command_key(Key::Q);
+    assert!(window.says(t.unsaved_text_title) && !window.state().file_flow.may_close);
+    window.click(t.save_copy);
+    let copy = folder.file("copy.toml");
+    window.choose(&copy);
+    assert!(window.state().file_flow.may_close, "it goes on with what was wanted");
+    assert_eq!(read_lesson(&copy).unwrap().0.steps[1].text.en, "My words.");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), theirs);
+}
+
+#[test]
+fn a_step_that_is_added_to_the_lesson_that_is_written_is_no_change_of_another_program() {
+    let folder = Folder::new("write-add");
+    let t = words::texts(Lang::En);
+    let (mut window, path) = own(&folder, 1);
+    let before = of(&shipped()[1].lesson).len();
+    write(&mut window);
+    type_into(&mut window, t.step_text_field, "Before.");
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::A);
+    window.run();
+    assert_eq!(titles(&path).len(), before + 1);
+    assert!(window.says(&words::place(Lang::En, 2, before + 1)), "the bar counts it");
+    type_into(&mut window, t.step_text_field, "After.");
+    pause(&mut window);
+    let (lesson, _) = read_lesson(&path).unwrap();
+    assert_eq!((lesson.steps[1].text.en.as_str(), lesson.steps.len()), ("After.", before + 1));
+}
+
+#[test]
 fn a_lesson_of_the_program_is_written_in_a_copy() {
     let folder = Folder::new("write-copy");
     let lesson = shipped()[2].lesson.clone();
@@ -270,4 +312,32 @@ fn a_link_holds_a_whole_lesson() {
     assert!(!window.state().plays_own_lesson());
     window.key(Key::PageDown);
     assert_eq!(window.state().lesson.as_ref().unwrap().step, 1);
+}
+
+#[test]
+fn text_of_a_window_that_was_killed_is_in_its_fields_again() {
+    let folder = Folder::new("write-killed");
+    let t = words::texts(Lang::En);
+    let (mut window, path) = own(&folder, 1);
+    window.app_mut().keep_session(&folder.file("sessions"), false);
+    write(&mut window);
+    type_into(&mut window, t.step_text_field, "See {basis.nonsense}");
+    window.wait(|_| written(&folder.file("sessions")).contains("basis.nonsense"));
+    drop(window);
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.file("sessions"), true);
+    window.run();
+    window.run();
+    assert_eq!(step_text(&window), "See {basis.nonsense}");
+    assert!(window.says(t.not_written) && window.state().lesson.as_ref().unwrap().step == 1);
+    assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text);
+    type_into(&mut window, t.step_text_field, "See $n$.");
+    pause(&mut window);
+    assert_eq!(read_lesson(&path).unwrap().0.steps[1].text.en, "See $n$.");
+    window.wait(|_| written(&folder.file("sessions")).is_empty());
+}
+
+/// The text of the step, as it is typed.
+fn step_text(window: &Window) -> String {
+    window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed[1].en.clone()
 }

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use camera_lab::figure::NamedPoint;
 use camera_lab::gui::state::Side;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::exercises::choice_of;
@@ -279,4 +280,68 @@ fn steps_are_recorded_from_the_screen_and_played() {
     window.choose(&file);
     window.run();
     assert_eq!(window.state().lesson.as_ref().unwrap().lesson.id, "mine");
+}
+
+#[test]
+fn links_of_a_text_open_pages_and_no_files() {
+    let folder = Folder::new("links");
+    let path = folder.file("mine.toml");
+    let text = "id = \"x\"\ntitle = \"T\"\n[[step]]\ntitle = \"One\"\n\
+        text = \"[here](file:///etc/passwd) and [there](https://example.org/)\"\n";
+    std::fs::write(&path, text).unwrap();
+    let (lesson, _) = camera_lab::files::read_lesson(&path).unwrap();
+    let figure = (*lesson.steps[0].figure).clone();
+    let lesson = Some(OpenLesson { lesson: lesson.into(), path: Some(path), step: 0 });
+    let state = State::new(Start { figure, lang: Lang::En, lesson, ..Start::default() }).unwrap();
+    let mut window = Window::with_state(state, [1280.0, 720.0]);
+    let mut opened = |label: &str| {
+        window.harness.get_by_label(label).click();
+        let mut opened = Vec::new();
+        for _ in 0..4 {
+            window.harness.step();
+            let commands = &window.harness.output().platform_output.commands;
+            opened.extend(commands.iter().filter_map(|command| match command {
+                eframe::egui::OutputCommand::OpenUrl(link) => Some(link.url.clone()),
+                _ => None,
+            }));
+        }
+        opened
+    };
+    assert_eq!(opened("here"), [""; 0]);
+    assert_eq!(opened("there"), ["https://example.org/"]);
+    assert!(window.says(camera_lab::i18n::window::texts(Lang::En).link_refused));
+}
+
+#[test]
+fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
+    let mut window = playing(0, 0, Lang::En);
+    let camera = *window.state().document.camera().parameters();
+    let tried = camera_lab::camera::Parameters { far: 77.0, ..camera };
+    window.app_mut().state.document.set_parameters(tried);
+    window.run();
+    assert!(window.state().document.is_changed() && !window.state().has_unsaved());
+    let turn = |window: &mut Window, step: usize| {
+        window.app_mut().state.go_to_step(step);
+        for _ in 0..200 {
+            window.harness.step();
+        }
+    };
+    turn(&mut window, 1);
+    turn(&mut window, 0);
+    assert_eq!(window.state().document.draft(), &camera, "it was tried");
+    window.app_mut().state.document.set_parameters(tried);
+    let point = NamedPoint { name: "Mine".to_owned(), position: glam::DVec3::ONE };
+    window.app_mut().state.document.edit(|figure| figure.points.push(point));
+    window.run();
+    assert!(window.state().has_unsaved());
+    turn(&mut window, 1);
+    assert!(!window.state().has_unsaved() && window.state().would_lose_something());
+    turn(&mut window, 0);
+    assert_eq!(window.state().document.draft(), &tried, "it is work");
+    // The step as it was is one undo step away from the work.
+    window.app_mut().state.step_again();
+    window.run();
+    assert!(!window.state().has_unsaved());
+    window.app_mut().state.undo();
+    assert!(window.state().has_unsaved() && window.state().document.draft() == &tried);
 }

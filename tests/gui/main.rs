@@ -29,6 +29,7 @@ mod labels;
 mod language;
 mod lesson_writing;
 mod lessons;
+mod lost_work;
 mod notes;
 mod numerics;
 mod order;

@@ -8,9 +8,10 @@ use camera_lab::camera::{Convention, Operation, Parameters};
 use camera_lab::figure::{Measure, Measured};
 use camera_lab::files::FileError;
 use camera_lab::geometry::Angle;
-use camera_lab::gui::state::Message;
-use camera_lab::gui::{self, LaunchOptions, Start, State};
+use camera_lab::gui::state::{AfterSave, Message};
+use camera_lab::gui::{self, LaunchOptions, Start, State, file_flow};
 use camera_lab::i18n::Lang;
+use camera_lab::i18n::window::texts;
 use camera_lab::views::View;
 use eframe::egui::{Key, Rect, pos2, vec2};
 use egui_kittest::kittest::Queryable;
@@ -289,4 +290,21 @@ fn the_first_window_shows_on_a_small_screen_what_is_said_at_its_bottom() {
     let window = Window::with_state(state, gui::DEFAULT_SIZE);
     let error = window.harness.get_by_label_contains("a.toml is read-only").rect();
     assert!(error.bottom() <= 720.0 - BARS && error.right() <= 1280.0, "{error}");
+}
+
+#[test]
+fn a_lesson_of_a_link_takes_the_place_of_a_restored_figure_after_a_question() {
+    let folder = Folder::new("class-link");
+    leave(&folder, "a.toml", "75.0");
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.file("sessions"), true);
+    // As a page does with `?lesson=basis`.
+    let (asked, _) = LaunchOptions::of_query("?lesson=basis");
+    let (ctx, open) = (window.harness.ctx.clone(), asked.open_lesson().expect("a lesson"));
+    file_flow::begin(&ctx, &mut window.app_mut().state, AfterSave::Lesson(open));
+    window.run();
+    let t = texts(Lang::En);
+    assert!(window.says(t.unsaved_title) && window.says("a.toml") && window.state().lesson.is_none());
+    window.click(t.dont_save);
+    assert_eq!(window.state().lesson.as_ref().map(|playing| playing.lesson.id.as_str()), Some("basis"));
 }

@@ -128,6 +128,21 @@ impl Window {
         window
     }
 
+    /// Begins again with another state, in a context that has its fonts already.
+    pub(crate) fn begin_again(&mut self, state: State) {
+        let ctx = self.harness.ctx.clone();
+        ctx.memory_mut(|memory| {
+            if let Some(id) = memory.focused() {
+                memory.surrender_focus(id);
+            }
+        });
+        eframe::egui::Popup::close_all(&ctx);
+        let mut app = App::new(&ctx, state);
+        app.canvas.patience = Duration::from_secs(60);
+        *self.harness.state_mut() = Some(app);
+        self.run();
+    }
+
     /// What the window knows.
     pub(crate) fn state(&self) -> &State {
         &self.harness.state().as_ref().expect("it has been shown").state

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use camera_lab::camera::Parameters;
 use camera_lab::gui;
 use camera_lab::gui::document::{Document, Seen};
-use camera_lab::gui::session::{News, Sessions};
+use camera_lab::gui::session::{Kept, News, Sessions};
 use eframe::egui;
 
 use crate::disk::{fill, small_disk};
@@ -22,12 +22,17 @@ fn fresh() -> Document {
     Document::new(gui::fresh(), None).expect("a camera")
 }
 
+fn keep(sessions: &mut Sessions, ctx: &egui::Context, document: &Document) {
+    let seen = Seen::of(document.figure());
+    sessions.keep(ctx, Kept { document, seen: &seen, is_work: document.is_changed(), text: None }, &[]);
+}
+
 pub(crate) fn keep_for_ever(folder: &Path) {
     let ctx = egui::Context::default();
     let (mut sessions, _) = Sessions::begin(folder, false);
     for number in 0_u32.. {
         let document = with_far(fresh(), 100.0 + f64::from(number));
-        sessions.keep(&ctx, (&document, &Seen::of(document.figure())));
+        keep(&mut sessions, &ctx, &document);
         std::thread::sleep(Duration::from_micros(200));
     }
 }
@@ -45,8 +50,8 @@ fn what_killed_windows_showed_comes_back_one_after_the_other() {
         drop((one, other));
         let mut windows = Vec::new();
         for left in [1, 0] {
-            let (mut sessions, document) = Sessions::begin(&folder.0, true);
-            assert!(document.expect("it comes back").figure().camera.far >= 100.0);
+            let (mut sessions, restored) = Sessions::begin(&folder.0, true);
+            assert!(restored.expect("it comes back").document.figure().camera.far >= 100.0);
             let news = sessions.news();
             assert!(matches!(news[..], [News::Restored]), "{news:?}");
             assert_eq!(sessions.left().len(), left);
@@ -70,7 +75,7 @@ fn on_a_full_disk_it_is_said_and_tried_again() {
     let mut news = Vec::new();
     while news.is_empty() {
         assert!(since.elapsed() < Duration::from_secs(60));
-        sessions.keep(&ctx, (&document, &Seen::of(document.figure())));
+        keep(&mut sessions, &ctx, &document);
         news = sessions.news();
         std::thread::sleep(Duration::from_millis(5));
     }
@@ -79,7 +84,7 @@ fn on_a_full_disk_it_is_said_and_tried_again() {
     fs::remove_file(filler).expect("removed");
     while !folder.join("session-0.json").exists() {
         assert!(since.elapsed() < Duration::from_secs(60));
-        sessions.keep(&ctx, (&document, &Seen::of(document.figure())));
+        keep(&mut sessions, &ctx, &document);
         assert!(sessions.news().is_empty(), "it is said once");
         std::thread::sleep(Duration::from_millis(5));
     }

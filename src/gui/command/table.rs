@@ -260,9 +260,7 @@ pub const MENUS: &[Menu] = &[
                     LeaveLesson,
                     alt(Key::W),
                     |t| lesson_words(t, |t| (t.leave, t.leave_hint)),
-                    |s, _| {
-                        s.leave_lesson();
-                    },
+                    |s, ctx| file_flow::begin(ctx, s, AfterSave::LeaveLesson),
                 )
                 .enabled(|s| s.lesson.is_some()),
             ],
@@ -402,7 +400,7 @@ fn record_step(state: &mut State, ctx: &Context) {
 /// were added last.
 fn write_lesson(state: &mut State, ctx: &Context) {
     if state.lesson.is_none() {
-        state.write_recorded();
+        file_flow::begin(ctx, state, AfterSave::WriteRecorded);
     } else if state.plays_own_lesson() {
         state.write_lesson();
     } else {

@@ -11,6 +11,7 @@ use crate::camera::Camera;
 use crate::export::png::figure_bytes;
 use crate::figure::Bilingual;
 use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
+use crate::gui::document::Document;
 use crate::i18n::{Lang, messages, pictures, told, window};
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;
@@ -25,6 +26,16 @@ pub enum Source {
     Shipped(&'static str),
     /// A file.
     File(PathBuf),
+}
+
+impl Source {
+    /// The source of a document; `None`: a new one.
+    pub(in crate::gui) fn of(document: &Document) -> Option<Self> {
+        match (document.path(), document.shipped_name()) {
+            (Some(path), _) => Some(Self::File(path.clone())),
+            (None, name) => name.map(Self::Shipped),
+        }
+    }
 }
 
 /// The size of a small picture in pixels.

@@ -3,7 +3,8 @@
 
 use eframe::egui::{Button, Id, RichText, Ui};
 
-use crate::gui::state::{FIELDS_OF_STEP, State, StepChange};
+use crate::gui::file_flow;
+use crate::gui::state::{AfterSave, FIELDS_OF_STEP, State, StepChange};
 use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::lessons::Texts;
@@ -38,7 +39,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
             state.take_change_back();
         }
         if ui.button(t.read_again).explained(t.read_again_hint).clicked() {
-            state.read_lesson_again();
+            file_flow::begin(ui.ctx(), state, AfterSave::ReadLesson);
         }
         ui.label(RichText::new(if is_ahead { t.not_kept } else { t.is_kept }).small().weak());
     });
@@ -87,12 +88,12 @@ pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
     }
     let has_fault = writing.fault.is_some();
     if has_fault && ui.button(t.forget_typed).explained(t.forget_typed_hint).clicked() {
-        return state.forget_words();
+        return state.forget_text();
     }
     if is_typed {
-        state.words_typed(now);
+        state.text_edited(now);
         ui.ctx().request_repaint_after(std::time::Duration::from_secs_f64(PAUSE + 0.1));
     } else if waits || is_left && !has_fault {
-        state.keep_words();
+        state.save_text();
     }
 }

@@ -18,9 +18,10 @@ use std::time::Duration;
 use eframe::egui::{self, Button, Id, Key, Modifiers, RichText, ScrollArea, Ui};
 
 use super::command::Command;
+use super::file_flow;
 use super::focus::{self, Region};
 use super::prose;
-use super::state::{Chosen, State};
+use super::state::{AfterSave, Chosen, State};
 use super::tooltip::Explained;
 use crate::figure::{Bilingual, Explanation};
 use crate::i18n::lessons::{self as words, Texts};
@@ -86,9 +87,11 @@ pub(super) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
         .inner
     });
     if shown.inner {
-        state.play(lessons::OpenLesson { lesson: first, path: None, step: 0 });
+        let open = lessons::OpenLesson { lesson: first, path: None, step: 0 };
+        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
     }
-    if shown.inner || command.is_some() {
+    // It stays if the question about changes does.
+    if state.lesson.is_some() || command.is_some() {
         (state.welcome, state.settings.welcomed) = (false, true);
     }
     command
@@ -208,7 +211,8 @@ fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
         } else if let Some(next) = after(&lesson) {
             let name = format!("{}: {} ▶", t.go_on_with, told(lang, &next.title));
             if ui.button(name).clicked() {
-                state.play(lessons::OpenLesson { lesson: next, path: None, step: 0 });
+                let open = lessons::OpenLesson { lesson: next, path: None, step: 0 };
+                file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
             }
         }
         let place = words::place(lang, step + 1, count);
@@ -360,7 +364,8 @@ fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
                 Link::Lesson(id) => {
                     let Some(other) = lessons::shipped().iter().find(|other| other.lesson.id == *id) else { continue };
                     if ui.link(format!("{}: {}", t.see_lesson, told(lang, &other.lesson.title))).clicked() {
-                        state.play(lessons::OpenLesson { lesson: other.lesson.clone(), path: None, step: 0 });
+                        let open = lessons::OpenLesson { lesson: other.lesson.clone(), path: None, step: 0 };
+                        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
                     }
                 }
             }

@@ -40,7 +40,7 @@ pub(in crate::gui) struct OpenFileDialog {
 
 impl OpenFileDialog {
     /// Opens the dialog. Browsers allow that only soon after a key or button was pressed.
-    pub(in crate::gui) fn start(ctx: &egui::Context, question: FileQuestion) -> Self {
+    pub(in crate::gui) fn start(ctx: &egui::Context, question: FileQuestion, _: &eframe::Frame) -> Self {
         let answer = Answer::default();
         if open(ctx, question, &answer).is_none() {
             answer.replace(Some(FileAnswer::Cancelled));

@@ -4,7 +4,7 @@ use eframe::egui::{self, Label, RichText};
 
 use crate::gui::file_flow;
 use crate::gui::focus::with_room_before;
-use crate::gui::state::State;
+use crate::gui::state::{AfterSave, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::window;
 use crate::sanitize;
@@ -26,7 +26,7 @@ pub fn bar(ui: &mut egui::Ui, state: &mut State) {
                 if changed && ui.button(t.compare).explained(t.compare_hint).clicked() {
                     file_flow::ask_about(state, theirs, None);
                 } else if !changed && ui.button(t.reload).explained(t.reload_hint).clicked() {
-                    file_flow::reload(state);
+                    file_flow::begin(ui.ctx(), state, AfterSave::Reload);
                 }
                 if ui.button(t.keep_mine).explained(t.keep_mine_hint).clicked() {
                     file_flow::keep_mine(state);

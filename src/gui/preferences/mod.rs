@@ -40,6 +40,9 @@ const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), 
 /// The key of the list of files that were opened or saved last.
 const RECENT: &str = "recent";
 
+/// The key of the furthest steps of lessons, each as `id=step`, from 1.
+const LESSONS: &str = "lessons";
+
 /// A key of the file: its value in a window, and its effect on one; an impossible value has none.
 struct Key {
     name: &'static str,
@@ -144,18 +147,10 @@ const KEYS: [Key; 42] = [
     },
     key!("reduce_motion", switch, settings.reduce_motion),
     key!("welcomed", switch, settings.welcomed),
-    // Each as `id=step`, from 1.
     Key {
-        name: "lessons",
-        of: |state| state.lessons_taken.iter().map(|(id, step)| format!("{id}={}", step + 1)).collect(),
-        apply: |state, value| {
-            let texts = value.as_array().into_iter().flatten().filter_map(Value::as_str);
-            let taken = |text: &str| {
-                let (id, step) = text.split_once('=')?;
-                Some((id.to_owned(), step.parse::<usize>().ok()?.checked_sub(1)?))
-            };
-            state.lessons_taken = texts.filter_map(taken).collect();
-        },
+        name: LESSONS,
+        of: |state| lessons_value(&state.lessons_taken),
+        apply: |state, value| state.lessons_taken = lessons_taken(value),
     },
     key!("save_explained", switch, settings.saves_explained),
     key!("convention", one of CONVENTIONS, operations.convention),
@@ -338,6 +333,31 @@ fn apply(document: &DocumentMut, state: &mut State) {
         }
     }
     state.recent.files = recent(document);
+}
+
+/// The value of [`LESSONS`].
+fn lessons_value(taken: &BTreeMap<String, usize>) -> Value {
+    taken.iter().map(|(id, step)| format!("{id}={}", step + 1)).collect()
+}
+
+/// The furthest step of each lesson, from 0, in such a value.
+fn lessons_taken(value: &Value) -> BTreeMap<String, usize> {
+    let texts = value.as_array().into_iter().flatten().filter_map(Value::as_str);
+    let taken = |text: &str| {
+        let (id, step) = text.split_once('=')?;
+        Some((id.to_owned(), step.parse::<usize>().ok()?.checked_sub(1)?))
+    };
+    texts.filter_map(taken).collect()
+}
+
+/// The furthest step of each lesson in two such values: two windows lose nothing of each other.
+fn merged_lessons(one: &Value, other: &Value) -> Value {
+    let mut taken = lessons_taken(one);
+    for (id, step) in lessons_taken(other) {
+        let furthest = taken.entry(id).or_default();
+        *furthest = step.max(*furthest);
+    }
+    lessons_value(&taken)
 }
 
 /// The files that were opened or saved last, the latest first.

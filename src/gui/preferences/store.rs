@@ -9,7 +9,7 @@ use toml_edit::{Array, DocumentMut, Value};
 
 use super::progress::KeptProgress;
 use super::shared_file::{Change, PATIENCE, SharedFile};
-use super::{RECENT, answers, apply, recent, values};
+use super::{LESSONS, RECENT, answers, apply, merged_lessons, recent, values};
 use crate::files;
 use crate::gui::launch_options::LaunchOptions;
 use crate::gui::session::{Keeping, News};
@@ -48,9 +48,10 @@ impl Change for SettingsJob {
             answers::remove(&mut document);
         }
         for (key, value) in &self.changed {
-            if let Ok(value) = value.parse::<Value>() {
-                document[key.as_str()] = value.into();
-            }
+            let Ok(value) = value.parse::<Value>() else { continue };
+            let before = document.get(key).and_then(|item| item.as_value()).filter(|_| key == LESSONS);
+            let value = before.map(|before| merged_lessons(before, &value)).unwrap_or(value);
+            document[key.as_str()] = value.into();
         }
         let recent = merged(&self.opened, &recent(&document));
         if !self.opened.is_empty() {
@@ -236,6 +237,20 @@ pub(super) mod tests {
         let (third, _) = folder.window();
         assert_eq!((third.settings.theme, third.settings.digits, third.layout.strip), (Theme::Dark, 3, true));
         assert_eq!(third.recent.files, two.recent.files);
+    }
+
+    #[test]
+    fn of_two_windows_each_lesson_is_remembered_as_far_as_either_has_come() {
+        let folder = Folder::new("lessons");
+        let ((mut one, mut of_one), (mut two, mut of_two)) = (folder.window(), folder.window());
+        let taken = |lessons: &[(&str, usize)]| lessons.iter().map(|(id, step)| ((*id).to_owned(), *step)).collect();
+        two.lessons_taken = taken(&[("cube", 2), ("camera", 6)]);
+        keep(&mut of_two, &mut two);
+        one.lessons_taken = taken(&[("camera", 3)]);
+        keep(&mut of_one, &mut one);
+        one.lessons_taken = taken(&[("camera", 4), ("basis", 1)]);
+        keep(&mut of_one, &mut one);
+        assert_eq!(folder.window().0.lessons_taken, taken(&[("basis", 1), ("camera", 6), ("cube", 2)]));
     }
 
     #[test]

@@ -22,14 +22,16 @@ use std::time::{Duration, SystemTime};
 use eframe::egui;
 
 use super::document::{Document, Seen};
-use super::gallery::Source;
+use super::history::Revision;
 use crate::clock;
 use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError, Overwrite};
 use crate::limits::{MAX_SESSION_BYTES, MAX_SESSIONS};
 pub use news::{Keeping, News, NewsList, NotKept};
-use session_file::{Restored, SessionFile};
-use writer::{Writer, is_worth_keeping};
+use session_file::SessionFile;
+pub use session_file::{Restored, UnsavedText};
+pub use writer::Kept;
+use writer::Writer;
 
 /// A figure that the window has shown for so long does not keep the program from starting.
 const SURVIVED: Duration = if cfg!(target_arch = "wasm32") {
@@ -60,8 +62,10 @@ pub struct LeftOver {
 pub struct Sessions {
     folder: PathBuf,
     own: Option<Writer>,
-    /// Figures left with changes, which this window still stores.
-    others: Vec<(Option<Source>, Writer)>,
+    /// The document in `own`.
+    shown: Option<Revision>,
+    /// The documents that the window holds without showing them.
+    others: Vec<(Revision, Writer)>,
     left: Vec<LeftOver>,
     news: Vec<News>,
     /// When the figure of this window was restored, while it is not known to be survived.
@@ -75,10 +79,11 @@ pub struct Sessions {
 impl Sessions {
     /// Looks for sessions in `folder`. With `restore`, the latest that can be restored without a question is returned.
     #[must_use]
-    pub fn begin(folder: &Path, restore: bool) -> (Self, Option<Document>) {
+    pub fn begin(folder: &Path, restore: bool) -> (Self, Option<Restored>) {
         let mut sessions = Self {
             folder: folder.to_owned(),
             own: None,
+            shown: None,
             others: Vec::new(),
             left: Vec::new(),
             news: Vec::new(),
@@ -90,11 +95,11 @@ impl Sessions {
         sessions.look();
         let safe = sessions.left.iter().filter(|left| !left.did_not_survive);
         let latest = safe.max_by_key(|left| left.written).map(|left| left.slot).filter(|_| restore);
-        let document = latest.and_then(|slot| sessions.take_up(slot, false));
+        let restored = latest.and_then(|slot| sessions.take_up(slot, false));
         if sessions.own.is_none() {
-            sessions.take_slot();
+            sessions.own = sessions.free_slot();
         }
-        (sessions, document)
+        (sessions, restored)
     }
 
     /// The sessions of other windows that are still undecided.
@@ -109,7 +114,7 @@ impl Sessions {
     }
 
     /// Restores the session of a slot, at the user's request.
-    pub fn restore(&mut self, slot: usize) -> Option<Document> {
+    pub fn restore(&mut self, slot: usize) -> Option<Restored> {
         self.take_up(slot, true)
     }
 
@@ -125,54 +130,81 @@ impl Sessions {
         }
     }
 
-    /// Saves changes and explanations; nothing where nothing would be lost. Call it when no pointer or key is held.
-    pub fn keep(&mut self, ctx: &egui::Context, (document, seen): (&Document, &Seen)) {
+    /// Saves what the window holds: the document that it shows, as far as something would be lost with it, and each
+    /// of the `others`, which all have changes. The stored session of a document that the window no longer holds is
+    /// deleted. Call it when no pointer or key is held.
+    pub fn keep(&mut self, ctx: &egui::Context, shown: Kept<'_>, others: &[&Document]) {
         let now = clock::now();
+        self.follow(shown.document.id(), others);
         match self.own.as_mut().and_then(Writer::take) {
             Some(Ok(())) => (self.failed_at, self.told) = (None, false),
             Some(Err(error)) => self.fail(error),
             None => {}
         }
         let due = self.failed_at.is_none_or(|failed| now.saturating_sub(failed) >= RETRY);
-        if self.own.is_none() && due && is_worth_keeping(document, seen) {
-            self.take_slot();
+        if self.own.is_none() && due && shown.is_worth_keeping() {
+            self.own = self.free_slot();
         }
+        self.keep_others(ctx, others, due);
         if self.restored_at.is_some_and(|at| now.saturating_sub(at) >= SURVIVED) {
             self.restored_at = None;
         }
         let restoring = self.restored_at.is_some();
         if let Some(own) = &mut self.own
-            && (!own.is_up_to_date((document, seen), restoring) || (self.failed_at.is_some() && due))
+            && (!own.is_up_to_date(shown, restoring) || (self.failed_at.is_some() && due))
         {
             self.failed_at = None;
-            own.ask(ctx, (document, seen), restoring);
+            own.ask(ctx, shown, restoring);
         }
         // Nothing else may request the frame in which it is time.
         for (since, length) in [(self.restored_at, SURVIVED), (self.failed_at, RETRY)] {
-            if let Some(since) = since.filter(|_| is_worth_keeping(document, seen)) {
+            if let Some(since) = since.filter(|_| shown.is_worth_keeping()) {
                 ctx.request_repaint_after(length.saturating_sub(now.saturating_sub(since)));
             }
         }
     }
 
-    /// Leaves the stored session of a figure as it is, while the window shows another one.
-    pub fn leave(&mut self, ctx: &egui::Context, source: Option<Source>, document: (&Document, &Seen)) {
-        self.keep(ctx, document);
-        self.others.extend(self.own.take().map(|own| (source, own)));
+    /// Gives each document that the window holds its own slot back; those of all others are free.
+    fn follow(&mut self, shown: Revision, others: &[&Document]) {
+        let is_held = |id: Revision| others.iter().any(|document| document.id() == id);
+        if self.shown.is_some_and(|before| before != shown && is_held(before)) {
+            self.others.extend(self.shown.zip(self.own.take()));
+        }
+        if let Some(index) = self.others.iter().position(|(id, _)| *id == shown) {
+            let (_, writer) = self.others.swap_remove(index);
+            self.own.replace(writer).into_iter().for_each(Writer::forget);
+        }
+        self.shown = Some(shown);
+        self.others.extract_if(.., |(id, _)| !is_held(*id)).for_each(|(_, writer)| writer.forget());
     }
 
-    /// Goes on writing down a figure that was left.
-    pub fn come_back(&mut self, source: Option<&Source>) {
-        if let Some(index) = self.others.iter().position(|(of, _)| of.as_ref() == source) {
-            let (_, writer) = self.others.swap_remove(index);
-            if let Some(own) = self.own.replace(writer) {
-                own.forget();
+    /// Saves the documents that are not shown, each once for each change.
+    fn keep_others(&mut self, ctx: &egui::Context, others: &[&Document], due: bool) {
+        for document in others {
+            let index = self.others.iter().position(|(id, _)| *id == document.id());
+            let writer = match index {
+                Some(index) => self.others.swap_remove(index).1,
+                None if due => match self.free_slot() {
+                    Some(writer) => writer,
+                    None => continue,
+                },
+                None => continue,
+            };
+            self.others.push((document.id(), writer));
+            let Some((_, writer)) = self.others.last_mut() else { continue };
+            if let Some(Err(error)) = writer.take() {
+                writer.ask_again();
+                self.fail(error);
+            } else if due && !writer.has(document) {
+                let seen = Seen::of(document.figure());
+                writer.ask(ctx, Kept { document, seen: &seen, is_work: true, text: None }, false);
             }
         }
     }
 
     /// Deletes the stored session of this window: it has been saved, or discarded.
     pub fn forget(&mut self) {
+        self.shown = None;
         let others = self.others.drain(..).map(|(_, writer)| writer);
         self.own.take().into_iter().chain(others).for_each(Writer::forget);
     }
@@ -206,7 +238,7 @@ impl Sessions {
             };
             match kept {
                 Some(kept) => {
-                    let left = LeftOver { slot, path: kept.path(), written, did_not_survive: kept.restoring };
+                    let left = LeftOver { slot, path: kept.named(), written, did_not_survive: kept.restoring };
                     self.left.push(left);
                 }
                 None => self.put_aside(&file),
@@ -214,10 +246,11 @@ impl Sessions {
         }
     }
 
-    /// Takes the first slot in which nothing is left.
-    fn take_slot(&mut self) {
+    /// The first slot in which nothing is left; without one, that is reported.
+    fn free_slot(&mut self) -> Option<Writer> {
         if let Err(error) = disk::create_folder(&self.folder) {
-            return self.fail(FileError::Write(error));
+            self.fail(FileError::Write(error));
+            return None;
         }
         for slot in 0..MAX_SESSIONS {
             let file = self.file(slot);
@@ -225,19 +258,20 @@ impl Sessions {
                 continue;
             }
             match self.lock(slot) {
-                Ok(Some(lock)) => {
-                    self.own = Some(Writer::new(file, lock));
-                    return;
-                }
+                Ok(Some(lock)) => return Some(Writer::new(file, lock)),
                 Ok(None) => {}
                 // The locks of the others would fail too.
-                Err(error) => return self.fail(FileError::Write(error)),
+                Err(error) => {
+                    self.fail(FileError::Write(error));
+                    return None;
+                }
             }
         }
         self.failed_at = Some(clock::now());
         if !std::mem::replace(&mut self.told, true) {
             self.news.push(News::NoSlot);
         }
+        None
     }
 
     fn fail(&mut self, error: FileError) {
@@ -254,7 +288,7 @@ impl Sessions {
 
     /// Makes the session of a slot that of this window. Unless `asked` for by the user, only where the restore can be
     /// recorded first.
-    fn take_up(&mut self, slot: usize, asked: bool) -> Option<Document> {
+    fn take_up(&mut self, slot: usize, asked: bool) -> Option<Restored> {
         let file = self.file(slot);
         let lock = self.lock(slot).ok().flatten().filter(|_| disk::exists(&file));
         let Some(lock) = lock else {
@@ -277,10 +311,11 @@ impl Sessions {
             return None;
         }
         self.left.retain(|left| left.slot != slot);
-        let Some(Restored { document, unknown }) = SessionFile::read(&bytes).and_then(|kept| kept.restore()) else {
+        let Some(restored) = SessionFile::read(&bytes).and_then(|kept| kept.restore()) else {
             self.put_aside(&file);
             return None;
         };
+        let unknown = restored.unknown.clone();
         self.news.push(if unknown.is_empty() {
             News::Restored
         } else {
@@ -295,7 +330,7 @@ impl Sessions {
         }
         self.own = Some(Writer::new(file, lock));
         self.restored_at = Some(clock::now());
-        Some(document)
+        Some(restored)
     }
 
     fn put_aside(&mut self, file: &Path) {

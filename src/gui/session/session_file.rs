@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::figure::{Figure, read, update};
+use crate::figure::{Bilingual, Figure, read, update};
 use crate::files::{SourceFile, disk};
 use crate::gui::document::Document;
 use crate::gui::fresh;
@@ -41,6 +41,19 @@ impl KeptPath {
     }
 }
 
+/// The text of a lesson that is not in its file: a session stores it, and a window goes on with it after a crash.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnsavedText {
+    /// The file.
+    pub path: PathBuf,
+    /// The step whose texts were written, from 0.
+    pub step: usize,
+    /// The text of the file as the window read or wrote it last.
+    pub text: String,
+    /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as they were typed.
+    pub typed: [Bilingual; 6],
+}
+
 /// The stored session. Unknown keys, from a later version, are ignored.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct SessionFile {
@@ -55,23 +68,58 @@ pub(super) struct SessionFile {
     /// The figure is being restored, and the window has not lived long with it yet.
     #[serde(default)]
     pub(super) restoring: bool,
+    /// The text of a lesson that is not in its file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    lesson: Option<KeptText>,
+}
+
+/// The text of a lesson that is not in its file; see [`UnsavedText`].
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct KeptText {
+    path: KeptPath,
+    step: usize,
+    text: String,
+    /// Each in English and in Portuguese.
+    typed: Vec<[String; 2]>,
 }
 
 /// The key of [`SessionFile::restoring`].
 const RESTORING: &str = "restoring";
 
 /// A window that has come back.
-pub(super) struct Restored {
-    pub(super) document: Document,
+pub struct Restored {
+    /// The document.
+    pub document: Document,
     /// Keys of the figure that are not known here, and were passed over.
-    pub(super) unknown: Vec<String>,
+    pub unknown: Vec<String>,
+    /// The text of a lesson that was not in its file.
+    pub text: Option<UnsavedText>,
 }
 
 impl SessionFile {
     pub(super) fn new(place: &SessionPlace, source: String, figure: &Figure, restoring: bool) -> Self {
         let figure = update(&source, figure);
         let kept = |path: &Option<PathBuf>| path.as_deref().map(KeptPath::from);
-        Self { path: kept(&place.path), folder: kept(&place.folder), source, figure, restoring }
+        Self { path: kept(&place.path), folder: kept(&place.folder), source, figure, restoring, lesson: None }
+    }
+
+    /// The same with the text of a lesson.
+    pub(super) fn with_text(self, text: Option<&UnsavedText>) -> Self {
+        let lesson = text.map(|UnsavedText { path, step, text, typed }| KeptText {
+            path: KeptPath::from(&**path),
+            step: *step,
+            text: text.clone(),
+            typed: typed.iter().map(|Bilingual { en, pt_br }| [en.clone(), pt_br.clone()]).collect(),
+        });
+        Self { lesson, ..self }
+    }
+
+    /// The text of a lesson; `None` if it lacks something that an [`UnsavedText`] has.
+    fn text(&self) -> Option<UnsavedText> {
+        let KeptText { path, step, text, typed } = self.lesson.as_ref()?;
+        let typed: Vec<Bilingual> =
+            typed.iter().map(|[en, pt_br]| Bilingual { en: en.clone(), pt_br: pt_br.clone() }).collect();
+        Some(UnsavedText { path: path.whole()?, step: *step, text: text.clone(), typed: typed.try_into().ok()? })
     }
 
     /// Reads these bytes; `None` where they are unreadable.
@@ -89,6 +137,12 @@ impl SessionFile {
     /// The figure's file, if it has one.
     pub(super) fn path(&self) -> Option<PathBuf> {
         self.path.as_ref()?.whole()
+    }
+
+    /// The file that a list names: that of the figure, or of the lesson with the text.
+    pub(super) fn named(&self) -> Option<PathBuf> {
+        let of_lesson = || self.lesson.as_ref()?.path.whole();
+        self.path().or_else(of_lesson)
     }
 
     /// The window as it was. Where the figure has keys that are not known here, saving asks for another file: the old
@@ -115,7 +169,12 @@ impl SessionFile {
             document.forget_file();
         }
         document.replace(changed).ok()?;
-        Some(Restored { document, unknown })
+        // A text that cannot be shown must not be thrown away with the file.
+        let text = self.text();
+        if self.lesson.is_some() && text.as_ref().is_none_or(|text| crate::lessons::parse(&text.text).is_err()) {
+            return None;
+        }
+        Some(Restored { document, unknown, text })
     }
 }
 

@@ -17,7 +17,8 @@ impl TempFolder {
     }
 
     fn begin(&self, restore: bool) -> (Sessions, Option<Document>) {
-        Sessions::begin(&self.0, restore)
+        let (sessions, restored) = Sessions::begin(&self.0, restore);
+        (sessions, restored.map(|restored| restored.document))
     }
 
     fn names(&self) -> Vec<String> {
@@ -50,12 +51,21 @@ impl Drop for TempFolder {
 impl Sessions {
     /// Writes the document down and waits for it.
     fn write(&mut self, document: &Document) {
-        let ctx = egui::Context::default();
-        self.keep(&ctx, (document, &Seen::of(document.figure())));
-        if let Some(own) = &self.own {
-            own.wait();
-        }
-        self.keep(&ctx, (document, &Seen::of(document.figure())));
+        self.write_all(document, &[]);
+    }
+
+    /// Writes documents down, the shown one and others, and waits for them.
+    fn write_all(&mut self, document: &Document, others: &[&Document]) {
+        let (ctx, seen) = (egui::Context::default(), Seen::of(document.figure()));
+        let kept = Kept { document, seen: &seen, is_work: document.is_changed(), text: None };
+        self.keep(&ctx, kept, others);
+        self.others.iter().map(|(_, writer)| writer).chain(&self.own).for_each(Writer::wait);
+        self.keep(&ctx, kept, others);
+    }
+
+    /// Restores a slot, as the user asks for.
+    fn restored(&mut self, slot: usize) -> Option<Document> {
+        self.restore(slot).map(|restored| restored.document)
     }
 }
 
@@ -125,7 +135,7 @@ fn what_is_left_stays_until_the_user_has_decided() {
     assert!(taken.is_some());
     assert_eq!(other.left().len(), 1);
     for slot in [0, 2] {
-        let restored = sessions.restore(slot);
+        let restored = sessions.restored(slot);
         let news = sessions.news();
         match restored {
             Some(document) => {
@@ -210,13 +220,13 @@ fn a_figure_that_ends_the_program_is_not_restored_by_itself_again() {
     }
     // Asked for, it comes back; it dies again, also after an edit.
     let (mut sessions, _) = place.begin(true);
-    let left = sessions.restore(0).unwrap();
+    let left = sessions.restored(0).unwrap();
     sessions.write(&change(left, 43.0));
     drop(sessions);
     let (mut sessions, left) = place.begin(true);
     assert!(left.is_none() && sessions.left()[0].did_not_survive);
     // With time it is trusted.
-    let left = sessions.restore(0).unwrap();
+    let left = sessions.restored(0).unwrap();
     assert_eq!(left.figure().camera.far, 43.0);
     sessions.restored_at = clock::now().checked_sub(SURVIVED).or(Some(Duration::ZERO));
     if clock::now() < SURVIVED {
@@ -335,27 +345,21 @@ fn a_session_that_is_far_too_large_is_put_aside_unread() {
 }
 
 #[test]
-fn a_figure_that_was_left_stays_written_down_and_goes_on_where_one_comes_back() {
+fn documents_that_a_window_holds_have_a_slot_each_and_what_it_lets_go_leaves_nothing() {
     let folder = TempFolder::new("left-in-window");
-    let changed = |far: f64| {
-        let mut document = Document::new(fresh(), None).unwrap();
-        let parameters = crate::camera::Parameters { far, ..*document.draft() };
-        document.set_parameters(parameters);
-        document
-    };
-    let source = Source::Shipped("house");
-    let (one, two) = (changed(40.0), changed(50.0));
-    let (mut sessions, _) = Sessions::begin(&folder.0, false);
-    sessions.leave(&egui::Context::default(), Some(source.clone()), (&one, &Seen::of(one.figure())));
-    sessions.keep(&egui::Context::default(), (&two, &Seen::of(two.figure())));
-    for writer in sessions.others.iter().map(|(_, writer)| writer).chain(&sessions.own) {
-        writer.wait();
-    }
+    let (one, two) = (changed(), change(changed(), 50.0));
+    let (mut sessions, _) = folder.begin(false);
+    sessions.write(&one);
+    sessions.write_all(&two, &[&one]);
     // Both would be there after a crash.
     let files = || folder.names().len();
     assert_eq!(files(), 2);
-    sessions.come_back(Some(&source));
-    assert!(sessions.others.is_empty() && files() == 1);
+    sessions.write_all(&one, &[&two]);
+    assert_eq!(files(), 2, "each in its own");
+    let far = |name: &str| fs::read_to_string(folder.0.join(name)).unwrap().contains("far = 42");
+    assert!(far("session-0.json") && !far("session-1.json"));
+    sessions.write(&one);
+    assert_eq!(folder.names(), ["session-0.json"]);
     sessions.forget();
     assert_eq!(files(), 0);
 }

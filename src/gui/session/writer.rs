@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use eframe::egui;
 
+use super::UnsavedText;
 use super::session_file::{SessionFile, SessionPlace};
 use crate::clock;
 use crate::figure::Figure;
@@ -25,9 +26,34 @@ struct Note {
     place: SessionPlace,
     source: String,
     figure: Figure,
+    text: Option<Arc<UnsavedText>>,
     /// The revision of the scene.
     revision: Revision,
     restoring: bool,
+}
+
+/// Something that a crash must not lose.
+#[derive(Clone, Copy)]
+pub struct Kept<'a> {
+    /// The document.
+    pub document: &'a Document,
+    /// How the pictures show it.
+    pub seen: &'a Seen,
+    /// The document has changes that closing the window asks about.
+    pub is_work: bool,
+    /// The text of a lesson that is not in its file.
+    pub text: Option<&'a Arc<UnsavedText>>,
+}
+
+impl Kept<'_> {
+    /// Whether something would be lost: work, and in a browser, which reads no file again by itself, also an opened
+    /// figure.
+    pub(super) fn is_worth_keeping(&self) -> bool {
+        let document = self.document;
+        self.is_work
+            || self.text.is_some()
+            || (cfg!(target_arch = "wasm32") && (document.name().is_some() || !document.source().is_empty()))
+    }
 }
 
 impl Note {
@@ -59,17 +85,10 @@ impl WriteJob {
             return disk::remove(&self.file).map_err(FileError::Write);
         };
         let kept = SessionFile::new(&note.place, note.source.clone(), &note.figure, note.restoring);
+        let kept = kept.with_text(note.text.as_deref());
         let text = serde_json::to_vec(&kept).map_err(|error| FileError::Write(error.into()))?;
         files::save(&self.file, &text, Overwrite::Writable)
     }
-}
-
-/// Whether work would be lost: changes, explanations, and in a browser, which reads no file again by itself, also an
-/// opened figure.
-pub(super) fn is_worth_keeping(document: &Document, seen: &Seen) -> bool {
-    document.is_changed()
-        || document.explains_other(&seen.show)
-        || (cfg!(target_arch = "wasm32") && (document.name().is_some() || !document.source().is_empty()))
 }
 
 /// The slot of this window, and its content.
@@ -91,13 +110,15 @@ impl Writer {
     }
 
     /// True where what was asked for last is still what is wanted.
-    pub(super) fn is_up_to_date(&mut self, (document, seen): (&Document, &Seen), restoring: bool) -> bool {
+    pub(super) fn is_up_to_date(&mut self, kept: Kept<'_>, restoring: bool) -> bool {
+        let Kept { document, seen, text, .. } = kept;
         match &self.asked {
             Some(Some(note)) => {
                 let version = Some(document.version());
-                let is_same = is_worth_keeping(document, seen)
+                let is_same = kept.is_worth_keeping()
                     && note.restoring == restoring
                     && note.is_seen_as(seen)
+                    && note.text.as_ref().map(Arc::as_ptr) == text.map(Arc::as_ptr)
                     && (self.version == version || note.is_of(document));
                 if is_same {
                     // Another number may have come to the same document.
@@ -105,19 +126,31 @@ impl Writer {
                 }
                 is_same
             }
-            Some(None) => !is_worth_keeping(document, seen),
+            Some(None) => !kept.is_worth_keeping(),
             None => false,
         }
     }
 
+    /// True if the last request was made for this document as it is, from wherever it was seen then.
+    pub(super) fn has(&self, document: &Document) -> bool {
+        self.version == Some(document.version()) && matches!(self.asked, Some(Some(_)))
+    }
+
+    /// Has the next look find that the document is not stored.
+    pub(super) fn ask_again(&mut self) {
+        (self.asked, self.version) = (None, None);
+    }
+
     /// Saves the document; where nothing would be lost with it, deletes the stored one.
-    pub(super) fn ask(&mut self, ctx: &egui::Context, (document, seen): (&Document, &Seen), restoring: bool) {
-        let note = is_worth_keeping(document, seen).then(|| {
+    pub(super) fn ask(&mut self, ctx: &egui::Context, kept: Kept<'_>, restoring: bool) {
+        let Kept { document, seen, text, .. } = kept;
+        let note = kept.is_worth_keeping().then(|| {
             let Seen { observers, show } = seen.clone();
             Arc::new(Note {
                 place: SessionPlace::of(document),
                 source: document.source().to_owned(),
                 figure: Figure { observers, show, ..document.figure().clone() },
+                text: text.cloned(),
                 revision: document.revision(),
                 restoring,
             })

@@ -9,7 +9,8 @@ use crate::export::plot::Block;
 use crate::files::Overwrite;
 use crate::gui::comparison::Comparison;
 use crate::gui::export::{Export, Exported, Exporting};
-use crate::gui::native::OpenFileDialog;
+use crate::gui::history::Revision;
+use crate::gui::native::{FileQuestion, OpenFileDialog};
 use crate::gui::preview::Preview;
 use crate::gui::session::NewsList;
 use crate::gui::watch::Watch;
@@ -31,10 +32,27 @@ pub enum AfterSave {
     Text(String),
     /// Play this lesson.
     Lesson(OpenLesson),
+    /// End the lesson; the figure of its step stays.
+    LeaveLesson,
+    /// Write the lesson to which steps were added last.
+    WriteRecorded,
+    /// Read the file of the lesson that is written again.
+    ReadLesson,
+    /// Read the figure's own file again.
+    Reload,
     /// Restore the session of this slot.
     Restore(usize),
     /// Close the window.
     Quit,
+}
+
+impl AfterSave {
+    /// True if the figure of the window is lost with it.
+    #[must_use]
+    pub fn replaces_figure(&self) -> bool {
+        // Work in the steps of a lesson is kept where its file is read again.
+        !matches!(self, Self::LeaveLesson | Self::ReadLesson)
+    }
 }
 
 /// The purpose of a file.
@@ -58,12 +76,21 @@ pub enum Purpose {
     Step,
     /// To copy a lesson of the program, which is written on from then.
     OwnLesson,
+    /// To save the lesson with the text that cannot be saved in its own file, and then to go on.
+    LessonText(AfterSave),
     /// To write a chart.
     Chart(Box<Block>),
     /// To export progress in exercises, as a table for spreadsheets.
     Progress,
     /// A folder of a lecturer's own exercises.
     Exercises,
+}
+
+impl Purpose {
+    /// True if the file is for the figure that is shown.
+    pub(in crate::gui) fn is_about_figure(&self) -> bool {
+        !matches!(self, Self::Open | Self::Folder | Self::Progress | Self::Exercises)
+    }
 }
 
 /// The use of a mesh file.
@@ -117,6 +144,8 @@ pub struct Changed {
 pub enum Dialog {
     /// Unsaved changes: save them?
     Unsaved(AfterSave),
+    /// The text of the lesson cannot be saved: forget it? The reason is in [`FileFlow::refused`].
+    UnsavedText(AfterSave),
     /// The path of a file, as typed.
     Path(Purpose, String),
     /// The file is there already: replace it?
@@ -163,7 +192,7 @@ pub enum Dialog {
 pub struct FileFlow {
     /// The open question.
     pub dialog: Option<Dialog>,
-    /// The reason why the last typed file could not be opened or written; shown in the dialog.
+    /// The reason why the last typed file could not be opened or written, or a text not be saved; shown in the dialog.
     pub(in crate::gui) refused: Option<Message>,
     /// False: paths are typed in the window, as where the system has no dialogs.
     pub native: bool,
@@ -182,17 +211,78 @@ pub struct FileFlow {
     pub(in crate::gui) watch: Watch,
     /// Files that were given to a page, to be opened: the first of them in the next frame.
     pub(in crate::gui) given: Vec<PathBuf>,
-    pub(in crate::gui) asking: Option<(Purpose, OpenFileDialog)>,
+    pub(in crate::gui) asking: Option<Asking>,
+    /// The dialog of a document that a question because of closing the window has covered.
+    pub(in crate::gui) covered: Option<(Revision, Dialog)>,
     pub(in crate::gui) exporting: Vec<Exporting>,
     /// The content of the export dialog while it is open.
     pub preview: Option<Preview>,
 }
 
+/// A question for a file to the system, until it is answered.
+#[derive(Debug)]
+pub(in crate::gui) struct Asking {
+    /// The purpose of the file.
+    pub(in crate::gui) purpose: Purpose,
+    /// The document that was shown when the question came up.
+    pub(in crate::gui) document: Revision,
+    /// The question, until the dialog is open.
+    pub(in crate::gui) question: Option<FileQuestion>,
+    /// The dialog.
+    pub(in crate::gui) dialog: Option<OpenFileDialog>,
+}
+
+impl Dialog {
+    /// True if something typed or a decision is lost when the dialog is closed.
+    #[must_use]
+    pub fn is_question(&self) -> bool {
+        match self {
+            Self::Unsaved(_)
+            | Self::UnsavedText(_)
+            | Self::Path(..)
+            | Self::Overwrite(..)
+            | Self::Changed(_)
+            | Self::ReadOnly(..)
+            | Self::Export(_)
+            | Self::Closing
+            | Self::Delete { .. }
+            | Self::DeleteProgress => true,
+            Self::Help
+            | Self::About
+            | Self::Coach
+            | Self::Gallery
+            | Self::Compare(_)
+            | Self::Search
+            | Self::Link
+            | Self::Lessons
+            | Self::Qr => false,
+        }
+    }
+}
+
 impl FileFlow {
-    /// True while a dialog waits for an answer. The comparison stands beside the pictures and waits for none.
+    /// Has a file opened in the next frame, as one that is dropped.
+    pub fn give(&mut self, path: PathBuf) {
+        self.given.push(path);
+    }
+
+    /// True while a dialog waits for an answer, in the window or of the system. The comparison stands beside the
+    /// pictures and waits for none.
     #[must_use]
     pub fn is_asking(&self) -> bool {
-        self.dialog.as_ref().is_some_and(|dialog| !matches!(dialog, Dialog::Compare(_)))
+        self.waits_for_system() || self.dialog.as_ref().is_some_and(|dialog| !matches!(dialog, Dialog::Compare(_)))
+    }
+
+    /// True while a dialog of the system is open. A browser holds its page back by itself, and some do not say when
+    /// their dialog is closed.
+    pub(in crate::gui) fn waits_for_system(&self) -> bool {
+        self.asking.is_some() && !cfg!(target_arch = "wasm32")
+    }
+
+    /// True while an open dialog would lose something if another one took its place.
+    pub(in crate::gui) fn has_question(&self) -> bool {
+        // A covered dialog comes back.
+        self.waits_for_system() || self.covered.is_some() || self.dialog.as_ref().is_some_and(Dialog::is_question)
     }
 
     /// Work with files, with nothing pending.
@@ -204,10 +294,10 @@ impl FileFlow {
     /// True from the first question because of closing the window, until one is answered by *Cancel*.
     pub(in crate::gui) fn is_closing(&self) -> bool {
         let closes = |next: &AfterSave| *next == AfterSave::Quit;
-        let saves = |purpose: &Purpose| matches!(purpose, Purpose::Save(Some(next)) if closes(next));
+        let saves = |purpose: &Purpose| matches!(purpose, Purpose::Save(Some(next)) | Purpose::LessonText(next) if closes(next));
         let asked = match &self.dialog {
             Some(Dialog::Closing) => true,
-            Some(Dialog::Unsaved(next)) => closes(next),
+            Some(Dialog::Unsaved(next) | Dialog::UnsavedText(next)) => closes(next),
             Some(Dialog::Path(purpose, _) | Dialog::Overwrite(purpose, _) | Dialog::ReadOnly(purpose, ..)) => {
                 saves(purpose)
             }
@@ -215,7 +305,7 @@ impl FileFlow {
             // Nothing comes after the answer to any other question.
             Some(_) | None => false,
         };
-        asked || self.may_close || self.asking.as_ref().is_some_and(|(purpose, _)| saves(purpose))
+        asked || self.may_close || self.asking.as_ref().is_some_and(|asking| saves(&asking.purpose))
     }
 
     /// The pictures that are being written, and how far that has come.

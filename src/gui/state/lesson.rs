@@ -1,15 +1,18 @@
 //! The lesson that is played: its step, the move to it, and what is done.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::{Chosen, Message, Panels, State, Writing};
 use crate::camera::Camera;
 use crate::figure::{Figure, Observers, Show};
+use crate::files;
 use crate::gui::document::Document;
+use crate::gui::gallery::Source;
 use crate::gui::history::Revision;
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
+use crate::share;
 
 /// Seconds in which the pictures of a step before fade into those of the next one.
 pub(in crate::gui) const FADE: f64 = 0.4;
@@ -33,12 +36,16 @@ pub struct Playing {
     pub shows_notes: bool,
     /// The writing of the step, in a lesson of the user's own.
     pub writing: Option<Writing>,
+    /// The lesson has been written since it is played.
+    pub(super) was_written: bool,
     /// A link holds the whole lesson, where it is the user's own; else the figure of the step.
     pub links_whole: bool,
     /// The beginning of the fading of what was shown before the step, counted.
     pub(in crate::gui) fades: u64,
     /// Not all of text and task is in sight; written by the panel.
     pub is_cut: bool,
+    /// The documents of other steps in which there is work; each is shown again when its step is.
+    pub(super) worked_on: BTreeMap<usize, Document>,
     /// The steps whose task is done.
     done: BTreeSet<usize>,
     /// The steps whose task was passed over.
@@ -83,6 +90,16 @@ impl Playing {
         self.is_done() || self.passed.contains(&self.step)
     }
 
+    /// Whether the document of a step has work in it. A step is there to be tried: another camera, image or way of
+    /// drawing isn't marked, isn't stored, and ends with the step. What the user builds is work: objects, lights,
+    /// points, labels, titles. It's treated as in every other figure: it's marked (•), survives a crash, waits in its
+    /// step while other steps are shown, and whatever would end it asks first. Once the lesson has been written here,
+    /// every change is work, because it may become a step.
+    #[must_use]
+    pub(super) fn is_work(&self, document: &Document) -> bool {
+        if self.was_written { document.is_changed() } else { document.is_built_on() }
+    }
+
     /// Goes on with another text of the lesson: its steps may have other places.
     pub(super) fn take_lesson(&mut self, lesson: Arc<Lesson>) {
         self.lesson = lesson;
@@ -106,10 +123,75 @@ impl Playing {
 }
 
 impl State {
-    /// True where closing the window would lose changes. What is tried in a step of a lesson is no such change.
+    /// Whether the figure has changes that must not be lost; in a step of a lesson not all are, see
+    /// [`Playing::is_work`].
     #[must_use]
     pub fn has_unsaved(&self) -> bool {
-        self.document.is_changed() && self.lesson.is_none()
+        self.is_work(&self.document)
+    }
+
+    fn is_work(&self, document: &Document) -> bool {
+        self.lesson.as_ref().map_or(document.is_changed(), |playing| playing.is_work(document))
+    }
+
+    /// The documents with changes that the window holds without showing them: figures and steps that were left, and
+    /// those behind the figure of an exercise.
+    pub fn held_documents(&self) -> Vec<&Document> {
+        let left = self.kept.iter().chain(&self.given_up).map(|(_, document)| document);
+        let of_lesson = self.lesson.iter().flat_map(|playing| playing.worked_on.values());
+        let held = left.chain(of_lesson).flat_map(|document| std::iter::once(document).chain(document.behind()));
+        held.filter(|document| document.is_changed())
+            .chain(self.document.behind().filter(|document| self.is_work(document)))
+            .collect()
+    }
+
+    /// Whether closing the window would lose something.
+    #[must_use]
+    pub fn would_lose_something(&self) -> bool {
+        self.has_unsaved()
+            || self.unsaved_text().is_some()
+            || !self.held_documents().is_empty()
+            || !self.file_flow.exporting.is_empty()
+    }
+
+    /// Takes the documents that wait in steps and behind figures among those that the window asks about when it is
+    /// closed.
+    pub(in crate::gui) fn gather_held(&mut self) {
+        self.keep_behind();
+        let of_lesson = self.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
+        self.keep(of_lesson.into_iter().flat_map(BTreeMap::into_values).collect());
+    }
+
+    /// Keeps the work behind the figure.
+    pub(in crate::gui) fn keep_behind(&mut self) {
+        let mut behind = self.document.take_behind();
+        behind.retain(|document| self.is_work(document));
+        self.keep(behind);
+    }
+
+    /// Has the work in the figure, or behind it, wait in the step that is left.
+    pub(super) fn leave_step(&mut self) {
+        let mut left = Some(self.document.clone());
+        while let Some(document) = left.take_if(|document| !self.is_work(document)) {
+            left = document.into_behind();
+        }
+        self.document.take_behind();
+        if let (Some(document), Some(playing)) = (left, &mut self.lesson) {
+            playing.worked_on.insert(playing.step, document);
+        }
+    }
+
+    /// Keeps documents with changes until the window is closed, which asks about them.
+    pub(super) fn keep(&mut self, documents: Vec<Document>) {
+        for mut document in documents {
+            let behind = document.take_behind();
+            self.kept.extend(
+                std::iter::once(document)
+                    .chain(behind)
+                    .filter(Document::is_changed)
+                    .map(|document| (Source::of(&document), document)),
+            );
+        }
     }
 
     /// The panels at the sides as the user wants them without a lesson.
@@ -126,9 +208,12 @@ impl State {
         shipped().iter().position(|shipped| !is_finished(&shipped.lesson))
     }
 
-    /// Plays a lesson.
-    pub fn play(&mut self, open: OpenLesson) {
+    /// Plays a lesson; the figure is lost. Only the window's start calls this, and [`file_flow`](crate::gui::file_flow)
+    /// once it has asked.
+    pub(in crate::gui) fn play(&mut self, open: OpenLesson) {
         let OpenLesson { lesson, path, step } = open;
+        // A session of another folder has to find the file too.
+        let path = path.map(|path| if share::link_of(&path).is_some() { path } else { files::whole(&path) });
         let playing = Playing {
             lesson,
             path,
@@ -138,9 +223,11 @@ impl State {
             shows_question: !self.settings.presentation,
             shows_notes: false,
             writing: None,
+            was_written: false,
             links_whole: true,
             fades: 0,
             is_cut: false,
+            worked_on: BTreeMap::new(),
             done: BTreeSet::new(),
             passed: BTreeSet::new(),
             warned: None,
@@ -152,40 +239,49 @@ impl State {
         self.show_step(playing, step, false);
     }
 
-    /// Ends the lesson; the figure of its step stays. Words that cannot be written into its file are said first.
-    pub fn leave_lesson(&mut self) {
-        if !self.keep_words() {
-            return;
-        }
+    /// Ends the lesson; the figure of its step stays.
+    pub(in crate::gui) fn leave_lesson(&mut self) {
         self.end_move();
         self.let_lesson_go();
     }
 
-    /// Forgets the lesson, and gives the panels back.
+    /// Forgets the lesson, and gives the panels back. Work in its steps is kept.
     pub(in crate::gui) fn let_lesson_go(&mut self) {
         if let Some(playing) = self.lesson.take() {
             self.settings.panels.wanted = playing.panels_before.wanted;
+            self.keep(playing.worked_on.into_values().collect());
         }
         self.exercises.of_lesson.clear();
     }
 
-    /// Shows the figure of the step as it was at first.
+    /// Shows the figure of the step as it was at first; undoing brings the changed one back.
     pub fn step_again(&mut self) {
-        if let Some(playing) = self.lesson.take() {
+        self.end_move();
+        let Some(playing) = self.lesson.take() else { return };
+        let mut document = self.document.clone();
+        if let Some(step) = playing.now()
+            && document.replace((*step.figure).clone()).is_ok()
+        {
             let step = playing.step;
-            self.show_step(playing, step, false);
+            self.show_in_step(playing, step, document, false);
+        } else {
+            self.lesson = Some(playing);
         }
     }
 
-    /// Goes to a step, from 0; nothing where there is none.
+    /// Goes to a step, from 0; nothing if there is none. Work in the step that is left waits there.
     pub fn go_to_step(&mut self, step: usize) {
-        if !self.keep_words() {
+        if !self.save_text() {
             return;
         }
-        if let Some(playing) = self.lesson.take_if(|playing| step < playing.lesson.steps.len()) {
-            let moves = step == playing.step + 1;
-            self.show_step(playing, step, moves);
+        self.end_move();
+        if self.lesson.as_ref().is_none_or(|playing| step >= playing.lesson.steps.len()) {
+            return;
         }
+        self.leave_step();
+        let Some(playing) = self.lesson.take() else { return };
+        let moves = step == playing.step + 1;
+        self.show_step(playing, step, moves);
     }
 
     /// Goes on to the next step, or back to the one before. What is to be done first is said once, and passed over
@@ -233,22 +329,32 @@ impl State {
         self.say_camera_error(done);
     }
 
-    /// Shows a step: at once, or by the move to it from what is on the screen.
+    /// Shows a step, with the work that waits in it: at once, or by the move to it from what is on the screen.
     pub(super) fn show_step(&mut self, mut playing: Playing, step: usize, moves: bool) {
         self.end_move();
+        let waiting = playing.worked_on.remove(&step);
         let Some(shown) = playing.lesson.steps.get(step) else { return };
-        let document = match Document::of_lesson((*shown.figure).clone(), playing.path.as_deref()) {
-            Ok(document) => document,
+        let document = match waiting {
+            Some(document) => Ok(document),
+            None => Document::of_lesson((*shown.figure).clone(), playing.path.as_deref()),
+        };
+        match document {
+            Ok(document) => self.show_in_step(playing, step, document, moves),
             Err(error) => {
                 self.lesson = Some(playing);
-                return self.say(Message::Camera(error));
+                self.say(Message::Camera(error));
             }
-        };
+        }
+    }
+
+    /// Shows this document in a step.
+    fn show_in_step(&mut self, mut playing: Playing, step: usize, document: Document, moves: bool) {
+        let Some(shown) = playing.lesson.steps.get(step) else { return };
         let seconds = if self.settings.reduce_motion { 0.0 } else { shown.seconds };
         let seen = self.as_seen();
         let from = Figure { observers: seen.observers, show: seen.show, ..self.document.figure().clone() };
         let from = Arc::new(from);
-        let to = shown.figure.clone();
+        let to = Arc::new(document.figure().clone());
         playing.step = step;
         playing.warned = None;
         playing.looked_at = None;
@@ -279,8 +385,12 @@ impl State {
             playing.fades += 1;
             playing.moving = Some(Moving { passage, target: Box::new(document), seconds, began: None });
         }
-        let furthest = self.lessons_taken.entry(playing.lesson.id.clone()).or_default();
-        *furthest = step.max(*furthest);
+        let is_of_program = shipped().iter().any(|shipped| shipped.lesson.id == playing.lesson.id);
+        if playing.path.is_none() || !is_of_program {
+            // A lesson of the user's own does not count as the one of the program whose name it has.
+            let furthest = self.lessons_taken.entry(playing.lesson.id.clone()).or_default();
+            *furthest = step.max(*furthest);
+        }
         self.lesson = Some(playing);
         self.follow_writing();
     }
@@ -306,7 +416,14 @@ impl State {
     /// Ends the move to the step, where there is one: the step is there exactly.
     pub(in crate::gui) fn end_move(&mut self) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
-        self.document = *moving.target;
+        if self.document.is_built_on() && !moving.target.is_built_on() {
+            // The figure was changed meanwhile: only the camera arrives.
+            let target = moving.target.figure();
+            (*self.document.observers_mut(), *self.document.show_mut()) = (target.observers, target.show.clone());
+            self.document.set_camera(moving.target.camera().clone());
+        } else {
+            self.document = *moving.target;
+        }
         true
     }
 

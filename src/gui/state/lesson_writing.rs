@@ -1,14 +1,16 @@
 //! A lesson of the user's own that is written in the window: its texts and those of its step as they are typed, the
 //! changes of its file, and the way back.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
 use super::{Agreed, Message, State};
-use crate::figure::{Bilingual, FigureError};
+use crate::figure::{Bilingual, Figure, FigureError};
 use crate::files::{self, FileError};
+use crate::gui::session::UnsavedText;
 use crate::i18n::Lang;
-use crate::lessons::{Edit, Lesson, LessonText, OpenLesson, StepText, edited, with_step};
+use crate::lessons::{Edit, Lesson, LessonText, OpenLesson, StepText, Words, edited, reworded, with_step};
 use crate::numbers::significant;
 use crate::share;
 
@@ -39,6 +41,8 @@ pub struct Writing {
     pub typed_at: f64,
     /// The file before each change, and the step that was shown.
     earlier: Vec<(String, usize)>,
+    /// Typed text that is not in the file, as a session stores it.
+    unsaved: Option<Arc<UnsavedText>>,
 }
 
 impl Writing {
@@ -54,6 +58,7 @@ impl Writing {
             is_of_lesson: false,
             typed_at: 0.0,
             earlier: Vec::new(),
+            unsaved: None,
         }
     }
 
@@ -82,29 +87,26 @@ impl Writing {
             Bilingual { en: minutes, ..Bilingual::default() },
         ];
         (self.step, self.typed, self.kept) = (number, texts.clone(), texts);
-        (self.ahead, self.fault) = (None, None);
+        (self.ahead, self.fault, self.unsaved) = (None, None, None);
     }
 
     /// The file with the texts as they are typed.
     fn tried(&self) -> Result<(String, Lesson), FigureError> {
-        let mut tried = edited(&self.text, &Edit::Move(self.step, self.step))?;
-        for (change, (typed, kept)) in FIELDS.into_iter().zip(self.typed.iter().zip(&self.kept)) {
-            if typed != kept {
-                tried = edited(&tried.0, &change(self.step, typed.clone()))?;
-            }
-        }
-        Ok(tried)
+        let fields = FIELDS.into_iter().zip(self.typed.iter().zip(&self.kept));
+        let changed = fields.filter(|(_, (typed, kept))| typed != kept);
+        let words: Vec<Words> = changed.map(|(words, (typed, _))| words(self.step, typed.clone())).collect();
+        reworded(&self.text, &words)
     }
 }
 
-/// The change that a field makes: those of a step, then those of the lesson.
-const FIELDS: [fn(usize, Bilingual) -> Edit; 6] = [
-    |step, told| Edit::Say(step, StepText::Title, told),
-    |step, told| Edit::Say(step, StepText::Text, told),
-    |step, told| Edit::Say(step, StepText::Notes, told),
-    |_, told| Edit::Tell(LessonText::Title, told),
-    |_, told| Edit::Tell(LessonText::Sentence, told),
-    |_, told| Edit::Tell(LessonText::Minutes, told),
+/// The words of a field: those of a step, then those of the lesson.
+const FIELDS: [fn(usize, Bilingual) -> Words; 6] = [
+    |step, told| Words::OfStep(step, StepText::Title, told),
+    |step, told| Words::OfStep(step, StepText::Text, told),
+    |step, told| Words::OfStep(step, StepText::Notes, told),
+    |_, told| Words::OfLesson(LessonText::Title, told),
+    |_, told| Words::OfLesson(LessonText::Sentence, told),
+    |_, told| Words::OfLesson(LessonText::Minutes, told),
 ];
 
 /// The fields that are those of the step.
@@ -144,7 +146,7 @@ impl State {
 
     /// Begins to write the step that is shown, or ends it.
     pub(in crate::gui) fn write_lesson(&mut self) {
-        if !self.keep_words() || !self.plays_own_lesson() {
+        if !self.save_text() || !self.plays_own_lesson() {
             return;
         }
         let lang = self.settings.lang;
@@ -157,7 +159,7 @@ impl State {
             Ok((lesson, text)) => {
                 playing.lesson = Arc::new(lesson);
                 playing.step = playing.step.min(playing.lesson.steps.len().saturating_sub(1));
-                playing.writing = Some(Writing::new(text, lang));
+                (playing.writing, playing.was_written) = (Some(Writing::new(text, lang)), true);
                 self.lesson_file = Some(path);
                 self.follow_writing();
             }
@@ -165,7 +167,7 @@ impl State {
         }
     }
 
-    /// Plays the last step of the lesson to which steps were added last, and begins to write it.
+    /// Plays the last step of the lesson to which steps were added last, and begins to write it; the figure is lost.
     pub(in crate::gui) fn write_recorded(&mut self) {
         let Some(path) = self.lesson_file.clone() else { return };
         match files::read_lesson(&path) {
@@ -188,11 +190,50 @@ impl State {
         }
     }
 
+    /// The text of the lesson that is not in its file.
+    #[must_use]
+    pub fn unsaved_text(&self) -> Option<&Arc<UnsavedText>> {
+        self.lesson.as_ref()?.writing.as_ref()?.unsaved.as_ref()
+    }
+
+    /// True if the text that is not in its file could be written into another one.
+    pub(in crate::gui) fn has_good_text(&self) -> bool {
+        let writing = self.lesson.as_ref().and_then(|playing| playing.writing.as_ref());
+        writing.is_some_and(|writing| writing.ahead.is_some())
+    }
+
+    /// Goes on with the text of a session, in the step in which it was typed. `shown`: the figure of the window.
+    pub(in crate::gui) fn resume_text(&mut self, unsaved: UnsavedText, shown: Figure) {
+        let UnsavedText { path, step, text, typed } = unsaved;
+        // A session without a lesson was not restored.
+        let Ok(lesson) = crate::lessons::parse(&text) else { return };
+        let step = step.min(lesson.steps.len().saturating_sub(1));
+        self.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path.clone()), step });
+        let lang = self.settings.lang;
+        if let Some(playing) = &mut self.lesson {
+            (playing.writing, playing.was_written) = (Some(Writing::new(text, lang)), true);
+        }
+        self.follow_writing();
+        if let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
+            writing.typed = typed;
+        }
+        self.lesson_file = Some(path);
+        self.text_edited(0.0);
+        if self.document.figure() != &shown {
+            let done = self.document.replace(shown);
+            self.say_camera_error(done);
+        }
+    }
+
     /// Takes what is typed into the lesson that is shown, or finds why it cannot be.
-    pub(in crate::gui) fn words_typed(&mut self, now: f64) {
+    pub(in crate::gui) fn text_edited(&mut self, now: f64) {
         let Some(playing) = &mut self.lesson else { return };
-        let Some(writing) = &mut playing.writing else { return };
+        let (Some(path), Some(writing)) = (&playing.path, &mut playing.writing) else { return };
         writing.typed_at = now;
+        writing.unsaved = writing.is_ahead().then(|| {
+            let (text, typed) = (writing.text.clone(), writing.typed.clone());
+            Arc::new(UnsavedText { path: path.clone(), step: writing.step, text, typed })
+        });
         match writing.tried() {
             Ok((text, lesson)) => {
                 (writing.ahead, writing.fault) = (Some(text), None);
@@ -202,9 +243,9 @@ impl State {
         }
     }
 
-    /// Writes what is typed into the file. False where it cannot be written: that is said, and the texts stay in their
-    /// fields.
-    pub(in crate::gui) fn keep_words(&mut self) -> bool {
+    /// Writes what is typed into the file. False if it cannot be written: a message says why, and the texts stay in
+    /// their fields.
+    pub(in crate::gui) fn save_text(&mut self) -> bool {
         let Some(playing) = &mut self.lesson else { return true };
         let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return true };
         if !writing.is_ahead() {
@@ -219,22 +260,60 @@ impl State {
         let is_kept = self.store(&path, text, step);
         if is_kept && let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
             writing.kept = writing.typed.clone();
-            writing.ahead = None;
+            (writing.ahead, writing.unsaved) = (None, None);
         }
         is_kept
     }
 
     /// Forgets what is typed and not in the file.
-    pub(in crate::gui) fn forget_words(&mut self) {
+    pub(in crate::gui) fn forget_text(&mut self) {
         let Some(playing) = &mut self.lesson else { return };
         let Some(writing) = &mut playing.writing else { return };
         writing.typed = writing.kept.clone();
-        self.words_typed(0.0);
+        self.text_edited(0.0);
+    }
+
+    /// Writes the lesson with what is typed into another file, and goes on with that. False if it cannot be written.
+    pub(in crate::gui) fn save_text_as(&mut self, path: &Path, agreed: &Agreed) -> bool {
+        let Some(playing) = &mut self.lesson else { return true };
+        let Some(writing) = &mut playing.writing else { return true };
+        let Some(text) = writing.ahead.clone() else { return false };
+        if let Err(error) = files::save(path, text.as_bytes(), agreed.overwrite()) {
+            self.say(Message::File(path.to_owned(), error));
+            return false;
+        }
+        playing.path = Some(path.to_owned());
+        (writing.text, writing.kept) = (text, writing.typed.clone());
+        (writing.ahead, writing.unsaved) = (None, None);
+        // The changes of the other file are not those of this one.
+        writing.earlier.clear();
+        self.lesson_file = Some(path.to_owned());
+        true
+    }
+
+    /// Adds what is on the screen as the last step of the lesson that is written.
+    pub(super) fn add_to_written(&mut self, path: &Path) {
+        if !self.save_text() {
+            return;
+        }
+        let figure = super::recording::as_shown(self);
+        let Some(playing) = &self.lesson else { return };
+        let Some(writing) = &playing.writing else { return };
+        let draft = crate::i18n::lessons::draft(playing.lesson.steps.len() + 1);
+        let step = playing.step;
+        match with_step(&writing.text, &playing.lesson.id, &draft, &figure) {
+            Ok((text, lesson)) => {
+                if self.store(path, text, step) {
+                    self.step_is_added(path, lesson);
+                }
+            }
+            Err(fault) => self.say(Message::StepNotKept(path.to_owned(), FileError::Figure(fault))),
+        }
     }
 
     /// Changes the steps of the lesson in its file.
     pub(in crate::gui) fn change_steps(&mut self, change: StepChange) {
-        if !self.keep_words() {
+        if !self.save_text() {
             return;
         }
         let figure = super::recording::as_shown(self);
@@ -257,7 +336,7 @@ impl State {
         match changed {
             Ok((text, lesson)) => {
                 if self.store(&path, text, step) {
-                    self.play_changed(lesson, then);
+                    self.go_on_changed(lesson, change, step, then);
                 }
             }
             Err(fault) => self.say(Message::StepNotKept(path, FileError::Figure(fault))),
@@ -266,7 +345,7 @@ impl State {
 
     /// Takes the last change of the file back.
     pub(in crate::gui) fn take_change_back(&mut self) {
-        if !self.keep_words() {
+        if !self.save_text() {
             return;
         }
         let Some(playing) = &mut self.lesson else { return };
@@ -283,14 +362,17 @@ impl State {
         }
     }
 
-    /// Plays a lesson of the program as the user's own, from a copy in a file.
+    /// Goes on with a lesson of the program as the user's own, in a copy in a file.
     pub(in crate::gui) fn copy_lesson(&mut self, path: &Path, agreed: &Agreed) {
         let Some(playing) = &self.lesson else { return };
-        let (id, step) = (playing.lesson.id.clone(), playing.step);
+        let id = playing.lesson.id.clone();
         let Some(shipped) = crate::lessons::shipped().iter().find(|shipped| shipped.lesson.id == id) else { return };
         match files::save(path, shipped.text.as_bytes(), agreed.overwrite()) {
             Ok(()) => {
-                self.play(OpenLesson { lesson: shipped.lesson.clone(), path: Some(path.to_owned()), step });
+                // The figure of the step stays as it is on the screen.
+                if let Some(playing) = &mut self.lesson {
+                    playing.path = Some(path.to_owned());
+                }
                 self.write_lesson();
             }
             Err(error) => self.say(Message::File(path.to_owned(), error)),
@@ -321,7 +403,7 @@ impl State {
         }
     }
 
-    /// Reads the lesson again that another program has changed; what is typed here is lost.
+    /// Reads the lesson again that another program has changed; text that is not in the file is lost.
     pub(in crate::gui) fn read_lesson_again(&mut self) {
         let Some(playing) = &self.lesson else { return };
         let (Some(path), step) = (playing.path.clone(), playing.step) else { return };
@@ -335,8 +417,53 @@ impl State {
         }
     }
 
-    /// Shows a step of the lesson after a change of its steps.
+    /// Goes on after a change of the steps. The work in each goes where the step goes; that in a removed step is kept.
+    fn go_on_changed(&mut self, lesson: Lesson, change: StepChange, step: usize, then: usize) {
+        self.end_move();
+        if change == StepChange::Remove {
+            self.leave_step();
+        }
+        let Some(playing) = &mut self.lesson else { return };
+        let new_place = |place: usize| match change {
+            StepChange::Earlier | StepChange::Later if place == step => Some(then),
+            StepChange::Earlier | StepChange::Later if place == then => Some(step),
+            StepChange::Another if place > step => Some(place + 1),
+            StepChange::Remove if place > step => Some(place - 1),
+            StepChange::Remove if place == step => None,
+            _ => Some(place),
+        };
+        let mut without = Vec::new();
+        for (place, document) in std::mem::take(&mut playing.worked_on) {
+            match new_place(place) {
+                Some(place) => drop(playing.worked_on.insert(place, document)),
+                None => without.push(document),
+            }
+        }
+        if matches!(change, StepChange::Earlier | StepChange::Later) {
+            // The step is the same, and so is the figure on the screen.
+            playing.take_lesson(Arc::new(lesson));
+            playing.step = then;
+            if let Some(writing) = &mut playing.writing {
+                writing.step = usize::MAX;
+            }
+            self.follow_writing();
+        } else {
+            self.show_changed(lesson, then);
+        }
+        self.keep(without);
+    }
+
+    /// Shows a step of the lesson as another text of the file has it. The work in steps is kept: which of the new steps
+    /// it belongs to is not known.
     fn play_changed(&mut self, lesson: Lesson, step: usize) {
+        self.end_move();
+        self.leave_step();
+        let worked_on = self.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
+        self.keep(worked_on.into_iter().flat_map(BTreeMap::into_values).collect());
+        self.show_changed(lesson, step);
+    }
+
+    fn show_changed(&mut self, lesson: Lesson, step: usize) {
         let Some(playing) = &mut self.lesson else { return };
         let step = step.min(lesson.steps.len().saturating_sub(1));
         playing.take_lesson(Arc::new(lesson));

@@ -58,10 +58,14 @@ pub enum Message {
     Saved(PathBuf),
     /// A file was handed to the browser.
     Downloaded(PathBuf),
+    /// A file was chosen for a figure that the window no longer shows: nothing was done with it.
+    OtherFigure(PathBuf),
     /// A link with this number of characters is in the clipboard.
     LinkCopied(usize),
     /// The figure of a link is shown.
     LinkOpened,
+    /// A text has this link, which leads neither to a page nor to mail.
+    LinkRefused(String),
     /// A file cannot be read or written.
     File(PathBuf, FileError),
     /// The camera of the figure in this file is impossible.
@@ -152,7 +156,9 @@ impl Message {
             }
             Self::Saved(path) => (News, about(t.saved, path)),
             Self::Downloaded(path) => (News, about(sharing.downloaded, path)),
+            Self::OtherFigure(path) => (Error, about(t.other_figure, path)),
             Self::LinkCopied(length) => (News, format!("{} {length} {}", sharing.copied, sharing.characters)),
+            Self::LinkRefused(link) => (Error, format!("{} {}", t.link_refused, sanitize::within(link, 120))),
             Self::LinkOpened => (News, sharing.opened.to_owned()),
             Self::File(path, error) => (Error, messages::file(lang, &messages::opened(lang, path), error)),
             Self::NotOpened(path, error) => {

@@ -75,6 +75,7 @@ use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::lessons::Lesson;
 use crate::limits::MAX_NAMED_POINTS;
+use crate::share::ShareError;
 use crate::views::Probe;
 use crate::views::View;
 pub use annotations::Annotations;
@@ -85,6 +86,7 @@ pub use conventions::Conventions;
 pub(in crate::gui) use exercises::Done;
 pub use exercises::{Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Typed, is_whole, joined};
 pub use explain::{Explain, Question};
+pub(in crate::gui) use files::Asking;
 pub use files::{
     AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, TEXTURE_ENDINGS, Theirs,
 };
@@ -270,6 +272,10 @@ pub struct State {
     pub welcome: bool,
     /// The followed point.
     pub follow: Follow,
+    /// The link that a dialog shows.
+    /// By the address, and whether it holds a whole lesson; made when the dialog is opened, since nothing behind it
+    /// changes.
+    pub(in crate::gui) shown_link: Memo<(String, bool), Result<String, ShareError>>,
     /// The faults of the picture, and the health of the camera.
     pub coach: Coach,
 }
@@ -352,6 +358,7 @@ impl State {
             explain: Explain::default(),
             exercises: Exercises::default(),
             follow: Follow::default(),
+            shown_link: Memo::default(),
             coach: Coach::default(),
             lesson: None,
             own_lessons: Vec::new(),
@@ -366,8 +373,10 @@ impl State {
         Ok(state)
     }
 
-    /// Goes on with another document; nothing of the one before stays.
+    /// Goes on with another document. The one before is lost, unless the caller has it: ask first. Work behind it is
+    /// kept.
     pub(in crate::gui) fn take_over(&mut self, document: Document) {
+        self.keep_behind();
         let image = document.figure().image;
         self.settings.aspect_follows_image =
             document.draft().aspect == f64::from(image.width) / f64::from(image.height);
@@ -487,13 +496,12 @@ impl State {
         described.camera.as_deref().ok().map(Camera::rounded)
     }
 
-    /// Puts the figure of an exercise into the pictures, as one step that can be undone. The user's own stays in its
-    /// file.
+    /// Puts the figure of an exercise into the pictures, in front of the user's own: undoing leads back to that.
     pub(in crate::gui) fn show_figure_of_exercise(&mut self, figure: Figure) {
         self.operations.motion = None;
         let image = figure.image;
         self.settings.aspect_follows_image = figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
-        let shown = self.document.show_without_file(figure);
+        let shown = self.document.show_in_front(figure);
         self.say_camera_error(shown);
         // Its objects are to be seen, without frames and handles.
         self.tree = SceneTree::default();

@@ -1,23 +1,48 @@
 //! Lessons of the user's own: their steps as they are recorded, and those of a folder.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use super::{Agreed, Dialog, Message, Side, State};
 use crate::figure::{Figure, Screen};
 use crate::files::{self, FileError};
 use crate::i18n::lessons as words;
-use crate::lessons::with_step;
+use crate::lessons::{Lesson, with_step};
 use crate::views::View;
 
 impl State {
     /// Adds what is on the screen to the lesson in a file, which is made where it is missing.
     pub(in crate::gui) fn add_step(&mut self, path: &Path, agreed: &Agreed) {
+        if self
+            .lesson
+            .as_ref()
+            .is_some_and(|playing| playing.writing.is_some() && playing.path.as_deref() == Some(path))
+        {
+            // The window has the text of the file, and knows what it has written.
+            return self.add_to_written(path);
+        }
         match added(self, path, agreed) {
-            Ok(number) => {
-                self.lesson_file = Some(path.to_owned());
-                self.say(Message::StepAdded(path.to_owned(), number));
-            }
+            Ok(lesson) => self.step_is_added(path, lesson),
             Err(error) => self.say(Message::File(path.to_owned(), error)),
+        }
+    }
+
+    /// Whether the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
+    pub(in crate::gui) fn is_recorded(&mut self) -> bool {
+        let Some(path) = self.lesson_file.as_deref().filter(|_| self.document.path().is_none()) else { return false };
+        let Ok((lesson, _)) = files::read_lesson(path) else { return false };
+        let here = as_shown(self);
+        let content = |figure: &Figure| (Figure { title: None, ..figure.without_scene() }, figure.scene.clone());
+        lesson.steps.last().is_some_and(|step| content(&step.figure) == content(&here))
+    }
+
+    /// Reports the last step of a lesson as added, and goes on with the lesson if it is the one that is played.
+    pub(super) fn step_is_added(&mut self, path: &Path, lesson: Lesson) {
+        self.lesson_file = Some(path.to_owned());
+        self.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));
+        if let Some(playing) = self.lesson.as_mut().filter(|playing| playing.path.as_deref() == Some(path)) {
+            // The steps before it have their places.
+            playing.lesson = Arc::new(lesson);
         }
     }
 
@@ -42,7 +67,7 @@ impl State {
     }
 }
 
-fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<usize, FileError> {
+fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, FileError> {
     let (text, number) = if files::disk::exists(path) {
         let (lesson, text) = files::read_lesson(path)?;
         (text, lesson.steps.len() + 1)
@@ -51,9 +76,9 @@ fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<usize, FileE
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let figure = as_shown(state);
-    let (text, _) = with_step(&text, &stem, &words::draft(number), &figure)?;
+    let (text, lesson) = with_step(&text, &stem, &words::draft(number), &figure)?;
     files::save(path, text.as_bytes(), agreed.overwrite())?;
-    Ok(number)
+    Ok(lesson)
 }
 
 /// The figure with all that the window shows of it, and how it shows it.

@@ -20,8 +20,8 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{HtmlCanvasElement, Window};
 
-use super::state::MESH_ENDINGS;
-use super::{App, GuiError, LaunchOptions, Start, State, fresh, native};
+use super::state::{AfterSave, MESH_ENDINGS};
+use super::{App, GuiError, LaunchOptions, Start, State, file_flow, fresh, native};
 use crate::appearance::Theme;
 use crate::figure::Figure;
 use crate::files::disk::page::KEPT;
@@ -175,6 +175,10 @@ impl Page {
             app.keep_preferences(ctx, Path::new(KEPT), asked);
             app.keep_session(Path::new(KEPT), restore);
         }
+        if let Some(open) = asked.open_lesson() {
+            // Over the figure that was left here with changes only once the user agrees.
+            file_flow::begin(ctx, &mut app.state, AfterSave::Lesson(open));
+        }
         if let Some(error) = fault {
             app.state.say(super::state::Message::File(PathBuf::new(), error));
         }
@@ -222,7 +226,7 @@ fn own_address(location: &web_sys::Location) -> Option<String> {
 }
 
 impl eframe::App for Page {
-    fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
+    fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         let arrived = ARRIVED.with_borrow_mut(std::mem::take);
         self.app.state.file_flow.given.extend(figures_first(arrived));
         let system = system();
@@ -231,6 +235,7 @@ impl eframe::App for Page {
             self.app.follow_system(system.0, system.1);
         }
         self.app.show(ui);
+        file_flow::open_dialog(ui.ctx(), &mut self.app.state, frame);
         self.follow_window();
         if !self.told && self.app.canvas.drawn().iter().any(|count| *count > 0) {
             self.told = true;
