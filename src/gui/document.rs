@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::history::{History, Moment, Revision};
-use crate::camera::{Camera, CameraError, Convention, Operation, Parameters};
+use crate::camera::{Camera, CameraError, Convention, Operation, Parameters, camera_repairs};
 use crate::figure::{Figure, Labels, Observers, Show};
 use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
 use crate::share;
@@ -115,8 +115,25 @@ impl Document {
     pub(in crate::gui) fn of_lesson(figure: Figure, lesson: Option<&Path>) -> Result<Self, CameraError> {
         let file = |path: &Path| SourceFile { path: path.to_owned(), text: String::new(), is_picture: false };
         // Beside a link there are no files.
+        let reach = FileAccess::of_lesson(lesson, false);
         let lesson = lesson.filter(|path| share::link_of(path).is_none());
-        Ok(Self { path: None, ..Self::new(figure, lesson.map(file))? })
+        Ok(Self { path: None, reach, ..Self::new(figure, lesson.map(file))? })
+    }
+
+    /// A figure whose camera may be impossible. Then it is drawn with the first repair of its camera, and the fields
+    /// hold the numbers of the file, with the reason as [`Self::problem`].
+    ///
+    /// # Errors
+    /// Never, as long as the default camera is possible.
+    pub fn with_any_camera(figure: Figure, file: Option<SourceFile>) -> Result<Self, CameraError> {
+        let draft = figure.camera;
+        let Err(error) = Camera::new(&draft) else { return Self::new(figure, file) };
+        let good = Camera::new(&Parameters::default())?;
+        let repairs = camera_repairs(&error, &draft, &good);
+        let camera = repairs.first().map_or(*good.parameters(), |(_, camera)| *camera);
+        let mut document = Self::new(Figure { camera, ..figure }, file)?;
+        document.set_parameters(draft);
+        Ok(document)
     }
 
     /// The figure as it is drawn: its camera is always possible.

@@ -290,13 +290,16 @@ fn open(state: &mut State, path: &Path) {
         state.file_flow.look = true;
         return;
     }
-    match files::open_figure(path) {
-        Ok(opened) => {
+    match files::open_figure_with_any_camera(path) {
+        Ok((opened, _)) => {
             let (figure, file) = opened.at(path);
-            match Document::new(figure, Some(file)) {
+            match Document::with_any_camera(figure, Some(file)) {
                 Ok(document) => {
+                    let problem = document.problem().cloned();
                     state.take_over(document);
-                    if share::link_of(path).is_some() {
+                    if let Some(error) = problem {
+                        state.say(Message::Impossible(path.to_owned(), error));
+                    } else if share::link_of(path).is_some() {
                         state.say(Message::LinkOpened);
                     } else {
                         state.recent.add(&files::whole(path));

@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use camera_lab::camera::{Api, Ndc, Parameters};
 use camera_lab::figure::Explanation;
-use camera_lab::gui::state::Dialog;
+use camera_lab::gui::file_flow;
+use camera_lab::gui::state::{AfterSave, Dialog};
 use camera_lab::i18n::{Lang, coach};
 use camera_lab::scene::Preset;
 use eframe::egui::{Event, Key, Modifiers, PointerButton};
@@ -89,6 +90,32 @@ fn an_impossible_camera_is_a_finding_and_one_click_repairs_it() {
         window.command_key(Key::Z);
         assert_eq!(window.state().document.figure().camera, good);
     }
+}
+
+/// A file whose camera is impossible opens: its numbers are in the fields, and one click repairs them.
+#[test]
+fn a_figure_with_an_impossible_camera_opens_and_is_repaired() {
+    let folder = Folder::new("impossible-camera");
+    let path = folder.file("up.toml");
+    std::fs::write(&path, "# Mine.\n[camera]\nposition = [0, 9, 0]\nfocal_point = [0, 0, 0]\n").unwrap();
+    let mut window = window(Lang::En);
+    let t = coach::texts(Lang::En);
+    let ctx = window.harness.ctx.clone();
+    file_flow::begin(&ctx, &mut window.app_mut().state, AfterSave::OpenPath(path));
+    settled(&mut window);
+    if window.state().file_flow.dialog.is_some() {
+        window.click(camera_lab::i18n::window::texts(Lang::En).dont_save);
+        settled(&mut window);
+    }
+    assert!(window.state().document.problem().is_some());
+    assert_eq!(window.state().document.draft().position.y, 9.0);
+    window.click(&format!("⚠ {}", t.one_finding));
+    settled(&mut window);
+    assert!(window.says("VUP × n"));
+    window.click(t.show_it);
+    settled(&mut window);
+    assert!(window.state().document.problem().is_none());
+    assert_eq!(window.state().document.figure().camera.position.y, 9.0);
 }
 
 /// While the coach looks at what has changed, a click on its button is the coach's all the same, and its neighbours

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::{Chosen, Message, Panels, State, Writing};
-use crate::camera::Camera;
+use crate::camera::{Camera, Operation};
 use crate::figure::{Figure, Observers, Show};
 use crate::files;
 use crate::gui::document::Document;
@@ -367,10 +367,14 @@ impl State {
             Some(Task::Exercise { id, seed }) => Some(Chosen { id: id.clone(), seed: *seed }),
             _ => None,
         };
-        // The pictures and the text have the room; where something is to be tried, the camera's numbers are at hand.
-        let tries = matches!(shown.task, Some(Task::Try(_)));
+        // The pictures and the text have the room. For a try, the panel that it needs is open: the operations, or else
+        // the numbers of the camera.
+        let goal = if let Some(Task::Try(goal)) = &shown.task { Some(goal) } else { None };
+        let operates =
+            goal.is_some_and(|goal| goal.way.iter().any(|(key, _)| Operation::names().contains(&key.as_str())));
+        let tries = goal.is_some();
         self.take_over(document.clone());
-        self.settings.panels.wanted = [tries, false, self.settings.panels.wanted[2]];
+        self.settings.panels.wanted = [tries && !operates, operates, self.settings.panels.wanted[2]];
         if let Some(entry) = question {
             self.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
             self.exercises.of_lesson = vec![entry];

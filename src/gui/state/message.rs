@@ -70,6 +70,8 @@ pub enum Message {
     File(PathBuf, FileError),
     /// The camera of the figure in this file is impossible.
     NotOpened(PathBuf, CameraError),
+    /// A file was opened whose camera is impossible: its numbers are in the fields.
+    Impossible(PathBuf, CameraError),
     /// An operation leads to no camera.
     Camera(CameraError),
     /// The scene cannot be built.
@@ -164,6 +166,10 @@ impl Message {
             Self::NotOpened(path, error) => {
                 (Error, format!("{}: {}", messages::opened(lang, path), messages::camera(lang, error)))
             }
+            Self::Impossible(path, error) => (
+                Error,
+                format!("{}: {}. {}", messages::opened(lang, path), messages::camera(lang, error), t.numbers_in_fields),
+            ),
             Self::Camera(error) => (Error, faults::camera_error(lang, error)),
             Self::Scene(error) => (Error, messages::scene(lang, error)),
             Self::OverBudget(too_much) => (Error, messages::too_much(lang, too_much)),
