@@ -378,18 +378,6 @@ fn listed(lang: Lang, names: &[String]) -> String {
 fn english(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
     let most = if partly { "most of it is " } else { "" };
     match cause {
-        Cause::EmptyScene
-        | Cause::NotCompared
-        | Cause::ViewUpAlongView
-        | Cause::FocalPointAtPosition
-        | Cause::NearBeyondFar
-        | Cause::ViewAngleRange
-        | Cause::CameraValue
-        | Cause::DepthConflict
-        | Cause::WrongOrder
-        | Cause::ShadowAcne
-        | Cause::ShadowDetached
-        | Cause::AffineTexture => String::new(),
         Cause::CameraInsideObject => "the camera is inside it, and all its faces are turned away.".to_owned(),
         Cause::BehindCamera => format!("{most}behind the camera, z_c ≥ 0 (5.7): it looks the other way."),
         Cause::BeforeNear => format!("{most}nearer than the front plane, −z_c < F: clipping removes what is there."),
@@ -402,24 +390,14 @@ fn english(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
         Cause::FullyTransparent => "its colour has alpha 0: what is behind it shows through completely.".to_owned(),
         Cause::HiddenByNearCut => "the front plane, −z_c = F, cuts its front away, and its inside is seen.".to_owned(),
         Cause::FewPixels => format!("visible, but on only {} of the image.", percent(Lang::En, diagnosis)),
+        // The others have sentences of their own.
+        _ => String::new(),
     }
 }
 
 fn portuguese(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
     let most = if partly { "a maior parte está " } else { "" };
     match cause {
-        Cause::EmptyScene
-        | Cause::NotCompared
-        | Cause::ViewUpAlongView
-        | Cause::FocalPointAtPosition
-        | Cause::NearBeyondFar
-        | Cause::ViewAngleRange
-        | Cause::CameraValue
-        | Cause::DepthConflict
-        | Cause::WrongOrder
-        | Cause::ShadowAcne
-        | Cause::ShadowDetached
-        | Cause::AffineTexture => String::new(),
         Cause::CameraInsideObject => "a câmera está dentro, onde todas as faces lhe dão as costas.".to_owned(),
         Cause::BehindCamera => format!("{most}atrás da câmera, z_c ≥ 0 (5.7): ela olha para o outro lado."),
         Cause::BeforeNear => {
@@ -436,6 +414,8 @@ fn portuguese(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
         Cause::FullyTransparent => "a cor tem alfa 0: vê-se tudo o que está atrás.".to_owned(),
         Cause::HiddenByNearCut => "o plano da frente, −z_c = F, corta a frente fora, e vê-se o interior.".to_owned(),
         Cause::FewPixels => format!("visível, mas em só {} da imagem.", percent(Lang::PtBr, diagnosis)),
+        // The others have sentences of their own.
+        _ => String::new(),
     }
 }
 

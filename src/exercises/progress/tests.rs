@@ -161,7 +161,7 @@ fn the_next_exercise_is_chosen_for_a_reason() {
     assert_eq!(next(&progress), ("basis".to_owned(), 0, Why::Mistake(Mistake::VupAsV, 1)));
     // A slip of the pen is not a misconception.
     let mut slip = Progress::default();
-    let matrix = "[[4√3/5, 0, 0, 0], [0, 1.5, 0, 0], [0, 0, -21/19, -16/19], [0, 0, -1, 0]]";
+    let matrix = "[[4/5/tan(25°), 0, 0, 0], [0, 1.5, 0, 0], [0, 0, -21/19, -16/19], [0, 0, -1, 0]]";
     answer(&mut slip, "perspective-matrix", 1, "Mp", matrix, 1);
     assert_eq!(slip.mistakes().next().unwrap().0, Mistake::ArithmeticSlip);
     assert_eq!(next(&slip), ("0-5.1".to_owned(), 0, Why::NotSolved));

@@ -45,7 +45,9 @@ pub(super) fn explain(text: &str, error: &TomlError) -> FigureError {
 fn unquoted(line: &str) -> Option<String> {
     let (_, value) = line.split_once('=')?;
     let value = value.split('#').next().unwrap_or_default().trim();
-    expression::evaluate(value, expression::Dimension::Angle).ok()?;
+    // Digits and points alone are a number that TOML writes otherwise.
+    let is_number = value.chars().all(|c| c.is_ascii_digit() || matches!(c, '.' | ',' | '+' | '-' | 'e' | 'E'));
+    expression::evaluate(value, expression::Dimension::Angle).ok().filter(|_| !is_number)?;
     Some(snippet(value, 0..value.len()))
 }
 

@@ -184,24 +184,7 @@ impl Looked<'_> {
             | Cause::OutsideRight
             | Cause::OutsideBottom
             | Cause::OutsideTop => self.turned(members),
-            Cause::BeforeNear
-            | Cause::HiddenByNearCut
-            | Cause::SmallerThanPixel
-            | Cause::FewPixels
-            | Cause::CameraInsideObject
-            | Cause::EmptyScene
-            | Cause::FullyTransparent
-            | Cause::ViewUpAlongView
-            | Cause::FocalPointAtPosition
-            | Cause::NearBeyondFar
-            | Cause::ViewAngleRange
-            | Cause::CameraValue
-            | Cause::DepthConflict
-            | Cause::WrongOrder
-            | Cause::ShadowAcne
-            | Cause::ShadowDetached
-            | Cause::AffineTexture
-            | Cause::NotCompared => Vec::new(),
+            _ => Vec::new(),
         }
     }
 
