@@ -112,6 +112,7 @@ fn setting<'a>(camera: &'a Camera, subject: &Subject) -> Setting<'a> {
 pub(super) fn worked(subject: &Subject, path: impl Into<QuantityPath>) -> Vec<Worked> {
     let QuantityPath { quantity, entry } = path.into();
     let (mut steps, after) = operated(subject, |operation| matters(quantity, operation));
+    let done = steps.len();
     let Ok(camera) = after.camera() else { return steps };
     if entry != [None; 2] {
         return steps;
@@ -158,6 +159,10 @@ pub(super) fn worked(subject: &Subject, path: impl Into<QuantityPath>) -> Vec<Wo
             steps.push(corner(&after, &setting, k));
         }
         Quantity::Camera(_) | Quantity::CameraSide(_) => {}
+    }
+    if done > 0 && steps.len() > done {
+        // The next steps write C for C', and so on.
+        steps.insert(done, Worked::of("afterwards", "§5.6", &after));
     }
     steps
 }
@@ -221,6 +226,8 @@ type Coordinate = fn(Component) -> Symbol;
 const NEW_POSITION: [(&str, &str); 3] = [("C'_x", "C'_x"), ("C'_y", "C'_y"), ("C'_z", "C'_z")];
 const NEW_FOCAL_POINT: [(&str, &str); 3] =
     [("PF'_x", r"\mathrm{PF}'_x"), ("PF'_y", r"\mathrm{PF}'_y"), ("PF'_z", r"\mathrm{PF}'_z")];
+const NEW_VIEW_UP: [(&str, &str); 3] =
+    [("VUP'_x", r"\mathrm{VUP}'_x"), ("VUP'_y", r"\mathrm{VUP}'_y"), ("VUP'_z", r"\mathrm{VUP}'_z")];
 const NEW_U: [(&str, &str); 3] = [("u'_x", "u'_x"), ("u'_y", "u'_y"), ("u'_z", "u'_z")];
 const NEW_V: [(&str, &str); 3] = [("v'_x", "v'_x"), ("v'_y", "v'_y"), ("v'_z", "v'_z")];
 const NEW_N: [(&str, &str); 3] = [("n'_x", "n'_x"), ("n'_y", "n'_y"), ("n'_z", "n'_z")];
@@ -303,16 +310,35 @@ fn turned(step: &mut Worked, setting: &Setting<'_>, operation: Operation, about:
         Axis::N => ((Axis::U, NEW_U), (Axis::V, NEW_V)),
     };
     let mut normal = [0.0; 3];
+    let mut turned_axes = Vec::new();
     for ((axis, names), (other, _), sign) in [(first, second, 1.0), (second, first, -1.0)] {
         for (k, (c, (text, latex))) in Component::THREE.into_iter().zip(names).enumerate() {
             let along = times([Symbol::Axis(axis, c).into(), of(Function::Cosine)]);
             let across = times([Symbol::Axis(other, c).into(), of(Function::Sine)]);
             let formula = plus(along, if sign < 0.0 { -across } else { across });
+            let value = formula.value(setting);
             if axis == Axis::N {
-                normal[k] = formula.value(setting);
+                normal[k] = value;
             }
+            turned_axes.push((axis, k, named(text, latex, value)));
             step.push(setting, named(text, latex, 0.0), formula);
         }
+    }
+    // VUP turns with the VRC: its components along the axes stay.
+    let up = setting.space().camera().view_up();
+    let basis = setting.space().camera().basis();
+    let parts = [
+        (Axis::U, named("VUP·u", r"\mathrm{VUP}\cdot\mathbf{u}", up.dot(basis.u))),
+        (Axis::V, named("VUP·v", r"\mathrm{VUP}\cdot\mathbf{v}", up.dot(basis.v))),
+        (Axis::N, named("VUP·n", r"\mathrm{VUP}\cdot\mathbf{n}", up.dot(basis.n))),
+    ];
+    for (k, (c, (text, latex))) in Component::THREE.into_iter().zip(NEW_VIEW_UP).enumerate() {
+        let along = parts.iter().map(|(axis, part)| {
+            let turned = turned_axes.iter().find(|(turned, at, _)| turned == axis && *at == k);
+            let unit = turned.map_or_else(|| Symbol::Axis(*axis, c).into(), |(.., unit)| Formula::from(*unit));
+            times([(*part).into(), unit])
+        });
+        step.push(setting, named(text, latex, 0.0), explain::sum(along));
     }
     let moves: Option<(_, Coordinate, f64)> = match operation {
         Operation::Elevation(_) | Operation::Azimuth(_) => Some((NEW_POSITION, Symbol::FocalPoint, 1.0)),

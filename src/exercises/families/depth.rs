@@ -49,7 +49,7 @@ fn resolution(seed: u64) -> Exercise {
         named("F", "F", near),
         named("B", "B", far),
         named("d", "d", distance),
-        named("2^b − 1", "(2^b - 1)", bits.exp2() - 1.0),
+        named("(2^b − 1)", "(2^b - 1)", bits.exp2() - 1.0),
     ];
     let range = || minus(b, f);
     let first = over(plus(b, f), range());
@@ -117,7 +117,7 @@ fn painter(seed: u64) -> Exercise {
     let steps = {
         let n = camera.as_ref().map_or(DVec3::Z, |camera| camera.basis().n);
         let parts = [("n_x", n.x), ("n_y", n.y), ("n_z", n.z)].map(|(name, value)| named(name, name, value));
-        let offsets = [["C_x − P_x", "C_x - P_x"], ["C_y − P_y", "C_y - P_y"], ["C_z − P_z", "C_z - P_z"]];
+        let offsets = [["(C_x − P_x)", "(C_x - P_x)"], ["(C_y − P_y)", "(C_y - P_y)"], ["(C_z − P_z)", "(C_z - P_z)"]];
         points.iter().enumerate().fold(Worked::new("depths", "(5.7)"), |step, (k, point)| {
             let by = parameters.position - *point;
             let terms = (0..3).map(|c| times([parts[c].into(), named(offsets[c][0], offsets[c][1], by[c]).into()]));
