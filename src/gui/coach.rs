@@ -7,7 +7,7 @@ use eframe::egui::{
 
 use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::state::{Advice, Dialog, State};
-use crate::figure::Explanation;
+use crate::figure::{Explanation, Figure};
 use crate::gui::elide;
 use crate::gui::tooltip::Explained;
 use crate::i18n::Lang;
@@ -117,7 +117,10 @@ pub(super) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
 
 /// The changes of a repair.
 fn change(state: &State, repair: &Repair) -> String {
-    words::changes_in_symbols(state.settings.lang, &repair.changes(state.document.figure()))
+    // The numbers in the fields, which may make no camera.
+    let camera = *state.document.draft();
+    let figure = Figure { camera, ..state.document.figure().without_scene() };
+    words::changes_in_symbols(state.settings.lang, &repair.changes(&figure))
 }
 
 /// An action to take.

@@ -214,7 +214,7 @@ texts! {
     shading_flat: "flat", "constante";
     shading_gouraud: "Gouraud", "Gouraud";
     shading_phong: "Phong", "Phong";
-    numbers_in_fields: "The fields show its numbers, and the camera check below can repair them.", "Os campos mostram seus números, e o exame da câmera, embaixo, pode consertá-los.";
+    numbers_in_fields: "The fields show its numbers, next to a button that repairs them.", "Os campos mostram seus números, ao lado de um botão que os conserta.";
     visibility: "hidden faces", "faces ocultas";
     visibility_hint: "How the visible face is chosen. The painter sorts by centroids, and fails where faces overlap in a cycle [2], [3]", "Como se escolhe a face visível. O pintor ordena pelos centroides, e falha onde faces se sobrepõem em ciclo [2], [3]";
     visibility_depth_buffer: "depth buffer", "z-buffer";
