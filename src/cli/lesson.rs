@@ -42,13 +42,11 @@ pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>,
 
 /// The lesson with an identifier, or in a file.
 fn find(args: &WhichArgs, lang: Lang) -> Result<Found, Failure> {
-    if let Some(shipped) = shipped().iter().find(|shipped| shipped.lesson.id == args.id) {
-        return Ok(Found { lesson: shipped.lesson.clone(), path: None });
-    }
     // As the address of a page has it, for the lessons of the program.
-    if let Some((_, asked)) = args.id.split_once("?lesson=") {
-        let id = asked.split(['&', '#']).next().unwrap_or_default().to_owned();
-        return find(&WhichArgs { id, lang: args.lang, allow_files: args.allow_files }, lang);
+    let of_address = args.id.rsplit_once("?lesson=").and_then(|(_, asked)| asked.split(['&', '#']).next());
+    let id = of_address.unwrap_or(&args.id);
+    if let Some(shipped) = shipped().iter().find(|shipped| shipped.lesson.id == id) {
+        return Ok(Found { lesson: shipped.lesson.clone(), path: None });
     }
     let path = PathBuf::from(&args.id);
     let is_name = share::link_of(&path).is_none() && !args.id.contains(['.', '/', '\\']);

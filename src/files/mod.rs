@@ -23,8 +23,8 @@ mod save;
 mod shipped;
 mod windows_names;
 
-#[cfg(not(target_arch = "wasm32"))]
 use std::borrow::Cow;
+#[cfg(not(target_arch = "wasm32"))]
 use std::fs::{self, File};
 use std::io;
 #[cfg(not(target_arch = "wasm32"))]

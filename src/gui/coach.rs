@@ -7,13 +7,14 @@ use eframe::egui::{
 
 use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::state::{Advice, Dialog, State};
+use crate::camera::ImageSize;
 use crate::figure::{Explanation, Figure};
 use crate::gui::elide;
 use crate::gui::tooltip::Explained;
 use crate::i18n::Lang;
 use crate::i18n::coach as words;
 use crate::i18n::window::Texts;
-use crate::numerics::diagnosis::{Diagnosis, Repair, changes};
+use crate::numerics::diagnosis::{Diagnosis, IN_A_WINDOW, Repair, changes};
 use crate::numerics::health::Level;
 
 /// The width of the dialog.
@@ -182,7 +183,9 @@ fn findings(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>
         ui.label(words::seen(lang, diagnosis.visible, diagnosis.covered));
     }
     if diagnosis.findings.is_empty() {
-        ui.label(t.no_problems);
+        let ImageSize { width, height } = state.document.figure().image;
+        let is_coarse = u64::from(width) * u64::from(height) > IN_A_WINDOW;
+        ui.label(if is_coarse { t.no_problems_in_coarse } else { t.no_problems });
     }
     for finding in &diagnosis.findings {
         let button = finding.repair.map(|repair| (t.show_it, change(state, &repair)));

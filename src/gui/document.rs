@@ -38,6 +38,8 @@ pub struct Document {
     behind: Option<Box<Self>>,
     /// The document that was shown in front of this one, until undoing led back: redoing leads to it again.
     in_front: Option<Box<Self>>,
+    /// See [`Self::has_stand_in_camera`].
+    stands_in: bool,
 }
 
 /// From where a figure is seen, and what is explained in it.
@@ -94,6 +96,7 @@ impl Document {
             figure,
             behind: None,
             in_front: None,
+            stands_in: false,
         })
     }
 
@@ -124,7 +127,7 @@ impl Document {
     /// hold the numbers of the file, with the reason as [`Self::problem`].
     ///
     /// # Errors
-    /// Never, as long as the default camera is possible.
+    /// [`CameraError`] if neither a repair nor the default camera is possible.
     pub fn with_any_camera(figure: Figure, file: Option<SourceFile>) -> Result<Self, CameraError> {
         let draft = figure.camera;
         let Err(error) = Camera::new(&draft) else { return Self::new(figure, file) };
@@ -133,6 +136,10 @@ impl Document {
         let camera = repairs.first().map_or(*good.parameters(), |(_, camera)| *camera);
         let mut document = Self::new(Figure { camera, ..figure }, file)?;
         document.set_parameters(draft);
+        // Nobody has changed the file's numbers yet, and none of ours may take their place unasked.
+        document.saved.camera = draft;
+        document.is_changed = false;
+        document.stands_in = true;
         Ok(document)
     }
 
@@ -147,6 +154,12 @@ impl Document {
     #[must_use]
     pub fn camera(&self) -> &Camera {
         &self.camera
+    }
+
+    /// Whether the camera only stands in for an impossible one of the file, whose numbers saving would replace.
+    #[must_use]
+    pub fn has_stand_in_camera(&self) -> bool {
+        self.stands_in
     }
 
     /// The parameters as the fields show them; may be nonsense.
@@ -173,6 +186,7 @@ impl Document {
                 self.figure.camera = parameters;
                 self.camera = camera;
                 self.problem = None;
+                self.stands_in = false;
             }
             Err(error) => self.problem = Some(error),
         }

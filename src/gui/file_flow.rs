@@ -368,6 +368,10 @@ fn theirs(document: &Document, path: &Path) -> Option<Theirs> {
 }
 
 fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<AfterSave>, agreed: Agreed) {
+    if let Some(error) = state.document.problem().filter(|_| state.document.has_stand_in_camera()) {
+        state.say(Message::NotSaved(error.clone()));
+        return;
+    }
     if let Some(theirs) = theirs(&state.document, path).filter(|theirs| agreed.theirs.as_ref() != Some(theirs)) {
         return ask_about(state, theirs, then);
     }

@@ -17,10 +17,11 @@ texts! {
     findings: "Findings", "Achados";
     no_problems: "No problems found: the image agrees with exact visibility.", "Nenhum problema encontrado: a imagem concorda com a visibilidade exata.";
     on_the_other_side: "On the other side of the comparison:", "Do outro lado da comparação:";
+    no_problems_in_coarse: "No problems found: a coarser image agrees with exact visibility.", "Nenhum problema encontrado: uma imagem menos fina concorda com a visibilidade exata.";
     repair: "Repair", "Conserto";
-    no_repair: "no change to the camera repairs this", "nenhuma mudança na câmera conserta isto";
+    no_repair: "no change to the figure repairs this", "nenhuma mudança na figura conserta isto";
     nothing_repaired: "nothing to repair: the figure is written unchanged", "nada a consertar: a figura é gravada sem mudança";
-    cannot_repair: "no change to camera or style repairs this: the figure is written unchanged", "nenhuma mudança na câmera ou no estilo conserta isto: a figura é gravada sem mudança";
+    cannot_repair: "no change to the figure repairs this, so it is written unchanged", "nenhuma mudança na figura conserta isto, e ela é gravada como está";
     // Of the window.
     coach: "Camera check", "Exame da câmera";
     coach_hint: "How close the camera is to numerical trouble, and why something is missing from the picture", "Quão perto a câmera está de problemas numéricos, e por que algo falta na imagem";
@@ -262,7 +263,7 @@ pub fn two_planes(lang: Lang, share: f64) -> String {
 #[must_use]
 pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &SceneSpec) -> String {
     if let Some(error) = &diagnosis.camera_error {
-        return impossible_camera(lang, finding.cause, error);
+        return impossible_camera(lang, error);
     }
     if let Some(pixels) = finding.pixels {
         let names: Vec<String> = finding.objects().map(|name| object_name(lang, name, scene)).collect();
@@ -304,20 +305,22 @@ fn object_name(lang: Lang, name: &str, scene: &SceneSpec) -> String {
     }
 }
 
-/// Why the parameters make no camera, and the equation that has no result.
-fn impossible_camera(lang: Lang, cause: Cause, error: &CameraError) -> String {
-    let why = match (lang, cause) {
-        (Lang::En, Cause::ViewUpAlongView) => " Then u = VUP × n / |VUP × n| (5.3) has no direction.",
-        (Lang::PtBr, Cause::ViewUpAlongView) => " Assim u = VUP × n / |VUP × n| (5.3) não tem direção.",
-        (Lang::En, Cause::FocalPointAtPosition) => " Then DOP = PF − C has no direction.",
-        (Lang::PtBr, Cause::FocalPointAtPosition) => " Assim DOP = PF − C não tem direção.",
-        (Lang::En, Cause::NearBeyondFar) => " Then the view volume from F to B is empty.",
-        (Lang::PtBr, Cause::NearBeyondFar) => " Assim o volume de vista entre F e B fica vazio.",
-        (Lang::En, Cause::ViewAngleRange) => " Then H = 2 F tan(θ/2) (5.5) is no height.",
-        (Lang::PtBr, Cause::ViewAngleRange) => " Assim H = 2 F tan(θ/2) (5.5) não é uma altura.",
+/// The equation that has no result, and why.
+fn impossible_camera(lang: Lang, error: &CameraError) -> String {
+    let reason = match (lang, error) {
+        (Lang::En, CameraError::ViewUpZero | CameraError::ViewUpCollinear) => {
+            "u = VUP × n / |VUP × n| (5.3) has no direction: "
+        }
+        (Lang::PtBr, CameraError::ViewUpZero | CameraError::ViewUpCollinear) => {
+            "u = VUP × n / |VUP × n| (5.3) não tem direção: "
+        }
+        (Lang::En, CameraError::FocalPointAtPosition) => "DOP = PF − C has no direction: ",
+        (Lang::PtBr, CameraError::FocalPointAtPosition) => "DOP = PF − C não tem direção: ",
+        (Lang::En, CameraError::FarNotBeyondNear { .. }) => "The view volume from F to B is empty: ",
+        (Lang::PtBr, CameraError::FarNotBeyondNear { .. }) => "O volume de vista entre F e B está vazio: ",
         _ => "",
     };
-    format!("{}.{why}", super::cameras::camera(lang, error))
+    format!("{reason}{}.", super::cameras::camera_wording(lang, error).in_symbols)
 }
 
 /// The fault of pixels, with their number.
@@ -325,8 +328,8 @@ fn wrong_pixels(lang: Lang, cause: Cause, pixels: WrongPixels) -> String {
     let WrongPixels { wrong, of } = pixels;
     let share = lang.mark().number(100.0 * pixels.share(), 3);
     let count = match lang {
-        Lang::En => format!("{wrong} of {of} pixels ({share} %)"),
-        Lang::PtBr => format!("{wrong} de {of} pixels ({share} %)"),
+        Lang::En => format!("{share} % of the compared pixels ({wrong} of {of})"),
+        Lang::PtBr => format!("{share} % dos pixels comparados ({wrong} de {of})"),
     };
     match (lang, cause) {
         (Lang::En, Cause::WrongOrder) => format!(

@@ -21,7 +21,7 @@ pub fn opened(lang: Lang, path: &Path) -> String {
         (Lang::En, Some(Held::Figure)) => "the figure in the link".to_owned(),
         (Lang::PtBr, Some(Held::Figure)) => "a figura no link".to_owned(),
         (Lang::En, Some(Held::Lesson)) => "the lesson in the link".to_owned(),
-        (Lang::PtBr, Some(Held::Lesson)) => "a aula no link".to_owned(),
+        (Lang::PtBr, Some(Held::Lesson)) => "a lição no link".to_owned(),
     }
 }
 

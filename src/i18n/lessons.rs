@@ -222,10 +222,14 @@ pub fn changed_elsewhere(lang: Lang, file: &str) -> String {
     let again = texts(lang).read_again;
     match lang {
         Lang::En => {
-            format!("Another program has changed {file}, so nothing was written into it. “{again}” shows their text")
+            format!(
+                "Another program has changed {file}, so nothing was written into it. “{again}” shows the text that is in the file now"
+            )
         }
         Lang::PtBr => {
-            format!("Outro programa mudou {file}, então nada foi escrito nele. “{again}” mostra o texto dele")
+            format!(
+                "Outro programa mudou {file}, então nada foi escrito nele. “{again}” mostra o texto que está no arquivo agora"
+            )
         }
     }
 }

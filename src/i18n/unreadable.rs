@@ -27,7 +27,7 @@ pub(super) fn read_problem(lang: Lang, problem: &ReadProblem) -> String {
             let who = match named_by {
                 NamedBy::Mesh => "uma malha",
                 NamedBy::Picture => "uma figura dentro de uma imagem",
-                NamedBy::Lesson => "uma aula",
+                NamedBy::Lesson => "uma lição",
             };
             format!(
                 "não foi lido, porque {who} o indica e ele está em outro lugar; permitido: arquivos em {folder} e abaixo, ou quaisquer com --allow-files (na janela: o botão ao lado do caminho)"

@@ -214,6 +214,7 @@ texts! {
     shading_flat: "flat", "constante";
     shading_gouraud: "Gouraud", "Gouraud";
     shading_phong: "Phong", "Phong";
+    not_saved: "Not saved, because the camera has to be repaired first:", "Não foi salvo, porque antes é preciso consertar a câmera:";
     numbers_in_fields: "The fields show its numbers, next to a button that repairs them.", "Os campos mostram seus números, ao lado de um botão que os conserta.";
     visibility: "hidden faces", "faces ocultas";
     visibility_hint: "How the visible face is chosen. The painter sorts by centroids, and fails where faces overlap in a cycle [2], [3]", "Como se escolhe a face visível. O pintor ordena pelos centroides, e falha onde faces se sobrepõem em ciclo [2], [3]";
@@ -291,7 +292,7 @@ texts! {
     cancel: "Cancel", "Cancelar";
     link_refused: "Links open web pages and mail only, not", "Links só abrem páginas da web e e-mail, não";
     choosing_title: "Choose a file", "Escolha um arquivo";
-    choosing_text: "A file dialog of the system is open. This window goes on when you close it.", "Uma caixa de arquivos do sistema está aberta. Esta janela continua quando você a fechar.";
+    choosing_text: "Your system's file dialog is open. Close it to go on here.", "A caixa de arquivos do sistema está aberta. Feche-a para continuar aqui.";
     other_figure: "The window shows another figure now, so nothing was done with", "A janela agora mostra outra figura, então nada foi feito com";
     unsaved_title: "Save the changes?", "Salvar as mudanças?";
     unsaved_text: "There are unsaved changes:", "Há mudanças não salvas:";

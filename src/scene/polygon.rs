@@ -71,7 +71,12 @@ impl Triangulator {
         let m = left.len();
         let ids = [left[(k + m - 1) % m], left[k], left[(k + 1) % m]];
         let [a, b, c] = ids.map(|i| flat[i]);
-        if self.steps == 0 || turn(a, b, c) <= 0.0 {
+        if self.steps == 0 {
+            return false;
+        }
+        // Corners that are no ears take time too, though less.
+        self.steps -= 1;
+        if turn(a, b, c) <= 0.0 {
             return false;
         }
         let is_inside = |i: usize| {

@@ -58,7 +58,7 @@ fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
     settled(&mut window);
     window.click("⚠ Camera check: poor");
     settled(&mut window);
-    assert!(window.says(coach::texts(Lang::En).no_problems));
+    assert!(window.says(coach::texts(Lang::En).no_problems_in_coarse));
     assert!(window.says("⚠ B / F: poor"));
     let improve = window.harness.query_all_by_label("Improve").next().expect("a repair");
     improve.click();
@@ -81,7 +81,8 @@ fn an_impossible_camera_is_a_finding_and_one_click_repairs_it() {
         assert_eq!(window.state().document.figure().camera, good);
         window.click(&format!("⚠ {}", t.one_finding));
         settled(&mut window);
-        assert!(window.says("0 < near < far"), "{lang:?}");
+        let why = if lang == Lang::En { "F must be less than B" } else { "F tem de ser menor que B" };
+        assert!(window.says(why), "{lang:?}");
         window.click(t.show_it);
         settled(&mut window);
         assert!(window.state().document.problem().is_none());
@@ -97,7 +98,7 @@ fn an_impossible_camera_is_a_finding_and_one_click_repairs_it() {
 fn a_figure_with_an_impossible_camera_opens_and_is_repaired() {
     let folder = Folder::new("impossible-camera");
     let path = folder.file("up.toml");
-    std::fs::write(&path, "# Mine.\n[camera]\nposition = [0, 9, 0]\nfocal_point = [0, 0, 0]\n").unwrap();
+    std::fs::write(&path, "# Mine.\n[camera]\nposition = [0, 9, 0]\nfocal_point = [0, 0, 0]\n").expect("written");
     let mut window = window(Lang::En);
     let t = coach::texts(Lang::En);
     let ctx = window.harness.ctx.clone();

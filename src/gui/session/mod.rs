@@ -136,12 +136,16 @@ impl Sessions {
     pub fn keep(&mut self, ctx: &egui::Context, shown: Kept<'_>, others: &[&Document]) {
         let now = clock::now();
         self.follow(shown.document.id(), others);
+        let has_slot = |document: &&Document| self.others.iter().any(|(id, _)| *id == document.id());
+        let all_have_slots = others.iter().all(has_slot);
         match self.own.as_mut().and_then(Writer::take) {
-            Some(Ok(())) => (self.failed_at, self.told) = (None, false),
+            Some(Ok(())) if all_have_slots => (self.failed_at, self.told) = (None, false),
             Some(Err(error)) => self.fail(error),
-            None => {}
+            Some(Ok(())) | None => {}
         }
         let due = self.failed_at.is_none_or(|failed| now.saturating_sub(failed) >= RETRY);
+        // Once for each time that it is due: what fails now waits again.
+        let retries = due && self.failed_at.take_if(|_| due).is_some();
         if self.own.is_none() && due && shown.is_worth_keeping() {
             self.own = self.free_slot();
         }
@@ -151,9 +155,8 @@ impl Sessions {
         }
         let restoring = self.restored_at.is_some();
         if let Some(own) = &mut self.own
-            && (!own.is_up_to_date(shown, restoring) || (self.failed_at.is_some() && due))
+            && (!own.is_up_to_date(shown, restoring) || retries)
         {
-            self.failed_at = None;
             own.ask(ctx, shown, restoring);
         }
         // Nothing else may request the frame in which it is time.
@@ -184,7 +187,8 @@ impl Sessions {
             let index = self.others.iter().position(|(id, _)| *id == document.id());
             let writer = match index {
                 Some(index) => self.others.swap_remove(index).1,
-                None if due => match self.free_slot() {
+                // One refusal speaks for all.
+                None if due && self.failed_at.is_none() => match self.free_slot() {
                     Some(writer) => writer,
                     None => continue,
                 },

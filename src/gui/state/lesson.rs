@@ -420,7 +420,12 @@ impl State {
     /// Ends the move to the step, where there is one: the step is there exactly.
     pub(in crate::gui) fn end_move(&mut self) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
-        if self.document.is_built_on() && !moving.target.is_built_on() {
+        let (now, target) = (self.document.figure(), moving.target.figure());
+        let is_changed = now.scene != target.scene
+            || now.points != target.points
+            || now.labels != target.labels
+            || (&now.title, &now.caption) != (&target.title, &target.caption);
+        if is_changed {
             // The figure was changed meanwhile: only the camera arrives.
             let target = moving.target.figure();
             (*self.document.observers_mut(), *self.document.show_mut()) = (target.observers, target.show.clone());

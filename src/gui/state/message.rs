@@ -70,6 +70,8 @@ pub enum Message {
     File(PathBuf, FileError),
     /// The camera of the figure in this file is impossible.
     NotOpened(PathBuf, CameraError),
+    /// A figure can't be saved before its impossible camera is repaired.
+    NotSaved(CameraError),
     /// A file was opened whose camera is impossible: its numbers are in the fields.
     Impossible(PathBuf, CameraError),
     /// An operation leads to no camera.
@@ -166,6 +168,7 @@ impl Message {
             Self::NotOpened(path, error) => {
                 (Error, format!("{}: {}", messages::opened(lang, path), messages::camera(lang, error)))
             }
+            Self::NotSaved(error) => (Error, format!("{} {}", t.not_saved, faults::camera_error(lang, error))),
             Self::Impossible(path, error) => (
                 Error,
                 format!("{}: {}. {}", messages::opened(lang, path), messages::camera(lang, error), t.numbers_in_fields),

@@ -38,6 +38,9 @@ const WRONG_SHADOWS: f64 = 5e-4;
 /// fewer of them, evenly spread.
 const SHADOW_PIXELS: u64 = 1 << 16;
 
+/// Faces that are put in order at most, if any of them is translucent: more take seconds.
+const MAX_LAYERED: usize = 1 << 15;
+
 /// A kind of wrong pixels in an image.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Fault {
@@ -77,15 +80,37 @@ pub(super) async fn faults(spec: &ImageSpec<'_>, counter: &mut Counter, progress
         return Some(faults);
     }
     if pixels > MAX_STEPPED_PIXELS || Solids::count(spec.scene) > MAX_RAY_TRIANGLES {
-        let pixels = WrongPixels { wrong: 0, of: 0 };
-        return Some(vec![Fault { cause: Cause::NotCompared, pixels, objects: Vec::new() }]);
+        return Some(vec![not_compared(Vec::new())]);
     }
     faults.extend(faces(spec, counter, progress).await?);
     faults.extend(layers(spec, counter));
+    if progress.is_cancelled() {
+        return None;
+    }
     faults.extend(affine(spec, counter));
     faults.extend(shadows(spec, progress).await?);
-    faults.retain(|fault| fault.pixels.wrong >= FEW_WRONG);
+    faults.retain(|fault| fault.pixels.wrong >= FEW_WRONG || fault.cause == Cause::NotCompared);
+    once_each(&mut faults);
     Some(faults)
+}
+
+/// Keeps of each cause the fault with the most wrong pixels, in the order in which the causes came.
+fn once_each(faults: &mut Vec<Fault>) {
+    let most = |cause| faults.iter().filter(|fault| fault.cause == cause).map(|fault| fault.pixels.wrong).max();
+    let greatest: Vec<bool> = faults.iter().map(|fault| most(fault.cause) == Some(fault.pixels.wrong)).collect();
+    let (mut greatest, mut known) = (greatest.into_iter(), Vec::new());
+    faults.retain(|fault| {
+        let is_new = greatest.next() == Some(true) && !known.contains(&fault.cause);
+        if is_new {
+            known.push(fault.cause);
+        }
+        is_new
+    });
+}
+
+/// The finding that an image was not compared.
+fn not_compared(objects: Vec<usize>) -> Fault {
+    Fault { cause: Cause::NotCompared, pixels: WrongPixels { wrong: 0, of: 0 }, objects }
 }
 
 /// The pixels that show an opaque or translucent face of the wrong depth. `None` if it was cancelled.
@@ -97,7 +122,7 @@ pub(super) async fn wrong_faces(spec: &ImageSpec<'_>, counter: &mut Counter, pro
 
 /// Opaque faces in front of nearer ones. The outer `None`: it was cancelled.
 async fn faces(spec: &ImageSpec<'_>, counter: &mut Counter, progress: &Progress) -> Option<Option<Fault>> {
-    let faces = Faces::new(spec);
+    let Some(faces) = Faces::new(spec) else { return Some(Some(not_compared(Vec::new()))) };
     let drawn = counter.numbered(spec, &faces.objects);
     faces.compare(&drawn, progress).await
 }
@@ -122,7 +147,8 @@ enum FaceVerdict {
 }
 
 impl<'a> Faces<'a> {
-    fn new(spec: &'a ImageSpec<'a>) -> Self {
+    /// `None` if so many faces fill the image that listing them would take too much memory.
+    fn new(spec: &'a ImageSpec<'a>) -> Option<Self> {
         let all = &spec.scene.objects;
         let objects: Vec<usize> = (0..).zip(all).filter(|(_, o)| is_solid(o)).map(|(place, _)| place).collect();
         let first = objects.iter().scan(0, |next, &place| {
@@ -131,8 +157,8 @@ impl<'a> Faces<'a> {
             Some(first)
         });
         let first = first.collect();
-        let tiles = Tiles::new(objects.iter().map(|&place| &all[place]), spec.camera, spec.image);
-        Self { spec, tiles, objects, first }
+        let tiles = Tiles::new(objects.iter().map(|&place| &all[place]), spec.camera, spec.image)?;
+        Some(Self { spec, tiles, objects, first })
     }
 
     /// The object of a triangle, by its place in the scene, and the number of the triangle in it.
@@ -215,20 +241,30 @@ fn face_color(object: &Object, triangle: usize) -> Option<Rgba> {
 
 /// Translucent faces in the wrong order: the image, without light, differs from the one that a BSP tree paints.
 /// Several layers of one pixel are sorted by the depths of their centroids, which is wrong for long faces.
-fn layers(spec: &ImageSpec<'_>, counter: &mut Counter) -> Option<Fault> {
+///
+/// And depths that the figure's format confuses between a translucent face and others: rays know opaque faces only.
+fn layers(spec: &ImageSpec<'_>, counter: &mut Counter) -> Vec<Fault> {
     let objects = spec.scene.objects.iter().enumerate();
     let is_clear = |object: &Object| object.faces && object.paint.is_translucent();
     let clear: Vec<usize> = objects.filter(|(_, object)| is_clear(object)).map(|(place, _)| place).collect();
-    if clear.is_empty() || spec.style.visibility == Visibility::Bsp {
-        return None;
+    if clear.is_empty() {
+        return Vec::new();
     }
     let scene = plain(spec.scene, |_| true);
-    // Depths that a format confuses are another fault.
-    let style = Style { depth_format: DepthFormat::Float, ..*spec.style };
-    let own = counter.colors(&scene, spec, &style)?;
-    let exact = counter.colors(&scene, spec, &Style { visibility: Visibility::Bsp, ..style })?;
-    let pixels = differing(&own, &exact, spec.image);
-    Some(Fault { cause: Cause::WrongOrder, pixels, objects: clear })
+    let faces: usize = scene.objects.iter().map(|object| object.mesh.triangles.len()).sum();
+    let float = Style { depth_format: DepthFormat::Float, ..*spec.style };
+    let by_tree = Style { visibility: Visibility::Bsp, ..float };
+    let exact = (faces <= MAX_LAYERED).then(|| counter.colors(&scene, spec, &by_tree)).flatten();
+    let Some(exact) = exact else { return vec![not_compared(clear)] };
+    if spec.style.visibility == Visibility::Bsp {
+        return Vec::new();
+    }
+    let Some(in_float) = counter.colors(&scene, spec, &float) else { return vec![not_compared(clear)] };
+    let order = differing(&in_float, &exact, spec.image);
+    let own = (*spec.style != float).then(|| counter.colors(&scene, spec, spec.style)).flatten();
+    let depth = own.map(|own| differing(&own, &in_float, spec.image));
+    let depth = depth.map(|pixels| Fault { cause: Cause::DepthConflict, pixels, objects: clear.clone() });
+    std::iter::once(Fault { cause: Cause::WrongOrder, pixels: order, objects: clear }).chain(depth).collect()
 }
 
 /// A texture interpolated without w, where that changes it.
@@ -323,8 +359,7 @@ pub(super) async fn shadows(spec: &ImageSpec<'_>, progress: &Progress) -> Option
         }
     }
     faults.retain(|fault| fault.pixels.share() > WRONG_SHADOWS);
-    faults.sort_by_key(|fault| std::cmp::Reverse(fault.pixels.wrong));
-    faults.dedup_by_key(|fault| fault.cause);
+    once_each(&mut faults);
     Some(faults)
 }
 

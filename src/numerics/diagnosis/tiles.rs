@@ -12,6 +12,8 @@ use crate::scene::Object;
 
 /// Side of a tile in pixels.
 const TILE: f64 = 16.0;
+/// Entries of all lists: 128 MiB.
+const MAX_LISTED: usize = 1 << 25;
 /// Places up to this far outside a tile are looked up in it, in pixels.
 const MARGIN: f64 = 1.0;
 
@@ -41,23 +43,30 @@ pub(super) struct Nearest {
     pub(super) depth: f64,
 }
 
-/// A ray in view space; its points are origin + depth · per_depth.
+/// A ray in view space; its points are origin + depth · `per_depth`.
 struct Ray {
     origin: DVec3,
     per_depth: DVec3,
 }
 
 impl<'a> Tiles<'a> {
-    pub(super) fn new<'o>(objects: impl Iterator<Item = &'o Object>, camera: &'a Camera, image: ImageSize) -> Self {
+    /// `None` if the lists of the tiles would be too long.
+    pub(super) fn new<'o>(
+        objects: impl Iterator<Item = &'o Object>,
+        camera: &'a Camera,
+        image: ImageSize,
+    ) -> Option<Self> {
         let [across, down] = [image.width, image.height].map(|side| tile(f64::from(side)) + 1);
         let mut tiles = Self { camera, image, triangles: Vec::new(), across, tiles: vec![Vec::new(); across * down] };
+        let mut room = MAX_LISTED;
         for object in objects {
-            tiles.add(object);
+            tiles.add(object, &mut room)?;
         }
-        tiles
+        Some(tiles)
     }
 
-    fn add(&mut self, object: &Object) {
+    /// Adds the faces of an object; `None` if there is no `room` for them.
+    fn add(&mut self, object: &Object, room: &mut usize) -> Option<()> {
         let view = |&p: &DVec3| self.camera.view_point(object.world_from_object.transform_point3(p));
         let points: Vec<DVec3> = object.mesh.positions.iter().map(view).collect();
         let mirrored = object.world_from_object.determinant() < 0.0;
@@ -67,6 +76,7 @@ impl<'a> Tiles<'a> {
             let number = u32::try_from(self.triangles.len()).unwrap_or(u32::MAX);
             self.triangles.push(Triangle { corners, side });
             let Some([low, high]) = self.bounds(corners) else { continue };
+            *room = room.checked_sub((high[0] - low[0] + 1) * (high[1] - low[1] + 1))?;
             for row in low[1]..=high[1] {
                 for column in low[0]..=high[0] {
                     if let Some(tile) = self.tiles.get_mut(row * self.across + column) {
@@ -75,6 +85,7 @@ impl<'a> Tiles<'a> {
                 }
             }
         }
+        Some(())
     }
 
     /// The first and the last tile that a triangle touches, column and row; `None` if it can't be seen.
@@ -84,7 +95,7 @@ impl<'a> Tiles<'a> {
         if !corners.iter().all(|p| p.is_finite()) || depths.iter().all(|&d| d < self.camera.near()) {
             return None;
         }
-        let whole = [[0, 0], size.map(|side| tile(side))];
+        let whole = [[0, 0], size.map(tile)];
         let perspective = self.camera.projection() == Projection::Perspective;
         if perspective && depths.iter().any(|&d| d < self.camera.near()) {
             // Its projection has no bounds.
@@ -196,7 +207,7 @@ mod tests {
             let at = random.direction() * random.between(0.0, 4.0);
             let [a, b, c] = [0, 1, 2].map(|_| random.between(-90.0, 90.0));
             let [x, y, z] = [0, 1, 2].map(|_| random.between(0.1, 2.0));
-            let object = ObjectSpec::new(&format!("o{i}"), shapes[i % 3].clone()).at(at.x, at.y, at.z);
+            let object = ObjectSpec::new(format!("o{i}"), shapes[i % 3].clone()).at(at.x, at.y, at.z);
             object.turned(a, b, c).scaled(x, y, z).with_segments(9)
         });
         let spec = SceneSpec { preset: Preset::Empty, objects: objects.collect(), ..SceneSpec::default() };
@@ -228,7 +239,7 @@ mod tests {
             let camera = Camera::new(&parameters).unwrap();
             let image = ImageSize { width: 50, height: 37 };
             let solids = Solids::of(&scene);
-            let tiles = Tiles::new(scene.objects.iter(), &camera, image);
+            let tiles = Tiles::new(scene.objects.iter(), &camera, image).unwrap();
             for _ in 0..300 {
                 let place = [random.between(-0.25, 50.25), random.between(-0.25, 37.25)];
                 let (seen, nearest) = (solids.seen(&camera, image, place), tiles.nearest(place));
