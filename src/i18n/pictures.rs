@@ -297,7 +297,7 @@ pub fn no_areas(lang: Lang, why: &NoAreas) -> String {
             "the faces are a picture: the first of them are shown in the order of the depth buffer; allowed for areas: visibility = \"painter\" or \"bsp\", or without show.painted".to_owned()
         }
         (Lang::PtBr, NoAreas::Partial) => {
-            "as faces são uma imagem: as primeiras delas aparecem na ordem do buffer de profundidade; permitido para áreas: visibility = \"painter\" ou \"bsp\", ou sem show.painted".to_owned()
+            "as faces são uma imagem: as primeiras delas aparecem na ordem do z-buffer; permitido para áreas: visibility = \"painter\" ou \"bsp\", ou sem show.painted".to_owned()
         }
         (Lang::En, NoAreas::OverBudget(over)) => format!("the faces are a picture: {}", messages::too_much(lang, over)),
         (Lang::PtBr, NoAreas::OverBudget(over)) => format!("as faces são uma imagem: {}", messages::too_much(lang, over)),
