@@ -76,7 +76,7 @@ fn a_problem_and_its_repairs_in_a_narrow_window() {
     let mut window = first(Lang::PtBr, Theme::Light, [640.0, 560.0]);
     window.enter("F", "20");
     // The camera check knows it too.
-    window.app_mut().state.coach.take(std::time::Duration::from_secs(60));
+    window.app_mut().state.coach.take(Duration::from_secs(60));
     window.run();
     assert_window("problem", &mut window);
 }
