@@ -91,6 +91,9 @@ impl Strokes {
             chunks.par_iter_mut().for_each(cut);
         } else {
             for chunk in &mut *chunks {
+                if progress.is_cancelled() {
+                    return;
+                }
                 cut(chunk);
                 pause().await;
             }
