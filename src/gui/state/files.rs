@@ -144,7 +144,7 @@ pub struct Changed {
 pub enum Dialog {
     /// Unsaved changes: save them?
     Unsaved(AfterSave),
-    /// The text of the lesson cannot be saved: forget it? The reason is in [`FileFlow::refused`].
+    /// The text of the lesson cannot be saved: forget it? The reason is in `FileFlow::refused`.
     UnsavedText(AfterSave),
     /// The path of a file, as typed.
     Path(Purpose, String),

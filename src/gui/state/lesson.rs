@@ -124,7 +124,7 @@ impl Playing {
 
 impl State {
     /// Whether the figure has changes that must not be lost; in a step of a lesson not all are, see
-    /// [`Playing::is_work`].
+    /// `Playing::is_work`.
     #[must_use]
     pub fn has_unsaved(&self) -> bool {
         self.is_work(&self.document)
