@@ -183,7 +183,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     wanted
 }
 
-/// Holds the window back while a dialog of the system is open: its answer is for what the window shows now.
+/// Locks the window while a system dialog is open, because its answer belongs to the document shown now.
 fn wait_for_system(ctx: &egui::Context, state: &mut State) {
     let t = window::texts(state.settings.lang);
     Modal::new(Id::unique("dialog of the system")).show(ctx, |ui| {

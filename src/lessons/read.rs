@@ -172,7 +172,7 @@ fn task(
 /// stands, in whichever lesson. A changed question is another one.
 fn question_id(entry: &Entry, figure: &Figure) -> String {
     let exercise = entry.exercise(0, &Default::default());
-    // The title of the step is no part of what is asked.
+    // The question doesn't depend on the step's title.
     let mut content = vec![update("", &Figure { title: None, ..figure.clone() })];
     let mut add = |text: &Bilingual| content.extend([text.en.clone(), text.pt_br.clone()]);
     exercise.asks.iter().flat_map(|ask| ask.own_choices.values()).for_each(&mut add);

@@ -208,7 +208,7 @@ impl Rasterizer {
         self.paint_map(map).await;
     }
 
-    /// Gives the operations of what it paints; without a clock, anything.
+    /// Paints the map. The count of operations only means something if the renderer has a clock.
     async fn paint_map(&mut self, map: &ShadowMap) -> Operations {
         /// A depth that the map keeps: read and written.
         const KEPT: Operations = Operations::new(0, 0, 2);

@@ -253,7 +253,7 @@ fn text_whose_file_another_program_has_changed_goes_into_a_copy() {
     window.click(t.save_copy);
     let copy = folder.file("copy.toml");
     window.choose(&copy);
-    assert!(window.state().file_flow.may_close, "it goes on with what was wanted");
+    assert!(window.state().file_flow.may_close, "the window may close after the answer");
     assert_eq!(read_lesson(&copy).unwrap().0.steps[1].text.en, "My words.");
     assert_eq!(std::fs::read_to_string(&path).unwrap(), theirs);
 }

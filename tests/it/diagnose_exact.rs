@@ -70,7 +70,7 @@ fn an_order_of_painting_that_is_wrong_is_a_finding() {
         bench.write("f.toml", cycle(&format!("visibility = \"{visibility}\"")));
         assert_eq!(codes(&diagnosed(&bench, "f.toml")), [], "{visibility}");
     }
-    // Bars that one shares a colour with can't be told apart.
+    // Bars of the same colour can't be told apart.
     bench.write("f.toml", cycle("visibility = \"painter\"\nshading = \"wireframe\""));
     assert_eq!(codes(&diagnosed(&bench, "f.toml")), []);
 }

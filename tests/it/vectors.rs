@@ -262,7 +262,7 @@ fn the_same_figure_gives_the_same_bytes_and_comes_back_from_them() {
     }
 }
 
-/// Names from a file, wherever an SVG has them: with what XML does not allow in them.
+/// Names that hold characters XML doesn't allow, in every place an SVG writes a name.
 #[test]
 fn an_svg_is_well_formed_whatever_names_are() {
     for name in ["a]]>b", "a\u{ffff}b", "a\u{fffe}b", "<&>\"'", "]]&gt;<!--", "a\u{1f}b", "\u{10ffff}"] {

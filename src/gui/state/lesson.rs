@@ -329,7 +329,7 @@ impl State {
         self.say_camera_error(done);
     }
 
-    /// Shows a step, with the work that waits in it: at once, or by the move to it from what is on the screen.
+    /// Shows a step and brings back the changes you tried in it, either at once or with a camera move.
     pub(super) fn show_step(&mut self, mut playing: Playing, step: usize, moves: bool) {
         self.end_move();
         let waiting = playing.worked_on.remove(&step);

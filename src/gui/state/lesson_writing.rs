@@ -273,7 +273,7 @@ impl State {
         self.text_edited(0.0);
     }
 
-    /// Writes the lesson with what is typed into another file, and goes on with that. False if it cannot be written.
+    /// Saves the lesson with its typed text as another file and continues with that file. False if it can't be written.
     pub(in crate::gui) fn save_text_as(&mut self, path: &Path, agreed: &Agreed) -> bool {
         let Some(playing) = &mut self.lesson else { return true };
         let Some(writing) = &mut playing.writing else { return true };

@@ -147,7 +147,7 @@ enum FaceVerdict {
 }
 
 impl<'a> Faces<'a> {
-    /// `None` if so many faces fill the image that listing them would take too much memory.
+    /// `None` if listing the faces would take too much memory.
     fn new(spec: &'a ImageSpec<'a>) -> Option<Self> {
         let all = &spec.scene.objects;
         let objects: Vec<usize> = (0..).zip(all).filter(|(_, o)| is_solid(o)).map(|(place, _)| place).collect();
@@ -210,7 +210,7 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// Whether two faces can be told apart by their colours.
+    /// True if two faces have different colours.
     fn look_different(&self, nearest: usize, drawn: usize) -> bool {
         let ((a, i), (b, j)) = (self.object(nearest), self.object(drawn));
         let [front, back] = [a, b].map(|object| &self.spec.scene.objects[object]);
