@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::io::Cursor;
 use std::sync::Arc;
 
-use image::{DynamicImage, ImageDecoder as _, ImageError, ImageReader, Limits};
+use image::{DynamicImage, ImageDecoder, ImageError, ImageReader, Limits};
 
 use crate::appearance::Texture;
-use crate::limits::{MAX_TEXELS, MAX_TEXTURE_SIDE};
+use crate::limits::{MAX_TEXELS, MAX_TEXTURE_METADATA, MAX_TEXTURE_SIDE};
 use crate::sanitize;
 use crate::scene::ReadError;
 use crate::scene::read_error::Beside;
@@ -159,10 +159,7 @@ pub(in crate::scene) fn decode(bytes: &[u8], alpha: Alpha) -> Result<Texture, Te
     if reader.format().is_none() {
         return Err(TextureFault::Format);
     }
-    let decoder = reader.into_decoder().map_err(|error| match error {
-        ImageError::Unsupported(_) => TextureFault::Format,
-        _ => TextureFault::Damaged,
-    })?;
+    let mut decoder = decoder_of(reader)?;
     let (width, height) = decoder.dimensions();
     let is_large = width.max(height) > MAX_TEXTURE_SIDE || u64::from(width) * u64::from(height) > MAX_TEXELS;
     if width == 0 || height == 0 {
@@ -171,7 +168,6 @@ pub(in crate::scene) fn decode(bytes: &[u8], alpha: Alpha) -> Result<Texture, Te
     if is_large {
         return Err(TextureFault::TooLarge { width, height });
     }
-    let mut decoder = decoder;
     // 16 bits a channel, and as much again for what a decoder works with.
     let mut limits = Limits::default();
     limits.max_alloc = Some(32 * MAX_TEXELS);
@@ -198,6 +194,18 @@ pub(in crate::scene) fn decode(bytes: &[u8], alpha: Alpha) -> Result<Texture, Te
         }
     }
     Ok(Texture::flat(width, height, rgba).with_levels())
+}
+
+/// A decoder that has read the head of a file. A PNG's color profile counts against [`MAX_TEXTURE_METADATA`]: it unpacks to a
+/// thousand times its size, and texels are taken as sRGB without it.
+fn decoder_of(mut reader: ImageReader<Cursor<&[u8]>>) -> Result<impl ImageDecoder, TextureFault> {
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(MAX_TEXTURE_METADATA);
+    reader.limits(limits);
+    reader.into_decoder().map_err(|error| match error {
+        ImageError::Unsupported(_) => TextureFault::Format,
+        _ => TextureFault::Damaged,
+    })
 }
 
 #[cfg(test)]
@@ -240,6 +248,19 @@ mod tests {
         let whole = png(16, 16, &[9; 1024], ExtendedColorType::Rgba8);
         for end in [8, 20, 40, whole.len() - 20] {
             assert!(matches!(decode(&whole[..end], Alpha::Kept), Err(TextureFault::Damaged)), "{end}");
+        }
+    }
+
+    #[test]
+    fn a_color_profile_that_unpacks_to_too_much_is_left_out() {
+        for (profile, is_read) in [(1 << 10, true), (64 << 20, false)] {
+            let mut bytes = Vec::new();
+            let mut encoder = image::codecs::png::PngEncoder::new(&mut bytes);
+            encoder.set_icc_profile(vec![0; profile]).unwrap();
+            encoder.write_image(&[9, 8, 7], 1, 1, ExtendedColorType::Rgb8).unwrap();
+            let reader = ImageReader::new(Cursor::new(&bytes[..])).with_guessed_format().unwrap();
+            assert_eq!(decoder_of(reader).unwrap().icc_profile().unwrap().is_some(), is_read, "{profile}");
+            assert_eq!(decode(&bytes, Alpha::Kept).unwrap().levels()[0].rgba, [9, 8, 7, 255]);
         }
     }
 
