@@ -130,8 +130,8 @@ pub const MAX_TEXTURE_SIDE: u32 = 16_384;
 /// levels of detail, and 270 where a filter mixes two of these, for which they are laid out once more.
 pub const MAX_TEXELS: u64 = 1 << 24;
 
-/// The most bytes that a texture's file may unpack beside its texels, such as a color profile: a real one takes at most some
-/// megabytes.
+/// The most bytes that a texture's file may unpack beside its texels, such as a color profile: a real one takes at most
+/// some megabytes.
 pub const MAX_TEXTURE_METADATA: u64 = 16 << 20;
 
 /// The most repetitions of a texture on a surface: beyond these nothing is left of it.

@@ -41,13 +41,8 @@ pub(super) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
         (_, CameraError::OutOfRange { key, value, allowed }) => {
             let allowed = range(lang, *allowed);
             let symbol = key.symbol();
-            match lang {
-                Lang::En => english(&format!("{symbol} must be {}", allowed.in_symbols)),
-                Lang::PtBr => Wording::new(
-                    format!("{key} é {value:?}; permitido: {}{}", allowed.full, way_out(*key, *value)),
-                    format!("{symbol} tem de ser {}", allowed.in_symbols),
-                ),
-            }
+            pick!(lang; english(&format!("{symbol} must be {}", allowed.in_symbols)),
+                Wording::new(format!("{key} é {value:?}; permitido: {}{}", allowed.full, way_out(*key, *value)), format!("{symbol} tem de ser {}", allowed.in_symbols)))
         }
         (Lang::En, CameraError::FarNotBeyondNear { .. }) => english("F must be less than B"),
         (Lang::PtBr, CameraError::FarNotBeyondNear { near, far }) => Wording::new(
@@ -68,20 +63,8 @@ pub(super) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
         ),
         (_, CameraError::Overflow { quantity, keys }) => {
             let quantity = derived(lang, *quantity);
-            match lang {
-                Lang::En => english(&format!(
-                    "{} would exceed the range of numbers (about 1e-308 to 1e308)",
-                    quantity.in_symbols
-                )),
-                Lang::PtBr => Wording::new(
-                    format!(
-                        "{} excederia os limites dos números (cerca de 1e-308 a 1e308); depende de {}",
-                        quantity.full,
-                        ParameterKey::list(keys)
-                    ),
-                    format!("{} sairia da faixa dos números (cerca de 1e-308 a 1e308)", quantity.in_symbols),
-                ),
-            }
+            pick!(lang; english(&format!("{} would exceed the range of numbers (about 1e-308 to 1e308)", quantity.in_symbols)),
+                Wording::new(format!("{} excederia os limites dos números (cerca de 1e-308 a 1e308); depende de {}", quantity.full, ParameterKey::list(keys)), format!("{} sairia da faixa dos números (cerca de 1e-308 a 1e308)", quantity.in_symbols)))
         }
     }
 }

@@ -151,10 +151,8 @@ texts! {
 #[must_use]
 pub fn went_back(lang: Lang, view: View) -> String {
     let name = texts(lang).view(view);
-    match lang {
-        Lang::En => format!("{name}: seen from farther away, so that everything stays in the picture (Alt+0 fits it)"),
-        Lang::PtBr => format!("{name}: visto de mais longe, para que tudo continue na imagem (Alt+0 enquadra)"),
-    }
+    both!(lang; "{name}: seen from farther away, so that everything stays in the picture (Alt+0 fits it)",
+        "{name}: visto de mais longe, para que tudo continue na imagem (Alt+0 enquadra)")
 }
 
 impl CanvasTexts {
@@ -198,28 +196,18 @@ pub fn describe(lang: Lang, view: View, camera: &Camera, image: ImageSize) -> St
 
 /// The world in words, from the coordinates of C and PF.
 fn describe_world(lang: Lang, position: &str, focal_point: &str) -> String {
-    match lang {
-        Lang::En => {
-            format!("World: the scene, the camera at {position} looking at {focal_point}, and its view volume")
-        }
-        Lang::PtBr => {
-            format!("Mundo: a cena, a câmera em {position} olhando para {focal_point}, e seu volume de vista")
-        }
-    }
+    both!(lang; "World: the scene, the camera at {position} looking at {focal_point}, and its view volume",
+        "Mundo: a cena, a câmera em {position} olhando para {focal_point}, e seu volume de vista")
 }
 
 /// The canonical volume in words.
 fn describe_canonical(lang: Lang) -> String {
-    match lang {
-        Lang::En => "Canonical volume: the scene after projection, in the cube from −1 to 1".to_owned(),
-        Lang::PtBr => "Volume canônico: a cena depois da projeção, no cubo de −1 a 1".to_owned(),
-    }
+    both!(lang; "Canonical volume: the scene after projection, in the cube from −1 to 1",
+        "Volume canônico: a cena depois da projeção, no cubo de −1 a 1")
 }
 
 /// The image in words, from its size in pixels.
 fn describe_image(lang: Lang, width: u32, height: u32) -> String {
-    match lang {
-        Lang::En => format!("Image: what the camera sees, {width} × {height} pixels"),
-        Lang::PtBr => format!("Imagem: o que a câmera vê, {width} × {height} pixels"),
-    }
+    both!(lang; "Image: what the camera sees, {width} × {height} pixels",
+        "Imagem: o que a câmera vê, {width} × {height} pixels")
 }

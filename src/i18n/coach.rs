@@ -102,51 +102,25 @@ pub fn health(lang: Lang, health: &Health, camera: &Camera, format: DepthFormat)
         HealthQuantity::FarNearRatio if perspective => {
             let half = 2.0 * camera.near() / (1.0 + camera.near() / camera.far());
             let (ratio, half) = (n(health.value), n(half));
-            match lang {
-                Lang::En => {
-                    format!("B/F is {ratio}: half of all values of Z (5.25) lie before depth 2BF/(B + F) = {half}.")
-                }
-                Lang::PtBr => format!(
-                    "B/F é {ratio}: metade dos valores de Z (5.25) fica antes da profundidade 2BF/(B + F) = {half}."
-                ),
-            }
+            both!(lang; "B/F is {ratio}: half of all values of Z (5.25) lie before depth 2BF/(B + F) = {half}.",
+                "B/F é {ratio}: metade dos valores de Z (5.25) fica antes da profundidade 2BF/(B + F) = {half}.")
         }
         HealthQuantity::FarNearRatio => {
             let ratio = n(health.value);
-            match lang {
-                Lang::En => {
-                    format!(
-                        "B/F is {ratio}; in parallel projection Z (5.25) grows linearly with depth, whatever B/F is."
-                    )
-                }
-                Lang::PtBr => format!(
-                    "B/F é {ratio}; na projeção paralela Z (5.25) cresce linearmente com a profundidade, qualquer que seja B/F."
-                ),
-            }
+            both!(lang; "B/F is {ratio}; in parallel projection Z (5.25) grows linearly with depth, whatever B/F is.",
+                "B/F é {ratio}; na projeção paralela Z (5.25) cresce linearmente com a profundidade, qualquer que seja B/F.")
         }
         HealthQuantity::DepthResolution => depth_resolution(lang, camera, format),
         HealthQuantity::PositionDigits => {
             let (ratio, digits) = (n(camera.origin_ratio()), n(health.value));
-            match lang {
-                Lang::En => format!(
-                    "C and PF lie {ratio} times as far from the origin as from each other: of 16 digits, p − C in (5.7) keeps {digits}."
-                ),
-                Lang::PtBr => format!(
-                    "C e PF estão {ratio} vezes mais longe da origem que um do outro: de 16 dígitos, p − C em (5.7) conserva {digits}."
-                ),
-            }
+            both!(lang; "C and PF lie {ratio} times as far from the origin as from each other: of 16 digits, p − C in (5.7) keeps {digits}.",
+                "C e PF estão {ratio} vezes mais longe da origem que um do outro: de 16 dígitos, p − C em (5.7) conserva {digits}.")
         }
         HealthQuantity::VolumeShape => {
             let [w, h, d] = volume_sides(camera).map(n);
             let ratio = n(health.value);
-            match lang {
-                Lang::En => format!(
-                    "At half its depth the view volume is {w} wide and {h} high, H = 2 d tan(θ/2) (5.5), and B − F = {d} deep: its longest side is {ratio} times its shortest."
-                ),
-                Lang::PtBr => format!(
-                    "À meia profundidade o volume de vista tem largura {w} e altura {h}, H = 2 d tan(θ/2) (5.5), e profundidade B − F = {d}: o lado maior é {ratio} vezes o menor."
-                ),
-            }
+            both!(lang; "At half its depth the view volume is {w} wide and {h} high, H = 2 d tan(θ/2) (5.5), and B − F = {d} deep: its longest side is {ratio} times its shortest.",
+                "À meia profundidade o volume de vista tem largura {w} e altura {h}, H = 2 d tan(θ/2) (5.5), e profundidade B − F = {d}: o lado maior é {ratio} vezes o menor.")
         }
         HealthQuantity::ViewAngle => view_angle(lang, health.value, perspective),
     };
@@ -239,10 +213,8 @@ pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
     let name = conventions::name(lang, ndc);
     let [near, far] = ndc.depths().map(|depth| lang.mark().number(depth, 2));
     let back = if ndc.infinite { "B → ∞" } else { "B" };
-    match lang {
-        Lang::En => format!("In the NDC of {name}: z_n is {near} at F and {far} at {back}."),
-        Lang::PtBr => format!("Nas NDC de {name}: z_n é {near} em F e {far} em {back}."),
-    }
+    both!(lang; "In the NDC of {name}: z_n is {near} at F and {far} at {back}.",
+        "Nas NDC de {name}: z_n é {near} em F e {far} em {back}.")
 }
 
 /// The verdict of a depth buffer on two planes; `share`: the part of their common area in which the farther one is
@@ -281,9 +253,9 @@ pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &Sce
         }
         _ => {}
     }
-    let said = |partly| match lang {
-        Lang::En => english(finding.cause, partly, diagnosis),
-        Lang::PtBr => portuguese(finding.cause, partly, diagnosis),
+    let said = |partly| {
+        pick!(lang; english(finding.cause, partly, diagnosis),
+        portuguese(finding.cause, partly, diagnosis))
     };
     let (whole, in_part) = (said(false), said(true));
     let [lost, cut] = [&finding.whole, &finding.partly]
@@ -327,10 +299,8 @@ fn impossible_camera(lang: Lang, error: &CameraError) -> String {
 fn wrong_pixels(lang: Lang, cause: Cause, pixels: WrongPixels) -> String {
     let WrongPixels { wrong, of } = pixels;
     let share = lang.mark().number(100.0 * pixels.share(), 3);
-    let count = match lang {
-        Lang::En => format!("{share} % of the compared pixels ({wrong} of {of})"),
-        Lang::PtBr => format!("{share} % dos pixels comparados ({wrong} de {of})"),
-    };
+    let count = both!(lang; "{share} % of the compared pixels ({wrong} of {of})",
+        "{share} % dos pixels comparados ({wrong} de {of})");
     match (lang, cause) {
         (Lang::En, Cause::WrongOrder) => format!(
             "{count} show a farther face in front of a nearer one, because faces are painted in the order of their centroids."
@@ -489,8 +459,6 @@ fn style_word(lang: Lang, word: &'static str) -> &'static str {
 #[must_use]
 pub fn seen(lang: Lang, visible: u64, covered: f64) -> String {
     let share = lang.mark().number(100.0 * covered, 3);
-    match lang {
-        Lang::En => format!("The scene covers {visible} pixels of the image, {share} %."),
-        Lang::PtBr => format!("A cena cobre {visible} pixels da imagem, {share} %."),
-    }
+    both!(lang; "The scene covers {visible} pixels of the image, {share} %.",
+        "A cena cobre {visible} pixels da imagem, {share} %.")
 }

@@ -29,13 +29,7 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
     };
     // It may contain typed text of any length.
     let what = sanitize::within(&what, 600);
-    format!(
-        "{what}{}",
-        match lang {
-            Lang::En => "; see --help".to_owned(),
-            Lang::PtBr => "; veja --help".to_owned(),
-        }
-    )
+    format!("{what}{}", both!(lang; "; see --help", "; veja --help"))
 }
 
 /// A command that does not exist.
@@ -43,14 +37,8 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
 pub fn unknown_command(lang: Lang, name: &str, commands: &[String]) -> String {
     let name = escaped(name);
     let commands = commands.join(", ");
-    match lang {
-        Lang::En => {
-            format!("there is no command \"{name}\", nor a figure file of this name; allowed: {commands}; see --help")
-        }
-        Lang::PtBr => format!(
-            "não há o comando \"{name}\", nem um arquivo de figura com este nome; permitido: {commands}; veja --help"
-        ),
-    }
+    both!(lang; "there is no command \"{name}\", nor a figure file of this name; allowed: {commands}; see --help",
+        "não há o comando \"{name}\", nem um arquivo de figura com este nome; permitido: {commands}; veja --help")
 }
 
 /// Clap's own words, without its usage lines, on one line.
@@ -113,10 +101,7 @@ fn portuguese(error: &clap::Error) -> String {
 #[must_use]
 pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> String {
     match line {
-        Some(line) => match lang {
-            Lang::En => format!("{name}, line {line}: {what}"),
-            Lang::PtBr => format!("{name}, linha {line}: {what}"),
-        },
+        Some(line) => both!(lang; "{name}, line {line}: {what}", "{name}, linha {line}: {what}"),
         None => format!("{name}: {what}"),
     }
 }
@@ -124,10 +109,8 @@ pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> Strin
 /// An argument of `--show` without a value.
 #[must_use]
 pub const fn show_without_value(lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => "it has no value; allowed: KEY=VALUE, such as stage=clip",
-        Lang::PtBr => "não tem valor; permitido: CHAVE=VALOR, como stage=clip",
-    }
+    pick!(lang; "it has no value; allowed: KEY=VALUE, such as stage=clip",
+        "não tem valor; permitido: CHAVE=VALOR, como stage=clip")
 }
 
 /// A key, `[show] triangle.object`, names an object that the scene has not; with those that it has.
@@ -139,10 +122,8 @@ pub fn no_such_object(lang: Lang, key: &str, object: &str, objects: &[&str]) -> 
         names.push("…".to_owned());
     }
     let (object, names) = (escaped(object), names.join(", "));
-    match lang {
-        Lang::En => format!("{key} is \"{object}\", which the scene does not have; allowed: {names}"),
-        Lang::PtBr => format!("{key} é \"{object}\", que a cena não tem; permitido: {names}"),
-    }
+    both!(lang; "{key} is \"{object}\", which the scene does not have; allowed: {names}",
+        "{key} é \"{object}\", que a cena não tem; permitido: {names}")
 }
 
 /// The triangle that is to be followed is beyond the last one of its object.
@@ -164,41 +145,23 @@ pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> S
 pub fn point(lang: Lang, text: &str, fault: Option<(&str, &ExpressionError)>) -> String {
     let text = escaped(text);
     let why = fault.map_or_else(String::new, |(part, error)| format!(": {}", in_expression(lang, part, error)));
-    match lang {
-        Lang::En => {
-            format!("--point is \"{text}\"{why}; allowed: three finite numbers X,Y,Z, such as --point 1,2.5,-3")
-        }
-        Lang::PtBr => {
-            format!("--point é \"{text}\"{why}; permitido: três números finitos X,Y,Z, como --point 1,2.5,-3")
-        }
-    }
+    both!(lang; "--point is \"{text}\"{why}; allowed: three finite numbers X,Y,Z, such as --point 1,2.5,-3",
+        "--point é \"{text}\"{why}; permitido: três números finitos X,Y,Z, como --point 1,2.5,-3")
 }
 
 /// A text that is not a pixel.
 #[must_use]
 pub fn pixel(lang: Lang, text: &str) -> String {
     let text = escaped(text);
-    match lang {
-        Lang::En => format!("--pixel is \"{text}\"; allowed: two integers I,J (column, row), such as --pixel 0,0"),
-        Lang::PtBr => format!("--pixel é \"{text}\"; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0"),
-    }
+    both!(lang; "--pixel is \"{text}\"; allowed: two integers I,J (column, row), such as --pixel 0,0",
+        "--pixel é \"{text}\"; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0")
 }
 
 /// The name of a file whose extension is neither that of an animation nor that of a picture.
 #[must_use]
 pub fn animation_ending(lang: Lang, name: &str) -> String {
-    match lang {
-        Lang::En => {
-            format!(
-                "{name}: unknown extension; allowed: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)"
-            )
-        }
-        Lang::PtBr => {
-            format!(
-                "{name}: extensão desconhecida; permitido: .gif, .apng (animações), .png, .webp, .jpg (uma tira de quadros)"
-            )
-        }
-    }
+    both!(lang; "{name}: unknown extension; allowed: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)",
+        "{name}: extensão desconhecida; permitido: .gif, .apng (animações), .png, .webp, .jpg (uma tira de quadros)")
 }
 
 /// A source that has no steps for a camera.
@@ -221,14 +184,8 @@ pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
 #[must_use]
 pub fn depth_pixel(lang: Lang, text: &str) -> String {
     let text = escaped(text);
-    match lang {
-        Lang::En => format!(
-            "--depth-pixel is \"{text}\"; allowed: two integers and a number I,J,Z (column, row, depth), such as --depth-pixel 512,384,0.5"
-        ),
-        Lang::PtBr => format!(
-            "--depth-pixel é \"{text}\"; permitido: dois inteiros e um número I,J,Z (coluna, linha, profundidade), como --depth-pixel 512,384,0.5"
-        ),
-    }
+    both!(lang; "--depth-pixel is \"{text}\"; allowed: two integers and a number I,J,Z (column, row, depth), such as --depth-pixel 512,384,0.5",
+        "--depth-pixel é \"{text}\"; permitido: dois inteiros e um número I,J,Z (coluna, linha, profundidade), como --depth-pixel 512,384,0.5")
 }
 
 /// A pixel that the image does not have. It has a ray all the same.
@@ -236,73 +193,47 @@ pub fn depth_pixel(lang: Lang, text: &str) -> String {
 pub fn pixel_outside(lang: Lang, [i, j]: [i64; 2], image: ImageSize) -> String {
     let ImageSize { width, height } = image;
     let (right, bottom) = (i64::from(width) - 1, i64::from(height) - 1);
-    match lang {
-        Lang::En => format!(
-            "--pixel {i},{j} lies outside the image, which has columns 0 to {right} and rows 0 to {bottom}; its ray is printed anyway"
-        ),
-        Lang::PtBr => format!(
-            "--pixel {i},{j} fica fora da imagem, que tem colunas de 0 a {right} e linhas de 0 a {bottom}; o raio é impresso mesmo assim"
-        ),
-    }
+    both!(lang; "--pixel {i},{j} lies outside the image, which has columns 0 to {right} and rows 0 to {bottom}; its ray is printed anyway",
+        "--pixel {i},{j} fica fora da imagem, que tem colunas de 0 a {right} e linhas de 0 a {bottom}; o raio é impresso mesmo assim")
 }
 
 /// A text that is not a size.
 #[must_use]
 pub fn size(lang: Lang, text: &str) -> String {
     let text = escaped(text);
-    match lang {
-        Lang::En => {
-            format!("--size is \"{text}\"; allowed: WxH with integers from 1 to {MAX_SIDE}, such as --size 800x600")
-        }
-        Lang::PtBr => {
-            format!("--size é \"{text}\"; permitido: LxA com inteiros de 1 a {MAX_SIDE}, como --size 800x600")
-        }
-    }
+    both!(lang; "--size is \"{text}\"; allowed: WxH with integers from 1 to {MAX_SIDE}, such as --size 800x600",
+        "--size é \"{text}\"; permitido: LxA com inteiros de 1 a {MAX_SIDE}, como --size 800x600")
 }
 
 /// A text that is no number, or one that an option does not take.
 #[must_use]
 pub fn number(lang: Lang, option: &str, text: &str, range: &RangeInclusive<f64>, example: f64) -> String {
     let (text, least, most) = (escaped(text), range.start(), range.end());
-    match lang {
-        Lang::En => {
-            format!("{option} is \"{text}\"; allowed: a number from {least} to {most}, such as {option} {example}")
-        }
-        Lang::PtBr => {
-            format!("{option} é \"{text}\"; permitido: um número de {least} a {most}, como {option} {example}")
-        }
-    }
+    both!(lang; "{option} is \"{text}\"; allowed: a number from {least} to {most}, such as {option} {example}",
+        "{option} é \"{text}\"; permitido: um número de {least} a {most}, como {option} {example}")
 }
 
 /// A text that is not a number of frames.
 #[must_use]
 pub fn frames(lang: Lang, text: &str) -> String {
     let text = escaped(text);
-    match lang {
-        Lang::En => format!("--frames is \"{text}\"; allowed: an integer from 1 to 1000000, such as --frames 100"),
-        Lang::PtBr => format!("--frames é \"{text}\"; permitido: um inteiro de 1 a 1000000, como --frames 100"),
-    }
+    both!(lang; "--frames is \"{text}\"; allowed: an integer from 1 to 1000000, such as --frames 100",
+        "--frames é \"{text}\"; permitido: um inteiro de 1 a 1000000, como --frames 100")
 }
 
 /// A text that is not a seed.
 #[must_use]
 pub fn seed(lang: Lang, text: &str) -> String {
     let text = escaped(text);
-    match lang {
-        Lang::En => {
-            format!("--seed is \"{text}\"; allowed: an integer from 0 to 18446744073709551615, such as --seed 1")
-        }
-        Lang::PtBr => format!("--seed é \"{text}\"; permitido: um inteiro de 0 a 18446744073709551615, como --seed 1"),
-    }
+    both!(lang; "--seed is \"{text}\"; allowed: an integer from 0 to 18446744073709551615, such as --seed 1",
+        "--seed é \"{text}\"; permitido: um inteiro de 0 a 18446744073709551615, como --seed 1")
 }
 
 /// A file of charts whose extension is not that of a format.
 #[must_use]
 pub fn plot_ending(lang: Lang, path: &str, endings: &str) -> String {
-    match lang {
-        Lang::En => format!("{path}: its extension is not that of a plot format; allowed: {endings}"),
-        Lang::PtBr => format!("{path}: a extensão não é de um formato de gráfico; permitido: {endings}"),
-    }
+    both!(lang; "{path}: its extension is not that of a plot format; allowed: {endings}",
+        "{path}: a extensão não é de um formato de gráfico; permitido: {endings}")
 }
 
 /// The words around the table of stages.
@@ -343,10 +274,7 @@ pub const fn explain(lang: Lang) -> &'static ExplainTexts {
         counted: "Operações com números de ponto flutuante e com inteiros, e números lidos da memória ou escritos nela: contados, \
                   não cronometrados.\nSem contagem (·): o trabalho com objetos inteiros, linhas, marcas e textos.",
     };
-    match lang {
-        Lang::En => &EN,
-        Lang::PtBr => &PT_BR,
-    }
+    pick!(lang; &EN, &PT_BR)
 }
 
 /// A measurement: the picture, the number of triangles and frames, and median, least and 95 % of the times in ms.
@@ -370,41 +298,23 @@ pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, m
 /// A sheet on which so many pictures have no room beside the gaps between them.
 #[must_use]
 pub fn no_room(lang: Lang, count: usize, [width, height]: [u64; 2], gap: u32) -> String {
-    match lang {
-        Lang::En => format!(
-            "{count} pictures with gaps of {gap} pixels do not fit into {width} × {height} pixels; the gaps grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters"
-        ),
-        Lang::PtBr => format!(
-            "{count} imagens com intervalos de {gap} pixels não cabem em {width} × {height} pixels; os intervalos crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores"
-        ),
-    }
+    both!(lang; "{count} pictures with gaps of {gap} pixels do not fit into {width} × {height} pixels; the gaps grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters",
+        "{count} imagens com intervalos de {gap} pixels não cabem em {width} × {height} pixels; os intervalos crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores")
 }
 
 /// A size on paper that is less than a pixel.
 #[must_use]
 pub fn no_pixel(lang: Lang, [option, centimetres]: [&str; 2], dpi: f64) -> String {
     let centimetres = escaped(centimetres);
-    match lang {
-        Lang::En => format!(
-            "{option} {centimetres} is less than one pixel at {dpi} pixels per inch; allowed: a larger {option} or --dpi"
-        ),
-        Lang::PtBr => format!(
-            "{option} {centimetres} é menos de um pixel a {dpi} pixels por polegada; permitido: {option} ou --dpi maior"
-        ),
-    }
+    both!(lang; "{option} {centimetres} is less than one pixel at {dpi} pixels per inch; allowed: a larger {option} or --dpi",
+        "{option} {centimetres} é menos de um pixel a {dpi} pixels por polegada; permitido: {option} ou --dpi maior")
 }
 
 /// A picture that is larger than pictures can be.
 #[must_use]
 pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
-    match lang {
-        Lang::En => format!(
-            "the picture would have {width} × {height} pixels (see --size and --scale); allowed: at most {MAX_SIDE} on each side and 134 million in all"
-        ),
-        Lang::PtBr => format!(
-            "a imagem teria {width} × {height} pixels (veja --size e --scale); permitido: no máximo {MAX_SIDE} de cada lado e 134 milhões ao todo"
-        ),
-    }
+    both!(lang; "the picture would have {width} × {height} pixels (see --size and --scale); allowed: at most {MAX_SIDE} on each side and 134 million in all",
+        "a imagem teria {width} × {height} pixels (veja --size e --scale); permitido: no máximo {MAX_SIDE} de cada lado e 134 milhões ao todo")
 }
 
 /// An ending that is not a picture's.
@@ -412,10 +322,8 @@ pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
 pub fn ending(lang: Lang, name: &str) -> String {
     let name = escaped(name);
     let endings = PictureFormat::ALL.map(|format| format!(".{}", format.ending())).join(", ");
-    match lang {
-        Lang::En => format!("--output is \"{name}\"; allowed: a file name that ends in {endings}"),
-        Lang::PtBr => format!("--output é \"{name}\"; permitido: um nome de arquivo que termina em {endings}"),
-    }
+    both!(lang; "--output is \"{name}\"; allowed: a file name that ends in {endings}",
+        "--output é \"{name}\"; permitido: um nome de arquivo que termina em {endings}")
 }
 
 /// A picture without ground in a format that has none.
@@ -424,21 +332,14 @@ pub fn no_transparency(lang: Lang, format: PictureFormat) -> String {
     let able = PictureFormat::ALL.into_iter().filter(|format| format.has_transparency());
     let endings = able.map(|format| format!(".{}", format.ending())).collect::<Vec<_>>().join(", ");
     let name = format.name();
-    match lang {
-        Lang::En => format!("--transparent: {name} has no transparency; allowed: an --output that ends in {endings}"),
-        Lang::PtBr => {
-            format!("--transparent: {name} não tem transparência; permitido: um --output que termina em {endings}")
-        }
-    }
+    both!(lang; "--transparent: {name} has no transparency; allowed: an --output that ends in {endings}",
+        "--transparent: {name} não tem transparência; permitido: um --output que termina em {endings}")
 }
 
 /// The place where numbers are printed.
 #[must_use]
 pub const fn standard_output(lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => "standard output",
-        Lang::PtBr => "a saída padrão",
-    }
+    pick!(lang; "standard output", "a saída padrão")
 }
 
 /// No display, or no OpenGL.
@@ -450,29 +351,15 @@ pub fn no_window(lang: Lang, why: &str) -> String {
     let reason: Vec<_> = reason.split_whitespace().collect();
     let reason = reason.join(" ");
     let why = reason.trim_end_matches('.');
-    match lang {
-        Lang::En => format!(
-            "no window can be opened here ({why}); `camera-lab render FIGURE -o picture.png` draws without one, and the page camera-lab.html is the same window in a browser"
-        ),
-        Lang::PtBr => format!(
-            "não é possível abrir uma janela aqui ({why}); `camera-lab render FIGURA -o imagem.png` desenha sem janela, e a página camera-lab.html é a mesma janela em um navegador"
-        ),
-    }
+    both!(lang; "no window can be opened here ({why}); `camera-lab render FIGURE -o picture.png` draws without one, and the page camera-lab.html is the same window in a browser",
+        "não é possível abrir uma janela aqui ({why}); `camera-lab render FIGURA -o imagem.png` desenha sem janela, e a página camera-lab.html é a mesma janela em um navegador")
 }
 
 /// A program without a window.
 #[must_use]
 pub fn not_built_in(lang: Lang) -> String {
-    match lang {
-        Lang::En => {
-            "this camera-lab was built without its window; `camera-lab render FIGURE -o picture.png` draws without one"
-                .to_owned()
-        }
-        Lang::PtBr => {
-            "este camera-lab foi compilado sem a janela; `camera-lab render FIGURA -o imagem.png` desenha sem janela"
-                .to_owned()
-        }
-    }
+    both!(lang; "this camera-lab was built without its window; `camera-lab render FIGURE -o picture.png` draws without one",
+        "este camera-lab foi compilado sem a janela; `camera-lab render FIGURA -o imagem.png` desenha sem janela")
 }
 
 #[cfg(test)]

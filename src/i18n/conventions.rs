@@ -32,16 +32,8 @@ pub fn name(lang: Lang, ndc: Ndc) -> String {
 #[must_use]
 pub fn finite_instead(lang: Lang, error: InfiniteParallel) -> String {
     let name = error.0.api.title();
-    match lang {
-        Lang::En => {
-            format!("B → ∞ gives all depths of a parallel projection the same z: {name} is shown with its back plane")
-        }
-        Lang::PtBr => {
-            format!(
-                "B → ∞ dá o mesmo z a todas as profundidades de uma projeção paralela: {name} aparece com seu plano de fundo"
-            )
-        }
-    }
+    both!(lang; "B → ∞ gives all depths of a parallel projection the same z: {name} is shown with its back plane",
+        "B → ∞ dá o mesmo z a todas as profundidades de uma projeção paralela: {name} aparece com seu plano de fundo")
 }
 
 /// The differences of a convention from the one in use, as the reasons for different entries.
@@ -52,10 +44,8 @@ pub fn differences(lang: Lang, ndc: Ndc, compared: Ndc) -> String {
     let number = |depth: f64| lang.mark().number(depth, 2);
     let ([near, far], [other_near, other_far]) = (ndc.depths().map(number), compared.depths().map(number));
     if ndc.depths() != compared.depths() {
-        reasons.push(match lang {
-            Lang::En => format!("z_n goes from {other_near} at F to {other_far}, not from {near} to {far}"),
-            Lang::PtBr => format!("z_n vai de {other_near} em F a {other_far}, e não de {near} a {far}"),
-        });
+        reasons.push(both!(lang; "z_n goes from {other_near} at F to {other_far}, not from {near} to {far}",
+            "z_n vai de {other_near} em F a {other_far}, e não de {near} a {far}"));
     }
     if ndc.y_points_down() != compared.y_points_down() {
         reasons.push(

@@ -112,21 +112,12 @@ pub const fn axes(axes: Axes) -> &'static str {
 #[must_use]
 pub fn reading(lang: Lang, reading: &Reading, by_columns: bool, evidence: Evidence) -> String {
     let (kind, axes) = (kind(lang, reading.kind), axes(reading.axes));
-    let mut said = match lang {
-        Lang::En => format!("Read as {kind}"),
-        Lang::PtBr => format!("Lida como {kind}"),
-    };
+    let mut said = both!(lang; "Read as {kind}", "Lida como {kind}");
     if reading.kind.has_camera_axes() {
-        said += &match lang {
-            Lang::En => format!(" in the axes of {axes}"),
-            Lang::PtBr => format!(" nos eixos de {axes}"),
-        };
+        said += &both!(lang; " in the axes of {axes}", " nos eixos de {axes}");
     }
     if by_columns {
-        said += match lang {
-            Lang::En => ", by columns",
-            Lang::PtBr => ", por colunas",
-        };
+        said += pick!(lang; ", by columns", ", por colunas");
     }
     said + match (lang, evidence) {
         (_, Evidence::Only) => ".",

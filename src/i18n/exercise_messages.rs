@@ -44,28 +44,20 @@ pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
 #[must_use]
 pub fn unknown_ask(lang: Lang, id: &str, name: &str, asks: &[&str]) -> String {
     let (name, asks) = (escaped(name), asks.join(", "));
-    match lang {
-        Lang::En => format!("--answer: {id} does not ask for {name:?}; it asks for: {asks}"),
-        Lang::PtBr => format!("--answer: {id} não pede {name:?}; pede: {asks}"),
-    }
+    both!(lang; "--answer: {id} does not ask for {name:?}; it asks for: {asks}",
+        "--answer: {id} não pede {name:?}; pede: {asks}")
 }
 
 /// The same question answered twice.
 #[must_use]
 pub fn answered_twice(lang: Lang, name: &str) -> String {
-    match lang {
-        Lang::En => format!("--answer: {} is answered twice", escaped(name)),
-        Lang::PtBr => format!("--answer: {} foi respondido duas vezes", escaped(name)),
-    }
+    both!(lang; "--answer: {} is answered twice", "--answer: {} foi respondido duas vezes"; escaped(name))
 }
 
 /// A file of a folder that is no exercise, where the others are used.
 #[must_use]
 pub fn passed_over(lang: Lang, why: &str) -> String {
-    match lang {
-        Lang::En => format!("skipped: {why}"),
-        Lang::PtBr => format!("ignorado: {why}"),
-    }
+    both!(lang; "skipped: {why}", "ignorado: {why}")
 }
 
 /// Why a file was passed over, where others were too.
@@ -88,10 +80,7 @@ pub fn answer_form(lang: Lang, text: &str) -> String {
 /// An answer that cannot be read; it has not been judged.
 #[must_use]
 pub fn unreadable(lang: Lang, name: &str, why: &str) -> String {
-    match lang {
-        Lang::En => format!("--answer {name}: {why}. Nothing was checked"),
-        Lang::PtBr => format!("--answer {name}: {why}. Nada foi conferido"),
-    }
+    both!(lang; "--answer {name}: {why}. Nothing was checked", "--answer {name}: {why}. Nada foi conferido")
 }
 
 /// `--with` that cannot be used.
@@ -118,28 +107,20 @@ pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
 #[must_use]
 pub fn hints_range(lang: Lang, text: &str) -> String {
     let text = escaped(text);
-    match lang {
-        Lang::En => format!("--hints {text}: expected a whole number from 0 to 9"),
-        Lang::PtBr => format!("--hints {text}: esperava-se um número inteiro de 0 a 9"),
-    }
+    both!(lang; "--hints {text}: expected a whole number from 0 to 9",
+        "--hints {text}: esperava-se um número inteiro de 0 a 9")
 }
 
 /// The expected form.
 #[must_use]
 pub const fn name_and_value(lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => "expected NAME=VALUE",
-        Lang::PtBr => "esperava-se NOME=VALOR",
-    }
+    pick!(lang; "expected NAME=VALUE", "esperava-se NOME=VALOR")
 }
 
 /// The expected range.
 #[must_use]
 pub const fn greater_than_zero(lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => "expected a number greater than 0",
-        Lang::PtBr => "esperava-se um número maior que 0",
-    }
+    pick!(lang; "expected a number greater than 0", "esperava-se um número maior que 0")
 }
 
 /// Hints for a wrong answer, weaker ones first; none for a right one.
@@ -161,37 +142,27 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
 /// The number of right entries.
 #[must_use]
 pub fn score(lang: Lang, right: usize, all: usize) -> String {
-    match lang {
-        Lang::En => format!("{right} of {all}"),
-        Lang::PtBr => format!("{right} de {all}"),
-    }
+    both!(lang; "{right} of {all}", "{right} de {all}")
 }
 
 /// A sheet with an ending that cannot be written.
 #[must_use]
 pub fn sheet_ending(lang: Lang, path: &str) -> String {
-    match lang {
-        Lang::En => format!("{path}: unknown extension; allowed: .md, .tex"),
-        Lang::PtBr => format!("{path}: extensão desconhecida; permitido: .md, .tex"),
-    }
+    both!(lang; "{path}: unknown extension; allowed: .md, .tex",
+        "{path}: extensão desconhecida; permitido: .md, .tex")
 }
 
 /// A picture of an exercise that gives none.
 #[must_use]
 pub fn no_picture(lang: Lang, id: &str) -> String {
-    match lang {
-        Lang::En => format!("--picture: {id} has no picture to match"),
-        Lang::PtBr => format!("--picture: {id} não tem imagem a reproduzir"),
-    }
+    both!(lang; "--picture: {id} has no picture to match", "--picture: {id} não tem imagem a reproduzir")
 }
 
 /// A picture with an ending that cannot be written.
 #[must_use]
 pub fn picture_ending(lang: Lang, path: &str) -> String {
-    match lang {
-        Lang::En => format!("--picture {path}: unknown extension; allowed: .png"),
-        Lang::PtBr => format!("--picture {path}: extensão desconhecida; permitido: .png"),
-    }
+    both!(lang; "--picture {path}: unknown extension; allowed: .png",
+        "--picture {path}: extensão desconhecida; permitido: .png")
 }
 
 /// Why an exercise is the next to practise.
@@ -216,8 +187,6 @@ pub fn why(lang: Lang, why: Why) -> String {
 /// The progress is deleted, and still in the file at `path`.
 #[must_use]
 pub fn progress_deleted(lang: Lang, path: &str) -> String {
-    match lang {
-        Lang::En => format!("Progress deleted; the old file is now {path}."),
-        Lang::PtBr => format!("Progresso apagado; o arquivo antigo é agora {path}."),
-    }
+    both!(lang; "Progress deleted; the old file is now {path}.",
+        "Progresso apagado; o arquivo antigo é agora {path}.")
 }

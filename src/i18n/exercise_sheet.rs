@@ -54,10 +54,7 @@ pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pic
 #[must_use]
 pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: PictureOf<'_>) -> String {
     let t = exercise_messages::texts(lang);
-    let babel = match lang {
-        Lang::En => "english",
-        Lang::PtBr => "brazil",
-    };
+    let babel = pick!(lang; "english", "brazil");
     let has_pictures = sheet.iter().any(|exercise| exercise.figure_to_match().is_some());
     let graphics = if has_pictures { "\\usepackage{graphicx}\n" } else { "" };
     let mut text = format!(

@@ -28,10 +28,7 @@ static PT_BR: LazyLock<Texts> = LazyLock::new(|| read(include_str!("../../assets
 
 /// The texts of a language.
 pub(super) fn texts(lang: Lang) -> &'static Texts {
-    match lang {
-        Lang::En => &EN,
-        Lang::PtBr => &PT_BR,
-    }
+    pick!(lang; &EN, &PT_BR)
 }
 
 fn read(text: &'static str) -> Texts {

@@ -99,18 +99,14 @@ pub fn field(lang: Lang, ask: &str, [rows, columns]: [usize; 2], [row, column]: 
 #[must_use]
 pub fn axis_length(lang: Lang, length: f64) -> String {
     let length = lang.mark().number(length, 4);
-    match lang {
-        Lang::En => format!("your vector has length {length}; an axis of a camera has length 1"),
-        Lang::PtBr => format!("seu vetor tem comprimento {length}; um eixo de uma câmera tem comprimento 1"),
-    }
+    both!(lang; "your vector has length {length}; an axis of a camera has length 1",
+        "seu vetor tem comprimento {length}; um eixo de uma câmera tem comprimento 1")
 }
 
 /// An answer is not an axis: its scalar product with **n** is not 0.
 #[must_use]
 pub fn axis_oblique(lang: Lang, product: f64) -> String {
     let product = lang.mark().number(product, 4);
-    match lang {
-        Lang::En => format!("your vector is not perpendicular to n: their scalar product is {product}, not 0"),
-        Lang::PtBr => format!("seu vetor não é perpendicular a n: o produto escalar deles é {product}, não 0"),
-    }
+    both!(lang; "your vector is not perpendicular to n: their scalar product is {product}, not 0",
+        "seu vetor não é perpendicular a n: o produto escalar deles é {product}, não 0")
 }

@@ -162,10 +162,8 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     let told = diagnosis.causes.iter().filter(|found| !beside || found.mistake != Mistake::ArithmeticSlip);
     let mut said: Vec<String> = told.map(|found| cause(lang, ask, *found)[0].to_owned()).collect();
     if !diagnosis.others.is_empty() {
-        let [several, either, or] = match lang {
-            Lang::En => ["More than one mistake gives this.", "Either:", "Or:"],
-            Lang::PtBr => ["Mais de um erro dá este resultado.", "Pode ser este:", "Ou este:"],
-        };
+        let [several, either, or] = pick!(lang; ["More than one mistake gives this.", "Either:", "Or:"],
+            ["Mais de um erro dá este resultado.", "Pode ser este:", "Ou este:"]);
         said.insert(0, format!("{several} {either}"));
         said.extend(diagnosis.others.iter().map(|other| format!("{or} {}", cause(lang, ask, *other)[0])));
     }
@@ -249,10 +247,8 @@ pub fn hints_without_diagnosis(lang: Lang, judged: &Judged, first_step: Option<&
     let right = judged.entries.iter().flatten().filter(|is| **is).count();
     let mut hints = Vec::new();
     if !judged.conditions.is_empty() {
-        hints.push(match lang {
-            Lang::En => format!("{right} of {all} conditions are met; begin with the first that is not."),
-            Lang::PtBr => format!("{right} de {all} condições são satisfeitas; comece pela primeira que não é."),
-        });
+        hints.push(both!(lang; "{right} of {all} conditions are met; begin with the first that is not.",
+            "{right} de {all} condições são satisfeitas; comece pela primeira que não é."));
     } else if all > 1 {
         hints.push(match (lang, right) {
             (Lang::En, 0) => format!("None of the {all} numbers is right."),
@@ -272,10 +268,8 @@ pub fn hints_without_diagnosis(lang: Lang, judged: &Judged, first_step: Option<&
         });
     }
     if hints.is_empty() {
-        hints.push(match lang {
-            Lang::En => "No known mistake gives this answer. Read once more what is asked for.".to_owned(),
-            Lang::PtBr => "Nenhum erro conhecido dá esta resposta. Releia o que se pede.".to_owned(),
-        });
+        hints.push(both!(lang; "No known mistake gives this answer. Read once more what is asked for.",
+            "Nenhum erro conhecido dá esta resposta. Releia o que se pede."));
     }
     hints
 }
@@ -405,10 +399,7 @@ const CAMERA_NAMES: &str = "C, PF, VUP, projection, θ, H, A, F, B, window";
 pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
     match (lang, error) {
         (_, AnswerError::Number { row, column, text, error }) => {
-            let place = match lang {
-                Lang::En => format!("row {}, column {}", row + 1, column + 1),
-                Lang::PtBr => format!("linha {}, coluna {}", row + 1, column + 1),
-            };
+            let place = both!(lang; "row {}, column {}", "linha {}, coluna {}"; row + 1, column + 1);
             format!("{place}: {}: {}", marked(text, &error.span), messages::expression(lang, &error.problem))
         }
         (_, AnswerError::Camera(error)) => exercise_cameras::refused(lang, error),

@@ -93,19 +93,14 @@ texts! {
 #[must_use]
 pub fn entry(lang: Lang, matrix: &str, row: usize, column: usize) -> String {
     let (row, column) = (row + 1, column + 1);
-    match lang {
-        Lang::En => format!("{matrix}, row {row}, column {column}"),
-        Lang::PtBr => format!("{matrix}, linha {row}, coluna {column}"),
-    }
+    both!(lang; "{matrix}, row {row}, column {column}", "{matrix}, linha {row}, coluna {column}")
 }
 
 /// The sum in which an entry occurs, for a point.
 #[must_use]
 pub fn used_in(lang: Lang, point: &str, symbol: &str) -> String {
-    match lang {
-        Lang::En => format!("for {point} it appears in the sum of {symbol}, in the term"),
-        Lang::PtBr => format!("para {point} aparece na soma de {symbol}, no termo"),
-    }
+    both!(lang; "for {point} it appears in the sum of {symbol}, in the term",
+        "para {point} aparece na soma de {symbol}, no termo")
 }
 
 /// The effect of a matrix.
@@ -155,23 +150,14 @@ pub fn in_force(lang: Lang, formulas: &MatrixFormula) -> String {
         ),
         _ => ("the equation of [0]", "a equação de [0]"),
     };
-    match lang {
-        Lang::En => format!("{} {en}", formulas.equation).trim().to_owned(),
-        Lang::PtBr => format!("{} {pt}", formulas.equation).trim().to_owned(),
-    }
+    both!(lang; "{} {en}", "{} {pt}"; formulas.equation).trim().to_owned()
 }
 
 /// A symbol, in a few words.
 #[must_use]
 pub fn symbol(lang: Lang, symbol: Symbol) -> String {
-    let of = |component: Component, en: &str, pt: &str| match lang {
-        Lang::En => format!("{} of {en}", component.letter()),
-        Lang::PtBr => format!("{} de {pt}", component.letter()),
-    };
-    let plain = |en: &str, pt: &str| match lang {
-        Lang::En => en.to_owned(),
-        Lang::PtBr => pt.to_owned(),
-    };
+    let of = |component: Component, en: &str, pt: &str| both!(lang; "{} of {en}", "{} de {pt}"; component.letter());
+    let plain = |en: &str, pt: &str| pick!(lang; en.to_owned(), pt.to_owned());
     match symbol {
         Symbol::Axis(Axis::U, c) => of(c, "u, to the right of the camera", "u, à direita da câmera"),
         Symbol::Axis(Axis::V, c) => of(c, "v, upwards from the camera", "v, para cima da câmera"),
@@ -199,10 +185,8 @@ pub fn symbol(lang: Lang, symbol: Symbol) -> String {
         Symbol::DepthNear => plain("Z of the front plane", "Z do plano da frente"),
         Symbol::DepthFar => plain("Z of the back plane", "Z do plano de fundo"),
         Symbol::Translate(c) => of(c, "the object's translation", "a translação do objeto"),
-        Symbol::Rotate(c) => match lang {
-            Lang::En => format!("the object's rotation about {}", c.letter()),
-            Lang::PtBr => format!("a rotação do objeto em torno de {}", c.letter()),
-        },
+        Symbol::Rotate(c) => both!(lang; "the object's rotation about {}",
+            "a rotação do objeto em torno de {}"; c.letter()),
         Symbol::Scale(c) => of(c, "the object's scale", "a escala do objeto"),
         Symbol::Entry(matrix, row, column) => entry(lang, matrix.text(), row.into(), column.into()),
         Symbol::Local(c) => of(c, "the point, in its object's space", "o ponto, no espaço do objeto"),
@@ -232,10 +216,7 @@ pub const fn decomposition(lang: Lang, decomposition: Decomposition) -> &'static
 /// The matrix of a step; the first is 1.
 #[must_use]
 pub fn factor(lang: Lang, step: usize) -> String {
-    match lang {
-        Lang::En => format!("The matrix of step {step}"),
-        Lang::PtBr => format!("A matriz do passo {step}"),
-    }
+    both!(lang; "The matrix of step {step}", "A matriz do passo {step}")
 }
 
 /// The product of the first steps.
@@ -252,10 +233,7 @@ pub fn product(lang: Lang, steps: usize) -> String {
 /// The handedness of the axes from here on.
 #[must_use]
 pub fn handedness(lang: Lang, hand: &str) -> String {
-    match lang {
-        Lang::En => format!("from here on {hand}: z is reversed"),
-        Lang::PtBr => format!("daqui em diante, {hand}: z se inverte"),
-    }
+    both!(lang; "from here on {hand}: z is reversed", "daqui em diante, {hand}: z se inverte")
 }
 
 /// The product of all steps compared with M_p M_v in the convention in which they end: `ratio` times it, but for
@@ -269,14 +247,8 @@ pub fn comparison(lang: Lang, decomposition: Decomposition, ratio: f64, rest: f6
     let convention = conventions::name(lang, ndc);
     if rest.is_nan() || rest > ROUNDING {
         let rest = number(rest, 2);
-        return match lang {
-            Lang::En => {
-                format!("The product of all steps differs from M_p M_v ({convention}) by {rest} of its greatest entry.")
-            }
-            Lang::PtBr => format!(
-                "O produto de todos os passos difere de M_p M_v ({convention}) em {rest} do seu maior elemento."
-            ),
-        };
+        return both!(lang; "The product of all steps differs from M_p M_v ({convention}) by {rest} of its greatest entry.",
+            "O produto de todos os passos difere de M_p M_v ({convention}) em {rest} do seu maior elemento.");
     }
     let (k, same) = (number(ratio, 5), (ratio - 1.0).abs() <= ROUNDING);
     match (lang, same) {

@@ -79,14 +79,8 @@ pub fn in_shadow(lang: Lang, at: &ShadowAt, digits: usize) -> String {
 pub fn on_texture(lang: Lang, at: &TexelAt, digits: usize) -> String {
     let number = |value: f64| lang.mark().printed(&significant(value, digits));
     let ([u, v], [i, j], [wide, high], object) = (at.uv.map(number), at.texel, at.size, escaped(&at.object));
-    match lang {
-        Lang::En => {
-            format!("On the texture of {object}: u = {u}, v = {v}; texel column {i}, row {j} of {wide} × {high}")
-        }
-        Lang::PtBr => {
-            format!("Na textura de {object}: u = {u}, v = {v}; texel da coluna {i}, linha {j}, de {wide} × {high}")
-        }
-    }
+    both!(lang; "On the texture of {object}: u = {u}, v = {v}; texel column {i}, row {j} of {wide} × {high}",
+        "Na textura de {object}: u = {u}, v = {v}; texel da coluna {i}, linha {j}, de {wide} × {high}")
 }
 
 impl Texts {

@@ -7,10 +7,7 @@ use crate::sanitize::escaped;
 /// Why an expression is not a number, and where in it that shows.
 pub(super) fn in_expression(lang: Lang, text: &str, error: &ExpressionError) -> String {
     let (why, marked) = (expression(lang, &error.problem), expression::marked(text, &error.span));
-    match lang {
-        Lang::En => format!("{why} in {marked}"),
-        Lang::PtBr => format!("{why} em {marked}"),
-    }
+    both!(lang; "{why} in {marked}", "{why} em {marked}")
 }
 
 /// Why an expression is not a number.
@@ -32,19 +29,13 @@ pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
 /// A number is not whole.
 #[must_use]
 pub fn not_whole(lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => "must be a whole number",
-        Lang::PtBr => "tem de ser um número inteiro",
-    }
+    pick!(lang; "must be a whole number", "tem de ser um número inteiro")
 }
 
 /// A field is full.
 #[must_use]
 pub fn at_most_characters(lang: Lang, most: usize) -> String {
-    match lang {
-        Lang::En => format!("at most {most} characters"),
-        Lang::PtBr => format!("no máximo {most} caracteres"),
-    }
+    both!(lang; "at most {most} characters", "no máximo {most} caracteres")
 }
 
 /// A number is outside a range, which may be that of all numbers greater than 0.

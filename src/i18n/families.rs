@@ -74,44 +74,28 @@ pub fn error(lang: Lang, error: &VariationError) -> String {
 #[must_use]
 pub fn columns(lang: Lang, text: &str) -> String {
     let text = escaped(text);
-    match lang {
-        Lang::En => format!("--columns is \"{text}\"; allowed: a whole number from 1 to {MAX_FAMILY}"),
-        Lang::PtBr => format!("--columns é \"{text}\"; permitido: um número inteiro de 1 a {MAX_FAMILY}"),
-    }
+    both!(lang; "--columns is \"{text}\"; allowed: a whole number from 1 to {MAX_FAMILY}",
+        "--columns é \"{text}\"; permitido: um número inteiro de 1 a {MAX_FAMILY}")
 }
 
 /// A number of pictures that no animation has.
 #[must_use]
 pub fn frames(lang: Lang, text: &str) -> String {
     let text = escaped(text);
-    match lang {
-        Lang::En => format!("--frames is \"{text}\"; allowed: a whole number from 2 to {MAX_FRAMES}"),
-        Lang::PtBr => format!("--frames é \"{text}\"; permitido: um número inteiro de 2 a {MAX_FRAMES}"),
-    }
+    both!(lang; "--frames is \"{text}\"; allowed: a whole number from 2 to {MAX_FRAMES}",
+        "--frames é \"{text}\"; permitido: um número inteiro de 2 a {MAX_FRAMES}")
 }
 
 /// A number of variations that a command has no use for.
 #[must_use]
 pub fn variations(lang: Lang, count: usize, most: usize) -> String {
-    match lang {
-        Lang::En => {
-            format!("--vary is given {count} times; allowed: at least once and at most {most} times")
-        }
-        Lang::PtBr => {
-            format!("--vary aparece {count} vezes; permitido: ao menos uma e no máximo {most}")
-        }
-    }
+    both!(lang; "--vary is given {count} times; allowed: at least once and at most {most} times",
+        "--vary aparece {count} vezes; permitido: ao menos uma e no máximo {most}")
 }
 
 /// Rows that would not have the pictures of a figure below one another.
 #[must_use]
 pub fn uneven_rows(lang: Lang, count: usize, columns: usize) -> String {
-    match lang {
-        Lang::En => format!(
-            "{count} figures with several pictures each do not fill rows of {columns}; allowed: a number of columns that divides {count}"
-        ),
-        Lang::PtBr => format!(
-            "{count} figuras com várias imagens cada não enchem linhas de {columns}; permitido: um número de colunas que divida {count}"
-        ),
-    }
+    both!(lang; "{count} figures with several pictures each do not fill rows of {columns}; allowed: a number of columns that divides {count}",
+        "{count} figuras com várias imagens cada não enchem linhas de {columns}; permitido: um número de colunas que divida {count}")
 }

@@ -14,10 +14,7 @@ use crate::sanitize::escaped;
 /// The reason why a text is not a figure: line, key, the value found, the values allowed.
 #[must_use]
 pub fn figure(lang: Lang, error: &FigureError) -> String {
-    let line = match lang {
-        Lang::En => format!("line {}", error.line),
-        Lang::PtBr => format!("linha {}", error.line),
-    };
+    let line = both!(lang; "line {}", "linha {}"; error.line);
     format!("{line}: {}", without_line(lang, error))
 }
 
@@ -52,64 +49,38 @@ pub fn without_line(lang: Lang, error: &FigureError) -> String {
 /// The text after line and key.
 pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
     match problem {
-        Problem::NotUtf8 { byte } => match lang {
-            Lang::En => format!("byte {byte:#04x} is not UTF-8; allowed: text in UTF-8"),
-            Lang::PtBr => format!("o byte {byte:#04x} não é UTF-8; permitido: texto em UTF-8"),
-        },
-        Problem::TooLarge { limit } => match lang {
-            Lang::En => format!("the file is too large; allowed: at most {limit} bytes"),
-            Lang::PtBr => format!("o arquivo é grande demais; permitido: no máximo {limit} bytes"),
-        },
+        Problem::NotUtf8 { byte } => both!(lang; "byte {byte:#04x} is not UTF-8; allowed: text in UTF-8",
+            "o byte {byte:#04x} não é UTF-8; permitido: texto em UTF-8"),
+        Problem::TooLarge { limit } => both!(lang; "the file is too large; allowed: at most {limit} bytes",
+            "o arquivo é grande demais; permitido: no máximo {limit} bytes"),
         Problem::Syntax { found, detail } => {
             let in_portuguese = toml_in_portuguese(detail);
-            match lang {
-                Lang::En => format!(
-                    "cannot be read as TOML: {found} ({detail}); allowed: KEY = VALUE with texts in quotes and a point in decimals, such as near = 0.5"
-                ),
-                Lang::PtBr => format!(
-                    "não pode ser lido como TOML: {found} ({in_portuguese}); permitido: CHAVE = VALOR com textos entre aspas e ponto nos decimais, como near = 0.5"
-                ),
-            }
+            both!(lang; "cannot be read as TOML: {found} ({detail}); allowed: KEY = VALUE with texts in quotes and a point in decimals, such as near = 0.5",
+                "não pode ser lido como TOML: {found} ({in_portuguese}); permitido: CHAVE = VALOR com textos entre aspas e ponto nos decimais, como near = 0.5")
         }
-        Problem::Unquoted { text } => match lang {
-            Lang::En => format!("is {text}; allowed: a number, or an expression in quotes, \"{text}\""),
-            Lang::PtBr => format!("é {text}; permitido: um número, ou uma expressão entre aspas, \"{text}\""),
-        },
-        Problem::Duplicate => match lang {
-            Lang::En => "appears twice; allowed: once".to_owned(),
-            Lang::PtBr => "aparece duas vezes; permitido: uma".to_owned(),
-        },
-        Problem::TooMany { count, limit } => match lang {
-            Lang::En => format!("are {count}; allowed: at most {limit}"),
-            Lang::PtBr => format!("são {count}; permitido: no máximo {limit}"),
-        },
+        Problem::Unquoted { text } => {
+            both!(lang; "is {text}; allowed: a number, or an expression in quotes, \"{text}\"",
+            "é {text}; permitido: um número, ou uma expressão entre aspas, \"{text}\"")
+        }
+        Problem::Duplicate => both!(lang; "appears twice; allowed: once", "aparece duas vezes; permitido: uma"),
+        Problem::TooMany { count, limit } => both!(lang; "are {count}; allowed: at most {limit}",
+            "são {count}; permitido: no máximo {limit}"),
         Problem::UnknownKey { near, known } => {
             let (near, known) = (meant(lang, near.as_deref()), known.join(", "));
-            match lang {
-                Lang::En => format!("is unknown{near}; allowed: {known}"),
-                Lang::PtBr => format!("não existe{near}; permitido: {known}"),
-            }
+            both!(lang; "is unknown{near}; allowed: {known}", "não existe{near}; permitido: {known}")
         }
         Problem::Value { found, allowed } => {
             let allowed = self::allowed(lang, allowed);
-            match lang {
-                Lang::En => format!("is {found}; allowed: {allowed}"),
-                Lang::PtBr => format!("é {found}; permitido: {allowed}"),
-            }
+            both!(lang; "is {found}; allowed: {allowed}", "é {found}; permitido: {allowed}")
         }
         Problem::Expression { text, error, allowed } => {
             let (why, allowed) = (in_expression(lang, text, error), self::allowed(lang, allowed));
-            match lang {
-                Lang::En => format!("is \"{}\": {why}; allowed: {allowed}", escaped(text)),
-                Lang::PtBr => format!("é \"{}\": {why}; permitido: {allowed}", escaped(text)),
-            }
+            both!(lang; "is \"{}\": {why}; allowed: {allowed}",
+                "é \"{}\": {why}; permitido: {allowed}"; escaped(text))
         }
         Problem::Missing { allowed } => {
             let allowed = self::allowed(lang, allowed);
-            match lang {
-                Lang::En => format!("is missing; needed: {allowed}"),
-                Lang::PtBr => format!("está faltando; necessário: {allowed}"),
-            }
+            both!(lang; "is missing; needed: {allowed}", "está faltando; necessário: {allowed}")
         }
         Problem::Formula(error) => formula(lang, error),
         Problem::Scene { error, near } => scene_wording(lang, error).full + &meant(lang, near.as_deref()),
@@ -153,14 +124,8 @@ pub(super) fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaErr
         }
     };
     let formula = escaped(formula);
-    match lang {
-        Lang::En => format!(
-            "has the formula \"${formula}$\": {why}; allowed between dollar signs: mathematics in LaTeX, such as \\frac{{1}}{{2}} and \\theta, and no dollar sign elsewhere"
-        ),
-        Lang::PtBr => format!(
-            "tem a fórmula \"${formula}$\": {why}; permitido entre cifrões: matemática em LaTeX, como \\frac{{1}}{{2}} e \\theta, e nenhum cifrão em outro lugar"
-        ),
-    }
+    both!(lang; "has the formula \"${formula}$\": {why}; allowed between dollar signs: mathematics in LaTeX, such as \\frac{{1}}{{2}} and \\theta, and no dollar sign elsewhere",
+        "tem a fórmula \"${formula}$\": {why}; permitido entre cifrões: matemática em LaTeX, como \\frac{{1}}{{2}} e \\theta, e nenhum cifrão em outro lugar")
 }
 
 /// A character with its number, so that look-alikes can be distinguished.
@@ -177,30 +142,20 @@ fn toml_in_portuguese(detail: &str) -> &str {
 }
 
 pub(super) fn meant(lang: Lang, near: Option<&str>) -> String {
-    near.map(escaped).map_or_else(String::new, |near| match lang {
-        Lang::En => format!(" (did you mean {near}?)"),
-        Lang::PtBr => format!(" (você quis dizer {near}?)"),
+    near.map(escaped).map_or_else(String::new, |near| {
+        both!(lang; " (did you mean {near}?)",
+        " (você quis dizer {near}?)")
     })
 }
 
 fn allowed(lang: Lang, allowed: &Allowed) -> String {
     match allowed {
-        Allowed::Number => match lang {
-            Lang::En => "a finite number".to_owned(),
-            Lang::PtBr => "um número finito".to_owned(),
-        },
-        Allowed::PositiveNumber => match lang {
-            Lang::En => "a finite number greater than 0".to_owned(),
-            Lang::PtBr => "um número finito maior que 0".to_owned(),
-        },
-        Allowed::NumberIn(least, most) => match lang {
-            Lang::En => format!("a number from {least} to {most}"),
-            Lang::PtBr => format!("um número de {least} a {most}"),
-        },
-        Allowed::IntegerIn(least, most) => match lang {
-            Lang::En => format!("an integer from {least} to {most}"),
-            Lang::PtBr => format!("um inteiro de {least} a {most}"),
-        },
+        Allowed::Number => both!(lang; "a finite number", "um número finito"),
+        Allowed::PositiveNumber => both!(lang; "a finite number greater than 0", "um número finito maior que 0"),
+        Allowed::NumberIn(least, most) => both!(lang; "a number from {least} to {most}",
+            "um número de {least} a {most}"),
+        Allowed::IntegerIn(least, most) => both!(lang; "an integer from {least} to {most}",
+            "um inteiro de {least} a {most}"),
         Allowed::Integers(choice) => {
             let choice: Vec<_> = choice.iter().map(ToString::to_string).collect();
             choice.join(", ")
@@ -209,61 +164,31 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         Allowed::SwitchOr(words) => {
             words.iter().fold("true, false".to_owned(), |list, word| format!("{list}, \"{word}\""))
         }
-        Allowed::Vector => match lang {
-            Lang::En => "three finite numbers, [x, y, z]".to_owned(),
-            Lang::PtBr => "três números finitos, [x, y, z]".to_owned(),
-        },
-        Allowed::NonZeroVector => match lang {
-            Lang::En => "three finite numbers, [x, y, z], not all 0".to_owned(),
-            Lang::PtBr => "três números finitos, [x, y, z], nem todos 0".to_owned(),
-        },
-        Allowed::TextureScale => match lang {
-            Lang::En => format!("two numbers, neither 0 and none beyond ±{MAX_TEXTURE_SCALE}"),
-            Lang::PtBr => format!("dois números, nenhum deles 0 nem além de ±{MAX_TEXTURE_SCALE}"),
-        },
-        Allowed::NonZeroScale => match lang {
-            Lang::En => "three finite numbers, [x, y, z], none of them 0".to_owned(),
-            Lang::PtBr => "três números finitos, [x, y, z], nenhum deles 0".to_owned(),
-        },
-        Allowed::Points => match lang {
-            Lang::En => "a list of points, [[x, y, z], …]".to_owned(),
-            Lang::PtBr => "uma lista de pontos, [[x, y, z], …]".to_owned(),
-        },
-        Allowed::PointPairs => match lang {
-            Lang::En => "a list of an even number of points, [[x, y, z], [x, y, z], …]".to_owned(),
-            Lang::PtBr => "uma lista com um número par de pontos, [[x, y, z], [x, y, z], …]".to_owned(),
-        },
-        Allowed::Color => match lang {
-            Lang::En => "\"#rrggbb\" or \"#rrggbbaa\" with hexadecimal digits".to_owned(),
-            Lang::PtBr => "\"#rrggbb\" ou \"#rrggbbaa\" com dígitos hexadecimais".to_owned(),
-        },
-        Allowed::Text => match lang {
-            Lang::En => "a non-empty text in quotes".to_owned(),
-            Lang::PtBr => "um texto entre aspas, não vazio".to_owned(),
-        },
+        Allowed::Vector => both!(lang; "three finite numbers, [x, y, z]", "três números finitos, [x, y, z]"),
+        Allowed::NonZeroVector => both!(lang; "three finite numbers, [x, y, z], not all 0",
+            "três números finitos, [x, y, z], nem todos 0"),
+        Allowed::TextureScale => both!(lang; "two numbers, neither 0 and none beyond ±{MAX_TEXTURE_SCALE}",
+            "dois números, nenhum deles 0 nem além de ±{MAX_TEXTURE_SCALE}"),
+        Allowed::NonZeroScale => both!(lang; "three finite numbers, [x, y, z], none of them 0",
+            "três números finitos, [x, y, z], nenhum deles 0"),
+        Allowed::Points => both!(lang; "a list of points, [[x, y, z], …]", "uma lista de pontos, [[x, y, z], …]"),
+        Allowed::PointPairs => both!(lang; "a list of an even number of points, [[x, y, z], [x, y, z], …]",
+            "uma lista com um número par de pontos, [[x, y, z], [x, y, z], …]"),
+        Allowed::Color => both!(lang; "\"#rrggbb\" or \"#rrggbbaa\" with hexadecimal digits",
+            "\"#rrggbb\" ou \"#rrggbbaa\" com dígitos hexadecimais"),
+        Allowed::Text => both!(lang; "a non-empty text in quotes", "um texto entre aspas, não vazio"),
         Allowed::Word { words, near } => {
             format!("{}{}", quoted(words), meant(lang, near.as_deref()))
         }
-        Allowed::Words(words) => match lang {
-            Lang::En => format!("a list of {}", quoted(words)),
-            Lang::PtBr => format!("uma lista de {}", quoted(words)),
-        },
-        Allowed::TomlValue => match lang {
-            Lang::En => "a TOML value, such as \"clip\", 0.4, [1, 2, 3] or { way = \"notes\", at = 2.5 }".to_owned(),
-            Lang::PtBr => "um valor de TOML, como \"clip\", 0.4, [1, 2, 3] ou { way = \"notes\", at = 2.5 }".to_owned(),
-        },
-        Allowed::Pair => match lang {
-            Lang::En => "[x, y], two numbers".to_owned(),
-            Lang::PtBr => "[x, y], dois números".to_owned(),
-        },
-        Allowed::Pixel => match lang {
-            Lang::En => "[i, j], two whole numbers".to_owned(),
-            Lang::PtBr => "[i, j], dois números inteiros".to_owned(),
-        },
-        Allowed::Matrix => match lang {
-            Lang::En => "[[…], […], […], […]], four rows of four numbers".to_owned(),
-            Lang::PtBr => "[[…], […], […], […]], quatro linhas de quatro números".to_owned(),
-        },
+        Allowed::Words(words) => both!(lang; "a list of {}", "uma lista de {}"; quoted(words)),
+        Allowed::TomlValue => {
+            pick!(lang; "a TOML value, such as \"clip\", 0.4, [1, 2, 3] or { way = \"notes\", at = 2.5 }".to_owned(),
+            "um valor de TOML, como \"clip\", 0.4, [1, 2, 3] ou { way = \"notes\", at = 2.5 }".to_owned())
+        }
+        Allowed::Pair => both!(lang; "[x, y], two numbers", "[x, y], dois números"),
+        Allowed::Pixel => both!(lang; "[i, j], two whole numbers", "[i, j], dois números inteiros"),
+        Allowed::Matrix => both!(lang; "[[…], […], […], […]], four rows of four numbers",
+            "[[…], […], […], […]], quatro linhas de quatro números"),
         Allowed::Bilingual
         | Allowed::BilingualLine { .. }
         | Allowed::ToldList
@@ -271,93 +196,52 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         | Allowed::Line { .. }
         | Allowed::Name { .. }
         | Allowed::FreeName => allowed_text(lang, allowed),
-        Allowed::Operations => match lang {
-            Lang::En => {
-                "a list of operations that this camera can perform, such as [\"azimuth=30\", \"zoom=2\"]".to_owned()
-            }
-            Lang::PtBr => {
-                "uma lista de operações que esta câmera pode executar, como [\"azimuth=30\", \"zoom=2\"]".to_owned()
-            }
-        },
-        Allowed::KeyOfSteps => match lang {
-            Lang::En => "keys or sections that the steps before have, such as [\"show.stage\", \"labels\"]".to_owned(),
-            Lang::PtBr => "chaves ou seções que os passos anteriores têm, como [\"show.stage\", \"labels\"]".to_owned(),
-        },
-        Allowed::Exercise => match lang {
-            Lang::En => "an exercise of the program, as `camera-lab exercise list` names it".to_owned(),
-            Lang::PtBr => "um exercício do programa, como o nomeia `camera-lab exercise list`".to_owned(),
-        },
-        Allowed::Ways => match lang {
-            Lang::En => {
-                "a list of operations and keys that the step's figure can have, such as [\"azimuth=30\", \"camera.near=2\"]"
-                    .to_owned()
-            }
-            Lang::PtBr => {
-                "uma lista de operações e chaves que a figura do passo pode ter, como [\"azimuth=30\", \"camera.near=2\"]"
-                    .to_owned()
-            }
-        },
-        Allowed::Pixels => match lang {
-            Lang::En => "a list of pixels, [[i, j], …], in whole numbers".to_owned(),
-            Lang::PtBr => "uma lista de pixels, [[i, j], …], em números inteiros".to_owned(),
-        },
-        Allowed::Numbers => match lang {
-            Lang::En => "a number or an expression, [a, b, …], or [[…], […], …] with rows of equal length".to_owned(),
-            Lang::PtBr => {
-                "um número ou uma expressão, [a, b, …], ou [[…], […], …] com linhas de mesmo comprimento".to_owned()
-            }
-        },
-        Allowed::Quantity => match lang {
-            Lang::En => {
-                "a path in the output of inspect for this figure, such as \"basis.u\" or \"points.0.ndc\"".to_owned()
-            }
-            Lang::PtBr => {
-                "um caminho na saída de inspect para esta figura, como \"basis.u\" ou \"points.0.ndc\"".to_owned()
-            }
-        },
-        Allowed::NotAbove(key) => match lang {
-            Lang::En => format!("a number that is not above {key}"),
-            Lang::PtBr => format!("um número que não passe de {key}"),
-        },
-        Allowed::Compatible => match lang {
-            Lang::En => "conditions that one figure can meet together".to_owned(),
-            Lang::PtBr => "condições que uma mesma figura possa cumprir juntas".to_owned(),
-        },
-        Allowed::TwoVectors => match lang {
-            Lang::En => {
-                "paths to two vectors in the output of inspect, such as [\"camera.view_up\", \"dop\"]".to_owned()
-            }
-            Lang::PtBr => {
-                "caminhos a dois vetores na saída de inspect, como [\"camera.view_up\", \"dop\"]".to_owned()
-            }
-        },
-        Allowed::Either(one, other) => match lang {
-            Lang::En => format!("either {one} or {other}"),
-            Lang::PtBr => format!("ou {one} ou {other}"),
-        },
+        Allowed::Operations => {
+            both!(lang; "a list of operations that this camera can perform, such as [\"azimuth=30\", \"zoom=2\"]",
+            "uma lista de operações que esta câmera pode executar, como [\"azimuth=30\", \"zoom=2\"]")
+        }
+        Allowed::KeyOfSteps => {
+            both!(lang; "keys or sections that the steps before have, such as [\"show.stage\", \"labels\"]",
+            "chaves ou seções que os passos anteriores têm, como [\"show.stage\", \"labels\"]")
+        }
+        Allowed::Exercise => both!(lang; "an exercise of the program, as `camera-lab exercise list` names it",
+            "um exercício do programa, como o nomeia `camera-lab exercise list`"),
+        Allowed::Ways => {
+            both!(lang; "a list of operations and keys that the step's figure can have, such as [\"azimuth=30\", \"camera.near=2\"]",
+            "uma lista de operações e chaves que a figura do passo pode ter, como [\"azimuth=30\", \"camera.near=2\"]")
+        }
+        Allowed::Pixels => both!(lang; "a list of pixels, [[i, j], …], in whole numbers",
+            "uma lista de pixels, [[i, j], …], em números inteiros"),
+        Allowed::Numbers => {
+            both!(lang; "a number or an expression, [a, b, …], or [[…], […], …] with rows of equal length",
+            "um número ou uma expressão, [a, b, …], ou [[…], […], …] com linhas de mesmo comprimento")
+        }
+        Allowed::Quantity => {
+            both!(lang; "a path in the output of inspect for this figure, such as \"basis.u\" or \"points.0.ndc\"",
+            "um caminho na saída de inspect para esta figura, como \"basis.u\" ou \"points.0.ndc\"")
+        }
+        Allowed::NotAbove(key) => both!(lang; "a number that is not above {key}", "um número que não passe de {key}"),
+        Allowed::Compatible => both!(lang; "conditions that one figure can meet together",
+            "condições que uma mesma figura possa cumprir juntas"),
+        Allowed::TwoVectors => {
+            both!(lang; "paths to two vectors in the output of inspect, such as [\"camera.view_up\", \"dop\"]",
+            "caminhos a dois vetores na saída de inspect, como [\"camera.view_up\", \"dop\"]")
+        }
+        Allowed::Either(one, other) => both!(lang; "either {one} or {other}", "ou {one} ou {other}"),
         Allowed::Choice(choices) => {
             choices.iter().map(|choice| format!("\"{}\"", escaped(choice))).collect::<Vec<_>>().join(", ")
         }
-        Allowed::WrongAnswer => match lang {
-            Lang::En => "a wrong answer, which the message explains".to_owned(),
-            Lang::PtBr => "uma resposta errada, que a mensagem explica".to_owned(),
-        },
-        Allowed::NotePlace => match lang {
-            Lang::En => "[x, y, z] of the world, [x, y] of the picture from 0 to 1, { object = \"…\", vertex = 0 } or { object = \"…\", edge = 0 }".to_owned(),
-            Lang::PtBr => "[x, y, z] do mundo, [x, y] da figura de 0 a 1, { object = \"…\", vertex = 0 } ou { object = \"…\", edge = 0 }".to_owned(),
-        },
-        Allowed::PairIn(least, most) => match lang {
-            Lang::En => format!("two numbers, [x, y], each from {least} to {most}"),
-            Lang::PtBr => format!("dois números, [x, y], cada um de {least} a {most}"),
-        },
-        Allowed::Section => match lang {
-            Lang::En => "a section with keys".to_owned(),
-            Lang::PtBr => "uma seção com chaves".to_owned(),
-        },
-        Allowed::Sections => match lang {
-            Lang::En => "sections in double brackets, or a list of inline tables".to_owned(),
-            Lang::PtBr => "seções entre colchetes duplos, ou uma lista de tabelas em linha".to_owned(),
-        },
+        Allowed::WrongAnswer => both!(lang; "a wrong answer, which the message explains",
+            "uma resposta errada, que a mensagem explica"),
+        Allowed::NotePlace => {
+            pick!(lang; "[x, y, z] of the world, [x, y] of the picture from 0 to 1, { object = \"…\", vertex = 0 } or { object = \"…\", edge = 0 }".to_owned(),
+            "[x, y, z] do mundo, [x, y] da figura de 0 a 1, { object = \"…\", vertex = 0 } ou { object = \"…\", edge = 0 }".to_owned())
+        }
+        Allowed::PairIn(least, most) => both!(lang; "two numbers, [x, y], each from {least} to {most}",
+            "dois números, [x, y], cada um de {least} a {most}"),
+        Allowed::Section => both!(lang; "a section with keys", "uma seção com chaves"),
+        Allowed::Sections => both!(lang; "sections in double brackets, or a list of inline tables",
+            "seções entre colchetes duplos, ou uma lista de tabelas em linha"),
     }
 }
 
@@ -369,10 +253,8 @@ fn quoted(words: &[&str]) -> String {
 fn allowed_text(lang: Lang, allowed: &Allowed) -> String {
     match (lang, allowed) {
         (_, Allowed::BilingualLine { limit }) => {
-            let longest = match lang {
-                Lang::En => format!(", of at most {limit} characters on one line"),
-                Lang::PtBr => format!(", de no máximo {limit} caracteres em uma linha"),
-            };
+            let longest = both!(lang; ", of at most {limit} characters on one line",
+                ", de no máximo {limit} caracteres em uma linha");
             allowed_text(lang, &Allowed::Bilingual) + &longest
         }
         (Lang::En, Allowed::ToldList) => {

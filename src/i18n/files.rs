@@ -78,10 +78,8 @@ pub fn link(lang: Lang, error: ShareError) -> String {
 /// Why a picture cannot be written in a format.
 #[must_use]
 pub fn encoder(lang: Lang, format: &str, why: &str) -> String {
-    match lang {
-        Lang::En => format!("the picture cannot be written as {format} ({why})"),
-        Lang::PtBr => format!("a imagem não pode ser gravada como {format} ({why})"),
-    }
+    both!(lang; "the picture cannot be written as {format} ({why})",
+        "a imagem não pode ser gravada como {format} ({why})")
 }
 
 /// Why a picture cannot be written or read.

@@ -64,8 +64,6 @@ pub fn refused(lang: Lang, error: &LabelTextError) -> String {
 pub fn unknown(lang: Lang, name: &str, near: Option<&str>) -> String {
     let name = escaped(name);
     let meant = figure_files::meant(lang, near);
-    match lang {
-        Lang::En => format!("[labels] names \"{name}\", which no label of the pictures is called{meant}"),
-        Lang::PtBr => format!("[labels] cita \"{name}\", nome que nenhum rótulo das imagens tem{meant}"),
-    }
+    both!(lang; "[labels] names \"{name}\", which no label of the pictures is called{meant}",
+        "[labels] cita \"{name}\", nome que nenhum rótulo das imagens tem{meant}")
 }

@@ -210,28 +210,15 @@ pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
 /// A step was added to a file.
 #[must_use]
 pub fn step_added(lang: Lang, file: &str, number: usize) -> String {
-    match lang {
-        Lang::En => format!("Step {number} was added to {file}"),
-        Lang::PtBr => format!("O passo {number} foi acrescentado a {file}"),
-    }
+    both!(lang; "Step {number} was added to {file}", "O passo {number} foi acrescentado a {file}")
 }
 
 /// Another program has changed the file of the lesson.
 #[must_use]
 pub fn changed_elsewhere(lang: Lang, file: &str) -> String {
     let again = texts(lang).read_again;
-    match lang {
-        Lang::En => {
-            format!(
-                "Another program has changed {file}, so nothing was written into it. “{again}” shows the text that is in the file now"
-            )
-        }
-        Lang::PtBr => {
-            format!(
-                "Outro programa mudou {file}, então nada foi escrito nele. “{again}” mostra o texto que está no arquivo agora"
-            )
-        }
-    }
+    both!(lang; "Another program has changed {file}, so nothing was written into it. “{again}” shows the text that is in the file now",
+        "Outro programa mudou {file}, então nada foi escrito nele. “{again}” mostra o texto que está no arquivo agora")
 }
 
 /// The texts of the recorded step with this number.
@@ -266,10 +253,7 @@ pub fn place(lang: Lang, number: usize, of: usize) -> String {
 pub fn line(lang: Lang, line: &Value) -> String {
     let text = |key: &str| line[key].as_str().unwrap_or_default();
     let minutes = line["minutes"].as_f64().map_or_else(String::new, |minutes| significant(minutes, 3) + " min");
-    let steps = match lang {
-        Lang::En => "steps",
-        Lang::PtBr => "passos",
-    };
+    let steps = pick!(lang; "steps", "passos");
     format!("{:<16} {:>7} {:>3} {steps}   {}\n", text("id"), minutes, line["steps"], text("title"))
 }
 
@@ -296,66 +280,47 @@ pub fn unknown(lang: Lang, id: &str, near: Option<&str>) -> String {
 /// A key of a lesson names another lesson that does not exist.
 #[must_use]
 pub fn no_lesson(lang: Lang, key: &str, id: &str) -> String {
-    match lang {
-        Lang::En => format!("{key}: there is no lesson {:?}", escaped(id)),
-        Lang::PtBr => format!("{key}: não há lição {:?}", escaped(id)),
-    }
+    both!(lang; "{key}: there is no lesson {:?}", "{key}: não há lição {:?}"; escaped(id))
 }
 
 /// A key of a lesson names a note that does not exist.
 #[must_use]
 pub fn no_note(lang: Lang, key: &str, id: &str) -> String {
-    match lang {
-        Lang::En => format!("{key}: there is no note {:?}", escaped(id)),
-        Lang::PtBr => format!("{key}: não há nota {:?}", escaped(id)),
-    }
+    both!(lang; "{key}: there is no note {:?}", "{key}: não há nota {:?}"; escaped(id))
 }
 
 /// A message about a step, from 1.
 #[must_use]
 pub fn of_step(lang: Lang, number: usize, why: &str) -> String {
-    match lang {
-        Lang::En => format!("step {number}: {why}"),
-        Lang::PtBr => format!("passo {number}: {why}"),
-    }
+    both!(lang; "step {number}: {why}", "passo {number}: {why}")
 }
 
 /// There is no step with this number.
 #[must_use]
 pub fn no_step(lang: Lang, found: &str, count: usize) -> String {
     let found = escaped(found);
-    match lang {
-        Lang::En => format!("--step is {found}; allowed: a number from 1 to {count}"),
-        Lang::PtBr => format!("--step é {found}; permitido: um número de 1 a {count}"),
-    }
+    both!(lang; "--step is {found}; allowed: a number from 1 to {count}",
+        "--step é {found}; permitido: um número de 1 a {count}")
 }
 
 /// The goal of a step holds from the start.
 #[must_use]
 pub fn reached_already(lang: Lang, key: &str) -> String {
-    match lang {
-        Lang::En => format!("{key} holds already in the figure of the step; allowed: conditions that do not"),
-        Lang::PtBr => format!("{key} já vale na figura do passo; permitido: condições que ainda não valham"),
-    }
+    both!(lang; "{key} holds already in the figure of the step; allowed: conditions that do not",
+        "{key} já vale na figura do passo; permitido: condições que ainda não valham")
 }
 
 /// The way of a goal does not lead to it.
 #[must_use]
 pub fn not_reached(lang: Lang, key: &str) -> String {
-    match lang {
-        Lang::En => format!("{key} does not lead to where until holds"),
-        Lang::PtBr => format!("{key} não leva até onde until vale"),
-    }
+    both!(lang; "{key} does not lead to where until holds", "{key} não leva até onde until vale")
 }
 
 /// A handout has another number of steps on a page.
 #[must_use]
 pub fn per_page(lang: Lang, found: &str) -> String {
     let found = escaped(found);
-    match lang {
-        Lang::En => format!("--per-page is {found}; allowed: 2 or 4"),
-        Lang::PtBr => format!("--per-page é {found}; permitido: 2 ou 4"),
-    }
+    both!(lang; "--per-page is {found}; allowed: 2 or 4", "--per-page é {found}; permitido: 2 ou 4")
 }
 
 /// An option of handouts with a folder of pictures, or the other way round.
@@ -374,10 +339,8 @@ pub fn unused_option(lang: Lang, option: &str, is_handout: bool) -> String {
 /// Pictures of a lesson are asked for in a file that holds only one.
 #[must_use]
 pub fn output_name(lang: Lang, path: &str) -> String {
-    match lang {
-        Lang::En => format!("{path} would be one picture; allowed: a folder, or a name that ends in .pdf"),
-        Lang::PtBr => format!("{path} seria uma só imagem; permitido: uma pasta, ou um nome que termine em .pdf"),
-    }
+    both!(lang; "{path} would be one picture; allowed: a folder, or a name that ends in .pdf",
+        "{path} seria uma só imagem; permitido: uma pasta, ou um nome que termine em .pdf")
 }
 
 /// All files hold good lessons.

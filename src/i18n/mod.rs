@@ -82,6 +82,27 @@ macro_rules! texts {
     };
 }
 
+/// One of two values of any type, by the language: `pick!(lang; english, portuguese)`.
+macro_rules! pick {
+    ($lang:expr; $en:expr, $pt:expr) => {
+        match $lang {
+            crate::i18n::Lang::En => $en,
+            crate::i18n::Lang::PtBr => $pt,
+        }
+    };
+}
+
+/// A text in one language, with the same values in both: `both!(lang; "{n} objects", "{n} objetos")`. The `;` keeps
+/// rustfmt from giving each argument a line of its own.
+macro_rules! both {
+    ($lang:expr; $en:literal, $pt:literal $(; $($value:tt)*)?) => {
+        match $lang {
+            crate::i18n::Lang::En => format!($en $(, $($value)*)?),
+            crate::i18n::Lang::PtBr => format!($pt $(, $($value)*)?),
+        }
+    };
+}
+
 mod cameras;
 pub mod canvas;
 pub mod coach;
@@ -135,10 +156,7 @@ use crate::numbers::DecimalMark;
 /// A text of a file, in a language.
 #[must_use]
 pub fn told(lang: Lang, text: &Bilingual) -> &str {
-    match lang {
-        Lang::En => &text.en,
-        Lang::PtBr => &text.pt_br,
-    }
+    pick!(lang; &text.en, &text.pt_br)
 }
 
 /// A language of the interface.

@@ -89,10 +89,7 @@ static PT_BR: LazyLock<Vec<Note>> = LazyLock::new(|| read(include_str!("../../as
 /// All notes, in the order in which they are read.
 #[must_use]
 pub fn notes(lang: Lang) -> &'static [Note] {
-    match lang {
-        Lang::En => &EN,
-        Lang::PtBr => &PT_BR,
-    }
+    pick!(lang; &EN, &PT_BR)
 }
 
 /// The note with this identifier.

@@ -95,10 +95,8 @@ pub fn readout(lang: Lang, study: Study, row: &Row, number: impl Fn(f64) -> Stri
     let error = lang.mark().printed(&short(row.error));
     let (unit, bits) = (unit(lang, row.unit), lang.mark().printed(&format!("{:.1}", row.bits)));
     let (parameter, nanos) = (parameter(lang, study), number(row.nanos));
-    match lang {
-        Lang::En => format!("{method}, {parameter} {at}: {unit} {error}, {bits} bits off, {nanos} ns"),
-        Lang::PtBr => format!("{method}, {parameter} {at}: {unit} {error}, {bits} bits errados, {nanos} ns"),
-    }
+    both!(lang; "{method}, {parameter} {at}: {unit} {error}, {bits} bits off, {nanos} ns",
+        "{method}, {parameter} {at}: {unit} {error}, {bits} bits errados, {nanos} ns")
 }
 
 /// The parameter of a study.
@@ -245,10 +243,7 @@ pub fn with_words<T>(lang: Lang, study: Study, with: impl FnOnce(&Words) -> T) -
         error: &|row: &Row| unit(lang, row.unit).to_owned(),
         time: texts(lang).time,
         front: texts(lang).front,
-        at: &|at| match lang {
-            Lang::En => format!("error against time at {}", lang.mark().printed(&value(at))),
-            Lang::PtBr => format!("erro contra tempo em {}", lang.mark().printed(&value(at))),
-        },
+        at: &|at| both!(lang; "error against time at {}", "erro contra tempo em {}"; lang.mark().printed(&value(at))),
         case: &|case| name(lang, case),
         method: &|method| name(lang, method),
     })
@@ -273,17 +268,8 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
     let t = texts(lang);
     let number = |text: &str| lang.mark().typed(text);
     let mut table = format!("{} ({})\n", title(lang, findings.study), findings.study.name());
-    table += &match lang {
-        Lang::En => format!(
-            "Reference: {}. Times: median of warm passes over inputs of {} bytes. * no other method is both as accurate and as fast.\n",
-            findings.reference, findings.working_set
-        ),
-        Lang::PtBr => format!(
-            "Referência: {}. Tempos: mediana de passagens aquecidas sobre entradas de {} bytes. * nenhum outro método é tão exato e tão rápido.\n",
-            reference(findings.study),
-            findings.working_set
-        ),
-    };
+    table += &pick!(lang; format!("Reference: {}. Times: median of warm passes over inputs of {} bytes. * no other method is both as accurate and as fast.\n", findings.reference, findings.working_set),
+        format!("Referência: {}. Tempos: mediana de passagens aquecidas sobre entradas de {} bytes. * nenhum outro método é tão exato e tão rápido.\n", reference(findings.study), findings.working_set));
     let mut last: Option<(&str, f64)> = None;
     for row in &findings.rows {
         if last != Some((&row.case, row.parameter)) {
@@ -311,16 +297,8 @@ pub fn price(lang: Lang, price: &Price) -> String {
     let micros = |nanos: f64| lang.mark().printed(&significant(nanos / 1e3, 3));
     let [(a, b), (c, d)] = [price.numbers, price.frame].map(|cost| (micros(cost.camera_lab), micros(cost.f64)));
     let more = |cost: Cost| lang.mark().printed(&format!("{:.1}", 100.0 * (cost.camera_lab / cost.f64 - 1.0)));
-    match lang {
-        Lang::En => format!(
-            "The cost of the camera model in double-double\n\n  numbers of a figure: {a} µs; textbook formulas in f64: {b} µs\n  a frame of the first scene: {c} µs; with the textbook formulas: {d} µs ({} % more)\n",
-            more(price.frame)
-        ),
-        Lang::PtBr => format!(
-            "O custo do modelo de câmera em precisão dupla-dupla\n\n  números de uma figura: {a} µs; fórmulas do livro em f64: {b} µs\n  um quadro da primeira cena: {c} µs; com as fórmulas do livro: {d} µs ({} % a mais)\n",
-            more(price.frame)
-        ),
-    }
+    both!(lang; "The cost of the camera model in double-double\n\n  numbers of a figure: {a} µs; textbook formulas in f64: {b} µs\n  a frame of the first scene: {c} µs; with the textbook formulas: {d} µs ({} % more)\n",
+        "O custo do modelo de câmera em precisão dupla-dupla\n\n  números de uma figura: {a} µs; fórmulas do livro em f64: {b} µs\n  um quadro da primeira cena: {c} µs; com as fórmulas do livro: {d} µs ({} % a mais)\n"; more(price.frame))
 }
 
 /// An error with its size and little more.

@@ -77,10 +77,7 @@ pub const fn function(call: Call) -> &'static str {
 #[must_use]
 pub fn step(lang: Lang, place: usize, call: Call) -> String {
     let (number, symbol) = (place + 1, call.symbol());
-    match lang {
-        Lang::En => format!("Step {number}: {symbol}"),
-        Lang::PtBr => format!("Passo {number}: {symbol}"),
-    }
+    both!(lang; "Step {number}: {symbol}", "Passo {number}: {symbol}")
 }
 
 /// The effect of a call; `number` writes a number.
@@ -145,10 +142,8 @@ pub fn sentence(lang: Lang, reading: Reading, call: Call, number: impl Fn(f64) -
 #[must_use]
 pub fn unbalanced(lang: Lang, Unbalanced { call }: Unbalanced) -> String {
     let number = call + 1;
-    match lang {
-        Lang::En => format!("Step {number} is a pop, and nothing was pushed before it."),
-        Lang::PtBr => format!("O passo {number} é um pop, e nada foi salvo na pilha antes dele."),
-    }
+    both!(lang; "Step {number} is a pop, and nothing was pushed before it.",
+        "O passo {number} é um pop, e nada foi salvo na pilha antes dele.")
 }
 
 /// The reason why an object alone cannot hold a list, and the remedy: the call at `place`, from 0, comes too late for T

@@ -107,10 +107,7 @@ static LABELS_PT_BR: Labels = of(&PT_BR);
 /// The words of a language.
 #[must_use]
 pub const fn labels(lang: Lang) -> &'static Labels {
-    match lang {
-        Lang::En => &LABELS_EN,
-        Lang::PtBr => &LABELS_PT_BR,
-    }
+    pick!(lang; &LABELS_EN, &LABELS_PT_BR)
 }
 
 /// Three pictures with less room on their paper than their letters want.
@@ -121,26 +118,16 @@ pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
     let size = |size: &[f64; 2]| format!("{} × {} cm", number(&size[0]), number(&size[1]));
     let (smallest, letters, room) = (size(smallest), number(letters), size(room));
     let wanted = lang.mark().number(*wanted, 3);
-    match lang {
-        Lang::En => format!(
-            "the smallest picture is {smallest}, with letters of {letters} pt; letters of {wanted} pt need pictures of at least {room}"
-        ),
-        Lang::PtBr => format!(
-            "a menor imagem tem {smallest}, com letras de {letters} pt; letras de {wanted} pt pedem imagens de pelo menos {room}"
-        ),
-    }
+    both!(lang; "the smallest picture is {smallest}, with letters of {letters} pt; letters of {wanted} pt need pictures of at least {room}",
+        "a menor imagem tem {smallest}, com letras de {letters} pt; letras de {wanted} pt pedem imagens de pelo menos {room}")
 }
 
 /// Letters that are too small on paper.
 #[must_use]
 pub fn tiny_letters(lang: Lang, points: f64) -> String {
     let points = lang.mark().printed(&format!("{points:.1}"));
-    match lang {
-        Lang::En => format!("its letters are {points} pt high on paper; to be read: at least 6 pt (--letters)"),
-        Lang::PtBr => {
-            format!("suas letras têm {points} pt de altura no papel; para serem lidas: ao menos 6 pt (--letters)")
-        }
-    }
+    both!(lang; "its letters are {points} pt high on paper; to be read: at least 6 pt (--letters)",
+        "suas letras têm {points} pt de altura no papel; para serem lidas: ao menos 6 pt (--letters)")
 }
 
 /// The names of the stages, in their order.

@@ -22,10 +22,7 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
         (Lang::PtBr, Stage::Transform) => "transf. de vista",
         (Lang::En, Stage::CullFaces) => "back faces",
         (Lang::PtBr, Stage::CullFaces) => "faces de trás",
-        (Lang::En | Lang::PtBr, Stage::Clip) => match lang {
-            Lang::En => "clipping",
-            Lang::PtBr => "recorte",
-        },
+        (Lang::En | Lang::PtBr, Stage::Clip) => pick!(lang; "clipping", "recorte"),
         (Lang::En, Stage::Oblique) => "oblique window",
         (Lang::PtBr, Stage::Oblique) => "janela oblíqua",
         (Lang::En, Stage::Divide) => "divide by w",
@@ -76,10 +73,8 @@ pub fn line(lang: Lang, report: &StageReport) -> String {
 pub fn cost(lang: Lang, report: &StageReport) -> Option<String> {
     let Operations { float, integer, memory } = report.operations;
     let count = |n: u64| lang.mark().printed(&numbers::count(usize::try_from(n).unwrap_or(usize::MAX)));
-    let [float_name, integer_name, memory_name] = match lang {
-        Lang::En => ["floating-point operations", "integer operations", "memory accesses"],
-        Lang::PtBr => ["operações de ponto flutuante", "operações inteiras", "acessos à memória"],
-    };
+    let [float_name, integer_name, memory_name] = pick!(lang; ["floating-point operations", "integer operations", "memory accesses"],
+        ["operações de ponto flutuante", "operações inteiras", "acessos à memória"]);
     let counted = [(float, float_name), (integer, integer_name), (memory, memory_name)].into_iter();
     let said: Vec<String> = counted.filter(|(n, _)| *n > 0).map(|(n, name)| format!("{} {name}", count(n))).collect();
     (!said.is_empty()).then(|| said.join(", "))
@@ -192,19 +187,13 @@ pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
         (Stage::Lines, _) => ("lines, marks, texts", "linhas, marcas, textos"),
         (Stage::Write, _) => ("pixels", "pixels"),
     };
-    match lang {
-        Lang::En => en,
-        Lang::PtBr => pt_br,
-    }
+    pick!(lang; en, pt_br)
 }
 
 /// "skipped": the mark of a stage that does not run.
 #[must_use]
 pub const fn left_out(lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => "skipped",
-        Lang::PtBr => "omitida",
-    }
+    pick!(lang; "skipped", "omitida")
 }
 
 /// The treatment of an object, and the reason.
@@ -212,47 +201,26 @@ pub const fn left_out(lang: Lang) -> &'static str {
 pub fn object(lang: Lang, report: &ObjectReport) -> String {
     let mut text = match report.containment {
         Containment::Empty => {
-            return match lang {
-                Lang::En => "has no vertices".to_owned(),
-                Lang::PtBr => "não tem vértices".to_owned(),
-            };
+            return both!(lang; "has no vertices", "não tem vértices");
         }
         Containment::Outside(outside) => {
             let names = planes(lang, outside);
-            return match lang {
-                Lang::En => format!("outside: beyond {names}, dropped whole"),
-                Lang::PtBr => format!("fora: além d{names}, descartado por inteiro"),
-            };
+            return both!(lang; "outside: beyond {names}, dropped whole",
+                "fora: além d{names}, descartado por inteiro");
         }
-        Containment::Crosses(0) => match lang {
-            Lang::En => "inside: not clipped".to_owned(),
-            Lang::PtBr => "dentro: sem recorte".to_owned(),
-        },
+        Containment::Crosses(0) => both!(lang; "inside: not clipped", "dentro: sem recorte"),
         Containment::Crosses(crossed) => {
             let names = planes(lang, crossed);
-            match lang {
-                Lang::En => format!("may cross {names}: clipped there"),
-                Lang::PtBr => format!("pode cruzar {names}: recortado ali"),
-            }
+            both!(lang; "may cross {names}: clipped there", "pode cruzar {names}: recortado ali")
         }
     };
     text += match report.faces {
-        FacesDone::NotDrawn => match lang {
-            Lang::En => "; no faces",
-            Lang::PtBr => "; sem faces",
-        },
-        FacesDone::BackDropped => match lang {
-            Lang::En => "; back faces dropped",
-            Lang::PtBr => "; faces de trás descartadas",
-        },
-        FacesDone::BothSides => match lang {
-            Lang::En => "; both sides of its faces may be seen",
-            Lang::PtBr => "; os dois lados das faces podem ser vistos",
-        },
-        FacesDone::CutOpen => match lang {
-            Lang::En => "; the front plane cuts it open, so both sides of its faces may be seen",
-            Lang::PtBr => "; o plano da frente o abre, e os dois lados das faces podem ser vistos",
-        },
+        FacesDone::NotDrawn => pick!(lang; "; no faces", "; sem faces"),
+        FacesDone::BackDropped => pick!(lang; "; back faces dropped", "; faces de trás descartadas"),
+        FacesDone::BothSides => pick!(lang; "; both sides of its faces may be seen",
+            "; os dois lados das faces podem ser vistos"),
+        FacesDone::CutOpen => pick!(lang; "; the front plane cuts it open, so both sides of its faces may be seen",
+            "; o plano da frente o abre, e os dois lados das faces podem ser vistos"),
     };
     text
 }

@@ -48,23 +48,18 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         (Lang::PtBr, 1) => "1 objeto".to_owned(),
         (Lang::PtBr, n) => format!("{n} objetos"),
     };
-    let n_of = |n: usize, of: usize| match lang {
-        Lang::En => format!("{n} of {}", objects(of)),
-        Lang::PtBr => format!("{n} de {}", objects(of)),
-    };
+    let n_of = |n: usize, of: usize| both!(lang; "{n} of {}", "{n} de {}"; objects(of));
     match reason {
         Reason::Always => t.always.to_owned(),
         Reason::NothingInView => t.nothing_in_view.to_owned(),
         Reason::SomethingInView => t.something_in_view.to_owned(),
-        Reason::FacesInView { objects: n } => match lang {
-            Lang::En => format!("faces of {} are in view", objects(n)),
-            Lang::PtBr => format!("há faces de {} no campo de visão", objects(n)),
-        },
+        Reason::FacesInView { objects: n } => both!(lang; "faces of {} are in view",
+            "há faces de {} no campo de visão"; objects(n)),
         Reason::Forced => t.forced.to_owned(),
-        Reason::Outside { outside, of } => match lang {
-            Lang::En => format!("{}: all of the bounding box is outside one plane of the volume", n_of(outside, of)),
-            Lang::PtBr => format!("{}: toda a caixa envolvente está fora de um plano do volume", n_of(outside, of)),
-        },
+        Reason::Outside { outside, of } => {
+            both!(lang; "{}: all of the bounding box is outside one plane of the volume",
+            "{}: toda a caixa envolvente está fora de um plano do volume"; n_of(outside, of))
+        }
         Reason::NoneOutside { of: 0 } => t.no_objects.to_owned(),
         Reason::NoneOutside { of } => match lang {
             Lang::En => match of {
@@ -81,46 +76,26 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::NoLight => t.no_light.to_owned(),
         Reason::Unlit { .. } => t.unlit.to_owned(),
         Reason::FlatShading => t.flat_shading.to_owned(),
-        Reason::LitFaces { objects: n } => match lang {
-            Lang::En => format!("one colour for each face of {}", objects(n)),
-            Lang::PtBr => format!("uma cor para cada face de {}", objects(n)),
-        },
-        Reason::LitVertices { objects: n } => match lang {
-            Lang::En => format!("one colour for each vertex of {}", objects(n)),
-            Lang::PtBr => format!("uma cor para cada vértice de {}", objects(n)),
-        },
-        Reason::LitPixels { objects: n } => match lang {
-            Lang::En => format!("light is computed at each pixel of {}", objects(n)),
-            Lang::PtBr => format!("a luz é calculada em cada pixel de {}", objects(n)),
-        },
-        Reason::LitVerticesAndPixels { vertices, pixels } => match lang {
-            Lang::En => format!(
-                "{} with colours at the vertices: lit there; lit at each pixel of {}",
-                objects(vertices),
-                objects(pixels)
-            ),
-            Lang::PtBr => {
-                format!("{} com cores nos vértices: luz ali; em cada pixel de {}", objects(vertices), objects(pixels))
-            }
-        },
-        Reason::BackFaces { objects: n, of } => match lang {
-            Lang::En => format!("{}: closed or one-sided, so back faces cannot be seen", n_of(n, of)),
-            Lang::PtBr => {
-                format!("{}: em objetos fechados ou de um só lado, as faces de trás não se veem", n_of(n, of))
-            }
-        },
+        Reason::LitFaces { objects: n } => both!(lang; "one colour for each face of {}",
+            "uma cor para cada face de {}"; objects(n)),
+        Reason::LitVertices { objects: n } => both!(lang; "one colour for each vertex of {}",
+            "uma cor para cada vértice de {}"; objects(n)),
+        Reason::LitPixels { objects: n } => both!(lang; "light is computed at each pixel of {}",
+            "a luz é calculada em cada pixel de {}"; objects(n)),
+        Reason::LitVerticesAndPixels { vertices, pixels } => {
+            both!(lang; "{} with colours at the vertices: lit there; lit at each pixel of {}",
+            "{} com cores nos vértices: luz ali; em cada pixel de {}"; objects(vertices), objects(pixels))
+        }
+        Reason::BackFaces { objects: n, of } => both!(lang; "{}: closed or one-sided, so back faces cannot be seen",
+            "{}: em objetos fechados ou de um só lado, as faces de trás não se veem"; n_of(n, of)),
         Reason::BothSidesSeen { .. } => t.both_sides_seen.to_owned(),
-        Reason::CutOpen { objects: n, of } => match lang {
-            Lang::En => {
-                format!("the front plane cuts {} open: the inside may be seen, so nothing is dropped", n_of(n, of))
-            }
-            Lang::PtBr => format!("o plano da frente abre {}: vê-se o interior, e nada é descartado", n_of(n, of)),
-        },
+        Reason::CutOpen { objects: n, of } => {
+            both!(lang; "the front plane cuts {} open: the inside may be seen, so nothing is dropped",
+            "o plano da frente abre {}: vê-se o interior, e nada é descartado"; n_of(n, of))
+        }
         Reason::NoFaceLeft => t.no_face_left.to_owned(),
-        Reason::AllInside { objects: n } => match lang {
-            Lang::En => format!("{}: wholly inside the volume, so there is nothing to cut", objects(n)),
-            Lang::PtBr => format!("{}: por inteiro dentro do volume, logo não há o que cortar", objects(n)),
-        },
+        Reason::AllInside { objects: n } => both!(lang; "{}: wholly inside the volume, so there is nothing to cut",
+            "{}: por inteiro dentro do volume, logo não há o que cortar"; objects(n)),
         Reason::Crossing { objects: n, of, planes: crossed } => match lang {
             Lang::En => match n {
                 1 => format!("{} may cross {}; only it is cut, and only there", n_of(n, of), planes(lang, crossed)),
@@ -136,53 +111,33 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::ParallelProjection => t.parallel_projection.to_owned(),
         Reason::PerspectiveProjection => t.perspective_projection.to_owned(),
         Reason::OneColorAFace => t.one_color_a_face.to_owned(),
-        Reason::VariesOverFaces { objects: n } => match lang {
-            Lang::En => format!("colours vary over the faces of {}", objects(n)),
-            Lang::PtBr => format!("as cores variam sobre as faces de {}", objects(n)),
-        },
+        Reason::VariesOverFaces { objects: n } => both!(lang; "colours vary over the faces of {}",
+            "as cores variam sobre as faces de {}"; objects(n)),
         Reason::ConvexAlone => t.convex_alone.to_owned(),
-        Reason::SeveralObjects { objects: n } => match lang {
-            Lang::En => format!("depth buffer: faces of {} may hide each other", objects(n)),
-            Lang::PtBr => format!("z-buffer: faces de {} podem se esconder", objects(n)),
-        },
+        Reason::SeveralObjects { objects: n } => both!(lang; "depth buffer: faces of {} may hide each other",
+            "z-buffer: faces de {} podem se esconder"; objects(n)),
         Reason::HidesItself => t.hides_itself.to_owned(),
         Reason::LinesAskForDepth => t.lines_ask_for_depth.to_owned(),
         Reason::PaintedByCentroid => t.painted_by_centroid.to_owned(),
         Reason::PaintedBySplitting => t.painted_by_splitting.to_owned(),
         Reason::NoDepthBuffer => t.no_depth_buffer.to_owned(),
-        Reason::TooManyPieces { pieces } => match lang {
-            Lang::En => {
-                format!("depth buffer instead of BSP: splitting stopped at {pieces} pieces, which are too many")
-            }
-            Lang::PtBr => {
-                format!("z-buffer em vez de BSP: a divisão parou em {pieces} pedaços, que são demais")
-            }
-        },
-        Reason::TextureOfOneColor { objects: n } => match lang {
-            Lang::En => format!("a texture of one colour on {}", objects(n)),
-            Lang::PtBr => format!("textura de uma só cor em {}", objects(n)),
-        },
+        Reason::TooManyPieces { pieces } => {
+            both!(lang; "depth buffer instead of BSP: splitting stopped at {pieces} pieces, which are too many",
+            "z-buffer em vez de BSP: a divisão parou em {pieces} pedaços, que são demais")
+        }
+        Reason::TextureOfOneColor { objects: n } => both!(lang; "a texture of one colour on {}",
+            "textura de uma só cor em {}"; objects(n)),
         Reason::NoTexture => t.no_texture.to_owned(),
-        Reason::Textured { objects: n } => match lang {
-            Lang::En => format!("a texture on {}", objects(n)),
-            Lang::PtBr => format!("uma textura sobre {}", objects(n)),
-        },
+        Reason::Textured { objects: n } => both!(lang; "a texture on {}", "uma textura sobre {}"; objects(n)),
         Reason::NoShadows => t.no_shadows.to_owned(),
         Reason::NothingShadowed => t.nothing_shadowed.to_owned(),
-        Reason::Shadowed { objects: n } => match lang {
-            Lang::En => format!("shadows may fall on {}", objects(n)),
-            Lang::PtBr => format!("sombras podem cair sobre {}", objects(n)),
-        },
+        Reason::Shadowed { objects: n } => both!(lang; "shadows may fall on {}",
+            "sombras podem cair sobre {}"; objects(n)),
         Reason::AllOpaque => t.all_opaque.to_owned(),
-        Reason::Translucent { objects: n } => match lang {
-            Lang::En => format!("something shows through {}", objects(n)),
-            Lang::PtBr => format!("algo se vê através de {}", objects(n)),
-        },
+        Reason::Translucent { objects: n } => both!(lang; "something shows through {}",
+            "algo se vê através de {}"; objects(n)),
         Reason::OneSample => t.one_sample.to_owned(),
-        Reason::Samples { samples } => match lang {
-            Lang::En => format!("{samples} samples for each pixel"),
-            Lang::PtBr => format!("{samples} amostras por pixel"),
-        },
+        Reason::Samples { samples } => both!(lang; "{samples} samples for each pixel", "{samples} amostras por pixel"),
         Reason::LinesInView => t.lines_in_view.to_owned(),
         Reason::DepthsShown => t.depths_shown.to_owned(),
         Reason::DividedFirst => t.divided_first.to_owned(),
@@ -193,10 +148,8 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
 /// The names of planes: "left and near", "os planos da esquerda e da frente".
 #[must_use]
 pub fn planes(lang: Lang, planes: PlaneSet) -> String {
-    let names = match lang {
-        Lang::En => ["left", "right", "bottom", "top", "near", "far"],
-        Lang::PtBr => ["da esquerda", "da direita", "de baixo", "de cima", "da frente", "de fundo"],
-    };
+    let names = pick!(lang; ["left", "right", "bottom", "top", "near", "far"],
+        ["da esquerda", "da direita", "de baixo", "de cima", "da frente", "de fundo"]);
     let names: Vec<&str> =
         names.into_iter().enumerate().filter(|(i, _)| planes & (1 << i) != 0).map(|(_, name)| name).collect();
     let [first @ .., last] = names.as_slice() else { return String::new() };

@@ -111,10 +111,8 @@ fn after_path(lang: Lang, path: &str, error: &MeshError) -> String {
 /// The allowed numbers of segments, beside the field.
 #[must_use]
 pub fn segments_allowed(lang: Lang) -> String {
-    match lang {
-        Lang::En => format!("allowed: whole numbers from {MIN_SEGMENTS} to {MAX_SEGMENTS}"),
-        Lang::PtBr => format!("permitido: números inteiros de {MIN_SEGMENTS} a {MAX_SEGMENTS}"),
-    }
+    both!(lang; "allowed: whole numbers from {MIN_SEGMENTS} to {MAX_SEGMENTS}",
+        "permitido: números inteiros de {MIN_SEGMENTS} a {MAX_SEGMENTS}")
 }
 
 #[cfg(test)]

@@ -201,10 +201,7 @@ impl Texts {
 /// The displayed name of an object of a named scene; figure files have the name itself.
 #[must_use]
 pub fn preset_object(lang: Lang, name: &str) -> String {
-    match lang {
-        Lang::En => name.to_owned(),
-        Lang::PtBr => name.split(' ').map(in_portuguese).collect::<Vec<_>>().join(" "),
-    }
+    pick!(lang; name.to_owned(), name.split(' ').map(in_portuguese).collect::<Vec<_>>().join(" "))
 }
 
 fn in_portuguese(word: &str) -> &str {

@@ -7,27 +7,15 @@ use super::Lang;
 /// The rest of a session is in the file at `path`, and cannot be read.
 #[must_use]
 pub fn damaged(lang: Lang, path: &str) -> String {
-    match lang {
-        Lang::En => format!(
-            "The unsaved changes of a window that did not close properly cannot be read. They are kept in {path}"
-        ),
-        Lang::PtBr => format!(
-            "As mudanças não salvas de uma janela que não fechou direito não podem ser lidas. Estão guardadas em {path}"
-        ),
-    }
+    both!(lang; "The unsaved changes of a window that did not close properly cannot be read. They are kept in {path}",
+        "As mudanças não salvas de uma janela que não fechou direito não podem ser lidas. Estão guardadas em {path}")
 }
 
 /// The last session is back without some keys of its figure; the whole is in the file at `path`.
 #[must_use]
 pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
-    match lang {
-        Lang::En => format!(
-            "The last session is restored, but this version does not know {keys}. The whole is kept in {path}; saving asks for another file."
-        ),
-        Lang::PtBr => format!(
-            "A última sessão foi restaurada, mas esta versão não conhece {keys}. Tudo está guardado em {path}; salvar pede outro arquivo."
-        ),
-    }
+    both!(lang; "The last session is restored, but this version does not know {keys}. The whole is kept in {path}; saving asks for another file.",
+        "A última sessão foi restaurada, mas esta versão não conhece {keys}. Tudo está guardado em {path}; salvar pede outro arquivo.")
 }
 
 /// Things that cannot be stored: the session of this window, preferences, progress in exercises; `why` is a sentence
@@ -61,60 +49,35 @@ pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &s
 /// Nothing can be stored, because the system names no folder for it.
 #[must_use]
 pub const fn no_home(lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => {
-            "Preferences and progress are not saved, and changes would be lost in a crash: your account has no home folder"
-        }
-        Lang::PtBr => {
-            "Preferências e progresso não são salvos, e mudanças se perderiam em uma falha do programa: sua conta não tem pasta pessoal"
-        }
-    }
+    pick!(lang; "Preferences and progress are not saved, and changes would be lost in a crash: your account has no home folder",
+        "Preferências e progresso não são salvos, e mudanças se perderiam em uma falha do programa: sua conta não tem pasta pessoal")
 }
 
 /// All slots hold sessions of other windows.
 #[must_use]
 pub fn no_slot(lang: Lang, slots: usize) -> String {
-    match lang {
-        Lang::En => format!(
-            "Changes in this window would be lost in a crash: there are already {slots} unsaved windows. Restore or discard what is listed."
-        ),
-        Lang::PtBr => format!(
-            "Mudanças desta janela se perderiam em uma falha do programa: já há {slots} janelas não salvas. Restaure ou descarte o que está na lista."
-        ),
-    }
+    both!(lang; "Changes in this window would be lost in a crash: there are already {slots} unsaved windows. Restore or discard what is listed.",
+        "Mudanças desta janela se perderiam em uma falha do programa: já há {slots} janelas não salvas. Restaure ou descarte o que está na lista.")
 }
 
 /// The preferences cannot be understood; they are in the file at `path` now.
 #[must_use]
 pub fn preferences_set_aside(lang: Lang, path: &str) -> String {
-    match lang {
-        Lang::En => format!("The preferences cannot be read. They are kept in {path}; new ones are started."),
-        Lang::PtBr => {
-            format!("As preferências não podem ser lidas. Estão guardadas em {path}; outras são iniciadas.")
-        }
-    }
+    both!(lang; "The preferences cannot be read. They are kept in {path}; new ones are started.",
+        "As preferências não podem ser lidas. Estão guardadas em {path}; outras são iniciadas.")
 }
 
 /// The progress in exercises cannot be read; it is in the file at `path` now.
 #[must_use]
 pub fn progress_set_aside(lang: Lang, path: &str) -> String {
-    match lang {
-        Lang::En => {
-            format!("Your progress in exercises cannot be read. It is kept in {path}; a new one is started.")
-        }
-        Lang::PtBr => {
-            format!("Seu progresso nos exercícios não pode ser lido. Está guardado em {path}; outro é iniciado.")
-        }
-    }
+    both!(lang; "Your progress in exercises cannot be read. It is kept in {path}; a new one is started.",
+        "Seu progresso nos exercícios não pode ser lido. Está guardado em {path}; outro é iniciado.")
 }
 
 /// Of several files that were dropped at once, only the first was taken.
 #[must_use]
 pub fn first_of_dropped(lang: Lang, path: &str, count: usize) -> String {
-    match lang {
-        Lang::En => format!("Of {count} files, the window opens one: {path}"),
-        Lang::PtBr => format!("De {count} arquivos, a janela abre um: {path}"),
-    }
+    both!(lang; "Of {count} files, the window opens one: {path}", "De {count} arquivos, a janela abre um: {path}")
 }
 
 /// The age of something.

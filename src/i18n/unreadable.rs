@@ -50,10 +50,8 @@ pub(super) fn read_problem(lang: Lang, problem: &ReadProblem) -> String {
 #[must_use]
 pub fn without_colors(lang: Lang, error: &ReadError) -> String {
     let why = unreadable(lang, error);
-    match lang {
-        Lang::En => format!("{why}; the mesh is drawn without the colours of its materials"),
-        Lang::PtBr => format!("{why}; a malha é desenhada sem as cores de seus materiais"),
-    }
+    both!(lang; "{why}; the mesh is drawn without the colours of its materials",
+        "{why}; a malha é desenhada sem as cores de seus materiais")
 }
 
 /// The error of the system, in our words; an unusual one by its number.
