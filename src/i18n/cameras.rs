@@ -23,21 +23,12 @@ pub fn camera(lang: Lang, error: &CameraError) -> String {
 pub(super) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
     let english = |in_symbols: &str| Wording::new(error.to_string(), in_symbols);
     match (lang, error) {
-        (Lang::En, CameraError::FocalPointAtPosition) => english("PF must differ from C"),
-        (Lang::PtBr, CameraError::FocalPointAtPosition) => Wording::new(
-            "focal_point é o mesmo ponto que position; permitido: qualquer outro ponto",
-            "PF tem de ser diferente de C",
-        ),
-        (Lang::En, CameraError::ViewUpZero) => english("VUP must not be zero"),
-        (Lang::PtBr, CameraError::ViewUpZero) => Wording::new(
-            "view_up é o vetor nulo; permitido: qualquer outro vetor não colinear com focal_point − position",
-            "VUP não pode ser nulo",
-        ),
-        (Lang::En, CameraError::ViewUpCollinear) => english("VUP must not be collinear with DOP = PF − C"),
-        (Lang::PtBr, CameraError::ViewUpCollinear) => Wording::new(
-            "view_up é colinear com focal_point − position; permitido: qualquer vetor que aponte para outro lado",
-            "VUP não pode ser colinear com DOP = PF − C",
-        ),
+        (_, CameraError::FocalPointAtPosition) => pick!(lang; english("PF must differ from C"),
+            Wording::new("focal_point é o mesmo ponto que position; permitido: qualquer outro ponto", "PF tem de ser diferente de C")),
+        (_, CameraError::ViewUpZero) => pick!(lang; english("VUP must not be zero"),
+            Wording::new("view_up é o vetor nulo; permitido: qualquer outro vetor não colinear com focal_point − position", "VUP não pode ser nulo")),
+        (_, CameraError::ViewUpCollinear) => pick!(lang; english("VUP must not be collinear with DOP = PF − C"),
+            Wording::new("view_up é colinear com focal_point − position; permitido: qualquer vetor que aponte para outro lado", "VUP não pode ser colinear com DOP = PF − C")),
         (_, CameraError::OutOfRange { key, value, allowed }) => {
             let allowed = range(lang, *allowed);
             let symbol = key.symbol();
@@ -76,37 +67,31 @@ fn way_out(key: Checked, value: f64) -> &'static str {
 
 fn range(lang: Lang, range: Range) -> Wording {
     let english = |in_symbols: &str| Wording::new(range.to_string(), in_symbols);
-    match (lang, range) {
-        (Lang::En, Range::Finite) => english("a finite number"),
-        (Lang::PtBr, Range::Finite) => Wording::new("um número finito", "um número finito"),
-        (Lang::En, Range::Positive) => english("greater than 0"),
-        (Lang::PtBr, Range::Positive) => Wording::new("um número finito maior que 0", "maior que 0"),
-        (Lang::En, Range::HalfTurn) => english("greater than 0° and less than 180°"),
-        (Lang::PtBr, Range::HalfTurn) => {
-            Wording::new("maior que 0 e menor que 180 graus", "maior que 0° e menor que 180°")
-        }
+    match range {
+        Range::Finite => pick!(lang; english("a finite number"),
+            Wording::new("um número finito", "um número finito")),
+        Range::Positive => pick!(lang; english("greater than 0"),
+            Wording::new("um número finito maior que 0", "maior que 0")),
+        Range::HalfTurn => pick!(lang; english("greater than 0° and less than 180°"),
+            Wording::new("maior que 0 e menor que 180 graus", "maior que 0° e menor que 180°")),
     }
 }
 
 fn derived(lang: Lang, quantity: Derived) -> Wording {
     let english = |in_symbols: &str| Wording::new(quantity.to_string(), in_symbols);
-    match (lang, quantity) {
-        (Lang::En, Derived::Distance) => english("The distance D"),
-        (Lang::PtBr, Derived::Distance) => Wording::new("a distância de position a focal_point", "A distância D"),
-        (Lang::En, Derived::Window) => english("The view window"),
-        (Lang::PtBr, Derived::Window) => Wording::new("a janela de vista", "A janela de vista"),
-        (Lang::En, Derived::ViewMatrix) => english("The view matrix"),
-        (Lang::PtBr, Derived::ViewMatrix) => Wording::new("a matriz de vista", "A matriz de vista"),
-        (Lang::En, Derived::ProjectionMatrix) => english("The projection matrix"),
-        (Lang::PtBr, Derived::ProjectionMatrix) => Wording::new("a matriz de projeção", "A matriz de projeção"),
-        (Lang::En, Derived::ViewProjectionMatrix) => english("The product of the matrices"),
-        (Lang::PtBr, Derived::ViewProjectionMatrix) => {
-            Wording::new("o produto das matrizes de projeção e de vista", "O produto das matrizes")
-        }
-        (Lang::En, Derived::VolumeCorners) => english("A corner of the view volume"),
-        (Lang::PtBr, Derived::VolumeCorners) => {
-            Wording::new("os vértices do volume de vista", "Um canto do volume de vista")
-        }
+    match quantity {
+        Derived::Distance => pick!(lang; english("The distance D"),
+            Wording::new("a distância de position a focal_point", "A distância D")),
+        Derived::Window => pick!(lang; english("The view window"),
+            Wording::new("a janela de vista", "A janela de vista")),
+        Derived::ViewMatrix => pick!(lang; english("The view matrix"),
+            Wording::new("a matriz de vista", "A matriz de vista")),
+        Derived::ProjectionMatrix => pick!(lang; english("The projection matrix"),
+            Wording::new("a matriz de projeção", "A matriz de projeção")),
+        Derived::ViewProjectionMatrix => pick!(lang; english("The product of the matrices"),
+            Wording::new("o produto das matrizes de projeção e de vista", "O produto das matrizes")),
+        Derived::VolumeCorners => pick!(lang; english("A corner of the view volume"),
+            Wording::new("os vértices do volume de vista", "Um canto do volume de vista")),
     }
 }
 
@@ -214,31 +199,12 @@ pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
     let english = |in_symbols: String| Wording::new(warning.to_string(), in_symbols);
     let printed = |number: String| lang.mark().printed(&number);
     match (lang, warning) {
-        (Lang::En, Warning::ViewUpNearlyCollinear { degrees }) => {
-            english(format!("VUP is only {degrees:.2e}° away from DOP: its last digits decide where up is"))
-        }
-        (Lang::PtBr, Warning::ViewUpNearlyCollinear { degrees }) => Wording::new(
-            format!(
-                "view_up está a apenas {degrees:.3e} graus da direção de projeção: seus últimos dígitos decidem o que fica para cima"
-            ),
-            format!(
-                "VUP está a só {degrees}° de DOP: seus últimos dígitos decidem onde é em cima",
-                degrees = printed(format!("{degrees:.2e}"))
-            ),
-        ),
-        (Lang::En, Warning::DepthPrecision { ratio, step }) => english(format!(
-            "B/F is {ratio:.2e}: at the back plane a 24-bit depth buffer cannot tell apart depths that differ by less than {step:.2e}; move F away from the camera"
-        )),
-        (Lang::PtBr, Warning::DepthPrecision { ratio, step }) => Wording::new(
-            format!(
-                "far / near é {ratio:.3e}: um z-buffer de 24 bits não distingue profundidades que diferem menos de {step:.3e} no plano de fundo; afaste near da câmera"
-            ),
-            format!(
-                "B/F é {ratio}: um z-buffer de 24 bits não distingue, no fundo, profundidades a menos de {step}; afaste F da câmera",
-                ratio = printed(format!("{ratio:.2e}")),
-                step = printed(format!("{step:.2e}"))
-            ),
-        ),
+        (_, Warning::ViewUpNearlyCollinear { degrees }) => pick!(lang;
+            english(format!("VUP is only {degrees:.2e}° away from DOP: its last digits decide where up is")),
+            Wording::new(format!("view_up está a apenas {degrees:.3e} graus da direção de projeção: seus últimos dígitos decidem o que fica para cima"), format!("VUP está a só {degrees}° de DOP: seus últimos dígitos decidem onde é em cima", degrees = printed(format!("{degrees:.2e}"))))),
+        (_, Warning::DepthPrecision { ratio, step }) => pick!(lang;
+            english(format!("B/F is {ratio:.2e}: at the back plane a 24-bit depth buffer cannot tell apart depths that differ by less than {step:.2e}; move F away from the camera")),
+            Wording::new(format!("far / near é {ratio:.3e}: um z-buffer de 24 bits não distingue profundidades que diferem menos de {step:.3e} no plano de fundo; afaste near da câmera"), format!("B/F é {ratio}: um z-buffer de 24 bits não distingue, no fundo, profundidades a menos de {step}; afaste F da câmera", ratio = printed(format!("{ratio:.2e}")), step = printed(format!("{step:.2e}"))))),
         (Lang::En, Warning::FocalPointClipped { .. }) => {
             english("PF is not between F and B: what the camera looks at is clipped away".to_owned())
         }
@@ -248,40 +214,14 @@ pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
             ),
             "PF não está entre F e B: o que a câmera olha é recortado",
         ),
-        (Lang::En, Warning::WideAngle { degrees }) => {
-            english(format!("The window spans {degrees:.1}°: everything is stretched towards its borders"))
-        }
-        (Lang::PtBr, Warning::WideAngle { degrees }) => Wording::new(
-            format!("a janela abrange {degrees:.6} graus: perto das bordas tudo fica esticado"),
-            format!(
-                "A janela abrange {degrees}°: perto das bordas tudo se estica",
-                degrees = printed(format!("{degrees:.1}"))
-            ),
-        ),
-        (Lang::En, Warning::FarFromOrigin { ratio, digits }) => english(format!(
-            "The camera is {ratio:.2e} times farther from the origin than from PF: only {digits} of 15 digits are left for what it sees"
-        )),
-        (Lang::PtBr, Warning::FarFromOrigin { ratio, digits }) => Wording::new(
-            format!(
-                "a câmera está {ratio:.3e} vezes mais longe da origem que de focal_point: restam só {digits} de 15 dígitos para o que ela vê"
-            ),
-            format!(
-                "A câmera está {ratio} vezes mais longe da origem que de PF: só {digits} de 15 dígitos sobram para o que ela vê",
-                ratio = printed(format!("{ratio:.2e}"))
-            ),
-        ),
-        (Lang::En, Warning::AspectMismatch { window, image }) => {
-            english(format!("The window has aspect {window:.4} and the image {image:.4}: shapes are stretched"))
-        }
-        (Lang::PtBr, Warning::AspectMismatch { window, image }) => Wording::new(
-            format!(
-                "a janela de vista tem razão de aspecto {window:.6} e a imagem {image:.6}: as formas são esticadas"
-            ),
-            format!(
-                "A janela tem aspecto {window} e a imagem {image}: as formas se esticam",
-                window = printed(format!("{window:.4}")),
-                image = printed(format!("{image:.4}"))
-            ),
-        ),
+        (_, Warning::WideAngle { degrees }) => pick!(lang;
+            english(format!("The window spans {degrees:.1}°: everything is stretched towards its borders")),
+            Wording::new(format!("a janela abrange {degrees:.6} graus: perto das bordas tudo fica esticado"), format!("A janela abrange {degrees}°: perto das bordas tudo se estica", degrees = printed(format!("{degrees:.1}"))))),
+        (_, Warning::FarFromOrigin { ratio, digits }) => pick!(lang;
+            english(format!("The camera is {ratio:.2e} times farther from the origin than from PF: only {digits} of 15 digits are left for what it sees")),
+            Wording::new(format!("a câmera está {ratio:.3e} vezes mais longe da origem que de focal_point: restam só {digits} de 15 dígitos para o que ela vê"), format!("A câmera está {ratio} vezes mais longe da origem que de PF: só {digits} de 15 dígitos sobram para o que ela vê", ratio = printed(format!("{ratio:.2e}"))))),
+        (_, Warning::AspectMismatch { window, image }) => pick!(lang;
+            english(format!("The window has aspect {window:.4} and the image {image:.4}: shapes are stretched")),
+            Wording::new(format!("a janela de vista tem razão de aspecto {window:.6} e a imagem {image:.6}: as formas são esticadas"), format!("A janela tem aspecto {window} e a imagem {image}: as formas se esticam", window = printed(format!("{window:.4}")), image = printed(format!("{image:.4}"))))),
     }
 }

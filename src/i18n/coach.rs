@@ -77,18 +77,13 @@ pub fn camera_is(lang: Lang, level: Level) -> String {
 /// The judged quantity, in a few words.
 #[must_use]
 pub const fn quantity(lang: Lang, quantity: HealthQuantity) -> &'static str {
-    match (lang, quantity) {
-        (Lang::En, HealthQuantity::VupAngle) => "angle between VUP and DOP",
-        (Lang::PtBr, HealthQuantity::VupAngle) => "ângulo entre VUP e DOP",
-        (_, HealthQuantity::FarNearRatio) => "B / F",
-        (Lang::En, HealthQuantity::DepthResolution) => "depth resolution",
-        (Lang::PtBr, HealthQuantity::DepthResolution) => "resolução em profundidade",
-        (Lang::En, HealthQuantity::PositionDigits) => "digits left",
-        (Lang::PtBr, HealthQuantity::PositionDigits) => "dígitos que restam",
-        (Lang::En, HealthQuantity::VolumeShape) => "shape of the volume",
-        (Lang::PtBr, HealthQuantity::VolumeShape) => "forma do volume",
-        (Lang::En, HealthQuantity::ViewAngle) => "view angle θ",
-        (Lang::PtBr, HealthQuantity::ViewAngle) => "ângulo de vista θ",
+    match quantity {
+        HealthQuantity::VupAngle => pick!(lang; "angle between VUP and DOP", "ângulo entre VUP e DOP"),
+        HealthQuantity::FarNearRatio => "B / F",
+        HealthQuantity::DepthResolution => pick!(lang; "depth resolution", "resolução em profundidade"),
+        HealthQuantity::PositionDigits => pick!(lang; "digits left", "dígitos que restam"),
+        HealthQuantity::VolumeShape => pick!(lang; "shape of the volume", "forma do volume"),
+        HealthQuantity::ViewAngle => pick!(lang; "view angle θ", "ângulo de vista θ"),
     }
 }
 
@@ -242,21 +237,18 @@ pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &Sce
         let sentence = wrong_pixels(lang, finding.cause, pixels);
         return if names.is_empty() { sentence } else { format!("{}: {sentence}", listed(lang, &names)) };
     }
-    match (lang, finding.cause) {
-        (Lang::En, Cause::EmptyScene) => return "The scene is empty: there is nothing to draw.".to_owned(),
-        (Lang::PtBr, Cause::EmptyScene) => return "A cena está vazia: não há o que desenhar.".to_owned(),
-        (Lang::En, Cause::NotCompared) => {
-            return "The image has too many pixels or faces to be compared with exact visibility.".to_owned();
+    match finding.cause {
+        Cause::EmptyScene => {
+            return both!(lang; "The scene is empty: there is nothing to draw.", "A cena está vazia: não há o que desenhar.");
         }
-        (Lang::PtBr, Cause::NotCompared) => {
-            return "A imagem tem pixels ou faces demais para ser comparada com a visibilidade exata.".to_owned();
+        Cause::NotCompared => {
+            return both!(lang; "The image has too many pixels or faces to be compared with exact visibility.",
+                "A imagem tem pixels ou faces demais para ser comparada com a visibilidade exata.");
         }
         _ => {}
     }
-    let said = |partly| {
-        pick!(lang; english(finding.cause, partly, diagnosis),
-        portuguese(finding.cause, partly, diagnosis))
-    };
+    let said =
+        |partly| pick!(lang; english(finding.cause, partly, diagnosis), portuguese(finding.cause, partly, diagnosis));
     let (whole, in_part) = (said(false), said(true));
     let [lost, cut] = [&finding.whole, &finding.partly]
         .map(|names| names.iter().map(|name| object_name(lang, name, scene)).collect::<Vec<_>>());
@@ -280,16 +272,13 @@ fn object_name(lang: Lang, name: &str, scene: &SceneSpec) -> String {
 /// The equation that has no result, and why.
 fn impossible_camera(lang: Lang, error: &CameraError) -> String {
     let reason = match (lang, error) {
-        (Lang::En, CameraError::ViewUpZero | CameraError::ViewUpCollinear) => {
-            "u = VUP × n / |VUP × n| (5.3) has no direction: "
-        }
-        (Lang::PtBr, CameraError::ViewUpZero | CameraError::ViewUpCollinear) => {
-            "u = VUP × n / |VUP × n| (5.3) não tem direção: "
-        }
-        (Lang::En, CameraError::FocalPointAtPosition) => "DOP = PF − C has no direction: ",
-        (Lang::PtBr, CameraError::FocalPointAtPosition) => "DOP = PF − C não tem direção: ",
-        (Lang::En, CameraError::FarNotBeyondNear { .. }) => "The view volume from F to B is empty: ",
-        (Lang::PtBr, CameraError::FarNotBeyondNear { .. }) => "O volume de vista entre F e B está vazio: ",
+        (_, CameraError::ViewUpZero | CameraError::ViewUpCollinear) => pick!(lang;
+            "u = VUP × n / |VUP × n| (5.3) has no direction: ",
+            "u = VUP × n / |VUP × n| (5.3) não tem direção: "),
+        (_, CameraError::FocalPointAtPosition) => pick!(lang; "DOP = PF − C has no direction: ",
+            "DOP = PF − C não tem direção: "),
+        (_, CameraError::FarNotBeyondNear { .. }) => pick!(lang; "The view volume from F to B is empty: ",
+            "O volume de vista entre F e B está vazio: "),
         _ => "",
     };
     format!("{reason}{}.", super::cameras::camera_wording(lang, error).in_symbols)
@@ -301,39 +290,22 @@ fn wrong_pixels(lang: Lang, cause: Cause, pixels: WrongPixels) -> String {
     let share = lang.mark().number(100.0 * pixels.share(), 3);
     let count = both!(lang; "{share} % of the compared pixels ({wrong} of {of})",
         "{share} % dos pixels comparados ({wrong} de {of})");
-    match (lang, cause) {
-        (Lang::En, Cause::WrongOrder) => format!(
-            "{count} show a farther face in front of a nearer one, because faces are painted in the order of their centroids."
-        ),
-        (Lang::PtBr, Cause::WrongOrder) => format!(
-            "{count} mostram uma face mais distante na frente de uma mais próxima, porque as faces são pintadas na ordem de seus centroides."
-        ),
-        (Lang::En, Cause::ShadowAcne) => {
-            format!(
-                "{count} that face a light lie in their own shadow (shadow acne). The bias of the shadow map is too small."
-            )
-        }
-        (Lang::PtBr, Cause::ShadowAcne) => format!(
-            "{count} voltados para uma luz estão em sua própria sombra (acne de sombras). A folga do mapa de sombras é pequena demais."
-        ),
-        (Lang::En, Cause::ShadowDetached) => format!(
-            "{count} that face a light are lit although something blocks it: the shadow is detached from its object. The bias of the shadow map is too large."
-        ),
-        (Lang::PtBr, Cause::ShadowDetached) => format!(
-            "{count} voltados para uma luz estão iluminados, embora algo a bloqueie: a sombra se descola do objeto. A folga do mapa de sombras é grande demais."
-        ),
-        (Lang::En, Cause::AffineTexture) => {
-            format!("{count} show the wrong part of a texture, because it is interpolated without w.")
-        }
-        (Lang::PtBr, Cause::AffineTexture) => {
-            format!("{count} mostram a parte errada de uma textura, porque ela é interpolada sem w.")
-        }
-        (Lang::En, _) => format!(
-            "{count} show a farther face in front of a nearer one, because the depth format can't tell their depths apart."
-        ),
-        (Lang::PtBr, _) => format!(
-            "{count} mostram uma face mais distante na frente de uma mais próxima, porque o formato de profundidade não distingue as duas."
-        ),
+    match cause {
+        Cause::WrongOrder => both!(lang;
+            "{count} show a farther face in front of a nearer one, because faces are painted in the order of their centroids.",
+            "{count} mostram uma face mais distante na frente de uma mais próxima, porque as faces são pintadas na ordem de seus centroides."),
+        Cause::ShadowAcne => both!(lang;
+            "{count} that face a light lie in their own shadow (shadow acne). The bias of the shadow map is too small.",
+            "{count} voltados para uma luz estão em sua própria sombra (acne de sombras). A folga do mapa de sombras é pequena demais."),
+        Cause::ShadowDetached => both!(lang;
+            "{count} that face a light are lit although something blocks it: the shadow is detached from its object. The bias of the shadow map is too large.",
+            "{count} voltados para uma luz estão iluminados, embora algo a bloqueie: a sombra se descola do objeto. A folga do mapa de sombras é grande demais."),
+        Cause::AffineTexture => both!(lang;
+            "{count} show the wrong part of a texture, because it is interpolated without w.",
+            "{count} mostram a parte errada de uma textura, porque ela é interpolada sem w."),
+        _ => both!(lang;
+            "{count} show a farther face in front of a nearer one, because the depth format can't tell their depths apart.",
+            "{count} mostram uma face mais distante na frente de uma mais próxima, porque o formato de profundidade não distingue as duas."),
     }
 }
 
@@ -341,10 +313,9 @@ fn wrong_pixels(lang: Lang, cause: Cause, pixels: WrongPixels) -> String {
 fn listed(lang: Lang, names: &[String]) -> String {
     const MOST: usize = 4;
     let first = names.iter().take(MOST).map(String::as_str).collect::<Vec<_>>().join(", ");
-    match (lang, names.len().saturating_sub(MOST)) {
-        (_, 0) => first,
-        (Lang::En, more) => format!("{first} and {more} more"),
-        (Lang::PtBr, more) => format!("{first} e mais {more}"),
+    match names.len().saturating_sub(MOST) {
+        0 => first,
+        more => both!(lang; "{first} and {more} more", "{first} e mais {more}"),
     }
 }
 

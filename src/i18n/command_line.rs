@@ -130,13 +130,11 @@ pub fn no_such_object(lang: Lang, key: &str, object: &str, objects: &[&str]) -> 
 #[must_use]
 pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> String {
     let object = escaped(object);
-    match (lang, count.checked_sub(1)) {
-        (Lang::En, Some(last)) => format!("[show] triangle.index is {index}; allowed for \"{object}\": 0 to {last}"),
-        (Lang::PtBr, Some(last)) => {
-            format!("[show] triangle.index é {index}; permitido para \"{object}\": de 0 a {last}")
-        }
-        (Lang::En, None) => format!("[show] triangle.object is \"{object}\", which has no triangles"),
-        (Lang::PtBr, None) => format!("[show] triangle.object é \"{object}\", que não tem triângulos"),
+    match count.checked_sub(1) {
+        Some(last) => both!(lang; "[show] triangle.index is {index}; allowed for \"{object}\": 0 to {last}",
+            "[show] triangle.index é {index}; permitido para \"{object}\": de 0 a {last}"),
+        None => both!(lang; "[show] triangle.object is \"{object}\", which has no triangles",
+            "[show] triangle.object é \"{object}\", que não tem triângulos"),
     }
 }
 

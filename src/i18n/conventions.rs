@@ -69,11 +69,11 @@ pub fn differences(lang: Lang, ndc: Ndc, compared: Ndc) -> String {
             .to_owned(),
         );
     }
-    match (lang, reasons.is_empty()) {
-        (Lang::En, true) => format!("{other} has the same NDC as {mine}: nothing differs."),
-        (Lang::PtBr, true) => format!("{other} tem as mesmas NDC que {mine}: nada difere."),
-        (Lang::En, false) => format!("Marked: what differs in {other}. {}.", capital(&reasons.join("; "))),
-        (Lang::PtBr, false) => format!("Marcado: o que difere em {other}. {}.", capital(&reasons.join("; "))),
+    match reasons.is_empty() {
+        true => both!(lang; "{other} has the same NDC as {mine}: nothing differs.",
+            "{other} tem as mesmas NDC que {mine}: nada difere."),
+        false => both!(lang; "Marked: what differs in {other}. {}.",
+            "Marcado: o que difere em {other}. {}."; capital(&reasons.join("; "))),
     }
 }
 

@@ -36,65 +36,52 @@ texts! {
 /// The title of a vocabulary, and a name that no language changes.
 #[must_use]
 pub fn title(lang: Lang, vocabulary: Vocabulary) -> (&'static str, &'static str) {
-    match (lang, vocabulary) {
-        (_, Vocabulary::OpenGl) => ("OpenGL, GLU [2]", "opengl"),
-        (Lang::En, Vocabulary::Vrc) => ("VRP, VPN, VUV [3]: left-handed", "vrc"),
-        (Lang::PtBr, Vocabulary::Vrc) => ("VRP, VPN, VUV [3]: mão esquerda", "vrc"),
-        (Lang::En, Vocabulary::ReferencePoint) => ("Reference point and view plane [1]", "reference point"),
-        (Lang::PtBr, Vocabulary::ReferencePoint) => ("Ponto de referência e plano de vista [1]", "reference point"),
-        (Lang::En, Vocabulary::Pinhole) => ("K [R | t]: computer vision", "pinhole"),
-        (Lang::PtBr, Vocabulary::Pinhole) => ("K [R | t]: visão computacional", "pinhole"),
+    match vocabulary {
+        Vocabulary::OpenGl => ("OpenGL, GLU [2]", "opengl"),
+        Vocabulary::Vrc => pick!(lang; ("VRP, VPN, VUV [3]: left-handed", "vrc"),
+            ("VRP, VPN, VUV [3]: mão esquerda", "vrc")),
+        Vocabulary::ReferencePoint => pick!(lang; ("Reference point and view plane [1]", "reference point"),
+            ("Ponto de referência e plano de vista [1]", "reference point")),
+        Vocabulary::Pinhole => pick!(lang; ("K [R | t]: computer vision", "pinhole"),
+            ("K [R | t]: visão computacional", "pinhole")),
     }
 }
 
 /// A limitation of a vocabulary, or a difference to the notes.
 #[must_use]
 pub fn limitation(lang: Lang, limitation: Limitation) -> &'static str {
-    match (lang, limitation) {
-        (Lang::En, Limitation::SymmetricOnly) => "It can express symmetric windows only: this one is not.",
-        (Lang::PtBr, Limitation::SymmetricOnly) => "Só exprime janelas simétricas: esta não é.",
-        (Lang::En, Limitation::PerspectiveOnly) => "It can express perspective only.",
-        (Lang::PtBr, Limitation::PerspectiveOnly) => "Só exprime a perspectiva.",
-        (Lang::En, Limitation::NoClippingPlanes) => "F and B are not part of it: they stay as they are.",
-        (Lang::PtBr, Limitation::NoClippingPlanes) => "F e B não fazem parte: ficam como estão.",
-        (Lang::En, Limitation::NoFocalPoint) => "PF is not part of it: it stays at its distance D.",
-        (Lang::PtBr, Limitation::NoFocalPoint) => "PF não faz parte: fica à sua distância D.",
-        (Lang::En, Limitation::ViewPlaneIsNear) => {
-            "Its view plane may lie anywhere; here it is the front plane, so D = F and z_{vp} = −F."
-        }
-        (Lang::PtBr, Limitation::ViewPlaneIsNear) => {
-            "Seu plano de vista pode ficar em qualquer lugar; aqui é o plano da frente: D = F e z_{vp} = −F."
-        }
-        (Lang::En, Limitation::LeftHanded) => "Left-handed: n points into the scene, along DOP, and u = n × v.",
-        (Lang::PtBr, Limitation::LeftHanded) => "Mão esquerda: n aponta para a cena, ao longo de DOP, e u = n × v.",
-        (Lang::En, Limitation::Coordinates) => {
-            "z_{near} and z_{far} are coordinates, negative, where [0] has distances F and B."
-        }
-        (Lang::PtBr, Limitation::Coordinates) => {
-            "z_{near} e z_{far} são coordenadas, negativas, onde [0] tem as distâncias F e B."
-        }
-        (Lang::En, Limitation::YDown) => {
-            "x to the right, y down, z into the scene; pixels from the corner of the image, as in (5.22)."
-        }
-        (Lang::PtBr, Limitation::YDown) => {
-            "x para a direita, y para baixo, z para dentro da cena; pixels a partir do canto da imagem, como em (5.22)."
-        }
+    match limitation {
+        Limitation::SymmetricOnly => pick!(lang; "It can express symmetric windows only: this one is not.",
+            "Só exprime janelas simétricas: esta não é."),
+        Limitation::PerspectiveOnly => pick!(lang; "It can express perspective only.",
+            "Só exprime a perspectiva."),
+        Limitation::NoClippingPlanes => pick!(lang; "F and B are not part of it: they stay as they are.",
+            "F e B não fazem parte: ficam como estão."),
+        Limitation::NoFocalPoint => pick!(lang; "PF is not part of it: it stays at its distance D.",
+            "PF não faz parte: fica à sua distância D."),
+        Limitation::ViewPlaneIsNear => pick!(lang;
+            "Its view plane may lie anywhere; here it is the front plane, so D = F and z_{vp} = −F.",
+            "Seu plano de vista pode ficar em qualquer lugar; aqui é o plano da frente: D = F e z_{vp} = −F."),
+        Limitation::LeftHanded => pick!(lang; "Left-handed: n points into the scene, along DOP, and u = n × v.",
+            "Mão esquerda: n aponta para a cena, ao longo de DOP, e u = n × v."),
+        Limitation::Coordinates => pick!(lang;
+            "z_{near} and z_{far} are coordinates, negative, where [0] has distances F and B.",
+            "z_{near} e z_{far} são coordenadas, negativas, onde [0] tem as distâncias F e B."),
+        Limitation::YDown => pick!(lang;
+            "x to the right, y down, z into the scene; pixels from the corner of the image, as in (5.22).",
+            "x para a direita, y para baixo, z para dentro da cena; pixels a partir do canto da imagem, como em (5.22)."),
     }
 }
 
 /// The kind of a matrix.
 #[must_use]
 pub fn kind(lang: Lang, kind: MatrixKind) -> &'static str {
-    match (lang, kind) {
-        (Lang::En, MatrixKind::View) => "M_v: view",
-        (Lang::PtBr, MatrixKind::View) => "M_v: vista",
-        (Lang::En, MatrixKind::Projection) => "M_p: projection",
-        (Lang::PtBr, MatrixKind::Projection) => "M_p: projeção",
-        (Lang::En, MatrixKind::ViewProjection) => "M_p M_v: both",
-        (Lang::PtBr, MatrixKind::ViewProjection) => "M_p M_v: as duas",
-        (Lang::En, MatrixKind::CameraToWorld) => "camera → world",
-        (Lang::PtBr, MatrixKind::CameraToWorld) => "câmera → mundo",
-        (_, MatrixKind::Pinhole) => "K [R | t]",
+    match kind {
+        MatrixKind::View => pick!(lang; "M_v: view", "M_v: vista"),
+        MatrixKind::Projection => pick!(lang; "M_p: projection", "M_p: projeção"),
+        MatrixKind::ViewProjection => pick!(lang; "M_p M_v: both", "M_p M_v: as duas"),
+        MatrixKind::CameraToWorld => pick!(lang; "camera → world", "câmera → mundo"),
+        MatrixKind::Pinhole => "K [R | t]",
     }
 }
 
@@ -119,91 +106,63 @@ pub fn reading(lang: Lang, reading: &Reading, by_columns: bool, evidence: Eviden
     if by_columns {
         said += pick!(lang; ", by columns", ", por colunas");
     }
-    said + match (lang, evidence) {
-        (_, Evidence::Only) => ".",
-        (Lang::En, Evidence::Level) => ": only so is the camera level and upright.",
-        (Lang::PtBr, Evidence::Level) => ": só assim a câmera fica nivelada e de pé.",
-        (Lang::En, Evidence::OriginAhead) => ": only so does it have the origin before it.",
-        (Lang::PtBr, Evidence::OriginAhead) => ": só assim a origem fica diante dela.",
-        (Lang::En, Evidence::Nothing) => ". Its numbers fit other readings as well.",
-        (Lang::PtBr, Evidence::Nothing) => ". Os números servem também a outras leituras.",
+    said + match evidence {
+        Evidence::Only => ".",
+        Evidence::Level => pick!(lang; ": only so is the camera level and upright.",
+            ": só assim a câmera fica nivelada e de pé."),
+        Evidence::OriginAhead => pick!(lang; ": only so does it have the origin before it.",
+            ": só assim a origem fica diante dela."),
+        Evidence::Nothing => pick!(lang; ". Its numbers fit other readings as well.",
+            ". Os números servem também a outras leituras."),
     }
 }
 
 /// A quantity that a matrix leaves open.
 #[must_use]
 pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
-    match (lang, unknown) {
-        (Lang::En, Unknown::FocalDistance) => "D is unknown: a direction has no length. PF keeps its distance.",
-        (Lang::PtBr, Unknown::FocalDistance) => {
-            "D é desconhecido: uma direção não tem comprimento. PF mantém sua distância."
-        }
-        (Lang::En, Unknown::ViewUp) => "VUP is unknown, only v is known: the present VUP stays if it fits.",
-        (Lang::PtBr, Unknown::ViewUp) => "VUP é desconhecido, só se conhece v: o VUP atual fica, se servir.",
-        (Lang::En, Unknown::PositionAlongNormal) => {
-            "In parallel projection C may lie anywhere along n: it is put where F does not change."
-        }
-        (Lang::PtBr, Unknown::PositionAlongNormal) => {
-            "Em projeção paralela C pode ficar em qualquer lugar ao longo de n: é posto onde F não muda."
-        }
-        (Lang::En, Unknown::WindowCentre) => {
-            "An off-axis window and a C shifted sideways give the same matrix: the window is taken as symmetric."
-        }
-        (Lang::PtBr, Unknown::WindowCentre) => {
-            "Uma janela fora do eixo e um C deslocado dão a mesma matriz: a janela é tomada como simétrica."
-        }
-        (Lang::En, Unknown::Far) => "The back plane is at infinity: B stays as it was.",
-        (Lang::PtBr, Unknown::Far) => "O plano de fundo está no infinito: B fica como estava.",
-        (Lang::En, Unknown::Lens) => "Window, F and B are not in it: they stay as they were.",
-        (Lang::PtBr, Unknown::Lens) => "Janela, F e B não estão nela: ficam como estavam.",
-        (Lang::En, Unknown::Pose) => "C, PF and VUP are not in M_p: they stay as they were.",
-        (Lang::PtBr, Unknown::Pose) => "C, PF e VUP não estão em M_p: ficam como estavam.",
-        (Lang::En, Unknown::DepthDirection) => {
-            "z grows towards the viewer there, as in no camera of [0]: the volume is the same, z_n changes sign."
-        }
-        (Lang::PtBr, Unknown::DepthDirection) => {
-            "Ali z cresce rumo ao observador, como em nenhuma câmera de [0]: o volume é o mesmo, z_n troca de sinal."
-        }
-        (Lang::En, Unknown::LeftHandedView) => "The axes are left-handed, as in [3]: n is reversed.",
-        (Lang::PtBr, Unknown::LeftHandedView) => "Os eixos são de mão esquerda, como em [3]: n é invertido.",
-        (Lang::En, Unknown::Rounded) => {
-            "Its axes are unit vectors at right angles only to within their digits: they were orthonormalised."
-        }
-        (Lang::PtBr, Unknown::Rounded) => {
-            "Seus eixos só são versores perpendiculares até os seus dígitos: foram ortonormalizados."
-        }
-        (Lang::En, Unknown::Scaled) => {
-            "Its columns do not have length 1: the object is scaled. A camera has no scale; it was divided out."
-        }
-        (Lang::PtBr, Unknown::Scaled) => {
-            "Suas colunas não têm comprimento 1: o objeto tem escala. Uma câmera não tem; ela foi dividida fora."
-        }
-        (Lang::En, Unknown::WorldTurned) => {
-            "z is up in that world: it was turned, (x, y, z) → (x, z, −y), so that y is up, as exporters of glTF do."
-        }
-        (Lang::PtBr, Unknown::WorldTurned) => {
-            "Nesse mundo z é para cima: ele foi girado, (x, y, z) → (x, z, −y), para que y o seja, como fazem os exportadores de glTF."
-        }
-        (Lang::En, Unknown::ClippingPlanes) => "F and B are unknown: K [R | t] has none. They stay as they were.",
-        (Lang::PtBr, Unknown::ClippingPlanes) => "F e B são desconhecidos: K [R | t] não os tem. Ficam como estavam.",
-        (Lang::En, Unknown::ImageSize) => {
-            "The size of the image is unknown: the window is that of the size given here. Pixels are counted from the corner, as in (5.22); OpenCV counts from the middle of the first, half a pixel less."
-        }
-        (Lang::PtBr, Unknown::ImageSize) => {
-            "O tamanho da imagem é desconhecido: a janela é a do tamanho dado aqui. Os pixels se contam a partir do canto, como em (5.22); OpenCV conta a partir do meio do primeiro, meio pixel a menos."
-        }
-        (Lang::En, Unknown::PixelAspect) => "f_x and f_y differ: its pixels are not square, so A is not m/n.",
-        (Lang::PtBr, Unknown::PixelAspect) => "f_x e f_y diferem: seus pixels não são quadrados, e A não é m/n.",
-        (Lang::En, Unknown::SkewDropped) => "K has a skew of the size of its last digits: it was taken as 0.",
-        (Lang::PtBr, Unknown::SkewDropped) => {
-            "K tem uma obliquidade (skew) do tamanho dos seus últimos dígitos: foi tomada como 0."
-        }
-        (Lang::En, Unknown::SignReversed) => {
-            "Its determinant is negative: all signs were reversed, because K [R | t] is known up to a factor. If its factor counts, the image is mirrored."
-        }
-        (Lang::PtBr, Unknown::SignReversed) => {
-            "Seu determinante é negativo: todos os sinais foram trocados, pois K [R | t] só se conhece a menos de um fator. Se o fator conta, a imagem é espelhada."
-        }
+    match unknown {
+        Unknown::FocalDistance => pick!(lang; "D is unknown: a direction has no length. PF keeps its distance.",
+            "D é desconhecido: uma direção não tem comprimento. PF mantém sua distância."),
+        Unknown::ViewUp => pick!(lang; "VUP is unknown, only v is known: the present VUP stays if it fits.",
+            "VUP é desconhecido, só se conhece v: o VUP atual fica, se servir."),
+        Unknown::PositionAlongNormal => pick!(lang;
+            "In parallel projection C may lie anywhere along n: it is put where F does not change.",
+            "Em projeção paralela C pode ficar em qualquer lugar ao longo de n: é posto onde F não muda."),
+        Unknown::WindowCentre => pick!(lang;
+            "An off-axis window and a C shifted sideways give the same matrix: the window is taken as symmetric.",
+            "Uma janela fora do eixo e um C deslocado dão a mesma matriz: a janela é tomada como simétrica."),
+        Unknown::Far => pick!(lang; "The back plane is at infinity: B stays as it was.",
+            "O plano de fundo está no infinito: B fica como estava."),
+        Unknown::Lens => pick!(lang; "Window, F and B are not in it: they stay as they were.",
+            "Janela, F e B não estão nela: ficam como estavam."),
+        Unknown::Pose => pick!(lang; "C, PF and VUP are not in M_p: they stay as they were.",
+            "C, PF e VUP não estão em M_p: ficam como estavam."),
+        Unknown::DepthDirection => pick!(lang;
+            "z grows towards the viewer there, as in no camera of [0]: the volume is the same, z_n changes sign.",
+            "Ali z cresce rumo ao observador, como em nenhuma câmera de [0]: o volume é o mesmo, z_n troca de sinal."),
+        Unknown::LeftHandedView => pick!(lang; "The axes are left-handed, as in [3]: n is reversed.",
+            "Os eixos são de mão esquerda, como em [3]: n é invertido."),
+        Unknown::Rounded => pick!(lang;
+            "Its axes are unit vectors at right angles only to within their digits: they were orthonormalised.",
+            "Seus eixos só são versores perpendiculares até os seus dígitos: foram ortonormalizados."),
+        Unknown::Scaled => pick!(lang;
+            "Its columns do not have length 1: the object is scaled. A camera has no scale; it was divided out.",
+            "Suas colunas não têm comprimento 1: o objeto tem escala. Uma câmera não tem; ela foi dividida fora."),
+        Unknown::WorldTurned => pick!(lang;
+            "z is up in that world: it was turned, (x, y, z) → (x, z, −y), so that y is up, as exporters of glTF do.",
+            "Nesse mundo z é para cima: ele foi girado, (x, y, z) → (x, z, −y), para que y o seja, como fazem os exportadores de glTF."),
+        Unknown::ClippingPlanes => pick!(lang; "F and B are unknown: K [R | t] has none. They stay as they were.",
+            "F e B são desconhecidos: K [R | t] não os tem. Ficam como estavam."),
+        Unknown::ImageSize => pick!(lang;
+            "The size of the image is unknown: the window is that of the size given here. Pixels are counted from the corner, as in (5.22); OpenCV counts from the middle of the first, half a pixel less.",
+            "O tamanho da imagem é desconhecido: a janela é a do tamanho dado aqui. Os pixels se contam a partir do canto, como em (5.22); OpenCV conta a partir do meio do primeiro, meio pixel a menos."),
+        Unknown::PixelAspect => pick!(lang; "f_x and f_y differ: its pixels are not square, so A is not m/n.",
+            "f_x e f_y diferem: seus pixels não são quadrados, e A não é m/n."),
+        Unknown::SkewDropped => pick!(lang; "K has a skew of the size of its last digits: it was taken as 0.",
+            "K tem uma obliquidade (skew) do tamanho dos seus últimos dígitos: foi tomada como 0."),
+        Unknown::SignReversed => pick!(lang;
+            "Its determinant is negative: all signs were reversed, because K [R | t] is known up to a factor. If its factor counts, the image is mirrored.",
+            "Seu determinante é negativo: todos os sinais foram trocados, pois K [R | t] só se conhece a menos de um fator. Se o fator conta, a imagem é espelhada."),
     }
 }
 

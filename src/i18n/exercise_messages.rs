@@ -177,10 +177,10 @@ pub fn why(lang: Lang, why: Why) -> String {
             let times = if times == 1 { "uma vez".to_owned() } else { format!("{times} vezes") };
             format!("Ele exercita um erro que você cometeu {times}: {}", mistake(lang, made)[0])
         }
-        (Lang::En, Why::NotSolved) => "It is the first that you have not solved.".to_owned(),
-        (Lang::PtBr, Why::NotSolved) => "É o primeiro que você ainda não resolveu.".to_owned(),
-        (Lang::En, Why::LongestAgo) => "You have solved them all; this is the one you tried longest ago.".to_owned(),
-        (Lang::PtBr, Why::LongestAgo) => "Você já resolveu todos; este é o que você tentou há mais tempo.".to_owned(),
+        (_, Why::NotSolved) => both!(lang; "It is the first that you have not solved.",
+            "É o primeiro que você ainda não resolveu."),
+        (_, Why::LongestAgo) => both!(lang; "You have solved them all; this is the one you tried longest ago.",
+            "Você já resolveu todos; este é o que você tentou há mais tempo."),
     }
 }
 

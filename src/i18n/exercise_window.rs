@@ -87,11 +87,10 @@ pub fn of_ask(what: &str, ask: &str) -> String {
 #[must_use]
 pub fn field(lang: Lang, ask: &str, [rows, columns]: [usize; 2], [row, column]: [usize; 2]) -> String {
     let (i, j) = (row + 1, column + 1);
-    match (lang, rows, columns) {
-        (_, 1, 1) => ask.to_owned(),
-        (_, _, 1) => format!("{ask} {i}"),
-        (Lang::En, ..) => format!("{ask} row {i}, column {j}"),
-        (Lang::PtBr, ..) => format!("{ask} linha {i}, coluna {j}"),
+    match (rows, columns) {
+        (1, 1) => ask.to_owned(),
+        (_, 1) => format!("{ask} {i}"),
+        (..) => both!(lang; "{ask} row {i}, column {j}", "{ask} linha {i}, coluna {j}"),
     }
 }
 

@@ -250,21 +250,19 @@ pub fn hints_without_diagnosis(lang: Lang, judged: &Judged, first_step: Option<&
         hints.push(both!(lang; "{right} of {all} conditions are met; begin with the first that is not.",
             "{right} de {all} condições são satisfeitas; comece pela primeira que não é."));
     } else if all > 1 {
-        hints.push(match (lang, right) {
-            (Lang::En, 0) => format!("None of the {all} numbers is right."),
-            (Lang::PtBr, 0) => format!("Nenhum dos {all} números está certo."),
-            (Lang::En, 1) => format!("1 of {all} numbers is right; look at the others again."),
-            (Lang::PtBr, 1) => format!("1 de {all} números está certo; olhe os outros mais uma vez."),
-            (Lang::En, _) => format!("{right} of {all} numbers are right; look at the others again."),
-            (Lang::PtBr, _) => format!("{right} de {all} números estão certos; olhe os outros mais uma vez."),
+        hints.push(match right {
+            0 => both!(lang; "None of the {all} numbers is right.", "Nenhum dos {all} números está certo."),
+            1 => both!(lang; "1 of {all} numbers is right; look at the others again.",
+                "1 de {all} números está certo; olhe os outros mais uma vez."),
+            _ => both!(lang; "{right} of {all} numbers are right; look at the others again.",
+                "{right} de {all} números estão certos; olhe os outros mais uma vez."),
         });
     }
     if let Some(step) = first_step {
-        hints.push(match (lang, judged.first_step) {
-            (Lang::En, 0) => format!("The solution begins with: {step}"),
-            (Lang::PtBr, 0) => format!("A resolução começa por: {step}"),
-            (Lang::En, _) => format!("What comes before is right; go on with: {step}"),
-            (Lang::PtBr, _) => format!("O que vem antes está certo; continue com: {step}"),
+        hints.push(match judged.first_step {
+            0 => both!(lang; "The solution begins with: {step}", "A resolução começa por: {step}"),
+            _ => both!(lang; "What comes before is right; go on with: {step}",
+                "O que vem antes está certo; continue com: {step}"),
         });
     }
     if hints.is_empty() {
@@ -277,21 +275,15 @@ pub fn hints_without_diagnosis(lang: Lang, judged: &Judged, first_step: Option<&
 /// The required form of an answer.
 #[must_use]
 pub fn kind(lang: Lang, ask: &Ask) -> String {
-    let kind = match (lang, &ask.kind) {
-        (Lang::En, Kind::Number) => "a number".to_owned(),
-        (Lang::PtBr, Kind::Number) => "um número".to_owned(),
-        (Lang::En, Kind::Vector(rows)) => format!("{rows} numbers [a, b, …]"),
-        (Lang::PtBr, Kind::Vector(rows)) => format!("{rows} números [a; b; …]"),
-        (Lang::En, Kind::Matrix(rows, columns)) => format!("{rows} × {columns} numbers [[a, …], …]"),
-        (Lang::PtBr, Kind::Matrix(rows, columns)) => format!("{rows} × {columns} números [[a; …]; …]"),
-        (Lang::En, Kind::Choice(choices)) => {
-            format!("one of: {}", list_of_choices(choices, |name| choice_of(lang, ask, name)))
-        }
-        (Lang::PtBr, Kind::Choice(choices)) => {
-            format!("um destes: {}", list_of_choices(choices, |name| choice_of(lang, ask, name)))
-        }
-        (Lang::En, Kind::Camera) => "a camera: C=[7, −1, 4]; PF=[2, 1, 0]; θ=30°; F=0.5; …".to_owned(),
-        (Lang::PtBr, Kind::Camera) => "uma câmera: C=[7; −1; 4]; PF=[2; 1; 0]; θ=30°; F=0,5; …".to_owned(),
+    let kind = match &ask.kind {
+        Kind::Number => both!(lang; "a number", "um número"),
+        Kind::Vector(rows) => both!(lang; "{rows} numbers [a, b, …]", "{rows} números [a; b; …]"),
+        Kind::Matrix(rows, columns) => both!(lang; "{rows} × {columns} numbers [[a, …], …]",
+            "{rows} × {columns} números [[a; …]; …]"),
+        Kind::Choice(choices) => both!(lang; "one of: {}",
+            "um destes: {}"; list_of_choices(choices, |name| choice_of(lang, ask, name))),
+        Kind::Camera => both!(lang; "a camera: C=[7, −1, 4]; PF=[2, 1, 0]; θ=30°; F=0.5; …",
+            "uma câmera: C=[7; −1; 4]; PF=[2; 1; 0]; θ=30°; F=0,5; …"),
     };
     let tolerance = tolerance(lang, ask);
     if tolerance.is_empty() { kind } else { format!("{kind}; {tolerance}") }
@@ -315,12 +307,11 @@ pub fn tolerance(lang: Lang, ask: &Ask) -> String {
         let percent = lang.mark().number(100.0 * ask.share, 3);
         if ask.share.is_finite() { format!("{and} {percent} %") } else { String::new() }
     };
-    match (lang, numbers, ask.whole) {
-        (_, false, _) => String::new(),
-        (Lang::En, _, true) => "whole numbers".to_owned(),
-        (Lang::PtBr, _, true) => "números inteiros".to_owned(),
-        (Lang::En, ..) => format!("within {by}{unit}{}, or rounded to 3 digits or more", share(" and")),
-        (Lang::PtBr, ..) => format!("com erro até {by}{unit}{}, ou arredondado a 3 dígitos ou mais", share(" e")),
+    match (numbers, ask.whole) {
+        (false, _) => String::new(),
+        (_, true) => both!(lang; "whole numbers", "números inteiros"),
+        (..) => pick!(lang; format!("within {by}{unit}{}, or rounded to 3 digits or more", share(" and")),
+            format!("com erro até {by}{unit}{}, ou arredondado a 3 dígitos ou mais", share(" e"))),
     }
 }
 
@@ -403,28 +394,13 @@ pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
             format!("{place}: {}: {}", marked(text, &error.span), messages::expression(lang, &error.problem))
         }
         (_, AnswerError::Camera(error)) => exercise_cameras::refused(lang, error),
-        (Lang::En, AnswerError::Choice { given, choices }) => {
-            format!(
-                "“{}” is not a choice; allowed: {}",
-                escaped(given),
-                list_of_choices(choices, |name| choice(lang, name))
-            )
-        }
-        (Lang::PtBr, AnswerError::Choice { given, choices }) => {
-            format!(
-                "“{}” não é uma opção; permitido: {}",
-                escaped(given),
-                list_of_choices(choices, |name| choice(lang, name))
-            )
-        }
-        (Lang::En, AnswerError::Pair(text)) => format!("“{}” is not NAME=VALUE, as in C=[7, −1, 4]", escaped(text)),
-        (Lang::PtBr, AnswerError::Pair(text)) => format!("“{}” não é NOME=VALOR, como em C=[7; −1; 4]", escaped(text)),
-        (Lang::En, AnswerError::Parameter(text)) => {
-            format!("“{}” begins with no parameter of a camera; allowed: {CAMERA_NAMES}", escaped(text))
-        }
-        (Lang::PtBr, AnswerError::Parameter(text)) => {
-            format!("“{}” não começa com um parâmetro de câmera; permitido: {CAMERA_NAMES}", escaped(text))
-        }
+        (_, AnswerError::Choice { given, choices }) => both!(lang; "“{}” is not a choice; allowed: {}",
+            "“{}” não é uma opção; permitido: {}"; escaped(given), list_of_choices(choices, |name| choice(lang, name))),
+        (_, AnswerError::Pair(text)) => both!(lang; "“{}” is not NAME=VALUE, as in C=[7, −1, 4]",
+            "“{}” não é NOME=VALOR, como em C=[7; −1; 4]"; escaped(text)),
+        (_, AnswerError::Parameter(text)) => both!(lang;
+            "“{}” begins with no parameter of a camera; allowed: {CAMERA_NAMES}",
+            "“{}” não começa com um parâmetro de câmera; permitido: {CAMERA_NAMES}"; escaped(text)),
         (Lang::En, other) => other.to_string(),
         (Lang::PtBr, AnswerError::Empty) => "falta uma resposta".to_owned(),
         (Lang::PtBr, AnswerError::TooLong) => {

@@ -106,31 +106,19 @@ pub fn used_in(lang: Lang, point: &str, symbol: &str) -> String {
 /// The effect of a matrix.
 #[must_use]
 pub const fn matrix(lang: Lang, matrix: Matrix) -> &'static str {
-    match (lang, matrix) {
-        (Lang::En, Matrix::Model) => "object → world",
-        (Lang::PtBr, Matrix::Model) => "objeto → mundo",
-        (Lang::En, Matrix::InverseModel) => "world → object",
-        (Lang::PtBr, Matrix::InverseModel) => "mundo → objeto",
-        (Lang::En, Matrix::Parent) => "parent → world",
-        (Lang::PtBr, Matrix::Parent) => "pai → mundo",
-        (Lang::En, Matrix::InverseParent) => "world → parent",
-        (Lang::PtBr, Matrix::InverseParent) => "mundo → pai",
-        (Lang::En, Matrix::View) => "world → view",
-        (Lang::PtBr, Matrix::View) => "mundo → vista",
-        (Lang::En, Matrix::InverseView) => "view → world",
-        (Lang::PtBr, Matrix::InverseView) => "vista → mundo",
-        (Lang::En, Matrix::Projection) => "view → clip",
-        (Lang::PtBr, Matrix::Projection) => "vista → recorte",
-        (Lang::En, Matrix::InverseProjection) => "clip → view",
-        (Lang::PtBr, Matrix::InverseProjection) => "recorte → vista",
-        (Lang::En, Matrix::ViewProjection) => "world → clip",
-        (Lang::PtBr, Matrix::ViewProjection) => "mundo → recorte",
-        (Lang::En, Matrix::InverseViewProjection) => "clip → world",
-        (Lang::PtBr, Matrix::InverseViewProjection) => "recorte → mundo",
-        (Lang::En, Matrix::Viewport) => "NDC → viewport",
-        (Lang::PtBr, Matrix::Viewport) => "NDC → viewport (tela)",
-        (Lang::En, Matrix::InverseViewport) => "viewport → NDC",
-        (Lang::PtBr, Matrix::InverseViewport) => "viewport (tela) → NDC",
+    match matrix {
+        Matrix::Model => pick!(lang; "object → world", "objeto → mundo"),
+        Matrix::InverseModel => pick!(lang; "world → object", "mundo → objeto"),
+        Matrix::Parent => pick!(lang; "parent → world", "pai → mundo"),
+        Matrix::InverseParent => pick!(lang; "world → parent", "mundo → pai"),
+        Matrix::View => pick!(lang; "world → view", "mundo → vista"),
+        Matrix::InverseView => pick!(lang; "view → world", "vista → mundo"),
+        Matrix::Projection => pick!(lang; "view → clip", "vista → recorte"),
+        Matrix::InverseProjection => pick!(lang; "clip → view", "recorte → vista"),
+        Matrix::ViewProjection => pick!(lang; "world → clip", "mundo → recorte"),
+        Matrix::InverseViewProjection => pick!(lang; "clip → world", "recorte → mundo"),
+        Matrix::Viewport => pick!(lang; "NDC → viewport", "NDC → viewport (tela)"),
+        Matrix::InverseViewport => pick!(lang; "viewport → NDC", "viewport (tela) → NDC"),
     }
 }
 
@@ -204,12 +192,11 @@ pub fn symbol(lang: Lang, symbol: Symbol) -> String {
 /// The matrices of a way to the canonical volume.
 #[must_use]
 pub const fn decomposition(lang: Lang, decomposition: Decomposition) -> &'static str {
-    match (lang, decomposition) {
-        (Lang::En, Decomposition::Notes) => "M_p M_v, ÷ w",
-        (Lang::PtBr, Decomposition::Notes) => "M_p M_v, ÷ w",
-        (Lang::En | Lang::PtBr, Decomposition::Box) => "S T P",
-        (Lang::En | Lang::PtBr, Decomposition::Scale) => "M_{xyscale} M_{pers}",
-        (Lang::En | Lang::PtBr, Decomposition::Normalised) => "M_P N",
+    match decomposition {
+        Decomposition::Notes => pick!(lang; "M_p M_v, ÷ w", "M_p M_v, ÷ w"),
+        Decomposition::Box => "S T P",
+        Decomposition::Scale => "M_{xyscale} M_{pers}",
+        Decomposition::Normalised => "M_P N",
     }
 }
 
@@ -222,11 +209,10 @@ pub fn factor(lang: Lang, step: usize) -> String {
 /// The product of the first steps.
 #[must_use]
 pub fn product(lang: Lang, steps: usize) -> String {
-    match (lang, steps) {
-        (Lang::En, 1) => "The product so far: the first step alone".to_owned(),
-        (Lang::PtBr, 1) => "O produto até aqui: só o primeiro passo".to_owned(),
-        (Lang::En, _) => format!("The product so far: step {steps} … step 1"),
-        (Lang::PtBr, _) => format!("O produto até aqui: passo {steps} … passo 1"),
+    match steps {
+        1 => both!(lang; "The product so far: the first step alone", "O produto até aqui: só o primeiro passo"),
+        _ => both!(lang; "The product so far: step {steps} … step 1",
+            "O produto até aqui: passo {steps} … passo 1"),
     }
 }
 
@@ -251,16 +237,11 @@ pub fn comparison(lang: Lang, decomposition: Decomposition, ratio: f64, rest: f6
             "O produto de todos os passos difere de M_p M_v ({convention}) em {rest} do seu maior elemento.");
     }
     let (k, same) = (number(ratio, 5), (ratio - 1.0).abs() <= ROUNDING);
-    match (lang, same) {
-        (Lang::En, true) => format!("The product of all steps is M_p M_v ({convention}: z_n from {from} to {to})."),
-        (Lang::PtBr, true) => {
-            format!("O produto de todos os passos é M_p M_v ({convention}: z_n de {from} a {to}).")
-        }
-        (Lang::En, false) => format!(
-            "The product of all steps is {k} · M_p M_v ({convention}: z_n from {from} to {to}): the same points, since the division by w cancels the factor."
-        ),
-        (Lang::PtBr, false) => format!(
-            "O produto de todos os passos é {k} · M_p M_v ({convention}: z_n de {from} a {to}): os mesmos pontos, pois a divisão por w cancela o fator."
-        ),
+    match same {
+        true => both!(lang; "The product of all steps is M_p M_v ({convention}: z_n from {from} to {to}).",
+            "O produto de todos os passos é M_p M_v ({convention}: z_n de {from} a {to})."),
+        false => both!(lang;
+            "The product of all steps is {k} · M_p M_v ({convention}: z_n from {from} to {to}): the same points, since the division by w cancels the factor.",
+            "O produto de todos os passos é {k} · M_p M_v ({convention}: z_n de {from} a {to}): os mesmos pontos, pois a divisão por w cancela o fator."),
     }
 }

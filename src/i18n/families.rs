@@ -41,12 +41,9 @@ texts! {
 #[must_use]
 pub fn error(lang: Lang, error: &VariationError) -> String {
     match (lang, error) {
-        (Lang::En, VariationError::NoValues) => {
-            "it has no values; allowed: KEY=VALUE,VALUE,…, such as camera.view_angle=20,40,60".to_owned()
-        }
-        (Lang::PtBr, VariationError::NoValues) => {
-            "não tem valores; permitido: CHAVE=VALOR,VALOR,…, como camera.view_angle=20,40,60".to_owned()
-        }
+        (_, VariationError::NoValues) => both!(lang;
+            "it has no values; allowed: KEY=VALUE,VALUE,…, such as camera.view_angle=20,40,60",
+            "não tem valores; permitido: CHAVE=VALOR,VALOR,…, como camera.view_angle=20,40,60"),
         (Lang::En, VariationError::Range { found, limit }) => {
             let found = escaped(found);
             format!("\"{found}\" is no range of numbers; allowed: FROM..TO:COUNT, with a COUNT from 2 to {limit}")
@@ -55,12 +52,9 @@ pub fn error(lang: Lang, error: &VariationError) -> String {
             let found = escaped(found);
             format!("\"{found}\" não é um intervalo de números; permitido: DE..ATÉ:QUANTOS, com QUANTOS de 2 a {limit}")
         }
-        (Lang::En, VariationError::TooMany { count, limit }) => {
-            format!("the family would have {count} pictures; allowed: at most {limit}")
-        }
-        (Lang::PtBr, VariationError::TooMany { count, limit }) => {
-            format!("a família teria {count} imagens; permitido: no máximo {limit}")
-        }
+        (_, VariationError::TooMany { count, limit }) => both!(lang;
+            "the family would have {count} pictures; allowed: at most {limit}",
+            "a família teria {count} imagens; permitido: no máximo {limit}"),
         (_, VariationError::Figure { key, value, error }) => {
             format!("{} = {}: {}", escaped(key), escaped(value), messages::without_line(lang, error))
         }

@@ -58,10 +58,9 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
             both!(lang; "cannot be read as TOML: {found} ({detail}); allowed: KEY = VALUE with texts in quotes and a point in decimals, such as near = 0.5",
                 "não pode ser lido como TOML: {found} ({in_portuguese}); permitido: CHAVE = VALOR com textos entre aspas e ponto nos decimais, como near = 0.5")
         }
-        Problem::Unquoted { text } => {
-            both!(lang; "is {text}; allowed: a number, or an expression in quotes, \"{text}\"",
-            "é {text}; permitido: um número, ou uma expressão entre aspas, \"{text}\"")
-        }
+        Problem::Unquoted { text } => both!(lang;
+            "is {text}; allowed: a number, or an expression in quotes, \"{text}\"",
+            "é {text}; permitido: um número, ou uma expressão entre aspas, \"{text}\""),
         Problem::Duplicate => both!(lang; "appears twice; allowed: once", "aparece duas vezes; permitido: uma"),
         Problem::TooMany { count, limit } => both!(lang; "are {count}; allowed: at most {limit}",
             "são {count}; permitido: no máximo {limit}"),
@@ -91,37 +90,23 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
 /// Why a formula of a text is refused.
 pub(super) fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> String {
     let (limit, depth) = MAX_FORMULA;
-    let why = match (lang, problem) {
-        (Lang::En, FormulaProblem::Open) => "no dollar sign closes it".to_owned(),
-        (Lang::PtBr, FormulaProblem::Open) => "nenhum cifrão a fecha".to_owned(),
-        (Lang::En, FormulaProblem::Empty) => "it is empty".to_owned(),
-        (Lang::PtBr, FormulaProblem::Empty) => "está vazia".to_owned(),
-        (Lang::En, FormulaProblem::Word(word)) => format!("{} is not a mathematical command", escaped(word)),
-        (Lang::PtBr, FormulaProblem::Word(word)) => format!("{} não é um comando de matemática", escaped(word)),
-        (Lang::En, FormulaProblem::Environment(name)) => {
-            format!("the environment {} is not a mathematical one", escaped(name))
-        }
-        (Lang::PtBr, FormulaProblem::Environment(name)) => {
-            format!("o ambiente {} não é de matemática", escaped(name))
-        }
-        (Lang::En, FormulaProblem::Character('\n')) => "it contains a blank line".to_owned(),
-        (Lang::PtBr, FormulaProblem::Character('\n')) => "contém uma linha em branco".to_owned(),
-        (Lang::En, FormulaProblem::Character(c)) => format!("the character {} is not allowed there", named(*c)),
-        (Lang::PtBr, FormulaProblem::Character(c)) => format!("o caractere {} não é permitido ali", named(*c)),
-        (Lang::En, FormulaProblem::Unbalanced(what)) => format!("{} has no counterpart", escaped(what)),
-        (Lang::PtBr, FormulaProblem::Unbalanced(what)) => format!("{} não tem par", escaped(what)),
-        (Lang::En, FormulaProblem::NotOnALine(what)) => {
-            format!("{} cannot be shown on the one line of a label", escaped(what))
-        }
-        (Lang::PtBr, FormulaProblem::NotOnALine(what)) => {
-            format!("{} não cabe na única linha de um rótulo", escaped(what))
-        }
-        (Lang::En, FormulaProblem::TooLong) => {
-            format!("it has more than {limit} characters, or more than {depth} nested pairs of braces")
-        }
-        (Lang::PtBr, FormulaProblem::TooLong) => {
-            format!("tem mais de {limit} caracteres, ou mais de {depth} pares de chaves aninhados")
-        }
+    let why = match problem {
+        FormulaProblem::Open => both!(lang; "no dollar sign closes it", "nenhum cifrão a fecha"),
+        FormulaProblem::Empty => both!(lang; "it is empty", "está vazia"),
+        FormulaProblem::Word(word) => both!(lang; "{} is not a mathematical command",
+            "{} não é um comando de matemática"; escaped(word)),
+        FormulaProblem::Environment(name) => both!(lang; "the environment {} is not a mathematical one",
+            "o ambiente {} não é de matemática"; escaped(name)),
+        FormulaProblem::Character('\n') => both!(lang; "it contains a blank line", "contém uma linha em branco"),
+        FormulaProblem::Character(c) => both!(lang; "the character {} is not allowed there",
+            "o caractere {} não é permitido ali"; named(*c)),
+        FormulaProblem::Unbalanced(what) => both!(lang; "{} has no counterpart",
+            "{} não tem par"; escaped(what)),
+        FormulaProblem::NotOnALine(what) => both!(lang; "{} cannot be shown on the one line of a label",
+            "{} não cabe na única linha de um rótulo"; escaped(what)),
+        FormulaProblem::TooLong => both!(lang;
+            "it has more than {limit} characters, or more than {depth} nested pairs of braces",
+            "tem mais de {limit} caracteres, ou mais de {depth} pares de chaves aninhados"),
     };
     let formula = escaped(formula);
     both!(lang; "has the formula \"${formula}$\": {why}; allowed between dollar signs: mathematics in LaTeX, such as \\frac{{1}}{{2}} and \\theta, and no dollar sign elsewhere",
@@ -181,10 +166,9 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             format!("{}{}", quoted(words), meant(lang, near.as_deref()))
         }
         Allowed::Words(words) => both!(lang; "a list of {}", "uma lista de {}"; quoted(words)),
-        Allowed::TomlValue => {
-            pick!(lang; "a TOML value, such as \"clip\", 0.4, [1, 2, 3] or { way = \"notes\", at = 2.5 }".to_owned(),
-            "um valor de TOML, como \"clip\", 0.4, [1, 2, 3] ou { way = \"notes\", at = 2.5 }".to_owned())
-        }
+        Allowed::TomlValue => pick!(lang;
+            "a TOML value, such as \"clip\", 0.4, [1, 2, 3] or { way = \"notes\", at = 2.5 }".to_owned(),
+            "um valor de TOML, como \"clip\", 0.4, [1, 2, 3] ou { way = \"notes\", at = 2.5 }".to_owned()),
         Allowed::Pair => both!(lang; "[x, y], two numbers", "[x, y], dois números"),
         Allowed::Pixel => both!(lang; "[i, j], two whole numbers", "[i, j], dois números inteiros"),
         Allowed::Matrix => both!(lang; "[[…], […], […], […]], four rows of four numbers",
@@ -196,47 +180,40 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         | Allowed::Line { .. }
         | Allowed::Name { .. }
         | Allowed::FreeName => allowed_text(lang, allowed),
-        Allowed::Operations => {
-            both!(lang; "a list of operations that this camera can perform, such as [\"azimuth=30\", \"zoom=2\"]",
-            "uma lista de operações que esta câmera pode executar, como [\"azimuth=30\", \"zoom=2\"]")
-        }
-        Allowed::KeyOfSteps => {
-            both!(lang; "keys or sections that the steps before have, such as [\"show.stage\", \"labels\"]",
-            "chaves ou seções que os passos anteriores têm, como [\"show.stage\", \"labels\"]")
-        }
+        Allowed::Operations => both!(lang;
+            "a list of operations that this camera can perform, such as [\"azimuth=30\", \"zoom=2\"]",
+            "uma lista de operações que esta câmera pode executar, como [\"azimuth=30\", \"zoom=2\"]"),
+        Allowed::KeyOfSteps => both!(lang;
+            "keys or sections that the steps before have, such as [\"show.stage\", \"labels\"]",
+            "chaves ou seções que os passos anteriores têm, como [\"show.stage\", \"labels\"]"),
         Allowed::Exercise => both!(lang; "an exercise of the program, as `camera-lab exercise list` names it",
             "um exercício do programa, como o nomeia `camera-lab exercise list`"),
-        Allowed::Ways => {
-            both!(lang; "a list of operations and keys that the step's figure can have, such as [\"azimuth=30\", \"camera.near=2\"]",
-            "uma lista de operações e chaves que a figura do passo pode ter, como [\"azimuth=30\", \"camera.near=2\"]")
-        }
+        Allowed::Ways => both!(lang;
+            "a list of operations and keys that the step's figure can have, such as [\"azimuth=30\", \"camera.near=2\"]",
+            "uma lista de operações e chaves que a figura do passo pode ter, como [\"azimuth=30\", \"camera.near=2\"]"),
         Allowed::Pixels => both!(lang; "a list of pixels, [[i, j], …], in whole numbers",
             "uma lista de pixels, [[i, j], …], em números inteiros"),
-        Allowed::Numbers => {
-            both!(lang; "a number or an expression, [a, b, …], or [[…], […], …] with rows of equal length",
-            "um número ou uma expressão, [a, b, …], ou [[…], […], …] com linhas de mesmo comprimento")
-        }
-        Allowed::Quantity => {
-            both!(lang; "a path in the output of inspect for this figure, such as \"basis.u\" or \"points.0.ndc\"",
-            "um caminho na saída de inspect para esta figura, como \"basis.u\" ou \"points.0.ndc\"")
-        }
+        Allowed::Numbers => both!(lang;
+            "a number or an expression, [a, b, …], or [[…], […], …] with rows of equal length",
+            "um número ou uma expressão, [a, b, …], ou [[…], […], …] com linhas de mesmo comprimento"),
+        Allowed::Quantity => both!(lang;
+            "a path in the output of inspect for this figure, such as \"basis.u\" or \"points.0.ndc\"",
+            "um caminho na saída de inspect para esta figura, como \"basis.u\" ou \"points.0.ndc\""),
         Allowed::NotAbove(key) => both!(lang; "a number that is not above {key}", "um número que não passe de {key}"),
         Allowed::Compatible => both!(lang; "conditions that one figure can meet together",
             "condições que uma mesma figura possa cumprir juntas"),
-        Allowed::TwoVectors => {
-            both!(lang; "paths to two vectors in the output of inspect, such as [\"camera.view_up\", \"dop\"]",
-            "caminhos a dois vetores na saída de inspect, como [\"camera.view_up\", \"dop\"]")
-        }
+        Allowed::TwoVectors => both!(lang;
+            "paths to two vectors in the output of inspect, such as [\"camera.view_up\", \"dop\"]",
+            "caminhos a dois vetores na saída de inspect, como [\"camera.view_up\", \"dop\"]"),
         Allowed::Either(one, other) => both!(lang; "either {one} or {other}", "ou {one} ou {other}"),
         Allowed::Choice(choices) => {
             choices.iter().map(|choice| format!("\"{}\"", escaped(choice))).collect::<Vec<_>>().join(", ")
         }
         Allowed::WrongAnswer => both!(lang; "a wrong answer, which the message explains",
             "uma resposta errada, que a mensagem explica"),
-        Allowed::NotePlace => {
-            pick!(lang; "[x, y, z] of the world, [x, y] of the picture from 0 to 1, { object = \"…\", vertex = 0 } or { object = \"…\", edge = 0 }".to_owned(),
-            "[x, y, z] do mundo, [x, y] da figura de 0 a 1, { object = \"…\", vertex = 0 } ou { object = \"…\", edge = 0 }".to_owned())
-        }
+        Allowed::NotePlace => pick!(lang;
+            "[x, y, z] of the world, [x, y] of the picture from 0 to 1, { object = \"…\", vertex = 0 } or { object = \"…\", edge = 0 }".to_owned(),
+            "[x, y, z] do mundo, [x, y] da figura de 0 a 1, { object = \"…\", vertex = 0 } ou { object = \"…\", edge = 0 }".to_owned()),
         Allowed::PairIn(least, most) => both!(lang; "two numbers, [x, y], each from {least} to {most}",
             "dois números, [x, y], cada um de {least} a {most}"),
         Allowed::Section => both!(lang; "a section with keys", "uma seção com chaves"),
@@ -251,30 +228,24 @@ fn quoted(words: &[&str]) -> String {
 
 /// The allowed forms of a text.
 fn allowed_text(lang: Lang, allowed: &Allowed) -> String {
-    match (lang, allowed) {
-        (_, Allowed::BilingualLine { limit }) => {
+    match allowed {
+        Allowed::BilingualLine { limit } => {
             let longest = both!(lang; ", of at most {limit} characters on one line",
                 ", de no máximo {limit} caracteres em uma linha");
             allowed_text(lang, &Allowed::Bilingual) + &longest
         }
-        (Lang::En, Allowed::ToldList) => {
-            "a list of texts, each as \"…\" or { en = \"…\", \"pt-BR\" = \"…\" }".to_owned()
-        }
-        (Lang::PtBr, Allowed::ToldList) => {
-            "uma lista de textos, cada um como \"…\" ou { en = \"…\", \"pt-BR\" = \"…\" }".to_owned()
-        }
-        (Lang::En, Allowed::Line { limit }) => format!("a text in quotes, of 1 to {limit} characters on one line"),
-        (Lang::PtBr, Allowed::Line { limit }) => {
-            format!("um texto entre aspas, de 1 a {limit} caracteres em uma linha")
-        }
-        (Lang::En, Allowed::Texts) => "a list of texts in quotes".to_owned(),
-        (Lang::PtBr, Allowed::Texts) => "uma lista de textos entre aspas".to_owned(),
-        (Lang::En, Allowed::Name { limit }) => format!("at most {limit} letters, digits, -, _ and ."),
-        (Lang::PtBr, Allowed::Name { limit }) => format!("no máximo {limit} letras, dígitos, -, _ e ."),
-        (Lang::En, Allowed::FreeName) => "a name that no other exercise has".to_owned(),
-        (Lang::PtBr, Allowed::FreeName) => "um nome que nenhum outro exercício tem".to_owned(),
-        (Lang::En, _) => "a text in quotes, or { en = \"…\", \"pt-BR\" = \"…\" }".to_owned(),
-        (Lang::PtBr, _) => "um texto entre aspas, ou { en = \"…\", \"pt-BR\" = \"…\" }".to_owned(),
+        Allowed::ToldList => pick!(lang;
+            "a list of texts, each as \"…\" or { en = \"…\", \"pt-BR\" = \"…\" }".to_owned(),
+            "uma lista de textos, cada um como \"…\" ou { en = \"…\", \"pt-BR\" = \"…\" }".to_owned()),
+        Allowed::Line { limit } => both!(lang; "a text in quotes, of 1 to {limit} characters on one line",
+            "um texto entre aspas, de 1 a {limit} caracteres em uma linha"),
+        Allowed::Texts => both!(lang; "a list of texts in quotes", "uma lista de textos entre aspas"),
+        Allowed::Name { limit } => both!(lang; "at most {limit} letters, digits, -, _ and .",
+            "no máximo {limit} letras, dígitos, -, _ e ."),
+        Allowed::FreeName => both!(lang; "a name that no other exercise has",
+            "um nome que nenhum outro exercício tem"),
+        _ => pick!(lang; "a text in quotes, or { en = \"…\", \"pt-BR\" = \"…\" }".to_owned(),
+            "um texto entre aspas, ou { en = \"…\", \"pt-BR\" = \"…\" }".to_owned()),
     }
 }
 

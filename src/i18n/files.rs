@@ -16,12 +16,10 @@ use crate::share::{self, Held, ShareError};
 #[must_use]
 pub fn opened(lang: Lang, path: &Path) -> String {
     let held = share::link_of(path).and_then(share::held_in);
-    match (lang, held) {
-        (_, None) => sanitize::path(path),
-        (Lang::En, Some(Held::Figure)) => "the figure in the link".to_owned(),
-        (Lang::PtBr, Some(Held::Figure)) => "a figura no link".to_owned(),
-        (Lang::En, Some(Held::Lesson)) => "the lesson in the link".to_owned(),
-        (Lang::PtBr, Some(Held::Lesson)) => "a lição no link".to_owned(),
+    match held {
+        None => sanitize::path(path),
+        Some(Held::Figure) => both!(lang; "the figure in the link", "a figura no link"),
+        Some(Held::Lesson) => both!(lang; "the lesson in the link", "a lição no link"),
     }
 }
 

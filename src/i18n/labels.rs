@@ -49,13 +49,11 @@ texts! {
 /// Why a text cannot be that of a label.
 #[must_use]
 pub fn refused(lang: Lang, error: &LabelTextError) -> String {
-    match (lang, error) {
-        (Lang::En, LabelTextError::Length) => format!("A label has 1 to {MAX_LABEL_TEXT} characters on one line."),
-        (Lang::PtBr, LabelTextError::Length) => {
-            format!("Um rótulo tem de 1 a {MAX_LABEL_TEXT} caracteres em uma linha.")
-        }
-        (Lang::En, LabelTextError::Formula(error)) => format!("The text {}.", figure_files::formula(lang, error)),
-        (Lang::PtBr, LabelTextError::Formula(error)) => format!("O texto {}.", figure_files::formula(lang, error)),
+    match error {
+        LabelTextError::Length => both!(lang; "A label has 1 to {MAX_LABEL_TEXT} characters on one line.",
+            "Um rótulo tem de 1 a {MAX_LABEL_TEXT} caracteres em uma linha."),
+        LabelTextError::Formula(error) => both!(lang; "The text {}.",
+            "O texto {}."; figure_files::formula(lang, error)),
     }
 }
 

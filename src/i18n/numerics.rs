@@ -38,53 +38,44 @@ texts! {
 /// The question of a study.
 #[must_use]
 pub const fn title(lang: Lang, study: Study) -> &'static str {
-    match (lang, study) {
-        (Lang::En, Study::VertexTransform) => "World points to view space, far from the origin",
-        (Lang::PtBr, Study::VertexTransform) => "Pontos do mundo ao espaço de vista, longe da origem",
-        (Lang::En, Study::Basis) => "u, v, n where VUP is almost along DOP",
-        (Lang::PtBr, Study::Basis) => "u, v, n com VUP quase na direção de DOP",
-        (Lang::En, Study::RepeatedOperations) => "Many small azimuths, one after the other",
-        (Lang::PtBr, Study::RepeatedOperations) => "Muitos azimutes pequenos, um após o outro",
-        (Lang::En, Study::DepthBuffer) => "Formats of depth buffers: depths that cannot be told apart",
-        (Lang::PtBr, Study::DepthBuffer) => "Formatos de z-buffer: profundidades que não se distinguem",
-        (Lang::En, Study::Visibility) => "Which surface is seen: painter, BSP, depth buffers",
-        (Lang::PtBr, Study::Visibility) => "Qual superfície se vê: pintor, BSP, z-buffers",
-        (Lang::En, Study::Shading) => "Light on curved surfaces made of flat faces",
-        (Lang::PtBr, Study::Shading) => "Luz em superfícies curvas feitas de faces planas",
-        (Lang::En, Study::Antialiasing) => "Samples of a pixel against exact area",
-        (Lang::PtBr, Study::Antialiasing) => "Amostras por pixel contra a área exata",
-        (Lang::En, Study::Clipping) => "Segments through w = 0: clipped before or after the division",
-        (Lang::PtBr, Study::Clipping) => "Segmentos por w = 0: recortados antes ou depois da divisão",
-        (Lang::En, Study::TextureFilter) => "Filters of a texture against the exact mean over the pixel",
-        (Lang::PtBr, Study::TextureFilter) => "Filtros de uma textura contra a média exata sobre o pixel",
-        (Lang::En, Study::Shadows) => "Shadow maps against rays to the light",
-        (Lang::PtBr, Study::Shadows) => "Mapas de sombras contra raios até a luz",
+    match study {
+        Study::VertexTransform => pick!(lang; "World points to view space, far from the origin",
+            "Pontos do mundo ao espaço de vista, longe da origem"),
+        Study::Basis => pick!(lang; "u, v, n where VUP is almost along DOP",
+            "u, v, n com VUP quase na direção de DOP"),
+        Study::RepeatedOperations => pick!(lang; "Many small azimuths, one after the other",
+            "Muitos azimutes pequenos, um após o outro"),
+        Study::DepthBuffer => pick!(lang; "Formats of depth buffers: depths that cannot be told apart",
+            "Formatos de z-buffer: profundidades que não se distinguem"),
+        Study::Visibility => pick!(lang; "Which surface is seen: painter, BSP, depth buffers",
+            "Qual superfície se vê: pintor, BSP, z-buffers"),
+        Study::Shading => pick!(lang; "Light on curved surfaces made of flat faces",
+            "Luz em superfícies curvas feitas de faces planas"),
+        Study::Antialiasing => pick!(lang; "Samples of a pixel against exact area",
+            "Amostras por pixel contra a área exata"),
+        Study::Clipping => pick!(lang; "Segments through w = 0: clipped before or after the division",
+            "Segmentos por w = 0: recortados antes ou depois da divisão"),
+        Study::TextureFilter => pick!(lang; "Filters of a texture against the exact mean over the pixel",
+            "Filtros de uma textura contra a média exata sobre o pixel"),
+        Study::Shadows => pick!(lang; "Shadow maps against rays to the light",
+            "Mapas de sombras contra raios até a luz"),
     }
 }
 
 /// A study by a few words.
 #[must_use]
 pub const fn short_title(lang: Lang, study: Study) -> &'static str {
-    match (lang, study) {
-        (Lang::En, Study::VertexTransform) => "Worlds far away",
-        (Lang::PtBr, Study::VertexTransform) => "Mundos distantes",
-        (_, Study::Basis) => "u, v, n",
-        (Lang::En, Study::RepeatedOperations) => "Many operations",
-        (Lang::PtBr, Study::RepeatedOperations) => "Muitas operações",
-        (Lang::En, Study::DepthBuffer) => "Depth buffers",
-        (Lang::PtBr, Study::DepthBuffer) => "Z-buffers",
-        (Lang::En, Study::Visibility) => "What is seen",
-        (Lang::PtBr, Study::Visibility) => "O que se vê",
-        (Lang::En, Study::Shading) => "Light on curved surfaces",
-        (Lang::PtBr, Study::Shading) => "Luz em superfícies curvas",
-        (Lang::En, Study::Antialiasing) => "Samples of a pixel",
-        (Lang::PtBr, Study::Antialiasing) => "Amostras por pixel",
-        (Lang::En, Study::Clipping) => "Clipping through w = 0",
-        (Lang::PtBr, Study::Clipping) => "Recorte por w = 0",
-        (Lang::En, Study::TextureFilter) => "Filters of textures",
-        (Lang::PtBr, Study::TextureFilter) => "Filtros de texturas",
-        (Lang::En, Study::Shadows) => "Shadow maps",
-        (Lang::PtBr, Study::Shadows) => "Mapas de sombras",
+    match study {
+        Study::VertexTransform => pick!(lang; "Worlds far away", "Mundos distantes"),
+        Study::Basis => "u, v, n",
+        Study::RepeatedOperations => pick!(lang; "Many operations", "Muitas operações"),
+        Study::DepthBuffer => pick!(lang; "Depth buffers", "Z-buffers"),
+        Study::Visibility => pick!(lang; "What is seen", "O que se vê"),
+        Study::Shading => pick!(lang; "Light on curved surfaces", "Luz em superfícies curvas"),
+        Study::Antialiasing => pick!(lang; "Samples of a pixel", "Amostras por pixel"),
+        Study::Clipping => pick!(lang; "Clipping through w = 0", "Recorte por w = 0"),
+        Study::TextureFilter => pick!(lang; "Filters of textures", "Filtros de texturas"),
+        Study::Shadows => pick!(lang; "Shadow maps", "Mapas de sombras"),
     }
 }
 
@@ -102,24 +93,18 @@ pub fn readout(lang: Lang, study: Study, row: &Row, number: impl Fn(f64) -> Stri
 /// The parameter of a study.
 #[must_use]
 pub const fn parameter(lang: Lang, study: Study) -> &'static str {
-    match (lang, study) {
-        (Lang::En, Study::VertexTransform) => "distance from the origin / scene units",
-        (Lang::PtBr, Study::VertexTransform) => "distância da origem / unidades da cena",
-        (Lang::En, Study::Basis) => "angle between VUP and DOP / rad",
-        (Lang::PtBr, Study::Basis) => "ângulo entre VUP e DOP / rad",
-        (Lang::En, Study::RepeatedOperations) => "operations",
-        (Lang::PtBr, Study::RepeatedOperations) => "operações",
-        (_, Study::DepthBuffer | Study::Visibility) => "B / F",
-        (Lang::En, Study::Shading) => "segments",
-        (Lang::PtBr, Study::Shading) => "segmentos",
-        (Lang::En, Study::Antialiasing) => "size of the triangles / pixels",
-        (Lang::PtBr, Study::Antialiasing) => "tamanho dos triângulos / pixels",
-        (Lang::En, Study::Clipping) => "distance of the other end from the plane w = 0 / scene units",
-        (Lang::PtBr, Study::Clipping) => "distância da outra ponta ao plano w = 0 / unidades da cena",
-        (Lang::En, Study::TextureFilter) => "texels along a pixel",
-        (Lang::PtBr, Study::TextureFilter) => "texels ao longo de um pixel",
-        (Lang::En, Study::Shadows) => "side of the map / texels",
-        (Lang::PtBr, Study::Shadows) => "lado do mapa / texels",
+    match study {
+        Study::VertexTransform => pick!(lang; "distance from the origin / scene units",
+            "distância da origem / unidades da cena"),
+        Study::Basis => pick!(lang; "angle between VUP and DOP / rad", "ângulo entre VUP e DOP / rad"),
+        Study::RepeatedOperations => pick!(lang; "operations", "operações"),
+        Study::DepthBuffer | Study::Visibility => "B / F",
+        Study::Shading => pick!(lang; "segments", "segmentos"),
+        Study::Antialiasing => pick!(lang; "size of the triangles / pixels", "tamanho dos triângulos / pixels"),
+        Study::Clipping => pick!(lang; "distance of the other end from the plane w = 0 / scene units",
+            "distância da outra ponta ao plano w = 0 / unidades da cena"),
+        Study::TextureFilter => pick!(lang; "texels along a pixel", "texels ao longo de um pixel"),
+        Study::Shadows => pick!(lang; "side of the map / texels", "lado do mapa / texels"),
     }
 }
 
@@ -133,19 +118,13 @@ pub fn value(parameter: f64) -> String {
 /// The meaning of an error, with its unit.
 #[must_use]
 pub const fn unit(lang: Lang, unit: Unit) -> &'static str {
-    match (lang, unit) {
-        (Lang::En, Unit::SceneUnits) => "error / scene units",
-        (Lang::PtBr, Unit::SceneUnits) => "erro / unidades da cena",
-        (Lang::En, Unit::Radians) => "error / rad",
-        (Lang::PtBr, Unit::Radians) => "erro / rad",
-        (Lang::En, Unit::Relative) => "relative error",
-        (Lang::PtBr, Unit::Relative) => "erro relativo",
-        (Lang::En, Unit::Share) => "wrong share",
-        (Lang::PtBr, Unit::Share) => "parcela errada",
-        (Lang::En, Unit::Color) => "error / range of a channel",
-        (Lang::PtBr, Unit::Color) => "erro / faixa de um canal",
-        (Lang::En, Unit::Ndc) => "error / NDC",
-        (Lang::PtBr, Unit::Ndc) => "erro / NDC",
+    match unit {
+        Unit::SceneUnits => pick!(lang; "error / scene units", "erro / unidades da cena"),
+        Unit::Radians => pick!(lang; "error / rad", "erro / rad"),
+        Unit::Relative => pick!(lang; "relative error", "erro relativo"),
+        Unit::Share => pick!(lang; "wrong share", "parcela errada"),
+        Unit::Color => pick!(lang; "error / range of a channel", "erro / faixa de um canal"),
+        Unit::Ndc => pick!(lang; "error / NDC", "erro / NDC"),
     }
 }
 

@@ -43,21 +43,14 @@ texts! {
 /// The kind of a call, as a name.
 #[must_use]
 pub fn kind(lang: Lang, call: Call) -> &'static str {
-    match (lang, call) {
-        (Lang::En, Call::Translate(_)) => "translate",
-        (Lang::PtBr, Call::Translate(_)) => "transladar",
-        (Lang::En, Call::RotateX(_)) => "rotate about x",
-        (Lang::PtBr, Call::RotateX(_)) => "girar em torno de x",
-        (Lang::En, Call::RotateY(_)) => "rotate about y",
-        (Lang::PtBr, Call::RotateY(_)) => "girar em torno de y",
-        (Lang::En, Call::RotateZ(_)) => "rotate about z",
-        (Lang::PtBr, Call::RotateZ(_)) => "girar em torno de z",
-        (Lang::En, Call::Scale(_)) => "scale",
-        (Lang::PtBr, Call::Scale(_)) => "escalar",
-        (Lang::En, Call::Push) => "push: save the matrix",
-        (Lang::PtBr, Call::Push) => "push: salvar a matriz",
-        (Lang::En, Call::Pop) => "pop: restore it",
-        (Lang::PtBr, Call::Pop) => "pop: restaurá-la",
+    match call {
+        Call::Translate(_) => pick!(lang; "translate", "transladar"),
+        Call::RotateX(_) => pick!(lang; "rotate about x", "girar em torno de x"),
+        Call::RotateY(_) => pick!(lang; "rotate about y", "girar em torno de y"),
+        Call::RotateZ(_) => pick!(lang; "rotate about z", "girar em torno de z"),
+        Call::Scale(_) => pick!(lang; "scale", "escalar"),
+        Call::Push => pick!(lang; "push: save the matrix", "push: salvar a matriz"),
+        Call::Pop => pick!(lang; "pop: restore it", "pop: restaurá-la"),
     }
 }
 
@@ -95,46 +88,28 @@ pub fn sentence(lang: Lang, reading: Reading, call: Call, number: impl Fn(f64) -
     };
     if let Some((degrees, axis)) = turned {
         let degrees = number(degrees);
-        return match (lang, reading) {
-            (Lang::En, Reading::Frame) => format!("The frame turns by {degrees}° about its own {axis}."),
-            (Lang::PtBr, Reading::Frame) => format!("O referencial gira {degrees}° em torno de seu próprio {axis}."),
-            (Lang::En, Reading::Object) => {
-                format!("The object turns by {degrees}° about the fixed {axis}, through the origin of its parent.")
-            }
-            (Lang::PtBr, Reading::Object) => {
-                format!("O objeto gira {degrees}° em torno do {axis} fixo, pela origem do pai.")
-            }
+        return match reading {
+            Reading::Frame => both!(lang; "The frame turns by {degrees}° about its own {axis}.",
+                "O referencial gira {degrees}° em torno de seu próprio {axis}."),
+            Reading::Object => both!(lang;
+                "The object turns by {degrees}° about the fixed {axis}, through the origin of its parent.",
+                "O objeto gira {degrees}° em torno do {axis} fixo, pela origem do pai."),
         };
     }
-    match (lang, reading, call) {
-        (Lang::En, Reading::Frame, Call::Translate(t)) => {
-            format!("The frame moves by {} along its own axes.", vector(t))
-        }
-        (Lang::PtBr, Reading::Frame, Call::Translate(t)) => {
-            format!("O referencial se move {} ao longo de seus próprios eixos.", vector(t))
-        }
-        (Lang::En, Reading::Object, Call::Translate(t)) => {
-            format!("The object moves by {} along the fixed axes.", vector(t))
-        }
-        (Lang::PtBr, Reading::Object, Call::Translate(t)) => {
-            format!("O objeto se move {} ao longo dos eixos fixos.", vector(t))
-        }
-        (Lang::En, Reading::Frame, Call::Scale(s)) => {
-            format!("The units of the frame's axes are multiplied by {}.", vector(s))
-        }
-        (Lang::PtBr, Reading::Frame, Call::Scale(s)) => {
-            format!("As unidades dos eixos do referencial são multiplicadas por {}.", vector(s))
-        }
-        (Lang::En, Reading::Object, Call::Scale(s)) => {
-            format!("The object is scaled by {} along the fixed axes, from the origin of its parent.", vector(s))
-        }
-        (Lang::PtBr, Reading::Object, Call::Scale(s)) => {
-            format!("O objeto é escalado por {} ao longo dos eixos fixos, a partir da origem do pai.", vector(s))
-        }
-        (Lang::En, _, Call::Push) => "The current matrix is saved on the stack.".to_owned(),
-        (Lang::PtBr, _, Call::Push) => "A matriz corrente é salva na pilha.".to_owned(),
-        (Lang::En, _, _) => "The matrix that was saved last becomes the current one again.".to_owned(),
-        (Lang::PtBr, _, _) => "A última matriz salva volta a ser a corrente.".to_owned(),
+    match (reading, call) {
+        (Reading::Frame, Call::Translate(t)) => both!(lang; "The frame moves by {} along its own axes.",
+            "O referencial se move {} ao longo de seus próprios eixos."; vector(t)),
+        (Reading::Object, Call::Translate(t)) => both!(lang; "The object moves by {} along the fixed axes.",
+            "O objeto se move {} ao longo dos eixos fixos."; vector(t)),
+        (Reading::Frame, Call::Scale(s)) => both!(lang; "The units of the frame's axes are multiplied by {}.",
+            "As unidades dos eixos do referencial são multiplicadas por {}."; vector(s)),
+        (Reading::Object, Call::Scale(s)) => both!(lang;
+            "The object is scaled by {} along the fixed axes, from the origin of its parent.",
+            "O objeto é escalado por {} ao longo dos eixos fixos, a partir da origem do pai."; vector(s)),
+        (_, Call::Push) => both!(lang; "The current matrix is saved on the stack.",
+            "A matriz corrente é salva na pilha."),
+        (_, _) => both!(lang; "The matrix that was saved last becomes the current one again.",
+            "A última matriz salva volta a ser a corrente."),
     }
 }
 
@@ -151,18 +126,12 @@ pub fn unbalanced(lang: Lang, Unbalanced { call }: Unbalanced) -> String {
 #[must_use]
 pub fn needs_groups(lang: Lang, (place, call): (usize, Call), groups: usize) -> String {
     let (number, symbol) = (place + 1, call.symbol().replace('_', ""));
-    match (lang, groups) {
-        (Lang::En, 1) => format!(
-            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. A group above the object holds exactly the steps before it."
-        ),
-        (Lang::PtBr, 1) => format!(
-            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. Um grupo acima do objeto guarda exatamente os passos anteriores."
-        ),
-        (Lang::En, _) => format!(
-            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. {groups} groups above the object, one below the other, hold exactly the rest."
-        ),
-        (Lang::PtBr, _) => format!(
-            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. {groups} grupos acima do objeto, um sob o outro, guardam exatamente o resto."
-        ),
+    match groups {
+        1 => both!(lang;
+            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. A group above the object holds exactly the steps before it.",
+            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. Um grupo acima do objeto guarda exatamente os passos anteriores."),
+        _ => both!(lang;
+            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. {groups} groups above the object, one below the other, hold exactly the rest.",
+            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. {groups} grupos acima do objeto, um sob o outro, guardam exatamente o resto."),
     }
 }

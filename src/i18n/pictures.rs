@@ -273,20 +273,14 @@ pub fn told_of(lang: Lang, figure: &Figure, sheet: &Composite, text: String) -> 
 /// Why the faces of a page of vectors are a picture, although areas were asked for.
 #[must_use]
 pub fn no_areas(lang: Lang, why: &NoAreas) -> String {
-    match (lang, why) {
-        (Lang::En, NoAreas::Shaded) => {
-            "the faces are a picture: their colours vary over a face (Gouraud, Phong, textures, shadows); allowed for areas: shading = \"flat\", without shadows, or \"wireframe\"".to_owned()
-        }
-        (Lang::PtBr, NoAreas::Shaded) => {
-            "as faces são uma imagem: suas cores variam sobre uma face (Gouraud, Phong, texturas, sombras); permitido para áreas: shading = \"flat\", sem sombras, ou \"wireframe\"".to_owned()
-        }
-        (Lang::En, NoAreas::Partial) => {
-            "the faces are a picture: the first of them are shown in the order of the depth buffer; allowed for areas: visibility = \"painter\" or \"bsp\", or without show.painted".to_owned()
-        }
-        (Lang::PtBr, NoAreas::Partial) => {
-            "as faces são uma imagem: as primeiras delas aparecem na ordem do z-buffer; permitido para áreas: visibility = \"painter\" ou \"bsp\", ou sem show.painted".to_owned()
-        }
-        (Lang::En, NoAreas::OverBudget(over)) => format!("the faces are a picture: {}", messages::too_much(lang, over)),
-        (Lang::PtBr, NoAreas::OverBudget(over)) => format!("as faces são uma imagem: {}", messages::too_much(lang, over)),
+    match why {
+        NoAreas::Shaded => both!(lang;
+            "the faces are a picture: their colours vary over a face (Gouraud, Phong, textures, shadows); allowed for areas: shading = \"flat\", without shadows, or \"wireframe\"",
+            "as faces são uma imagem: suas cores variam sobre uma face (Gouraud, Phong, texturas, sombras); permitido para áreas: shading = \"flat\", sem sombras, ou \"wireframe\""),
+        NoAreas::Partial => both!(lang;
+            "the faces are a picture: the first of them are shown in the order of the depth buffer; allowed for areas: visibility = \"painter\" or \"bsp\", or without show.painted",
+            "as faces são uma imagem: as primeiras delas aparecem na ordem do z-buffer; permitido para áreas: visibility = \"painter\" ou \"bsp\", ou sem show.painted"),
+        NoAreas::OverBudget(over) => both!(lang; "the faces are a picture: {}",
+            "as faces são uma imagem: {}"; messages::too_much(lang, over)),
     }
 }

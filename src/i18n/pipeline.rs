@@ -9,42 +9,26 @@ use crate::stage::Operations;
 /// The name of a stage, short enough for a column.
 #[must_use]
 pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
-    match (lang, stage) {
-        (Lang::En, Stage::Traverse) => "traversal",
-        (Lang::PtBr, Stage::Traverse) => "percurso",
-        (Lang::En, Stage::CullObjects) => "trivial rejection",
-        (Lang::PtBr, Stage::CullObjects) => "rejeição trivial",
-        (Lang::En, Stage::Normals) => "normals",
-        (Lang::PtBr, Stage::Normals) => "normais",
-        (Lang::En, Stage::Light) => "lighting",
-        (Lang::PtBr, Stage::Light) => "iluminação",
-        (Lang::En, Stage::Transform) => "view transform",
-        (Lang::PtBr, Stage::Transform) => "transf. de vista",
-        (Lang::En, Stage::CullFaces) => "back faces",
-        (Lang::PtBr, Stage::CullFaces) => "faces de trás",
-        (Lang::En | Lang::PtBr, Stage::Clip) => pick!(lang; "clipping", "recorte"),
-        (Lang::En, Stage::Oblique) => "oblique window",
-        (Lang::PtBr, Stage::Oblique) => "janela oblíqua",
-        (Lang::En, Stage::Divide) => "divide by w",
-        (Lang::PtBr, Stage::Divide) => "divisão por w",
-        (Lang::En | Lang::PtBr, Stage::Viewport) => "viewport",
-        (Lang::En, Stage::Fill) => "fill",
-        (Lang::PtBr, Stage::Fill) => "preenchimento",
-        (Lang::En, Stage::Interpolate) => "interpolation",
-        (Lang::PtBr, Stage::Interpolate) => "interpolação",
-        (Lang::En, Stage::HiddenSurfaces) => "hidden surfaces",
-        (Lang::PtBr, Stage::HiddenSurfaces) => "faces ocultas",
-        (Lang::En, Stage::Texture) => "texture",
-        (Lang::PtBr, Stage::Texture) => "textura",
-        (Lang::En, Stage::Shadow) => "shadow",
-        (Lang::PtBr, Stage::Shadow) => "sombra",
-        (Lang::En, Stage::Blend) => "blending",
-        (Lang::PtBr, Stage::Blend) => "mistura",
-        (Lang::En | Lang::PtBr, Stage::Antialias) => "antialiasing",
-        (Lang::En, Stage::Lines) => "lines and texts",
-        (Lang::PtBr, Stage::Lines) => "linhas e textos",
-        (Lang::En, Stage::Write) => "write",
-        (Lang::PtBr, Stage::Write) => "escrita",
+    match stage {
+        Stage::Traverse => pick!(lang; "traversal", "percurso"),
+        Stage::CullObjects => pick!(lang; "trivial rejection", "rejeição trivial"),
+        Stage::Normals => pick!(lang; "normals", "normais"),
+        Stage::Light => pick!(lang; "lighting", "iluminação"),
+        Stage::Transform => pick!(lang; "view transform", "transf. de vista"),
+        Stage::CullFaces => pick!(lang; "back faces", "faces de trás"),
+        Stage::Clip => pick!(lang; "clipping", "recorte"),
+        Stage::Oblique => pick!(lang; "oblique window", "janela oblíqua"),
+        Stage::Divide => pick!(lang; "divide by w", "divisão por w"),
+        Stage::Viewport => "viewport",
+        Stage::Fill => pick!(lang; "fill", "preenchimento"),
+        Stage::Interpolate => pick!(lang; "interpolation", "interpolação"),
+        Stage::HiddenSurfaces => pick!(lang; "hidden surfaces", "faces ocultas"),
+        Stage::Texture => pick!(lang; "texture", "textura"),
+        Stage::Shadow => pick!(lang; "shadow", "sombra"),
+        Stage::Blend => pick!(lang; "blending", "mistura"),
+        Stage::Antialias => "antialiasing",
+        Stage::Lines => pick!(lang; "lines and texts", "linhas e textos"),
+        Stage::Write => pick!(lang; "write", "escrita"),
     }
 }
 
@@ -83,81 +67,53 @@ pub fn cost(lang: Lang, report: &StageReport) -> Option<String> {
 /// The action of a stage, in a sentence, with the place in the notes.
 #[must_use]
 pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
-    match (lang, stage) {
-        (Lang::En, Stage::Traverse) => {
-            "Walks through the tree of the scene, multiplies the transforms, and adds what the picture shows besides. [3] §1.1, step 1"
-        }
-        (Lang::PtBr, Stage::Traverse) => {
-            "Percorre a árvore da cena, multiplica as transformações e acrescenta o que a imagem mostra além dela. [3] §1.1, passo 1"
-        }
-        (Lang::En, Stage::CullObjects) => {
-            "Drops objects whose bounding box is outside one plane of the view volume. [3] §1.1"
-        }
-        (Lang::PtBr, Stage::CullObjects) => {
-            "Descarta os objetos cuja caixa envolvente está fora de um plano do volume de vista. [3] §1.1"
-        }
-        (Lang::En, Stage::Normals) => {
-            "Transforms the normals of vertices to view space, for lighting. [3] §1.8; §1.1, step 2"
-        }
-        (Lang::PtBr, Stage::Normals) => {
-            "Leva as normais dos vértices ao espaço de vista, para a iluminação. [3] §1.8; §1.1, passo 2"
-        }
-        (Lang::En, Stage::Light) => {
-            "The reflection model: ambient, diffuse and specular light. [2]; [3] §1.8; §1.1, step 2"
-        }
-        (Lang::PtBr, Stage::Light) => {
-            "O modelo de reflexão: luz ambiente, difusa e especular. [2]; [3] §1.8; §1.1, passo 2"
-        }
-        (Lang::En, Stage::Transform) => "World → view, each vertex of the faces once. [0] Eq. (5.7); [3] §1.1, step 3",
-        (Lang::PtBr, Stage::Transform) => {
-            "Mundo → vista, cada vértice das faces uma vez. [0] Eq. (5.7); [3] §1.1, passo 3"
-        }
-        (Lang::En, Stage::CullFaces) => "Drops faces that are turned away from the eye. [3] §1.1, step 4",
-        (Lang::PtBr, Stage::CullFaces) => "Descarta as faces que dão as costas ao olho. [3] §1.1, passo 4",
-        (Lang::En, Stage::Clip) => "Cuts what crosses a plane of the volume, before the divide. [2]; [3] §1.1, step 5",
-        (Lang::PtBr, Stage::Clip) => "Corta o que cruza um plano do volume, antes da divisão. [2]; [3] §1.1, passo 5",
-        (Lang::En, Stage::Oblique) => {
-            "The terms (r + l)/(r − l) and (t + b)/(t − b) of an asymmetric window. [0] Eq. (5.13)"
-        }
-        (Lang::PtBr, Stage::Oblique) => {
-            "Os termos (r + l)/(r − l) e (t + b)/(t − b) de uma janela assimétrica. [0] Eq. (5.13)"
-        }
-        (Lang::En, Stage::Divide) => "Clip → NDC: x, y and z are divided by w. [0] §5.4; [3] §1.1, step 5",
-        (Lang::PtBr, Stage::Divide) => "Recorte → NDC: x, y e z são divididos por w. [0] §5.4; [3] §1.1, passo 5",
-        (Lang::En, Stage::Viewport) => "NDC → pixels. [0] Eqs. (5.24), (5.25)",
-        (Lang::PtBr, Stage::Viewport) => "NDC → pixels. [0] Eqs. (5.24), (5.25)",
-        (Lang::En, Stage::Fill) => "Finds the pixels of each face. [3] §1.1, step 6",
-        (Lang::PtBr, Stage::Fill) => "Encontra os pixels de cada face. [3] §1.1, passo 6",
-        (Lang::En, Stage::Interpolate) => {
-            "Colours or normals between the vertices of a face, perspective-correct. [2]; [3] §1.1, step 7"
-        }
-        (Lang::PtBr, Stage::Interpolate) => {
-            "Cores ou normais entre os vértices de uma face, com correção de perspectiva. [2]; [3] §1.1, passo 7"
-        }
-        (Lang::En, Stage::HiddenSurfaces) => "Decides which face is seen at a pixel. [2]; [3] §1.1, step 8",
-        (Lang::PtBr, Stage::HiddenSurfaces) => "Decide qual face é vista em cada pixel. [2]; [3] §1.1, passo 8",
-        (Lang::En, Stage::Texture) => "Pictures on surfaces. [3] §1.1, step 9",
-        (Lang::PtBr, Stage::Texture) => "Imagens sobre superfícies. [3] §1.1, passo 9",
-        (Lang::En, Stage::Shadow) => {
-            "Takes light away where the lamp sees something nearer: its depth picture, the shadow map. [3] §1.1, step 9"
-        }
-        (Lang::PtBr, Stage::Shadow) => {
-            "Retira luz onde a lâmpada vê algo mais próximo: sua imagem de profundidades, o mapa de sombras. [3] §1.1, passo 9"
-        }
-        (Lang::En, Stage::Blend) => "Blends translucent colours with what is behind them. [3] §1.1, step 9",
-        (Lang::PtBr, Stage::Blend) => "Mistura cores translúcidas com o que está atrás. [3] §1.1, passo 9",
-        (Lang::En, Stage::Antialias) => "Takes several samples of each pixel and averages them. [3] §1.1, step 10",
-        (Lang::PtBr, Stage::Antialias) => "Toma várias amostras de cada pixel e faz a média. [3] §1.1, passo 10",
-        (Lang::En, Stage::Lines) => {
-            "Edges, outlines of curved solids, lines, marks and texts, over the finished surfaces."
-        }
-        (Lang::PtBr, Stage::Lines) => {
-            "Arestas, contornos de sólidos curvos, linhas, marcas e textos, sobre as superfícies prontas."
-        }
-        (Lang::En, Stage::Write) => "Colours go to image memory: only here is z dropped. [3] §1.1, step 11",
-        (Lang::PtBr, Stage::Write) => {
-            "As cores vão para a memória de imagem: só aqui z é descartado. [3] §1.1, passo 11"
-        }
+    match stage {
+        Stage::Traverse => pick!(lang;
+            "Walks through the tree of the scene, multiplies the transforms, and adds what the picture shows besides. [3] §1.1, step 1",
+            "Percorre a árvore da cena, multiplica as transformações e acrescenta o que a imagem mostra além dela. [3] §1.1, passo 1"),
+        Stage::CullObjects => pick!(lang;
+            "Drops objects whose bounding box is outside one plane of the view volume. [3] §1.1",
+            "Descarta os objetos cuja caixa envolvente está fora de um plano do volume de vista. [3] §1.1"),
+        Stage::Normals => pick!(lang;
+            "Transforms the normals of vertices to view space, for lighting. [3] §1.8; §1.1, step 2",
+            "Leva as normais dos vértices ao espaço de vista, para a iluminação. [3] §1.8; §1.1, passo 2"),
+        Stage::Light => pick!(lang;
+            "The reflection model: ambient, diffuse and specular light. [2]; [3] §1.8; §1.1, step 2",
+            "O modelo de reflexão: luz ambiente, difusa e especular. [2]; [3] §1.8; §1.1, passo 2"),
+        Stage::Transform => pick!(lang; "World → view, each vertex of the faces once. [0] Eq. (5.7); [3] §1.1, step 3",
+            "Mundo → vista, cada vértice das faces uma vez. [0] Eq. (5.7); [3] §1.1, passo 3"),
+        Stage::CullFaces => pick!(lang; "Drops faces that are turned away from the eye. [3] §1.1, step 4",
+            "Descarta as faces que dão as costas ao olho. [3] §1.1, passo 4"),
+        Stage::Clip => pick!(lang; "Cuts what crosses a plane of the volume, before the divide. [2]; [3] §1.1, step 5",
+            "Corta o que cruza um plano do volume, antes da divisão. [2]; [3] §1.1, passo 5"),
+        Stage::Oblique => pick!(lang;
+            "The terms (r + l)/(r − l) and (t + b)/(t − b) of an asymmetric window. [0] Eq. (5.13)",
+            "Os termos (r + l)/(r − l) e (t + b)/(t − b) de uma janela assimétrica. [0] Eq. (5.13)"),
+        Stage::Divide => pick!(lang; "Clip → NDC: x, y and z are divided by w. [0] §5.4; [3] §1.1, step 5",
+            "Recorte → NDC: x, y e z são divididos por w. [0] §5.4; [3] §1.1, passo 5"),
+        Stage::Viewport => pick!(lang; "NDC → pixels. [0] Eqs. (5.24), (5.25)",
+            "NDC → pixels. [0] Eqs. (5.24), (5.25)"),
+        Stage::Fill => pick!(lang; "Finds the pixels of each face. [3] §1.1, step 6",
+            "Encontra os pixels de cada face. [3] §1.1, passo 6"),
+        Stage::Interpolate => pick!(lang;
+            "Colours or normals between the vertices of a face, perspective-correct. [2]; [3] §1.1, step 7",
+            "Cores ou normais entre os vértices de uma face, com correção de perspectiva. [2]; [3] §1.1, passo 7"),
+        Stage::HiddenSurfaces => pick!(lang; "Decides which face is seen at a pixel. [2]; [3] §1.1, step 8",
+            "Decide qual face é vista em cada pixel. [2]; [3] §1.1, passo 8"),
+        Stage::Texture => pick!(lang; "Pictures on surfaces. [3] §1.1, step 9",
+            "Imagens sobre superfícies. [3] §1.1, passo 9"),
+        Stage::Shadow => pick!(lang;
+            "Takes light away where the lamp sees something nearer: its depth picture, the shadow map. [3] §1.1, step 9",
+            "Retira luz onde a lâmpada vê algo mais próximo: sua imagem de profundidades, o mapa de sombras. [3] §1.1, passo 9"),
+        Stage::Blend => pick!(lang; "Blends translucent colours with what is behind them. [3] §1.1, step 9",
+            "Mistura cores translúcidas com o que está atrás. [3] §1.1, passo 9"),
+        Stage::Antialias => pick!(lang; "Takes several samples of each pixel and averages them. [3] §1.1, step 10",
+            "Toma várias amostras de cada pixel e faz a média. [3] §1.1, passo 10"),
+        Stage::Lines => pick!(lang;
+            "Edges, outlines of curved solids, lines, marks and texts, over the finished surfaces.",
+            "Arestas, contornos de sólidos curvos, linhas, marcas e textos, sobre as superfícies prontas."),
+        Stage::Write => pick!(lang; "Colours go to image memory: only here is z dropped. [3] §1.1, step 11",
+            "As cores vão para a memória de imagem: só aqui z é descartado. [3] §1.1, passo 11"),
     }
 }
 

@@ -56,10 +56,9 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::FacesInView { objects: n } => both!(lang; "faces of {} are in view",
             "há faces de {} no campo de visão"; objects(n)),
         Reason::Forced => t.forced.to_owned(),
-        Reason::Outside { outside, of } => {
-            both!(lang; "{}: all of the bounding box is outside one plane of the volume",
-            "{}: toda a caixa envolvente está fora de um plano do volume"; n_of(outside, of))
-        }
+        Reason::Outside { outside, of } => both!(lang;
+            "{}: all of the bounding box is outside one plane of the volume",
+            "{}: toda a caixa envolvente está fora de um plano do volume"; n_of(outside, of)),
         Reason::NoneOutside { of: 0 } => t.no_objects.to_owned(),
         Reason::NoneOutside { of } => match lang {
             Lang::En => match of {
@@ -82,17 +81,15 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
             "uma cor para cada vértice de {}"; objects(n)),
         Reason::LitPixels { objects: n } => both!(lang; "light is computed at each pixel of {}",
             "a luz é calculada em cada pixel de {}"; objects(n)),
-        Reason::LitVerticesAndPixels { vertices, pixels } => {
-            both!(lang; "{} with colours at the vertices: lit there; lit at each pixel of {}",
-            "{} com cores nos vértices: luz ali; em cada pixel de {}"; objects(vertices), objects(pixels))
-        }
+        Reason::LitVerticesAndPixels { vertices, pixels } => both!(lang;
+            "{} with colours at the vertices: lit there; lit at each pixel of {}",
+            "{} com cores nos vértices: luz ali; em cada pixel de {}"; objects(vertices), objects(pixels)),
         Reason::BackFaces { objects: n, of } => both!(lang; "{}: closed or one-sided, so back faces cannot be seen",
             "{}: em objetos fechados ou de um só lado, as faces de trás não se veem"; n_of(n, of)),
         Reason::BothSidesSeen { .. } => t.both_sides_seen.to_owned(),
-        Reason::CutOpen { objects: n, of } => {
-            both!(lang; "the front plane cuts {} open: the inside may be seen, so nothing is dropped",
-            "o plano da frente abre {}: vê-se o interior, e nada é descartado"; n_of(n, of))
-        }
+        Reason::CutOpen { objects: n, of } => both!(lang;
+            "the front plane cuts {} open: the inside may be seen, so nothing is dropped",
+            "o plano da frente abre {}: vê-se o interior, e nada é descartado"; n_of(n, of)),
         Reason::NoFaceLeft => t.no_face_left.to_owned(),
         Reason::AllInside { objects: n } => both!(lang; "{}: wholly inside the volume, so there is nothing to cut",
             "{}: por inteiro dentro do volume, logo não há o que cortar"; objects(n)),
@@ -121,10 +118,9 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::PaintedByCentroid => t.painted_by_centroid.to_owned(),
         Reason::PaintedBySplitting => t.painted_by_splitting.to_owned(),
         Reason::NoDepthBuffer => t.no_depth_buffer.to_owned(),
-        Reason::TooManyPieces { pieces } => {
-            both!(lang; "depth buffer instead of BSP: splitting stopped at {pieces} pieces, which are too many",
-            "z-buffer em vez de BSP: a divisão parou em {pieces} pedaços, que são demais")
-        }
+        Reason::TooManyPieces { pieces } => both!(lang;
+            "depth buffer instead of BSP: splitting stopped at {pieces} pieces, which are too many",
+            "z-buffer em vez de BSP: a divisão parou em {pieces} pedaços, que são demais"),
         Reason::TextureOfOneColor { objects: n } => both!(lang; "a texture of one colour on {}",
             "textura de uma só cor em {}"; objects(n)),
         Reason::NoTexture => t.no_texture.to_owned(),

@@ -36,13 +36,9 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             format!("é \"{}\", como um objeto anterior; permitido: um nome único", escaped(name)),
             "outro objeto tem este nome",
         ),
-        (Lang::En, SceneError::UnknownParent { parent, .. }) => {
-            english(&format!("there is no object “{}”", escaped(parent)))
-        }
-        (Lang::PtBr, SceneError::UnknownParent { parent, .. }) => Wording::new(
-            format!("é \"{}\", que não é o nome de um objeto; permitido: o nome de um objeto", escaped(parent)),
-            format!("não há objeto “{}”", escaped(parent)),
-        ),
+        (_, SceneError::UnknownParent { parent, .. }) => pick!(lang;
+            english(&format!("there is no object “{}”", escaped(parent))),
+            Wording::new(format!("é \"{}\", que não é o nome de um objeto; permitido: o nome de um objeto", escaped(parent)), format!("não há objeto “{}”", escaped(parent)))),
         (Lang::En, SceneError::Cycle { chain }) => english(&format!("parents form a cycle: {}", chain_text(chain))),
         (Lang::PtBr, SceneError::Cycle { chain }) => {
             let chain = chain_text(chain);
@@ -51,18 +47,11 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
                 format!("os pais formam um ciclo: {chain}"),
             )
         }
-        (Lang::En, SceneError::NotFinite { .. }) => {
-            english("in the world these numbers exceed the range (about 1e308)")
-        }
-        (Lang::PtBr, SceneError::NotFinite { .. }) => Wording::new(
-            "leva a números que não são finitos; permitido: transformações cujo produto fique abaixo de cerca de 1e308",
-            "no mundo estes números saem da faixa (cerca de 1e308)",
-        ),
-        (Lang::En, SceneError::ZeroScale { .. }) => english("the scale must not be 0 along any axis"),
-        (Lang::PtBr, SceneError::ZeroScale { .. }) => Wording::new(
-            "é 0 em algum eixo; permitido: quaisquer outros números",
-            "a escala não pode ser 0 em nenhum eixo",
-        ),
+        (_, SceneError::NotFinite { .. }) => pick!(lang;
+            english("in the world these numbers exceed the range (about 1e308)"),
+            Wording::new("leva a números que não são finitos; permitido: transformações cujo produto fique abaixo de cerca de 1e308", "no mundo estes números saem da faixa (cerca de 1e308)")),
+        (_, SceneError::ZeroScale { .. }) => pick!(lang; english("the scale must not be 0 along any axis"),
+            Wording::new("é 0 em algum eixo; permitido: quaisquer outros números", "a escala não pode ser 0 em nenhum eixo")),
         (Lang::En, SceneError::Segments { .. }) => english(&segments_allowed(lang)),
         (Lang::PtBr, SceneError::Segments { found, .. }) => Wording::new(
             format!("é {found}; permitido: um inteiro de {MIN_SEGMENTS} a {MAX_SEGMENTS}"),
@@ -72,11 +61,8 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             let (path, why) = (escaped(path), after_path(lang, &escaped(path), error));
             Wording::new(format!("\"{path}\"{why}"), format!("{path}{why}"))
         }
-        (Lang::En, SceneError::TooManyObjects) => english(&format!("at most {MAX_OBJECTS} objects")),
-        (Lang::PtBr, SceneError::TooManyObjects) => Wording::new(
-            format!("são demais, com os de suas malhas; permitido: no máximo {MAX_OBJECTS}"),
-            format!("no máximo {MAX_OBJECTS} objetos"),
-        ),
+        (_, SceneError::TooManyObjects) => pick!(lang; english(&format!("at most {MAX_OBJECTS} objects")),
+            Wording::new(format!("são demais, com os de suas malhas; permitido: no máximo {MAX_OBJECTS}"), format!("no máximo {MAX_OBJECTS} objetos"))),
         (Lang::En, SceneError::TooManyLights { .. }) => english(&format!("at most {MAX_LIGHTS} lights")),
         (Lang::PtBr, SceneError::TooManyLights { found }) => Wording::new(
             format!("são {found}; permitido: no máximo {MAX_LIGHTS}"),

@@ -250,21 +250,16 @@ pub fn lost(lang: Lang, preset: Preset) -> String {
 /// The features that a list of objects cannot express, as a list.
 #[must_use]
 pub fn beyond(lang: Lang, lost: &[Beyond]) -> String {
-    let word = |what: &Beyond| match (lang, what) {
-        (Lang::En, Beyond::NumberedFaces) => "the colours of single faces and the numbers on them",
-        (Lang::PtBr, Beyond::NumberedFaces) => "as cores de cada face e os números nelas",
-        (Lang::En, Beyond::TiledFloor) => "the tiled floor",
-        (Lang::PtBr, Beyond::TiledFloor) => "o piso ladrilhado",
-        (Lang::En, Beyond::InnerSides) => "the inner sides of faces",
-        (Lang::PtBr, Beyond::InnerSides) => "os lados de dentro das faces",
-        (Lang::En, Beyond::CornerNames) => "the coordinates beside the corners",
-        (Lang::PtBr, Beyond::CornerNames) => "as coordenadas junto aos vértices",
-        (Lang::En, Beyond::WireCube) => "that the cube has no faces",
-        (Lang::PtBr, Beyond::WireCube) => "que o cubo não tem faces",
-        (Lang::En, Beyond::LetterF) => "the letter F",
-        (Lang::PtBr, Beyond::LetterF) => "a letra F",
-        (Lang::En, Beyond::Rays) => "the arrows of the construction",
-        (Lang::PtBr, Beyond::Rays) => "as setas da construção",
+    let word = |what: &Beyond| match what {
+        Beyond::NumberedFaces => pick!(lang; "the colours of single faces and the numbers on them",
+            "as cores de cada face e os números nelas"),
+        Beyond::TiledFloor => pick!(lang; "the tiled floor", "o piso ladrilhado"),
+        Beyond::InnerSides => pick!(lang; "the inner sides of faces", "os lados de dentro das faces"),
+        Beyond::CornerNames => pick!(lang; "the coordinates beside the corners",
+            "as coordenadas junto aos vértices"),
+        Beyond::WireCube => pick!(lang; "that the cube has no faces", "que o cubo não tem faces"),
+        Beyond::LetterF => pick!(lang; "the letter F", "a letra F"),
+        Beyond::Rays => pick!(lang; "the arrows of the construction", "as setas da construção"),
     };
     lost.iter().map(word).collect::<Vec<_>>().join("; ")
 }

@@ -86,8 +86,7 @@ pub fn ago(lang: Lang, age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     let (hours, days) = (minutes / 60, minutes / 1440);
     match (lang, minutes) {
-        (Lang::En, 0) => "just now".to_owned(),
-        (Lang::PtBr, 0) => "agora mesmo".to_owned(),
+        (_, 0) => both!(lang; "just now", "agora mesmo"),
         (Lang::En, 0..60) => format!("{minutes} min ago"),
         (Lang::En, 60..2880) => format!("{hours} h ago"),
         (Lang::En, _) => format!("{days} days ago"),
