@@ -196,8 +196,8 @@ pub(in crate::scene) fn decode(bytes: &[u8], alpha: Alpha) -> Result<Texture, Te
     Ok(Texture::flat(width, height, rgba).with_levels())
 }
 
-/// A decoder that has read the head of a file. A PNG's color profile counts against [`MAX_TEXTURE_METADATA`]: it unpacks
-/// to a thousand times its size, and texels are taken as sRGB without it.
+/// A decoder that has read the head of a file. A PNG's color profile counts against [`MAX_TEXTURE_METADATA`]: it
+/// unpacks to a thousand times its size, and texels are taken as sRGB without it.
 fn decoder_of(mut reader: ImageReader<Cursor<&[u8]>>) -> Result<impl ImageDecoder, TextureFault> {
     let mut limits = Limits::default();
     limits.max_alloc = Some(MAX_TEXTURE_METADATA);
