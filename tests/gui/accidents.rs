@@ -16,6 +16,7 @@ use egui_kittest::kittest::Queryable;
 use super::exercises;
 use super::files::{Dropped, Folder};
 use super::window::Window;
+use crate::words::en;
 
 fn pipe(path: &Path) {
     assert!(Command::new("mkfifo").arg(path).status().is_ok_and(|status| status.success()));
@@ -51,7 +52,7 @@ fn what_is_no_figure_is_refused_when_it_is_dropped_and_the_figure_stays() {
     // With changes, it is asked before, and what was changed is there after all.
     window.enter("B", "40");
     window.drop_files([&*huge]);
-    window.click("Don't save");
+    window.click(en::WINDOW.dont_save);
     assert!(window.says("huge.toml is larger than any figure"));
     assert_eq!(window.state().document.draft().far, 40.0);
     assert!(window.state().document.is_changed());
@@ -113,7 +114,7 @@ fn a_folder_of_exercises_that_goes_or_changes_its_kind_takes_no_answer_along() {
     let again = |window: &mut Window| {
         window.app_mut().state.exercises.leave();
         window.run();
-        window.click("Read it again");
+        window.click(en::EXERCISE_WINDOW.own_again);
     };
     open(&mut window);
     window.harness.get_all_by_role(Role::TextInput).next().unwrap().click();
@@ -135,18 +136,18 @@ fn a_folder_of_exercises_that_goes_or_changes_its_kind_takes_no_answer_along() {
     // A pipe in the place of its file: said at once, and nobody waits for it.
     fs::create_dir_all(&lecture).unwrap();
     pipe(&lecture.join("a.toml"));
-    window.click("Read it again");
+    window.click(en::EXERCISE_WINDOW.own_again);
     window.click("Skipped in the folder: 1");
     assert!(window.says("a.toml is a device, a pipe or a socket"));
     // A file in the place of the folder.
     fs::remove_dir_all(&lecture).unwrap();
     fs::write(&lecture, "?").unwrap();
-    window.click("Read it again");
+    window.click(en::EXERCISE_WINDOW.own_again);
     assert!(window.says("lecture cannot be read: a part of the path is not a directory"));
     // It is back, and what was typed as well.
     fs::remove_file(&lecture).unwrap();
     put();
-    window.click("Read it again");
+    window.click(en::EXERCISE_WINDOW.own_again);
     open(&mut window);
     assert!(typed(&window));
 }

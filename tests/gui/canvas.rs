@@ -4,6 +4,7 @@
 
 use std::time::Duration;
 
+use crate::words::en;
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::gui::canvas::Canvas;
@@ -254,7 +255,7 @@ fn escape_gives_a_handle_back() {
 fn a_picture_can_be_hidden_and_shown_again() {
     let mut h = stage(|_| ());
     let width = place(&h, IMAGE).width();
-    h.get_all_by_label("Hide this picture").next().unwrap().click();
+    h.get_all_by_label(en::CANVAS.hide).next().unwrap().click();
     h.run();
     assert_eq!(h.state().state.layout.shown, [false, true, true]);
     assert!(h.query_by_label_contains(WORLD).is_none());
@@ -311,7 +312,7 @@ fn only_what_has_changed_is_drawn_again() {
 
 /// Takes a viewpoint of the world from its menu.
 fn look(h: &mut Harness<'_, Stage>, from: &str) {
-    h.get_all_by_label("Look from…").next().unwrap().click();
+    h.get_all_by_label(en::CANVAS.look_menu).next().unwrap().click();
     h.run();
     h.get_by_label_contains(from).click();
     h.run();
@@ -346,9 +347,9 @@ fn two_bars_divide_the_pictures() {
 fn pictures_are_arranged_as_asked() {
     let mut h = stage(|_| ());
     assert!(place(&h, IMAGE).left() > place(&h, CANONICAL).right(), "side by side where there is room");
-    h.get_by_label("Arrange the pictures").click();
+    h.get_by_label(en::CANVAS.arrange).click();
     h.run_steps(4);
-    h.get_by_label("The world above the others").click();
+    h.get_by_label(en::CANVAS.arrange_above).click();
     h.run_steps(4);
     let (world, canonical, image) = (place(&h, WORLD), place(&h, CANONICAL), place(&h, IMAGE));
     assert!(canonical.top() > world.bottom() && image.top() == canonical.top() && image.left() > canonical.right());

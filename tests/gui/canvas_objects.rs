@@ -13,6 +13,7 @@ use egui_kittest::kittest::Queryable;
 use glam::{DVec2, DVec3};
 
 use super::canvas::{Stage, WORLD, drag, place, stage, world};
+use crate::words::en;
 
 /// A turned group with a cone in it that is selected, and a lamp.
 fn with_cone(state: &mut State) {
@@ -70,7 +71,7 @@ fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
 
     h.hover_at(from);
     h.run();
-    assert!(h.query_all_by_label_contains("Drag: along this axis of its parent").next().is_some());
+    assert!(h.query_all_by_label_contains(en::SCENES.drag_object).next().is_some());
 }
 
 #[test]
@@ -165,7 +166,7 @@ fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps()
     h.run();
     h.key_press(Key::T);
     h.run();
-    assert!(h.query_all_by_label_contains("Drag: along this axis of its parent").next().is_some());
+    assert!(h.query_all_by_label_contains(en::SCENES.drag_object).next().is_some());
 }
 
 #[test]

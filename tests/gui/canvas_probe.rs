@@ -12,6 +12,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{DVec2, DVec3};
 
 use super::canvas::{IMAGE, Stage, WORLD, free_place, observer, place, stage, world};
+use crate::words::en;
 
 #[test]
 fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
@@ -111,7 +112,7 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
     h.run();
     assert_eq!(h.state().state.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))), "its mark stands there");
     assert!(
-        h.get_all_by_label_contains("Pixel")
+        h.get_all_by_label_contains(en::CANVAS.space_pixel)
             .any(|node| { node.accesskit_node().value().is_some_and(|text| text.contains("(853, 192)")) })
     );
     h.hover_at(at([100.5, 700.5]));
@@ -120,20 +121,20 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
     let numbers: Vec<f64> = status.split(|c: char| !c.is_ascii_digit()).filter_map(|n| n.parse().ok()).collect();
     assert!((numbers[0] - 100.0).abs() <= 3.0 && (numbers[1] - 700.0).abs() <= 3.0, "{status}");
     // As the eye would see it: narrower, in the middle, and the switch goes back.
-    h.get_by_label("undistorted").click();
+    h.get_by_label(en::CANVAS.undistorted).click();
     h.run();
     assert!(h.state().state.document.figure().undistorted);
     let narrow = Rect::from_center_size(rect.center(), vec2((height * 0.75).round(), height));
     h.hover_at(narrow.min + narrow.size() * vec2(2.5 / 3.0, 0.25));
     h.run();
     assert_eq!(h.state().state.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))));
-    h.get_by_label("undistorted").click();
+    h.get_by_label(en::CANVAS.undistorted).click();
     h.run();
     assert!(!h.state().state.document.figure().undistorted);
     // With square pixels there is nothing to switch.
     h.state_mut().state.document.set_parameters(Parameters::default());
     h.run();
-    assert!(h.query_by_label("undistorted").is_none());
+    assert!(h.query_by_label(en::CANVAS.undistorted).is_none());
 }
 
 #[test]
@@ -185,7 +186,7 @@ fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
         _ => None,
     });
     assert!(copied.is_some_and(|text| text.contains("World\t(1, 1, 1)\n") && text.contains("\nPixel\t(")));
-    h.get_by_label("Release (Esc)").click();
+    h.get_by_label(en::CANVAS.release).click();
     h.run();
     assert!(!says(&h, "Release (Esc)"));
 }
@@ -199,7 +200,7 @@ fn a_card_goes_with_the_window_until_it_is_moved() {
         h.run();
         h
     };
-    let card = |h: &Harness<Stage>| h.get_by_label("Release (Esc)").rect().center();
+    let card = |h: &Harness<Stage>| h.get_by_label(en::CANVAS.release).rect().center();
     let [small, large] = [[700.0, 300.0], [1400.0, 900.0]];
     let expected = [small, large].map(|size| card(&open(size)));
     assert_ne!(expected[0], expected[1]);

@@ -13,6 +13,7 @@ use egui_kittest::kittest::Queryable;
 
 use super::files::Folder;
 use super::window::Window;
+use crate::words::en;
 
 /// A window with a cube, which there is little to draw of.
 fn window(lang: Lang) -> Window {
@@ -60,7 +61,7 @@ fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
     settled(&mut window);
     assert!(window.says(coach::texts(Lang::En).no_problems_in_coarse));
     assert!(window.says("⚠ B / F: poor"));
-    let improve = window.harness.query_all_by_label("Improve").next().expect("a repair");
+    let improve = window.harness.query_all_by_label(en::COACH.improve).next().expect("a repair");
     improve.click();
     settled(&mut window);
     assert!(window.state().document.figure().camera.near > 0.5);
@@ -232,9 +233,9 @@ fn the_chart_of_depths_is_written_as_its_name_says() {
     window.app_mut().state.file_flow.native = false;
     window.explain(Explanation::Depth);
     let mut written = |name: &str| {
-        window.harness.get_by_label("Export the chart…").scroll_to_me();
+        window.harness.get_by_label(en::WINDOW.export_chart).scroll_to_me();
         window.run();
-        window.click("Export the chart…");
+        window.click(en::WINDOW.export_chart);
         window.choose(&folder.file(name));
     };
     written("depths");

@@ -17,6 +17,7 @@ use egui_kittest::kittest::{By, Queryable};
 
 use super::files::Folder;
 use super::window::Window;
+use crate::words::{en, pt};
 
 impl Window {
     /// The image has the keyboard.
@@ -116,12 +117,12 @@ fn presentation_enlarges_everything_and_gives_the_room_to_the_pictures() {
     window.key(Key::F11);
     assert!(window.state().settings.stroke_scale() > 1.0);
     assert!(window.harness.ctx.zoom_factor() > 1.5);
-    assert!(!window.says("C, VUP about u through PF"));
+    assert!(!window.says(en::WINDOW.elevation_effect));
     window.key(Key::F9);
-    assert!(window.says("C, VUP about u through PF"));
+    assert!(window.says(en::WINDOW.elevation_effect));
     window.key(Key::F11);
     assert_eq!(window.harness.ctx.zoom_factor(), 1.0);
-    assert!(window.says("C, VUP about u through PF") && window.says("view angle"));
+    assert!(window.says(en::WINDOW.elevation_effect) && window.says(en::WINDOW.view_angle));
 }
 
 #[test]
@@ -245,7 +246,7 @@ fn what_is_changed_is_remembered_for_the_next_window() {
     eframe::App::on_exit(window.app_mut(), None);
     let next = remembering();
     assert_eq!((next.state().settings.lang, next.state().settings.theme), (Lang::PtBr, Theme::Dark));
-    assert!(next.state().layout.strip && next.says("Arquivo"));
+    assert!(next.state().layout.strip && next.says(pt::WINDOW.menu_file));
     assert_eq!(next.harness.ctx.theme(), egui::Theme::Dark);
     assert_eq!(next.state().recent.files, [figure]);
 }
@@ -291,7 +292,7 @@ fn a_window_that_is_left_alone_does_not_repaint() {
 fn help_lists_the_keys() {
     let mut window = Window::new(Lang::PtBr);
     window.key(Key::F1);
-    assert!(window.says("Mouse e teclado") && window.says("Ctrl+Shift+S"));
+    assert!(window.says(pt::WINDOW.help) && window.says("Ctrl+Shift+S"));
     assert!(window.says("Ctrl+Shift+Z, Ctrl+Y"), "every key of a command is named");
     window.click("Fechar");
     assert_eq!(window.state().file_flow.dialog, None);
@@ -450,9 +451,9 @@ fn from_where_to_look_is_a_menu_in_words_with_the_keys_for_it() {
 #[test]
 fn the_section_is_in_the_menu_of_viewpoints_and_another_side_leaves_it() {
     let mut window = whole(Lang::En);
-    window.harness.get_all_by_label("Look from…").next().expect("the world's").click();
+    window.harness.get_all_by_label(en::CANVAS.look_menu).next().expect("the world's").click();
     window.run();
-    window.click("Section along u: similar triangles");
+    window.click(en::CANVAS.section);
     assert!(window.state().document.figure().world.section);
     window.key(Key::Escape);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num1);

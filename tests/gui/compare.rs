@@ -12,6 +12,7 @@ use eframe::egui::{Key, Modifiers, Rect, vec2};
 use egui_kittest::kittest::Queryable;
 
 use super::window::Window;
+use crate::words::{en, pt};
 
 /// The house, its image alone.
 fn house(lang: Lang) -> Window {
@@ -44,11 +45,11 @@ impl Window {
 fn a_pair_is_chosen_the_wiper_is_dragged_and_both_are_undone() {
     let mut window = house(Lang::En);
     window.compare();
-    window.click("flat | Phong");
+    window.click(en::COMPARE.shading);
     assert_eq!(window.compared().expect("a comparison").with, [("style.shading".to_owned(), "\"phong\"".to_owned())]);
-    window.click("mark differences");
+    window.click(en::COMPARE.differences);
     assert!(window.compared().expect("a comparison").differences);
-    window.click("Close");
+    window.click(en::WINDOW.close);
     let (place, from) = (window.state().picture_sizes[View::Image.index()], window.wiper().center());
     window.drag(from, vec2(-100.0, 0.0), |_| {});
     let wiper = window.compared().expect("a comparison").wiper;
@@ -68,7 +69,7 @@ fn a_pair_is_chosen_the_wiper_is_dragged_and_both_are_undone() {
         window.command_key(Key::Z);
     }
     assert_eq!(window.compared(), None);
-    assert!(window.harness.query_by_label("wiper between the two sides").is_none());
+    assert!(window.harness.query_by_label(en::COMPARE.wiper).is_none());
 }
 
 #[test]
@@ -86,18 +87,18 @@ fn each_ready_pair_compares_and_is_swapped() {
         assert_eq!(window.compared().expect("a comparison").with[0].0, key, "{pair}");
         assert!(window.state().compared().is_some(), "{pair}");
     }
-    window.click("Swap sides");
+    window.click(en::COMPARE.swap);
     assert_eq!(window.state().document.figure().style.depth_format, DepthFormat::Fixed16);
     assert_eq!(window.compared().expect("a comparison").with[0].1, "\"f32-reversed\"");
-    window.click("Swap sides");
-    window.click("parallel | perspective");
-    window.click("Swap sides");
+    window.click(en::COMPARE.swap);
+    window.click(en::COMPARE.projection);
+    window.click(en::COMPARE.swap);
     assert_eq!(window.state().document.figure().camera.projection, Projection::Parallel);
-    window.click("before | after");
+    window.click(en::COMPARE.operation);
     assert_eq!(window.compared().expect("a comparison").ops.len(), 1);
-    window.click("two whole pictures");
+    window.click(en::COMPARE.beside);
     assert!(window.compared().expect("a comparison").beside);
-    window.click("nothing");
+    window.click(en::COMPARE.nothing);
     assert_eq!(window.compared(), None);
     let style = window.state().document.figure().style;
     assert_eq!((style.shading, style.visibility), (Shading::Flat, Visibility::DepthBuffer));
@@ -121,7 +122,7 @@ fn any_key_is_compared_and_a_wrong_one_is_explained() {
     };
     type_key(&mut window, "image.width = 512");
     assert_eq!(window.compared().expect("a comparison").with, [("image.width".to_owned(), "512".to_owned())]);
-    window.click("Trocar os lados");
+    window.click(pt::COMPARE.swap);
     assert_eq!(window.compared().expect("a comparison").with, [("image.width".to_owned(), "1024".to_owned())]);
     assert_eq!(window.state().document.figure().image.width, 512);
     type_key(&mut window, "camera.near = 0");
@@ -159,8 +160,8 @@ fn the_numbers_at_the_pointer_are_those_of_its_side() {
 fn the_convention_of_the_window_is_the_side_that_is_swapped() {
     let mut window = house(Lang::En);
     window.compare();
-    window.click("OpenGL | Direct3D");
-    window.click("Swap sides");
+    window.click(en::COMPARE.convention);
+    window.click(en::COMPARE.swap);
     assert_eq!(window.state().settings.conventions.ndc.name(), "direct3d");
     assert_eq!(window.compared().expect("a comparison").with[0].1, "\"opengl\"");
 }

@@ -15,6 +15,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable};
 
 use super::files::Folder;
 use super::window::Window;
+use crate::words::{en, pt};
 
 const VULKAN: Ndc = Ndc { api: Api::Vulkan, reversed: false, infinite: false };
 
@@ -80,7 +81,7 @@ fn without_a_far_plane_a_parallel_projection_keeps_it_and_says_so() {
     let mut window = window(Lang::PtBr);
     window.click("NDC de: B → ∞");
     assert!(!window.says("o mesmo z"));
-    window.click("Paralela");
+    window.click(pt::WINDOW.parallel);
     assert_eq!(window.state().document.camera().projection(), Projection::Parallel);
     assert!(window.says("B → ∞ dá o mesmo z a todas as profundidades de uma projeção paralela: OpenGL aparece"));
     assert!(window.says("matriz de projeção (5.16)"), "as with a far plane");
@@ -89,10 +90,10 @@ fn without_a_far_plane_a_parallel_projection_keeps_it_and_says_so() {
 #[test]
 fn rows_and_the_left_hand_are_said() {
     let mut window = window(Lang::En);
-    window.click("row vectors");
+    window.click(en::CONVENTIONS.row_vectors);
     assert!(window.says("every matrix is transposed"));
     assert!(window.says("Mvᵀ Mpᵀ"));
-    window.click("left-handed view space");
+    window.click(en::CONVENTIONS.left_handed);
     assert!(window.says("the third row of M_v and the third column of M_p change sign"));
     assert!(shown(&window).row_vectors && shown(&window).left_handed);
 }
@@ -159,7 +160,7 @@ fn an_exported_canonical_volume_is_in_the_convention_and_names_it() {
         export.fit_screen(sizes, unit);
         window.app_mut().state.file_flow.dialog = Some(Dialog::Export(export));
         window.run();
-        window.click("Export…");
+        window.click(en::WINDOW.export_action);
         window.choose(&path);
         let since = Instant::now();
         while !path.exists() {

@@ -13,6 +13,7 @@ use egui_kittest::kittest::Queryable as _;
 use glam::DVec3;
 
 use super::window::Window;
+use crate::words::{en, pt};
 
 /// A window that shows an explanation.
 fn window(lang: Lang, shown: Explanation) -> Window {
@@ -60,7 +61,7 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
     window.app_mut().state.explain.pasted.text = "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]".to_owned();
     window.run();
     assert!(window.says("z_n troca de sinal") && window.says("ao longo de n"));
-    window.click("Usar esta câmera");
+    window.click(pt::DIALECTS.take);
     let camera = window.state().document.camera();
     let corners = camera.volume_corners();
     assert!(corners.iter().all(|p| p.abs().abs_diff_eq(DVec3::ONE, 1e-12)), "[0] exercise 5.3: {corners:?}");
@@ -70,7 +71,7 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
     assert!(window.says("espelha"));
     window.app_mut().state.explain.pasted.text = "1 0 0 0 0 1 0 0 0 0 -1 0 0 0 -3 1".to_owned();
     window.run();
-    assert!(window.says("vetores linha"));
+    assert!(window.says(pt::CONVENTIONS.row_vectors));
 }
 
 /// `matrix_world` of the camera of Blender's default scene (`tests/it/other_programs.rs` names the source).
@@ -113,7 +114,7 @@ fn k_r_t_asks_for_its_image_and_leaves_the_clipping_planes() {
     assert!(window.says("f_x = 721.5") && window.says("c_y = 172.8"));
     window.enter("Image of the matrix m", "1242");
     window.enter("Image of the matrix n", "375");
-    window.click("Take this camera");
+    window.click(en::DIALECTS.take);
     let document = &window.state().document;
     assert_eq!((document.figure().image.width, document.figure().image.height), (1242, 375));
     let after = *document.draft();
@@ -135,7 +136,7 @@ fn the_words_of_computer_vision_switch_a_parallel_camera() {
     let parallel = perspective.with_projection(Projection::Parallel).unwrap();
     window.app_mut().state.document.set_camera(parallel);
     window.run();
-    window.click("Make it a perspective");
+    window.click(en::DIALECTS.to_perspective);
     let camera = window.state().document.camera();
     assert_eq!((camera.projection(), camera.window()), (Projection::Perspective, perspective.window()));
     window.enter("K f_x", "700");
@@ -146,7 +147,7 @@ fn the_words_of_computer_vision_switch_a_parallel_camera() {
 fn code_is_for_the_camera_as_it_is() {
     let mut window = window(Lang::En, Explanation::Code);
     let code = |window: &Window| {
-        let mut nodes = window.harness.get_all_by_label("Code").filter_map(|node| node.value());
+        let mut nodes = window.harness.get_all_by_label(en::EXPLAIN.code).filter_map(|node| node.value());
         nodes.find(|text| text.contains("gl")).unwrap_or_default()
     };
     let text = code(&window);

@@ -13,6 +13,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable};
 
 use super::files::Folder;
 use super::window::Window;
+use crate::words::en;
 
 impl Window {
     /// Presses and lets go within one frame, as it happens where frames take long.
@@ -85,8 +86,8 @@ fn the_export_dialog_shows_the_picture_as_it_will_be() {
     window.quick_choice("pictures", "Image");
     window.quick_choice("size", "typed");
     // Not larger than it will be, and nothing is enlarged.
-    window.enter("picture width", "320");
-    window.enter("picture height", "200");
+    window.enter(en::WINDOW.export_width, "320");
+    window.enter(en::WINDOW.export_height, "200");
     let since = Instant::now();
     let mut shown = preview(&mut window, None);
     while shown.1 != [320, 200] {
@@ -100,16 +101,16 @@ fn the_export_dialog_shows_the_picture_as_it_will_be() {
     let dark = preview(&mut window, Some(shown.0));
     assert_eq!(dark.1, [320, 200]);
     assert_ne!(pixels(&window), print);
-    window.click("Transparent");
+    window.click(en::WINDOW.export_transparent);
     let clear = preview(&mut window, Some(dark.0));
     assert_eq!(pixels(&window)[3], 0, "transparent at the corner");
     // A large one is shown with its proportions.
-    window.enter("picture width", "3000");
+    window.enter(en::WINDOW.export_width, "3000");
     let wide = preview(&mut window, Some(clear.0));
     assert_eq!(wide.1, [720, 48]);
     // What cannot be made has no picture, but a reason.
-    window.enter("picture height", "16384");
-    window.enter("picture width", "16384");
+    window.enter(en::WINDOW.export_height, "16384");
+    window.enter(en::WINDOW.export_width, "16384");
     window.wait_for("not enough memory for a picture");
     window.key(Key::Escape);
     assert!(window.state().file_flow.preview.is_none(), "nothing is kept of it");
@@ -121,9 +122,9 @@ fn a_picture_is_copied_at_its_full_size() {
     window.command_key(Key::E);
     window.quick_choice("pictures", "Image");
     window.quick_choice("size", "typed");
-    window.enter("picture width", "900");
-    window.enter("picture height", "600");
-    window.harness.get_by_label("Copy the picture").click();
+    window.enter(en::WINDOW.export_width, "900");
+    window.enter(en::WINDOW.export_height, "600");
+    window.harness.get_by_label(en::WINDOW.export_copy).click();
     let copied = |window: &Window| -> Option<ColorImage> {
         window.harness.output().platform_output.commands.iter().find_map(|command| match command {
             OutputCommand::CopyImage(image) => Some(image.clone()),
@@ -140,10 +141,10 @@ fn a_picture_is_copied_at_its_full_size() {
         std::thread::sleep(Duration::from_millis(5));
     };
     assert_eq!(image.size, [900, 600]);
-    assert!(window.says("Copied."));
-    window.enter("picture width", "16000");
-    window.enter("picture height", "4000");
-    assert!(window.harness.get_by_label("Copy the picture").accesskit_node().is_disabled());
+    assert!(window.says(en::WINDOW.copied));
+    window.enter(en::WINDOW.export_width, "16000");
+    window.enter(en::WINDOW.export_height, "4000");
+    assert!(window.harness.get_by_label(en::WINDOW.export_copy).accesskit_node().is_disabled());
 }
 
 #[test]
@@ -191,7 +192,7 @@ fn enter_exports_also_after_a_checkbox_was_clicked_or_walked_to() {
         _ => None,
     };
     window.command_key(Key::E);
-    let at = window.harness.get_by_label("Crop to content").rect().center();
+    let at = window.harness.get_by_label(en::WINDOW.export_crop).rect().center();
     window.quick_click(at);
     assert!(window.export().crop);
     window.key(Key::Enter);
@@ -200,7 +201,7 @@ fn enter_exports_also_after_a_checkbox_was_clicked_or_walked_to() {
 
     // By the keyboard alone: the space bar switches.
     window.command_key(Key::E);
-    window.harness.get_by_label("Crop to content").focus();
+    window.harness.get_by_label(en::WINDOW.export_crop).focus();
     window.run();
     window.key(Key::Space);
     assert!(!window.export().crop);
@@ -211,7 +212,7 @@ fn enter_exports_also_after_a_checkbox_was_clicked_or_walked_to() {
     // In a field Enter takes what was typed, and the next one exports.
     window.command_key(Key::E);
     window.quick_choice("size", "typed");
-    window.enter("picture width", "333");
+    window.enter(en::WINDOW.export_width, "333");
     assert_eq!((asked(&window), window.export().width), (None, 333));
     window.key(Key::Enter);
     assert_eq!(asked(&window).expect("it goes on to the name").width, 333);
@@ -223,8 +224,9 @@ fn a_format_without_transparency_greys_it_and_a_name_that_says_so_is_refused() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
     window.quick_choice("pictures", "Image");
-    window.click("Transparent");
-    let greyed = |window: &Window| window.harness.get_by_label("Transparent").accesskit_node().is_disabled();
+    window.click(en::WINDOW.export_transparent);
+    let greyed =
+        |window: &Window| window.harness.get_by_label(en::WINDOW.export_transparent).accesskit_node().is_disabled();
     assert!(window.export().is_without_ground() && !greyed(&window));
     window.quick_choice("format", "JPEG");
     assert!(!window.export().is_without_ground() && greyed(&window));
@@ -247,14 +249,14 @@ fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
     window.wait_for("the smallest picture is 3.5 × 2.9 cm");
     let lines = |window: &Window| window.export().paper.lines;
     assert_eq!(lines(&window), None);
-    assert!(window.field("lines in points").accesskit_node().is_disabled());
-    window.click("own width");
+    assert!(window.field(en::WINDOW.export_lines).accesskit_node().is_disabled());
+    window.click(en::WINDOW.export_lines_own);
     // Nothing jumps: it begins with the width that they have.
     assert_eq!(lines(&window), Some(0.44));
-    window.enter("lines in points", "1.25");
+    window.enter(en::WINDOW.export_lines, "1.25");
     assert_eq!(lines(&window), Some(1.25));
-    window.enter("width in centimetres", "16");
-    window.enter("height in centimetres", "12");
+    window.enter(en::WINDOW.export_width_cm, "16");
+    window.enter(en::WINDOW.export_height_cm, "12");
     let since = Instant::now();
     while window.says("the smallest picture") {
         assert!(since.elapsed() < Duration::from_secs(60), "there is room");
@@ -307,7 +309,7 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     window.wait_for("azimuth = x");
     type_values(&mut window, "0..90:4");
     window.quick_choice("columns", "2");
-    window.click("(a), (b) …");
+    window.click(en::FAMILIES.parts);
     assert_eq!((family(&window).columns, family(&window).parts), (Some(2), true));
     window.quick_choice("pictures", "World");
     window.quick_choice("size", "on paper");
@@ -353,8 +355,8 @@ fn what_no_paper_has_is_said_by_its_field_and_its_range() {
         let mut window = on_paper();
         window.enter(field, wild);
         assert!(window.says(range), "{field}");
-        window.click("Export…");
-        assert!(window.says("Export pictures"), "the question stands");
+        window.click(en::WINDOW.export_action);
+        assert!(window.says(en::WINDOW.export_heading), "the question stands");
     }
     // Both in their range, and less than a pixel together.
     let mut window = on_paper();
@@ -362,8 +364,8 @@ fn what_no_paper_has_is_said_by_its_field_and_its_range() {
         window.enter(field, value);
     }
     assert!(window.says("pixels: must be between 1 and 16384"));
-    window.click("Export…");
-    assert!(window.says("Export pictures"), "the question stands");
+    window.click(en::WINDOW.export_action);
+    assert!(window.says(en::WINDOW.export_heading), "the question stands");
 }
 
 #[test]
@@ -392,12 +394,13 @@ fn the_rows_of_the_export_dialog_stay_where_they_are() {
 fn vectors_have_settings_of_their_own_and_are_copied_as_text() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
-    let greyed = |window: &Window| window.harness.get_by_label("letters as outlines").accesskit_node().is_disabled();
+    let greyed =
+        |window: &Window| window.harness.get_by_label(en::WINDOW.export_outlines).accesskit_node().is_disabled();
     assert!(greyed(&window), "a PNG has none");
     window.quick_choice("format", "SVG");
     assert!(!greyed(&window));
-    window.click("letters as outlines");
-    window.harness.get_by_label("Copy the picture").click();
+    window.click(en::WINDOW.export_outlines);
+    window.harness.get_by_label(en::WINDOW.export_copy).click();
     let copied = |window: &Window| -> Option<String> {
         window.harness.output().platform_output.commands.iter().find_map(|command| match command {
             OutputCommand::CopyText(text) => Some(text.clone()),

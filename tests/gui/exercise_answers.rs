@@ -14,6 +14,7 @@ use egui_kittest::kittest::Queryable as _;
 use super::exercises::{fill, focused, made, right, window, window_of, working_on};
 use super::files::Folder;
 use super::window::Window;
+use crate::words::en;
 
 /// A window that keeps preferences and progress in a folder; the next one in the same folder is the program started
 /// again.
@@ -68,7 +69,7 @@ fn what_was_judged_is_judged_again_when_it_is_opened_again_and_is_no_new_try() {
         window.run();
     };
     let mut first = keeping(&folder);
-    first.click("Exercises");
+    first.click(en::WINDOW.exercises);
     open(&mut first);
     fill(&mut first, &u, 1, &right_u.iter().map(|text| format!("-({text})")).collect::<Vec<_>>());
     first.click(&format!("Check: {u}"));
@@ -155,7 +156,7 @@ fn a_lecturers_own_message_is_said_of_the_answer_that_was_expected() {
     let lecture = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/exercises");
     let mut window = window(Lang::En);
     window.app_mut().state.exercises.look_into(Some(lecture.into()));
-    window.click("Exercises");
+    window.click(en::WINDOW.exercises);
     window.app_mut().state.exercises.work_on(Chosen { id: "house-view".to_owned(), seed: 0 });
     window.run();
     let answer = ["3/13", "4/13", "12/13"].map(str::to_owned);
@@ -180,8 +181,8 @@ fn other_files_of_a_folder_are_one_quiet_line_that_opens() {
     std::fs::create_dir(folder.file("d.toml")).unwrap();
     let mut window = window(Lang::En);
     window.app_mut().state.exercises.look_into(folder.file("good.toml").parent().map(Into::into));
-    window.click("Exercises");
-    assert!(window.says("My own") && !window.says("figure.toml"));
+    window.click(en::WINDOW.exercises);
+    assert!(window.says("My own") && !window.says(en::WINDOW.untitled_file));
     window.click("Skipped in the folder: 3");
     assert!(window.says("figure.toml, line 1: id is missing"));
     assert!(window.says("hostile.toml, line 3: statement has the formula") && window.says("\\input"));
@@ -201,7 +202,7 @@ fn the_figure_of_an_exercise_leaves_the_file_of_ones_own_as_it_is() {
     window.app_mut().state.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
-    window.click("Show the figure");
+    window.click(en::EXERCISE_WINDOW.show_figure);
     assert_ne!(window.state().document.figure(), &own);
     let scene = &window.state().document.figure().scene;
     assert!(!scene.objects.is_empty() && window.state().tree.names(scene).is_empty(), "nothing is selected");
@@ -222,7 +223,7 @@ fn undoing_the_figure_of_an_exercise_leads_back_to_the_file_of_ones_own() {
     window.app_mut().state.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
-    window.click("Show the figure");
+    window.click(en::EXERCISE_WINDOW.show_figure);
     assert_eq!(window.state().document.path(), None);
     window.key(Key::Escape);
     window.command_key(Key::Z);

@@ -17,6 +17,7 @@ use glam::DVec2;
 
 use super::files::Folder;
 use super::window::Window;
+use crate::words::en;
 
 pub(super) fn window(lang: Lang) -> Window {
     // So high that nothing has to be scrolled.
@@ -80,7 +81,7 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     let mut window = window(Lang::En);
     let own = window.state().document.figure().clone();
     assert!(!window.state().shows_exercises(), "off at the start");
-    window.click("Exercises");
+    window.click(en::WINDOW.exercises);
     assert_eq!(window.state().explain.shown(), Explanation::Exercises);
     window.click("The view matrix, [0] §5.3.1, (5.7), not begun");
     let (_, exercise) = made("view-matrix", 0);
@@ -92,7 +93,7 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
         wrong[4 * row + 3] = format!("{}", -value);
     }
     fill(&mut window, "M_v", 4, &wrong);
-    assert!(window.says("understood as"));
+    assert!(window.says(en::EXERCISE_WINDOW.understood));
     assert!(window.harness.query_by_label_contains("✗").is_none(), "nothing is judged before it is asked for");
     window.click("Check: M_v");
     assert!(window.says("✗ wrong"));
@@ -125,12 +126,12 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     assert!(window.says("‖") || window.says("n_x"), "a step of the way, set");
     fill(&mut window, "M_v", 4, &right(ask));
     window.click("Check: M_v");
-    assert!(window.says("✓ right") && window.says("Everything is right."));
+    assert!(window.says("✓ right") && window.says(en::EXERCISE_WINDOW.all_right));
     assert_eq!(window.state().exercises.stage("view-matrix"), Stage::Solved);
 
-    window.click("Show the figure");
+    window.click(en::EXERCISE_WINDOW.show_figure);
     assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera);
-    window.click("Back to the list");
+    window.click(en::EXERCISE_WINDOW.back);
     assert_eq!(focused(&window).as_deref(), Some("The view matrix, [0] §5.3.1, (5.7), solved"));
 }
 
@@ -192,9 +193,9 @@ fn what_cannot_be_read_costs_nothing_and_nothing_typed_is_lost() {
     assert!(window.state().exercises.checked.is_empty());
     let typed = window.state().exercises.typed.clone();
     // Another exercise, another language, hidden, undone, a new figure: it is still there.
-    window.click("New numbers");
+    window.click(en::EXERCISE_WINDOW.new_numbers);
     assert_eq!(window.state().exercises.open.as_ref().unwrap().seed, 3);
-    window.click("Back to the list");
+    window.click(en::EXERCISE_WINDOW.back);
     window.command_key(Key::L);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
     window.run();
@@ -305,7 +306,7 @@ fn the_figure_shows_the_answer_once_every_question_has_been_tried() {
 #[test]
 fn all_exercises_are_shown_in_both_languages() {
     let mut window = window(Lang::En);
-    window.click("Exercises");
+    window.click(en::WINDOW.exercises);
     for entry in camera_lab::exercises::entries() {
         let seed = u64::from(entry.is_family);
         window.app_mut().state.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed });
@@ -362,17 +363,17 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     let tried = window.state().exercises.progress.tried("view-matrix").unwrap();
     assert_eq!((tried.tries, tried.seed, tried.hints["Mv"]), (1, 1, 1));
     // The same family with new numbers, because of the mistake; and the reason is said.
-    window.click("Practise next");
+    window.click(en::EXERCISE_WINDOW.practise_next);
     assert_eq!(window.state().exercises.open, Some(Chosen { id: "view-matrix".to_owned(), seed: 2 }));
     assert!(window.says("It practises a mistake that you made once"));
     window.command_key(Key::L);
     assert!(window.says("Ele exercita um erro que você cometeu uma vez"));
     window.command_key(Key::L);
 
-    window.click("Back to the list");
-    window.click("Progress");
+    window.click(en::EXERCISE_WINDOW.back);
+    window.click(en::EXERCISE_WINDOW.progress);
     assert!(window.says("progress.toml") && window.says("1 ×"));
-    window.click("Export as CSV…");
+    window.click(en::EXERCISE_WINDOW.export_progress);
     let table = folder.file("mine");
     window.choose(&table);
     let table = std::fs::read_to_string(table.with_extension("csv")).unwrap();
@@ -380,7 +381,7 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
 
     window.click("Delete progress…");
     assert!(window.says("progress.bak"));
-    window.click("Cancel");
+    window.click(en::WINDOW.cancel);
     assert!(!window.state().exercises.progress.is_empty());
     window.click("Delete progress…");
     window.harness.get_by_role_and_label(Role::Button, "Delete progress").click();
@@ -421,7 +422,7 @@ fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told()
         window
     };
     let mut window = remembering();
-    window.click("Open a folder of exercises…");
+    window.click(en::EXERCISE_WINDOW.own_open);
     window.choose(&lecture);
     assert!(window.says("graphics course"), "the group has the folder's name");
     window.click("Skipped in the folder: 1");
@@ -444,6 +445,6 @@ fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told()
     std::fs::remove_dir_all(&lecture).unwrap();
     let mut gone = remembering();
     assert!(gone.says("graphics course") && gone.state().exercises.entry("basis").is_some());
-    gone.click("Close the folder");
+    gone.click(en::EXERCISE_WINDOW.own_close);
     assert!(gone.state().exercises.own.is_none() && !gone.says("graphics course"));
 }

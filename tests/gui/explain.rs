@@ -16,6 +16,7 @@ use glam::{DMat4, DVec3};
 
 use super::files::Folder;
 use super::window::{Window, names};
+use crate::words::en;
 
 fn explaining(lang: Lang) -> Window {
     let mut window = Window::new(lang);
@@ -353,7 +354,7 @@ fn the_fields_of_image_and_viewport_mark_what_depends_on_them() {
     window.run();
     window.harness.get_by_label("M_vp").focus();
     window.run();
-    window.harness.get_by_label("Viewport").click();
+    window.harness.get_by_label(en::WINDOW.viewport).click();
     window.run();
     window.field("W_v").focus();
     window.run();

@@ -15,6 +15,7 @@ use eframe::egui::{Event, Key, Modifiers, ViewportCommand, ViewportEvent, Viewpo
 use egui_kittest::kittest::Queryable;
 
 use super::window::Window;
+use crate::words::en;
 
 /// A folder that is there for one test.
 pub(crate) struct Folder(pub(crate) PathBuf);
@@ -101,13 +102,13 @@ fn save_as_appends_the_ending_and_asks_before_it_replaces() {
     window.choose(&folder.file("b.toml"));
     assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Overwrite(..))));
     assert_eq!(fs::read_to_string(folder.file("b.toml")).expect("there"), "precious");
-    window.click("Cancel");
+    window.click(en::WINDOW.cancel);
     assert_eq!(fs::read_to_string(folder.file("b.toml")).expect("there"), "precious");
     assert_eq!(window.state().document.name().as_deref(), Some("a.toml"));
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
     window.run();
     window.choose(&folder.file("b.toml"));
-    window.click("Replace");
+    window.click(en::WINDOW.replace);
     assert_eq!(files::open_figure(&folder.file("b.toml")).expect("a figure").figure.camera.far, 40.0);
 }
 
@@ -140,15 +141,15 @@ fn changes_are_asked_about_before_they_are_lost() {
     let mut window = Window::new(Lang::En);
     window.enter("C x", "1");
     assert!(!window.ask_to_close());
-    assert!(window.says("Save the changes?"));
-    window.click("Cancel");
-    assert!(!window.says("Save the changes?"));
+    assert!(window.says(en::WINDOW.unsaved_title));
+    window.click(en::WINDOW.cancel);
+    assert!(!window.says(en::WINDOW.unsaved_title));
     window.command_key(Key::N);
-    window.click("Don't save");
+    window.click(en::WINDOW.dont_save);
     assert_eq!(window.state().document.figure(), &gui::fresh());
     window.enter("C x", "2");
     assert!(!window.ask_to_close());
-    window.click("Save");
+    window.click(en::WINDOW.save);
     window.choose(&folder.file("kept.toml"));
     assert_eq!(files::open_figure(&folder.file("kept.toml")).expect("a figure").figure.camera.position.x, 2.0);
     assert!(window.state().file_flow.may_close);
@@ -172,17 +173,17 @@ fn an_exported_picture_holds_its_figure_and_brings_it_back() {
     window.command_key(Key::S);
     window.choose(&figure);
     window.command_key(Key::E);
-    assert!(window.says("Export pictures"));
+    assert!(window.says(en::WINDOW.export_heading));
     window.harness.get_by_role_and_label(Role::ComboBox, "pictures").click();
     window.run();
     window.harness.query_all_by_label("Image").last().expect("an entry").click();
     window.run();
     window.harness.get_by_role_and_label(Role::ComboBox, "size").click();
     window.run();
-    window.click("typed");
-    window.enter("picture width", "64");
-    window.enter("picture height", "48");
-    window.click("Export…");
+    window.click(en::WINDOW.export_typed);
+    window.enter(en::WINDOW.export_width, "64");
+    window.enter(en::WINDOW.export_height, "48");
+    window.click(en::WINDOW.export_action);
     window.choose(&path);
     let since = Instant::now();
     while !path.exists() {
@@ -277,9 +278,9 @@ fn a_dropped_file_is_opened_after_the_question_about_changes() {
     window.enter("B", "40");
     window.harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(path)));
     window.run();
-    assert!(window.says("Save the changes?"));
+    assert!(window.says(en::WINDOW.unsaved_title));
     assert_eq!(window.state().document.draft().far, 40.0);
-    window.click("Don't save");
+    window.click(en::WINDOW.dont_save);
     assert_eq!(window.state().document.draft().far, 61.0);
     assert_eq!(window.state().document.name().as_deref(), Some("dropped.toml"));
 }
@@ -294,7 +295,7 @@ fn the_layout_is_saved_where_that_is_wanted_and_comes_back() {
     window.enter("B", "75");
     window.command_key(Key::S);
     assert!(!text().contains("[screen]"), "{}", text());
-    window.menu("File", "Save the layout");
+    window.menu(en::WINDOW.menu_file, "Save the layout");
     window.explain(Explanation::Depth);
     window.command_key(Key::Num2);
     window.command_key(Key::S);
@@ -319,7 +320,7 @@ fn the_layout_is_saved_where_that_is_wanted_and_comes_back() {
     assert!(text().ends_with(entry), "{}", text());
     let mut window = Window::opened(&path);
     assert_eq!(window.state().explain.matrices.entry, [2, 3]);
-    window.menu("File", "Save the layout");
+    window.menu(en::WINDOW.menu_file, "Save the layout");
     assert!(window.state().document.is_changed());
     window.command_key(Key::S);
     assert!(!text().contains("[screen]"), "{}", text());

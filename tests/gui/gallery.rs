@@ -14,6 +14,7 @@ use egui_kittest::kittest::Queryable;
 
 use super::files::Folder;
 use super::window::Window;
+use crate::words::{en, pt};
 
 impl Window {
     /// Frames until something is said, which another thread does.
@@ -55,7 +56,7 @@ impl Window {
 #[test]
 fn figures_of_the_program_are_chosen_with_the_keys_and_opened() {
     let mut window = Window::new(Lang::PtBr);
-    window.click("Galeria");
+    window.click(pt::GALLERY.gallery);
     window.wait_for("Primitivas: Uma de cada forma");
     window.wait_for("Cena vazia: Nada");
     window.wait_for("Planeta e lua: Corpos");
@@ -82,7 +83,7 @@ fn a_card_is_found_by_other_words_and_opens_its_state() {
     window.wait_for("The painter's failure: Three bars");
     window.search_cards("depth sort");
     window.run();
-    assert!(window.says("The painter's failure: ") && !window.says("Teapot: ") && !window.says("Limits of numbers"));
+    assert!(window.says("The painter's failure: ") && !window.says("Teapot: ") && !window.says(en::GALLERY.limits));
     window.search_cards("xyzzy");
     window.run();
     assert!(window.says("No card has these words."));
@@ -160,14 +161,14 @@ fn the_frame_in_a_folder_follows_the_figure_that_is_open() {
 fn where_dividing_first_does_no_harm_the_card_that_shows_it_is_offered() {
     let mut window = Window::new(Lang::En);
     window.explain(Explanation::Clipping);
-    assert!(!window.says("Open the figure that shows it:"));
-    window.click("Divide before clipping");
+    assert!(!window.says(en::GALLERY.shows));
+    window.click(en::WINDOW.divide_first);
     window.click("Open the figure that shows it: Dividing before clipping");
-    assert!(window.says("Save the changes?"));
-    window.click("Don't save");
+    assert!(window.says(en::WINDOW.unsaved_title));
+    window.click(en::WINDOW.dont_save);
     let state = window.state();
     assert_eq!(state.document.shipped_name(), Some("divide-first"));
-    assert!(state.shows_explanation(Explanation::Clipping) && !window.says("Open the figure that shows it:"));
+    assert!(state.shows_explanation(Explanation::Clipping) && !window.says(en::GALLERY.shows));
 }
 
 #[test]
@@ -175,17 +176,17 @@ fn changes_are_asked_about_and_esc_leaves_everything_as_it_was() {
     let mut window = Window::new(Lang::En);
     window.enter("C x", "1");
     window.command_key(Key::G);
-    assert!(window.says("Gallery"));
+    assert!(window.says(en::GALLERY.gallery));
     window.key(Key::Escape);
     assert!(window.state().file_flow.dialog.is_none());
     // As a finger does.
     window.command_key(Key::G);
-    window.click("Close");
+    window.click(en::GALLERY.close);
     assert!(window.state().file_flow.dialog.is_none());
     window.command_key(Key::G);
     window.key(Key::Enter);
-    assert!(window.says("Save the changes?"));
-    window.click("Cancel");
+    assert!(window.says(en::WINDOW.unsaved_title));
+    window.click(en::WINDOW.cancel);
     assert_eq!(window.state().document.figure().camera.position.x, 1.0);
 }
 
@@ -230,7 +231,7 @@ fn a_folder_shows_its_figures_in_natural_order_and_what_is_wrong_with_one() {
     window.run();
     window.harness.key_press_modifiers(Modifiers::CTRL, Key::Tab);
     window.run();
-    window.click("Choose a folder…");
+    window.click(en::GALLERY.choose);
     window.harness.get_by_label("file").focus();
     window.run();
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);

@@ -13,6 +13,7 @@ use egui_kittest::kittest::Queryable as _;
 use glam::DVec3;
 
 use super::window::Window;
+use crate::words::en;
 
 fn window(lang: Lang, points: &[(&str, DVec3)]) -> Window {
     let mut figure = camera_lab::gui::fresh();
@@ -55,7 +56,7 @@ fn the_floor_is_drawn_twice_and_vanishing_points_are_a_switch() {
         window.harness.get_by_role_and_label(Role::Image, name);
     }
     assert!(window.says("corners of the volume"));
-    window.click("Vanishing points in the pictures");
+    window.click(en::HOMOGENEOUS.vanishing);
     assert!(window.state().document.figure().reveal.vanishing);
     let parallel = Parameters { projection: Projection::Parallel, ..*window.state().document.camera().parameters() };
     window.app_mut().state.document.set_camera(Camera::new(&parallel).unwrap());

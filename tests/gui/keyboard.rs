@@ -15,6 +15,7 @@ use glam::{DVec2, DVec3};
 
 use super::canvas::{Stage, stage};
 use super::window::Window;
+use crate::words::en;
 
 impl Window {
     /// Role, name and place of what has the focus; the name is empty where it has none.
@@ -158,7 +159,7 @@ fn what_tab_reaches_is_scrolled_into_sight_and_marked_also_where_it_is_on() {
         pixel.0
     };
     // Whoever uses the mouse sees no ring.
-    window.harness.get_by_label_contains("Scene tab").click();
+    window.harness.get_by_label_contains(en::WINDOW.scene_tab).click();
     window.run();
     let switch = window.harness.get_by_role_and_label(Role::Button, texts(Lang::En).parameters_panel);
     switch.focus();

@@ -13,6 +13,7 @@ use egui_kittest::kittest::Queryable;
 use glam::DVec2;
 
 use super::window::Window;
+use crate::words::en;
 
 /// A window in the mode.
 fn window(lang: Lang) -> Window {
@@ -79,7 +80,7 @@ fn lengths_and_angles_are_shown_by_symbol_or_value() {
     assert!(label.text.starts_with("H/2 = "), "{}", label.text);
     // A click chooses it, and its card has the ways of showing it.
     window.click_at(place);
-    window.click("symbol");
+    window.click(en::LABELS.symbol);
     assert_eq!(shown(&mut window, "H/2").unwrap().0.text, "H/2");
     window.click("H/2");
     assert!(shown(&mut window, "H/2").is_none() && labels(&window).measures.is_empty());
@@ -120,7 +121,7 @@ fn the_chosen_label_is_renamed_styled_hidden_and_automatic_again() {
 #[test]
 fn a_note_is_put_by_a_click_or_by_enter_typed_and_deleted() {
     let mut window = window(Lang::En);
-    window.click("Add a note");
+    window.click(en::LABELS.add);
     let (c, place) = shown(&mut window, "C").unwrap();
     // Far from everything: in the corner above on the left.
     let corner = place - vec2(0.0, 0.0) + vec2(8.0, 8.0) - {
@@ -134,7 +135,7 @@ fn a_note_is_put_by_a_click_or_by_enter_typed_and_deleted() {
     window.run();
     assert_eq!(labels(&window).notes[0].text, "see (5.3)", "its text is chosen, ready to be typed over");
     assert_eq!(shown(&mut window, "note:1").unwrap().0.text, "see (5.3)");
-    window.click("Delete");
+    window.click(en::LABELS.delete);
     assert_eq!(*labels(&window), Labels::default());
     window.command_key(Key::Z);
     assert_eq!(labels(&window).notes.len(), 1);
@@ -194,7 +195,7 @@ fn a_legend_is_dragged_as_a_whole_and_hidden_from_a_line_of_it() {
     window.click_at(place);
     write(&mut window, "text", "beyond");
     assert_eq!(shown(&mut window, "legend:outside").unwrap().0.text, "beyond");
-    window.click("Hide the legend");
+    window.click(en::LABELS.hide_legend);
     assert_eq!(labels(&window).hidden, ["legend"]);
     assert!(shown(&mut window, "legend:outside").is_none());
 }
@@ -220,9 +221,9 @@ fn all_are_automatic_again_and_notes_stay() {
         labels.rename("v", Some("up"));
     });
     window.run();
-    window.click("All automatic again");
+    window.click(en::LABELS.all_automatic);
     assert_eq!(*labels(&window), Labels::default());
-    window.click("Done");
+    window.click(en::LABELS.leave);
     assert!(!window.state().label_mode.on);
-    assert!(window.harness.query_by_label("All automatic again").is_none());
+    assert!(window.harness.query_by_label(en::LABELS.all_automatic).is_none());
 }

@@ -9,6 +9,7 @@ use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::{By, NodeT, Queryable};
 
 use super::window::Window;
+use crate::words::{en, pt};
 
 /// Every word in the window.
 fn words(window: &Window) -> BTreeSet<String> {
@@ -29,13 +30,13 @@ fn is_international(word: &str, both: &BTreeSet<&str>) -> bool {
 fn switching_leaves_no_word_of_the_other_language() {
     let mut window = Window::new(Lang::En);
     window.enter("F", "20");
-    window.click("Viewport");
-    window.click("Edit");
+    window.click(en::WINDOW.viewport);
+    window.click(en::WINDOW.menu_edit);
     let english = words(&window);
     assert!(english.iter().any(|word| word.contains("must be less than")));
     window.key(Key::Escape);
     window.command_key(Key::L);
-    window.click("Editar");
+    window.click(pt::WINDOW.menu_edit);
     let portuguese = words(&window);
     assert!(portuguese.iter().any(|word| word.contains("tem de ser menor que")));
     let (en, pt) = (texts(Lang::En).entries(), texts(Lang::PtBr).entries());

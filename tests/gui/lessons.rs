@@ -14,6 +14,7 @@ use egui_kittest::kittest::{By, Queryable as _};
 
 use super::files::Folder;
 use super::window::Window;
+use crate::words::en;
 
 fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
     let lesson = shipped()[lesson].lesson.clone();
@@ -44,10 +45,10 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
     let right = exercise_sheet::answer(Lang::En, ask);
     window.harness.get_by_label(&right).click();
     window.run();
-    window.harness.get_by_label_contains("Check").click();
+    window.harness.get_by_label_contains(en::EXERCISE_WINDOW.check).click();
     window.run();
     assert!(window.state().lesson.as_ref().unwrap().is_done());
-    window.harness.get_by_label_contains("Next").click();
+    window.harness.get_by_label_contains(en::LESSONS.next).click();
     for _ in 0..200 {
         window.harness.step();
     }
@@ -274,7 +275,7 @@ fn steps_are_recorded_from_the_screen_and_played() {
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
     window.run();
     if window.state().file_flow.dialog.is_some() && window.state().document.is_changed() {
-        window.harness.get_by_label_contains("Don't save").click();
+        window.harness.get_by_label_contains(en::WINDOW.dont_save).click();
         window.run();
     }
     window.choose(&file);

@@ -53,3 +53,4 @@ mod text_fields;
 mod tooltips;
 mod triangle;
 mod window;
+mod words;

@@ -12,6 +12,7 @@ use egui_kittest::kittest::Queryable;
 use super::files::Folder;
 use super::sessions::written;
 use super::window::Window;
+use crate::words::{en, pt};
 
 /// A window with the panel, which tries so much.
 fn window_with(lang: Lang, effort: Effort) -> Window {
@@ -56,7 +57,7 @@ fn a_study_is_measured_and_its_worst_cameras_open_once_changes_have_been_asked_a
     drop(buttons);
     window.run();
     assert_eq!(window.state().document.figure().style.antialias, 16, "it is asked first");
-    window.click("Don't save");
+    window.click(en::WINDOW.dont_save);
     assert_eq!(window.state().document.figure().camera, wanted.camera);
     assert!(Camera::new(&wanted.camera).is_ok());
 }
@@ -69,7 +70,7 @@ fn the_panel_speaks_portuguese_and_goes_away_again() {
     for text in ["erro contra parâmetro", "erro contra tempo", "f64 depois da divisão"] {
         assert!(window.harness.query_by_label_contains(text).is_some(), "{text}");
     }
-    window.click("erro contra tempo");
+    window.click(pt::NUMERICS.over_time);
     assert!(window.state().numerics.over_time);
     window.command_key(Key::Num9);
     window.run();
@@ -79,9 +80,9 @@ fn the_panel_speaks_portuguese_and_goes_away_again() {
 #[test]
 fn what_is_cancelled_is_not_shown_as_measured() {
     let mut window = window_with(Lang::En, Effort { seed: 1, seconds: 600.0, thorough: true });
-    window.click("Cancel");
+    window.click(en::WINDOW.cancel);
     window.app_mut().state.numerics.take(Duration::from_secs(120));
     window.run();
     assert!(window.state().numerics.found(Study::VertexTransform).is_none());
-    assert!(window.harness.query_by_label("Measure").is_some());
+    assert!(window.harness.query_by_label(en::NUMERICS.measure).is_some());
 }

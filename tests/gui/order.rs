@@ -16,6 +16,7 @@ use egui_kittest::kittest::{NodeT, Queryable as _};
 use glam::{DMat4, DVec3};
 
 use super::window::Window;
+use crate::words::en;
 
 /// A window that shows the tab, with a box below a moved group.
 fn window(lang: Lang, selected: Option<&str>) -> Window {
@@ -87,7 +88,7 @@ fn the_list_begins_with_the_objects_own_transform_and_is_reordered_by_keyboard()
     assert_eq!(calls(&window).len(), 5);
     let after = Figure { show: before.show.clone(), ..window.state().document.figure().clone() };
     assert_eq!(after, before, "nothing of it is in the figure but what is shown");
-    window.click("Start over");
+    window.click(en::ORDER.again);
     assert_eq!(symbols(&window), ["T", "R_z", "R_y", "R_x", "S"]);
 }
 
@@ -201,7 +202,7 @@ fn another_order_is_taken_over_with_groups_that_lead_to_the_same_matrix() {
     assert_eq!(symbols(&window), ["S", "T", "R_z", "R_y", "R_x"]);
     assert!(window.says("step 2 (T) does not fit"));
     let wanted = placed(&window)[0];
-    window.click("Apply");
+    window.click(en::ORDER.take);
     let scene = &window.state().document.figure().scene;
     let names: Vec<&str> = scene.objects.iter().map(|o| o.name.as_str()).collect();
     assert_eq!(names, ["arm", "group", "box"]);
@@ -217,7 +218,7 @@ fn push_and_pop_are_in_the_list_and_a_pop_alone_is_named() {
     let mut window = window(Lang::En, None);
     assert!(window.says("No object is selected"));
     assert_eq!(symbols(&window), ["T", "R_y", "S"]);
-    assert!(window.harness.get_by_label("Apply").accesskit_node().is_disabled());
+    assert!(window.harness.get_by_label(en::ORDER.take).accesskit_node().is_disabled());
     assert!(window.state().explain.placed[0].objects.is_empty(), "a cube");
     for entry in ["push: save the matrix", "translate", "pop: restore it"] {
         window.click("+ Add");

@@ -11,6 +11,7 @@ use eframe::egui::{Event, Key, Modifiers};
 
 use super::files::Folder;
 use super::window::Window;
+use crate::words::en;
 
 const MINE: &str = "# Mine.\n[camera]\nfar = 50.0\n\n[scene]\npreset = \"empty\"\n";
 const THEIRS: &str = "# Theirs.\n[camera]\nfar = 61.0\n\n[scene]\npreset = \"empty\"\n";
@@ -53,20 +54,20 @@ fn what_another_program_wrote_is_replaced_only_after_a_question() {
     window.command_key(Key::S);
     assert!(window.is_asked_about_the_file());
     assert_eq!(read(&path), THEIRS);
-    window.click("Compare…");
+    window.click(en::WINDOW.compare);
     assert!(window.says("− # Theirs.") && window.says("− far = 61.0"));
     assert!(window.says("+ # Mine.") && window.says("+ far = 75.0"));
-    window.click("Cancel");
+    window.click(en::WINDOW.cancel);
     assert_eq!(read(&path), THEIRS);
     assert!(window.state().document.is_changed());
 
     // What was not there when one was asked is asked about again.
     window.command_key(Key::S);
     fs::write(&path, "# Again.\n").expect("written");
-    window.click("Replace");
+    window.click(en::WINDOW.replace);
     assert!(window.is_asked_about_the_file());
     assert_eq!(read(&path), "# Again.\n");
-    window.click("Replace");
+    window.click(en::WINDOW.replace);
     assert!(read(&path).contains("far = 75.0") && read(&path).contains("# Mine."));
     assert!(!window.state().document.is_changed());
     window.enter("B", "76");
@@ -84,9 +85,9 @@ fn a_changed_file_can_be_saved_beside_before_closing() {
     window.enter("B", "75");
     fs::write(&path, THEIRS).expect("written");
     window.command_key(Key::Q);
-    window.click("Save");
+    window.click(en::WINDOW.save);
     assert!(window.is_asked_about_the_file() && !window.state().file_flow.may_close);
-    window.click("Save as…");
+    window.click(en::WINDOW.save_as);
     window.choose(&folder.file("b.toml"));
     assert_eq!(read(&path), THEIRS);
     assert!(read(&folder.file("b.toml")).contains("far = 75.0"));
@@ -146,8 +147,8 @@ fn a_window_with_changes_says_that_the_file_was_changed_too() {
     fs::write(&path, THEIRS).expect("written");
     window.focus(|window| window.state().file_flow.theirs.is_some());
     assert!(window.says("this window has changes too. Saving asks first."));
-    assert!(!window.says("Reload"));
-    window.click("Compare…");
+    assert!(!window.says(en::WINDOW.reload));
+    window.click(en::WINDOW.compare);
     assert!(window.is_asked_about_the_file());
     window.key(Key::Escape);
     // The other program takes its change back.
@@ -169,10 +170,10 @@ fn two_windows_on_one_file_do_not_write_over_each_other() {
     other.command_key(Key::S);
     assert!(other.is_asked_about_the_file());
     assert!(read(&path).contains("far = 75.0") && !read(&path).contains("0.5"));
-    other.click("Replace");
+    other.click(en::WINDOW.replace);
     assert!(read(&path).contains("near = 0.5"));
     one.focus(|one| one.state().file_flow.theirs.is_some());
-    one.click("Reload");
+    one.click(en::WINDOW.reload);
     assert_eq!(one.state().document.figure().camera.near, 0.5);
 }
 
@@ -188,20 +189,20 @@ fn a_read_only_file_is_asked_about() {
     window.enter("B", "75");
     window.command_key(Key::S);
     assert!(matches!(window.state().file_flow.dialog, Some(Dialog::ReadOnly(..))));
-    window.click("Cancel");
+    window.click(en::WINDOW.cancel);
     assert_eq!(read(&path), MINE);
     // Two reasons to ask are two questions.
     window.command_key(Key::S);
-    window.click("Save as…");
+    window.click(en::WINDOW.save_as);
     window.choose(&folder.file("b.toml"));
     assert!(read(&folder.file("b.toml")).contains("far = 75.0"));
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
     window.run();
     window.choose(&path);
-    window.click("Replace");
+    window.click(en::WINDOW.replace);
     assert_eq!(read(&path), MINE);
-    assert!(window.says("The file is read-only"));
-    window.click("Replace");
+    assert!(window.says(en::WINDOW.read_only_title));
+    window.click(en::WINDOW.replace);
     assert!(read(&path).contains("far = 75.0"));
     assert!(fs::metadata(&path).expect("there").permissions().readonly());
 }

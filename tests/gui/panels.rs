@@ -10,6 +10,7 @@ use eframe::egui::{Event, Key, Modifiers, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::window::Window;
+use crate::words::{en, pt};
 
 #[test]
 fn a_number_is_typed_and_undone() {
@@ -174,7 +175,7 @@ fn near_beyond_far_offers_to_swap_them() {
     window.enter("F", "20");
     assert!(window.says("F tem de ser menor que B"));
     assert_eq!(window.state().document.figure().camera.near, 3.0);
-    window.click("Trocar F e B");
+    window.click(pt::WINDOW.repair_swap_near_far);
     assert_eq!((window.state().document.draft().near, window.state().document.draft().far), (12.0, 20.0));
     window.enter("θ", "200");
     assert!(window.says("θ tem de ser maior que 0° e menor que 180°"));
@@ -186,9 +187,9 @@ fn near_beyond_far_offers_to_swap_them() {
 fn a_problem_in_a_closed_section_is_said_at_the_top() {
     let mut window = Window::new(Lang::En);
     window.enter("F", "20");
-    window.click("Projection");
+    window.click(en::WINDOW.projection);
     assert!(window.says("F must be less than B"));
-    window.click("Swap F and B");
+    window.click(en::WINDOW.repair_swap_near_far);
     assert!(window.state().document.problem().is_none());
 }
 
@@ -196,7 +197,7 @@ fn a_problem_in_a_closed_section_is_said_at_the_top() {
 fn projection_is_switched_both_ways_without_drift() {
     let mut window = Window::new(Lang::En);
     let before = *window.state().document.draft();
-    window.click("Parallel");
+    window.click(en::WINDOW.parallel);
     let camera = window.state().document.camera().clone();
     assert_eq!(camera.projection(), Projection::Parallel);
     // What spans 2 D tan(θ/2) at PF spans H.
@@ -204,32 +205,32 @@ fn projection_is_switched_both_ways_without_drift() {
     assert!((camera.window().height() - height).abs() < 1e-12);
     window.field("H");
     for _ in 0..3 {
-        window.click("Perspective");
-        window.click("Parallel");
+        window.click(en::WINDOW.perspective);
+        window.click(en::WINDOW.parallel);
     }
-    window.click("Perspective");
+    window.click(en::WINDOW.perspective);
     assert_eq!(window.state().document.draft().view_angle, before.view_angle);
 }
 
 #[test]
 fn the_padlock_frees_the_window_and_closes_it_again() {
     let mut window = Window::new(Lang::En);
-    window.click("A follows the image");
+    window.click(en::WINDOW.aspect_follows);
     let before = *window.state().document.draft();
     let size = window.state().document.camera().window();
-    window.click("Symmetric");
+    window.click(en::WINDOW.symmetric);
     assert_eq!(window.state().document.draft().window, Some(size));
-    window.click("Symmetric");
+    window.click(en::WINDOW.symmetric);
     assert_eq!(*window.state().document.draft(), before);
-    window.click("Symmetric");
+    window.click(en::WINDOW.symmetric);
     window.enter("r, right", "5");
     let free = window.state().document.draft().window.expect("free");
     assert_eq!(free, ViewWindow { right: 5.0, ..size });
     window.enter("l, left", "6");
     assert!(window.says("l must be less than r"));
-    window.click("Swap them");
+    window.click(en::WINDOW.repair_sides);
     assert_eq!(window.state().document.draft().window.map(|w| (w.left, w.right)), Some((5.0, 6.0)));
-    window.click("Symmetric");
+    window.click(en::WINDOW.symmetric);
     let after = window.state().document.camera().window();
     assert!((after.width() - 1.0).abs() < 1e-12 && (after.left + after.right).abs() < 1e-12);
 }
@@ -239,7 +240,7 @@ fn the_aspect_follows_the_image_until_it_is_told_not_to() {
     let mut window = Window::new(Lang::En);
     window.enter("m", "1536");
     assert_eq!(window.state().document.draft().aspect, 2.0);
-    window.click("A follows the image");
+    window.click(en::WINDOW.aspect_follows);
     window.enter("m", "768");
     assert_eq!(window.state().document.draft().aspect, 2.0);
     window.enter("A", "16/9");
@@ -291,7 +292,7 @@ fn the_signs_of_vtk_turn_elevation_the_other_way() {
     let mut one = Window::new(Lang::En);
     one.click("Elevation −");
     let mut other = Window::new(Lang::En);
-    other.harness.get_by_label("Signs of VTK").click_accesskit();
+    other.harness.get_by_label(en::WINDOW.vtk).click_accesskit();
     other.run();
     other.click("Elevation +");
     assert_eq!(one.state().document.draft(), other.state().document.draft());
@@ -302,11 +303,11 @@ fn numbers_are_those_of_the_report_with_as_many_digits_as_asked_for() {
     let mut window = Window::new(Lang::En);
     let camera = window.state().document.camera().clone();
     assert!(window.says("7.0711"));
-    window.enter("digits", "17");
+    window.enter(en::WINDOW.digits, "17");
     assert!(window.says(&camera.distance().to_string()));
     assert!(window.says(&camera.basis().u.x.to_string().replace('-', "−")));
-    window.click("inverses");
-    assert!(window.says("inverse of the view matrix"));
+    window.click(en::WINDOW.inverse);
+    assert!(window.says(en::WINDOW.inverse_view_name));
     let inverse = camera.view_from_clip().to_cols_array_2d()[0][0];
     assert!(window.says(&inverse.to_string()));
 }
@@ -316,7 +317,7 @@ fn reset_brings_the_camera_of_the_file_back_and_can_be_undone() {
     let mut window = Window::new(Lang::En);
     window.enter("C x", "1");
     window.enter("θ", "20");
-    window.menu("Edit", "Reset the camera");
+    window.menu(en::WINDOW.menu_edit, "Reset the camera");
     assert_eq!(window.state().document.draft().position.x, 3.0);
     window.command_key(Key::Z);
     assert_eq!(window.state().document.draft().view_angle, 20.0);
@@ -353,11 +354,11 @@ fn a_number_of_pixels_that_cannot_be_stays_as_it_was_typed_with_its_reason() {
 #[test]
 fn digits_and_steps_that_cannot_be_are_said() {
     let mut window = Window::new(Lang::PtBr);
-    window.enter("dígitos", "18");
+    window.enter(pt::WINDOW.digits, "18");
     assert!(window.says("tem de estar entre 2 e 17"));
     assert_eq!(window.state().settings.digits, 5);
     window.key(Key::Escape);
-    window.enter("dígitos", "17");
+    window.enter(pt::WINDOW.digits, "17");
     assert_eq!(window.state().settings.digits, 17);
     window.enter("Azimute: passo", "0");
     assert!(window.says("tem de ser maior que 0"));
@@ -366,7 +367,7 @@ fn digits_and_steps_that_cannot_be_are_said() {
 #[test]
 fn the_numbers_are_those_of_the_camera_and_not_of_its_rounded_parameters() {
     let mut window = Window::new(Lang::En);
-    window.enter("digits", "17");
+    window.enter(en::WINDOW.digits, "17");
     for _ in 0..5 {
         window.click("Azimuth +");
     }
@@ -382,12 +383,15 @@ fn a_size_of_an_export_that_cannot_be_is_said_and_nothing_is_written() {
     window.command_key(Key::E);
     window.harness.get_by_role_and_label(Role::ComboBox, "size").click();
     window.run();
-    window.click("typed");
-    window.enter("picture width", "0");
+    window.click(en::WINDOW.export_typed);
+    window.enter(en::WINDOW.export_width, "0");
     assert!(window.says("must be between 1 and 16384"));
-    window.click("Export…");
-    assert!(window.says("Export pictures") && window.says("must be between 1 and 16384"), "the question stands");
-    window.enter("picture width", "64");
+    window.click(en::WINDOW.export_action);
+    assert!(
+        window.says(en::WINDOW.export_heading) && window.says("must be between 1 and 16384"),
+        "the question stands"
+    );
+    window.enter(en::WINDOW.export_width, "64");
     assert!(!window.says("must be between 1 and 16384"));
 }
 
@@ -403,8 +407,8 @@ fn a_multiple_of_the_screen_that_is_too_large_is_said_and_not_made_smaller() {
     window.app_mut().state.file_flow.dialog = Some(Dialog::Export(export));
     window.run();
     assert!(window.says("must be between 1 and 16384"));
-    window.click("Export…");
-    assert!(window.says("Export pictures"), "the question stands");
+    window.click(en::WINDOW.export_action);
+    assert!(window.says(en::WINDOW.export_heading), "the question stands");
 }
 
 #[test]

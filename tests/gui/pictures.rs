@@ -12,6 +12,7 @@ use eframe::egui::Key;
 use image::RgbaImage;
 
 use super::window::Window;
+use crate::words::{en, pt};
 
 /// The last bits of letters depend on the processor; nothing that one could see is less than this.
 const TOLERANCE: u8 = 2;
@@ -85,9 +86,9 @@ fn a_problem_and_its_repairs_in_a_narrow_window() {
 fn the_tree_of_the_scene_and_an_object_with_its_arrows() {
     let mut window = first(Lang::PtBr, Theme::Light, [1120.0, 640.0]);
     window.key(Key::F6);
-    window.click("Editar uma cópia");
+    window.click(pt::SCENES.edit_copy);
     window.click("Acrescentar");
-    window.click("cone");
+    window.click(en::SCENES.shape_cone);
     window.run();
     window.enter("translação x", "2");
     assert_window("scene", &mut window);

@@ -17,6 +17,7 @@ use glam::{DVec2, DVec3};
 
 use super::canvas::{IMAGE, Stage, WORLD, place, stage, world};
 use super::window::Window;
+use crate::words::en;
 
 const P: DVec3 = DVec3::new(0.5, 1.0, 1.5);
 
@@ -175,25 +176,25 @@ fn behind_the_eye_and_in_its_plane_the_point_is_explained() {
 #[test]
 fn points_are_added_renamed_and_deleted_and_each_is_a_step() {
     let mut window = window(Lang::En, P);
-    window.click("Add");
+    window.click(en::EXPLAIN_POINT.add);
     let names = |window: &Window| -> Vec<String> {
         window.state().document.figure().points.iter().map(|point| point.name.clone()).collect()
     };
     assert_eq!(names(&window), ["P", "Q"]);
     assert_eq!(window.state().document.figure().points[1].position, DVec3::ZERO, "at PF");
     let rename = |window: &mut Window, text: &str| {
-        window.click("Name of the point");
+        window.click(en::EXPLAIN_POINT.name);
         window.harness.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::A);
         window.harness.event(eframe::egui::Event::Text(text.to_owned()));
         window.run();
         window.key(Key::Enter);
     };
     rename(&mut window, "P");
-    assert!(window.says("Another point has this name."));
+    assert!(window.says(en::EXPLAIN_POINT.name_taken));
     assert_eq!(names(&window), ["P", "Q"]);
     rename(&mut window, "corner");
     assert_eq!(names(&window), ["P", "corner"]);
-    window.click("Delete");
+    window.click(en::EXPLAIN_POINT.delete);
     assert_eq!(names(&window), ["P"]);
     for expected in [vec!["P", "corner"], vec!["P", "Q"], vec!["P"]] {
         window.command_key(Key::Z);
@@ -288,7 +289,7 @@ fn a_pinned_vertex_is_followed_from_its_card() {
     if !matches!(h.state().state.probe, Some(Probe::Point(_))) {
         panic!("{:?}", h.state().state.probe);
     }
-    h.get_by_label("Follow").click();
+    h.get_by_label(en::EXPLAIN_POINT.follow).click();
     h.run();
     let state = &h.state().state;
     assert_eq!(state.document.figure().points, [NamedPoint { name: "P".to_owned(), position: corner }]);

@@ -17,6 +17,7 @@ use egui_kittest::kittest::{By, Queryable};
 
 use super::files::Folder;
 use super::window::Window;
+use crate::words::en;
 
 /// A window with the second of four figures of a folder, the third of which is broken.
 fn lecture(folder: &Folder) -> Window {
@@ -69,7 +70,7 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
     assert!(window.says("aula 9.toml") && window.state().file_flow.dialog.is_none());
     window.key(Key::PageDown);
     assert_eq!(name(&window), "aula 10.toml");
-    assert!(window.says("This is the last figure"));
+    assert!(window.says(en::WINDOW.last_figure));
     window.key(Key::PageUp);
     assert_eq!((name(&window).as_str(), window.state().document.figure().camera.far), ("aula 2.toml", 77.0));
     assert!(window.state().document.is_changed() && window.state().document.can_undo());
@@ -85,8 +86,8 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
     window.key(Key::PageUp);
     // Whoever closes the window is asked about it.
     window.command_key(Key::Q);
-    assert!(window.says("Save the changes?") && window.says("aula 2.toml"));
-    window.click("Save");
+    assert!(window.says(en::WINDOW.unsaved_title) && window.says("aula 2.toml"));
+    window.click(en::WINDOW.save);
     assert!(fs::read_to_string(folder.file("aula 2.toml")).expect("there").contains("far = 77"));
     assert!(window.state().file_flow.may_close);
 }
@@ -136,11 +137,11 @@ fn whoever_does_not_close_after_all_has_lost_no_figure() {
     for cancel in [true, false] {
         window.command_key(Key::Q);
         for _ in 0..2 {
-            window.click("Don't save");
+            window.click(en::WINDOW.dont_save);
         }
-        assert!(window.says("Save the changes?") && !window.state().file_flow.may_close);
+        assert!(window.says(en::WINDOW.unsaved_title) && !window.state().file_flow.may_close);
         if cancel {
-            window.click("Cancel");
+            window.click(en::WINDOW.cancel);
         } else {
             window.key(Key::Escape);
         }
@@ -154,7 +155,7 @@ fn whoever_does_not_close_after_all_has_lost_no_figure() {
     window.command_key(Key::Q);
     for _ in 0..3 {
         assert!(!window.state().file_flow.may_close);
-        window.click("Don't save");
+        window.click(en::WINDOW.dont_save);
     }
     assert!(window.state().file_flow.may_close);
 }

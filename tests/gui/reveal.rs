@@ -12,6 +12,7 @@ use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 
 use super::window::Window;
+use crate::words::en;
 
 /// A window on whose image a camera at (0, 0, 5) sees the cube, with F = 2 and B = 8.
 fn window(lang: Lang, picture: View) -> Window {
@@ -61,9 +62,9 @@ fn choose(window: &mut Window, choice: &str, entry: &str) {
 fn the_way_of_finding_hidden_faces_is_chosen_and_undone() {
     let mut window = window(Lang::En, View::Image);
     window.explain(Explanation::HiddenSurfaces);
-    window.click("Painter");
+    window.click(en::STAGES.painter);
     assert_eq!(window.state().document.figure().style.visibility, Visibility::Painter);
-    window.click("BSP");
+    window.click(en::STAGES.bsp);
     assert_eq!(window.state().document.figure().style.visibility, Visibility::Bsp);
     window.command_key(Key::Z);
     assert_eq!(window.state().document.figure().style.visibility, Visibility::Painter);

@@ -21,6 +21,7 @@ use proptest::prelude::*;
 use super::files::Folder;
 use super::shot::{observers, operations, shows};
 use super::window::Window;
+use crate::words::en;
 
 const FIGURE: &str = "[camera]\nposition = [2.5, 3, 5]\nnear = 2\nfar = 12\n[scene]\npreset = \"house\"\n\
                       [style]\ntheme = \"light\"\nantialias = 4\n";
@@ -79,7 +80,7 @@ impl Opened {
         export.fit_screen(sizes, unit);
         window.app_mut().state.file_flow.dialog = Some(Dialog::Export(export));
         window.run();
-        window.click("Export…");
+        window.click(en::WINDOW.export_action);
         window.choose(&path);
         let since = Instant::now();
         while !path.exists() {

@@ -13,6 +13,7 @@ use glam::DVec3;
 
 use super::files::{Dropped, Folder};
 use super::window::Window;
+use crate::words::{en, pt};
 
 impl Window {
     /// The window with the tab of the scene open.
@@ -137,7 +138,7 @@ fn a_sphere_is_added_renamed_hung_elsewhere_and_moved_and_each_is_undone() {
     assert_eq!(window.objects()[1].translate.x, 0.25);
     window.enter("rotation y", "30°");
     window.enter("scale z", "2");
-    window.enter("segments", "12");
+    window.enter(en::SCENES.shape_segments, "12");
     let moved = window.objects()[1].clone();
     assert_eq!((moved.rotate.y, moved.scale.z, moved.segments), (30.0, 2.0, 12));
 
@@ -187,21 +188,21 @@ fn a_light_gets_shadows_their_numbers_and_what_they_show() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "directional light");
     let shadows = |window: &Window| window.state().document.figure().scene.lights[0].shadows;
-    assert!(!shadows(&window).cast && !window.says("shadow map"));
-    window.click("casts shadows");
+    assert!(!shadows(&window).cast && !window.says(en::SCENES.shadow_map));
+    window.click(en::SCENES.shadows);
     assert_eq!(shadows(&window), Shadows::CAST);
     for (field, value) in [("shadow map", "256"), ("bias", "2.5"), ("soft edge", "0")] {
         window.enter(field, value);
     }
     assert_eq!(shadows(&window), Shadows { cast: true, map: 256, bias: 2.5, softness: 0.0 });
-    window.enter("shadow map", "63");
+    window.enter(en::SCENES.shadow_map, "63");
     assert!(window.says("allowed: whole numbers from 64 to 4096") || window.says("64"));
     assert_eq!(shadows(&window).map, 256);
     window.key(Key::Escape);
     let t = camera_lab::i18n::scenes::texts(Lang::En);
     window.pick(t.shadow_reveal, t.shadow_of_light);
     assert_eq!(window.state().document.figure().reveal.shadows, Some(ShadowReveal::Map));
-    window.click("casts shadows");
+    window.click(en::SCENES.shadows);
     assert!(!shadows(&window).cast && shadows(&window).map == 256, "the numbers stay");
 }
 
@@ -217,16 +218,16 @@ fn what_is_impossible_is_said_beside_the_field_and_the_last_good_scene_stays() {
     assert!(!window.says("the scale must not be 0"));
     assert_eq!(window.objects()[0].scale.x, 3.0);
     let before_segments = window.objects()[0].clone();
-    window.enter("segments", "2");
+    window.enter(en::SCENES.shape_segments, "2");
     assert!(window.says("allowed: whole numbers from 3 to 512"));
     for typed in ["-5", "513", "1e12"] {
         window.key(Key::Escape);
-        window.enter("segments", typed);
+        window.enter(en::SCENES.shape_segments, typed);
         assert!(window.says("allowed: whole numbers from 3 to 512"), "{typed}");
         assert_eq!(window.objects()[0], before_segments, "{typed}");
     }
     window.key(Key::Escape);
-    window.enter("segments", "3");
+    window.enter(en::SCENES.shape_segments, "3");
     assert_eq!(window.objects()[0].segments, 3);
 
     window.add("Add", "torus");
@@ -234,7 +235,7 @@ fn what_is_impossible_is_said_beside_the_field_and_the_last_good_scene_stays() {
     assert!(window.says("another object has this name"));
     assert_eq!(window.names(), ["cone", "torus"]);
     window.write("name", "  ", Key::Enter);
-    assert!(window.says("a name must not be empty"));
+    assert!(window.says(en::SCENES.name_empty));
     window.write("name", "ring", Key::Enter);
     assert_eq!(window.names(), ["cone", "ring"]);
 
@@ -255,7 +256,7 @@ fn what_is_typed_for_one_object_does_not_go_to_the_next_that_is_selected() {
     window.add("Add", "box");
     window.add("Add", "cone");
     window.type_into("translation x", "7");
-    window.select("box");
+    window.select(en::SCENES.shape_box);
     window.run();
     assert_eq!(window.objects()[1].translate.x, 7.0, "it is taken over");
     assert_eq!(window.objects()[0].translate.x, 0.0);
@@ -266,10 +267,10 @@ fn a_row_is_dragged_onto_its_new_parent_in_one_step() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "group");
     window.enter("rotation y", "90");
-    window.select("World");
+    window.select(en::SCENES.root);
     window.add("Add", "box");
     window.enter("translation x", "2");
-    let (from, to) = (window.row("box").rect().center(), window.row("group").rect().center());
+    let (from, to) = (window.row(en::SCENES.shape_box).rect().center(), window.row(en::SCENES.group).rect().center());
     window.drag(from, to - from, |_| {});
     window.run();
     let hung = window.objects()[1].clone();
@@ -277,10 +278,10 @@ fn a_row_is_dragged_onto_its_new_parent_in_one_step() {
     // It stays at (2, 0, 0): Ry(90°) takes z to x.
     assert!((hung.translate - DVec3::new(0.0, 0.0, 2.0)).length() < 1e-9, "{}", hung.translate);
     // Not onto its own child.
-    let (from, to) = (window.row("group").rect().center(), window.row("box").rect().center());
+    let (from, to) = (window.row(en::SCENES.group).rect().center(), window.row(en::SCENES.shape_box).rect().center());
     window.drag(from, to - from, |_| {});
     assert_eq!(window.objects()[0].parent, None);
-    let (from, to) = (window.row("box").rect().center(), window.row("World").rect().center());
+    let (from, to) = (window.row(en::SCENES.shape_box).rect().center(), window.row(en::SCENES.root).rect().center());
     window.drag(from, to - from, |_| {});
     window.run();
     assert_eq!(window.objects()[1].parent, None);
@@ -295,34 +296,34 @@ fn deleting_asks_what_becomes_of_the_children() {
     window.add("Add", "group");
     window.add("Add", "box");
     assert_eq!(window.objects()[1].parent.as_deref(), Some("group"), "it goes into the group that is selected");
-    window.select("group");
-    window.click("Delete");
-    window.click("Alone; its children move to its parent");
+    window.select(en::SCENES.group);
+    window.click(en::SCENES.delete);
+    window.click(en::SCENES.delete_alone);
     window.run();
     assert_eq!(window.names(), ["box"]);
     assert_eq!(window.objects()[0].parent, None);
     window.command_key(Key::Z);
-    window.select("group");
+    window.select(en::SCENES.group);
     window.key(Key::Delete);
     assert_eq!(window.names(), ["group", "box"], "the key asks too");
-    window.click("Cancel");
+    window.click(en::WINDOW.cancel);
     window.run();
     assert_eq!(window.names(), ["group", "box"]);
-    window.select("group");
+    window.select(en::SCENES.group);
     window.key(Key::Delete);
-    window.click("Alone; its children move to its parent");
+    window.click(en::SCENES.delete_alone);
     window.run();
     assert_eq!(window.names(), ["box"]);
     window.command_key(Key::Z);
-    window.select("group");
+    window.select(en::SCENES.group);
     window.key(Key::Delete);
-    window.click("With all objects below it");
+    window.click(en::SCENES.delete_all);
     window.run();
     assert!(window.names().is_empty());
     window.command_key(Key::Z);
     assert_eq!(window.names(), ["group", "box"]);
     // Where nothing hangs on it there is nothing to ask.
-    window.select("box");
+    window.select(en::SCENES.shape_box);
     window.key(Key::Delete);
     window.run();
     assert_eq!(window.names(), ["group"]);
@@ -333,15 +334,15 @@ fn several_are_selected_copied_with_their_children_deleted_and_brought_back() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "group");
     window.add("Add", "box");
-    window.select("World");
+    window.select(en::SCENES.root);
     window.add("Add", "cone");
     let colors: Vec<_> = window.objects().iter().filter_map(|o| o.color).collect();
     assert!(colors.len() == 2 && colors[0] != colors[1], "each has a colour of its own");
-    window.select("group");
+    window.select(en::SCENES.group);
     window.harness.get_by_role_and_label(Role::TreeItem, "cone").click_modifiers(Modifiers::COMMAND);
     window.run();
     assert!(window.says("2 objects are selected"));
-    window.click("Duplicate");
+    window.click(en::SCENES.duplicate);
     window.run();
     assert_eq!(window.names(), ["group", "box", "group 2", "box 2", "cone", "cone 2"]);
     assert_eq!(window.objects()[3].parent.as_deref(), Some("group 2"));
@@ -350,7 +351,7 @@ fn several_are_selected_copied_with_their_children_deleted_and_brought_back() {
     window.run();
     // The keyboard is with the row that was clicked last, which is not selected any more.
     let before = window.names().len();
-    window.select("group");
+    window.select(en::SCENES.group);
     window.harness.get_by_role_and_label(Role::TreeItem, "box").click_modifiers(Modifiers::COMMAND);
     window.run();
     window.key(Key::Delete);
@@ -372,7 +373,7 @@ fn what_cannot_be_selected_together_says_why() {
     };
     let why = "Only the figure's own objects can be selected together";
     window.add("Add", "box");
-    window.select("World");
+    window.select(en::SCENES.root);
     window.add("Add", "cone");
     beside(&mut window, "box");
     assert!(window.says("2 objects are selected") && !window.says(why));
@@ -418,7 +419,7 @@ fn a_named_scene_becomes_a_list_and_says_what_the_list_loses() {
     let mut window = Window::scene(Lang::PtBr);
     window.pick("cena nomeada", "cubo");
     window.run();
-    window.click("Editar uma cópia");
+    window.click(pt::SCENES.edit_copy);
     window.run();
     let scene = window.state().document.figure().scene.clone();
     assert_eq!((scene.preset, scene.objects.len()), (Preset::Empty, 1));
@@ -436,10 +437,10 @@ fn a_colour_is_typed_and_given_back_to_the_palette() {
     window.write("colour #", "#10203080", Key::Enter);
     assert_eq!(window.objects()[0].color.map(|c| c.to_string()).as_deref(), Some("#10203080"));
     window.write("colour #", "red", Key::Enter);
-    assert!(window.says("a colour is written #rrggbb or #rrggbbaa"));
+    assert!(window.says(en::SCENES.color_bad));
     window.write("colour #", "#ff0000", Key::Enter);
     assert_eq!(window.objects()[0].color.map(|c| c.to_string()).as_deref(), Some("#ff0000"));
-    window.click("automatic");
+    window.click(en::SCENES.color_auto);
     assert_eq!(window.objects()[0].color, None);
 }
 
@@ -451,7 +452,7 @@ fn switching_the_language_leaves_no_word_of_the_other_in_the_tab() {
     for word in ["translation", "parent", "Duplicate", "Add", "default light"] {
         assert!(!window.says(word), "{word}");
     }
-    assert!(window.says("translação") && window.says("Acrescentar") && window.says("luz padrão"));
+    assert!(window.says(pt::SCENES.translate) && window.says("Acrescentar") && window.says(pt::SCENES.default_light));
 }
 
 #[test]
@@ -483,7 +484,7 @@ fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says
     assert_eq!((scene.objects.len(), scene.objects[0].world_from_object.w_axis.z), (1, 1.0));
     std::fs::write(folder.file("torn.obj"), format!("{triangle}f 1 2\n")).expect("written");
     window.select("torn");
-    window.click("Read again");
+    window.click(en::SCENES.read_again);
     window.run();
     assert_eq!(window.state().scene_cache.scene().objects.len(), 2);
     assert!(!window.says("line 2"));
@@ -518,11 +519,11 @@ fn what_a_mesh_names_outside_of_its_folder_is_read_once_the_user_lets_it() {
     window.select("tent.gltf");
     assert!(window.says("points.bin"));
     assert_eq!(window.state().scene_cache.scene().objects.len(), 1);
-    window.click("Let this figure read any file");
+    window.click(en::SCENES.allow_files);
     window.run();
     window.run();
     assert_eq!(window.state().scene_cache.scene().objects.len(), 2);
-    assert!(!window.says("points.bin") && !window.says("Let this figure read any file"));
+    assert!(!window.says("points.bin") && !window.says(en::SCENES.allow_files));
     window.select("tent.obj");
     assert!(!window.says("red.mtl"));
 }
@@ -548,7 +549,7 @@ fn a_figure_that_is_saved_elsewhere_takes_the_way_to_its_meshes_along() {
 #[test]
 fn names_of_any_length_leave_the_panel_as_wide_as_it_is() {
     let mut window = Window::new(Lang::En);
-    let width = |window: &Window| window.harness.get_by_label("Drawing tab").rect().right();
+    let width = |window: &Window| window.harness.get_by_label(en::WINDOW.drawing_tab).rect().right();
     window.key(Key::F6);
     let before = width(&window);
     let long = ["a", "b"].map(|letter| letter.repeat(5_000));
@@ -573,7 +574,7 @@ fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
             figure.scene.objects = vec![ObjectSpec::new("cube", Shape::Box)];
         });
         window.run();
-        window.select("cube");
+        window.select(en::WINDOW.scene_cube);
         assert!(window.harness.query_by_role_and_label(Role::ComboBox, t.filter).is_none(), "there is none yet");
         window.pick(t.texture, t.texture_chequer);
         window.run();

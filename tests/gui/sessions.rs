@@ -18,6 +18,7 @@ use egui_kittest::kittest::Queryable;
 
 use super::files::Folder;
 use super::window::Window;
+use crate::words::en;
 
 const MINE: &str = "# Mine.\n[camera]\nfar = 50.0\n\n[scene]\npreset = \"empty\"\n";
 
@@ -128,9 +129,9 @@ fn a_restored_figure_goes_to_its_own_file_and_not_over_a_newer_one() {
     assert_eq!(window.state().document.figure().camera.far, 75.0);
     assert!(window.says("a.toml was changed by another program; this window has changes too."));
     window.command_key(Key::S);
-    assert!(window.says("The file has changed"));
+    assert!(window.says(en::WINDOW.changed_title));
     assert_eq!(fs::read_to_string(folder.file("a.toml")).expect("there"), newer);
-    window.click("Replace");
+    window.click(en::WINDOW.replace);
     let text = fs::read_to_string(folder.file("a.toml")).expect("there");
     assert!(text.contains("# Mine.") && text.contains("far = 75.0"));
     // Saved: nothing is left.
@@ -186,8 +187,8 @@ fn a_figure_that_did_not_survive_is_offered_and_not_restored() {
     window.app_mut().keep_session(&folder.file("sessions"), true);
     window.run();
     assert_ne!(window.state().document.figure().camera.far, 75.0);
-    assert!(window.says("the program ended while it was being restored"));
-    window.click("Restore");
+    assert!(window.says(en::WINDOW.did_not_survive));
+    window.click(en::WINDOW.restore);
     window.wait(|window| window.state().document.figure().camera.far == 75.0);
 }
 
@@ -215,7 +216,7 @@ fn closing_buttons(window: &mut Window) -> Vec<Rect> {
         window.harness.hover_at(pos2(300.0 + f32::from(step), 500.0));
         window.harness.step();
     }
-    window.harness.query_all_by_label("Close").map(|button| button.rect()).collect()
+    window.harness.query_all_by_label(en::WINDOW.close).map(|button| button.rect()).collect()
 }
 
 #[test]
@@ -244,9 +245,9 @@ fn lines_at_the_top_take_a_row_each_however_often_they_are_shown() {
         assert_eq!(closing_buttons(&mut window), at_first);
         assert!(picture(&window) >= whole - (lines as f32) * row - 12.0, "{whole} {}", picture(&window));
         for left in (0..lines).rev() {
-            window.harness.query_all_by_label("Close").next().expect("a line").click();
+            window.harness.query_all_by_label(en::WINDOW.close).next().expect("a line").click();
             window.run();
-            assert_eq!(window.harness.query_all_by_label("Close").count(), left);
+            assert_eq!(window.harness.query_all_by_label(en::WINDOW.close).count(), left);
         }
     }
 }
@@ -275,7 +276,7 @@ fn a_home_that_cannot_be_used_is_said_in_one_line_and_once() {
     };
     change(&mut window, "1.25");
     assert_eq!((told(&window), closing_buttons(&mut window).len()), (1, 1));
-    window.click("Close");
+    window.click(en::WINDOW.close);
     change(&mut window, "1.5");
     assert_eq!(told(&window), 0);
 }

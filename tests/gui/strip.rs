@@ -11,6 +11,7 @@ use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::window::Window;
+use crate::words::{en, pt};
 
 impl Window {
     /// The line of a stage in the strip.
@@ -27,7 +28,7 @@ fn the_divide_is_left_out_in_parallel_projection_and_says_why() {
     window.key(Key::F6);
     window.harness.get_by_role_and_label(Role::Button, "Add").click();
     window.run();
-    window.click("box");
+    window.click(en::SCENES.shape_box);
     window.run();
     assert!(!window.stage("divide by w"), "it is hidden at first");
     window.key(Key::F10);
@@ -35,7 +36,7 @@ fn the_divide_is_left_out_in_parallel_projection_and_says_why() {
     assert!(window.stage("divide by w: 24 → 24 vertices") || window.stage("divide by w: 8 → 8 vertices"));
     assert!(window.stage("oblique window: skipped – symmetric window"));
     window.key(Key::F5);
-    window.click("Parallel");
+    window.click(en::WINDOW.parallel);
     assert!(window.stage("divide by w: skipped – parallel projection: w is 1 everywhere"));
     // Pointed at, it is said in full at the head of the strip.
     let divide = |label: &str| label.starts_with("divide by w");
@@ -91,7 +92,7 @@ fn the_strip_is_of_the_picture_that_is_chosen_and_a_hidden_one_costs_nothing() {
     assert_eq!(window.state().layout.strip_of, View::World);
     assert!(window.says("Esta imagem está escondida") && !window.stage("escrita"));
     assert_eq!(window.app_mut().canvas.drawn(), drawn);
-    window.click("Esconder as etapas (F10)");
+    window.click(pt::CANVAS.strip_close);
     assert!(!window.state().layout.strip);
 }
 

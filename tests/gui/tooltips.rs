@@ -5,6 +5,7 @@ use camera_lab::i18n::window::texts;
 use eframe::egui::{Key, Rect};
 
 use super::window::Window;
+use crate::words::en;
 
 impl Window {
     /// Where this is written.
@@ -43,9 +44,9 @@ fn what_is_said_of_a_field_stands_beside_its_panel() {
     window.rest_at(window.field("C x").rect());
     let place = window.place_of(hint).expect("it is said");
     assert!(place.left() > panel.right(), "{place:?}");
-    window.rest_at(window.field("digits").rect());
+    window.rest_at(window.field(en::WINDOW.digits).rect());
     let place = window.place_of(hint).expect("it is said");
-    assert!(place.right() < window.field("digits").rect().left(), "{place:?}");
+    assert!(place.right() < window.field(en::WINDOW.digits).rect().left(), "{place:?}");
 }
 
 #[test]
