@@ -1,7 +1,6 @@
 //! Conventions: whose NDC, compared with whose, row vectors, the left hand.
 
 use std::fs;
-use std::time::{Duration, Instant};
 
 use camera_lab::camera::{Api, Ndc, Projection};
 use camera_lab::figure::Explanation;
@@ -162,12 +161,7 @@ fn an_exported_canonical_volume_is_in_the_convention_and_names_it() {
         window.run();
         window.click(en::WINDOW.export_action);
         window.choose(&path);
-        let since = Instant::now();
-        while !path.exists() {
-            assert!(since.elapsed() < Duration::from_secs(60), "{:?}", window.state().message);
-            std::thread::sleep(Duration::from_millis(20));
-            window.run();
-        }
+        window.wait(|_| path.exists());
         let bytes = fs::read(&path).expect("exported");
         let image = image::load_from_memory(&bytes).expect("a PNG").to_rgba8();
         assert!(image.into_raw() == on_screen, "{name}: not what is on the screen");

@@ -1,7 +1,6 @@
 //! Dialogs: their lists, their focus, and what they ask.
 
 use std::fs;
-use std::time::{Duration, Instant};
 
 use camera_lab::appearance::Theme;
 use camera_lab::gui::state::{Dialog, Purpose};
@@ -67,16 +66,10 @@ fn lists_of_the_export_dialog_open_before_it_every_time() {
 
 /// The picture in the export dialog and its size, once it is another one than `before`.
 fn preview(window: &mut Window, before: Option<TextureId>) -> (TextureId, [usize; 2]) {
-    let since = Instant::now();
-    loop {
-        let texture = window.state().file_flow.preview.as_ref().and_then(|preview| preview.texture());
-        match texture.map(|texture| (texture.id(), texture.size())) {
-            Some((id, size)) if before != Some(id) => return (id, size),
-            _ => assert!(since.elapsed() < Duration::from_secs(60), "no other picture than {before:?}"),
-        }
-        std::thread::sleep(Duration::from_millis(5));
-        window.harness.step();
-    }
+    window.wait_until(|window| {
+        let texture = window.state().file_flow.preview.as_ref()?.texture()?;
+        (before != Some(texture.id())).then(|| (texture.id(), texture.size()))
+    })
 }
 
 #[test]
@@ -88,10 +81,8 @@ fn the_export_dialog_shows_the_picture_as_it_will_be() {
     // Not larger than it will be, and nothing is enlarged.
     window.enter(en::WINDOW.export_width, "320");
     window.enter(en::WINDOW.export_height, "200");
-    let since = Instant::now();
     let mut shown = preview(&mut window, None);
     while shown.1 != [320, 200] {
-        assert!(since.elapsed() < Duration::from_secs(60), "{shown:?}");
         shown = preview(&mut window, Some(shown.0));
     }
     let pixels = |window: &Window| window.pixels([320, 200]);
@@ -131,15 +122,7 @@ fn a_picture_is_copied_at_its_full_size() {
             _ => None,
         })
     };
-    let since = Instant::now();
-    let image = loop {
-        window.harness.step();
-        if let Some(image) = copied(&window) {
-            break image;
-        }
-        assert!(since.elapsed() < Duration::from_secs(60), "nothing on the clipboard");
-        std::thread::sleep(Duration::from_millis(5));
-    };
+    let image = window.wait_until(copied);
     assert_eq!(image.size, [900, 600]);
     assert!(window.says(en::WINDOW.copied));
     window.enter(en::WINDOW.export_width, "16000");
@@ -257,12 +240,7 @@ fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
     assert_eq!(lines(&window), Some(1.25));
     window.enter(en::WINDOW.export_width_cm, "16");
     window.enter(en::WINDOW.export_height_cm, "12");
-    let since = Instant::now();
-    while window.says("the smallest picture") {
-        assert!(since.elapsed() < Duration::from_secs(60), "there is room");
-        std::thread::sleep(Duration::from_millis(5));
-        window.harness.step();
-    }
+    window.wait_until(|window| (!window.says("the smallest picture")).then_some(()));
 }
 
 #[test]
@@ -286,16 +264,10 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     // In multiples of the screen, the size that is said is that of the whole sheet.
     window.quick_choice("pictures", "World");
     window.quick_choice("size", "1 ×");
-    let since = Instant::now();
-    let [width, height] = loop {
-        let size = window.state().file_flow.preview.as_ref().and_then(|preview| preview.size());
-        match size.filter(|[width, _]| (2 * window.export().width..3000).contains(width)) {
-            Some(size) => break size,
-            None => assert!(since.elapsed() < Duration::from_secs(60), "{size:?}"),
-        }
-        std::thread::sleep(Duration::from_millis(5));
-        window.harness.step();
-    };
+    let [width, height] = window.wait_until(|window| {
+        let size = window.state().file_flow.preview.as_ref()?.size();
+        size.filter(|[width, _]| (2 * window.export().width..3000).contains(width))
+    });
     window.run();
     for (field, side) in [("picture width", width), ("picture height", height)] {
         let shown = window.field(field).accesskit_node().numeric_value();
@@ -320,12 +292,7 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     let file = folder.file("azimuths.svg");
     window.choose(&file);
     window.wait_for("azimuths.svg");
-    let since = Instant::now();
-    while !file.exists() {
-        assert!(since.elapsed() < Duration::from_secs(60), "it is written");
-        std::thread::sleep(Duration::from_millis(5));
-        window.harness.step();
-    }
+    window.wait(|_| file.exists());
     let svg = fs::read_to_string(&file).expect("text");
     for caption in ["(a) Azimuth 0°", "(b) Azimuth 30°", "(c) Azimuth 60°", "(d) Azimuth 90°"] {
         assert!(svg.contains(caption), "{caption}");
@@ -407,15 +374,7 @@ fn vectors_have_settings_of_their_own_and_are_copied_as_text() {
             _ => None,
         })
     };
-    let since = Instant::now();
-    let text = loop {
-        window.harness.step();
-        if let Some(text) = copied(&window) {
-            break text;
-        }
-        assert!(since.elapsed() < Duration::from_secs(120), "nothing on the clipboard");
-        std::thread::sleep(Duration::from_millis(5));
-    };
+    let text = window.wait_until(copied);
     assert!(text.starts_with("<svg") && text.contains("aria-label=\"VUP\"") && !text.contains("<text"));
 }
 

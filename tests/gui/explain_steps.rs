@@ -3,7 +3,6 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::fs;
-use std::time::{Duration, Instant};
 
 use camera_lab::camera::{Decomposition, Parameters, ViewWindow};
 use camera_lab::figure::Explanation;
@@ -133,11 +132,7 @@ fn the_way_is_exported_beside_the_window() {
     window.click(texts(Lang::En).film);
     let strip = folder.file("strip.png");
     window.choose(&strip);
-    let end = Instant::now() + Duration::from_secs(300);
-    while !strip.exists() && Instant::now() < end {
-        std::thread::sleep(Duration::from_millis(20));
-        window.harness.step();
-    }
+    window.wait_until(|_| strip.exists().then_some(()));
     let reader = png::Decoder::new(std::io::Cursor::new(fs::read(&strip).unwrap())).read_info().unwrap();
     // The world and four steps, with gaps.
     assert_eq!((reader.info().width, reader.info().height), (5 * 640 + 4 * 4, 480));

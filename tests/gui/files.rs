@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 use camera_lab::export::png;
 use camera_lab::figure::Explanation;
@@ -185,12 +184,7 @@ fn an_exported_picture_holds_its_figure_and_brings_it_back() {
     window.enter(en::WINDOW.export_height, "48");
     window.click(en::WINDOW.export_action);
     window.choose(&path);
-    let since = Instant::now();
-    while !path.exists() {
-        assert!(since.elapsed() < Duration::from_secs(60), "{:?}", window.state().message);
-        std::thread::sleep(Duration::from_millis(20));
-        window.run();
-    }
+    window.wait(|_| path.exists());
     let bytes = fs::read(&path).expect("there");
     let text = png::figure_text(&bytes, 1 << 20).expect("a PNG").expect("with a figure");
     assert!(text.contains("theme = \"print\"") && text.contains("1.5"));

@@ -17,18 +17,6 @@ use super::window::Window;
 use crate::words::{en, pt};
 
 impl Window {
-    /// Frames until something is said, which another thread does.
-    pub(crate) fn wait_for(&mut self, text: &str) {
-        let since = Instant::now();
-        while !self.says(text) {
-            assert!(since.elapsed() < Duration::from_secs(300), "{text}");
-            std::thread::sleep(Duration::from_millis(5));
-            self.harness.step();
-        }
-    }
-}
-
-impl Window {
     /// Frames until two seconds bring nothing new: each small picture that comes in asks for a frame.
     fn wait_for_quiet(&mut self) {
         let since = Instant::now();

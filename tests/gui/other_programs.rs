@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use camera_lab::files;
 use camera_lab::gui::state::Dialog;
@@ -25,17 +25,6 @@ impl Window {
     fn focus(&mut self, done: impl Fn(&Self) -> bool) {
         self.harness.event(Event::WindowFocused(true));
         self.wait(done);
-    }
-
-    /// Frames until `done`.
-    pub(crate) fn wait(&mut self, done: impl Fn(&Self) -> bool) {
-        let since = Instant::now();
-        self.run();
-        while !done(self) {
-            assert!(since.elapsed() < Duration::from_secs(60), "{:?}", self.state().message);
-            std::thread::sleep(Duration::from_millis(10));
-            self.run();
-        }
     }
 
     fn is_asked_about_the_file(&self) -> bool {

@@ -3,7 +3,6 @@
 use std::fs;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
 
 use camera_lab::camera::{Convention, Operation};
 use camera_lab::figure::{Measure, Measured, ShownProbe, ShownStep, ShownTriangle, TriangleStep};
@@ -82,12 +81,7 @@ impl Opened {
         window.run();
         window.click(en::WINDOW.export_action);
         window.choose(&path);
-        let since = Instant::now();
-        while !path.exists() {
-            assert!(since.elapsed() < Duration::from_secs(60), "{:?}", window.state().message);
-            std::thread::sleep(Duration::from_millis(5));
-            window.run();
-        }
+        window.wait(|_| path.exists());
         fs::read(path).expect("exported")
     }
 

@@ -1,6 +1,6 @@
 //! What all tests of the window need: the whole window in a harness, without a display.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use camera_lab::figure::Explanation;
 use camera_lab::gui::state::Side;
@@ -161,6 +161,34 @@ impl Window {
     /// Frames until nothing changes any more.
     pub(crate) fn run(&mut self) {
         self.harness.run();
+    }
+
+    /// Frames until `get` has a value, which another thread makes.
+    #[track_caller]
+    pub(crate) fn wait_until<T>(&mut self, get: impl Fn(&Self) -> Option<T>) -> T {
+        let since = Instant::now();
+        loop {
+            if let Some(value) = get(self) {
+                return value;
+            }
+            assert!(since.elapsed() < Duration::from_secs(300), "{:?}", self.state().message);
+            std::thread::sleep(Duration::from_millis(5));
+            self.harness.step();
+        }
+    }
+
+    /// Frames until `done`, and then until nothing changes any more.
+    #[track_caller]
+    pub(crate) fn wait(&mut self, done: impl Fn(&Self) -> bool) {
+        self.run();
+        self.wait_until(|window| done(window).then_some(()));
+        self.run();
+    }
+
+    /// Frames until a label contains this text.
+    #[track_caller]
+    pub(crate) fn wait_for(&mut self, text: &str) {
+        self.wait_until(|window| window.says(text).then_some(()));
     }
 
     /// The number field with this name.
