@@ -6,7 +6,7 @@
 //! | `crop` | a picture without the empty background around its content |
 //! | `format` | the formats of picture files |
 //! | `paper` | the sizes of pictures for paper and slides that have a name |
-//! | `plot/` | charts as SVG, PDF or PNG, drawn by one plotting library, in the bundled font |
+//! | `plot` | charts as pages of vectors |
 //! | `png` | PNG with the figure file inside |
 //! | `sheet` | several pictures on one sheet |
 //! | `vector/` | pages of vectors: the list of the things on one, and its writers |

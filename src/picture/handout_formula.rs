@@ -55,8 +55,7 @@ impl FormulaPart {
 
 /// A text that begins at a place, on its baseline.
 pub(super) fn written(text: String, at: [f32; 2], size: f32, color: Rgba) -> Item {
-    let halo = Rgba::rgba(0, 0, 0, 0);
-    Item::Text { at, text, mathematical: false, size, color, halo, halo_width: 0.0, anchor: Anchor::Left }
+    Item::text(text, at, size, color, Anchor::Left)
 }
 
 /// Sets a formula; a part for which a line has no room begins another.

@@ -364,9 +364,7 @@ fn over_faces(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
         for layer in mark_layers(mark) {
             let color = faded(layer.color, fades);
             items.push(match layer.stroke {
-                Some(width) => {
-                    Item::Stroke { path: path.clone(), color, width, dashes: Vec::new(), phase: 0.0, round: false }
-                }
+                Some(width) => Item::stroke(path.clone(), color, width, false),
                 None => Item::Fill { path: path.clone(), color },
             });
         }

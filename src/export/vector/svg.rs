@@ -14,7 +14,7 @@ use crate::text::{self, Element, Face};
 ///
 /// *Guarantees*: the same page and figure give the same bytes.
 #[must_use]
-pub fn svg(page: &Page, letters: Letters, figure: &str) -> String {
+pub(super) fn svg(page: &Page, letters: Letters, figure: &str) -> String {
     let options = Options { use_single_quote: false, indent: Indent::Spaces(1), attributes_indent: Indent::None };
     let mut writer = Writer { xml: XmlWriter::new(options), letters, clips: 0, glyphs: Face::ALL.map(Glyphs::of) };
     let [width, height] = page.size;

@@ -12,7 +12,7 @@ use crate::text;
 ///
 /// Each label is set in the document's font, at the height that it has on the page; its symbols are mathematics.
 #[must_use]
-pub fn tex(page: &Page, art: &str) -> String {
+pub(super) fn tex(page: &Page, art: &str) -> String {
     let [width, height] = page.size.map(|side| number(side * page.points));
     // In the body of a document, LaTeX has no message left for what comes before it.
     let alone = format!(
@@ -34,7 +34,7 @@ pub fn tex(page: &Page, art: &str) -> String {
 
 /// The page without its texts.
 #[must_use]
-pub fn without_texts(page: &Page) -> Page {
+pub(super) fn without_texts(page: &Page) -> Page {
     fn kept(items: &[Item]) -> Vec<Item> {
         let keep = |item: &Item| match item {
             Item::Text { .. } => None,
