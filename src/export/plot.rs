@@ -101,8 +101,7 @@ fn page(blocks: &[Block], language: &'static str) -> Page {
         for row in rows {
             let mut x = 0.0;
             for chart in row {
-                let clip = [0.0, 0.0, WIDTH, HEIGHT];
-                items.push(Item::Group { corner: [x, y], clip, items: drawn(chart) });
+                items.push(Item::group([x, y], [0.0, 0.0, WIDTH, HEIGHT], drawn(chart)));
                 x += WIDTH;
             }
             width = width.max(x);

@@ -6,7 +6,7 @@ use super::{Palette, values};
 use crate::appearance::{Rgba, Theme};
 use crate::drawing::{Anchor, Drawing, Label, single};
 use crate::figure::variation::VariedValue;
-use crate::sanitize;
+use crate::{sanitize, text};
 
 /// The distance from one line to the next, and of the first from the picture, in letters.
 const LINE: f32 = 1.35;
@@ -93,15 +93,10 @@ fn part(place: usize) -> String {
 }
 
 /// A text in lines that fit into a width.
-fn lines(text: &str, letters: f32, width: f32) -> Vec<String> {
+fn lines(caption: &str, letters: f32, width: f32) -> Vec<String> {
     let fits = |line: &str| 2.0 * single(half_size_of(line, letters, false).x) <= width;
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if fits(&format!("{line} {word}")) => *line = format!("{line} {word}"),
-            _ => lines.push(word.to_owned()),
-        }
-    }
+    let words = caption.split_whitespace().map(|word| format!("{word} "));
+    let mut lines = text::broken(words, fits);
     if lines.len() > MOST_LINES {
         lines.truncate(MOST_LINES);
         lines.iter_mut().last().into_iter().for_each(|last| last.push_str(" …"));

@@ -51,10 +51,12 @@ pub struct Page {
 /// A thing on a page.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
-    /// Others, moved to a corner, and cut to a rectangle at it.
+    /// Others, in another scale, moved to a corner, and cut to a rectangle at it.
     Group {
         /// The upper left corner, which is (0, 0) in the group.
         corner: [f32; 2],
+        /// Units of the page per unit of the group.
+        scale: f32,
         /// Left, top, right and bottom of the rectangle, in units of the group.
         clip: [f32; 4],
         /// The things in it.
@@ -113,6 +115,12 @@ pub enum Item {
 }
 
 impl Item {
+    /// Others in the scale of the page.
+    #[must_use]
+    pub fn group(corner: [f32; 2], clip: [f32; 4], items: Vec<Self>) -> Self {
+        Self::Group { corner, scale: 1.0, clip, items }
+    }
+
     /// A stroke without dashes.
     #[must_use]
     pub fn stroke(path: Vec<Element>, color: Rgba, width: f32, round: bool) -> Self {

@@ -221,9 +221,9 @@ impl<'a> Writer<'a> {
 
     fn item(&mut self, item: &'a Item) {
         match item {
-            Item::Group { corner: [x, y], clip: [left, top, right, bottom], items } => {
+            Item::Group { corner: [x, y], scale, clip: [left, top, right, bottom], items } => {
                 self.operators.save_state();
-                self.operators.transform([1.0, 0.0, 0.0, 1.0, *x, *y]);
+                self.operators.transform([*scale, 0.0, 0.0, *scale, *x, *y]);
                 self.operators.rect(*left, *top, right - left, bottom - top).clip_nonzero().end_path();
                 self.items(items);
                 self.operators.restore_state();

@@ -22,10 +22,10 @@ fn paint(items: &[Item], [left, top, right, bottom]: [f32; 4], zoom: f32) -> Opt
     let place = Transform::from_row(zoom, 0.0, 0.0, zoom, -left * zoom, -top * zoom);
     for item in items {
         match item {
-            Item::Group { corner, clip, items } => {
-                let own = paint(items, *clip, zoom)?;
+            Item::Group { corner, scale, clip, items } => {
+                let own = paint(items, *clip, zoom * scale)?;
                 #[expect(clippy::cast_possible_truncation, reason = "a place in a picture")]
-                let [x, y] = [0, 1].map(|k| ((corner[k] + clip[k] - [left, top][k]) * zoom).round() as i32);
+                let [x, y] = [0, 1].map(|k| ((corner[k] + scale * clip[k] - [left, top][k]) * zoom).round() as i32);
                 pixmap.draw_pixmap(x, y, own.as_ref(), &PixmapPaint::default(), Transform::identity(), None);
             }
             Item::Fill { path, color } => fill(&mut pixmap, path, *color, place),
