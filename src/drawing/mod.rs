@@ -63,6 +63,26 @@ pub struct Drawing {
     pub labels: Vec<Label>,
 }
 
+impl Drawing {
+    /// A ground with nothing on it, with one sample per pixel.
+    #[must_use]
+    pub fn new(width: u32, height: u32, background: Rgba) -> Self {
+        Self {
+            width,
+            height,
+            background,
+            antialias: 1,
+            painted_in_order: false,
+            depth_format: DepthFormat::default(),
+            surfaces: Vec::new(),
+            strokes: Vec::new(),
+            areas: Vec::new(),
+            marks: Vec::new(),
+            labels: Vec::new(),
+        }
+    }
+}
+
 /// A set of polylines that look the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StrokeSet {
@@ -139,6 +159,25 @@ pub struct Label {
     pub anchor: Anchor,
     /// Drawn faintly (true) or fully (false) where a face hides its point.
     pub fade_if_hidden: bool,
+}
+
+impl Label {
+    /// A text to the right of a point, which authors can't change: it has no name.
+    #[must_use]
+    pub fn new(position: [f32; 3], text: impl Into<String>, size: f32, [color, halo]: [Rgba; 2]) -> Self {
+        Self {
+            name: String::new(),
+            position,
+            offset: [0.0; 2],
+            text: text.into(),
+            mathematical: false,
+            size,
+            color,
+            halo,
+            anchor: Anchor::Left,
+            fade_if_hidden: false,
+        }
+    }
 }
 
 /// To the precision of the display list, behind the viewport, and of light.

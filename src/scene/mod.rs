@@ -182,6 +182,24 @@ pub struct InWorld {
 }
 
 impl Object {
+    /// A lit closed solid without lines.
+    #[must_use]
+    pub fn new(name: impl Into<String>, mesh: Arc<Mesh>, world_from_object: DMat4, paint: ObjectPaint) -> Self {
+        Self {
+            name: name.into(),
+            part_of: None,
+            mesh,
+            world_from_object,
+            paint,
+            lit: true,
+            two_sided: false,
+            faces: true,
+            edges: None,
+            outline: None,
+            in_world: None,
+        }
+    }
+
     /// The name of the object of the figure that it is, or is a part of.
     #[must_use]
     pub fn owner(&self) -> &str {

@@ -56,16 +56,13 @@ impl Captions {
             let text = self.texts.get(*place).map_or("", String::as_str);
             for (row, line) in (0_u8..).zip(lines(text, self.letters, *width)) {
                 drawing.labels.push(Label {
-                    name: String::new(),
-                    mathematical: false,
-                    position: [left + width / 2.0, self.letters * (ABOVE + (f32::from(row) + 0.5) * LINE), 1.0],
-                    offset: [0.0; 2],
-                    text: line,
-                    size: self.letters,
-                    color: palette.ink,
-                    halo: Rgba { a: 0, ..palette.paper },
                     anchor: Anchor::Center,
-                    fade_if_hidden: false,
+                    ..Label::new(
+                        [left + width / 2.0, self.letters * (ABOVE + (f32::from(row) + 0.5) * LINE), 1.0],
+                        line,
+                        self.letters,
+                        [palette.ink, Rgba { a: 0, ..palette.paper }],
+                    )
                 });
             }
         }
