@@ -2,10 +2,6 @@
 //!
 //! LaTeX, which sets it on a sheet, is a language in which a text can read files and run programs. So only the commands
 //! listed here are allowed: no others, and none that come later.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `in_line` | formulas on one line, as labels in pictures have them |
 
 mod in_line;
 

@@ -18,12 +18,6 @@
 //! a hidden one, then the wider stroke over the finer one (an edge over a grid line that runs up to it), then the later
 //! one over the earlier. Strokes whose hidden parts are [`Shown`](crate::appearance::HiddenLines::Shown) take no part
 //! in this: they are painted over all others, one over the other. [`order`] implements these rules for numbers.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `order` | the rules by which depths are compared, the same for every output |
-//! | `shadow` | shadows on surfaces: the depths that a light sees, and the light that is missing behind them |
-//! | `surface` | surfaces: their triangles, their base colours, and the light on these |
 
 pub mod order;
 mod shadow;

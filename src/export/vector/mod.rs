@@ -1,15 +1,5 @@
 //! Pages of vectors: the list of the things on one, and its writers. What a picture looks like is decided before; the
 //! writers only say it in their format.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `embedded` | the figure file in a page, and finding it there |
-//! | `font` | the letters of a page as subsets of the fonts, for PDF and SVG |
-//! | `pdf` | a page as PDF |
-//! | `pixels` | a page as pixels |
-//! | `svg` | a page as SVG |
-//! | `tex` | a page as a figure of a LaTeX document |
-//! | `web_font` | a subset of a font for browsers |
 
 mod embedded;
 mod font;
