@@ -178,8 +178,8 @@ fn curve(series: &Series, places: &[[f32; 2]], in_legend: bool) -> Vec<Item> {
         Look::Dots => (None, Some(6.0)),
         Look::Shadow => (None, Some(3.0)),
     };
-    let through = places.windows(2).flat_map(|pair| line(pair[0], pair[1])).collect();
-    let through = width.map(|width| Item::stroke(through, color, width, true));
+    let through = places.iter().enumerate().map(|(i, p)| if i == 0 { Element::Move(*p) } else { Element::Line(*p) });
+    let through = width.map(|width| Item::stroke(through.collect(), color, width, true));
     // A line of no length with round ends is a dot.
     let points = places.iter().flat_map(|place| line(*place, *place)).collect();
     let color = if series.look == Look::Shadow { color.with_alpha(0x4d) } else { color };
