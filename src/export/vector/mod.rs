@@ -74,7 +74,7 @@ pub enum Item {
         /// Ends and corners are round; otherwise ends are flat and corners sharp.
         round: bool,
     },
-    /// A text; `_c` and `_{abc}` in it are subscripts, as in [`text`](crate::text).
+    /// A text; `_c` and `_{abc}` in it are subscripts, as in [`text`].
     Text {
         /// The left end of its baseline.
         at: [f32; 2],
