@@ -87,19 +87,7 @@ const STAGES: [Stage; 7] = [
 ];
 
 fn object(mesh: Arc<Mesh>, world_from_object: DMat4) -> Object {
-    Object {
-        part_of: None,
-        name: "thing".into(),
-        mesh,
-        world_from_object,
-        paint: ObjectPaint::Solid(Rgba::rgb(220, 150, 60)),
-        lit: true,
-        two_sided: false,
-        faces: true,
-        edges: None,
-        outline: None,
-        in_world: None,
-    }
+    Object::new("thing", mesh, world_from_object, ObjectPaint::Solid(Rgba::rgb(220, 150, 60)))
 }
 
 fn scene(objects: Vec<Object>) -> Scene {

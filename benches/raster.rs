@@ -11,7 +11,7 @@
 use std::time::Instant;
 
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
-use camera_lab::drawing::{Anchor, Base, Drawing, Label, StrokeSet, Surface};
+use camera_lab::drawing::{Base, Drawing, Label, StrokeSet, Surface};
 use camera_lab::progress::at_once;
 use camera_lab::raster::Rasterizer;
 
@@ -88,19 +88,7 @@ fn main() {
 }
 
 fn empty(width: u32, height: u32, antialias: u8) -> Drawing {
-    Drawing {
-        painted_in_order: false,
-        depth_format: Default::default(),
-        width,
-        height,
-        background: Rgba::rgb(255, 255, 255),
-        antialias,
-        surfaces: Vec::new(),
-        strokes: Vec::new(),
-        areas: Vec::new(),
-        marks: Vec::new(),
-        labels: Vec::new(),
-    }
+    Drawing { antialias, ..Drawing::new(width, height, Rgba::rgb(255, 255, 255)) }
 }
 
 /// Drawings of which all but one part is nothing, or of which that part is what they have more than another.
@@ -126,16 +114,13 @@ fn parts(antialias: u8) -> Vec<(&'static str, Drawing)> {
         vec![StrokeSet { points, polylines, style }]
     };
     let label = |k: u32| Label {
-        name: String::new(),
-        mathematical: false,
-        position: [100.0 + (k % 10) as f32 * 170.0, 80.0 + (k / 10) as f32 * 200.0, 0.5],
-        offset: [0.0, 0.0],
-        text: "(x_n, y_n) = (0.25, −1)".to_owned(),
-        size: 16.0,
-        color: Rgba::rgb(20, 20, 20),
-        halo: Rgba::rgba(255, 255, 255, 200),
-        anchor: Anchor::Left,
         fade_if_hidden: true,
+        ..Label::new(
+            [100.0 + (k % 10) as f32 * 170.0, 80.0 + (k / 10) as f32 * 200.0, 0.5],
+            "(x_n, y_n) = (0.25, −1)",
+            16.0,
+            [Rgba::rgb(20, 20, 20), Rgba::rgba(255, 255, 255, 200)],
+        )
     };
     let with_ball = Drawing { surfaces: vec![ball], ..nothing.clone() };
     vec![

@@ -1,11 +1,15 @@
 #!/bin/sh
-# Draws every figure of the guides anew: docs/pictures.sh [CAMERA_LAB [FOLDER]]
+# Draws every figure of the guides anew: docs/pictures.sh [CAMERA_LAB [FOLDER [PICTURE]...]]
 # Lines and faces of one colour are vectors, with letters as outlines, so that a page that shows them needs no font.
 # Colours that vary over faces, and depths, are pixels; so are windows, which the window's own tests draw. With a FOLDER,
-# figures go there, and windows are not drawn. The charts of numerics.*.md are measured, and numerics.sh draws them.
+# figures go there, all or those with these names, and windows are not drawn. The charts of numerics.*.md are measured,
+# and numerics.sh draws them.
 set -eu
 program=${1:-$(dirname "$0")/../target/release/camera-lab}
 to=${2:-$(dirname "$0")/images}
+[ $# -gt 1 ] && windows= || windows=yes
+[ $# -lt 2 ] || shift 2
+only=$*
 # The folder changes below.
 program=$(realpath "$program") to=$(realpath "$to")
 cd "$(dirname "$0")"
@@ -16,6 +20,7 @@ trap 'rm -r "$scratch"' EXIT
 draw() { # FIGURE PICTURE [OPTION]...
     figure=$1 picture=$2
     shift 2
+    case " ${only:-$picture} " in *" $picture "*) ;; *) return ;; esac
     "$program" render "$figure" "$@" --outlines -o "$to/$picture"
 }
 
@@ -39,6 +44,6 @@ for lang in en pt-BR; do
     draw $figures/culled.toml pipeline-culled.$lang.svg --view world --size 640x480 --lang $lang
 done
 
-if [ $# -lt 2 ]; then
+if [ "$windows" ]; then
     cargo test --locked --test gui guide_pictures -- --ignored
 fi

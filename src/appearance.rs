@@ -1,12 +1,6 @@
 //! The words of appearance that scenes, drawings and figures share: colour, line style, and the `[style]` of a figure.
 //!
 //! A leaf module: it imports nothing of the crate.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `level` | a level of detail of a picture, and the next smaller one |
-//! | `level_pairs` | the levels of detail of a picture in one array, for filters that mix two of them |
-//! | `texture` | pictures on surfaces: their levels of detail, and how they are asked for a colour |
 
 mod level;
 mod level_pairs;

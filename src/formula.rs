@@ -2,10 +2,6 @@
 //!
 //! LaTeX, which sets it on a sheet, is a language in which a text can read files and run programs. So only the commands
 //! listed here are allowed: no others, and none that come later.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `in_line` | formulas on one line, as labels in pictures have them |
 
 mod in_line;
 
@@ -136,10 +132,18 @@ pub fn sign(c: char) -> Option<&'static str> {
         '∈' => r"\in",
         '∞' => r"\infty",
         '°' => r"{}^{\circ}",
+        '⁰' => "{}^0",
         '²' => "{}^2",
         '³' => "{}^3",
+        '⁴' => "{}^4",
+        '⁵' => "{}^5",
+        '⁶' => "{}^6",
+        '⁷' => "{}^7",
+        '⁸' => "{}^8",
+        '⁹' => "{}^9",
         '⁻' => "{}^-",
         '¹' => "{}^1",
+        'ₙ' => "{}_n",
         'π' => r"\pi",
         '±' => r"\pm",
         'Δ' => r"\Delta",

@@ -1,8 +1,4 @@
 //! Every number of a figure, as the command line prints it and the window shows it.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `quantity` | the numbers of a report by type |
 
 pub mod quantity;
 

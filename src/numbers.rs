@@ -1,9 +1,4 @@
 //! Numbers as people read them: digits, steps that read well, times and counts.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `exact` | numbers that are a fraction or a root: 2/3, 1/√3, 3√38/19 |
-//! | `random` | random numbers that are the same everywhere for the same seed |
 
 use std::cmp::Ordering;
 use std::time::Duration;

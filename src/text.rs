@@ -246,6 +246,21 @@ pub fn literal(text: &str) -> String {
     text.replace('_', "\\_")
 }
 
+/// The pieces of a text, joined to lines that fit. A piece that fits nowhere has a line of its own.
+#[must_use]
+pub fn broken<T: AsRef<str>>(pieces: impl IntoIterator<Item = T>, fits: impl Fn(&str) -> bool) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for piece in pieces {
+        let piece = piece.as_ref();
+        match lines.last_mut() {
+            Some(line) if fits(format!("{line}{piece}").trim_end()) => line.push_str(piece),
+            _ => lines.push(piece.to_owned()),
+        }
+    }
+    lines.iter_mut().for_each(|line| line.truncate(line.trim_end().len()));
+    lines
+}
+
 /// The runs of a text: `_c` lowers one character, `_{abc}` several. A `_` with nothing to lower stands for itself, and
 /// so does that of `\_`.
 #[must_use]

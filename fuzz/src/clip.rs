@@ -30,17 +30,14 @@ pub fn run(bytes: &[u8]) {
     let triangles: Vec<[u32; 3]> = (2..count).map(|i| [i - 2, i - 1, i]).collect();
     let edges = (1..count).map(|i| [i - 1, i]).collect();
     let object = Object {
-        part_of: None,
-        name: "m".to_owned(),
-        mesh: Arc::new(Mesh { positions, triangles, edges, ..Mesh::default() }),
-        world_from_object: DMat4::IDENTITY,
-        paint: ObjectPaint::Solid(Rgba::rgb(1, 2, 3)),
         lit: false,
         two_sided: true,
-        faces: true,
-        edges: None,
-        outline: None,
-        in_world: None,
+        ..Object::new(
+            "m",
+            Arc::new(Mesh { positions, triangles, edges, ..Mesh::default() }),
+            DMat4::IDENTITY,
+            ObjectPaint::Solid(Rgba::rgb(1, 2, 3)),
+        )
     };
     let scene = Scene { objects: vec![object], ..Scene::default() };
     for clipped in [clipped_scene, legible_clipped_scene].map(|clip| clip(&scene, &camera, Shading::Flat)) {

@@ -41,17 +41,11 @@ pub fn run(bytes: &[u8]) {
     let points: Vec<[f32; 3]> =
         positions.iter().map(|p| [p[0], p[1], if p[2].is_finite() { p[2] } else { 0.5 }]).collect();
     let drawing = Drawing {
-        width: SIZE[0],
-        height: SIZE[1],
-        background: Rgba::rgb(255, 255, 255),
         antialias: [1, 4, 16][usize::from(choices >> 6) % 3],
         painted_in_order: choices & 32 != 0,
-        depth_format: Default::default(),
         surfaces: vec![surface],
         strokes: vec![StrokeSet { polylines: std::iter::once(0..count).collect(), points, style }],
-        areas: Vec::new(),
-        marks: Vec::new(),
-        labels: Vec::new(),
+        ..Drawing::new(SIZE[0], SIZE[1], Rgba::rgb(255, 255, 255))
     };
     let pixels = Rasterizer::default().paint(&drawing).expect("a small picture");
     assert!(pixels.data().chunks_exact(4).all(|p| p[3] == 255), "the ground is opaque");

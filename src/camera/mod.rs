@@ -16,32 +16,6 @@
 //! The model computes in double-double (106 bits) and rounds once, so that numbers are right to the last digit also
 //! where the formulas cancel, overflow or nearly divide by zero. `docs/equations.md` has each equation with its
 //! function and its test.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `basis` | DOP, D, **u** **v** **n** from C, PF and VUP: `[0]` Eqs |
-//! | `clip_space` | the matrices to clip coordinates, and points in them, in any convention of NDC |
-//! | `decomposition` | M_p M_v as a product of steps, in the decomposition of each of the notes |
-//! | `descriptors` | operations without a camera: word, amount, and text |
-//! | `image_map` | window ↔ image, and the viewport with its depth range |
-//! | `matrix_text` | a matrix as programs and people write it → its numbers |
-//! | `ndc` | conventions of normalised device coordinates |
-//! | `operations` | the operations of `[0]` §5.6, with dolly and pan: a camera in, a camera out |
-//! | `parameters` | camera parameters, and the reasons why they may not be a camera |
-//! | `path` | the way from one camera to another, by arcs about what stays |
-//! | `pinhole` | K \[R | t\] of computer vision → its camera |
-//! | `place` | coordinates of one space → the point of the world that has them |
-//! | `projection` | the matrices of `[0]` §5.3, their product and their inverses, in closed form |
-//! | `ray` | the ray through a window point or a pixel: `[0]` §5.4, Eqs |
-//! | `reading` | how a matrix of another program is read: what it does, and in whose axes |
-//! | `recognition` | the kind and the axes of a matrix of another program, where they are not stated |
-//! | `recovery` | a matrix → its camera: (5.7) and (5.13) to (5.16) read backwards, in any convention of NDC |
-//! | `repair` | repairs of parameters that make no camera |
-//! | `stations` | one point in every space, from the world to the viewport |
-//! | `unproject` | from a pixel with a depth back to the world: `[0]` Eqs |
-//! | `volume` | the view volume: eight corners, six planes |
-//! | `warnings` | warnings: a camera that is possible, but probably not meant |
-//! | `window` | the view window on the plane z_c = −F, and the change of the projection |
 
 mod basis;
 mod clip_space;

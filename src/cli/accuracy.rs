@@ -3,11 +3,11 @@
 use serde::Serialize;
 
 use super::args::AccuracyArgs;
+use super::render::save;
 use super::words::{DataFormat, LangArg};
 use super::{Failure, print, progress};
 use crate::export::plot::{self, Block};
-use crate::files::{self, Overwrite};
-use crate::i18n::{Lang, messages, numerics as words};
+use crate::i18n::{Lang, numerics as words};
 use crate::numerics::overhead::{self, Price};
 use crate::numerics::{self, Effort, Findings, Row, Study};
 use crate::progress::at_once;
@@ -54,10 +54,9 @@ pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
     let written = args.lang.map_or(Lang::En, LangArg::lang);
     if let Some((path, format)) = plot {
         let name = sanitize::path(path);
-        let bytes = plot::encode(&blocks(written, &findings), format)
+        let (bytes, beside) = plot::encode(&blocks(written, &findings), written.tag(), format, path)
             .map_err(|error| Failure::Failed(format!("{name}: {error}")))?;
-        files::save(path, &bytes, Overwrite::Writable)
-            .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))?;
+        save(path, &bytes, beside, lang)?;
     }
     let failed = |error: &dyn std::fmt::Display| Failure::Failed(error.to_string());
     let text = match args.format {

@@ -11,12 +11,12 @@ use super::exercise_args::ExerciseArgs;
 use super::figure_args::{FigureArgs, number, size};
 use super::lesson_args::LessonArgs;
 use super::matrix_args::MatrixArgs;
-use super::output_args::OutputArgs;
+use super::output_args::{OutputArgs, picture_endings};
 use super::sheet_args::{FamilyArgs, SheetArgs};
 use super::words::{DataFormat, Format, LangArg, TableFormat};
 use crate::camera::{Decomposition, ImageSize, Ndc};
 use crate::explain::code::CodeTarget;
-use crate::export::plot::PlotFormat;
+use crate::export::format::PictureFormat;
 use crate::expression::{self, Dimension};
 use crate::i18n::{Lang, command_line as texts, families};
 use crate::limits::{MAX_FRAMES, MEASURED_SECONDS, STEP_SECONDS};
@@ -193,7 +193,7 @@ pub(super) struct AccuracyArgs {
     /// A table to read, JSON or CSV for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: DataFormat,
-    // The extensions are in `PlotFormat`.
+    // The extensions are in `PictureFormat`.
     #[arg(long, value_name = "OUT", help = plot_help())]
     pub(super) plot: Option<PathBuf>,
     /// Language of the table, the plot and messages
@@ -387,23 +387,18 @@ impl AccuracyArgs {
     }
 
     /// The file of the plot, and its format.
-    pub(super) fn plot(&self, lang: Lang) -> Result<Option<(&Path, PlotFormat)>, Failure> {
+    pub(super) fn plot(&self, lang: Lang) -> Result<Option<(&Path, PictureFormat)>, Failure> {
         let Some(path) = &self.plot else { return Ok(None) };
-        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-        let format = PlotFormat::of_ending(ending)
-            .ok_or_else(|| Failure::BadInput(texts::plot_ending(lang, &sanitize::path(path), &plot_endings())))?;
+        let format = PictureFormat::of(path)
+            .ok_or_else(|| Failure::BadInput(texts::plot_ending(lang, &sanitize::path(path))))?;
         Ok(Some((path, format)))
     }
-}
-
-fn plot_endings() -> String {
-    PlotFormat::ALL.map(|(ending, _)| format!(".{ending}")).join(", ")
 }
 
 fn plot_help() -> String {
     format!(
         "File to write charts to, of error against parameter and time; its extension decides the format: {}",
-        plot_endings()
+        picture_endings()
     )
 }
 

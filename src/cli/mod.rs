@@ -2,35 +2,6 @@
 //!
 //! Exit status: 0 done; 1 the work could not be completed; 2 bad input. Errors go to standard error, one paragraph, in
 //! the language of `--lang` or of the system; standard output and pictures never depend on the system.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `accuracy` | `accuracy`: error against run time |
-//! | `animate` | `animate`: the way to the canonical volume as a film |
-//! | `args` | the arguments, and how their values are read |
-//! | `bench` | `bench`: how long a picture takes |
-//! | `code` | `code`: the camera as code for a library |
-//! | `diagnose` | `diagnose`: health of a camera, and why a picture is empty |
-//! | `exercise` | `exercise`: exercises, their statements, and answers that are judged |
-//! | `exercise_args` | the arguments of `exercise` |
-//! | `explain` | `explain`: the stages that a picture needs |
-//! | `figure_args` | the arguments of every command that takes a figure, and how sizes and numbers are read |
-//! | `inspect` | `inspect`: every number of a figure's camera |
-//! | `lesson` | `lesson`: lessons, their steps, and their pictures |
-//! | `lesson_args` | the arguments of `lesson` |
-//! | `lesson_handout` | `lesson render -o OUT.pdf`: a lesson as a handout |
-//! | `lesson_pictures` | the scenes and pictures of the steps of a lesson |
-//! | `manual` | `manual`: manual pages and completions |
-//! | `matrix` | `matrix`: the camera of a matrix from another program |
-//! | `matrix_args` | the arguments of `matrix` |
-//! | `opening` | no subcommand: the initial state of the window |
-//! | `output_args` | the arguments of the commands that write pictures |
-//! | `progress` | progress messages of long commands |
-//! | `render` | `render`: a picture of a figure |
-//! | `sheet` | `sheet`: a family of pictures on one sheet |
-//! | `sheet_args` | the arguments of `sheet` |
-//! | `sweep` | `animate --vary` and `--to`: a family, or the way to another camera |
-//! | `words` | the words of option values |
 
 mod accuracy;
 mod animate;

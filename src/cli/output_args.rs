@@ -160,7 +160,11 @@ impl OutputArgs {
 }
 
 fn output_help() -> String {
-    let endings: Vec<_> =
-        PictureFormat::ALL.iter().flat_map(|format| format.endings()).map(|e| format!(".{e}")).collect();
-    format!("File to write; its extension decides the format: {}", endings.join(", "))
+    format!("File to write; its extension decides the format: {}", picture_endings())
+}
+
+/// The extensions of picture files.
+pub(super) fn picture_endings() -> String {
+    let endings = PictureFormat::ALL.iter().flat_map(|format| format.endings());
+    endings.map(|ending| format!(".{ending}")).collect::<Vec<_>>().join(", ")
 }

@@ -18,12 +18,6 @@
 //! a hidden one, then the wider stroke over the finer one (an edge over a grid line that runs up to it), then the later
 //! one over the earlier. Strokes whose hidden parts are [`Shown`](crate::appearance::HiddenLines::Shown) take no part
 //! in this: they are painted over all others, one over the other. [`order`] implements these rules for numbers.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `order` | the rules by which depths are compared, the same for every output |
-//! | `shadow` | shadows on surfaces: the depths that a light sees, and the light that is missing behind them |
-//! | `surface` | surfaces: their triangles, their base colours, and the light on these |
 
 pub mod order;
 mod shadow;
@@ -61,6 +55,26 @@ pub struct Drawing {
     pub marks: Vec<Mark>,
     /// Texts.
     pub labels: Vec<Label>,
+}
+
+impl Drawing {
+    /// A ground with nothing on it, with one sample per pixel.
+    #[must_use]
+    pub fn new(width: u32, height: u32, background: Rgba) -> Self {
+        Self {
+            width,
+            height,
+            background,
+            antialias: 1,
+            painted_in_order: false,
+            depth_format: DepthFormat::default(),
+            surfaces: Vec::new(),
+            strokes: Vec::new(),
+            areas: Vec::new(),
+            marks: Vec::new(),
+            labels: Vec::new(),
+        }
+    }
 }
 
 /// A set of polylines that look the same.
@@ -139,6 +153,25 @@ pub struct Label {
     pub anchor: Anchor,
     /// Drawn faintly (true) or fully (false) where a face hides its point.
     pub fade_if_hidden: bool,
+}
+
+impl Label {
+    /// A text to the right of a point, which authors can't change: it has no name.
+    #[must_use]
+    pub fn new(position: [f32; 3], text: impl Into<String>, size: f32, [color, halo]: [Rgba; 2]) -> Self {
+        Self {
+            name: String::new(),
+            position,
+            offset: [0.0; 2],
+            text: text.into(),
+            mathematical: false,
+            size,
+            color,
+            halo,
+            anchor: Anchor::Left,
+            fade_if_hidden: false,
+        }
+    }
 }
 
 /// To the precision of the display list, behind the viewport, and of light.

@@ -4,32 +4,6 @@
 //! The right answer is the value of [`Subject::value`] (the numbers of `inspect`) or of a family; the result of a known
 //! [`Mistake`] comes from the same place with a [`Slip`] built in. For an answer that is neither right nor explained,
 //! the wrong numbers are reported.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `acceptance` | right answers: the numbers, choices and cameras that are accepted |
-//! | `answer` | answers as they are typed: `1/sqrt(3)`, `[1, 0, 0]`, `[[1 |
-//! | `beside` | the answers beside another one: what follows from them is right for a student's own wrong value |
-//! | `diagnose` | the known mistake that explains a wrong answer, on evidence |
-//! | `exercise` | an exercise: the facts of its statement, its questions, and the right answers |
-//! | `families/` | families: exercises whose numbers come from a seed |
-//! | `follows` | the ways from answers of an exercise to another one |
-//! | `judge` | judging an answer: its right entries, the known mistake that explains the wrong ones, and the answers from which it follows |
-//! | `mistake` | the known mistakes: deviations of students from the notes |
-//! | `notes/` | the exercises of the notes: `[0]` 5.1 to 5.3, `[1]` I to III |
-//! | `nature` | the nature of what is asked for: which general mistakes can be made in it, and which hints help |
-//! | `operated` | the operations on a camera as they are done with the known mistakes |
-//! | `own` | a lecturer's own exercises: one TOML file each, read as figure files are |
-//! | `own_texts` | texts of a lecturer's own exercises |
-//! | `placing` | worked steps to a camera that is to be found: around a box, above a point, and about PF |
-//! | `products` | products of matrices as worked steps, row by column |
-//! | `progress` | a student's progress: per exercise and per known mistake, stored as a TOML text |
-//! | `slip` | the ways in which a known mistake is made, each with numbers of its own |
-//! | `statement_facts` | the facts of a statement about a subject |
-//! | `subject` | the subject of an exercise, and its numbers from `inspect` |
-//! | `textbook` | the notes' equations as they are written by hand, with the known mistakes built in |
-//! | `value` | the values of answers |
-//! | `worked` | worked steps: the formulas of the notes with the numbers of an exercise put in |
 
 mod acceptance;
 mod answer;

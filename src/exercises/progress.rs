@@ -2,10 +2,6 @@
 //! exercise.
 //!
 //! There is no clock here: times are arguments, in seconds since the beginning of 1970 (UTC).
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `text` | progress as the text of a file |
 
 mod text;
 

@@ -4,23 +4,6 @@
 //! A [`Formula`] is written in the notes' [`Symbol`]s; a [`Setting`] (a camera in a convention of NDC, with image,
 //! viewport and followed point) gives each of them its number. A formula with its symbols and one with its numbers come
 //! from the same tree that is evaluated, so that they cannot disagree.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `code` | the camera as code for libraries: the copied code gives the matrices that the program shows |
-//! | `definitions` | definitions of each symbol in the notes, down to the parameters |
-//! | `factors` | each entry of each step to the canonical volume as a formula |
-//! | `formula` | formulas as trees: one tree is evaluated, written with symbols, and written with numbers |
-//! | `formula_writer` | formulas as text and as LaTeX: with the notes' symbols, or with the numbers put in |
-//! | `homogeneous` | the effects of w: points, the middle of a segment, a chequered floor |
-//! | `matrices` | each entry of each matrix as a formula |
-//! | `order` | lists of transforms, as calls to a stack of matrices, in both readings |
-//! | `report` | the output of `camera-lab inspect` for followed points |
-//! | `setting` | the numbers of the symbols |
-//! | `step_lines` | the steps of a point's way in writing: each row with its symbols, with its numbers, and its value |
-//! | `symbol` | the notes' symbols |
-//! | `trace` | a point followed from space to space, with its whole arithmetic |
-//! | `vocabulary` | the camera in the vocabularies of other sources and libraries, and back |
 
 pub mod code;
 mod definitions;

@@ -1,27 +1,5 @@
 //! A figure: camera parameters, image, viewport, scene, points, style, the `[reveal]` of the pipeline, observers, and
 //! the explanations in the pictures. One figure file is one `Figure`.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `bilingual` | a text of a file in both languages |
-//! | `comparison` | the same figure in another way, shown beside it: the `[compare]` section of a figure |
-//! | `edit/` | a change of a figure → the change of its text, with comments and order kept |
-//! | `error` | why a text is not a figure |
-//! | `labels` | the author's changes of labels, and notes: the `[labels]` section of a figure |
-//! | `near` | the key that was probably meant |
-//! | `observer` | the observer of a three-dimensional picture, and the camera equivalent to it |
-//! | `other_side` | the figure on the other side of a comparison, and the figures that a comparison makes |
-//! | `points` | `[[points]]`: points of the world that are followed, each with a name |
-//! | `read/` | the text of a figure file → `Figure` |
-//! | `recommended` | the viewpoint from which each preset is worth seeing |
-//! | `reveal` | the inner work of the pipeline that pictures show: the `[reveal]` section of a figure |
-//! | `screen` | the display of a figure in a window: the `[screen]` section of a figure |
-//! | `show` | the explanations that pictures show: the `[show]` section of a figure |
-//! | `variation` | the same figure at several values of a key, or after several amounts of an operation |
-//! | `view` | the three pictures, by name |
-//! | `words` | the words of a figure file: each name as it is written there, with its value |
-//! | `world_look` | the content of the world picture besides scene and camera: the `[world]` section of a figure |
-//! | `write` | `Figure` → the text of a figure file |
 
 mod bilingual;
 mod comparison;

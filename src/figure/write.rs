@@ -1,10 +1,4 @@
 //! [`Figure`] → the text of a figure file.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `comparison` | `Comparison` → the `[compare]` of a figure file |
-//! | `labels` | `Labels` → the `[labels]` of a figure file |
-//! | `show` | `Show` → the `[show]` of a figure file |
 
 mod comparison;
 mod labels;

@@ -1,16 +1,4 @@
 //! The file system, for both shells: opening a figure, saving so that nothing is lost.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `disk/` | the one door to stored and chosen files |
-//! | `file_access` | the files that a figure may make the program read, and their total size |
-//! | `file_change` | detection of changes of a file since it was read or saved |
-//! | `lessons` | lessons in files: one, or those of a lecturer's folder |
-//! | `mesh_paths` | names of mesh files in figures |
-//! | `own_exercises` | a folder of a lecturer's own exercises |
-//! | `save` | saving whole or not at all |
-//! | `shipped` | the built-in figures and meshes |
-//! | `windows_names` | names that Windows reserves |
 
 pub mod disk;
 mod file_access;

@@ -1,9 +1,4 @@
 //! The words that glam lacks: angle, ray, plane, box. No camera words here.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `double_double` | numbers of twice the precision of `f64`, for the few places where one rounding too many would show |
-//! | `triangle_tree` | a tree of boxes over triangles, for rays in `f64` |
 
 pub(crate) mod double_double;
 mod triangle_tree;

@@ -1,4 +1,4 @@
-//! The button below a chart that writes it as SVG, PDF or PNG. A page has none: it would be larger by the library.
+//! The button below a chart that writes it in a format of pictures.
 
 use eframe::egui::Ui;
 
@@ -9,10 +9,10 @@ use crate::chart::Chart;
 use crate::export::plot::Block;
 use crate::i18n::window;
 
-/// A button that asks for a file and writes a chart into it; nothing in a page.
+/// A button that asks for a file and writes a chart into it.
 pub(super) fn button(ui: &mut Ui, state: &mut State, title: &str, chart: impl FnOnce() -> Chart) {
     let t = window::texts(state.settings.lang);
-    if !state.in_browser && ui.button(t.export_chart).explained(t.export_chart_hint).clicked() {
+    if ui.button(t.export_chart).explained(t.export_chart_hint).clicked() {
         let block = Block { title: title.to_owned(), rows: vec![vec![chart()]] };
         file_flow::ask(ui.ctx(), state, Purpose::Chart(Box::new(block)));
     }

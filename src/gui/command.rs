@@ -1,8 +1,4 @@
 //! The commands of menus and keyboard: [`MENUS`] has a row for each.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `table` | the rows: words, keys, state and deed of each command |
 
 mod table;
 

@@ -13,7 +13,7 @@ use crate::camera::{Camera, CameraError, Convention, Decomposition};
 use crate::clock;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
-use crate::export::plot::Block;
+use crate::export::plot::{Block, encode};
 use crate::export::vector::Letters;
 use crate::figure::Figure;
 use crate::figure::update;
@@ -443,10 +443,7 @@ impl Task {
             _ if progress.is_cancelled() => ExportError::Cancelled,
             error => error,
         })?;
-        if let Some(Beside { name, bytes }) = beside {
-            files::save(&self.path.with_file_name(name), &bytes, self.overwrite)?;
-        }
-        files::save(&self.path, &bytes, self.overwrite)?;
+        save_both(&self.path, &bytes, beside, self.overwrite)?;
         Ok(too_much)
     }
 
@@ -468,22 +465,19 @@ impl Task {
     }
 }
 
-/// The bytes of the file of this name; its ending says the format.
-///
-/// # Errors
-/// [`FileError::Write`] where the plotting library gives up.
-#[cfg(not(target_arch = "wasm32"))]
-pub(super) fn chart_bytes(block: &Block, path: &Path) -> Result<Vec<u8>, FileError> {
-    use crate::export::plot::{PlotFormat, encode};
-    let ending = path.extension().and_then(|ending| ending.to_str());
-    let format = ending.and_then(PlotFormat::of_ending).unwrap_or(PlotFormat::Svg);
-    encode(std::slice::from_ref(block), format).map_err(|error| FileError::Write(std::io::Error::other(error)))
+/// Writes charts, in the format that the name of the file says.
+pub(super) fn save_chart(block: &Block, lang: Lang, path: &Path, overwrite: Overwrite) -> Result<(), FileError> {
+    let format = PictureFormat::of(path).unwrap_or(PictureFormat::Svg);
+    let (bytes, beside) = encode(std::slice::from_ref(block), lang.tag(), format, path)
+        .map_err(|error| FileError::Write(std::io::Error::other(error)))?;
+    save_both(path, &bytes, beside, overwrite)
 }
 
-/// There is no button in a page.
-#[cfg(target_arch = "wasm32")]
-pub(super) fn chart_bytes(_: &Block, _: &Path) -> Result<Vec<u8>, FileError> {
-    Err(FileError::Write(std::io::ErrorKind::Unsupported.into()))
+fn save_both(path: &Path, bytes: &[u8], beside: Option<Beside>, overwrite: Overwrite) -> Result<(), FileError> {
+    if let Some(Beside { name, bytes }) = beside {
+        files::save(&path.with_file_name(name), &bytes, overwrite)?;
+    }
+    files::save(path, bytes, overwrite)
 }
 
 #[cfg(test)]

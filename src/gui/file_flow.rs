@@ -11,7 +11,7 @@ use std::sync::Arc;
 use eframe::egui::{self, ViewportCommand};
 
 use super::document::Document;
-use super::export::{ExportError, ExportKind, Exporting, Task, chart_bytes};
+use super::export::{ExportError, ExportKind, Exporting, Task, save_chart};
 use super::file_kind::FileKind;
 use super::gallery::Source;
 use super::native::{FileAnswer, OpenFileDialog, Wanted};
@@ -187,7 +187,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
 /// The files that are there already, and that writing to `path` replaces: a picture may have another file beside it.
 #[must_use]
 pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
-    let writes_pictures = matches!(purpose, Purpose::Export(_) | Purpose::Animation(_));
+    let writes_pictures = matches!(purpose, Purpose::Export(_) | Purpose::Animation(_) | Purpose::Chart(_));
     let beside = file_beside(path).filter(|_| writes_pictures);
     std::iter::once(path.to_owned()).chain(beside).filter(|path| disk::exists(path)).collect()
 }
@@ -218,7 +218,10 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
                 begin(ctx, state, next);
             }
         }
-        Purpose::Chart(block) => save_bytes(state, path, chart_bytes(&block, path), &agreed),
+        Purpose::Chart(block) => {
+            let saved = save_chart(&block, state.settings.lang, path, agreed.overwrite());
+            say_whether_saved(state, path, saved);
+        }
         Purpose::Animation(decomposition) => {
             let what = ExportKind::Animation(decomposition, state.settings.theme);
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
@@ -235,7 +238,12 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
 }
 
 fn save_bytes(state: &mut State, path: &Path, bytes: Result<Vec<u8>, FileError>, agreed: &Agreed) {
-    match bytes.and_then(|bytes| files::save(path, &bytes, agreed.overwrite())) {
+    let saved = bytes.and_then(|bytes| files::save(path, &bytes, agreed.overwrite()));
+    say_whether_saved(state, path, saved);
+}
+
+fn say_whether_saved(state: &mut State, path: &Path, saved: Result<(), FileError>) {
+    match saved {
         Ok(()) => say_saved(state, path.to_owned()),
         Err(error) => state.say(Message::File(path.to_owned(), error)),
     }

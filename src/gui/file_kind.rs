@@ -69,8 +69,9 @@ impl FileKind {
                 (Wanted::NewFile, title, action, filters, name.unwrap_or_else(|| t.step_file.to_owned()))
             }
             Purpose::Chart(_) => {
-                let filters = [("SVG", &["svg"][..]), ("PDF", &["pdf"]), ("PNG", &["png"])];
-                let filters = filters.map(|(name, endings)| (format!("{} {name}", t.chart_filter), endings)).to_vec();
+                let mut formats = PictureFormat::ALL;
+                formats.sort_by_key(|format| *format != PictureFormat::Svg);
+                let filters = formats.map(|of| format(t.chart_filter, of)).to_vec();
                 (Wanted::NewFile, t.export_chart_title, t.save_action, filters, format!("{stem}-{}.svg", t.chart_file))
             }
             Purpose::Progress => {

@@ -1,9 +1,4 @@
 //! Questions of a file dialog, and their answers: that of the system, or that of a browser.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `page` | the browser's dialog for files, and how files that the user gives to a page are read |
-//! | `system` | the system's file dialogs, on a thread of their own, because they block |
 
 #[cfg(target_arch = "wasm32")]
 mod page;

@@ -1,9 +1,4 @@
 //! Work that is done beside the window's thread, or, where there are no threads, in slices in the frames.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `in_frames` | jobs in slices in the frames, where there are no threads |
-//! | `shares` | the next job, by the time that each has had |
 
 mod in_frames;
 mod shares;

@@ -229,7 +229,8 @@ pub fn seed(lang: Lang, text: &str) -> String {
 
 /// A file of charts whose extension is not that of a format.
 #[must_use]
-pub fn plot_ending(lang: Lang, path: &str, endings: &str) -> String {
+pub fn plot_ending(lang: Lang, path: &str) -> String {
+    let endings = picture_endings();
     both!(lang; "{path}: its extension is not that of a plot format; allowed: {endings}",
         "{path}: a extensão não é de um formato de gráfico; permitido: {endings}")
 }
@@ -315,11 +316,15 @@ pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
         "a imagem teria {width} × {height} pixels (veja --size e --scale); permitido: no máximo {MAX_SIDE} de cada lado e 134 milhões ao todo")
 }
 
+fn picture_endings() -> String {
+    PictureFormat::ALL.map(|format| format!(".{}", format.ending())).join(", ")
+}
+
 /// An ending that is not a picture's.
 #[must_use]
 pub fn ending(lang: Lang, name: &str) -> String {
     let name = escaped(name);
-    let endings = PictureFormat::ALL.map(|format| format!(".{}", format.ending())).join(", ");
+    let endings = picture_endings();
     both!(lang; "--output is \"{name}\"; allowed: a file name that ends in {endings}",
         "--output é \"{name}\"; permitido: um nome de arquivo que termina em {endings}")
 }

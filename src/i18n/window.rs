@@ -278,7 +278,7 @@ texts! {
     save_title: "Save the figure", "Salvar a figura";
     save_action: "Save", "Salvar";
     export_chart: "Export the chart…", "Exportar o gráfico…";
-    export_chart_hint: "The chart as SVG or PDF for print, or as PNG", "O gráfico como SVG ou PDF para impressão, ou como PNG";
+    export_chart_hint: "The chart as SVG, PDF or LaTeX for print, or as pixels", "O gráfico como SVG, PDF ou LaTeX para impressão, ou como pixels";
     export_chart_title: "Export the chart", "Exportar o gráfico";
     chart_filter: "Chart", "Gráfico";
     chart_file: "chart", "grafico";

@@ -4,19 +4,6 @@
 //!
 //! The textbook chain is written once, in [`chain`], for every kind of number ([`Real`](real::Real)). The program's own
 //! code is not made generic: it is one of the methods, [`OWN`], called as the program calls it.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `chain` | the textbook chain, once, for every kind of number |
-//! | `charts` | the charts of a study |
-//! | `depth_format` | the formats of depth buffers, and the surfaces that each distinguishes |
-//! | `diagnosis/` | the reasons why a camera does not show a part of a scene, with repairs |
-//! | `health` | the health of a camera: six quantities with their thresholds |
-//! | `measure` | the error of a method, and its run time |
-//! | `overhead` | the overhead of precision: double-double against plain `f64` |
-//! | `real` | the numbers that the textbook chain is computed in |
-//! | `reference` | the reference: numbers of 512 bits, correctly rounded, without limits of size |
-//! | `studies/` | one file per study |
 
 pub mod chain;
 pub mod charts;

@@ -7,6 +7,7 @@ use super::vectors::{Drawn, Faces, NoAreas, page};
 use super::{Composite, Pixels, Renderer};
 use crate::camera::Ndc;
 use crate::export::format::PictureFormat;
+pub use crate::export::vector::Beside;
 use crate::export::vector::{self, Letters, Page};
 use crate::export::web;
 use crate::pipeline::OverBudget;
@@ -45,33 +46,15 @@ impl Told {
     /// The same for a file with this name.
     #[must_use]
     pub fn for_file(self, path: &Path) -> Self {
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        // In LaTeX the others have meanings of their own.
-        let plain = |c: char| if c.is_ascii_alphanumeric() || c == '-' || c == '_' { c } else { '-' };
-        Self { stem: stem.chars().map(plain).collect(), ..self }
+        Self { stem: vector::stem(path), ..self }
     }
-}
-
-/// A second file, which the first one names.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Beside {
-    /// Its name, in the folder of the first.
-    pub name: String,
-    /// Its bytes.
-    pub bytes: Vec<u8>,
-}
-
-/// The name, without its ending, of the PDF beside the LaTeX file of a picture.
-fn art_of(stem: &str) -> String {
-    format!("{stem}-art")
 }
 
 /// The file that a picture at `path` is written with, beside it: the PDF of a LaTeX file.
 #[must_use]
 pub fn file_beside(path: &Path) -> Option<PathBuf> {
     let is_latex = PictureFormat::of(path) == Some(PictureFormat::Tex);
-    let stem = Told::default().for_file(path).stem;
-    is_latex.then(|| path.with_file_name(format!("{}.pdf", art_of(&stem))))
+    is_latex.then(|| path.with_file_name(format!("{}.pdf", vector::art_of(&vector::stem(path)))))
 }
 
 /// Options of a picture file.
@@ -156,21 +139,12 @@ pub async fn file(
             let (mut picture, too_much) = pixels().await?;
             (encode(web::jpeg(&pixmap(&mut picture)?, dpi))?, too_much, None)
         }
-        PictureFormat::Svg => {
+        PictureFormat::Svg | PictureFormat::Pdf | PictureFormat::Tex => {
             let Drawn { page, too_much, no_areas } = drawn(sheet, form, told, progress).await?;
-            (vector::svg(&page, letters, &told.figure).into_bytes(), too_much, no_areas)
-        }
-        PictureFormat::Pdf => {
-            let Drawn { page, too_much, no_areas } = drawn(sheet, form, told, progress).await?;
-            (vector::pdf(&page, letters, &told.figure).ok_or(PictureError::Font)?, too_much, no_areas)
-        }
-        PictureFormat::Tex => {
-            let Drawn { page, too_much, no_areas } = drawn(sheet, form, told, progress).await?;
-            let art = vector::pdf(&vector::without_texts(&page), letters, &told.figure).ok_or(PictureError::Font)?;
-            let stem = art_of(&told.stem);
-            let latex = vector::tex(&page, &stem).into_bytes();
-            beside = Some(Beside { name: format!("{stem}.pdf"), bytes: art });
-            (latex, too_much, no_areas)
+            let (bytes, pdf) =
+                vector::file(&page, format, letters, &told.figure, &told.stem).ok_or(PictureError::Font)?;
+            beside = pdf;
+            (bytes, too_much, no_areas)
         }
     };
     Ok(PictureFile { bytes, beside, too_much, no_areas })

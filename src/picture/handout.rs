@@ -5,9 +5,10 @@ use super::handout_formula::{self, FormulaPart, INK, written};
 use super::vectors::{Faces, page};
 use super::{Composite, PER_INCH};
 use crate::appearance::Rgba;
+use crate::drawing::Anchor;
 use crate::export::vector::{Item, Letters, Page, pdf_of};
 use crate::progress::Progress;
-use crate::text::{Element, measure};
+use crate::text::{Element, broken, measure};
 
 /// Width and height of a page in points: A4.
 const PAPER: [f32; 2] = [595.0, 842.0];
@@ -117,10 +118,9 @@ struct Block {
 impl Block {
     fn picture(&mut self, page: Page) {
         let scale = self.width / page.size[0].max(1.0);
-        let items = page.items.into_iter().map(|item| scaled(item, scale)).collect();
-        let [width, height] = [self.width, page.size[1] * scale];
-        self.items.push(Item::Group { corner: [0.0, 0.0], clip: [0.0, 0.0, width, height], items });
-        self.height += height + 6.0;
+        let clip = [0.0, 0.0, page.size[0], page.size[1]];
+        self.items.push(Item::Group { corner: [0.0; 2], scale, clip, items: page.items });
+        self.height += page.size[1] * scale + 6.0;
     }
 
     fn paragraph(&mut self, paragraph: &Paragraph, size: f32) {
@@ -177,7 +177,7 @@ impl Block {
         let set = handout_formula::set(parts, size, self.width - INDENT);
         let corner = [INDENT, self.height + 0.1 * size];
         let clip = [-INDENT, -size, self.width, set.height + size];
-        self.items.push(Item::Group { corner, clip, items: set.items });
+        self.items.push(Item::group(corner, clip, set.items));
         self.height += set.height + 0.5 * size;
     }
 
@@ -185,95 +185,26 @@ impl Block {
         for _ in 0..lines {
             self.height += WRITING;
             let path = vec![Element::Move([0.0, self.height]), Element::Line([self.width, self.height])];
-            self.items.push(Item::Stroke {
-                path,
-                color: Rgba::rgb(0xbb, 0xbb, 0xbb),
-                width: 0.5,
-                dashes: Vec::new(),
-                phase: 0.0,
-                round: false,
-            });
+            self.items.push(Item::stroke(path, Rgba::rgb(0xbb, 0xbb, 0xbb), 0.5, false));
         }
         self.height += 6.0;
     }
 }
 
-/// The parts of a word that are no wider than `width`.
-fn pieces(word: &str, size: f32, width: f32) -> Vec<String> {
-    let mut pieces = vec![String::new()];
-    for c in word.chars() {
-        let piece = pieces.last().map_or_else(String::new, |last| format!("{last}{c}"));
-        match pieces.last_mut() {
-            Some(last) if last.is_empty() || measure(&piece, size, false).width <= width => *last = piece,
-            _ => pieces.push(c.to_string()),
-        }
-    }
-    pieces
-}
-
 /// The lines of a text that are no wider than `width`. A wider word is broken.
 fn lines(text: &str, size: f32, width: f32) -> Vec<String> {
+    let fits = |line: &str| measure(line, size, false).width <= width;
+    let letters = |word: &str| word.chars().map(String::from).collect();
     let mut lines = Vec::new();
     for hard in text.lines() {
-        let mut line = String::new();
-        for word in hard.split_whitespace() {
-            let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
-            if measure(&longer, size, false).width <= width {
-                line = longer;
-                continue;
-            }
-            if !line.is_empty() {
-                lines.push(std::mem::take(&mut line));
-            }
-            let mut broken = pieces(word, size, width);
-            line = broken.pop().unwrap_or_default();
-            lines.append(&mut broken);
+        let words = hard.split_whitespace().map(|word| format!("{word} "));
+        let pieces = words.flat_map(|word| if fits(word.trim_end()) { vec![word] } else { letters(&word) });
+        match broken(pieces, fits) {
+            none if none.is_empty() => lines.push(String::new()),
+            own => lines.extend(own),
         }
-        lines.push(line);
     }
     lines
-}
-
-/// A thing in another scale about (0, 0).
-fn scaled(item: Item, scale: f32) -> Item {
-    let point = |[x, y]: [f32; 2]| [x * scale, y * scale];
-    let path = |path: Vec<Element>| -> Vec<Element> {
-        let element = |element| match element {
-            Element::Move(p) => Element::Move(point(p)),
-            Element::Line(p) => Element::Line(point(p)),
-            Element::Quad(a, p) => Element::Quad(point(a), point(p)),
-            Element::Cubic(a, b, p) => Element::Cubic(point(a), point(b), point(p)),
-            Element::Close => Element::Close,
-        };
-        path.into_iter().map(element).collect()
-    };
-    match item {
-        Item::Group { corner, clip, items } => Item::Group {
-            corner: point(corner),
-            clip: clip.map(|side| side * scale),
-            items: items.into_iter().map(|item| scaled(item, scale)).collect(),
-        },
-        Item::Fill { path: of, color } => Item::Fill { path: path(of), color },
-        Item::Stroke { path: of, color, width, dashes, phase, round } => Item::Stroke {
-            path: path(of),
-            color,
-            width: width * scale,
-            dashes: dashes.into_iter().map(|dash| dash * scale).collect(),
-            phase: phase * scale,
-            round,
-        },
-        Item::Text { at, text, mathematical, size, color, halo, halo_width, anchor } => Item::Text {
-            at: point(at),
-            text,
-            mathematical,
-            size: size * scale,
-            color,
-            halo,
-            halo_width: halo_width * scale,
-            anchor,
-        },
-        Item::Picture { corner, size, pixels } => Item::Picture { corner: point(corner), size: point(size), pixels },
-    }
 }
 
 /// The pages as they fill, row after row.
@@ -320,7 +251,7 @@ impl<'a> Pages<'a> {
         let mut x = BORDER;
         for block in row {
             let clip = [-4.0, -4.0, self.width + GUTTER, block.height + GAP];
-            self.items.push(Item::Group { corner: [x, self.y], clip, items: block.items });
+            self.items.push(Item::group([x, self.y], clip, block.items));
             x += self.width + GUTTER;
         }
         self.y += height + GAP;
@@ -349,7 +280,7 @@ impl<'a> Pages<'a> {
             let below = paragraphs.get(k + 1..).unwrap_or_default().iter().take(if k == 0 { 2 } else { 0 });
             self.make_room(height + below.map(|paragraph| block(paragraph).height).sum::<f32>());
             let clip = [-4.0, -4.0, width + 8.0, height + 4.0];
-            self.items.push(Item::Group { corner: [BORDER, self.y], clip, items });
+            self.items.push(Item::group([BORDER, self.y], clip, items));
             self.y += height;
         }
         self.y += GAP;
@@ -364,8 +295,8 @@ impl<'a> Pages<'a> {
 
     fn turn(&mut self) {
         let number = (self.done.len() + 1).to_string();
-        let place = [PAPER[0] / 2.0 - 0.5 * measure(&number, 9.0, false).width, PAPER[1] - 0.55 * BORDER];
-        self.items.push(written(number, place, 9.0, FAINT));
+        let place = [PAPER[0] / 2.0, PAPER[1] - 0.55 * BORDER];
+        self.items.push(Item::text(number, place, 9.0, FAINT, Anchor::Center));
         self.done.push(Page {
             size: PAPER,
             points: 1.0,

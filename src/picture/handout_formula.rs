@@ -3,7 +3,7 @@
 use crate::appearance::Rgba;
 use crate::drawing::Anchor;
 use crate::export::vector::Item;
-use crate::text::{Element, measure};
+use crate::text::{self, Element, measure};
 
 /// The colour of letters.
 pub(super) const INK: Rgba = Rgba::rgb(0x1a, 0x1a, 0x1a);
@@ -55,8 +55,7 @@ impl FormulaPart {
 
 /// A text that begins at a place, on its baseline.
 pub(super) fn written(text: String, at: [f32; 2], size: f32, color: Rgba) -> Item {
-    let halo = Rgba::rgba(0, 0, 0, 0);
-    Item::Text { at, text, mathematical: false, size, color, halo, halo_width: 0.0, anchor: Anchor::Left }
+    Item::text(text, at, size, color, Anchor::Left)
 }
 
 /// Sets a formula; a part for which a line has no room begins another.
@@ -97,15 +96,7 @@ pub(super) fn set(parts: &[FormulaPart], size: f32, width: f32) -> SetFormula {
 /// A line that is wider than its room, after brackets; anything else as it is.
 fn broken(part: &FormulaPart, size: f32, width: f32) -> Vec<FormulaPart> {
     let FormulaPart::Line(text) = part else { return vec![part.clone()] };
-    let mut lines = vec![String::new()];
-    for piece in text.split_inclusive(") ") {
-        match lines.last_mut() {
-            Some(line) if line.is_empty() || measure(&format!("{line}{piece}"), size, false).width <= width => {
-                line.push_str(piece);
-            }
-            _ => lines.push(piece.to_owned()),
-        }
-    }
+    let lines = text::broken(text.split_inclusive(") "), |line| measure(line, size, false).width <= width);
     lines.into_iter().map(FormulaPart::Line).collect()
 }
 
@@ -126,9 +117,8 @@ fn matrix(rows: &[Vec<String>], [left, middle]: [f32; 2], size: f32, items: &mut
         let mut x = left + (BESIDE + INSIDE) * size;
         for (entry, width) in row.iter().zip(&columns) {
             // Entries stand in the middle of their column, as in print.
-            let own = measure(entry, size, false).width;
-            let at = [x + 0.5 * (width - own), y + (0.5 * ROWS + 0.35) * size];
-            items.push(written(entry.clone(), at, size, INK));
+            let at = [x + 0.5 * width, y + (0.5 * ROWS + 0.35) * size];
+            items.push(Item::text(entry.clone(), at, size, INK, Anchor::Center));
             x += width + COLUMNS * size;
         }
         right = right.max(x - COLUMNS * size + INSIDE * size);
@@ -142,8 +132,7 @@ fn matrix(rows: &[Vec<String>], [left, middle]: [f32; 2], size: f32, items: &mut
             Element::Line([x, middle + half - inset]),
             Element::Line([x + foot, middle + half - inset]),
         ];
-        let width = 0.07 * size;
-        items.push(Item::Stroke { path, color: INK, width, dashes: Vec::new(), phase: 0.0, round: false });
+        items.push(Item::stroke(path, INK, 0.07 * size, false));
     }
 }
 

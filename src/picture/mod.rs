@@ -1,24 +1,5 @@
 //! [`Request`](crate::views::Request) → pixels: the only place that makes pictures. The screen, the output of `render`
 //! and the exports of the window are the same, byte for byte.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `animation` | the way from the world to the canonical volume: as a strip of stills, and as an animation |
-//! | `compared` | the pictures of both sides of a comparison, put together |
-//! | `composite` | one picture, or all three on a sheet |
-//! | `error` | why there is no picture file |
-//! | `family` | the same figure at several values of a key, on a sheet |
-//! | `file` | pictures as files, in the requested format |
-//! | `handout` | pictures with texts on pages of paper, to be handed out |
-//! | `handout_formula` | formulas of a handout on lines of their own: matrices in rows between brackets |
-//! | `plate` | plates: the drawings that a picture is painted from |
-//! | `render_report` | the report of a picture: the work of the pipeline, and the work on pixels |
-//! | `renderer` | makes pictures from requests: the drawing of the view, then its pixels |
-//! | `shadow_truth` | shadow maps held against rays, pixel by pixel |
-//! | `sweep` | pictures one after the other: a family, or the way to another camera |
-//! | `triangle` | one triangle: its pixels, and its depth tests |
-//! | `vector_faces` | the faces of a page of vectors, in the order of painting |
-//! | `vectors` | pictures as pages of vectors |
 
 mod animation;
 mod compared;

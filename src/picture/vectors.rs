@@ -113,11 +113,11 @@ pub(super) async fn page(
     for ((part, own), corner) in pictures.into_iter().zip(&layout.corners) {
         let [left, top, width, height] = part.map(unit);
         let corner = [unit(corner[0]) - left, unit(corner[1]) - top];
-        items.push(Item::Group { corner, clip: [left, top, left + width, top + height], items: own });
+        items.push(Item::group(corner, [left, top, left + width, top + height], own));
     }
     for (corner, strip) in sheet.strips(&layout, &sizes) {
         let clip = [0.0, 0.0, unit(strip.width), unit(strip.height)];
-        items.push(Item::Group { corner: corner.map(unit), clip, items: over_faces(&strip)? });
+        items.push(Item::group(corner.map(unit), clip, over_faces(&strip)?));
     }
     #[expect(clippy::cast_possible_truncation, reason = "points of a page")]
     let points = (72.0 / per_inch) as f32;
@@ -163,7 +163,7 @@ impl Painter {
             let left = unit(side.left);
             let [from, to] = [side.columns.start, side.columns.end].map(|column| unit(column) - left);
             let clip = [from, 0.0, to, unit(request.size.height)];
-            items.push(Item::Group { corner: [left, 0.0], clip, items: inner });
+            items.push(Item::group([left, 0.0], clip, inner));
         }
         let share = differences.map(|all| all.share());
         let over = overlay(request, &sides, share).ok_or(PictureError::TooLarge)?;
@@ -197,7 +197,7 @@ impl Painter {
                 continue;
             }
             let clip = [unit(columns.start), 0.0, unit(columns.end), unit(drawing.height)];
-            items.push(Item::Group { corner: [0.0; 2], clip, items: inner });
+            items.push(Item::group([0.0; 2], clip, inner));
         }
         Ok(items)
     }
@@ -364,9 +364,7 @@ fn over_faces(drawing: &Drawing) -> Result<Vec<Item>, PictureError> {
         for layer in mark_layers(mark) {
             let color = faded(layer.color, fades);
             items.push(match layer.stroke {
-                Some(width) => {
-                    Item::Stroke { path: path.clone(), color, width, dashes: Vec::new(), phase: 0.0, round: false }
-                }
+                Some(width) => Item::stroke(path.clone(), color, width, false),
                 None => Item::Fill { path: path.clone(), color },
             });
         }

@@ -23,52 +23,6 @@
 //! hide, and [`stroke_order`], their order in depth.
 //!
 //! All cutting is done by `cut`, and all attributes of vertices are carried over by `resample`.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `bounding_tree` | a tree of boxes over the scene, so that objects out of sight are dropped by the thousand |
-//! | `bounds` | bounds of a mesh, known before it is looked at: the box and the ball around it |
-//! | `bsp` | the order of faces by a tree of planes, which splits them |
-//! | `budget` | budgets of a drawing, and its shortfall where one is exceeded |
-//! | `clip` | clipping in homogeneous coordinates, before the divide `[2]`: points behind the eye never reach it |
-//! | `clip_parts` | the parts of the scene that clipping keeps and removes |
-//! | `cull` | culling: objects outside the volume, and back faces |
-//! | `cull_result` | the result of culling an object, for showing the faces that are not drawn |
-//! | `cut` | the one way in which a polygon, or a segment, is cut by a plane |
-//! | `depths` | the range of distances resolved by the depths of a picture |
-//! | `divide_before_clip` | the result of dividing by w before clipping: the mistake that homogeneous clipping avoids `[2]` |
-//! | `faces` | the faces of one object that are left to draw: projected, culled, clipped |
-//! | `hidden_surfaces` | the surfaces of a picture, in the order of painting where no depth buffer decides |
-//! | `light` | light on faces and vertices, by the one formula of `lighting` |
-//! | `lines` | edges and lines → strokes: clipped, projected, grouped by style |
-//! | `object_pass` | one object on its way through the stages |
-//! | `one_triangle` | one triangle step by step, as every triangle goes |
-//! | `operations` | the operations of the stages on vertices and triangles: how many each formula has |
-//! | `outline` | the outline of a curved solid: its silhouette, which depends on the viewpoint, and its creases |
-//! | `pieces` | faces that may be split, and the points at which splitting has cut their sides |
-//! | `places` | the places of the objects of a picture: those out of sight by groups |
-//! | `plan` | the stages that a picture needs, and the reason why each other one is left out |
-//! | `plan_counts` | counts of planned or finished work, and the reasons that follow from them |
-//! | `planes` | the six planes of the view volume |
-//! | `pool` | reuse of the memory of returned drawings: fresh memory costs more than writing to it |
-//! | `project` | the scene after clipping and projection: the content of the canonical volume |
-//! | `projected` | the mesh of an object after clipping and projection |
-//! | `projector` | the camera as the pipeline applies it, point by point: object → world → view → clip, in `f64` |
-//! | `recorder` | the record of a picture while it is made: counts, times, the stage that is shown, rounding |
-//! | `report` | the report of a picture: counts and times, stage by stage |
-//! | `resample` | attributes of the vertices that cutting makes: colours, normals, texture coordinates … |
-//! | `rounding_check` | detection of vertices that rounding misplaces in the picture, by the code that draws them |
-//! | `scenes` | a scene and the gear of a picture, side by side |
-//! | `shadow_maps` | the maps of the lights that cast shadows: each light is a camera, and its map the depths of its picture |
-//! | `shadow_rays` | shadows by rays: the truth that shadow maps are held against |
-//! | `shade` | surfaces of the drawing from the faces that are left |
-//! | `split_plane` | planes that separate faces, one or several at once |
-//! | `stage_work` | input and output of a stage, recorded while a picture is made, so that the picture can show them |
-//! | `stages` | reasons of stages, plans and reports of objects |
-//! | `stroke_order` | the order of strokes for outputs that have no depth buffer: later strokes cover earlier ones |
-//! | `stroke_runs` | the visible, the dimmed and the hidden runs of strokes, for outputs that have no depth buffer |
-//! | `transform` | the vertices of an object on the image |
-//! | `visibility` | the order of faces by centroids, and pieces put into surfaces |
 
 mod bounding_tree;
 mod bounds;

@@ -4,33 +4,6 @@
 //! threads as there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and
 //! with their depth, come strokes (`strokes`), areas, marks and texts (`label`). The bytes do not depend on the number
 //! of threads.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `band` | some rows of a picture while they are painted, and the places of pixels and tiles in them |
-//! | `batch` | eight triangles at a time: their boxes, and their setup for filling |
-//! | `bins` | the triangles that touch each band of rows, in the order of drawing |
-//! | `counts` | counts of processed samples, and of the operations on them |
-//! | `coverage` | coverage of pixels by strokes |
-//! | `depth` | the depth of the visible surface at each pixel |
-//! | `eights` | sets of places in a mask, eight columns each |
-//! | `few` | the pixels of tiny triangles: found for eight triangles at once |
-//! | `fill` | a band of rows: its triangles → its samples |
-//! | `filter` | texels → colours: the nearest, the four around a point, and those of two levels of detail |
-//! | `fragments` | the order of strokes in depth: what layers cover of each pixel |
-//! | `label` | filled areas, point marks and texts on the picture |
-//! | `line` | polylines of strokes → pieces: the visible parts, their dashes, the arrow head |
-//! | `operations` | the operations of filling and colouring: how many each formula has |
-//! | `per_pixel` | light, textures and translucent colours between vertices: computed at each pixel, eight at a time |
-//! | `pieces` | the pieces of strokes that touch each band of rows, by what is in front of them |
-//! | `pixel` | colours as pixels: premultiplied bytes in one `u32`, red lowest |
-//! | `segment` | segments of strokes, eight at a time: the pixels around each, and their shares of these |
-//! | `setup` | coverage of a triangle, and values that are affine over it |
-//! | `shade` | the colours of triangles' pixels, eight at a time |
-//! | `shadow` | the share of a light that arrives at a pixel: its place held against the depths that the light sees |
-//! | `strokes` | all strokes of a picture: pieces of them, then bands of rows, each painted on its own |
-//! | `texel` | pictures on triangles: the colour of a texture at a pixel |
-//! | `surfaces` | all surfaces of a picture: bands of rows, each painted on its own, by as many threads as there are |
 
 mod band;
 mod batch;

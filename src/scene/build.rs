@@ -163,17 +163,14 @@ impl Maker<'_, '_> {
             };
             let part_name = if part.name.is_empty() { (k + 1).to_string() } else { part.name.clone() };
             scene.objects.push(Object {
-                name: if parts.len() == 1 { name.clone() } else { format!("{name}/{part_name}") },
                 part_of: (parts.len() > 1).then(|| Arc::from(name.as_str())),
-                mesh,
-                world_from_object,
-                paint,
-                lit: true,
                 two_sided: part.two_sided,
-                faces: true,
-                edges: None,
-                outline: None,
-                in_world: None,
+                ..Object::new(
+                    if parts.len() == 1 { name.clone() } else { format!("{name}/{part_name}") },
+                    mesh,
+                    world_from_object,
+                    paint,
+                )
             });
         }
         Ok(())
@@ -246,17 +243,9 @@ impl Maker<'_, '_> {
             }
         };
         scene.objects.push(Object {
-            part_of: None,
-            name: placed.spec.name.clone(),
-            mesh,
-            world_from_object: placed.world_from_object,
-            paint,
-            lit: true,
-            two_sided: false,
-            faces: true,
             edges: faceted.then(|| self.colors.edge_style()),
             outline: (!faceted).then(|| self.colors.edge_style()),
-            in_world: None,
+            ..Object::new(placed.spec.name.clone(), mesh, placed.world_from_object, paint)
         });
         Ok(())
     }
@@ -292,16 +281,10 @@ fn ellipsoid(segments: u32) -> Mesh {
 /// An object without faces.
 fn bare(name: &str, mesh: Mesh, placed: &Placed<'_>, color: Rgba, edges: Option<LineStyle>) -> Object {
     Object {
-        part_of: None,
-        name: name.to_owned(),
-        mesh: Arc::new(mesh),
-        world_from_object: placed.world_from_object,
-        paint: ObjectPaint::Solid(color),
         lit: false,
         two_sided: true,
         faces: false,
         edges,
-        outline: None,
-        in_world: None,
+        ..Object::new(name, Arc::new(mesh), placed.world_from_object, ObjectPaint::Solid(color))
     }
 }

@@ -1,31 +1,4 @@
 //! The scene: meshes in world space, lights, and the lines, marks and texts placed in the world.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `adjacency` | adjacency of the faces of a mesh along their edges, from which silhouettes are found |
-//! | `build` | builds a scene from its specification in a figure |
-//! | `edit` | edits of the scene of a figure |
-//! | `error` | faults of a scene |
-//! | `gltf` | glTF 2.0 and GLB, with every address checked |
-//! | `import` | mesh files: which reader reads them, and those that have been read |
-//! | `marks` | the marks of points and their names |
-//! | `mesh` | the triangle mesh with its edges |
-//! | `mesh_error` | faults of a mesh file |
-//! | `obj` | Wavefront OBJ, with the colours of its materials |
-//! | `palette` | the colours of scenes, for red-green blind people and grey printers too |
-//! | `part` | the result of importing a mesh file |
-//! | `polygon` | polygons in space: their normal, and their triangles |
-//! | `presets` | the named scenes |
-//! | `primitives` | tessellated solids about the y axis, `[3]` "Primitivas" |
-//! | `projective` | a scene under a projective map |
-//! | `read_error` | reading of the files that a scene names, and its failures |
-//! | `resolve` | the tree of a scene: names resolved, transforms multiplied out, rules |
-//! | `revision` | the number of a scene that does not change any more |
-//! | `shadows` | the shadows of a light: whether there are any, and how they are found |
-//! | `soup` | from the polygons of a file to a mesh: triangles, normals, edges, and whether the surface is closed |
-//! | `spec` | the `[scene]` section of a figure, before meshes are made: a preset, a tree of objects, lights |
-//! | `texture/` | textures of objects: where they come from, and how they lie on the surfaces |
-//! | `transform` | objects moved, turned, scaled and copied together |
 
 mod adjacency;
 mod build;
@@ -182,6 +155,24 @@ pub struct InWorld {
 }
 
 impl Object {
+    /// A lit closed solid without lines.
+    #[must_use]
+    pub fn new(name: impl Into<String>, mesh: Arc<Mesh>, world_from_object: DMat4, paint: ObjectPaint) -> Self {
+        Self {
+            name: name.into(),
+            part_of: None,
+            mesh,
+            world_from_object,
+            paint,
+            lit: true,
+            two_sided: false,
+            faces: true,
+            edges: None,
+            outline: None,
+            in_world: None,
+        }
+    }
+
     /// The name of the object of the figure that it is, or is a part of.
     #[must_use]
     pub fn owner(&self) -> &str {

@@ -191,17 +191,13 @@ fn tiled_floor(colors: &SceneColors) -> Object {
     let mesh = primitives::tiles([-HALF_WIDTH, CORRIDOR[1]], [HALF_WIDTH, CORRIDOR[0]], nx, nz);
     let tile = |t: u32| if (t % nx + t / nx).is_multiple_of(2) { colors.ground } else { colors.ground_other };
     Object {
-        part_of: None,
-        name: "floor".to_owned(),
-        mesh: Arc::new(mesh),
-        world_from_object: DMat4::IDENTITY,
-        paint: ObjectPaint::Faces(Arc::new((0..nx * nz).flat_map(|t| [tile(t); 2]).collect())),
-        lit: true,
         two_sided: true,
-        faces: true,
-        edges: None,
-        outline: None,
-        in_world: None,
+        ..Object::new(
+            "floor",
+            Arc::new(mesh),
+            DMat4::IDENTITY,
+            ObjectPaint::Faces(Arc::new((0..nx * nz).flat_map(|t| [tile(t); 2]).collect())),
+        )
     }
 }
 
@@ -239,17 +235,13 @@ fn letter_f(colors: &SceneColors) -> Object {
         [left, 0.7],
     ];
     Object {
-        part_of: None,
-        name: "F".to_owned(),
-        mesh: Arc::new(primitives::plate(&outline.map(DVec2::from), 0.13)),
-        world_from_object: DMat4::IDENTITY,
-        paint: ObjectPaint::Solid(BLUE),
-        lit: true,
-        two_sided: false,
-        faces: true,
         edges: Some(colors.edge_style()),
-        outline: None,
-        in_world: None,
+        ..Object::new(
+            "F",
+            Arc::new(primitives::plate(&outline.map(DVec2::from), 0.13)),
+            DMat4::IDENTITY,
+            ObjectPaint::Solid(BLUE),
+        )
     }
 }
 
@@ -347,12 +339,6 @@ fn number_the_faces(scene: &mut Scene, colors: &SceneColors) {
             DIGITS[digit - 1].iter().map(|&[x, y]| center + right * (x - 0.5) * 0.7 + up * (y - 0.8) * 0.7).collect();
         let on_face = if is_dark(color) { Rgba::rgb(255, 255, 255) } else { Rgba::rgb(0x10, 0x14, 0x1a) };
         scene.objects.push(Object {
-            part_of: None,
-            name: digit.to_string(),
-            mesh: Arc::new(Mesh::segments(points.windows(2).map(|pair| [pair[0], pair[1]]))),
-            world_from_object: DMat4::IDENTITY,
-            // The colour in wireframe, where there is no face behind it.
-            paint: ObjectPaint::Solid(colors.ink),
             lit: false,
             two_sided: true,
             faces: false,
@@ -363,8 +349,13 @@ fn number_the_faces(scene: &mut Scene, colors: &SceneColors) {
                 hidden: HiddenLines::Hidden,
                 arrow: false,
             }),
-            outline: None,
-            in_world: None,
+            ..Object::new(
+                digit.to_string(),
+                Arc::new(Mesh::segments(points.windows(2).map(|pair| [pair[0], pair[1]]))),
+                DMat4::IDENTITY,
+                // The colour in wireframe, where there is no face behind it.
+                ObjectPaint::Solid(colors.ink),
+            )
         });
     }
 }

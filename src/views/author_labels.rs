@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::appearance::Rgba;
-use crate::drawing::{Anchor, Drawing, Label, single};
+use crate::drawing::{Drawing, Label, single};
 use crate::figure::labels::{is_in_legend, note_name};
 use crate::figure::{Note, NotePlace};
 use crate::limits::MAX_LABEL_MOVE;
@@ -39,15 +39,8 @@ pub(super) fn add_notes(drawing: &mut Drawing, request: &Request, corner: DVec2,
         let offset = if matches!(note.at, NotePlace::Picture(_)) { [0.0; 2] } else { [0.6 * size, -0.6 * size] };
         drawing.labels.push(Label {
             name: note_name(i),
-            mathematical: false,
-            position: [single(at.x), single(at.y), 1.0],
             offset,
-            text: String::new(),
-            size,
-            color: palette.ink,
-            halo: drawing.background,
-            anchor: Anchor::Left,
-            fade_if_hidden: false,
+            ..Label::new([single(at.x), single(at.y), 1.0], String::new(), size, [palette.ink, drawing.background])
         });
     }
 }

@@ -6,7 +6,7 @@ use super::{Palette, values};
 use crate::appearance::{Rgba, Theme};
 use crate::drawing::{Anchor, Drawing, Label, single};
 use crate::figure::variation::VariedValue;
-use crate::sanitize;
+use crate::{sanitize, text};
 
 /// The distance from one line to the next, and of the first from the picture, in letters.
 const LINE: f32 = 1.35;
@@ -56,16 +56,13 @@ impl Captions {
             let text = self.texts.get(*place).map_or("", String::as_str);
             for (row, line) in (0_u8..).zip(lines(text, self.letters, *width)) {
                 drawing.labels.push(Label {
-                    name: String::new(),
-                    mathematical: false,
-                    position: [left + width / 2.0, self.letters * (ABOVE + (f32::from(row) + 0.5) * LINE), 1.0],
-                    offset: [0.0; 2],
-                    text: line,
-                    size: self.letters,
-                    color: palette.ink,
-                    halo: Rgba { a: 0, ..palette.paper },
                     anchor: Anchor::Center,
-                    fade_if_hidden: false,
+                    ..Label::new(
+                        [left + width / 2.0, self.letters * (ABOVE + (f32::from(row) + 0.5) * LINE), 1.0],
+                        line,
+                        self.letters,
+                        [palette.ink, Rgba { a: 0, ..palette.paper }],
+                    )
                 });
             }
         }
@@ -93,15 +90,10 @@ fn part(place: usize) -> String {
 }
 
 /// A text in lines that fit into a width.
-fn lines(text: &str, letters: f32, width: f32) -> Vec<String> {
+fn lines(caption: &str, letters: f32, width: f32) -> Vec<String> {
     let fits = |line: &str| 2.0 * single(half_size_of(line, letters, false).x) <= width;
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if fits(&format!("{line} {word}")) => *line = format!("{line} {word}"),
-            _ => lines.push(word.to_owned()),
-        }
-    }
+    let words = caption.split_whitespace().map(|word| format!("{word} "));
+    let mut lines = text::broken(words, fits);
     if lines.len() > MOST_LINES {
         lines.truncate(MOST_LINES);
         lines.iter_mut().last().into_iter().for_each(|last| last.push_str(" …"));

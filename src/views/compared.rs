@@ -121,18 +121,8 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
     let em = SMALL_TYPE * scale;
     let author = Author::of(request, palette);
     let mut plate = |name: &str, text: String, (x, y, anchor): (f32, f32, Anchor), room: [f32; 2]| {
-        let label = Label {
-            name: name.to_owned(),
-            mathematical: false,
-            position: [x, y, 1.0],
-            offset: [0.0; 2],
-            text,
-            size: em,
-            color: palette.ink,
-            halo: palette.paper,
-            anchor,
-            fade_if_hidden: false,
-        };
+        let label =
+            Label { name: name.to_owned(), anchor, ..Label::new([x, y, 1.0], text, em, [palette.ink, palette.paper]) };
         plate(&mut drawing, label, room, (&author, request));
     };
     for (side, room, anchor) in [(0, [0.0, left], Anchor::Right), (1, [right, wide], Anchor::Left)] {
@@ -153,19 +143,7 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
 
 /// An empty drawing on a clear ground of a colour, for what is put over others.
 pub(super) fn on_clear_ground([width, height]: [u32; 2], ground: Rgba) -> Drawing {
-    Drawing {
-        width,
-        height,
-        background: ground.with_alpha(0),
-        antialias: 1,
-        painted_in_order: true,
-        depth_format: Default::default(),
-        surfaces: Vec::new(),
-        strokes: Vec::new(),
-        areas: Vec::new(),
-        marks: Vec::new(),
-        labels: Vec::new(),
-    }
+    Drawing { painted_in_order: true, ..Drawing::new(width, height, ground.with_alpha(0)) }
 }
 
 /// A text on a plate, as its author wants it, where its room, from column to column, has place for it; where its author

@@ -1,7 +1,6 @@
 //! The parts of a picture that bodies cover: a text there would hide the subject of the picture.
 
 use glam::DVec2;
-use rayon::prelude::*;
 
 use crate::drawing::Drawing;
 
@@ -11,9 +10,6 @@ const CELLS: u32 = 90;
 const LEAST: f64 = 3.0;
 /// From this on, a face is more than glass.
 const OPAQUE: u8 = 110;
-
-/// So many triangles are worth a thread.
-const MANY: usize = 8192;
 
 /// The parts of a picture that faces cover, in square cells.
 pub(super) struct Solids {
@@ -38,36 +34,14 @@ impl Solids {
         for surface in surfaces {
             let in_cells = |p: &[f32; 3]| DVec2::new(f64::from(p[0]), f64::from(p[1])) / cell;
             let at = |i: u32| surface.positions.get(i as usize).map_or(DVec2::NAN, in_cells);
-            // Most faces of a fine mesh lie in one cell.
-            let cell_of = |p: &[f32; 3]| Some(in_cells(p)).filter(|p| p.is_finite()).map(|p| grid.cell(p));
-            let cells: Vec<Option<u32>> = if surface.positions.len() < MANY {
-                surface.positions.iter().map(cell_of).collect()
-            } else {
-                surface.positions.par_iter().map(cell_of).collect()
-            };
             let is_opaque = |i: usize| surface.alpha_of(i).is_some_and(|alpha| alpha >= OPAQUE);
-            let cover_some = |mut covered: Vec<bool>, (first, some): (usize, &[[u32; 3]])| {
-                for (_, triangle) in some.iter().enumerate().filter(|(i, _)| is_opaque(first + i)) {
-                    match triangle.map(|i| cells.get(i as usize).copied().flatten()) {
-                        [Some(a), Some(b), Some(c)] if a == b && b == c => covered[a as usize] = true,
-                        [Some(_), Some(_), Some(_)] => grid.cover(&mut covered, triangle.map(at)),
-                        // What is not a number is nowhere.
-                        _ => {}
-                    }
+            for (_, triangle) in surface.triangles.iter().enumerate().filter(|(i, _)| is_opaque(*i)) {
+                let corners = triangle.map(at);
+                // What is not a number is nowhere.
+                if corners.iter().all(|p| p.is_finite()) {
+                    grid.cover(&mut covered, corners);
                 }
-                covered
-            };
-            covered = if surface.triangles.len() < 2 * MANY {
-                cover_some(covered, (0, &surface.triangles))
-            } else {
-                let stretches = surface.triangles.par_chunks(MANY).enumerate().map(|(k, some)| (k * MANY, some));
-                let grids = stretches.fold(|| vec![false; columns * rows], cover_some);
-                let either = |mut a: Vec<bool>, b: Vec<bool>| {
-                    a.iter_mut().zip(b).for_each(|(a, b)| *a |= b);
-                    a
-                };
-                either(covered, grids.reduce(|| vec![false; columns * rows], either))
-            };
+            }
         }
         Self { cell, columns, rows, sums: sums(&covered, columns, rows) }
     }
@@ -104,9 +78,8 @@ impl Grid {
     }
 
     /// The cell of a place.
-    fn cell(self, p: DVec2) -> u32 {
-        let cell = Self::index(p.y, self.rows) * self.columns + Self::index(p.x, self.columns);
-        u32::try_from(cell).unwrap_or(u32::MAX)
+    fn cell(self, p: DVec2) -> usize {
+        Self::index(p.y, self.rows) * self.columns + Self::index(p.x, self.columns)
     }
 
     /// Marks the cells whose middle is in a triangle (in cells), and those of its corners.
@@ -124,7 +97,7 @@ impl Grid {
             }
         }
         for p in [a, b, c] {
-            covered[self.cell(p) as usize] = true;
+            covered[self.cell(p)] = true;
         }
     }
 }
@@ -152,21 +125,12 @@ mod tests {
     /// A picture of 200 × 100 pixels with a triangle in its left half.
     fn drawing(alpha: u8) -> Drawing {
         Drawing {
-            width: 200,
-            height: 100,
-            background: Rgba::rgb(255, 255, 255),
-            antialias: 1,
-            painted_in_order: false,
-            depth_format: Default::default(),
             surfaces: vec![Surface::solid(
                 vec![[0.0, 0.0, 0.5], [0.0, 100.0, 0.5], [100.0, 100.0, 0.5]],
                 vec![[0, 1, 2]],
                 Rgba::rgb(1, 2, 3).with_alpha(alpha),
             )],
-            strokes: Vec::new(),
-            areas: Vec::new(),
-            marks: Vec::new(),
-            labels: Vec::new(),
+            ..Drawing::new(200, 100, Rgba::rgb(255, 255, 255))
         }
     }
 

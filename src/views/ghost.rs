@@ -61,17 +61,14 @@ fn camera_answered(builder: &mut GearBuilder, request: &Request, palette: Palett
 fn camera(builder: &mut GearBuilder, gear: Gear, camera: &Camera, name: &str, color: Rgba) {
     let c = camera.position();
     builder.gear.objects.push(Object {
-        part_of: None,
-        name: name.to_owned(),
-        mesh: Arc::new(gizmos::camera_body()),
-        world_from_object: camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
-        paint: ObjectPaint::Solid(color.with_alpha(70)),
         lit: false,
-        two_sided: false,
-        faces: true,
         edges: Some(gizmos::stroke(color, 0.8, Dash::Solid, HiddenLines::Hidden)),
-        outline: None,
-        in_world: None,
+        ..Object::new(
+            name,
+            Arc::new(gizmos::camera_body()),
+            camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
+            ObjectPaint::Solid(color.with_alpha(70)),
+        )
     });
     builder.line(vec![c, camera.focal_point()], color, 0.9, Dash::Dotted);
     let corners = camera.volume_corners();

@@ -118,17 +118,9 @@ impl<'a> GearBuilder<'a> {
         }
         mesh.edges.clear();
         self.gear.objects.push(Object {
-            part_of: None,
-            name: name.to_owned(),
-            mesh: Arc::new(mesh),
-            world_from_object: DMat4::IDENTITY,
-            paint: ObjectPaint::Solid(color),
             lit: false,
             two_sided: true,
-            faces: true,
-            edges: None,
-            outline: None,
-            in_world: None,
+            ..Object::new(name, Arc::new(mesh), DMat4::IDENTITY, ObjectPaint::Solid(color))
         });
     }
 }

@@ -389,32 +389,13 @@ mod tests {
     fn label(x: f32, y: f32, text: &str) -> Label {
         Label {
             name: text.to_owned(),
-            mathematical: false,
-            position: [x, y, 0.5],
             offset: [6.0, 0.0],
-            text: text.to_owned(),
-            size: 14.0,
-            color: Rgba::rgb(0, 0, 0),
-            halo: Rgba::rgb(255, 255, 255),
-            anchor: Anchor::Left,
-            fade_if_hidden: false,
+            ..Label::new([x, y, 0.5], text, 14.0, [Rgba::rgb(0, 0, 0), Rgba::rgb(255, 255, 255)])
         }
     }
 
     fn drawing(labels: Vec<Label>) -> Drawing {
-        Drawing {
-            width: 200,
-            height: 100,
-            background: Rgba::rgb(255, 255, 255),
-            antialias: 1,
-            painted_in_order: false,
-            depth_format: Default::default(),
-            surfaces: Vec::new(),
-            strokes: Vec::new(),
-            areas: Vec::new(),
-            marks: Vec::new(),
-            labels,
-        }
+        Drawing { labels, ..Drawing::new(200, 100, Rgba::rgb(255, 255, 255)) }
     }
 
     fn boxes(d: &Drawing) -> Vec<Box2> {

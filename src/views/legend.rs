@@ -231,14 +231,14 @@ impl Legend {
             drawing.labels.push(Label {
                 name: text.name.clone(),
                 mathematical: text.mathematical,
-                position: [single(at.x - from.x), single(at.y - from.y), 1.0],
                 offset: moved,
-                text: text.text.clone(),
-                size: single(self.em * text.size),
-                color: text.color.or(self.color).unwrap_or(color),
-                halo: self.palette.paper,
                 anchor,
-                fade_if_hidden: false,
+                ..Label::new(
+                    [single(at.x - from.x), single(at.y - from.y), 1.0],
+                    text.text.clone(),
+                    single(self.em * text.size),
+                    [text.color.or(self.color).unwrap_or(color), self.palette.paper],
+                )
             });
         };
         let ink = self.palette.ink;

@@ -9,62 +9,6 @@
 //! | `image` | world | the figure's camera |
 //! | `world` | world | [`Observer`] |
 //! | `canonical` | ndc, shown as (x_n, y_n, −z_n), which is right-handed; in other conventions as deep as they are | [`Observer`] |
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `arrangement` | arrangements of several pictures, on a screen or on a sheet |
-//! | `camera_gizmo` | the sizes of the camera's gear in the world |
-//! | `canonical` | the canonical volume: the scene after clipping and projection |
-//! | `canonical_box` | the canonical volume of a convention of NDC, as placed in the picture |
-//! | `caption_strip` | the captions under a row of pictures |
-//! | `compared` | a picture in two ways: the request of each side, and the line and the words over both |
-//! | `components` | measures of matrix entries in the world |
-//! | `coverage_grid` | the parts of a picture that bodies cover: a text there would hide the subject of the picture |
-//! | `depth` | the image as depths: the content of the depth buffer, as grey levels and as numbers |
-//! | `dimensions` | dimension lines |
-//! | `framing` | the visible content of the world: its size, and the part of it that a picture should hold |
-//! | `ghost` | an operation being tried: axis, arcs, and the camera before it |
-//! | `gizmos` | lines, arrows, marks, texts, and the camera's body |
-//! | `handles` | the handles of the world: their places on the screen, and the effect of dragging them |
-//! | `hits` | intersections of a segment with the faces of a scene |
-//! | `hover` | `Hover`: the part of pictures made by the pointer alone |
-//! | `image` | the image: the scene as the figure's camera sees it |
-//! | `author_labels` | the author's labels and notes in a picture |
-//! | `label_layout` | the layout of texts, so that none covers another |
-//! | `label_names` | the names of labels, by which an author changes them |
-//! | `label_obstacles` | the parts of a picture to which its texts give way |
-//! | `labels` | the words in the pictures |
-//! | `legend` | the legend of a picture's colours, in its lower left corner |
-//! | `named_points` | the figure's points under the pointer: which one is there, and where it goes when it is dragged |
-//! | `light_view` | the view of a light: its picture in the image, its volume in the world, the depths at a point |
-//! | `normalizing` | the view volume on its way to the canonical one |
-//! | `note_place` | the subject of a new note, from a place in a picture |
-//! | `object_parts` | measures of an object's own transform in the world |
-//! | `observer` | the sides from which a 3D picture is seen, and the observer that fits |
-//! | `observer_of` | the observer of another figure, who sees a series |
-//! | `offscreen_arrows` | arrows to points beside the image or behind the eye |
-//! | `palette` | the colours of the pictures, one set for each theme |
-//! | `partial_paint` | the first triangles of a picture, in the order of painting |
-//! | `pick` | picking: from a place in a picture to the object or point there |
-//! | `picture` | `Picture`: one entry of the list of pictures in a shot |
-//! | `pixels` | sizes and rectangles in pixels, and where the image lies in a picture |
-//! | `probe` | the probe and the figure's points in each picture: the same point, or the same ray, three times |
-//! | `request` | `Request`: all that a picture depends on, as one value |
-//! | `revealed_scene` | the inner work of the pipeline in the pictures, as in `[reveal]` |
-//! | `screen` | a camera and the pixels that its window fills: from points to pixels and back to rays |
-//! | `section` | the section along **u**: similar triangles, with their lengths |
-//! | `shot` | `Shot`: all that pictures show, as one value |
-//! | `stage_overlay` | a stage of the pipeline in its picture: input and output |
-//! | `texel` | the place of a point in the texture of the surface that it is on |
-//! | `timed_pipeline` | the pipeline as the pictures use it |
-//! | `transform_gizmo` | the gizmo that moves, turns and scales the selected objects in the world |
-//! | `transform_preview` | an object where a list of transforms puts it, as glass |
-//! | `triangle_overlay` | the triangle that is followed step by step, in each picture |
-//! | `values` | the values of keys and operations in the words of the pictures |
-//! | `vanishing` | vanishing points, with their construction |
-//! | `volume` | the view volume in the world: whole, or broken where it is too large |
-//! | `world` | the world: the scene, the camera in it, and the camera's view volume |
-//! | `world_framing` | the framing of the world: its observer, and the sizes of the camera's gear |
 
 mod arrangement;
 mod author_labels;

@@ -70,15 +70,9 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
         let inwards = (tail - tip).normalize_or(DVec2::NEG_Y) * f64::from(0.7 * type_size);
         drawing.labels.push(Label {
             name: if look.name.is_empty() { "behind-eye".to_owned() } else { sanitize::escaped(look.name) },
-            mathematical: false,
-            position: [single(tail.x), single(tail.y), 1.0],
             offset: [single(inwards.x), single(inwards.y)],
-            text,
-            size: type_size,
-            color: look.color,
-            halo: palette.paper,
             anchor: if inwards.x < 0.0 { Anchor::Right } else { Anchor::Left },
-            fade_if_hidden: false,
+            ..Label::new([single(tail.x), single(tail.y), 1.0], text, type_size, [look.color, palette.paper])
         });
     }
 }

@@ -179,15 +179,8 @@ fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Pal
     let mut label = |name: String, position: [f32; 3], text: String| {
         drawing.labels.push(Label {
             name,
-            mathematical: false,
-            position,
             offset: [7.0 * request.size.scale, -7.0 * request.size.scale],
-            text,
-            size: SMALL_TYPE * request.size.scale,
-            color: palette.ink,
-            halo: palette.paper,
-            anchor: Anchor::Left,
-            fade_if_hidden: false,
+            ..Label::new(position, text, SMALL_TYPE * request.size.scale, [palette.ink, palette.paper])
         });
     };
     for object in &work.objects {
@@ -268,15 +261,13 @@ pub(super) fn part(frame: &mut Frame, request: &Request) {
         for (name, aside, anchor, text) in sides {
             let label = Label {
                 name: name.to_owned(),
-                mathematical: false,
-                position: [middle + aside * scale, 14.0 * scale, 1.0],
-                offset: [0.0; 2],
-                text: text.to_owned(),
-                size: 13.0 * scale,
-                color: palette.ink,
-                halo: palette.paper,
                 anchor,
-                fade_if_hidden: false,
+                ..Label::new(
+                    [middle + aside * scale, 14.0 * scale, 1.0],
+                    text,
+                    13.0 * scale,
+                    [palette.ink, palette.paper],
+                )
             };
             drawing.labels.extend(author.finished(label, &Author::page(request, DVec2::ZERO)).map(|(label, _)| label));
         }

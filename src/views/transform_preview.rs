@@ -32,17 +32,10 @@ fn bodies(builder: &mut GearBuilder, request: &Request, preview: &TransformPrevi
             return;
         }
         builder.gear.objects.push(Object {
-            part_of: None,
-            name: format!("{name} moved"),
-            mesh,
-            world_from_object,
-            paint: ObjectPaint::Solid(color.with_alpha(60)),
             lit: false,
             two_sided: true,
-            faces: true,
             edges: Some(gizmos::stroke(color, 1.2, Dash::Solid, HiddenLines::Hidden)),
-            outline: None,
-            in_world: None,
+            ..Object::new(format!("{name} moved"), mesh, world_from_object, ObjectPaint::Solid(color.with_alpha(60)))
         });
     };
     if preview.objects.is_empty() {

@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, MarkShape};
 use crate::camera::{Camera, Projection};
-use crate::drawing::{Anchor, Drawing, Label, Mark, StrokeSet, single};
+use crate::drawing::{Drawing, Label, Mark, StrokeSet, single};
 use crate::geometry::Aabb;
 
 use super::gizmos::{GearBuilder, SMALL_TYPE, stroke};
@@ -175,15 +175,8 @@ impl WindowPicture<'_> {
 fn label(at: DVec2, text: &str, size: f32, color: crate::appearance::Rgba, palette: Palette) -> Label {
     Label {
         name: text.to_owned(),
-        mathematical: false,
-        position: [single(at.x), single(at.y), 1.0],
         offset: [0.6 * size, -0.6 * size],
-        text: text.to_owned(),
-        size,
-        color,
-        halo: palette.paper,
-        anchor: Anchor::Left,
-        fade_if_hidden: false,
+        ..Label::new([single(at.x), single(at.y), 1.0], text, size, [color, palette.paper])
     }
 }
 

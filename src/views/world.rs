@@ -319,17 +319,14 @@ impl World<'_> {
         let edge = gizmos::stroke(self.palette.body_edge, 0.8, Dash::Solid, HiddenLines::Hidden);
         if self.has(WorldPart::CameraBody) {
             self.builder.gear.objects.push(Object {
-                part_of: None,
-                name: "camera".to_owned(),
-                mesh: Arc::new(gizmos::camera_body()),
-                world_from_object: camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
-                paint: ObjectPaint::Solid(self.palette.body),
                 lit: false,
-                two_sided: false,
-                faces: true,
                 edges: Some(edge),
-                outline: None,
-                in_world: None,
+                ..Object::new(
+                    "camera",
+                    Arc::new(gizmos::camera_body()),
+                    camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
+                    ObjectPaint::Solid(self.palette.body),
+                )
             });
         }
         self.builder.mark_above(c, MarkShape::Disc, 2.4, self.palette.ink);
@@ -459,16 +456,13 @@ fn painted(near: [DVec3; 4], image: &Arc<Texture>, opacity: f64) -> Object {
     let opacity = (255.0 * opacity.clamp(0.0, 1.0)).round() as u8;
     let uv = vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
     Object {
-        part_of: None,
-        name: "window".to_owned(),
-        mesh: Arc::new(mesh),
-        world_from_object: DMat4::IDENTITY,
-        paint: ObjectPaint::Texture(Pictured::plain(Arc::clone(image), uv, opacity)),
         lit: false,
         two_sided: true,
-        faces: true,
-        edges: None,
-        outline: None,
-        in_world: None,
+        ..Object::new(
+            "window",
+            Arc::new(mesh),
+            DMat4::IDENTITY,
+            ObjectPaint::Texture(Pictured::plain(Arc::clone(image), uv, opacity)),
+        )
     }
 }

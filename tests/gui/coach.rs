@@ -241,7 +241,9 @@ fn the_chart_of_depths_is_written_as_its_name_says() {
     written("depths");
     let svg = std::fs::read_to_string(folder.file("depths.svg")).expect("a chart");
     assert!(svg.contains("distance from the eye") && svg.contains("zₙ"), "{svg}");
-    assert!(svg.matches("<polyline").count() >= 3, "{svg}");
+    assert!(svg.matches("<path").count() >= 3, "{svg}");
     written("depths.pdf");
     assert!(std::fs::read(folder.file("depths.pdf")).expect("a chart").starts_with(b"%PDF"));
+    written("depths.tex");
+    assert!(folder.file("depths.tex").exists() && folder.file("depths-art.pdf").exists());
 }

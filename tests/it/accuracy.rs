@@ -188,7 +188,7 @@ fn the_command_prints_json_csv_and_tables_and_says_what_it_does_not_understand()
         (["--seconds", "-1"], "--seconds"),
         (["--seed", "x"], "--seed"),
         (["--study", "nothing"], "vertex-transform"),
-        (["--plot", "a.gif"], ".svg, .png, .pdf"),
+        (["--plot", "a.gif"], ".svg, .pdf, .tex"),
     ] {
         let run = bench.run(&["accuracy", args[0], args[1]]);
         assert!(run.refused(2).contains(named), "{}", run.err);
@@ -198,11 +198,21 @@ fn the_command_prints_json_csv_and_tables_and_says_what_it_does_not_understand()
 #[test]
 fn plots_are_files_of_their_kind() {
     let bench = Bench::new("plots");
-    for (name, start) in [("plot.svg", &b"<svg"[..]), ("plot.png", b"\x89PNG"), ("plot.pdf", b"%PDF")] {
+    let plot = |name: &str| {
         bench.run(&["accuracy", "--study", "clipping", "--seconds", "0", "--plot", name]).done();
+    };
+    for (name, start) in
+        [("plot.svg", &b"<svg"[..]), ("plot.png", b"\x89PNG"), ("plot.webp", b"RIFF"), ("plot.pdf", b"%PDF")]
+    {
+        plot(name);
         let bytes = bench.read(name);
         assert!(bytes.starts_with(start) && bytes.len() > 5_000, "{name}: {}", bytes.len());
     }
+    assert!(String::from_utf8_lossy(&bench.read("plot.svg")).contains(">f32 before the divide</text>"));
+    plot("plot.tex");
+    let latex = String::from_utf8_lossy(&bench.read("plot.tex")).into_owned();
+    assert!(latex.contains("{plot-art}") && latex.contains("f32 before the divide"), "{latex}");
+    assert!(bench.read("plot-art.pdf").starts_with(b"%PDF"));
 }
 
 /// Of three bars each over the next no order of whole faces is right; a depth buffer and a BSP, which cuts them, are

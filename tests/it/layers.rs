@@ -114,8 +114,6 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("pdf_writer", &["export"]),
     ("subsetter", &["export"]),
     ("xmlwriter", &["export"]),
-    ("plotters", &["export"]),
-    ("plotters_backend", &["export"]),
     ("csv", &["exercises", "cli"]),
     ("toml_edit", &["exercises", "figure", "gui", "lessons"]),
     ("fearless_simd", &["simd"]),

@@ -34,17 +34,14 @@ fn object(name: &str, triangles: &[[[f64; 3]; 3]], world_from_object: DMat4) -> 
     let positions: Vec<DVec3> = triangles.iter().flatten().map(|p| DVec3::from_array(*p)).collect();
     let triangles = (0..u32::try_from(triangles.len()).unwrap()).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     Object {
-        part_of: None,
-        name: name.to_owned(),
-        mesh: Arc::new(Mesh { positions, triangles, ..Mesh::default() }),
-        world_from_object,
-        paint: ObjectPaint::Solid(Rgba::rgb(200, 0, 0)),
         lit: false,
         two_sided: true,
-        faces: true,
-        edges: None,
-        outline: None,
-        in_world: None,
+        ..Object::new(
+            name,
+            Arc::new(Mesh { positions, triangles, ..Mesh::default() }),
+            world_from_object,
+            ObjectPaint::Solid(Rgba::rgb(200, 0, 0)),
+        )
     }
 }
 

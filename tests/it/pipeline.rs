@@ -55,17 +55,8 @@ pub(crate) fn cube() -> Mesh {
 
 pub(crate) fn object(mesh: Mesh, world_from_object: DMat4) -> Object {
     Object {
-        part_of: None,
-        name: "thing".into(),
         two_sided: !mesh.closed,
-        mesh: Arc::new(mesh),
-        world_from_object,
-        paint: ObjectPaint::Solid(CLAY),
-        lit: true,
-        faces: true,
-        edges: None,
-        outline: None,
-        in_world: None,
+        ..Object::new("thing", Arc::new(mesh), world_from_object, ObjectPaint::Solid(CLAY))
     }
 }
 

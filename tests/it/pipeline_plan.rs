@@ -273,23 +273,10 @@ pub(crate) fn any_object() -> impl Strategy<Value = Object> {
                 }
                 _ => ObjectPaint::Solid(color),
             };
-            let name = "thing".into();
+            let name = "thing";
             let outline = edges.filter(|_| kind % 2 == 0);
             let mesh = Arc::new(Mesh { adjacency: Adjacency::of(&mesh.positions, &mesh.triangles), ..mesh });
-            let in_world = None;
-            Object {
-                part_of: None,
-                name,
-                mesh,
-                world_from_object,
-                paint,
-                lit,
-                two_sided,
-                faces,
-                edges,
-                outline,
-                in_world,
-            }
+            Object { lit, two_sided, faces, edges, outline, ..Object::new(name, mesh, world_from_object, paint) }
         },
     )
 }

@@ -37,19 +37,7 @@ impl Random {
 }
 
 pub(super) fn drawing(width: u32, height: u32, antialias: u8, surfaces: Vec<Surface>) -> Drawing {
-    Drawing {
-        width,
-        height,
-        background: WHITE,
-        antialias,
-        painted_in_order: false,
-        depth_format: Default::default(),
-        surfaces,
-        strokes: Vec::new(),
-        areas: Vec::new(),
-        marks: Vec::new(),
-        labels: Vec::new(),
-    }
+    Drawing { antialias, surfaces, ..Drawing::new(width, height, WHITE) }
 }
 
 pub(super) fn surface(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, base: Base) -> Surface {

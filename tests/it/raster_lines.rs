@@ -110,19 +110,7 @@ fn draw(
     }
     all.retain(|e| !front.contains(e));
     let surface = Surface::solid(points.to_vec(), triangles, Rgba::rgb(180, 200, 230));
-    let drawing = Drawing {
-        width: SIDE,
-        height: SIDE,
-        background: Rgba::rgb(255, 255, 255),
-        antialias,
-        painted_in_order: false,
-        depth_format: Default::default(),
-        surfaces: vec![surface],
-        strokes: Vec::new(),
-        areas: Vec::new(),
-        marks: Vec::new(),
-        labels: Vec::new(),
-    };
+    let drawing = Drawing { antialias, surfaces: vec![surface], ..Drawing::new(SIDE, SIDE, Rgba::rgb(255, 255, 255)) };
     (drawing, front, all)
 }
 
@@ -222,19 +210,8 @@ fn a_line_one_percent_behind_a_face_is_hidden_and_one_before_it_is_seen() {
         vec![wall(10.0, 10.0, 1.0), wall(140.0, 10.0, 1.0), wall(140.0, 140.0, 1.0), wall(10.0, 140.0, 1.0)];
     for antialias in [1, 4, 16] {
         let surface = Surface::solid(positions.clone(), vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(180, 200, 230));
-        let drawing = Drawing {
-            width: SIDE,
-            height: SIDE,
-            background: Rgba::rgb(255, 255, 255),
-            antialias,
-            painted_in_order: false,
-            depth_format: Default::default(),
-            surfaces: vec![surface],
-            strokes: Vec::new(),
-            areas: Vec::new(),
-            marks: Vec::new(),
-            labels: Vec::new(),
-        };
+        let drawing =
+            Drawing { antialias, surfaces: vec![surface], ..Drawing::new(SIDE, SIDE, Rgba::rgb(255, 255, 255)) };
         for (from, to) in [((20.0, 30.0), (130.0, 30.0)), ((25.0, 20.0), (120.0, 130.0)), ((70.0, 15.0), (71.0, 135.0))]
         {
             // Depth is 1/distance here: one percent farther is one percent less.
@@ -277,17 +254,9 @@ fn strokes_that_are_nonsense_are_left_out_without_harm() {
                 let square = vec![[20.0, 20.0, 0.5], [80.0, 20.0, 0.5], [80.0, 80.0, 0.5]];
                 let surface = Surface::solid(square, vec![[0, 1, 2]], INK);
                 let drawing = Drawing {
-                    width: 100,
-                    height: 80,
-                    background: Rgba::rgb(255, 255, 255),
-                    antialias: 1,
-                    painted_in_order: false,
-                    depth_format: Default::default(),
                     surfaces: vec![surface],
                     strokes: vec![StrokeSet { points, polylines, style }],
-                    areas: Vec::new(),
-                    marks: Vec::new(),
-                    labels: Vec::new(),
+                    ..Drawing::new(100, 80, Rgba::rgb(255, 255, 255))
                 };
                 assert!(Rasterizer::default().paint(&drawing).is_some());
             }
@@ -301,19 +270,7 @@ fn a_line_behind_a_tint_is_dimmed_and_so_is_a_mark() {
     let wall = |opacity: u8| {
         let color = Rgba::rgb(200, 60, 200).with_alpha(opacity);
         let surface = Surface::solid(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], color);
-        Drawing {
-            width: SIDE,
-            height: SIDE,
-            background: Rgba::rgb(255, 255, 255),
-            antialias: 4,
-            painted_in_order: false,
-            depth_format: Default::default(),
-            surfaces: vec![surface],
-            strokes: Vec::new(),
-            areas: Vec::new(),
-            marks: Vec::new(),
-            labels: Vec::new(),
-        }
+        Drawing { antialias: 4, surfaces: vec![surface], ..Drawing::new(SIDE, SIDE, Rgba::rgb(255, 255, 255)) }
     };
     // How much darker a pixel of the line is than without it: in the middle of the wall, and beside it.
     let ink = |drawing: &Drawing, depth: f32, hidden| {

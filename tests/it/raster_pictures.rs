@@ -12,19 +12,7 @@ const INK: Rgba = Rgba::rgb(0x22, 0x22, 0x22);
 const WHITE: Rgba = Rgba::rgb(255, 255, 255);
 
 fn drawing(width: u32, height: u32) -> Drawing {
-    Drawing {
-        width,
-        height,
-        background: WHITE,
-        antialias: 4,
-        painted_in_order: false,
-        depth_format: Default::default(),
-        surfaces: Vec::new(),
-        strokes: Vec::new(),
-        areas: Vec::new(),
-        marks: Vec::new(),
-        labels: Vec::new(),
-    }
+    Drawing { antialias: 4, ..Drawing::new(width, height, WHITE) }
 }
 
 fn surface(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, color: Rgba) -> Surface {
@@ -43,15 +31,9 @@ fn stroke(points: Vec<[f32; 3]>, hidden: HiddenLines, arrow: bool) -> StrokeSet 
 fn label(position: [f32; 3], text: &str, fade_if_hidden: bool) -> Label {
     Label {
         name: text.to_owned(),
-        mathematical: false,
-        position,
-        offset: [0.0, 0.0],
-        text: text.into(),
-        size: 18.0,
-        color: INK,
-        halo: Rgba::rgba(255, 255, 255, 200),
         anchor: Anchor::Center,
         fade_if_hidden,
+        ..Label::new(position, text, 18.0, [INK, Rgba::rgba(255, 255, 255, 200)])
     }
 }
 

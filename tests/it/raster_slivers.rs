@@ -40,21 +40,12 @@ fn colours_on_slivers_are_those_of_exact_arithmetic() {
         let positions = corners.iter().map(|c| [c[0] as f32 / 256.0, c[1] as f32 / 256.0, 0.5]).collect();
         let colors = channels.iter().map(|&c| Rgba::rgb(c, c, c)).collect();
         let drawing = Drawing {
-            width: 96,
-            height: 96,
-            background: Rgba::rgb(1, 2, 3),
-            antialias: 1,
-            painted_in_order: false,
-            depth_format: Default::default(),
             surfaces: vec![Surface {
                 base: Base::Vertices(colors),
                 // So many that they are set up together, as those of a mesh are.
                 ..Surface::solid(positions, vec![[0, 1, 2]; 8], Rgba::rgb(0, 0, 0))
             }],
-            strokes: Vec::new(),
-            areas: Vec::new(),
-            marks: Vec::new(),
-            labels: Vec::new(),
+            ..Drawing::new(96, 96, Rgba::rgb(1, 2, 3))
         };
         let Some(pixmap) = Rasterizer::default().paint(&drawing) else { panic!("a small picture") };
         for (i, pixel) in pixmap.data().chunks_exact(4).enumerate().filter(|(_, p)| p[..3] != [1, 2, 3]) {

@@ -424,17 +424,9 @@ fn passing_the_eye(paint: ObjectPaint) -> Scene {
     let corners = [DVec3::new(-0.5, -1.0, -2.0), DVec3::new(0.5, -1.0, -2.0), DVec3::new(0.0, -1.0, 2.0)];
     let mesh = Mesh { positions: corners.to_vec(), triangles: vec![[0, 1, 2]], ..Mesh::default() };
     let floor = Object {
-        part_of: None,
-        name: "floor".to_owned(),
-        mesh: std::sync::Arc::new(mesh),
-        world_from_object: DMat4::IDENTITY,
-        paint,
         lit: false,
         two_sided: true,
-        faces: true,
-        edges: None,
-        outline: None,
-        in_world: None,
+        ..Object::new("floor", std::sync::Arc::new(mesh), DMat4::IDENTITY, paint)
     };
     Scene { objects: vec![floor], ..Scene::default() }
 }

@@ -1,8 +1,7 @@
-//! The texts of the sources themselves: how docs begin, how comments wrap, and that tables of files are true.
+//! The texts of the sources themselves: how docs begin, and how comments wrap.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -93,67 +92,6 @@ fn docs_begin_with_a_thing_or_a_deed() {
     let text = "/// What is drawn.\n/// What follows is no beginning.\nfn f() {}\n    //! Of what it is.\n";
     let found: Vec<usize> = doc_beginnings(text).filter(|(_, doc)| is_vague(doc)).map(|(number, _)| number).collect();
     assert_eq!(found, [1, 4]);
-}
-
-/// The names in the table of files of a module's docs: the first cells, of which each is one name in backticks.
-fn table(text: &str) -> BTreeSet<String> {
-    let rows = text.lines().map_while(|line| line.strip_prefix("//!")).map(str::trim);
-    let mut rows =
-        rows.skip_while(|row| !(row.starts_with("| file | purpose") || row.starts_with("| module | purpose")));
-    rows.next();
-    let names = rows.skip(1).map_while(|row| row.strip_prefix("| `")?.split_once('`').map(|(name, _)| name.to_owned()));
-    names.collect()
-}
-
-/// The files and folders of a folder under the names that its table has for them.
-fn contents(folder: &Path) -> BTreeSet<String> {
-    let paths: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
-    let stem = |path: &Path| path.file_stem().unwrap().to_string_lossy().into_owned();
-    let is_test = |name: &str| name == "tests" || name.ends_with("_tests");
-    let files = paths.iter().filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
-    let files: BTreeSet<String> = files.map(|path| stem(path)).filter(|name| !is_test(name)).collect();
-    let folders = paths.iter().filter(|path| path.is_dir()).map(|path| stem(path));
-    let folders = folders.filter(|name| !files.contains(name)).map(|name| format!("{name}/"));
-    let roots = ["mod", "lib", "main"];
-    let all = files.iter().filter(|name| !roots.contains(&name.as_str())).cloned().chain(folders);
-    all.collect()
-}
-
-/// The file whose docs have the table of a folder.
-fn module_file(folder: &Path) -> PathBuf {
-    let candidates = [folder.join("mod.rs"), folder.join("lib.rs"), folder.with_extension("rs")];
-    candidates.into_iter().find(|file| file.is_file()).unwrap()
-}
-
-#[test]
-fn every_folder_has_a_true_table_of_its_files() {
-    let source = Path::new(ROOT).join("src");
-    let (mut folders, mut at) = (vec![source], 0);
-    while at < folders.len() {
-        let entries = fs::read_dir(&folders[at]).unwrap().map(|entry| entry.unwrap().path());
-        let below: Vec<PathBuf> = entries.filter(|path| path.is_dir()).collect();
-        folders.extend(below);
-        at += 1;
-    }
-    assert!(folders.len() > 30, "the sources are not where they were");
-    let mut faults = Vec::new();
-    for folder in &folders {
-        let file = module_file(folder);
-        let (listed, there) = (table(&fs::read_to_string(&file).unwrap()), contents(folder));
-        let missing: Vec<_> = there.difference(&listed).collect();
-        let gone: Vec<_> = listed.difference(&there).collect();
-        if !missing.is_empty() || !gone.is_empty() {
-            faults.push(format!("{}: missing {missing:?}, not on disk {gone:?}", file.display()));
-        }
-    }
-    assert!(faults.is_empty(), "tables of files:\n{}", faults.join("\n"));
-}
-
-#[test]
-fn a_table_of_files_is_read_to_its_end() {
-    let text = "//! Docs.\n//!\n//! | file | purpose |\n//! | --- | --- |\n//! | `a` | x |\n//! | `b/` | y |\n//!\n//! | `c` | z |\nmod a;\n";
-    assert_eq!(table(text).into_iter().collect::<Vec<_>>(), ["a", "b/"]);
-    assert_eq!(table("//! Docs.\n//! | `a` | x |\n"), BTreeSet::new());
 }
 
 /// The names of files and folders in the lists of `docs/architecture.md`, as paths from `src`: `## src/gui` begins a

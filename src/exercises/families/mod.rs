@@ -1,16 +1,4 @@
 //! Families: exercises whose numbers come from a seed.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `cameras` | cameras whose numbers can be computed with pencil and paper |
-//! | `clipping` | clipping before the division by w, `[2]` |
-//! | `depth` | depth: the resolution of a depth buffer, the painter's order |
-//! | `hands` | exercises done by hand: a camera to set, and the answer before it is shown |
-//! | `light` | light on a vertex, `[2]`, `[3]` §1.8 |
-//! | `matrices` | the axes of a camera, its window, and its matrices |
-//! | `operations` | the operations on a camera, `[0]` §5.6 |
-//! | `points` | points on their way into the image, and pixels on their way back |
-//! | `spaces` | other vocabularies and orders: `[3]`, OpenGL, K, products of transforms |
 
 mod cameras;
 mod clipping;

@@ -1,9 +1,4 @@
 //! The exercises of the notes: `[0]` 5.1 to 5.3, `[1]` I to III.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `camera` | `[0]` 5.1 to 5.3 |
-//! | `pyramid` | `[1]` I to III: the pyramid with the day D and the month M of a birth |
 
 mod camera;
 mod pyramid;

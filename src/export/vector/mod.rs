@@ -1,32 +1,25 @@
 //! Pages of vectors: the list of the things on one, and its writers. What a picture looks like is decided before; the
 //! writers only say it in their format.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `embedded` | the figure file in a page, and finding it there |
-//! | `font` | the letters of a page as subsets of the fonts, for PDF and SVG |
-//! | `pdf` | a page as PDF |
-//! | `svg` | a page as SVG |
-//! | `tex` | a page as a figure of a LaTeX document |
-//! | `web_font` | a subset of a font for browsers |
 
 mod embedded;
 mod font;
 mod pdf;
+mod pixels;
 mod svg;
 mod tex;
 mod web_font;
 
+use std::path::Path;
+
 use tiny_skia::Pixmap;
 
+use super::format::PictureFormat;
 use crate::appearance::Rgba;
 use crate::drawing::Anchor;
-use crate::text::Element;
+use crate::text::{self, Element};
 pub use embedded::figure_in;
-pub(super) use pdf::path_of;
-pub use pdf::{pdf, pdf_of};
-pub use svg::svg;
-pub use tex::{tex, without_texts};
+pub use pdf::pdf_of;
+pub use pixels::pixels;
 
 /// A page. Its unit is the pixel of the picture; (0, 0) is the upper left corner, y points down.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,10 +41,12 @@ pub struct Page {
 /// A thing on a page.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
-    /// Others, moved to a corner, and cut to a rectangle at it.
+    /// Others, in another scale, moved to a corner, and cut to a rectangle at it.
     Group {
         /// The upper left corner, which is (0, 0) in the group.
         corner: [f32; 2],
+        /// Units of the page per unit of the group.
+        scale: f32,
         /// Left, top, right and bottom of the rectangle, in units of the group.
         clip: [f32; 4],
         /// The things in it.
@@ -79,7 +74,7 @@ pub enum Item {
         /// Ends and corners are round; otherwise ends are flat and corners sharp.
         round: bool,
     },
-    /// A text; `_c` and `_{abc}` in it are subscripts, as in [`text`](crate::text).
+    /// A text; `_c` and `_{abc}` in it are subscripts, as in [`text`].
     Text {
         /// The left end of its baseline.
         at: [f32; 2],
@@ -107,6 +102,79 @@ pub enum Item {
         /// The pixels, premultiplied.
         pixels: Pixmap,
     },
+}
+
+impl Item {
+    /// Others in the scale of the page.
+    #[must_use]
+    pub fn group(corner: [f32; 2], clip: [f32; 4], items: Vec<Self>) -> Self {
+        Self::Group { corner, scale: 1.0, clip, items }
+    }
+
+    /// A stroke without dashes.
+    #[must_use]
+    pub fn stroke(path: Vec<Element>, color: Rgba, width: f32, round: bool) -> Self {
+        Self::Stroke { path, color, width, dashes: Vec::new(), phase: 0.0, round }
+    }
+
+    /// A text without a halo, whose anchor is at a place.
+    #[must_use]
+    pub fn text(text: String, [x, y]: [f32; 2], size: f32, color: Rgba, anchor: Anchor) -> Self {
+        let left = match anchor {
+            Anchor::Left => 0.0,
+            Anchor::Center => 0.5,
+            Anchor::Right => 1.0,
+        } * text::measure(&text, size, false).width;
+        let halo = Rgba::rgba(0, 0, 0, 0);
+        Self::Text { at: [x - left, y], text, mathematical: false, size, color, halo, halo_width: 0.0, anchor }
+    }
+}
+
+/// A second file, which the first one names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Beside {
+    /// Its name, in the folder of the first.
+    pub name: String,
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+}
+
+/// A page as a file of vectors, with a figure file in it, and the file beside it. `stem`: of its name, see [`stem`].
+/// `None` if the font can't be cut, or the format is one of pixels.
+///
+/// *Guarantees*: the same page and figure give the same bytes.
+#[must_use]
+pub fn file(
+    page: &Page,
+    format: PictureFormat,
+    letters: Letters,
+    figure: &str,
+    stem: &str,
+) -> Option<(Vec<u8>, Option<Beside>)> {
+    match format {
+        PictureFormat::Svg => Some((svg::svg(page, letters, figure).into_bytes(), None)),
+        PictureFormat::Pdf => Some((pdf_of(std::slice::from_ref(page), letters, figure)?, None)),
+        PictureFormat::Tex => {
+            let art = art_of(stem);
+            let bytes = pdf_of(&[tex::without_texts(page)], letters, figure)?;
+            let beside = Beside { name: format!("{art}.pdf"), bytes };
+            Some((tex::tex(page, &art).into_bytes(), Some(beside)))
+        }
+        PictureFormat::Png | PictureFormat::WebP | PictureFormat::Jpeg => None,
+    }
+}
+
+/// The name of a file without its ending, as LaTeX can name the file beside it: other signs have meanings there.
+#[must_use]
+pub fn stem(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    stem.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' || c == '_' { c } else { '-' }).collect()
+}
+
+/// The name, without its ending, of the PDF beside a LaTeX file.
+#[must_use]
+pub fn art_of(stem: &str) -> String {
+    format!("{stem}-art")
 }
 
 /// How letters are written.

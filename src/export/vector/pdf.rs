@@ -25,16 +25,10 @@ const FONTS: i32 = 11;
 /// The first of the pictures: each has two.
 const PICTURES: i32 = FONTS + 5 * 4;
 
-/// The page as a PDF file, tagged as a figure with its description, and with a figure file attached; an empty one is
-/// none. `None` where the font can't be cut.
+/// Pages as a PDF file, each tagged as a figure with its description, and with a figure file attached; an empty one is
+/// none. The file has title and language of the first page. `None` if the font can't be cut.
 ///
-/// *Guarantees*: the same page and figure give the same bytes.
-#[must_use]
-pub fn pdf(page: &Page, letters: Letters, figure: &str) -> Option<Vec<u8>> {
-    pdf_of(std::slice::from_ref(page), letters, figure)
-}
-
-/// Several pages as a PDF file, as [`pdf`]; the file has title and language of the first.
+/// *Guarantees*: the same pages and figure give the same bytes.
 #[must_use]
 pub fn pdf_of(pages: &[Page], letters: Letters, figure: &str) -> Option<Vec<u8>> {
     let first = pages.first()?;
@@ -227,9 +221,9 @@ impl<'a> Writer<'a> {
 
     fn item(&mut self, item: &'a Item) {
         match item {
-            Item::Group { corner: [x, y], clip: [left, top, right, bottom], items } => {
+            Item::Group { corner: [x, y], scale, clip: [left, top, right, bottom], items } => {
                 self.operators.save_state();
-                self.operators.transform([1.0, 0.0, 0.0, 1.0, *x, *y]);
+                self.operators.transform([*scale, 0.0, 0.0, *scale, *x, *y]);
                 self.operators.rect(*left, *top, right - left, bottom - top).clip_nonzero().end_path();
                 self.items(items);
                 self.operators.restore_state();
@@ -311,7 +305,7 @@ impl<'a> Writer<'a> {
 }
 
 /// Writes a path; curves of second degree are raised to third.
-pub(in crate::export) fn path_of(operators: &mut Content, path: &[Element]) {
+fn path_of(operators: &mut Content, path: &[Element]) {
     let mut here = [0.0f32; 2];
     for element in path {
         match *element {

@@ -14,7 +14,7 @@ use crate::text::{self, Element, Face};
 ///
 /// *Guarantees*: the same page and figure give the same bytes.
 #[must_use]
-pub fn svg(page: &Page, letters: Letters, figure: &str) -> String {
+pub(super) fn svg(page: &Page, letters: Letters, figure: &str) -> String {
     let options = Options { use_single_quote: false, indent: Indent::Spaces(1), attributes_indent: Indent::None };
     let mut writer = Writer { xml: XmlWriter::new(options), letters, clips: 0, glyphs: Face::ALL.map(Glyphs::of) };
     let [width, height] = page.size;
@@ -62,7 +62,7 @@ impl Writer {
 
     fn item(&mut self, item: &Item) {
         match item {
-            Item::Group { corner, clip, items } => self.group(*corner, *clip, items),
+            Item::Group { corner, scale, clip, items } => self.group((*corner, *scale), *clip, items),
             Item::Fill { path, color } => {
                 self.path(path);
                 self.color("fill", *color);
@@ -104,7 +104,7 @@ impl Writer {
         }
     }
 
-    fn group(&mut self, corner: [f32; 2], [left, top, right, bottom]: [f32; 4], items: &[Item]) {
+    fn group(&mut self, (corner, scale): ([f32; 2], f32), [left, top, right, bottom]: [f32; 4], items: &[Item]) {
         self.clips += 1;
         let id = format!("clip{}", self.clips);
         let xml = &mut self.xml;
@@ -117,11 +117,11 @@ impl Writer {
         xml.end_element();
         xml.end_element();
         xml.start_element("g");
-        if corner != [0.0; 2] {
-            xml.write_attribute_fmt(
-                "transform",
-                format_args!("translate({} {})", number(corner[0]), number(corner[1])),
-            );
+        let [x, y] = corner.map(number);
+        if scale != 1.0 {
+            xml.write_attribute_fmt("transform", format_args!("translate({x} {y}) scale({scale})"));
+        } else if corner != [0.0; 2] {
+            xml.write_attribute_fmt("transform", format_args!("translate({x} {y})"));
         }
         xml.write_attribute_fmt("clip-path", format_args!("url(#{id})"));
         self.items(items);

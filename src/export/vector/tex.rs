@@ -12,7 +12,7 @@ use crate::text;
 ///
 /// Each label is set in the document's font, at the height that it has on the page; its symbols are mathematics.
 #[must_use]
-pub fn tex(page: &Page, art: &str) -> String {
+pub(super) fn tex(page: &Page, art: &str) -> String {
     let [width, height] = page.size.map(|side| number(side * page.points));
     // In the body of a document, LaTeX has no message left for what comes before it.
     let alone = format!(
@@ -27,19 +27,19 @@ pub fn tex(page: &Page, art: &str) -> String {
          \\begin{{picture}}({width},{height})%\n  \\put(0,0){{\\includegraphics[width={width}bp]{{{art}}}}}%\n",
         page.title.split_whitespace().collect::<Vec<_>>().join(" ")
     );
-    labels(page, &page.items, [0.0; 2], &mut latex);
+    labels(page, &page.items, ([0.0; 2], 1.0), &mut latex);
     latex.push_str("\\end{picture}%\n\\endgroup\\endofpage\n");
     latex
 }
 
 /// The page without its texts.
 #[must_use]
-pub fn without_texts(page: &Page) -> Page {
+pub(super) fn without_texts(page: &Page) -> Page {
     fn kept(items: &[Item]) -> Vec<Item> {
         let keep = |item: &Item| match item {
             Item::Text { .. } => None,
-            Item::Group { corner, clip, items } => {
-                Some(Item::Group { corner: *corner, clip: *clip, items: kept(items) })
+            Item::Group { corner, scale, clip, items } => {
+                Some(Item::Group { corner: *corner, scale: *scale, clip: *clip, items: kept(items) })
             }
             Item::Fill { .. } | Item::Stroke { .. } | Item::Picture { .. } => Some(item.clone()),
         };
@@ -48,10 +48,14 @@ pub fn without_texts(page: &Page) -> Page {
     Page { items: kept(&page.items), ..page.clone() }
 }
 
-fn labels(page: &Page, items: &[Item], by: [f32; 2], latex: &mut String) {
+/// `by` and `zoom`: the place of the items on the page, and units of the page per unit of theirs.
+fn labels(page: &Page, items: &[Item], (by, zoom): ([f32; 2], f32), latex: &mut String) {
     for item in items {
         match item {
-            Item::Group { corner, items, .. } => labels(page, items, [by[0] + corner[0], by[1] + corner[1]], latex),
+            Item::Group { corner, scale, items, .. } => {
+                let corner = [0, 1].map(|k| by[k] + zoom * corner[k]);
+                labels(page, items, (corner, zoom * scale), latex);
+            }
             Item::Text { at, text, mathematical, size, color, anchor, .. } => {
                 let width = text::measure(text, *size, *mathematical).width;
                 let (share, before, after) = match anchor {
@@ -59,11 +63,11 @@ fn labels(page: &Page, items: &[Item], by: [f32; 2], latex: &mut String) {
                     Anchor::Center => (0.5, r"\hss", r"\hss"),
                     Anchor::Right => (1.0, r"\hss", ""),
                 };
-                let x = number((by[0] + at[0] + share * width) * page.points);
-                let y = number((page.size[1] - by[1] - at[1]) * page.points);
+                let x = number((by[0] + zoom * (at[0] + share * width)) * page.points);
+                let y = number((page.size[1] - by[1] - zoom * at[1]) * page.points);
                 let Rgba { r, g, b, .. } = *color;
                 let [r, g, b] = [r, g, b].map(|part| number(f32::from(part) / 255.0));
-                let size = number(size * page.points);
+                let size = number(zoom * size * page.points);
                 let text = label(text);
                 latex.push_str(&format!(
                     "  \\put({x},{y}){{\\hbox to 0pt{{{before}\\fontsize{{{size}bp}}{{{size}bp}}\\selectfont\

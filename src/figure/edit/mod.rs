@@ -1,9 +1,4 @@
 //! A change of a figure → the change of its text, with comments and order kept.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `difference` | the difference of two figures, as a step of a lesson says it |
-//! | `vary` | one key of a figure, set from outside of its file |
 
 mod difference;
 mod vary;

@@ -1,16 +1,4 @@
 //! The text of a figure file → [`Figure`].
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `comparison` | the `[compare]` of a figure file |
-//! | `labels` | the `[labels]` of a figure file |
-//! | `points` | the `[[points]]` of a figure file |
-//! | `scene` | the `[scene]` section: a preset, a tree of objects, lights |
-//! | `screen` | the `title`, the `caption` and the `[screen]` of a figure file |
-//! | `section` | one section of a figure file, whose keys are read one by one; the keys left over are unknown |
-//! | `show` | the `[show]` of a figure file |
-//! | `stacked` | sections of figures put over one another: each says only what changes |
-//! | `syntax` | a text that is not TOML: which line, which key, and why |
 
 mod comparison;
 mod labels;

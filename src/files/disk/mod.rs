@@ -1,10 +1,5 @@
 //! The one door to stored and chosen files: the file system of the machine, or, in a page of a browser, the files given
 //! to the page and those it stores.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `page` | the substitute for a file system in a page of a browser |
-//! | `system` | the file system of the machine |
 
 #[cfg(any(test, target_arch = "wasm32"))]
 pub mod page;

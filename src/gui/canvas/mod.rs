@@ -2,34 +2,6 @@
 //!
 //! Nothing is stored that can be computed: each frame describes anew the request of each visible picture, and only a
 //! picture whose request has changed is drawn again.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `arrange` | the layout of the pictures in their space: the one that uses most of it, or the user's |
-//! | `auto_observer` | the observer of a picture that nobody has turned: it stays, and goes back where something would leave |
-//! | `card` | the card with the coordinates of the pinned probe: its place, and its buttons |
-//! | `followed` | dragging a point that is followed, in the world and in the image |
-//! | `held` | drags of the pointer: the observer of a picture, a handle of the camera, the gizmo of the selection |
-//! | `icons` | small buttons with drawn icons |
-//! | `interaction` | keys, and the pointer without a drag; drags are in `held` |
-//! | `keyboard_probe` | probing without a pointer: the arrow keys move the probe from pixel to pixel |
-//! | `label_drag` | dragging a label, and the keys that move it |
-//! | `labels_card` | the card of the mode *Labels*: the chosen label, hidden ones, notes |
-//! | `long_work` | work that takes longer than half a second: reported under the pictures, and cancelled with Esc |
-//! | `observers` | the observers of the pictures in a frame |
-//! | `orbit` | the observers of the two three-dimensional pictures, and their changes by pointer and keys |
-//! | `picking` | the target of the pointer, found beside the window's thread in heavy scenes |
-//! | `pixel` | pixels of the figure's image, from points of the view window and back |
-//! | `probe_steps` | searches that take a while in a heavy scene, and what is done with their results: steps of the keys, and clicks |
-//! | `readout` | the coordinates of the target of the pointer, in every space |
-//! | `rendering` | has pictures drawn beside the window's thread, each only when something that made it has changed |
-//! | `status` | the lines under the pictures: hints and position of the pointer, and the coordinates of the probe |
-//! | `strip` | the strip under the pictures: every stage with counts, time and reason |
-//! | `texture` | a picture on the screen: its textures, and where each of its pixels is |
-//! | `title` | the title of a picture, with its buttons |
-//! | `touch` | two fingers on a picture: pan and zoom |
-//! | `vertex_name` | the vertex at a point: its number and its object |
-//! | `wiper` | the wiper between the two sides of a picture that is compared, and what is under the pointer on either side |
 
 mod arrange;
 mod auto_observer;

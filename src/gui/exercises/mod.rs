@@ -1,16 +1,5 @@
 //! The exercises in the window: the list, and the exercise that is worked on with its statement, answers, verdicts and
 //! the way to them.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `answers` | fields for answers, and their interpretation before they are judged |
-//! | `figure` | the figure of an exercise, and the picture to match |
-//! | `list` | the list of exercises |
-//! | `own` | the folder of a lecturer's own exercises: open, read again, close, and the faults of its files |
-//! | `progress` | progress in exercises: its file, the frequency of mistakes, export as a table for spreadsheets |
-//! | `solution` | the way to an answer, step by step, and the camera that a wrong answer describes |
-//! | `statement` | the statement, its assumptions, and the figure |
-//! | `verdict` | the verdict on an answer: its right entries, the diagnosis, and the solution, opened one by one |
 
 mod answers;
 mod figure;

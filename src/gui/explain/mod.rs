@@ -2,31 +2,6 @@
 //!
 //! An explanation is a variant of [`Explanation`], its row in `QUESTIONS` and a file here with `fn ui`. Only the one
 //! that is shown computes anything.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `answer` | the explanation of an entry: its formula, its numbers, its value, and the definitions of its symbols |
-//! | `arithmetic` | a point's way, step by step, with each product written out: forward and back |
-//! | `clipping` | the parts outside the view volume: cut, tinted or shown, and the division before clipping |
-//! | `code` | the camera as code for other libraries |
-//! | `conventions` | whose NDC, compared with whose, and how matrices are written |
-//! | `depth` | z_n over the distance from the eye, the resolution of formats of depth buffers, and z-fighting |
-//! | `dialects` | the camera in other vocabularies |
-//! | `digits` | numbers whose changed digits glow |
-//! | `entries` | the entries of a matrix as a grid, each a control of its own |
-//! | `hidden_surfaces` | the image painted so far, triangle by triangle, by each hidden-surface algorithm |
-//! | `homogeneous` | points in (x_r, w_r), where a middle goes, and a floor with and without w |
-//! | `matrices` | each entry of each matrix with its formula, its numbers and its value |
-//! | `measures` | the measures of symbols in the world |
-//! | `notes` | the notes, found by words or by F1 |
-//! | `order` | a list of transforms, in both readings |
-//! | `order_list` | the list of transforms: calls with their numbers, moved by dragging their dots and by keyboard |
-//! | `pasted_matrix` | a matrix of another program → its camera, recognised or read as chosen |
-//! | `point` | a point: its coordinates in every space, and its trace |
-//! | `stages` | the stages of the pipeline, and what each did |
-//! | `steps` | the factors on the way to the canonical volume |
-//! | `subject` | the subject of the explanations: the figure's camera, and the selected object |
-//! | `triangle` | one triangle step by step: its corners in each space, the cuts |
 
 mod answer;
 mod arithmetic;

@@ -1,9 +1,4 @@
 //! The gallery: the figures of the program, those used last, and those of a folder, each with a small picture.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `card` | a figure in the gallery, read and drawn beside the window's thread |
-//! | `show` | the gallery on the screen |
 
 mod card;
 mod show;

@@ -1,11 +1,4 @@
 //! The lesson that is played: the bar and the text under the pictures, its task, and the list of lessons.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `editor` | the texts of a step and of the lesson beside what they look like, and the order of the steps |
-//! | `speaker` | the notes of the speaker in a window of their own |
-//! | `list` | the list of lessons |
-//! | `task` | the task of a step: a question, an exercise, a goal |
 
 mod editor;
 mod list;

@@ -1,16 +1,4 @@
 //! The panels at the sides, and the few shapes that all of them are made of.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `changed_file` | the bar about a change of the figure's file by another program |
-//! | `numerics/` | the panel of studies: which to measure, the chart of errors, and the methods with their numbers |
-//! | `operations` | the operations on the camera, by buttons and sliders |
-//! | `parameters/` | the panel on the left: every parameter of the figure, in three tabs |
-//! | `recovery` | the list of sessions left by windows that did not close, until the user has decided |
-//! | `scene/` | the scene: the named scene, the tree of objects, the lights, and below them the selection |
-//! | `session_news` | notices about sessions and storage, until they are closed |
-//! | `status` | the last message: news in the bar at the top, errors in full at the bottom until they are closed |
-//! | `values` | the numbers: basis, matrices, window, corners |
 
 pub mod changed_file;
 pub mod numerics;

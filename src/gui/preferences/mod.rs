@@ -2,13 +2,6 @@
 //!
 //! Each window writes the keys that were changed in it and no others: of two windows that are open at once the last one
 //! wins, key by key, and keys of a later version stay.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `answers` | answers typed in exercises, a key for each |
-//! | `progress` | progress in exercises, and typed answers |
-//! | `shared_file` | a file that several windows write, whole or not at all |
-//! | `store` | the storage of the preferences |
 
 mod answers;
 mod progress;

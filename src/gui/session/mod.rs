@@ -4,12 +4,6 @@
 //! Each window has a slot of its own, marked by a lock on a file, which the system releases when the program ends,
 //! however it ends. A restore is recorded before it begins: a session that did not survive it is not restored again by
 //! itself. An unreadable session is set aside, not deleted.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `news` | messages about the storage of windows |
-//! | `session_file` | the stored session of a window: its figure with the changes, and its file |
-//! | `writer` | writes a window's figure down, beside the window's thread |
 
 mod news;
 mod session_file;

@@ -1,35 +1,4 @@
 //! State shared by the panels and the pictures.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `annotations` | annotations of a lecturer over the pictures |
-//! | `asked_layout` | the layout that a figure asks for, and the user's own, which comes back afterwards |
-//! | `coach` | the coach's findings about the figure |
-//! | `compare` | the state of the dialog that compares the figure with itself in another way |
-//! | `conventions` | the display of matrices, and the convention of NDC |
-//! | `exercises` | the exercises in the window: the choice, typed answers, and verdicts |
-//! | `explain` | the content of the explanations |
-//! | `files` | questions about files, and pending work with them |
-//! | `follow` | the followed point, and the text being typed for it |
-//! | `insert` | objects that are put into the scene |
-//! | `label_mode` | the mode in which labels are the author's: the chosen label, and its text as it is typed |
-//! | `layout` | the layout of the window, and requests to the pictures |
-//! | `lesson` | the lesson that is played: its step, the move to it, and what is done |
-//! | `lesson_writing` | a lesson of the user's own that is written in the window |
-//! | `matrices` | the explanation of matrices: its content, and the effect of the last change |
-//! | `message` | messages at the bottom of the window, as values |
-//! | `notes` | the notes: search text, and the note that is read |
-//! | `numerics` | the studies of error against run time: the one shown, the results, and the thread that measures |
-//! | `operations` | steps, signs and the slider that is held |
-//! | `order` | the explanation of order: the list of transforms, and its reading |
-//! | `recent` | the files that were opened or saved last |
-//! | `recording` | lessons of the user's own: their steps as they are recorded, and those of a folder |
-//! | `scene_tree` | the state of the tree: selection, folding, typed texts |
-//! | `search` | the search for anything in the window |
-//! | `shown` | explanations in the pictures: the `[show]` of the figure, its changes by panels |
-//! | `steps` | the explanation of steps: the decomposition, and its playback |
-//! | `triangle` | the triangle that is followed: its pixels are found beside the window's thread in heavy scenes |
-//! | `view_history` | earlier viewpoints of the pictures |
 
 mod annotations;
 mod asked_layout;

@@ -1,11 +1,5 @@
 //! The window as a page of a browser: the same program, with the page's own ways to files, to storage, and to its
 //! address.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `interface` | the interface for other pages: `window.cameraLab` |
-//! | `keys` | keys that are the program's and not the browser's |
-//! | `store` | storage in the browser, downloads, and the locks that keep its tabs apart |
 
 mod interface;
 mod keys;

@@ -5,16 +5,6 @@
 //! sides of the planes of the volume on which its points lie; a repair is offered only after it was applied, and its
 //! picture was checked. Then the image is compared with exact visibility: only if that finds no wrong pixel either is
 //! there nothing to report.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `camera` | parameters that make no camera, as a finding |
-//! | `count` | counts of the pixels that a scene covers |
-//! | `exact` | the image compared with exact visibility |
-//! | `place` | the place of a subject: sides of the planes, depth, pixels |
-//! | `repair` | repairs of a camera, from small to large |
-//! | `subject` | the contents of a scene, by name: objects and grids |
-//! | `tiles` | the nearest face at any place of the image |
 
 mod camera;
 mod count;

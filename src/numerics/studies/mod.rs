@@ -1,18 +1,4 @@
 //! One file per study.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `antialiasing` | samples of a pixel against exact area |
-//! | `basis` | **u** **v** **n** where VUP is almost along DOP |
-//! | `clipping` | segments, some through the plane of the eye (w = 0), cut before the division or after it |
-//! | `depth_buffer` | the formats of depth buffers |
-//! | `painter` | pictures of the program, pixel by pixel, for the studies of visibility |
-//! | `repeated_operations` | many small azimuths, one after the other |
-//! | `shading` | flat, Gouraud and Phong shading against the true surfaces |
-//! | `shadows` | shadow maps of several sizes, biases and soft edges against rays to the light |
-//! | `texture_filter` | filters of a chequered floor against the exact mean over each pixel |
-//! | `vertex_transform` | world points to view space, in worlds 1 … 10¹² from the origin |
-//! | `visibility` | visible surfaces: painter, BSP, depth buffers, against ray casting in high precision |
 
 pub(super) mod antialiasing;
 pub(super) mod basis;

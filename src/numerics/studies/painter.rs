@@ -50,17 +50,5 @@ pub(super) fn triangle(corners: [DVec3; 3], color: Rgba) -> Object {
 
 /// A closed mesh in one colour, lit, without lines.
 pub(super) fn object(mesh: Mesh, color: Rgba) -> Object {
-    Object {
-        part_of: None,
-        name: String::new(),
-        mesh: Arc::new(mesh),
-        world_from_object: DMat4::IDENTITY,
-        paint: ObjectPaint::Solid(color),
-        lit: true,
-        two_sided: false,
-        faces: true,
-        edges: None,
-        outline: None,
-        in_world: None,
-    }
+    Object::new(String::new(), Arc::new(mesh), DMat4::IDENTITY, ObjectPaint::Solid(color))
 }

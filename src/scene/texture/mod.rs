@@ -1,10 +1,4 @@
 //! Textures of objects: where they come from, and how they lie on the surfaces.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `builtin` | the textures that are part of the program |
-//! | `decode` | PNG, JPEG and WebP → texels, within limits |
-//! | `unwrap` | texture coordinates of the primitives, and vertices that are there once for each of theirs |
 
 mod builtin;
 mod decode;

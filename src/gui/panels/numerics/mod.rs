@@ -1,9 +1,5 @@
 //! The panel of studies: which to measure, the chart of errors, and the methods with their numbers; each opens the
 //! camera on which it was worst.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `plot` | the chart of one case of a study |
 
 mod plot;
 

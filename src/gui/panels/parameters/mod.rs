@@ -1,11 +1,4 @@
 //! The panel on the left: every parameter of the figure, in three tabs: the camera, the scene, how it is drawn.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `camera` | C, PF, VUP; θ or H, A, F, B; the view window |
-//! | `image` | the image and the viewport |
-//! | `style` | the section about the style of the drawing |
-//! | `world_section` | the section about the content of the world picture besides scene and camera |
 
 mod camera;
 mod image;

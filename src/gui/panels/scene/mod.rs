@@ -1,12 +1,4 @@
 //! The scene: the named scene, the tree of objects, the lights, and below them the selection.
-//!
-//! | file | purpose |
-//! | --- | --- |
-//! | `add` | objects and lights to add to a scene, and their placement |
-//! | `light` | the fields of a light |
-//! | `object` | the fields of an object: name, kind, parent, transform, colour, segments, and the data of its shape |
-//! | `texture` | the texture of an object: where it comes from, and how it lies on the surface |
-//! | `tree` | the tree of objects and the list of lights |
 
 mod add;
 mod light;
