@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use crate::drawing::{Drawing, Surface};
-use crate::pipeline::{ByObject, Frame, ObjectReport, OverBudget, Stage, StageReport};
+use crate::pipeline::{Frame, ObjectReport, OverBudget, Stage, StageReport};
 use crate::raster::Work;
 use crate::views::LabelPlace;
 
@@ -13,7 +13,7 @@ pub struct RenderReport {
     /// Every stage, in order. Their times add up to the total.
     pub stages: Vec<StageReport>,
     /// The report of each object that went through the pipeline: those of the scene first, in its order.
-    pub objects: ByObject<ObjectReport>,
+    pub objects: Vec<ObjectReport>,
     /// From the scene to the last pixel.
     pub total: Duration,
     /// The shortfall; also without a clock.

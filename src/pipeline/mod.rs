@@ -3,7 +3,7 @@
 //! | stage | space, from → to | file |
 //! | --- | --- | --- |
 //! | plan: the stages needed | – | [`plan`] |
-//! | objects outside the volume dropped | object, world | `bounds`, `bounding_tree`, `cull` |
+//! | objects outside the volume dropped | object → view | `bounds`, `cull` |
 //! | depths spread over those in view | view | [`depths`] |
 //! | each vertex transformed once | object → world → view → clip → ndc → pixels | `projector`, `transform` |
 //! | back faces dropped | pixels | `faces`, `cull` |
@@ -26,7 +26,6 @@
 //!
 //! | file | purpose |
 //! | --- | --- |
-//! | `bounding_tree` | a tree of boxes over the scene, so that objects out of sight are dropped by the thousand |
 //! | `bounds` | bounds of a mesh, known before it is looked at: the box and the ball around it |
 //! | `bsp` | the order of faces by a tree of planes, which splits them |
 //! | `budget` | budgets of a drawing, and its shortfall where one is exceeded |
@@ -46,7 +45,6 @@
 //! | `operations` | the operations of the stages on vertices and triangles: how many each formula has |
 //! | `outline` | the outline of a curved solid: its silhouette, which depends on the viewpoint, and its creases |
 //! | `pieces` | faces that may be split, and the points at which splitting has cut their sides |
-//! | `places` | the places of the objects of a picture: those out of sight by groups |
 //! | `plan` | the stages that a picture needs, and the reason why each other one is left out |
 //! | `plan_counts` | counts of planned or finished work, and the reasons that follow from them |
 //! | `planes` | the six planes of the view volume |
@@ -70,7 +68,6 @@
 //! | `transform` | the vertices of an object on the image |
 //! | `visibility` | the order of faces by centroids, and pieces put into surfaces |
 
-mod bounding_tree;
 mod bounds;
 mod bsp;
 pub mod budget;
@@ -90,7 +87,6 @@ pub mod one_triangle;
 mod operations;
 mod outline;
 mod pieces;
-mod places;
 pub mod plan;
 mod plan_counts;
 mod planes;
@@ -121,16 +117,16 @@ use crate::limits::MAX_PIECES;
 use crate::progress::Progress;
 use crate::scene::Scene;
 use crate::stage::Operations;
-use bounding_tree::BoundingTree;
+use bounds::KnownBounds;
 use bsp::BspMemory;
 pub use budget::OverBudget;
 pub use cull::Containment;
+use depths::InView;
 use faces::Faces;
 use hidden_surfaces::Unordered;
 use light::Lights;
 use lines::Strokes;
 use object_pass::{ObjectPass, PassContext};
-pub use places::ByObject;
 pub use plan::{Options, Output, Plan, Reason, Stage};
 pub use planes::{NEAR, PlaneSet};
 use pool::Pool;
@@ -184,7 +180,7 @@ pub struct Pipeline {
     faces: Faces,
     pool: Pool,
     ordering: BspMemory,
-    tree: BoundingTree,
+    bounds: KnownBounds,
     shadows: ShadowMaps,
     progress: Progress,
     /// [`MAX_PIECES`]; tests have fewer.
@@ -197,7 +193,7 @@ impl Default for Pipeline {
             faces: Faces::default(),
             pool: Pool::default(),
             ordering: BspMemory::default(),
-            tree: BoundingTree::default(),
+            bounds: KnownBounds::default(),
             shadows: ShadowMaps::default(),
             progress: Progress::default(),
             max_pieces: MAX_PIECES,
@@ -231,13 +227,14 @@ impl Pipeline {
         let (scenes, screen, meter) = (scenes.into(), Screen::new(target), Meter::new(options));
         let mut projector = Projector::new(camera);
 
-        let found = self.tree.find(scenes, &projector);
+        let extents = cull::extents(scenes, &projector, &mut self.bounds);
+        let in_view = extents.iter().fold(InView::NOTHING, |all, extent| all.and(extent.in_view));
         if !options.depth_of_volume {
-            let in_view = found.in_view.and(lines::in_view(scenes, &projector));
+            let in_view = in_view.and(lines::in_view(scenes, &projector));
             projector.depths = projector.depths.resolving(in_view);
         }
-        let misplaced = Misplaced::new(camera, &screen, found.in_view);
-        let plan = Plan::new(scenes, &projector, style, found, options);
+        let misplaced = Misplaced::new(camera, &screen, in_view);
+        let plan = Plan::new(scenes, &projector, style, &extents, options);
         let lights = Lights::new(scenes.lights(), &projector, style.shading);
         let is_dark = style.shading == Shading::Wireframe;
         let (shadows, of_maps) = if is_dark { (Vec::new(), Operations::NONE) } else { self.shadows.of(scenes) };
@@ -256,8 +253,10 @@ impl Pipeline {
         let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness(), pool);
         let mut unordered = Unordered::default();
 
-        let objects = plan.objects.listed().iter();
-        for (index, object, todo) in objects.filter_map(|(index, todo)| Some((*index, scenes.object(*index)?, todo))) {
+        for (index, (object, todo)) in scenes.objects().zip(&plan.objects).enumerate() {
+            if !todo.drawn {
+                continue;
+            }
             if self.progress.is_cancelled() {
                 break;
             }

@@ -96,11 +96,6 @@ impl Projector {
         }
     }
 
-    /// The size of the numbers from which the eye's distances are made.
-    pub(super) fn magnitude(&self) -> f64 {
-        self.position.length()
-    }
-
     /// The way from the space of an object to view space.
     pub(super) fn view_from_object(&self, world_from_object: DMat4) -> ViewFromObject {
         let linear = DMat3::from_mat4(world_from_object);

@@ -8,7 +8,6 @@ use super::faces::Faces;
 use super::light::Lights;
 use super::object_pass::ObjectPass;
 use super::operations;
-use super::places::ByObject;
 use super::plan::{Options, Plan};
 use super::plan_counts::Survey;
 use super::stage_work::StageWork;
@@ -29,8 +28,8 @@ pub struct Frame {
     pub report: Vec<StageReport>,
     /// Operations on vertices and triangles, by the stage to which they belong.
     pub cost: Cost,
-    /// The report, by object of the scene.
-    pub objects: ByObject<ObjectReport>,
+    /// The report of each object, in the order of the scene.
+    pub objects: Vec<ObjectReport>,
     /// The exceeded budget. Where it is that of pieces, the drawing is for an output with a depth buffer, whatever was
     /// requested; it is reported in preference to rounding.
     pub too_much: Option<OverBudget>,
@@ -178,7 +177,7 @@ impl Meter {
 
     /// Tells of all stages. `done` says of each stage that works on faces whether it had any to work on, and why.
     pub(super) fn report(&self, plan: &Plan, done: &Survey, style: &Style) -> Vec<StageReport> {
-        let drawn = plan.objects.listed().len();
+        let drawn = plan.objects.iter().filter(|planned| planned.drawn).count();
         let same = |n: usize| Some((n, n));
         plan.stages
             .iter()
