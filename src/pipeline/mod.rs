@@ -60,7 +60,7 @@
 //! | `shadow_maps` | the maps of the lights that cast shadows: each light is a camera, and its map the depths of its picture |
 //! | `shadow_rays` | shadows by rays: the truth that shadow maps are held against |
 //! | `shade` | surfaces of the drawing from the faces that are left |
-//! | `split_plane` | planes that separate faces, one or several at once |
+//! | `split_plane` | planes that separate faces |
 //! | `stage_work` | input and output of a stage, recorded while a picture is made, so that the picture can show them |
 //! | `stages` | reasons of stages, plans and reports of objects |
 //! | `stroke_order` | the order of strokes for outputs that have no depth buffer: later strokes cover earlier ones |
@@ -118,7 +118,6 @@ use crate::progress::Progress;
 use crate::scene::Scene;
 use crate::stage::Operations;
 use bounds::KnownBounds;
-use bsp::BspMemory;
 pub use budget::OverBudget;
 pub use cull::Containment;
 use depths::InView;
@@ -179,7 +178,6 @@ fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> (Drawing, Operati
 pub struct Pipeline {
     faces: Faces,
     pool: Pool,
-    ordering: BspMemory,
     bounds: KnownBounds,
     shadows: ShadowMaps,
     progress: Progress,
@@ -192,7 +190,6 @@ impl Default for Pipeline {
         Self {
             faces: Faces::default(),
             pool: Pool::default(),
-            ordering: BspMemory::default(),
             bounds: KnownBounds::default(),
             shadows: ShadowMaps::default(),
             progress: Progress::default(),
@@ -279,8 +276,7 @@ impl Pipeline {
             // Forced, but only edges were requested.
             unordered = Unordered::default();
         }
-        let ordered =
-            unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress, &mut self.ordering);
+        let ordered = unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress);
         recorder.meter.pieces = ordered.pieces;
         recorder.meter.lap(Stage::HiddenSurfaces);
 
