@@ -58,7 +58,7 @@ struct StageLine {
     operations: Option<OperationsLine>,
 }
 
-/// Operations and accesses, counted.
+/// Operations and accesses.
 #[derive(Serialize)]
 struct OperationsLine {
     float: u64,
@@ -175,7 +175,7 @@ fn table(account: &RenderReport, view: &str, size: Size, cost: bool, lang: Lang)
     if cost {
         let sum = |which: &dyn Fn(Stage) -> bool| {
             let stages = account.stages.iter().filter(|report| which(report.stage));
-            in_digits(stages.fold(Operations::NONE, |sum, report| sum + report.operations))
+            in_digits(stages.fold(Operations::NONE, |sum, report| sum.and(report.operations)))
         };
         let sums = [sum(&|stage| !stage.is_raster()), sum(&|stage| stage.is_raster()), sum(&|_| true)];
         text.push('\n');

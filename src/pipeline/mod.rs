@@ -42,7 +42,7 @@
 //! | `lines` | edges and lines → strokes: clipped, projected, grouped by style |
 //! | `object_pass` | one object on its way through the stages |
 //! | `one_triangle` | one triangle step by step, as every triangle goes |
-//! | `operations` | the operations of the stages on vertices and triangles: how many each formula has |
+//! | `operations` | the cost of a stage by the textbook: operations for one element, times the elements |
 //! | `outline` | the outline of a curved solid: its silhouette, which depends on the viewpoint, and its creases |
 //! | `pieces` | faces that may be split, and the points at which splitting has cut their sides |
 //! | `plan` | the stages that a picture needs, and the reason why each other one is left out |
@@ -84,7 +84,7 @@ pub mod light;
 mod lines;
 mod object_pass;
 pub mod one_triangle;
-mod operations;
+pub mod operations;
 mod outline;
 mod pieces;
 pub mod plan;
@@ -116,7 +116,6 @@ use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
 use crate::progress::Progress;
 use crate::scene::Scene;
-use crate::stage::Operations;
 use bounds::KnownBounds;
 pub use budget::OverBudget;
 pub use cull::Containment;
@@ -162,15 +161,14 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
     Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing
 }
 
-/// All faces of a scene as a light sees them, for its shadow map: depths are 1 at F and 0 at B. With the operations of
-/// all stages.
-fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> (Drawing, Operations) {
+/// All faces of a scene as a light sees them, for its shadow map: depths are 1 at F and 0 at B.
+fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> Drawing {
     let target = Target { width: size, height: size, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
     let style = Style { shading: Shading::Flat, visibility: Visibility::DepthBuffer, antialias: 1, ..Style::default() };
     let options = Options { depth_of_volume: true, ..Options::default() };
-    let Frame { mut drawing, cost, .. } = Pipeline::default().frame(scene, camera, target, &style, options);
+    let mut drawing = Pipeline::default().frame(scene, camera, target, &style, options).drawing;
     drawing.surfaces.iter_mut().for_each(|surface| surface.depth_test = true);
-    (drawing, cost.total())
+    drawing
 }
 
 /// Draws pictures one after the other; reuses its buffers, and the bounds of meshes.
@@ -234,7 +232,7 @@ impl Pipeline {
         let plan = Plan::new(scenes, &projector, style, &extents, options);
         let lights = Lights::new(scenes.lights(), &projector, style.shading);
         let is_dark = style.shading == Shading::Wireframe;
-        let (shadows, of_maps) = if is_dark { (Vec::new(), Operations::NONE) } else { self.shadows.of(scenes) };
+        let shadows = if is_dark { Vec::new() } else { self.shadows.of(scenes) };
         let context = PassContext {
             plan: &plan,
             projector: &projector,
@@ -245,7 +243,6 @@ impl Pipeline {
             options,
         };
         let mut recorder = Recorder::new(meter, misplaced, scenes, context);
-        recorder.meter.cost.add(Stage::Shadow, of_maps, 1);
         let (faces, pool) = (&mut self.faces, &mut self.pool);
         let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness(), pool);
         let mut unordered = Unordered::default();

@@ -240,11 +240,6 @@ impl ViewFromObject {
         }
     }
 
-    /// True where points go through the world on their way.
-    pub(super) fn goes_through_world(&self) -> bool {
-        self.through_world.is_some()
-    }
-
     /// True where the object is mirrored, so that its triangles turn the other way round.
     pub(super) fn mirrored(&self) -> bool {
         self.determinant < 0.0

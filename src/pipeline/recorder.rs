@@ -66,13 +66,13 @@ impl<'a> Recorder<'a> {
         done.triangles = faces.triangles.len();
         done.lit = pass.plan.lit;
         done.faces = pass.faces_done(faces);
-        self.meter.count(pass, faces, self.context.lights, done);
+        self.meter.count(pass, faces, done);
     }
 
     /// An object is drawn, and so many ends of its lines were transformed.
     pub(super) fn drawn(&mut self, pass: &ObjectPass, ends: usize) {
         if !pass.plan.faces {
-            self.meter.count_ends(ends, self.context.projector.perspective);
+            self.meter.count_ends(ends);
         }
         self.meter.lap(Stage::Lines);
         self.misplaced.look_at(pass.object, &pass.vertices());
@@ -90,7 +90,7 @@ impl<'a> Recorder<'a> {
             drawing,
             work: self.notes.map(|notes| notes.work).filter(|work| ran(work.stage)),
             plan: plan.clone(),
-            cost: self.meter.cost,
+            lamps: scenes.lights().len(),
             objects: self.objects,
             too_much: OverBudget::rounding(self.misplaced.found()),
             depths: projector.depths,
