@@ -4,7 +4,6 @@ use crate::appearance::Rgba;
 use crate::drawing::Lighting;
 use crate::simd::prelude::*;
 use crate::simd::{ROUND_F32, Simd, f32x8, mask32x8, round_bits, u32x8, with_vectors};
-use crate::stage::Operations;
 
 /// Eight vectors, coordinate by coordinate.
 pub(crate) type Eight<S> = [f32x8<S>; 3];
@@ -91,42 +90,6 @@ pub(crate) fn with_light<S: Simd>(
     let green = channel(simd, colors >> 8, share, white, most) << 8;
     let blue = channel(simd, colors >> 16, share, white, most) << 16;
     red | green | blue | (colors & 0xff00_0000)
-}
-
-/// The operations of [`light_eight`] for one point.
-pub(crate) fn light_operations(lighting: &Lighting) -> Operations {
-    /// [`dot`]: 3 products, 2 sums.
-    const DOT: u64 = 5;
-    /// [`unit`]: the square of the length, a comparison, a root, a division, 3 products.
-    const UNIT: u64 = DOT + 6;
-    // The normal; the directions to the viewer and to a lamp, where they are not the same everywhere.
-    let viewer = if lighting.distant_viewer { 0 } else { UNIT };
-    let side = if lighting.two_sided { DOT + 1 } else { 0 };
-    let highlight = if lighting.specular > 0.0 {
-        // The sum of two directions, its unit vector, n·h, not below 0, its power; the lamp's side and the sum of all.
-        3 + UNIT + DOT + 1 + power_operations(lighting.shininess) + 2
-    } else {
-        0
-    };
-    let lamp = |distant: bool| {
-        let direction = if distant { 0 } else { 3 + UNIT };
-        // n·l, not below 0, and the sum of all.
-        direction + DOT + 2 + highlight
-    };
-    let lamps: u64 = lighting.lights.iter().map(|light| lamp(light.distant)).sum();
-    // At the end 2 products and a sum.
-    Operations::new(UNIT + viewer + side + lamps + 3, 0, 0)
-}
-
-/// The operations of [`with_light`]: a product for white; for each of three channels a product, a sum, two comparisons
-/// and the sum that rounds, 2 masks; 4 shifts, and 4 operations that join them.
-pub(crate) const WITH_LIGHT: Operations = Operations::new(1 + 3 * 5, 3 * 2 + 4 + 4, 0);
-
-/// The products of [`power`]: a square for each digit of the exponent, and one more for each that is 1.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "as in `power`")]
-fn power_operations(exponent: f32) -> u64 {
-    let exponent = exponent as u32;
-    u64::from(u32::BITS - exponent.leading_zeros() + exponent.count_ones())
 }
 
 /// A colour in one number: red in the low byte, alpha in the high one.

@@ -1,7 +1,5 @@
 //! The stages of the pipeline by name, for plans, files and windows, and the operations that each of them costs.
 
-use std::ops::{Add, AddAssign, Mul};
-
 /// A stage of the pipeline, in the order of `[3]` §1.1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Stage {
@@ -100,7 +98,7 @@ impl Stage {
         self.row().0
     }
 
-    /// False where its operations are not counted: work on whole objects; lines, marks and texts.
+    /// False if its operations are not counted: work on whole objects; lines, marks and texts.
     #[must_use]
     pub const fn is_counted(self) -> bool {
         !matches!(self, Self::Traverse | Self::CullObjects | Self::Lines)
@@ -145,17 +143,17 @@ pub enum WorksOn {
     Pixels,
 }
 
-/// Operations of arithmetic and accesses to memory, counted: vertices, faces and samples that were worked on, times the
-/// operations of the formula that ran.
+/// Operations of arithmetic and accesses to memory: those of the textbook's algorithm for one element, times the number
+/// of elements that a stage had.
 ///
-/// *Guarantees*: the count depends neither on the machine nor on its vectors or threads. What is done once for an
-/// object or a picture (its matrices, its lamps), the arithmetic of loops and addresses, and choices between two
-/// values are not in it.
+/// *Guarantees*: neither the machine nor its vectors or threads change them. What is done once for an object or a
+/// picture (its matrices, its lamps), the arithmetic of loops and addresses, and choices between two values are not in
+/// them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
     /// Additions, subtractions, multiplications, divisions, roots and comparisons of floating-point numbers.
     pub float: u64,
-    /// The same of whole numbers, their shifts, and bits that are masked or joined.
+    /// The same of whole numbers.
     pub integer: u64,
     /// Accesses: numbers (a coordinate, an index, a depth, a colour, a texel) read from the arrays of scene, picture
     /// and texture, or written to them.
@@ -182,95 +180,5 @@ impl Operations {
     #[must_use]
     pub const fn times(self, n: u64) -> Self {
         Self::new(self.float * n, self.integer * n, self.memory * n)
-    }
-}
-
-impl Add for Operations {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        self.and(other)
-    }
-}
-
-impl AddAssign for Operations {
-    fn add_assign(&mut self, other: Self) {
-        *self = self.and(other);
-    }
-}
-
-impl Mul<u64> for Operations {
-    type Output = Self;
-
-    fn mul(self, n: u64) -> Self {
-        self.times(n)
-    }
-}
-
-/// The operations of a picture by stage.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Cost([Operations; Stage::ALL.len()]);
-
-impl Cost {
-    /// Those of a stage.
-    #[must_use]
-    pub const fn of(&self, stage: Stage) -> Operations {
-        self.0[stage as usize]
-    }
-
-    /// Those of all stages together.
-    #[must_use]
-    pub fn total(&self) -> Operations {
-        self.0.iter().fold(Operations::NONE, |sum, operations| sum.and(*operations))
-    }
-
-    /// Adds work on `n` elements, each of which costs `each`.
-    pub fn add(&mut self, stage: Stage, each: Operations, n: u64) {
-        self.0[stage as usize] += each.times(n);
-    }
-
-    /// Gives the work of stages that did not run to those that did it along with their own: where a loop takes a vertex
-    /// through several stages, it subtracts a shift of 0 and divides by a w of 1 sooner than asking.
-    #[must_use]
-    pub fn booked(mut self, ran: impl Fn(Stage) -> bool) -> Self {
-        // From the back: a stage whose loop did not run either hands on what it was given.
-        for stage in Stage::ALL.into_iter().rev().filter(|&stage| !ran(stage)) {
-            let by = stage.timed_with().filter(|&by| ran(by)).unwrap_or(Stage::Transform);
-            let work = std::mem::take(&mut self.0[stage as usize]);
-            if ran(by) {
-                self.0[by as usize] += work;
-            }
-        }
-        self
-    }
-}
-
-impl AddAssign for Cost {
-    fn add_assign(&mut self, other: Self) {
-        for (own, more) in self.0.iter_mut().zip(other.0) {
-            *own += more;
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn work_for_a_stage_that_did_not_run_is_booked_to_the_loop_that_did_it() {
-        let one = Operations::new(1, 2, 3);
-        let mut cost = Cost::default();
-        for stage in [Stage::Transform, Stage::Oblique, Stage::Divide, Stage::CullFaces, Stage::HiddenSurfaces] {
-            cost.add(stage, one, 10);
-        }
-        assert_eq!(cost.booked(|_| true), cost);
-        let booked = cost.booked(|stage| matches!(stage, Stage::Transform | Stage::CullFaces));
-        // Fill, in whose loop hidden surfaces are removed, did not run either.
-        assert_eq!(booked.of(Stage::Transform), one * 40);
-        assert_eq!(booked.of(Stage::CullFaces), one * 10);
-        let left = [Stage::Oblique, Stage::Divide, Stage::HiddenSurfaces, Stage::Fill];
-        assert!(left.iter().all(|&stage| booked.of(stage) == Operations::NONE));
-        assert_eq!(Cost::default().booked(|_| false), Cost::default());
     }
 }

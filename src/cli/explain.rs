@@ -58,7 +58,7 @@ struct StageLine {
     operations: Option<OperationsLine>,
 }
 
-/// Operations and accesses, counted.
+/// Operations and accesses.
 #[derive(Serialize)]
 struct OperationsLine {
     float: u64,
@@ -97,7 +97,7 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
 
 /// The report of each object of the scene.
 fn objects<'a>(scene: &'a Scene, account: &RenderReport, lang: Lang) -> Vec<ObjectLine<'a>> {
-    let line = |(object, report): (&'a Object, ObjectReport)| {
+    let line = |(object, report): (&'a Object, &ObjectReport)| {
         let (place, planes) = match report.containment {
             Containment::Empty => ("empty", 0),
             Containment::Crosses(0) => ("inside", 0),
@@ -106,9 +106,9 @@ fn objects<'a>(scene: &'a Scene, account: &RenderReport, lang: Lang) -> Vec<Obje
         };
         let names = ["left", "right", "bottom", "top", "near", "far"];
         let planes = (0..).zip(names).filter(|(i, _)| planes & (1 << i) != 0).map(|(_, name)| name).collect();
-        ObjectLine { name: &object.name, place, planes, reason: pipeline::object(lang, &report) }
+        ObjectLine { name: &object.name, place, planes, reason: pipeline::object(lang, report) }
     };
-    scene.objects.iter().zip(account.objects.iter()).map(line).collect()
+    scene.objects.iter().zip(&account.objects).map(line).collect()
 }
 
 /// Draws the picture twice: the first time, memory new to the process would dominate the measurement.
@@ -175,7 +175,7 @@ fn table(account: &RenderReport, view: &str, size: Size, cost: bool, lang: Lang)
     if cost {
         let sum = |which: &dyn Fn(Stage) -> bool| {
             let stages = account.stages.iter().filter(|report| which(report.stage));
-            in_digits(stages.fold(Operations::NONE, |sum, report| sum + report.operations))
+            in_digits(stages.fold(Operations::NONE, |sum, report| sum.and(report.operations)))
         };
         let sums = [sum(&|stage| !stage.is_raster()), sum(&|stage| stage.is_raster()), sum(&|_| true)];
         text.push('\n');

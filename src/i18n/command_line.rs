@@ -261,8 +261,8 @@ pub const fn explain(lang: Lang) -> &'static ExplainTexts {
         together: "(″: in the time of the stage that it runs with)",
         cost: ["float", "integer", "memory"],
         blocks: ["geometry", "rasterization", "both"],
-        counted: "Operations on floating-point and on whole numbers, and numbers read from memory or written to it: counted, not \
-                  timed.\nNot counted (·): work on whole objects, lines, marks and texts.",
+        counted: "Operations on floating-point and on whole numbers, and numbers read from memory or written to it: those of the \
+                  textbook's algorithms.\nNot counted (·): work on whole objects, lines, marks and texts.",
     };
     const PT_BR: ExplainTexts = ExplainTexts {
         columns: ["etapa", "entra", "sai", "de", "µs", "por quê"],
@@ -270,8 +270,8 @@ pub const fn explain(lang: Lang) -> &'static ExplainTexts {
         together: "(″: no tempo da etapa com que é executada)",
         cost: ["flutuante", "inteira", "memória"],
         blocks: ["geometria", "rasterização", "as duas"],
-        counted: "Operações com números de ponto flutuante e com inteiros, e números lidos da memória ou escritos nela: contados, \
-                  não cronometrados.\nSem contagem (·): o trabalho com objetos inteiros, linhas, marcas e textos.",
+        counted: "Operações com números de ponto flutuante e com inteiros, e números lidos da memória ou escritos nela: os dos \
+                  algoritmos dos livros.\nSem contagem (·): o trabalho com objetos inteiros, linhas, marcas e textos.",
     };
     pick!(lang; &EN, &PT_BR)
 }

@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use crate::drawing::{Drawing, Surface};
-use crate::pipeline::{ByObject, Frame, ObjectReport, OverBudget, Stage, StageReport};
+use crate::drawing::{Drawing, Surface, SurfaceLight};
+use crate::pipeline::operations::{Elements, operations};
+use crate::pipeline::{Frame, ObjectReport, OverBudget, Stage, StageReport};
 use crate::raster::Work;
 use crate::views::LabelPlace;
 
@@ -13,7 +14,7 @@ pub struct RenderReport {
     /// Every stage, in order. Their times add up to the total.
     pub stages: Vec<StageReport>,
     /// The report of each object that went through the pipeline: those of the scene first, in its order.
-    pub objects: ByObject<ObjectReport>,
+    pub objects: Vec<ObjectReport>,
     /// From the scene to the last pixel.
     pub total: Duration,
     /// The shortfall; also without a clock.
@@ -29,12 +30,9 @@ impl RenderReport {
     /// traversal.
     pub(super) fn of(frame: &Frame, work: Work, on_window: Option<Duration>, total: Duration) -> Self {
         let mut stages = frame.report.clone();
-        let mut cost = frame.cost;
-        cost += work.cost;
-        let cost = cost.booked(|stage| frame.report.iter().any(|report| report.stage == stage && report.ran));
         for report in stages.iter_mut().filter(|report| report.ran) {
             complete(report, &frame.drawing, work, on_window);
-            report.operations = cost.of(report.stage);
+            report.operations = operations(report.stage, elements(report, frame, work));
         }
         let known = stages.iter().filter_map(|report| report.time).sum();
         if let Some(traversal) = stages.iter_mut().find(|report| report.stage == Stage::Traverse) {
@@ -42,6 +40,33 @@ impl RenderReport {
         }
         let labels = LabelPlace::all(&frame.drawing);
         Self { stages, objects: frame.objects.clone(), total, too_much: frame.too_much.clone(), labels }
+    }
+}
+
+/// The elements that a stage worked on. A stage that the report counts by its triangles works on their pixels: they
+/// have their share of all pixels that were drawn.
+fn elements(report: &StageReport, frame: &Frame, work: Work) -> Elements {
+    let drawing = &frame.drawing;
+    let pixels = |weight: &dyn Fn(&Surface) -> usize| {
+        let triangles: usize = drawing.surfaces.iter().map(|surface| weight(surface) * surface.triangles.len()).sum();
+        let drawn = work.written / u64::from(drawing.antialias.max(1));
+        drawn * triangles as u64 / work.triangles.max(1) as u64
+    };
+    let (entering, leaving) = report.counts.unwrap_or_default();
+    let entering = match report.stage {
+        Stage::Interpolate => pixels(&|surface| usize::from(surface.varies())),
+        Stage::Texture => pixels(&|surface| usize::from(surface.is_textured())),
+        Stage::Shadow => pixels(&|surface| surface.shadows.len()),
+        Stage::Blend => pixels(&|surface| usize::from(surface.translucent)),
+        _ => entering as u64,
+    };
+    let is_lit = |surface: &Surface| usize::from(matches!(surface.light, SurfaceLight::PerPixel(_)));
+    Elements {
+        entering,
+        leaving: leaving as u64,
+        lamps: frame.lamps as u64,
+        lit_pixels: pixels(&is_lit),
+        in_order: drawing.painted_in_order,
     }
 }
 

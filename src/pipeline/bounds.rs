@@ -1,5 +1,8 @@
 //! Bounds of a mesh, known before it is looked at: the box and the ball around it.
 
+use std::collections::HashMap;
+use std::sync::{Arc, Weak};
+
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -16,6 +19,26 @@ pub(super) struct Bounds {
     pub(super) radius: f64,
     /// Every coordinate is a number.
     pub(super) finite: bool,
+}
+
+/// The bounds of the meshes of earlier pictures, by their addresses: no other mesh gets an address as long as the weak
+/// pointer to it exists, and a mesh doesn't change as long as it's shared.
+#[derive(Debug, Default)]
+pub(super) struct KnownBounds(HashMap<usize, (Weak<Mesh>, Option<Bounds>)>);
+
+impl KnownBounds {
+    /// The bounds of a mesh; `None` without a finite vertex.
+    pub(super) fn of(&mut self, mesh: &Arc<Mesh>) -> Option<Bounds> {
+        let new = || (Arc::downgrade(mesh), Bounds::of(mesh));
+        self.0.entry(Arc::as_ptr(mesh).addr()).or_insert_with(new).1
+    }
+
+    /// Forgets meshes that are gone, once there are many more than the `count` objects of a picture can have.
+    pub(super) fn forget_gone(&mut self, count: usize) {
+        if self.0.len() > 2 * count + 16 {
+            self.0.retain(|_, (mesh, _)| mesh.strong_count() > 0);
+        }
+    }
 }
 
 impl Bounds {

@@ -1,18 +1,15 @@
 //! The order of faces by a tree of planes: faces that cross a plane are split (Fuchs, Kedem and Naylor 1980).
 //!
-//! Large sets are divided until their parts are worth a thread; each part has its corners to itself, and is then put in
-//! order in one array of pieces. Which set is divided by which plane does not depend on the threads, and what they find
-//! is joined in the order of painting: the result is the same with any number of them.
-
-use std::sync::atomic::{AtomicUsize, Ordering};
+//! A set of pieces is divided by a plane of one of them: the pieces behind it, seen from the eye, are painted first,
+//! then those in the plane, then those before it; each of the two sides is divided in its turn. Splitting may go on for
+//! long, so it has a budget.
 
 use glam::DVec3;
-use rayon::prelude::*;
 
 use super::cut::{Origin, cut};
-use super::pieces::{Corner, Corners, Cut, Cuts, Layer, NewSides, Piece, pieces};
+use super::pieces::{Corner, Cuts, Layer, Piece, pieces};
 use super::projector::Projector;
-use super::split_plane::{self, SplitPlane};
+use super::split_plane::SplitPlane;
 use super::transform::Screen;
 use super::visibility::Painter;
 use crate::drawing::Surface;
@@ -28,17 +25,6 @@ pub(super) struct TooManyPieces {
     pub(super) of_layer: Vec<usize>,
 }
 
-/// Number of corners for which memory is kept: some 30 MiB with all that belongs to them.
-const MOST_KEPT: usize = 1 << 19;
-/// Parts of a set with fewer pieces are not worth a thread of their own.
-const WORTH: usize = 1024;
-/// So many times a set is divided for threads.
-const DEEPEST: usize = 12;
-
-/// Memory that serves one picture after the other.
-#[derive(Debug, Default)]
-pub(super) struct BspMemory(Branch);
-
 /// Sorts in an order that is right for each two faces, and gives the number of pieces.
 ///
 /// # Errors
@@ -49,359 +35,204 @@ pub(super) fn by_splitting(
     screen: &Screen,
     max_pieces: usize,
     progress: &Progress,
-    memory: &mut BspMemory,
 ) -> Result<(Vec<Surface>, usize), TooManyPieces> {
-    from_depth(layers, (projector, screen), max_pieces, progress, 0, memory)
-}
-
-/// The same, where so many divisions for threads are taken as done.
-fn from_depth(
-    layers: &[Layer],
-    (projector, screen): (&Projector, &Screen),
-    max_pieces: usize,
-    progress: &Progress,
-    depth: usize,
-    BspMemory(memory): &mut BspMemory,
-) -> Result<(Vec<Surface>, usize), TooManyPieces> {
-    let of_layer: Vec<usize> = layers.iter().map(|layer| layer.surface.triangles.len()).collect();
-    let budget = Budget::of(of_layer.iter().sum(), max_pieces);
+    let faces = layers.iter().map(|layer| layer.surface.triangles.len()).sum();
+    let budget = Budget { pieces: faces, bytes: faces * bytes(3), max_pieces };
     if budget.is_exceeded() {
-        return Err(TooManyPieces { pieces: of_layer.iter().sum(), of_layer });
+        let of_layer = layers.iter().map(|layer| layer.surface.triangles.len()).collect();
+        return Err(TooManyPieces { pieces: faces, of_layer });
     }
     progress.begin(Activity::Ordering, 0);
-    let Branch { corners, pieces: set, mut ordered, mut cuts, mut planes, scratch } = std::mem::take(memory);
-    let (set, corners, known) = pieces(layers, (set, corners));
-    ordered.clear();
-    cuts.clear();
-    planes.clear();
-    let whole = Branch { corners, pieces: set, ordered, cuts, planes, scratch };
-    let tolerance = tolerance(&whole.corners.views);
-    let tree = Tree { layers, projector, tolerance, progress, budget, sides: NewSides::after(known) };
-    let mut ordered = tree.ordered(whole, depth);
-    if tree.budget.is_exceeded() {
-        return Err(too_many(layers, tree, max_pieces));
+    let (set, sides) = pieces(layers);
+    let mut tree =
+        Tree { layers, projector, tolerance: tolerance(&set), budget, cuts: Cuts::new(sides), ordered: Vec::new() };
+    tree.order(set, progress)?;
+    let mut painter = Painter::new(layers, projector, screen);
+    for piece in &tree.ordered {
+        painter.paint(piece, &tree.cuts.border(&piece.corners));
     }
-    let logs: Vec<&[Cut]> = ordered.iter().map(|branch| branch.cuts.as_slice()).collect();
-    let cuts = Cuts::new(tree.sides.count(), &logs);
-    let count = ordered.iter().map(|branch| branch.ordered.len()).sum();
-    let mut painter = Painter::new(layers, projector, screen, count);
-    let parts: Vec<Part> = ordered.iter().flat_map(Branch::parts).collect();
-    // As many at a time as there is memory for.
-    for some in parts.chunks(PARTS) {
-        let borders: Vec<_> = some.par_iter().map(|part| part.borders(&cuts)).collect();
-        for (part, (all, ends)) in some.iter().zip(borders) {
-            let mut first = 0;
-            for (piece, end) in part.pieces.iter().zip(ends) {
-                painter.paint(piece, &all[first..end]);
-                first = end;
-            }
-        }
-    }
-    let surfaces = painter.surfaces;
-    // The last branch has the memory of the first; a great deal of it is not kept.
-    *memory = ordered.pop().filter(|last| last.corners.views.len() < MOST_KEPT).unwrap_or_default();
-    Ok((surfaces, count))
-}
-
-/// Some pieces of a branch, in the order of painting.
-#[derive(Clone, Copy)]
-struct Part<'a> {
-    corners: &'a Corners,
-    pieces: &'a [Piece],
-}
-
-impl Part<'_> {
-    /// All corners of its pieces, and where those of each end.
-    fn borders(&self, cuts: &Cuts) -> (Vec<(DVec3, Corner)>, Vec<usize>) {
-        let (mut all, mut ends) = (Vec::with_capacity(4 * self.pieces.len()), Vec::with_capacity(self.pieces.len()));
-        for piece in self.pieces {
-            cuts.complete(self.corners.whole(piece), &mut all);
-            ends.push(all.len());
-        }
-        (all, ends)
-    }
-}
-
-/// Number of pieces of a part, at most.
-const PART: usize = 1024;
-/// Number of parts that are completed together.
-const PARTS: usize = 16;
-
-/// The same again up to the piece that is too much, by one thread: how many of each there were then.
-fn too_many(layers: &[Layer], tree: Tree, max_pieces: usize) -> TooManyPieces {
-    let (set, corners, known) = pieces(layers, Default::default());
-    let tree = Tree { budget: Budget::of(set.len(), max_pieces), sides: NewSides::after(known), ..tree };
-    let Branch { pieces, ordered, .. } = tree.in_one_array(Branch { corners, pieces: set, ..Branch::default() });
-    let mut of_layer = vec![0; layers.len()];
-    pieces.iter().chain(&ordered).for_each(|piece| of_layer[piece.layer()] += 1);
-    TooManyPieces { pieces: of_layer.iter().sum(), of_layer }
+    Ok((painter.surfaces, tree.ordered.len()))
 }
 
 /// The distance from a plane within which a point is on it: a share of the extent of all faces, and the rounding of
 /// their coordinates. Where the scene is small and far away, the second is much less than a share of the distance.
-fn tolerance(corners: &[DVec3]) -> f64 {
+fn tolerance(set: &[Piece]) -> f64 {
     const OF_EXTENT: f64 = 1e-10;
+    let corners = || set.iter().flat_map(|piece| &piece.corners).map(|corner| corner.view);
     let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let (low, high) = corners.iter().fold(none, |(low, high), &c| (low.min(c), high.max(c)));
-    let farthest = corners.iter().fold(0.0, |most: f64, c| most.max(c.abs().max_element()));
-    let extent = if corners.is_empty() { 0.0 } else { (high - low).max_element() };
+    let (low, high) = corners().fold(none, |(low, high), c| (low.min(c), high.max(c)));
+    let farthest = corners().fold(0.0, |most: f64, c| most.max(c.abs().max_element()));
+    let extent = if set.is_empty() { 0.0 } else { (high - low).max_element() };
     let tolerance = extent * OF_EXTENT + 4.0 * farthest * f64::EPSILON;
     if tolerance.is_nan() { 0.0 } else { tolerance }
 }
 
 /// The work of splitting so far, and how much is allowed.
 struct Budget {
-    pieces: AtomicUsize,
-    bytes: AtomicUsize,
+    pieces: usize,
+    bytes: usize,
     max_pieces: usize,
 }
 
 impl Budget {
-    /// Before anything is split.
-    fn of(pieces: usize, max_pieces: usize) -> Self {
-        Self { pieces: pieces.into(), bytes: (pieces * bytes(3)).into(), max_pieces }
-    }
-
     /// Records that a piece with `whole` corners has become two.
-    fn split(&self, whole: usize, [front, back]: [usize; 2]) {
-        self.pieces.fetch_add(1, Ordering::Relaxed);
-        self.bytes.fetch_add(bytes(front) + bytes(back) - bytes(whole), Ordering::Relaxed);
+    fn split(&mut self, whole: usize, [front, back]: [usize; 2]) {
+        self.pieces += 1;
+        self.bytes += bytes(front) + bytes(back) - bytes(whole);
     }
 
-    /// It only grows: whether it is exceeded in the end does not depend on the threads.
     fn is_exceeded(&self) -> bool {
-        self.pieces.load(Ordering::Relaxed) > self.max_pieces || self.bytes.load(Ordering::Relaxed) > MAX_PIECE_BYTES
+        self.pieces > self.max_pieces || self.bytes > MAX_PIECE_BYTES
     }
 }
 
-/// Memory of a piece with this number of corners, at most: its corners are there twice while it is split.
+/// Memory of a piece with this number of corners, at most.
 fn bytes(corners: usize) -> usize {
     40 + corners * 64
 }
 
-/// All that branches have in common.
 struct Tree<'a> {
     layers: &'a [Layer],
     projector: &'a Projector,
     tolerance: f64,
-    progress: &'a Progress,
     budget: Budget,
-    sides: NewSides,
-}
-
-/// Some pieces, with their corners; and the work on them.
-#[derive(Debug, Default)]
-struct Branch {
-    corners: Corners,
-    /// To be put in order.
-    pieces: Vec<Piece>,
+    cuts: Cuts,
     /// In the order of painting.
     ordered: Vec<Piece>,
-    /// Where sides were cut, in the order in which it was done.
-    cuts: Vec<Cut>,
-    planes: Vec<Option<SplitPlane>>,
-    scratch: Scratch,
 }
 
-/// Memory that serves one set after the other.
-#[derive(Debug, Default)]
-struct Scratch {
-    on: Vec<Piece>,
-    far: Vec<Piece>,
-    candidates: Vec<SplitPlane>,
-    along: Vec<f64>,
-    distances: Vec<f64>,
-    parts: [Vec<(DVec3, Corner)>; 2],
-}
-
-/// A treatment of the pieces from a place on.
+/// A treatment of some pieces.
 enum Task {
-    Order(usize),
-    Paint(usize),
+    Order(Vec<Piece>),
+    Paint(Vec<Piece>),
+}
+
+impl Task {
+    fn pieces(&self) -> &[Piece] {
+        let (Self::Order(set) | Self::Paint(set)) = self;
+        set
+    }
 }
 
 impl Tree<'_> {
-    /// The pieces of a branch in the order of painting: by branches, one after the other.
-    fn ordered(&self, mut branch: Branch, depth: usize) -> Vec<Branch> {
-        let is_small = branch.pieces.len() < 2 * WORTH || depth == DEEPEST;
-        let plane = if is_small { None } else { self.plane(&mut branch, 0) };
-        let Some(plane) = plane else { return vec![self.in_one_array(branch)] };
-        let [near, on] = branch.divide(self, &plane, 0);
-        if self.is_stopped() || near < WORTH || branch.pieces.len() - near - on < WORTH {
-            return vec![self.finished(branch, vec![Task::Order(0), Task::Paint(near), Task::Order(near + on)])];
+    /// Puts all pieces in order. A tree that is one long branch must not exhaust the stack: `tasks` wait, the next at
+    /// the end.
+    fn order(&mut self, set: Vec<Piece>, progress: &Progress) -> Result<(), TooManyPieces> {
+        let mut tasks = vec![Task::Order(set)];
+        while !tasks.is_empty() && !progress.is_cancelled() {
+            if self.budget.is_exceeded() {
+                return Err(self.too_many(&tasks));
+            }
+            match tasks.pop() {
+                Some(Task::Order(set)) => match self.plane(&set) {
+                    Some(plane) => {
+                        let [near, on, far] = self.divide(set, &plane);
+                        tasks.extend([Task::Order(near), Task::Paint(on), Task::Order(far)]);
+                    }
+                    None => self.paint(set),
+                },
+                Some(Task::Paint(set)) => self.paint(set),
+                None => {}
+            }
         }
-        let mut far = branch.apart(near + on);
-        let mut on = branch.apart(near);
-        on.ordered = std::mem::take(&mut on.pieces);
-        on.ordered.reverse();
-        // The cuts that were made first come first.
-        std::mem::swap(&mut branch.cuts, &mut far.cuts);
-        let (mut all, near) = rayon::join(|| self.ordered(far, depth + 1), || self.ordered(branch, depth + 1));
-        all.push(on);
-        all.extend(near);
-        all
+        Ok(())
     }
 
-    /// The same as one branch.
-    fn in_one_array(&self, branch: Branch) -> Branch {
-        self.finished(branch, vec![Task::Order(0)])
+    fn too_many(&self, tasks: &[Task]) -> TooManyPieces {
+        let mut of_layer = vec![0; self.layers.len()];
+        let waiting = tasks.iter().flat_map(Task::pieces);
+        waiting.chain(&self.ordered).for_each(|piece| of_layer[piece.layer] += 1);
+        TooManyPieces { pieces: of_layer.iter().sum(), of_layer }
     }
 
-    /// Does what is left to do. A tree that is one long branch must not exhaust the stack: `tasks` wait, the next at
-    /// the end, and each is about the pieces from its place to the end.
-    fn finished(&self, mut branch: Branch, mut tasks: Vec<Task>) -> Branch {
-        while let Some(task) = tasks.pop().filter(|_| !self.is_stopped()) {
-            let first = match task {
-                Task::Paint(first) => {
-                    branch.paint(first);
-                    continue;
-                }
-                Task::Order(first) => first,
-            };
-            let Some(plane) = self.plane(&mut branch, first) else {
-                branch.paint(first);
-                continue;
-            };
-            let [near, on] = branch.divide(self, &plane, first);
-            tasks.extend([Task::Order(first), Task::Paint(first + near), Task::Order(first + near + on)]);
-        }
-        branch
+    /// Of faces in one plane the first listed is painted last: it stays, as in a depth buffer.
+    fn paint(&mut self, set: Vec<Piece>) {
+        self.ordered.extend(set.into_iter().rev());
     }
 
-    fn is_stopped(&self) -> bool {
-        self.budget.is_exceeded() || self.progress.is_cancelled()
-    }
-
-    /// The plane that divides the pieces from a place on, if they are to be divided: of some planes of faces, and in
-    /// large sets of some upright planes through the middle too, the best.
-    fn plane(&self, branch: &mut Branch, first: usize) -> Option<SplitPlane> {
+    /// The plane that divides a set, if it's to be divided: the best of some planes of faces, and in large sets of some
+    /// upright planes through the middle too. Of equals the first is taken.
+    fn plane(&self, set: &[Piece]) -> Option<SplitPlane> {
         const TRIED: usize = 6;
         const LARGE: usize = 128;
-        let Branch { corners, pieces, planes, scratch: Scratch { candidates, along, .. }, .. } = branch;
-        let set = &mut pieces[first..];
-        let &[of, _, ..] = &*set else { return None };
-        if self.layers[of.layer()].never_hides_itself && set.iter().all(|piece| piece.layer == of.layer) {
+        let [first, _, ..] = set else { return None };
+        if self.layers[first.layer].never_hides_itself && set.iter().all(|piece| piece.layer == first.layer) {
             return None;
         }
-        let mut plane_of = |piece: &mut Piece| {
-            if piece.plane == u32::MAX {
-                piece.plane = super::pieces::to_u32(planes.len());
-                planes.push(SplitPlane::of(corners.of(piece)));
-            }
-            planes[piece.plane as usize]
-        };
-        let step = set.len().div_ceil(TRIED);
-        candidates.clear();
-        candidates.extend(set.iter_mut().step_by(step).filter_map(&mut plane_of));
+        let plane_of = |piece: &Piece| SplitPlane::of(&piece.corners);
+        let mut candidates: Vec<SplitPlane> =
+            set.iter().step_by(set.len().div_ceil(TRIED)).filter_map(plane_of).collect();
         if candidates.is_empty() {
-            candidates.extend(set.iter_mut().find_map(&mut plane_of));
+            candidates.extend(set.iter().find_map(plane_of));
         }
         if set.len() > LARGE && !candidates.is_empty() {
             for axis in DVec3::AXES {
-                along.clear();
-                along.extend(set.iter().map(|piece| axis.dot(corners.views[piece.first])));
+                let mut along: Vec<f64> = set.iter().map(|piece| axis.dot(piece.corners[0].view)).collect();
                 let middle = along.len() / 2;
                 let (_, median, _) = along.select_nth_unstable_by(middle, f64::total_cmp);
                 candidates.push(SplitPlane { point: axis * *median, normal: axis });
             }
         }
-        split_plane::best(candidates, set, corners, self.tolerance)
-    }
-}
-
-impl Branch {
-    fn parts(&self) -> impl Iterator<Item = Part<'_>> {
-        self.ordered.chunks(PART).map(|pieces| Part { corners: &self.corners, pieces })
+        let costs = candidates.into_iter().filter_map(|plane| Some((plane.cost(set, self.tolerance)?, plane)));
+        costs.min_by_key(|(cost, _)| *cost).map(|(_, plane)| plane)
     }
 
-    /// Of faces in one plane the first listed is painted last: it stays, as in a depth buffer.
-    fn paint(&mut self, first: usize) {
-        self.ordered.extend(self.pieces.drain(first..).rev());
-    }
-
-    /// The pieces from a place on as a branch of their own.
-    fn apart(&mut self, first: usize) -> Self {
-        let mut pieces = self.pieces.split_off(first);
-        Self { corners: self.corners.extracted(&mut pieces), pieces, ..Self::default() }
-    }
-
-    /// Divides the pieces from a place on: those nearer to the eye come first, then those in the plane, then those
-    /// behind it, each in the order they had. Returns the number of the first and of the second.
-    fn divide(&mut self, tree: &Tree, plane: &SplitPlane, first: usize) -> [usize; 2] {
-        let front_is_near = plane.faces_eye(tree.projector);
-        let (mut near, mut far, end) = (first, 0, self.pieces.len());
-        self.scratch.on.clear();
-        let mut behind = std::mem::take(&mut self.scratch.far);
-        if let Some(of) = self.pieces.get(first) {
-            behind.resize(behind.len().max(end - first), *of);
-        }
-        for k in first..end {
-            let piece = self.pieces[k];
-            let (mut nearer, mut farther) = (piece, piece);
-            let sides = plane.sides(self.corners.of(&piece), tree.tolerance);
-            match sides {
-                (false, false) => self.scratch.on.push(piece),
+    /// Divides a set into the pieces nearer to the eye, those in the plane and those behind it, each in the order they
+    /// had.
+    fn divide(&mut self, set: Vec<Piece>, plane: &SplitPlane) -> [Vec<Piece>; 3] {
+        let [mut front, mut on, mut back] = [const { Vec::new() }; 3];
+        for piece in set {
+            match plane.sides(&piece, self.tolerance) {
+                (false, false) => on.push(piece),
+                (true, false) => front.push(piece),
+                (false, true) => back.push(piece),
                 (true, true) => {
-                    let [front, back] = self.split(tree, plane, &piece);
-                    (nearer, farther) = if front_is_near { (front, back) } else { (back, front) };
+                    let [before, behind] = self.split(plane, &piece);
+                    front.push(before);
+                    back.push(behind);
                 }
-                _ => {}
             }
-            // Written to both places, and counted where it belongs: which one is next is anybody's guess.
-            let (is_near, is_far) = if front_is_near { sides } else { (sides.1, sides.0) };
-            self.pieces[near] = nearer;
-            behind[far] = farther;
-            near += usize::from(is_near);
-            far += usize::from(is_far);
         }
-        self.pieces.truncate(near);
-        self.pieces.extend_from_slice(&self.scratch.on);
-        self.pieces.extend_from_slice(&behind[..far]);
-        self.scratch.far = behind;
-        [near - first, self.scratch.on.len()]
+        if plane.faces_eye(self.projector) { [front, on, back] } else { [back, on, front] }
     }
 
     /// The two pieces, in front and behind, of one that crosses the plane.
-    fn split(&mut self, tree: &Tree, plane: &SplitPlane, piece: &Piece) -> [Piece; 2] {
-        let Scratch { distances, parts: [front, back], .. } = &mut self.scratch;
-        let new_side = tree.sides.next();
-        let (views, rest) = self.corners.whole(piece);
-        let count = views.len();
-        distances.clear();
-        distances.extend(views.iter().map(|&view| plane.distance(view, tree.tolerance)));
-        front.clear();
-        back.clear();
+    fn split(&mut self, plane: &SplitPlane, piece: &Piece) -> [Piece; 2] {
+        let corners = &piece.corners;
+        let new_side = self.cuts.new_side();
+        let distances: Vec<f64> = corners.iter().map(|corner| plane.distance(corner.view, self.tolerance)).collect();
         // `side`: 1 on the front, −1 on the back. Where the border leaves it, the piece goes on along the plane.
         let corner = |origin: Origin, side: f64| {
-            let next_is_beyond = |first: usize| side * distances[(first + 1) % count] < 0.0;
+            let next_is_beyond = |first: usize| side * distances[(first + 1) % corners.len()] < 0.0;
             match origin {
                 Origin::Corner(i) => {
                     let leaves = distances[i] == 0.0 && next_is_beyond(i);
-                    (views[i], Corner { side: if leaves { new_side } else { rest[i].side }, ..rest[i] })
+                    Corner { side: if leaves { new_side } else { corners[i].side }, ..corners[i] }
                 }
                 Origin::Edge(edge) => {
-                    let (inside, outside) = (&rest[edge.inside], &rest[edge.outside]);
-                    let view = views[edge.inside] * edge.shares[0] + views[edge.outside] * edge.shares[1];
+                    let (inside, outside) = (&corners[edge.inside], &corners[edge.outside]);
+                    let view = inside.view * edge.shares[0] + outside.view * edge.shares[1];
                     let weights = std::array::from_fn(|k| edge.mean(inside.weights[k], outside.weights[k]));
-                    let side = if next_is_beyond(edge.first) { new_side } else { rest[edge.first].side };
-                    (view, Corner { weights, original: false, side })
+                    let side = if next_is_beyond(edge.first) { new_side } else { corners[edge.first].side };
+                    Corner { view, weights, original: false, side }
                 }
             }
         };
+        let (mut front, mut back) = (Vec::new(), Vec::new());
         cut(
-            count,
+            corners.len(),
             |i| distances[i],
             |origin| {
                 let corner = corner(origin, 1.0);
                 if let Origin::Edge(edge) = origin {
-                    self.cuts.push((rest[edge.first].side, corner.0));
+                    self.cuts.add(corners[edge.first].side, corner.view);
                 }
                 front.push(corner);
             },
             |origin| back.push(corner(origin, -1.0)),
         );
-        tree.budget.split(count, [front.len(), back.len()]);
-        [self.corners.add(piece, front), self.corners.add(piece, back)]
+        self.budget.split(corners.len(), [front.len(), back.len()]);
+        [front, back].map(|corners| Piece { corners, ..*piece })
     }
 }
 
@@ -434,31 +265,21 @@ mod tests {
         vec![layer(Rgba::rgb(200, 0, 0)), layer(Rgba::rgb(0, 0, 200).with_alpha(100))]
     }
 
-    fn sorted(max_pieces: usize, depth: usize, threads: usize) -> Result<(Vec<Surface>, usize), TooManyPieces> {
+    fn sorted(max_pieces: usize) -> Result<(Vec<Surface>, usize), TooManyPieces> {
         let projector = Projector::new(&Camera::new(&Parameters::default()).unwrap());
         let target = Target { width: 300, height: 200, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
-        let (screen, progress) = (Screen::new(target), Progress::default());
-        let threads = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        threads.install(|| {
-            from_depth(&layers(), (&projector, &screen), max_pieces, &progress, depth, &mut BspMemory::default())
-        })
+        by_splitting(&layers(), &projector, &Screen::new(target), max_pieces, &Progress::default())
     }
 
     #[test]
-    fn neither_threads_nor_the_parts_for_them_change_the_order() {
-        let one = sorted(usize::MAX, DEEPEST, 1).unwrap();
-        assert!(one.1 > 6000 + 500, "{}", one.1);
-        for (depth, threads) in [(0, 1), (0, 3), (DEEPEST - 1, 2)] {
-            assert!(sorted(usize::MAX, depth, threads).unwrap() == one, "{depth} {threads}");
-        }
+    fn faces_that_cross_are_split() {
+        let (_, pieces) = sorted(usize::MAX).unwrap();
+        assert!(pieces > 6000 + 500, "{pieces}");
     }
 
     #[test]
-    fn what_is_too_much_is_counted_up_to_the_same_piece() {
-        let one = sorted(6300, DEEPEST, 1).unwrap_err();
-        assert!(one.pieces > 6300 && one.of_layer.iter().sum::<usize>() == one.pieces);
-        for threads in [1, 3] {
-            assert_eq!(sorted(6300, 0, threads).unwrap_err(), one);
-        }
+    fn too_many_pieces_are_counted_by_layer() {
+        let over = sorted(6300).unwrap_err();
+        assert!(over.pieces > 6300 && over.of_layer.iter().sum::<usize>() == over.pieces);
     }
 }

@@ -90,19 +90,6 @@ impl ClippedCorner {
 pub(super) struct Clipper {
     polygon: Vec<ClippedCorner>,
     next: Vec<ClippedCorner>,
-    /// The work so far; whoever wants to know sets it to zero.
-    pub(super) work: ClipWork,
-}
-
-/// Counts of clipping.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct ClipWork {
-    /// Corners that polygons had when they came.
-    pub(super) corners: u64,
-    /// Corners that were held against a plane.
-    pub(super) tests: u64,
-    /// Corners that were made where an edge crosses a plane.
-    pub(super) crossings: u64,
 }
 
 impl Clipper {
@@ -155,14 +142,11 @@ impl Clipper {
     ) -> &[ClippedCorner] {
         self.polygon.clear();
         self.polygon.extend(ClippedCorner::whole(projector, points));
-        let mut work = ClipWork { corners: self.work.corners + points.len() as u64, ..self.work };
         for plane in ORDER.into_iter().filter(|plane| planes >> plane & 1 == 1) {
             self.next.clear();
             let polygon = &self.polygon;
-            work.tests += polygon.len() as u64;
             let keep = |origin| {
                 watch(plane, polygon, origin);
-                work.crossings += u64::from(matches!(origin, Origin::Edge(_)));
                 self.next.push(ClippedCorner::of_part(polygon, origin, plane, projector));
             };
             cut(polygon.len(), |i| polygon[i].distances[plane], keep, |_| {});
@@ -172,7 +156,6 @@ impl Clipper {
                 break;
             }
         }
-        self.work = work;
         &self.polygon
     }
 }

@@ -1,12 +1,14 @@
 //! Culling: objects outside the volume, and back faces.
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
+use rayon::prelude::*;
 
-use super::bounds::Bounds;
+use super::bounds::{Bounds, KnownBounds};
 use super::depths::InView;
 use super::planes::{ALL_PLANES, PLANES, PlaneSet, distances};
 use super::projector::{Projector, ViewFromObject};
-use crate::geometry::Aabb;
+use super::scenes::Scenes;
+use crate::scene::Object;
 
 /// The place of an object, as far as the box and the ball around it tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +27,21 @@ pub(super) struct Extent {
     pub(super) containment: Containment,
     /// Between which distances there may be any of it in the volume.
     pub(super) in_view: InView,
+}
+
+/// Objects that one task tests.
+const TASK: usize = 256;
+
+/// The extent of each object, in the order of the scene.
+pub(super) fn extents(scenes: Scenes, projector: &Projector, known: &mut KnownBounds) -> Vec<Extent> {
+    let bounded = |object: &Object| (object.world_from_object, known.of(&object.mesh));
+    let objects: Vec<(DMat4, Option<Bounds>)> = scenes.objects().map(bounded).collect();
+    known.forget_gone(objects.len());
+    let extent = |(world_from_object, bounds): &(DMat4, Option<Bounds>)| match bounds {
+        Some(bounds) => containment(projector, &projector.view_from_object(*world_from_object), bounds),
+        None => Extent { containment: Containment::Empty, in_view: InView::NOTHING },
+    };
+    objects.par_iter().with_min_len(TASK).map(extent).collect()
 }
 
 /// Tests the box and the ball around an object against the six planes: a bound that holds for the corners of a box
@@ -71,18 +88,6 @@ pub(super) fn containment(projector: &Projector, view_from_object: &ViewFromObje
     Extent { containment: Containment::Crosses(ALL_PLANES & !inside), in_view }
 }
 
-/// The planes that all of a box in the world is outside of. `magnitude` is the size of the numbers from which the
-/// coordinates inside it are made; the margin is wide, since they may have been taken to view space by other steps.
-pub(super) fn outside(projector: &Projector, aabb: &Aabb, magnitude: f64) -> PlaneSet {
-    const MARGIN: f64 = 1e-9;
-    let slack = slack(projector, MARGIN, magnitude + projector.magnitude());
-    let corners = aabb.corners().into_iter();
-    corners.fold(ALL_PLANES, |outside, corner| {
-        let distances = distances(projector, projector.clip(projector.view(corner)));
-        (0..PLANES).fold(outside, |outside, i| outside & !(PlaneSet::from(distances[i] >= -slack[i / 2]) << i))
-    })
-}
-
 /// Greatest error of the distances from the planes: of left and right, bottom and top, near and far.
 fn slack(projector: &Projector, margin: f64, reach: f64) -> [f64; 3] {
     let w = if projector.perspective { reach } else { 1.0 };
@@ -118,8 +123,8 @@ mod tests {
 
     use super::*;
     use crate::camera::{Camera, Parameters, Projection, ViewWindow};
-    use crate::pipeline::planes::NEAR;
-    use glam::{DMat4, DQuat};
+    use crate::geometry::Aabb;
+    use glam::DQuat;
 
     /// Looks down −z.
     fn eye(position: DVec3, projection: Projection, window: ViewWindow, [near, far]: [f64; 2]) -> Projector {
@@ -283,39 +288,5 @@ mod tests {
         assert_eq!(containment(bounds(aabb, false)), Containment::Crosses(ALL_PLANES));
         let large = Aabb { min: aabb.min, max: DVec3::new(1.7e308, 1.0, -3.0) };
         assert_eq!(containment(bounds(large, true)), Containment::Crosses(ALL_PLANES));
-    }
-
-    #[test]
-    fn a_box_in_the_world_is_outside_a_plane_where_all_its_corners_are() {
-        let eye = right_angle();
-        let around = |middle: DVec3, half: DVec3| outside(&eye, &Aabb { min: middle - half, max: middle + half }, 1.0);
-        assert_eq!(around(DVec3::new(0.0, 0.0, -4.0), DVec3::ONE), 0);
-        assert_eq!(around(DVec3::new(7.0, 0.0, -4.0), DVec3::ONE), 0b0010);
-        assert_eq!(around(DVec3::new(-7.0, 7.0, -4.0), DVec3::ONE), 0b1001);
-        assert_eq!(around(DVec3::new(5.0, 0.0, -4.0), DVec3::ONE), 0, "a corner is inside");
-        assert_eq!(around(DVec3::new(0.0, 0.0, -4.0), DVec3::splat(50.0)), 0, "around all of the volume");
-        assert_eq!(around(DVec3::new(0.0, 0.0, -12.0), DVec3::ONE), 0b10_0000);
-    }
-
-    #[test]
-    fn the_margin_of_a_box_in_the_world_grows_with_the_numbers_that_it_and_the_eye_are_made_from() {
-        // |C| = 5, so with 7 of the objects 12; for the near plane B comes to it.
-        let window = ViewWindow { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 };
-        let position = DVec3::new(3.0, 4.0, 0.0);
-        let projector = eye(position, Projection::Perspective, window, [1.0, 9.0]);
-        let point = |p: DVec3| outside(&projector, &Aabb { min: position + p, max: position + p }, 7.0);
-        let margin = 1e-9 * (12.0 + 9.0);
-        assert_eq!(point(DVec3::new(0.0, 0.0, -1.0 + 1.1 * margin)), NEAR);
-        assert_eq!(point(DVec3::new(0.0, 0.0, -1.0 + 0.9 * margin)), 0);
-        assert_eq!(point(DVec3::new(0.0, 0.0, -9.0 - 1.1 * margin)), 1 << 5);
-        assert_eq!(point(DVec3::new(0.0, 0.0, -9.0 - 0.9 * margin)), 0);
-        // Each plane has the margin of its own axis.
-        for (projector, plane) in uneven().iter().flat_map(|projector| (0..PLANES).map(move |plane| (projector, plane)))
-        {
-            let margin = slack(projector, 1e-9, 7.0)[[0, 0, 1, 1, 2, 2][plane]];
-            let at = |distance| at(projector, plane, distance);
-            let found = |distance| outside(projector, &Aabb { min: at(distance), max: at(distance) }, 7.0);
-            assert_eq!((found(-1.1 * margin), found(-0.9 * margin)), (1 << plane, 0), "{plane}");
-        }
     }
 }

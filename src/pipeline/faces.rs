@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use super::clip::{ClipWork, Clipper};
+use super::clip::Clipper;
 use super::cull::{area_on_image, facing};
 use super::light::LANES;
 use super::planes::{ALL_PLANES, NEAR, NOT_A_NUMBER, PlaneSet};
@@ -28,11 +28,6 @@ struct CulledChunk {
     kept: usize,
     back: usize,
     turned_over: usize,
-    /// Triangles that were judged eight at a time, and those one by one.
-    together: usize,
-    alone: usize,
-    /// Those of them whose side was decided in the world.
-    in_world: usize,
 }
 
 /// The remaining triangles of one object; reuses its buffers.
@@ -56,17 +51,7 @@ pub(super) struct Faces {
     /// A bit for each triangle of the mesh that is left and crosses no plane, the first in the lowest bit.
     kept: Vec<u8>,
     stretches: Vec<CulledChunk>,
-    pub(super) clipper: Clipper,
-}
-
-/// Counts of triangles that were judged.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Judged {
-    /// Eight at a time, and one by one.
-    pub(super) together: usize,
-    pub(super) alone: usize,
-    /// Those whose side was decided in the world.
-    pub(super) in_world: usize,
+    clipper: Clipper,
 }
 
 /// The work on the faces of one object.
@@ -86,15 +71,6 @@ impl Faces {
     /// True where the near plane cuts the object, so that its inside may be seen.
     pub(super) fn cut_open(&self) -> bool {
         self.image.outside & NEAR != 0
-    }
-
-    /// Counts of the triangles that were judged.
-    pub(super) fn judged(&self) -> Judged {
-        self.stretches.iter().fold(Judged::default(), |sum, stretch| Judged {
-            together: sum.together + stretch.together,
-            alone: sum.alone + stretch.alone,
-            in_world: sum.in_world + stretch.in_world,
-        })
     }
 
     /// Number of the `count` vertices that are in groups used by any remaining triangle.
@@ -194,7 +170,6 @@ impl Faces {
     /// planes that they do not cross.
     pub(super) fn clip(&mut self, vertices: &Vertices, screen: &Screen, want_source: bool, all_planes: bool) {
         self.cuts.clear();
-        self.clipper.work = ClipWork::default();
         for &Crossing { source, triangle, planes } in self.stretches.iter().flat_map(|stretch| &stretch.crossing) {
             let corners = triangle.map(|i| vertices.clip(i));
             let planes = if all_planes { ALL_PLANES } else { planes };
@@ -247,13 +222,11 @@ impl Culling<'_> {
             if every != 0 {
                 // All of them are outside of the same plane.
             } else if self.task.watch_turning || any != 0 {
-                stretch.alone += eight.len();
                 for (l, &triangle) in eight.iter().enumerate() {
                     bits |= u8::from(self.judge(stretch, k + to_u32(l), triangle)) << l;
                 }
             } else {
                 bits = self.turned_here(eight);
-                stretch.together += eight.len();
                 stretch.back += eight.len() - bits.count_ones() as usize;
             }
             *byte = bits;
@@ -339,7 +312,6 @@ impl Culling<'_> {
             return false;
         }
         let positions = &self.image.positions;
-        stretch.in_world += usize::from(planes != 0 || self.task.watch_turning);
         let in_world = || facing(projector, triangle.map(|i| self.vertices.view(i)));
         let area = if planes == 0 { area_on_image(positions[a], positions[b], positions[c]) } else { in_world() };
         if self.task.watch_turning && planes == 0 && area * in_world() < 0.0 {

@@ -1,6 +1,6 @@
 //! Which face is in front: left to a depth buffer, or to the order in which faces are painted.
 
-use super::bsp::{self, BspMemory, TooManyPieces};
+use super::bsp::{self, TooManyPieces};
 use super::budget::OverBudget;
 use super::pieces::Layer;
 use super::projector::Projector;
@@ -45,12 +45,11 @@ impl<'a> Unordered<'a> {
         (projector, screen): (&Projector, &Screen),
         max_pieces: usize,
         progress: &Progress,
-        memory: &mut BspMemory,
     ) -> Ordered {
         let faces = self.layers.iter().map(|layer| layer.surface.triangles.len()).sum();
         let sorted = match order {
             Visibility::DepthBuffer => return Ordered { surfaces: self.surfaces, ..Ordered::default() },
-            Visibility::Bsp => bsp::by_splitting(&self.layers, projector, screen, max_pieces, progress, memory),
+            Visibility::Bsp => bsp::by_splitting(&self.layers, projector, screen, max_pieces, progress),
             Visibility::Painter => Ok(visibility::by_centroid(&self.layers, projector, screen)),
         };
         match sorted {

@@ -3,7 +3,7 @@
 //! | stage | space, from → to | file |
 //! | --- | --- | --- |
 //! | plan: the stages needed | – | [`plan`] |
-//! | objects outside the volume dropped | object, world | `bounds`, `bounding_tree`, `cull` |
+//! | objects outside the volume dropped | object → view | `bounds`, `cull` |
 //! | depths spread over those in view | view | [`depths`] |
 //! | each vertex transformed once | object → world → view → clip → ndc → pixels | `projector`, `transform` |
 //! | back faces dropped | pixels | `faces`, `cull` |
@@ -24,7 +24,6 @@
 //!
 //! All cutting is done by `cut`, and all attributes of vertices are carried over by `resample`.
 
-mod bounding_tree;
 mod bounds;
 mod bsp;
 pub mod budget;
@@ -41,10 +40,9 @@ pub mod light;
 mod lines;
 mod object_pass;
 pub mod one_triangle;
-mod operations;
+pub mod operations;
 mod outline;
 mod pieces;
-mod places;
 pub mod plan;
 mod plan_counts;
 mod planes;
@@ -74,17 +72,15 @@ use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
 use crate::progress::Progress;
 use crate::scene::Scene;
-use crate::stage::Operations;
-use bounding_tree::BoundingTree;
-use bsp::BspMemory;
+use bounds::KnownBounds;
 pub use budget::OverBudget;
 pub use cull::Containment;
+use depths::InView;
 use faces::Faces;
 use hidden_surfaces::Unordered;
 use light::Lights;
 use lines::Strokes;
 use object_pass::{ObjectPass, PassContext};
-pub use places::ByObject;
 pub use plan::{Options, Output, Plan, Reason, Stage};
 pub use planes::{NEAR, PlaneSet};
 use pool::Pool;
@@ -121,15 +117,14 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
     Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing
 }
 
-/// All faces of a scene as a light sees them, for its shadow map: depths are 1 at F and 0 at B. With the operations of
-/// all stages.
-fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> (Drawing, Operations) {
+/// All faces of a scene as a light sees them, for its shadow map: depths are 1 at F and 0 at B.
+fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> Drawing {
     let target = Target { width: size, height: size, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
     let style = Style { shading: Shading::Flat, visibility: Visibility::DepthBuffer, antialias: 1, ..Style::default() };
     let options = Options { depth_of_volume: true, ..Options::default() };
-    let Frame { mut drawing, cost, .. } = Pipeline::default().frame(scene, camera, target, &style, options);
+    let mut drawing = Pipeline::default().frame(scene, camera, target, &style, options).drawing;
     drawing.surfaces.iter_mut().for_each(|surface| surface.depth_test = true);
-    (drawing, cost.total())
+    drawing
 }
 
 /// Draws pictures one after the other; reuses its buffers, and the bounds of meshes.
@@ -137,8 +132,7 @@ fn seen_by_light(scene: &Scene, camera: &Camera, size: u32) -> (Drawing, Operati
 pub struct Pipeline {
     faces: Faces,
     pool: Pool,
-    ordering: BspMemory,
-    tree: BoundingTree,
+    bounds: KnownBounds,
     shadows: ShadowMaps,
     progress: Progress,
     /// [`MAX_PIECES`]; tests have fewer.
@@ -150,8 +144,7 @@ impl Default for Pipeline {
         Self {
             faces: Faces::default(),
             pool: Pool::default(),
-            ordering: BspMemory::default(),
-            tree: BoundingTree::default(),
+            bounds: KnownBounds::default(),
             shadows: ShadowMaps::default(),
             progress: Progress::default(),
             max_pieces: MAX_PIECES,
@@ -185,16 +178,17 @@ impl Pipeline {
         let (scenes, screen, meter) = (scenes.into(), Screen::new(target), Meter::new(options));
         let mut projector = Projector::new(camera);
 
-        let found = self.tree.find(scenes, &projector);
+        let extents = cull::extents(scenes, &projector, &mut self.bounds);
+        let in_view = extents.iter().fold(InView::NOTHING, |all, extent| all.and(extent.in_view));
         if !options.depth_of_volume {
-            let in_view = found.in_view.and(lines::in_view(scenes, &projector));
+            let in_view = in_view.and(lines::in_view(scenes, &projector));
             projector.depths = projector.depths.resolving(in_view);
         }
-        let misplaced = Misplaced::new(camera, &screen, found.in_view);
-        let plan = Plan::new(scenes, &projector, style, found, options);
+        let misplaced = Misplaced::new(camera, &screen, in_view);
+        let plan = Plan::new(scenes, &projector, style, &extents, options);
         let lights = Lights::new(scenes.lights(), &projector, style.shading);
         let is_dark = style.shading == Shading::Wireframe;
-        let (shadows, of_maps) = if is_dark { (Vec::new(), Operations::NONE) } else { self.shadows.of(scenes) };
+        let shadows = if is_dark { Vec::new() } else { self.shadows.of(scenes) };
         let context = PassContext {
             plan: &plan,
             projector: &projector,
@@ -205,13 +199,14 @@ impl Pipeline {
             options,
         };
         let mut recorder = Recorder::new(meter, misplaced, scenes, context);
-        recorder.meter.cost.add(Stage::Shadow, of_maps, 1);
         let (faces, pool) = (&mut self.faces, &mut self.pool);
         let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness(), pool);
         let mut unordered = Unordered::default();
 
-        let objects = plan.objects.listed().iter();
-        for (index, object, todo) in objects.filter_map(|(index, todo)| Some((*index, scenes.object(*index)?, todo))) {
+        for (index, (object, todo)) in scenes.objects().zip(&plan.objects).enumerate() {
+            if !todo.drawn {
+                continue;
+            }
             if self.progress.is_cancelled() {
                 break;
             }
@@ -234,8 +229,7 @@ impl Pipeline {
             // Forced, but only edges were requested.
             unordered = Unordered::default();
         }
-        let ordered =
-            unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress, &mut self.ordering);
+        let ordered = unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress);
         recorder.meter.pieces = ordered.pieces;
         recorder.meter.lap(Stage::HiddenSurfaces);
 

@@ -4,12 +4,9 @@
 //! properties of the meshes alone. It changes no pixel: with [`Options::force_all_stages`] everything runs, and the
 //! picture is the same.
 
-use std::sync::Arc;
 use std::time::Duration;
 
-use super::bounding_tree::Found;
-use super::cull::Containment;
-use super::places::ByObject;
+use super::cull::{Containment, Extent};
 use super::plan_counts::Survey;
 use super::planes::ALL_PLANES;
 use super::projector::Projector;
@@ -22,16 +19,14 @@ pub use crate::stage::Stage;
 /// The plan of a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Plan {
-    /// The plan of each object of the scene.
-    pub objects: ByObject<ObjectPlan>,
+    /// The plan of each object, in the order of the scene.
+    pub objects: Vec<ObjectPlan>,
     /// One entry for each stage, in order.
     pub stages: Vec<StagePlan>,
     /// The hidden-surface algorithm: the style's choice, or that of the output, where faces may hide each other at all.
     pub order: Visibility,
     /// The depth of faces is recorded.
     pub depth: bool,
-    /// Number of boxes, around objects or groups of them, tested against the volume.
-    pub boxes_tested: usize,
 }
 
 /// Options of a picture, apart from its content.
@@ -54,26 +49,24 @@ pub struct Options {
 }
 
 impl Plan {
-    /// Plans the picture of the objects that were found.
-    pub(super) fn new(scenes: Scenes, projector: &Projector, style: &Style, found: Found, options: Options) -> Self {
-        let Found { places, boxes_tested, .. } = found;
+    /// Plans the picture of a scene whose objects have these extents.
+    pub(super) fn new(
+        scenes: Scenes,
+        projector: &Projector,
+        style: &Style,
+        extents: &[Extent],
+        options: Options,
+    ) -> Self {
         let force = options.force_all_stages;
         let dark = scenes.lights().is_empty();
         let casts = scenes.casts_shadows() && style.shading != Shading::Wireframe;
-        let planned = |(index, containment)| {
-            let object = scenes.object(index)?;
-            let planned = plan_object(object, containment, style, dark, force);
+        let planned = |(object, extent): (&Object, &Extent)| {
+            let planned = plan_object(object, extent.containment, style, dark, force);
             let is_lit_in_world = || object.in_world.as_ref().is_some_and(|in_world| !in_world.taken.is_empty());
             let takes_shadow = planned.lit != LitAt::Nowhere || is_lit_in_world();
-            planned.drawn.then_some((index, ObjectPlan { shadowed: casts && takes_shadow, ..planned }))
+            ObjectPlan { shadowed: planned.drawn && casts && takes_shadow, ..planned }
         };
-        // Those out of sight, of which there may be thousands, are not looked at.
-        let drawn = if force {
-            places.iter().filter_map(planned).collect()
-        } else {
-            places.in_view().filter_map(planned).collect()
-        };
-        let objects = ByObject::new(drawn, Arc::new(places));
+        let objects: Vec<ObjectPlan> = scenes.objects().zip(extents).map(planned).collect();
         let survey = Survey::new(scenes, &objects, style);
         let stages = Stage::ALL
             .map(|stage| {
@@ -83,7 +76,7 @@ impl Plan {
             })
             .to_vec();
         let order = survey.order(style, options.output);
-        let mut plan = Self { objects, stages, order, depth: true, boxes_tested };
+        let mut plan = Self { objects, stages, order, depth: true };
         plan.depth = match order {
             Visibility::DepthBuffer => plan.runs(Stage::HiddenSurfaces),
             Visibility::Painter | Visibility::Bsp => survey.lines_ask || force,

@@ -1,7 +1,6 @@
 //! Counts of planned or finished work, and the reasons that follow from them.
 
 use super::cull::Containment;
-use super::places::ByObject;
 use super::planes::{NEAR, PlaneSet};
 use super::projector::Projector;
 use super::scenes::Scenes;
@@ -38,11 +37,10 @@ pub(super) struct Survey {
 }
 
 impl Survey {
-    pub(super) fn new(scenes: Scenes, plans: &ByObject<ObjectPlan>, style: &Style) -> Self {
-        let drawn = plans.listed().iter();
-        let in_view = drawn.filter(|(_, plan)| matches!(plan.containment, Containment::Crosses(_)));
-        let in_view: Vec<(&Object, &ObjectPlan)> =
-            in_view.filter_map(|(index, plan)| Some((scenes.object(*index)?, plan))).collect();
+    pub(super) fn new(scenes: Scenes, plans: &[ObjectPlan], style: &Style) -> Self {
+        let is_outside = |plan: &&ObjectPlan| matches!(plan.containment, Containment::Outside(_));
+        let is_in_view = |(_, plan): &(&Object, &ObjectPlan)| matches!(plan.containment, Containment::Crosses(_));
+        let in_view: Vec<(&Object, &ObjectPlan)> = scenes.objects().zip(plans).filter(is_in_view).collect();
         let wireframe = style.shading == Shading::Wireframe;
         let faces: Vec<_> = in_view.iter().filter(|(_, plan)| plan.faces && !wireframe).collect();
         let lit = |at: LitAt| faces.iter().filter(|(_, plan)| plan.lit == at).count();
@@ -61,7 +59,7 @@ impl Survey {
             |object: &Object| matches!(&object.paint, ObjectPaint::Texture(pictured) if pictured.one_color().is_none());
         Self {
             objects: scenes.object_count(),
-            outside: plans.outside(),
+            outside: plans.iter().filter(is_outside).count(),
             in_view: in_view.len(),
             crossing: in_view.iter().filter(|(_, plan)| planes(plan) != 0).count(),
             planes: in_view.iter().fold(0, |all, (_, plan)| all | planes(plan)),
@@ -91,22 +89,22 @@ impl Survey {
 
     /// The same counts of finished work: an object all of whose faces were dropped or clipped away has none, and one
     /// that the front plane has cut open keeps its back faces.
-    pub(super) fn of_done(
-        scenes: Scenes,
-        plans: &ByObject<ObjectPlan>,
-        done: &ByObject<ObjectReport>,
-        style: &Style,
-    ) -> Self {
+    pub(super) fn of_done(scenes: Scenes, plans: &[ObjectPlan], done: &[ObjectReport], style: &Style) -> Self {
         let culled = |plan: &ObjectPlan, done: &ObjectReport| ObjectPlan {
             cull_back: done.faces == FacesDone::BackDropped,
             ..*plan
         };
-        let left = plans
-            .zipped(done, |plan, done| ObjectPlan { faces: plan.faces && done.triangles > 0, ..culled(plan, done) });
+        let left = |plan: &ObjectPlan, done: &ObjectReport| ObjectPlan {
+            faces: plan.faces && done.triangles > 0,
+            ..culled(plan, done)
+        };
+        let all = |change: &dyn Fn(&ObjectPlan, &ObjectReport) -> ObjectPlan| -> Vec<ObjectPlan> {
+            plans.iter().zip(done).map(|(plan, done)| change(plan, done)).collect()
+        };
         // Culling comes before the remaining faces are known: it counts all objects whose faces it was given.
-        let culling = Self::new(scenes, &plans.zipped(done, culled), style);
-        let cut_open = done.listed().iter().filter(|(_, done)| done.faces == FacesDone::CutOpen).count();
-        Self { culled: culling.culled, cut_open, ..Self::new(scenes, &left, style) }
+        let culling = Self::new(scenes, &all(&culled), style);
+        let cut_open = done.iter().filter(|done| done.faces == FacesDone::CutOpen).count();
+        Self { culled: culling.culled, cut_open, ..Self::new(scenes, &all(&left), style) }
     }
 
     /// The final report of a stage that works on faces: whether it had anything to do, and why. `None` for other

@@ -6,12 +6,12 @@ use glam::{DMat4, DVec3, DVec4};
 
 use super::clip::Clipper;
 use super::depths::{DepthScale, InView, Sheet};
-use super::light::{LANES, Lights, ObjectLight};
+use super::light::{Lights, ObjectLight};
 use super::lines;
 use super::planes::{NEAR, outcode};
-use super::projected::{MeshArrays, Origins, Projected, displayed, projected};
+use super::projected::{Projected, displayed};
 use super::projector::{ClipPoint, Projector};
-use super::resample::{VertexOrigin, color_at, face_color, object_paint};
+use super::resample::{Remake, VertexOrigin, color_at, face_color, object_paint};
 use super::scenes::Scenes;
 use super::shade::WHITE;
 use super::transform::Vertices;
@@ -30,7 +30,7 @@ use crate::scene::{Adjacency, FoundLight, InWorld, Line, Mesh, Object, ObjectPai
 /// convex if it was.
 #[must_use]
 pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
-    clipped_by(scene, &Projector::new(camera), shading, &mut Arrays::default()).0
+    clipped_by(scene, &Projector::new(camera), shading).0
 }
 
 /// [`clipped_scene`], unless all of it together is thinner along z_n than a picture of the volume can show: with an F
@@ -38,66 +38,16 @@ pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene 
 /// pixel or two thick then.
 #[must_use]
 pub fn legible_clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
-    Projections::default().legible(scene, camera, shading)
-}
-
-/// Makes the content of one canonical volume after the other, in the memory of those that are no longer needed.
-#[derive(Debug, Default)]
-pub struct Projections {
-    arrays: Arrays,
-}
-
-/// A clone begins with empty buffers.
-impl Clone for Projections {
-    fn clone(&self) -> Self {
-        Self::default()
+    let mut projector = Projector::new(camera);
+    let (clipped, in_view) = clipped_by(scene, &projector, shading);
+    projector.sheet = Sheet::of(&projector.depths, in_view);
+    match projector.sheet {
+        None => clipped,
+        Some(_) => clipped_by(scene, &projector, shading).0,
     }
 }
 
-impl Projections {
-    /// As [`legible_clipped_scene`] gives it.
-    #[must_use]
-    pub fn legible(&mut self, scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
-        let mut projector = Projector::new(camera);
-        let (clipped, in_view) = clipped_by(scene, &projector, shading, &mut self.arrays);
-        projector.sheet = Sheet::of(&projector.depths, in_view);
-        if projector.sheet.is_none() {
-            return clipped;
-        }
-        self.recycle(clipped);
-        clipped_by(scene, &projector, shading, &mut self.arrays).0
-    }
-
-    /// Takes back what it has made: the next one is made in its memory, and that of others is forgotten.
-    pub fn recycle(&mut self, scene: Scene) {
-        let Arrays { mesh, colors } = &mut self.arrays;
-        mesh.positions.clear();
-        mesh.triangles.clear();
-        mesh.edges.clear();
-        colors.clear();
-        for object in scene.objects.into_iter().rev() {
-            // What somebody else still has stays there.
-            if let Some(made) = Arc::into_inner(object.mesh) {
-                mesh.positions.push(made.positions);
-                mesh.triangles.push(made.triangles);
-                mesh.edges.push(made.edges);
-            }
-            if let ObjectPaint::Faces(made) | ObjectPaint::Vertices(made) = object.paint {
-                colors.extend(Arc::into_inner(made));
-            }
-        }
-    }
-}
-
-/// Memory of the last scene.
-#[derive(Debug, Default)]
-struct Arrays {
-    mesh: MeshArrays,
-    /// The first one on top.
-    colors: Vec<Vec<Rgba>>,
-}
-
-fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading, arrays: &mut Arrays) -> (Scene, InView) {
+fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene, InView) {
     let mut in_view = lines::in_view(scene.into(), projector);
     // Edges alone show the object's own colour.
     let lit = shading != Shading::Wireframe && !scene.lights.is_empty();
@@ -111,7 +61,7 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading, arrays: &m
     };
     let mut borders = Vec::new();
     let mut clip = |object| {
-        let (clipped, depths, cuts) = clipped_object(object, projector, lights, shading, arrays)?;
+        let (clipped, depths, cuts) = clipped_object(object, projector, lights, shading)?;
         in_view = in_view.and(depths);
         borders.extend(cuts);
         Some(clipped)
@@ -229,11 +179,13 @@ fn clipped_object(
     projector: &Projector,
     lights: Option<WorldLight>,
     shading: Shading,
-    arrays: &mut Arrays,
 ) -> Option<(Object, InView, Vec<Line>)> {
     let view_from_object = projector.view_from_object(object.world_from_object);
     let vertices = Vertices { projector, view_from_object: &view_from_object, positions: &object.mesh.positions };
-    let projected = projected(vertices, &object.mesh, &mut arrays.mesh);
+    let projected = Projected::new(vertices, &object.mesh);
+    if projected.remake.is_empty() {
+        return None;
+    }
     let planes = match object.mesh.adjacency.planes.as_slice() {
         [] => Vec::new(),
         planes => {
@@ -242,13 +194,11 @@ fn clipped_object(
             planes.iter().map(|&plane| of_planes * plane).collect()
         }
     };
-    if projected.triangles.is_empty() && projected.edges.is_empty() {
-        return None;
-    }
-    let lights = lights.filter(|_| object.lit);
-    let colored = Colored { object, vertices, origins: &projected.origins, shading };
-    let (paint, in_world) = colored.paint(lights, &mut arrays.colors);
-    let Projected { positions, triangles, edges, shared, in_view, whole, borders, .. } = projected;
+    let cut_open = object.mesh.closed && projected.outside() & NEAR != 0;
+    let colored = Colored { object, vertices, remake: &projected.remake, cut_open, shading };
+    let (paint, in_world) = colored.paint(lights.filter(|_| object.lit));
+    let Projected { positions, remake: Remake { triangles, edges, shared, .. }, in_view, whole, borders, .. } =
+        projected;
     // What has edges or an outline has them where it was cut too; of a wireframe only edges are seen.
     let border = object.edges.or(object.outline).filter(|_| shading != Shading::Wireframe && object.faces);
     let cuts = border
@@ -282,48 +232,37 @@ fn clipped_object(
 struct Colored<'a> {
     object: &'a Object,
     vertices: Vertices<'a>,
-    origins: &'a Origins,
+    remake: &'a Remake,
+    cut_open: bool,
     shading: Shading,
 }
 
 impl Colored<'_> {
     /// The colours without light.
     fn own_paint(&self) -> ObjectPaint {
-        let object = self.object;
-        if self.origins.is_same() && !matches!(object.paint, ObjectPaint::Texture(_)) {
-            return object.paint.clone();
-        }
-        object_paint(object, self.origins.vertices(), &self.origins.sources())
+        object_paint(self.object, self.remake.origins.iter().copied(), &self.remake.sources)
     }
 
     /// One colour for each face, without light.
     fn face_colors(&self) -> Arc<Vec<Rgba>> {
-        let color = |face: u32| face_color(&self.object.paint, face, self.object.mesh.triangles[face as usize]);
-        Arc::new((0..self.origins.faces()).map(|face| color(self.origins.source(face))).collect())
+        let color = |&face: &u32| face_color(&self.object.paint, face, self.object.mesh.triangles[face as usize]);
+        Arc::new(self.remake.sources.iter().map(color).collect())
     }
 
     /// One colour for each face, lit by `light`.
-    fn lit_faces(&self, light: &ObjectLight, memory: Vec<Rgba>) -> Arc<Vec<Rgba>> {
+    fn lit_faces(&self, light: &ObjectLight) -> Arc<Vec<Rgba>> {
         let face = |k: usize| {
-            let source = self.origins.source(k);
+            let source = self.remake.sources[k];
             let triangle = self.object.mesh.triangles[source as usize];
             (triangle, face_color(&self.object.paint, source, triangle))
         };
-        Arc::new(light.faces(memory, self.origins.faces(), face))
+        Arc::new(light.faces(Vec::new(), self.remake.sources.len(), face))
     }
 
     /// One colour for each vertex, lit by `light`.
-    fn lit_vertices(
-        &self,
-        light: &ObjectLight,
-        memory: Vec<Rgba>,
-        color: impl Fn(u32) -> Rgba + Sync + Send,
-    ) -> Arc<Vec<Rgba>> {
-        let lit = light.vertices(memory, &self.origins.used(LANES), color);
-        if self.origins.is_same() {
-            return Arc::new(lit);
-        }
-        Arc::new(self.origins.vertices().map(|origin| origin.of(|i| color_at(&lit, i))).collect())
+    fn lit_vertices(&self, light: &ObjectLight, color: impl Fn(u32) -> Rgba + Sync + Send) -> Arc<Vec<Rgba>> {
+        let lit: Vec<Rgba> = light.vertices(Vec::new(), &[], color);
+        Arc::new(self.remake.origins.iter().map(|origin| origin.of(|i| color_at(&lit, i))).collect())
     }
 
     /// The shares of a light.
@@ -331,10 +270,10 @@ impl Colored<'_> {
         if self.is_smooth() {
             let shares: Vec<LightShare> = light.vertices(Vec::new(), &[], |_| WHITE);
             let at = |i: u32| shares.get(i as usize).copied().unwrap_or_default();
-            return FoundLight::Vertices(self.origins.vertices().map(|origin| origin.of(at)).collect());
+            return FoundLight::Vertices(self.remake.origins.iter().map(|origin| origin.of(at)).collect());
         }
-        let face = |k: usize| (self.object.mesh.triangles[self.origins.source(k) as usize], WHITE);
-        FoundLight::Faces(light.faces(Vec::new(), self.origins.faces(), face))
+        let face = |k: usize| (self.object.mesh.triangles[self.remake.sources[k] as usize], WHITE);
+        FoundLight::Faces(light.faces(Vec::new(), self.remake.sources.len(), face))
     }
 
     fn is_smooth(&self) -> bool {
@@ -342,10 +281,9 @@ impl Colored<'_> {
     }
 
     /// The colours as they are seen in the world, or their own colours and the light of the world on them.
-    fn paint(&self, world: Option<WorldLight>, memory: &mut Vec<Vec<Rgba>>) -> (ObjectPaint, Option<InWorld>) {
-        let Self { object, vertices, origins, .. } = *self;
+    fn paint(&self, world: Option<WorldLight>) -> (ObjectPaint, Option<InWorld>) {
+        let Self { object, vertices, cut_open, .. } = *self;
         let old = &object.mesh;
-        let cut_open = old.closed && origins.outside & NEAR != 0;
         let both_sides = object.two_sided || cut_open || (old.closed && object.paint.is_translucent());
         let light_of = |lights| ObjectLight::new(lights, old, vertices, both_sides);
         let casting = world.map_or(&[][..], |world| world.casting);
@@ -354,15 +292,14 @@ impl Colored<'_> {
         }
         let Some(WorldLight { lights, .. }) = world else { return (self.own_paint(), None) };
         let light = light_of(lights);
-        let memory = memory.pop().unwrap_or_default();
         let paint = match &object.paint {
             ObjectPaint::Solid(color) if self.is_smooth() => {
-                ObjectPaint::Vertices(self.lit_vertices(&light, memory, |_| *color))
+                ObjectPaint::Vertices(self.lit_vertices(&light, |_| *color))
             }
             ObjectPaint::Vertices(colors) if self.is_smooth() => {
-                ObjectPaint::Vertices(self.lit_vertices(&light, memory, |i| color_at(colors, i)))
+                ObjectPaint::Vertices(self.lit_vertices(&light, |i| color_at(colors, i)))
             }
-            _ => ObjectPaint::Faces(self.lit_faces(&light, memory)),
+            _ => ObjectPaint::Faces(self.lit_faces(&light)),
         };
         (paint, None)
     }
@@ -374,16 +311,17 @@ impl Colored<'_> {
         casting: &[usize],
         both_sides: bool,
     ) -> (ObjectPaint, Option<InWorld>) {
-        let Self { object, vertices, origins, .. } = *self;
+        let Self { object, vertices, .. } = *self;
+        let origins = || self.remake.origins.iter();
         let (old, projector) = (&object.mesh, vertices.projector);
         let w = |i: u32| vertices.clip(i).w;
-        let inverse = |origin: VertexOrigin| projector.depths.relative_inverse_w(origin.of(w));
+        let inverse = |origin: &VertexOrigin| projector.depths.relative_inverse_w(origin.of(w));
         let place = |i: u32| object.world_from_object.transform_point3(old.positions[i as usize]);
         let of = |lights: &Lights| self.found(&ObjectLight::new(lights, old, vertices, both_sides));
         let in_world = InWorld {
             light: world.map_or(FoundLight::None, |world| of(world.lights)),
-            inverse_w: origins.vertices().filter(|_| projector.perspective).map(inverse).collect(),
-            positions: origins.vertices().filter(|_| !casting.is_empty()).map(|origin| origin.of(place)).collect(),
+            inverse_w: origins().filter(|_| projector.perspective).map(inverse).collect(),
+            positions: origins().filter(|_| !casting.is_empty()).map(|origin| origin.of(place)).collect(),
             taken: world.map_or_else(Vec::new, |world| {
                 casting.iter().map(|&light| (light, of(&world.lights.only(light)))).collect()
             }),

@@ -96,11 +96,6 @@ impl Projector {
         }
     }
 
-    /// The size of the numbers from which the eye's distances are made.
-    pub(super) fn magnitude(&self) -> f64 {
-        self.position.length()
-    }
-
     /// The way from the space of an object to view space.
     pub(super) fn view_from_object(&self, world_from_object: DMat4) -> ViewFromObject {
         let linear = DMat3::from_mat4(world_from_object);
@@ -243,11 +238,6 @@ impl ViewFromObject {
                 view_from_world * DMat4::from_translation(translation) * DMat4::from_mat3(linear)
             }
         }
-    }
-
-    /// True where points go through the world on their way.
-    pub(super) fn goes_through_world(&self) -> bool {
-        self.through_world.is_some()
     }
 
     /// True where the object is mirrored, so that its triangles turn the other way round.

@@ -4,7 +4,6 @@
 use super::budget::OverBudget;
 use super::faces::Faces;
 use super::object_pass::{ObjectPass, PassContext};
-use super::places::ByObject;
 use super::plan_counts::Survey;
 use super::report::{FollowedTriangle, Frame, Meter};
 use super::rounding_check::Misplaced;
@@ -18,7 +17,7 @@ use crate::stage::Stage;
 pub(super) struct Recorder<'a> {
     pub(super) meter: Meter,
     /// The report of each object.
-    objects: ByObject<ObjectReport>,
+    objects: Vec<ObjectReport>,
     followed: Option<FollowedTriangle>,
     notes: Option<Notes<'a>>,
     misplaced: Misplaced<'a>,
@@ -34,7 +33,7 @@ impl<'a> Recorder<'a> {
             notes.objects(scenes, plan);
         }
         meter.lap(Stage::Traverse);
-        let objects = plan.objects.map(|planned| ObjectReport::from(planned.containment));
+        let objects = plan.objects.iter().map(|planned| ObjectReport::from(planned.containment)).collect();
         Self { meter, objects, followed: None, notes, misplaced, context }
     }
 
@@ -63,17 +62,17 @@ impl<'a> Recorder<'a> {
             let its = (0..).zip(&faces.source).filter(|(_, source)| **source == triangle).map(|(i, _)| i);
             self.followed = Some(FollowedTriangle { surface, triangles: its.collect() });
         }
-        let Some(done) = self.objects.listed_mut(pass.index) else { return };
+        let Some(done) = self.objects.get_mut(pass.index) else { return };
         done.triangles = faces.triangles.len();
         done.lit = pass.plan.lit;
         done.faces = pass.faces_done(faces);
-        self.meter.count(pass, faces, self.context.lights, done);
+        self.meter.count(pass, faces, done);
     }
 
     /// An object is drawn, and so many ends of its lines were transformed.
     pub(super) fn drawn(&mut self, pass: &ObjectPass, ends: usize) {
         if !pass.plan.faces {
-            self.meter.count_ends(ends, self.context.projector.perspective);
+            self.meter.count_ends(ends);
         }
         self.meter.lap(Stage::Lines);
         self.misplaced.look_at(pass.object, &pass.vertices());
@@ -91,7 +90,7 @@ impl<'a> Recorder<'a> {
             drawing,
             work: self.notes.map(|notes| notes.work).filter(|work| ran(work.stage)),
             plan: plan.clone(),
-            cost: self.meter.cost,
+            lamps: scenes.lights().len(),
             objects: self.objects,
             too_much: OverBudget::rounding(self.misplaced.found()),
             depths: projector.depths,

@@ -5,10 +5,7 @@ use std::time::Duration;
 use super::budget::OverBudget;
 use super::depths::DepthScale;
 use super::faces::Faces;
-use super::light::Lights;
 use super::object_pass::ObjectPass;
-use super::operations;
-use super::places::ByObject;
 use super::plan::{Options, Plan};
 use super::plan_counts::Survey;
 use super::stage_work::StageWork;
@@ -16,7 +13,7 @@ use super::stages::{LitAt, ObjectReport, Reason};
 use crate::appearance::{Style, Visibility};
 use crate::drawing::{Drawing, Surface};
 use crate::scene::ObjectPaint;
-use crate::stage::{Cost, Operations, Stage};
+use crate::stage::{Operations, Stage};
 
 /// A picture, and how it came about.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,10 +24,10 @@ pub struct Frame {
     pub plan: Plan,
     /// The report, by stage.
     pub report: Vec<StageReport>,
-    /// Operations on vertices and triangles, by the stage to which they belong.
-    pub cost: Cost,
-    /// The report, by object of the scene.
-    pub objects: ByObject<ObjectReport>,
+    /// Number of lamps of the scene.
+    pub lamps: usize,
+    /// The report of each object, in the order of the scene.
+    pub objects: Vec<ObjectReport>,
     /// The exceeded budget. Where it is that of pieces, the drawing is for an output with a depth buffer, whatever was
     /// requested; it is reported in preference to rounding.
     pub too_much: Option<OverBudget>,
@@ -90,7 +87,7 @@ pub struct StageReport {
     pub counts: Option<(usize, usize)>,
     /// Its time; `None` without a clock, and for stages that run together with another.
     pub time: Option<Duration>,
-    /// Its operations, as soon as the picture is painted; none where they are not counted
+    /// Its operations by the textbook, as soon as the picture is painted; none if they are not counted
     /// ([`Stage::is_counted`]).
     pub operations: Operations,
 }
@@ -108,7 +105,6 @@ pub(super) struct Meter {
     triangles: usize,
     front: usize,
     drawn: usize,
-    pub(super) cost: Cost,
     /// Triangles that were put in order, and pieces that they were split into.
     pub(super) pieces: Option<(usize, usize)>,
     /// Edges, lines, marks and texts of the scene, and strokes, marks and texts of the picture.
@@ -129,7 +125,6 @@ impl Meter {
             triangles: 0,
             front: 0,
             drawn: 0,
-            cost: Cost::default(),
             lines: (0, 0),
         }
     }
@@ -144,7 +139,7 @@ impl Meter {
     }
 
     /// Counts the work on the faces of one object; `done`: the treatment of its back faces.
-    pub(super) fn count(&mut self, pass: &ObjectPass, faces: &Faces, lights: &Lights, done: &ObjectReport) {
+    pub(super) fn count(&mut self, pass: &ObjectPass, faces: &Faces, done: &ObjectReport) {
         let (object, vertices) = (pass.object, pass.vertices().len());
         let triangles = object.mesh.triangles.len();
         self.vertices += vertices;
@@ -167,18 +162,16 @@ impl Meter {
             LitAt::Pixels if !faces.triangles.is_empty() => vertices,
             LitAt::Pixels | LitAt::Nowhere | LitAt::Faces => 0,
         };
-        operations::of_faces(&mut self.cost, pass, faces, lit as u64, lights);
     }
 
     /// Counts the points of the edges and outline of an object whose faces are not drawn.
-    pub(super) fn count_ends(&mut self, ends: usize, perspective: bool) {
+    pub(super) fn count_ends(&mut self, ends: usize) {
         self.vertices += ends;
-        operations::of_ends(&mut self.cost, perspective, ends as u64);
     }
 
     /// Tells of all stages. `done` says of each stage that works on faces whether it had any to work on, and why.
     pub(super) fn report(&self, plan: &Plan, done: &Survey, style: &Style) -> Vec<StageReport> {
-        let drawn = plan.objects.listed().len();
+        let drawn = plan.objects.iter().filter(|planned| planned.drawn).count();
         let same = |n: usize| Some((n, n));
         plan.stages
             .iter()

@@ -12,7 +12,6 @@ pub struct Scenes<'a> {
     hiding_revision: Option<SceneRevision>,
     lights: &'a [Light],
     fineness: f32,
-    revision: Option<SceneRevision>,
 }
 
 static NOTHING: Scene = Scene {
@@ -35,19 +34,13 @@ impl<'a> Scenes<'a> {
     /// A scene with gear, which is lit by the lights of the scene.
     #[must_use]
     pub fn new(scene: &'a Scene, gear: &'a Scene) -> Self {
-        Self { scene, gear, hiding: scene, hiding_revision: None, lights: &scene.lights, fineness: 1.0, revision: None }
+        Self { scene, gear, hiding: scene, hiding_revision: None, lights: &scene.lights, fineness: 1.0 }
     }
 
-    /// The same, of whose scene (not the gear) this number is known: while it stays, the objects are not compared with
-    /// those of the picture before.
+    /// The same, of whose scene (not the gear) this number is known: while it stays, shadow maps stay too.
     #[must_use]
     pub fn of_revision(self, revision: SceneRevision) -> Self {
-        Self { revision: Some(revision), hiding_revision: Some(revision), ..self }
-    }
-
-    /// The number of the scene, and how many of [`Self::objects`] are its own: they come first.
-    pub(super) fn revision(self) -> Option<(SceneRevision, usize)> {
-        self.revision.map(|revision| (revision, self.scene.objects.len()))
+        Self { hiding_revision: Some(revision), ..self }
     }
 
     /// The same with edges and outlines of objects, lines of the scene, and marks so many times as wide as their
@@ -61,7 +54,7 @@ impl<'a> Scenes<'a> {
     #[must_use]
     pub fn in_shadows_of(self, other: impl Into<Self>) -> Self {
         let other = other.into();
-        Self { hiding: other.scene, hiding_revision: other.revision, ..self }
+        Self { hiding: other.scene, hiding_revision: other.hiding_revision, ..self }
     }
 
     /// The objects that hide light: those with opaque faces. Gear hides none.
@@ -102,12 +95,6 @@ impl<'a> Scenes<'a> {
 
     pub(super) fn objects(self) -> impl Iterator<Item = &'a Object> {
         self.scene.objects.iter().chain(&self.gear.objects)
-    }
-
-    /// One of [`Self::objects`].
-    pub(super) fn object(self, index: usize) -> Option<&'a Object> {
-        let own = self.scene.objects.len();
-        if index < own { self.scene.objects.get(index) } else { self.gear.objects.get(index - own) }
     }
 
     pub(super) fn lines(self) -> impl Iterator<Item = &'a Line> {

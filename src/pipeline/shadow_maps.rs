@@ -16,19 +16,11 @@ use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::drawing::{Rays, ShadowMap, single};
 use crate::geometry::try_unit;
 use crate::scene::{Light, LightKind, Mesh, Object, ObjectPaint, Scene, SceneRevision, Shadows};
-use crate::stage::Operations;
 
 /// F of the camera of a lamp, as a share of B: what is nearer casts no shadow.
 const NEAREST: f64 = 1e-4;
 /// Room around what casts shadows, as a share of its size.
 const ROOM: f64 = 0.01;
-
-/// `cameras` of parallel light: a point to the world (a matrix and a translation), its dot products with three axes,
-/// and the least and the greatest of each. It is read.
-const FRAMED: Operations = Operations::new(15 + 3 + 15 + 6, 0, 3);
-
-/// The same around a lamp: the length of a difference, and the greatest of all.
-const FRAMED_BY_LAMP: Operations = Operations::new(15 + 3 + 3 + 6 + 1, 0, 3);
 
 /// A light that casts shadows, ready for a picture.
 #[derive(Clone, Debug)]
@@ -73,14 +65,13 @@ impl ShadowMaps {
     /// The maps of a scene that pictures of it will ask for, painted or not.
     #[must_use]
     pub fn of_scene(&self, scenes: Scenes) -> Vec<Arc<ShadowMap>> {
-        self.of(scenes).0.into_iter().map(|light| light.map).collect()
+        self.of(scenes).into_iter().map(|light| light.map).collect()
     }
 
-    /// The lights of a scene that cast shadows, and the operations for those maps that had to be made.
-    pub(super) fn of(&self, scenes: Scenes) -> (Vec<ShadowLight>, Operations) {
-        let mut cost = Operations::NONE;
+    /// The lights of a scene that cast shadows, with their maps.
+    pub(super) fn of(&self, scenes: Scenes) -> Vec<ShadowLight> {
         if !scenes.casts_shadows() {
-            return (Vec::new(), cost);
+            return Vec::new();
         }
         let (hiding, known) = self.kept().known(scenes);
         let mut lights = Vec::new();
@@ -89,15 +80,14 @@ impl ShadowMaps {
             let found = match known {
                 Some(known) => known,
                 None => {
-                    let Some((made, of_map)) = made(&light, &hiding) else { continue };
-                    cost += of_map;
+                    let Some(made) = made(&light, &hiding) else { continue };
                     self.kept().keep(light, made, &hiding)
                 }
             };
             let bias = single(scenes.lights()[index].shadows.held().bias);
             lights.push(ShadowLight { light: index, bias, ..found });
         }
-        (lights, cost)
+        lights
     }
 
     /// Forgets all maps: the next picture makes its own.
@@ -242,8 +232,8 @@ fn around(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Vec<Came
     cameras.into_iter().collect()
 }
 
-/// The map of a light, and the operations for it, up to those of painting it.
-fn made(light: &Light, hiding: &[Hiding]) -> Option<(ShadowLight, Operations)> {
+/// The map of a light, to be painted.
+fn made(light: &Light, hiding: &[Hiding]) -> Option<ShadowLight> {
     let points = hiding
         .iter()
         .flat_map(|Hiding { mesh, world_from_object }| {
@@ -254,22 +244,11 @@ fn made(light: &Light, hiding: &[Hiding]) -> Option<(ShadowLight, Operations)> {
     let cameras = cameras(light, points)?;
     let scene = Scene { objects: hiding.iter().map(alone).collect(), ..Scene::default() };
     let size = shadows.map;
-    let framed: usize = hiding.iter().map(|Hiding { mesh, .. }| mesh.positions.len()).sum();
-    let of_point = match light.kind {
-        LightKind::Directional => FRAMED,
-        LightKind::Point => FRAMED_BY_LAMP,
-    };
-    let mut cost = of_point.times(framed as u64);
-    let mut seen = |camera| {
-        let (drawing, of_view) = seen_by_light(&scene, camera, size);
-        cost += of_view;
-        drawing
-    };
-    let views = cameras.iter().map(&mut seen).collect();
+    let views = cameras.iter().map(|camera| seen_by_light(&scene, camera, size)).collect();
     let projector = Projector::new(cameras.first()?);
     let rays = rays(&cameras, &projector, size)?;
     let map = ShadowMap::new(views, size, rays, single(shadows.softness), recipe(light, hiding));
-    Some((ShadowLight { map: Arc::new(map), light: 0, bias: 0.0, projector }, cost))
+    Some(ShadowLight { map: Arc::new(map), light: 0, bias: 0.0, projector })
 }
 
 /// A hash of a light and of the things that hide it.
@@ -323,11 +302,6 @@ pub(super) struct SeenByLight<'a> {
 }
 
 impl ShadowLight {
-    /// True for a lamp.
-    pub(super) fn is_lamp(&self) -> bool {
-        self.projector.perspective
-    }
-
     /// An object at its place in the world as this light sees it.
     pub(super) fn sees(&self, world_from_object: DMat4) -> SeenByLight<'_> {
         SeenByLight { light: self, view_from_object: self.projector.view_from_object(world_from_object) }

@@ -109,7 +109,7 @@ impl<'a> Notes<'a> {
         if self.work.stage.works_on() != WorksOn::Objects {
             return;
         }
-        for (object, planned) in scenes.objects().zip(plan.objects.iter()) {
+        for (object, planned) in scenes.objects().zip(&plan.objects) {
             let Some(bounds) = object.bounds() else { continue };
             if !self.has_room(12 * self.work.objects.len()) {
                 return;

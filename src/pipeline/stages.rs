@@ -281,7 +281,7 @@ pub enum FacesDone {
     CutOpen,
 }
 
-/// Of one that is not drawn.
+/// The plan of an object that is not drawn.
 impl From<Containment> for ObjectPlan {
     fn from(containment: Containment) -> Self {
         Self {
@@ -298,7 +298,7 @@ impl From<Containment> for ObjectPlan {
     }
 }
 
-/// Of one of which nothing is drawn, or not yet.
+/// The report of an object of which nothing is drawn yet.
 impl From<Containment> for ObjectReport {
     fn from(containment: Containment) -> Self {
         Self { containment, faces: FacesDone::NotDrawn, lit: LitAt::Nowhere, triangles: 0 }

@@ -4,8 +4,6 @@
 //! Both take the surfaces as they were shaded, and give them back in the order in which they are to be painted, one
 //! over the other, and how many pieces these are. Translucent faces blend as they come.
 
-use glam::DVec3;
-
 use super::pieces::{Corner, Layer, Piece, pieces};
 use super::projector::Projector;
 use super::resample::{VertexOrigin, append, surface_like, takes};
@@ -15,20 +13,14 @@ use crate::drawing::Surface;
 /// Sorted by the distance of the centroid, the farthest first. Wrong where faces interlock or differ much in size, and
 /// there to be seen failing.
 pub(super) fn by_centroid(layers: &[Layer], projector: &Projector, screen: &Screen) -> (Vec<Surface>, usize) {
-    let (all, corners, _) = pieces(layers, Default::default());
-    let distance = |piece: &Piece| corners.of(piece).iter().map(|view| -view.z).sum::<f64>();
+    let (all, _) = pieces(layers);
+    let distance = |piece: &Piece| piece.corners.iter().map(|corner| -corner.view.z).sum::<f64>();
     let mut pieces: Vec<(f64, Piece)> = all.into_iter().map(|piece| (distance(&piece), piece)).collect();
     // Of equal distances the first listed is painted last: it stays, as in a depth buffer.
     pieces.reverse();
     pieces.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut painter = Painter::new(layers, projector, screen, pieces.len());
-    let mut border = Vec::new();
-    for (_, piece) in &pieces {
-        let (views, rest) = corners.whole(piece);
-        border.clear();
-        border.extend(views.iter().copied().zip(rest.iter().copied()));
-        painter.paint(piece, &border);
-    }
+    let mut painter = Painter::new(layers, projector, screen);
+    pieces.iter().for_each(|(_, piece)| painter.paint(piece, &piece.corners));
     (painter.surfaces, pieces.len())
 }
 
@@ -38,49 +30,39 @@ pub(super) struct Painter<'a> {
     projector: &'a Projector,
     screen: &'a Screen,
     pub(super) surfaces: Vec<Surface>,
-    last_layer: u32,
-    origins: Vec<VertexOrigin>,
-    /// Number of pieces that are expected.
-    expected: usize,
+    last_layer: Option<usize>,
 }
 
 impl<'a> Painter<'a> {
-    /// Before anything is painted, of so many pieces as are expected.
-    pub(super) fn new(layers: &'a [Layer], projector: &'a Projector, screen: &'a Screen, expected: usize) -> Self {
-        Self { layers, projector, screen, surfaces: Vec::new(), last_layer: u32::MAX, origins: Vec::new(), expected }
+    /// Begins without surfaces.
+    pub(super) fn new(layers: &'a [Layer], projector: &'a Projector, screen: &'a Screen) -> Self {
+        Self { layers, projector, screen, surfaces: Vec::new(), last_layer: None }
     }
 
     /// Paints a piece, whose border has these corners.
-    pub(super) fn paint(&mut self, piece: &Piece, corners: &[(DVec3, Corner)]) {
-        let old = &self.layers[piece.layer()].surface;
+    pub(super) fn paint(&mut self, piece: &Piece, corners: &[Corner]) {
+        let old = &self.layers[piece.layer].surface;
         let of = old.triangles[piece.triangle as usize];
-        let same_layer = self.last_layer == piece.layer;
-        self.last_layer = piece.layer;
+        let same_layer = self.last_layer.replace(piece.layer) == Some(piece.layer);
         if !self.surfaces.last().is_some_and(|last| same_layer || takes(last, old)) {
             self.surfaces.push(surface_like(old));
-            if let [only] = self.surfaces.as_mut_slice() {
-                // Most often it stays the only one.
-                only.positions.reserve(4 * self.expected);
-                only.triangles.reserve(2 * self.expected);
-            }
         }
         let Some(surface) = self.surfaces.last_mut() else { return };
         let first = u32::try_from(surface.positions.len()).unwrap_or(u32::MAX);
-        self.origins.clear();
-        self.origins.extend(corners.iter().map(|(_, corner)| corner.origin(of)));
-        for ((view, _), origin) in corners.iter().zip(&self.origins) {
+        let origins: Vec<VertexOrigin> = corners.iter().map(|corner| corner.origin(of)).collect();
+        for (corner, origin) in corners.iter().zip(&origins) {
             let whole = match origin {
                 VertexOrigin::Vertex(i) => Some(*i as usize),
                 VertexOrigin::Between { .. } => None,
             };
             surface.positions.push(match whole {
                 Some(i) => old.positions[i],
-                None => on_grid(self.screen.project(self.projector, self.projector.clip(*view))),
+                None => on_grid(self.screen.project(self.projector, self.projector.clip(corner.view))),
             });
             if !old.inverse_w.is_empty() {
                 surface.inverse_w.push(match whole {
                     Some(i) => old.inverse_w[i],
-                    None => self.projector.depths.relative_inverse_w(-view.z),
+                    None => self.projector.depths.relative_inverse_w(-corner.view.z),
                 });
             }
         }
@@ -88,6 +70,6 @@ impl<'a> Painter<'a> {
         let before = surface.triangles.len();
         surface.triangles.extend((first + 1..last.saturating_sub(1)).map(|k| [first, k, k + 1]));
         let pieces = surface.triangles.len() - before;
-        append(surface, old, &self.origins, piece.triangle, pieces);
+        append(surface, old, &origins, piece.triangle, pieces);
     }
 }

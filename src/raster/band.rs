@@ -99,7 +99,7 @@ impl Band<'_> {
         let start = pixel as usize;
         let Some(pixel) = self.colors.get_mut(start) else { return };
         if let Some(counts) = &mut self.counts {
-            counts.here.covered += 1;
+            counts.covered += 1;
         }
         if surface.depth_test
             && let Some(old) = self.depths.get_mut(start)
@@ -117,7 +117,7 @@ impl Band<'_> {
             }
         }
         if let Some(counts) = &mut self.counts {
-            counts.here.written += 1;
+            counts.written += 1;
         }
         *pixel = if surface.translucent { pixel::over(color, *pixel) } else { color };
     }

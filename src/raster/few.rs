@@ -5,7 +5,6 @@ use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
 use super::band::Band;
 use super::batch::{BATCH, Batch, Planes, SetUp};
-use super::counts::Kind;
 use super::pixel::Pixel;
 use super::shade::Colors;
 
@@ -107,8 +106,6 @@ impl Few {
         self.list(&owned[..(SIDE * SIDE).div_ceil(32) as usize]);
         if C::COSTLY {
             self.color::<K, SIDE, C>(tiny.witness(), batch, set_up, band, depths, colors);
-        } else if let Some(counts) = &mut band.counts {
-            counts.here.colored += self.owned.iter().sum::<usize>() as u64;
         }
     }
 
@@ -165,12 +162,6 @@ impl Few {
             if wanted.any_true() {
                 colors.at(wanted, x, y).store_slice(colors_here);
             }
-            if let Some(counts) = &mut band.counts {
-                counts.add(simd, Kind::Divided, wanted);
-            }
-        }
-        if let Some(counts) = &mut band.counts {
-            counts.here.two_levels += colors.two_levels();
         }
     }
 }

@@ -18,7 +18,6 @@ use super::batch::{BATCH, Batch, corners, corners_at, gather_points};
 use super::counts::Kind;
 use super::depth::pack_slope;
 use super::few::{FEW, FEW_COSTLY, Few};
-use super::operations::Depths;
 use super::per_pixel::PerPixel;
 use super::pixel::over_eight;
 use super::setup::{AffineValue, Borders, ROWS, any, in_pixels, stored};
@@ -46,9 +45,7 @@ pub(super) fn fill<K: Simd, const S: usize>(
         }
     }
     if let Some(counts) = &mut band.counts {
-        let depth_test = surface.depth_test && !band.depths.is_empty();
-        let (tested, kept) = (depth_test && !band.in_order, depth_test && !surface.translucent);
-        counts.sum(surface, Depths { tested, kept, stored: band.greatest > 0.0, stepped: S > 1 });
+        counts.sum();
     }
 }
 
@@ -79,9 +76,6 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     let corners = corners(surface, triangles);
     let [x, y, z] = gather_points(simd, &surface.positions, &corners);
     let batch = Batch::new(simd, &x, &y, S > 1, band.size);
-    if let Some(counts) = &mut band.counts {
-        counts.here.triangles += triangles.len() as u64;
-    }
     // All eight are set up, although some will go alone: a branch for each would cost more than the arithmetic.
     let set_up = batch.set_up(band.rows.start);
     let colors = C::new(simd, surface, triangles, &corners, &set_up, S > 1);
@@ -99,10 +93,6 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
             continue;
         }
         if tiny[l] != 0 {
-            if let Some(counts) = &mut band.counts {
-                let tests = (batch.right[l] - batch.left[l]) * (rows.end - rows.start);
-                counts.here.edge_tests += u64::from(tests.unsigned_abs());
-            }
             // Found above: the pixels are few, so each is set on its own.
             let start = band.place(rows.start, batch.left[l]).start;
             band.set_each(surface, start, [depths.dx[l], depths.dy[l]], few.pixels::<K, SIDE, C>(l, band.pitch));
@@ -224,11 +214,6 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
             }
         }
         let height = Tile::<K, SQUARE>::HEIGHT;
-        if let Some(counts) = &mut band.counts {
-            let tiles =
-                (columns.end - columns.start + WIDTH - 1) / WIDTH * ((rows.end - rows.start + height - 1) / height);
-            counts.here.edge_tests += u64::from(tiles.unsigned_abs()) * (LANES * S) as u64;
-        }
         let mut i = columns.start;
         // From the left to the right: eight columns, from above to below.
         while i < columns.end {
@@ -271,9 +256,6 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
             }
             i += WIDTH;
         }
-        if let Some(counts) = &mut band.counts {
-            counts.here.two_levels += self.shader.two_levels();
-        }
     }
 
     /// Fills any triangle, row by row between its borders.
@@ -290,10 +272,6 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
                     self.row(band, j, &[from], &[to]);
                 }
             }
-        }
-        if let Some(counts) = &mut band.counts {
-            counts.here.alone += 1;
-            counts.here.two_levels += self.shader.two_levels();
         }
     }
 
@@ -315,10 +293,6 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         let mut columns = tile.columns + first;
         let mut x = tile.x(first, self.origin);
         let end = place.start.wrapping_add((last - first) as u32);
-        if let Some(counts) = &mut band.counts {
-            counts.here.rows += N as u64;
-            counts.here.border_tests += ((last - first) as u64).next_multiple_of(LANES as u64) * S as u64;
-        }
         while place.start < end {
             let mut covered = [mask32x8::splat(self.simd, -1); S];
             for (covered, (&from, &to)) in covered.iter_mut().zip(from.iter().zip(to)) {
@@ -388,12 +362,6 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         let mut wanted = covered[0];
         for covered in &covered[1..] {
             wanted |= *covered;
-        }
-        // Beyond the picture nobody sees them, and counts must not depend on what an older band has left there.
-        wanted &= own;
-        if let Some(counts) = &mut band.counts {
-            let kind = if self.shader.divides() { Kind::Divided } else { Kind::Colored };
-            counts.add(self.simd, kind, wanted);
         }
         let colors = self.shader.colors(wanted);
         for (s, covered) in (0..).zip(&*covered) {

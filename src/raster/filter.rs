@@ -42,8 +42,7 @@ pub(super) fn bilinear<K: Simd>(
     mixed(of, opaque, s, t)
 }
 
-/// Between the four nearest texels of the two levels of detail on either side of `detail`, and between these. Also the
-/// wanted points that both were asked for.
+/// Between the four nearest texels of the two levels of detail on either side of `detail`, and between these.
 #[inline(always)]
 pub(super) fn trilinear<K: Simd>(
     levels: &LevelPairs,
@@ -52,7 +51,7 @@ pub(super) fn trilinear<K: Simd>(
     wanted: mask32x8<K>,
     uv: [f32x8<K>; 2],
     detail: f32x8<K>,
-) -> (Channels<K>, mask32x8<K>) {
+) -> Channels<K> {
     let simd = wanted.witness();
     let last = levels.last();
     let finer = detail.max(0.0).min(last as f32).to_int::<i32x8<K>>();
@@ -66,7 +65,7 @@ pub(super) fn trilinear<K: Simd>(
             colors[k] = two.select(colors[k] + share * (coarse[k] - colors[k]), colors[k]);
         }
     }
-    (colors, two)
+    colors
 }
 
 /// A level of detail for each point: the place of its first texel, its width and its height.

@@ -18,7 +18,6 @@ mod filter;
 mod fragments;
 mod label;
 mod line;
-mod operations;
 mod per_pixel;
 mod pieces;
 mod pixel;
@@ -38,7 +37,6 @@ use crate::appearance::{DepthFormat, Rgba};
 use crate::drawing::{Drawing, ShadowMap, Surface};
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
 use crate::progress::{Activity, Progress, at_once};
-use crate::stage::{Cost, Operations, Stage};
 pub use depth::DepthBuffer;
 use depth::Occluders;
 pub use label::{FADED, HALO, MarkLayer, area_outline, baseline, mark_layers, mark_outline};
@@ -69,8 +67,6 @@ pub struct Work {
     pub covered: u64,
     /// Those of them that were drawn, as nothing nearer had been drawn before. Zero without a clock.
     pub written: u64,
-    /// Operations on triangles, samples and pixels; none without a clock.
-    pub cost: Cost,
     /// Time of the surfaces; zero without a clock.
     pub surfaces: Duration,
     /// Time of strokes, marks and texts; zero without a clock.
@@ -135,9 +131,8 @@ impl Rasterizer {
         let times = 1 + usize::from(tints.is_some()) + usize::from(has_strokes);
         let rows = maps.iter().map(|map| rows_of(map)).sum::<usize>() + times * drawing.height as usize;
         self.progress.begin_pass(Activity::Painting, rows, pass);
-        let mut of_maps = Operations::NONE;
         for map in maps {
-            of_maps += self.paint_map(map).await;
+            self.paint_map(map).await;
         }
         if let Some(tints) = &tints {
             // For its depth alone: the picture is painted over it.
@@ -159,14 +154,12 @@ impl Rasterizer {
             label::label(pixmap, &self.depth, text);
         }
         let triangles = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
-        let (kept, covered, written, mut cost) = self.surfaces.work(drawing);
-        cost.add(Stage::Shadow, of_maps, 1);
+        let (kept, covered, written) = self.surfaces.work();
         self.work = Work {
             triangles,
             empty: triangles - kept,
             covered,
             written,
-            cost: if self.clock.is_some() { cost } else { Cost::default() },
             surfaces: middle.saturating_sub(start),
             strokes: now().saturating_sub(middle),
         };
@@ -181,31 +174,26 @@ impl Rasterizer {
         self.paint_map(map).await;
     }
 
-    /// Paints the map. The count of operations only means something if the renderer has a clock.
-    async fn paint_map(&mut self, map: &ShadowMap) -> Operations {
-        /// A depth that the map keeps: read and written.
-        const KEPT: Operations = Operations::new(0, 0, 2);
-        let wanted = Wanted { slopes: false, counts: self.clock.is_some() };
-        let mut cost = Operations::NONE;
-        let Some(views) = map.unpainted() else { return cost };
+    /// Paints the map.
+    async fn paint_map(&mut self, map: &ShadowMap) {
+        let wanted = Wanted { slopes: false, counts: false };
+        let Some(views) = map.unpainted() else { return };
         let (mut depth, mut depths) = (DepthBuffer::default(), Vec::with_capacity(views.len()));
         for view in &*views {
             let mut values = Vec::new();
             if !view.surfaces.is_empty() {
-                let Some(mut pixmap) = new_pixmap(view) else { return cost };
+                let Some(mut pixmap) = new_pixmap(view) else { return };
                 self.surfaces.paint(view, &mut pixmap, &mut depth, wanted, &self.progress).await;
                 if self.progress.is_cancelled() {
-                    return cost;
+                    return;
                 }
                 // A large map has as many bytes as a picture: only its depths stay.
                 drop(pixmap);
                 values = depth.take_values();
-                cost += self.surfaces.work(view).3.total().and(KEPT.times(values.len() as u64));
             }
             depths.push(values);
         }
         map.keep(depths);
-        cost
     }
 }
 

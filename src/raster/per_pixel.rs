@@ -313,19 +313,6 @@ impl<K: Simd> Shader<K> for PerPixel<'_, K> {
     fn colors(&self, wanted: mask32x8<K>) -> u32x8<K> {
         self.colors_at(wanted, self.x, self.y)
     }
-
-    #[inline(always)]
-    fn divides(&self) -> bool {
-        true
-    }
-
-    #[inline(always)]
-    fn two_levels(&self) -> u64 {
-        match &self.base {
-            BaseColors::Texture(textured) => textured.two_levels.get(),
-            BaseColors::One(_) | BaseColors::Vertices(_) => 0,
-        }
-    }
 }
 
 impl<'a, K: Simd> Colors<'a, K> for PerPixel<'a, K> {
@@ -359,11 +346,6 @@ impl<'a, K: Simd> Colors<'a, K> for PerPixel<'a, K> {
     #[inline(always)]
     fn at(&self, wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K> {
         self.colors_at(wanted, x, y)
-    }
-
-    #[inline(always)]
-    fn two_levels(&self) -> u64 {
-        Shader::two_levels(self)
     }
 
     #[inline(always)]

@@ -20,16 +20,6 @@ pub(super) trait Shader<K: Simd> {
     fn rows(&mut self, y: f32x8<K>);
     /// The colours of the tile's pixels. Only those wanted need be right.
     fn colors(&self, wanted: mask32x8<K>) -> u32x8<K>;
-    /// Whether its colours are divided by 1/w.
-    #[inline(always)]
-    fn divides(&self) -> bool {
-        false
-    }
-    /// How many pixels have taken their colour from two levels of a texture.
-    #[inline(always)]
-    fn two_levels(&self) -> u64 {
-        0
-    }
 }
 
 /// The shaders of a batch of triangles.
@@ -54,11 +44,6 @@ pub(super) trait Colors<'a, K: Simd>: Sized {
     fn simple(&self) -> mask32x8<K>;
     /// The colour of each at a point relative to its origin. Only those wanted need be right.
     fn at(&self, wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K>;
-    /// How many pixels have taken their colour by [`at`](Self::at) from two levels of a texture.
-    #[inline(always)]
-    fn two_levels(&self) -> u64 {
-        0
-    }
     /// The shader of one.
     fn of(&self, lane: usize) -> Self::Simple;
     /// The shader of a triangle of any kind; `None` where the surface has no colours for it.
@@ -230,11 +215,6 @@ impl<K: Simd> Shader<K> for Gouraud<K> {
         } else {
             self.affine.colors(wanted)
         }
-    }
-
-    #[inline(always)]
-    fn divides(&self) -> bool {
-        self.perspective
     }
 }
 

@@ -8,7 +8,6 @@ use tiny_skia::Pixmap;
 use crate::drawing::Drawing;
 use crate::progress::Progress;
 use crate::simd::with_vectors;
-use crate::stage::Cost;
 
 use super::band::Band;
 use super::bins::Bins;
@@ -16,7 +15,6 @@ use super::counts::Counts;
 use super::depth::{BandDepth, DepthBuffer};
 use super::few::Few;
 use super::fill::fill;
-use super::operations::of_picture;
 use super::pixel::{Pixel, mean, premultiply};
 use super::setup::{Size, samples};
 use super::shade::LANES;
@@ -42,8 +40,6 @@ struct Scratch {
     depths: Vec<f32>,
     few: Few,
     counts: Counts,
-    /// Samples whose colours, and whose depths, were cleared.
-    cleared: [u64; 2],
 }
 
 /// A band on its way to the picture.
@@ -120,7 +116,6 @@ impl Surfaces {
         self.scratch.resize_with(threads.max(self.scratch.len()), Scratch::default);
         for scratch in &mut self.scratch {
             scratch.counts = Counts::default();
-            scratch.cleared = [0; 2];
         }
         if threads > 1 {
             let queue = Mutex::new(jobs);
@@ -150,17 +145,11 @@ impl Surfaces {
 }
 
 impl Surfaces {
-    /// Statistics of the last picture: triangles that may own a sample, and, if requested, samples inside triangles,
-    /// samples written, and operations.
-    pub(super) fn work(&self, drawing: &Drawing) -> (usize, u64, u64, Cost) {
+    /// Statistics of the last picture: triangles that may own a sample, and, if requested, samples inside triangles and
+    /// samples written.
+    pub(super) fn work(&self) -> (usize, u64, u64) {
         let sum = |count: fn(&Scratch) -> u64| self.scratch.iter().map(count).sum();
-        let mut cost = Cost::default();
-        for scratch in &self.scratch {
-            cost += scratch.counts.cost;
-        }
-        let cleared = [sum(|scratch| scratch.cleared[0]), sum(|scratch| scratch.cleared[1])];
-        of_picture(&mut cost, drawing, samples_in(drawing) as u64, cleared);
-        (self.bins.kept(), sum(|scratch| scratch.counts.covered), sum(|scratch| scratch.counts.written), cost)
+        (self.bins.kept(), sum(|scratch| scratch.counts.covered), sum(|scratch| scratch.counts.written))
     }
 }
 
@@ -191,9 +180,6 @@ impl Scratch {
         for start in sample_rows() {
             self.colors[start + columns.start..start + columns.end].fill(frame.background);
         }
-        let cleared = (samples.len() * rows * columns.len()) as u64;
-        self.cleared[0] += cleared;
-        self.cleared[1] += if frame.depth_test { cleared } else { 0 };
         let together = samples.len().min(4);
         let BandDepth { columns: with_depth, values, slopes } = job.depth;
         let mut depths: &mut [f32] = &mut [];

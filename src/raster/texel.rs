@@ -4,8 +4,6 @@
 //! and W affine on the picture, u = U/W changes by (∂U/∂x − u ∂W/∂x)/W along x. A level whose texels are as large as a
 //! pixel is λ = log₂ of the longer of the two changes, in texels of the picture itself [Heckbert 1989].
 
-use std::cell::Cell;
-
 use crate::appearance::{Filter, LEVEL_COLORS, Rgba, Sampler, Texture, TextureReveal, Wrap};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
@@ -26,8 +24,6 @@ pub(super) struct Textured<'a, K: Simd> {
     pub(super) uv: [[f32x8<K>; 3]; 2],
     /// The change of u/w and v/w in texels, and of 1/w, along x and y; only for a filter that asks for it.
     change: Option<[[f32x8<K>; 3]; 2]>,
-    /// Pixels between two levels of detail so far.
-    pub(super) two_levels: Cell<u64>,
 }
 
 impl<'a, K: Simd> Textured<'a, K> {
@@ -52,7 +48,7 @@ impl<'a, K: Simd> Textured<'a, K> {
         } else {
             None
         };
-        Self { image, sampler, opaque: image.is_opaque(), tint, uv, change, two_levels: Cell::new(0) }
+        Self { image, sampler, opaque: image.is_opaque(), tint, uv, change }
     }
 
     /// The triangle of one lane in each.
@@ -63,7 +59,7 @@ impl<'a, K: Simd> Textured<'a, K> {
             Some([x, y]) => Some([all(x, lane), all(y, lane)]),
             None => None,
         };
-        Self { uv, change, two_levels: Cell::new(0), ..*self }
+        Self { uv, change, ..*self }
     }
 
     /// The colours of eight pixels at these coordinates, premultiplied, 0 … 255; `w`: the interpolated w there.
@@ -142,13 +138,7 @@ impl<'a, K: Simd> Textured<'a, K> {
         match self.sampler.filter {
             Filter::Nearest => nearest(first, self.sampler, wanted, uv),
             Filter::Trilinear if let Some(levels) = self.image.level_pairs() => {
-                let (colors, two) = trilinear(levels, self.sampler, opaque, wanted, uv, detail);
-                let mut number = 0;
-                for l in 0..LANES {
-                    number += two[l] & 1;
-                }
-                self.two_levels.set(self.two_levels.get() + u64::from(number.unsigned_abs()));
-                colors
+                trilinear(levels, self.sampler, opaque, wanted, uv, detail)
             }
             Filter::Trilinear | Filter::Bilinear => bilinear(first, self.sampler, opaque, wanted, uv),
         }

@@ -227,11 +227,6 @@ impl SharedScene {
         Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::from(self.bounds()), ..SceneWithBounds::default() }))
     }
 
-    /// The scene itself; `None` where somebody else has it too.
-    pub(super) fn into_scene(self) -> Option<Scene> {
-        Arc::into_inner(self.0).map(|shared| shared.scene)
-    }
-
     /// The scene with the gear of a picture. As it is the same one, its objects are not looked at again.
     #[must_use]
     pub fn with<'a>(&'a self, gear: &'a Scene) -> Scenes<'a> {

@@ -9,7 +9,7 @@ use crate::appearance::{DepthFormat, Shading, Style};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::pipeline::depths::DepthScale;
-use crate::pipeline::project::Projections;
+use crate::pipeline::project::legible_clipped_scene;
 use crate::pipeline::{Frame, Options, Pipeline, Scenes, Target};
 use crate::scene::Scene;
 
@@ -23,7 +23,6 @@ pub struct TimedPipeline {
     pub clock: Option<fn() -> Duration>,
     /// The changed scene of the last picture that had one: the pointer moves over the same one for long.
     changed: Option<(SharedScene, SceneChange, SharedScene)>,
-    projections: Projections,
     /// The content of the canonical volume of the last picture: its observer may go around it for long.
     projected: Option<(SharedScene, Camera, Shading, SharedScene)>,
 }
@@ -32,7 +31,7 @@ impl TimedPipeline {
     /// Forgets what was made of scenes and shadow maps: the next picture makes its own, in the same memory.
     pub fn forget(&mut self) {
         self.stages.forget();
-        self.take_back();
+        self.projected = None;
     }
 
     /// The scene of the request, clipped and projected; made once for all pictures of it and its camera.
@@ -45,19 +44,9 @@ impl TimedPipeline {
         {
             return made.clone();
         }
-        self.take_back();
-        let made = SharedScene::new(self.projections.legible(&request.scene, camera, shading));
+        let made = SharedScene::new(legible_clipped_scene(&request.scene, camera, shading));
         self.projected = Some((request.scene.clone(), camera.clone(), shading, made.clone()));
         made
-    }
-
-    /// Keeps the memory of the last canonical volume.
-    fn take_back(&mut self) {
-        let Some((.., made)) = self.projected.take() else { return };
-        self.changed = self.changed.take().filter(|(of, ..)| *of != made);
-        if let Some(scene) = made.into_scene() {
-            self.projections.recycle(scene);
-        }
     }
 
     /// A scene for a picture, changed: one of its own, or `of`, which is changed once, and neither copied nor changed

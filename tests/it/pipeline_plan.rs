@@ -82,7 +82,7 @@ fn each_ground_for_a_stage_brings_it_back() {
         (true, Reason::Outside { outside: 1, of: 2 })
     );
     // Outside the near plane, and with w < 0 outside the four sides too, but inside the far plane.
-    assert_eq!(frame(&two, &camera, &style).plan.objects.get(1).unwrap().containment, Containment::Outside(0b01_1111));
+    assert_eq!(frame(&two, &camera, &style).plan.objects[1].containment, Containment::Outside(0b01_1111));
     let mut hollow = alone.clone();
     hollow.objects[0].mesh = Arc::new(primitives::torus(8));
     assert_eq!(depth(&hollow), (true, Reason::HidesItself));
@@ -105,7 +105,7 @@ fn each_ground_for_a_stage_brings_it_back() {
     let beside = only(object(cube(), DMat4::from_translation(DVec3::new(8.0, 0.0, -4.0))));
     let crossing = frame(&beside, &camera, &style);
     assert_eq!(reason(&crossing, Stage::Clip), (true, Reason::Crossing { objects: 1, of: 1, planes: 0b10 }));
-    assert_eq!(crossing.plan.objects.get(0).unwrap().clip_planes, 0b10);
+    assert_eq!(crossing.plan.objects[0].clip_planes, 0b10);
 
     let wireframe = Style { shading: Shading::Wireframe, ..style };
     let bare = frame(&alone, &camera, &wireframe);
@@ -142,7 +142,7 @@ fn back_faces_that_were_not_dropped_are_not_said_to_be() {
     let mut scene = only(object(cube(), at(-1.5)));
     let open = frame(&scene, &camera, &style);
     assert_eq!(said(&open, Stage::CullFaces), (false, Reason::CutOpen { objects: 1, of: 1 }, None));
-    assert_eq!(open.objects.get(0).unwrap().faces, FacesDone::CutOpen);
+    assert_eq!(open.objects[0].faces, FacesDone::CutOpen);
     assert!(reason(&open, Stage::CullFaces).0, "it was planned all the same");
     scene.objects.push(object(cube(), at(-6.0)));
     let both = frame(&scene, &camera, &style);
@@ -166,11 +166,11 @@ fn a_stage_that_was_left_with_no_face_says_so() {
     scene.lights.push(Light::directional(DVec3::NEG_Z));
     let frame = frame(&scene, &eye(Projection::Perspective), &Style::default());
     assert!(
-        matches!(frame.objects.get(0).unwrap().containment, Containment::Crosses(planes) if planes != 0),
+        matches!(frame.objects[0].containment, Containment::Crosses(planes) if planes != 0),
         "{:?}",
-        frame.objects.get(0).unwrap()
+        frame.objects[0]
     );
-    assert_eq!(frame.objects.get(0).unwrap().triangles, 0);
+    assert_eq!(frame.objects[0].triangles, 0);
     for stage in [Stage::Fill, Stage::Light] {
         assert_eq!(said(&frame, stage), (false, Reason::NoFaceLeft, None), "{stage:?}");
     }

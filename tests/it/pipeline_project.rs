@@ -2,15 +2,13 @@
 
 #![expect(clippy::unwrap_used, reason = "tests")]
 
-use std::sync::Arc;
-
 use camera_lab::appearance::{Rgba, Shading, Style};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab::figure::read::parse;
-use camera_lab::pipeline::project::{Projections, clipped_scene, displayed_ndc, legible_clipped_scene};
+use camera_lab::pipeline::project::{clipped_scene, displayed_ndc, legible_clipped_scene};
 use camera_lab::pipeline::{Options, Pipeline, Target};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, Scene, build, no_files, primitives};
+use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, Scene, build, no_files};
 use glam::{DMat4, DVec3};
 
 use super::pipeline::{CLAY, STROKE, cube, eye, object, only};
@@ -226,96 +224,5 @@ fn textured_faces_keep_the_light_of_the_world() {
         let covered = image.iter().filter(|pixel| **pixel != [0, 0, 255, 255]).count();
         let different = image.iter().zip(&canonical).filter(differs).count();
         assert!(covered > 1000 && 20 * different < covered, "{shading:?}: {different} of {covered}");
-    }
-}
-
-/// The corners of all triangles, with their colours.
-fn corners(scene: &Scene) -> Vec<(DVec3, Rgba)> {
-    let of = |object: &Object| {
-        let color = |triangle: usize, i: u32| match &object.paint {
-            ObjectPaint::Solid(color) => *color,
-            ObjectPaint::Faces(colors) => colors[triangle],
-            ObjectPaint::Vertices(colors) => colors[i as usize],
-            ObjectPaint::Texture(_) => panic!("no texture"),
-        };
-        let mesh = object.mesh.clone();
-        let triangles = mesh.triangles.iter().enumerate();
-        triangles
-            .flat_map(|(t, &corners)| corners.map(|i| (mesh.positions[i as usize], color(t, i))))
-            .collect::<Vec<_>>()
-    };
-    scene.objects.iter().flat_map(of).collect()
-}
-
-/// A sphere that the near plane and others cut, of many triangles, and the same in small objects.
-fn large_and_in_parts(paint: &str, mirrored: bool) -> [Scene; 2] {
-    let mut mesh = primitives::sphere(200);
-    (mesh.closed, mesh.convex) = (false, false);
-    let byte = |i: usize| u8::try_from(i % 251).unwrap();
-    let colors = |n: usize| Arc::new((0..n).map(|i| Rgba::rgb(byte(i), 90, byte(7 * i))).collect::<Vec<_>>());
-    let paint = match paint {
-        "faces" => ObjectPaint::Faces(colors(mesh.triangles.len())),
-        "vertices" => ObjectPaint::Vertices(colors(mesh.positions.len())),
-        _ => ObjectPaint::Solid(CLAY),
-    };
-    let place = at(0.9, 0.2, -1.9) * DMat4::from_scale(DVec3::new(if mirrored { -1.5 } else { 1.5 }, 1.5, 1.5));
-    let parts = mesh.triangles.chunks(1000).enumerate().map(|(k, triangles)| {
-        let paint = match &paint {
-            ObjectPaint::Faces(colors) => {
-                ObjectPaint::Faces(Arc::new(colors[1000 * k..1000 * k + triangles.len()].to_vec()))
-            }
-            paint => paint.clone(),
-        };
-        Object { paint, ..object(Mesh { triangles: triangles.to_vec(), edges: Vec::new(), ..mesh.clone() }, place) }
-    });
-    let parts = parts.collect();
-    let whole = vec![Object { paint, ..object(mesh, place) }];
-    [whole, parts].map(|objects| Scene {
-        objects,
-        lights: vec![Light::point(DVec3::new(2.0, 3.0, 1.0))],
-        ..Scene::default()
-    })
-}
-
-#[test]
-fn a_large_mesh_is_clipped_as_its_parts_are_with_any_number_of_threads() {
-    let threads = |n| rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap();
-    let (one, three) = (threads(1), threads(3));
-    for paint in ["solid", "faces", "vertices"] {
-        for (shading, mirrored) in [(Shading::Flat, false), (Shading::Gouraud, true), (Shading::Phong, false)] {
-            let [whole, parts] = large_and_in_parts(paint, mirrored);
-            let camera = eye(Projection::Perspective);
-            let clip = |scene| clipped_scene(scene, &camera, shading);
-            let (a, b) = (one.install(|| clip(&whole)), three.install(|| clip(&whole)));
-            assert!(a.objects == b.objects, "{paint} {shading:?}");
-            let triangles = a.objects[0].mesh.triangles.len();
-            assert!(triangles > 10_000 && triangles < whole.objects[0].mesh.triangles.len(), "{triangles}");
-            assert!(corners(&a) == corners(&clip(&parts)), "{paint} {shading:?}");
-        }
-    }
-}
-
-#[test]
-fn a_scene_is_made_in_the_memory_of_another_as_in_its_own() {
-    let mut kept = Projections::default();
-    let cameras = [2.0, 1.4, 0.0].map(|z| {
-        let position = DVec3::new(0.3, 0.2, z);
-        Camera::new(&Parameters {
-            position,
-            focal_point: DVec3::new(0.0, 0.0, -4.0),
-            near: 1.0,
-            far: 20.0,
-            ..Parameters::default()
-        })
-        .unwrap()
-    });
-    for paint in ["solid", "faces", "vertices"] {
-        for (camera, shading) in cameras.iter().zip([Shading::Gouraud, Shading::Flat, Shading::Wireframe]) {
-            for scene in large_and_in_parts(paint, false) {
-                let made = kept.legible(&scene, camera, shading);
-                assert!(made == legible_clipped_scene(&scene, camera, shading), "{paint} {shading:?}");
-                kept.recycle(made);
-            }
-        }
     }
 }

@@ -510,23 +510,6 @@ fn a_light_from_below_or_within_and_lights_of_nonsense_make_pictures() {
     }
 }
 
-#[test]
-fn the_work_of_shadows_is_counted_where_there_are_any() {
-    let figure = parse(TABLE).unwrap();
-    let size = ImageSize { width: 80, height: 60 };
-    let float = |light: Light| {
-        let (scene, camera) = white(&figure, light);
-        let frame = frame(&scene, &camera, &FLAT, size);
-        let mut raster = Rasterizer::default();
-        raster.measure(Some(camera_lab::clock::now));
-        raster.paint(&frame.drawing).unwrap();
-        raster.work().cost.of(Stage::Shadow).float
-    };
-    let soft = |softness| sun().with_shadows(Shadows { softness, ..Shadows::CAST });
-    let [none, hard, usual] = [float(sun().with_shadows(Shadows::NONE)), float(soft(0.0)), float(soft(1.0))];
-    assert!(none == 0 && hard > 0 && usual > hard && float(lamp()) > usual, "{none} {hard} {usual}");
-}
-
 /// Width of a picture, in which a pixel of the image is a square.
 const WIDE: u32 = 480;
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::appearance::{DepthFormat, Rgba, Shading, Style, Visibility};
 use crate::camera::{Camera, ImageSize, Projection};
-use crate::pipeline::{ByObject, ObjectReport, Options, OverBudget, Pipeline, Target};
+use crate::pipeline::{ObjectReport, Options, OverBudget, Pipeline, Target};
 use crate::raster::Rasterizer;
 use crate::scene::{Object, ObjectPaint, Scene};
 
@@ -20,7 +20,7 @@ pub(super) struct Drawn {
     /// Pixels that anything but a text covers.
     pub(super) pixels: u64,
     /// The report of each object of the scene.
-    pub(super) objects: ByObject<ObjectReport>,
+    pub(super) objects: Vec<ObjectReport>,
 }
 
 impl Counter {
@@ -99,7 +99,7 @@ impl Counter {
 
 /// The report of the pipeline on a painted scene.
 pub(super) struct Painted {
-    objects: ByObject<ObjectReport>,
+    objects: Vec<ObjectReport>,
     /// The faces that were too many to be put in order.
     pub(super) too_much: Option<OverBudget>,
 }

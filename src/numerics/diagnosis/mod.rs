@@ -19,7 +19,7 @@ use glam::DVec3;
 use crate::appearance::{Shading, Style};
 use crate::camera::{Camera, CameraError, ImageSize};
 use crate::figure::Reveal;
-use crate::pipeline::{ByObject, FacesDone, ObjectReport};
+use crate::pipeline::{FacesDone, ObjectReport};
 use crate::progress::Progress;
 use crate::scene::Scene;
 pub use camera::{ImpossibleCamera, impossible_camera};
@@ -204,7 +204,7 @@ pub async fn diagnose(spec: &ImageSpec<'_>, progress: &Progress) -> Result<Diagn
     let mut looked = Looked { scene, camera, style, reveal: spec.reveal, image, counter };
     let mut seen = Vec::new();
     for (index, subject) in subjects.iter().enumerate() {
-        let report = subject.index.and_then(|i| drawn.objects.get(i));
+        let report = subject.index.and_then(|i| drawn.objects.get(i).copied());
         let Judgement { causes, partly } = looked.judge(subject, report);
         // In a picture of other things, a point beside them was put there.
         if subject.is_point() && covered >= FEW {
@@ -429,7 +429,7 @@ impl Looked<'_> {
     }
 
     /// The subjects of which the inside is seen, because the near plane cuts their front away.
-    fn opened_by_near(&mut self, subjects: &[NamedThing], reports: &ByObject<ObjectReport>) -> Vec<usize> {
+    fn opened_by_near(&mut self, subjects: &[NamedThing], reports: &[ObjectReport]) -> Vec<usize> {
         if self.style.shading == Shading::Wireframe {
             return Vec::new();
         }

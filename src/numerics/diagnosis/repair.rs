@@ -156,7 +156,7 @@ impl Looked<'_> {
         let marks_only = members.iter().all(|member| member.is_point());
         (covered >= FEW || marks_only && drawn.pixels > 0)
             && members.iter().all(|member| {
-                let report = member.index.and_then(|_| reports.next());
+                let report = member.index.and_then(|_| reports.next().copied());
                 member.opacity == 0 || self.judge_from(&camera, member, report).causes.is_empty()
             })
             && {
