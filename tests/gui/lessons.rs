@@ -32,6 +32,18 @@ fn step(window: &Window) -> usize {
 }
 
 #[test]
+fn the_question_of_a_lesson_that_is_closed_leaves_the_list_of_exercises() {
+    let mut window = playing(0, 0, Lang::En);
+    for key in [Key::W, Key::X] {
+        window.harness.key_press_modifiers(Modifiers::ALT, key);
+        window.run();
+    }
+    let search = window.harness.get_by_role_and_label(Role::TextInput, en::EXERCISE_WINDOW.search);
+    assert!(search.is_focused());
+    assert!(window.harness.query_by_label(en::EXERCISE_WINDOW.back).is_none());
+}
+
+#[test]
 fn a_question_is_answered_before_the_next_step_is_shown() {
     let mut window = playing(0, 0, Lang::En);
     let lesson = &shipped()[0].lesson;

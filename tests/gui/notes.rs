@@ -150,6 +150,15 @@ fn f1_opens_the_note_on_a_parameter_with_the_keyboard_or_under_the_pointer() {
 }
 
 #[test]
+fn f1_opens_the_note_on_a_matrix_from_its_heading() {
+    let mut window = Window::new(Lang::En);
+    let heading = window.harness.get_all_by_label_contains("(5.7)").next().expect("the heading of M_v").rect().center();
+    point_at(&mut window, heading);
+    window.key(Key::F1);
+    assert_eq!(shown(&window), Some("M_v"));
+}
+
+#[test]
 fn f1_opens_the_note_on_an_operation_a_stage_and_the_entry_of_a_matrix() {
     let mut window = Window::new(Lang::PtBr);
     window.harness.get_by_label("Guinada +").focus();

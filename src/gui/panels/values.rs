@@ -103,7 +103,7 @@ fn show(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Tabl
 
 /// Symbol, name and rows; marked where they differ from those of another table. Gives the entry that was clicked.
 fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) -> Option<Entry> {
-    ui.horizontal(|ui| {
+    let heading = ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = TEXT_LINE;
         ui.spacing_mut().item_spacing.x = 5.0;
         if !table.symbol.is_empty() {
@@ -114,6 +114,9 @@ fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&T
             erratum(ui, t, text);
         }
     });
+    if let Some((matrix, _)) = table.entry(0, 0) {
+        help_topic(&heading.response, notes::of_matrix(matrix));
+    }
     let room = ui.available_width() - 18.0;
     egui::ScrollArea::horizontal()
         .id_salt(&table.name)

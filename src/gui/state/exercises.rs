@@ -183,8 +183,14 @@ impl Exercises {
         // A file that was read once more may say something else.
         self.made = None;
         self.checked.clear();
+        self.leave_unknown();
+    }
+
+    /// Shows the list if the exercise that was worked on is gone: its file, or the lesson whose question it was.
+    pub(in crate::gui) fn leave_unknown(&mut self) {
         if self.open.as_ref().is_some_and(|open| self.entry(&open.id).is_none()) {
-            self.leave();
+            self.open = None;
+            self.described = None;
         }
     }
 

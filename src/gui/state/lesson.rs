@@ -252,6 +252,7 @@ impl State {
             self.keep(playing.worked_on.into_values().collect());
         }
         self.exercises.of_lesson.clear();
+        self.exercises.leave_unknown();
     }
 
     /// Shows the figure of the step as it was at first; undoing brings the changed one back.
