@@ -36,7 +36,7 @@ make_windows() {
         dist/windows/camera-lab.rc -O coff -o "$resource"
     # The linker would write the time of the build into the program.
     local unchanging=(-C link-arg=-Wl,--no-insert-timestamp -C strip=symbols)
-    cargo_for "$target" rustc --release --bin camera-lab -- -C "link-arg=$resource" "${unchanging[@]}"
+    cargo_for "$target" rustc --release --package camera-lab --bin camera-lab -- -C "link-arg=$resource" "${unchanging[@]}"
     cargo_for "$target" rustc --release --manifest-path dist/windows/console/Cargo.toml -- "${unchanging[@]}"
     cp "$CARGO_TARGET_DIR/$target/release/camera-lab.exe" "$out/camera-lab.exe"
     cp "$CARGO_TARGET_DIR/$target/release/camera-lab-console.exe" "$out/camera-lab.com"
@@ -76,7 +76,7 @@ version_of() { sed -n "/^name = \"$1\"\$/{n;s/version = \"\(.*\)\"/\1/p}" "$2"; 
 # The program for this machine, once for all packages.
 build_program() {
     # Without names of functions: some depend on the folder of the build.
-    cargo rustc --locked --release --bin camera-lab -- -C strip=symbols
+    cargo rustc --locked --release --package camera-lab --bin camera-lab -- -C strip=symbols
     program=$CARGO_TARGET_DIR/release/camera-lab
     manual=$CARGO_TARGET_DIR/manual
     rm -rf "$manual"

@@ -14,37 +14,26 @@
 //!
 //! Start reading at [`camera`] for the model of the notes, and at [`pipeline`] for the way from a scene to a picture.
 
-pub mod appearance;
-pub mod camera;
+pub use camera_lab_engine::{
+    appearance, camera, drawing, expression, geometry, lighting, limits, numbers, pipeline, progress, raster, sanitize,
+    scene, stage, text,
+};
+
 pub mod chart;
 pub mod cli;
 pub mod clock;
-pub mod drawing;
 pub mod exercises;
 pub mod explain;
 pub mod export;
-pub mod expression;
 pub mod figure;
 pub mod files;
 pub mod formula;
-pub mod geometry;
 #[cfg(feature = "gui")]
 pub mod gui;
 pub mod i18n;
 pub mod inspect;
 pub mod lessons;
-pub mod lighting;
-pub mod limits;
-pub mod numbers;
 pub mod numerics;
 pub mod picture;
-pub mod pipeline;
-pub mod progress;
-pub mod raster;
-pub mod sanitize;
-pub mod scene;
 pub mod share;
-mod simd;
-pub mod stage;
-pub mod text;
 pub mod views;

@@ -13,7 +13,7 @@ use super::lesson_args::LessonArgs;
 use super::matrix_args::MatrixArgs;
 use super::output_args::{OutputArgs, picture_endings};
 use super::sheet_args::{FamilyArgs, SheetArgs};
-use super::words::{DataFormat, Format, LangArg, TableFormat};
+use super::words::{DataFormat, Format, LangArg, TableFormat, one_of};
 use crate::camera::{Decomposition, ImageSize, Ndc};
 use crate::explain::code::CodeTarget;
 use crate::export::format::PictureFormat;
@@ -110,7 +110,7 @@ pub(super) struct InspectArgs {
     /// Whose normalised device coordinates: -reversed has near at 1 and far at 0 (for opengl too: glClipControl with
     /// zero to one), -infinite moves the back plane to infinity (in perspective). Vulkan's y points down; pixels,
     /// window and viewport are the same in all
-    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    #[arg(long, value_parser = one_of(Ndc::ALL, Ndc::name), value_name = "NAME", default_value = Ndc::default().name())]
     pub(super) ndc: Ndc,
     /// Output format
     #[arg(long, value_enum, default_value_t)]
@@ -124,7 +124,7 @@ pub(super) struct RenderArgs {
     #[command(flatten)]
     pub(super) common: FigureArgs,
     /// Which picture; `all` puts the three side by side, `world,image` two of them
-    #[arg(long, value_enum, default_value_t = Views::One(View::Image))]
+    #[arg(long, value_parser = one_of(Views::CHOICES, Views::name), default_value = View::Image.name())]
     pub(super) view: Views,
     #[command(flatten)]
     pub(super) out: OutputArgs,
@@ -140,7 +140,7 @@ pub(super) struct ExplainArgs {
     #[command(flatten)]
     pub(super) common: FigureArgs,
     /// Which picture
-    #[arg(long, value_enum, default_value_t = View::Image)]
+    #[arg(long, value_parser = one_of(View::ALL, View::name), default_value = View::Image.name())]
     pub(super) view: View,
     /// Width and height in pixels; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
@@ -163,7 +163,7 @@ pub(super) struct BenchArgs {
     #[command(flatten)]
     pub(super) common: FigureArgs,
     /// Which picture; `all` draws the three, side by side in the given size
-    #[arg(long, value_enum, default_value_t = Views::One(View::Image))]
+    #[arg(long, value_parser = one_of(Views::CHOICES, Views::name), default_value = View::Image.name())]
     pub(super) view: Views,
     /// Width and height in pixels; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
@@ -182,7 +182,7 @@ pub(super) struct BenchArgs {
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArgs {
     /// Study to run, may be repeated; without it, all
-    #[arg(long = "study", value_enum, value_name = "NAME")]
+    #[arg(long = "study", value_parser = one_of(Study::ALL, Study::name), value_name = "NAME")]
     studies: Vec<Study>,
     /// Seconds to spend on measuring times, over all studies, 0 to 3600. Errors do not depend on it
     #[arg(long, value_name = "S", default_value = "20", allow_hyphen_values = true)]
@@ -229,7 +229,7 @@ pub(super) struct AnimateArgs {
     pub(super) common: FigureArgs,
     /// Whose steps: `notes` [0] T, R, M_p, division; `box` [2] S T P; `scale` [1] M_xyscale M_pers; `normalised` [3]
     /// N_persp M_P, N_ort
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_parser = one_of(Decomposition::ALL, Decomposition::name), default_value = Decomposition::default().name())]
     pub(super) steps: Decomposition,
     #[command(flatten)]
     pub(super) family: FamilyArgs,
@@ -240,7 +240,7 @@ pub(super) struct AnimateArgs {
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     frames: Option<String>,
     /// Which picture --vary and --to show; without it, the image
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = one_of(View::ALL, View::name))]
     pub(super) view: Option<View>,
     /// Figure file whose observers see the pictures of --vary and --to, as they see its own pictures; without it, one
     /// observer sees all of them
@@ -264,7 +264,7 @@ pub(super) struct CodeArgs {
     #[command(flatten)]
     pub(super) common: FigureArgs,
     /// Library or language
-    #[arg(long = "for", value_enum, value_name = "NAME")]
+    #[arg(long = "for", value_parser = one_of(CodeTarget::ALL, CodeTarget::word), value_name = "NAME")]
     pub(super) target: CodeTarget,
 }
 

@@ -6,7 +6,7 @@ use clap::{Args, Subcommand, ValueEnum};
 
 use super::Failure;
 use super::figure_args::size;
-use super::words::{LangArg, TableFormat};
+use super::words::{LangArg, TableFormat, one_of};
 use crate::camera::ImageSize;
 use crate::export::format::PictureFormat;
 use crate::i18n::{Lang, lessons as texts};
@@ -112,7 +112,7 @@ pub(super) struct LessonRenderArgs {
     #[command(flatten)]
     pub(super) which: WhichArgs,
     /// Which pictures; without it, those that the step shows on the screen
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = one_of(Views::CHOICES, Views::name))]
     pub(super) view: Option<Views>,
     /// Width and height of each picture file in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]

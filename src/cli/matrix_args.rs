@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::Failure;
 use super::figure_args::{FigureArgs, size};
-use super::words::TableFormat;
+use super::words::{TableFormat, one_of};
 use crate::camera::{Axes, ImageSize, MatrixKind, Ndc};
 use crate::i18n::Lang;
 
@@ -21,17 +21,17 @@ pub(super) struct MatrixArgs {
     pub(super) numbers: String,
     /// Kind of the matrix; without it, that is recognised. camera-to-world: `matrix_world` of Blender, a node of glTF,
     /// `matrixWorld` of three.js; pinhole: K [R | t]
-    #[arg(long = "as", value_enum, value_name = "KIND")]
+    #[arg(long = "as", value_parser = one_of(MatrixKind::ALL, MatrixKind::name), value_name = "KIND")]
     pub(super) kind: Option<MatrixKind>,
     /// Whose axes; without it, they are recognised. opengl: x right, y up, z towards the viewer, y up in the world
     /// (glTF and three.js too); blender: z up in the world, which is turned; opencv: x right, y down, z into the scene
-    #[arg(long, value_enum, value_name = "NAME")]
+    #[arg(long, value_parser = one_of(Axes::ALL, Axes::name), value_name = "NAME")]
     pub(super) axes: Option<Axes>,
     /// The numbers go down the columns first, or the matrix is for row vectors
     #[arg(long)]
     pub(super) columns: bool,
     /// Whose normalised device coordinates a projection leads to
-    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    #[arg(long, value_parser = one_of(Ndc::ALL, Ndc::name), value_name = "NAME", default_value = Ndc::default().name())]
     pub(super) ndc: Ndc,
     /// The size in pixels of the image that K belongs to; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::Failure;
 use super::figure_args::{option, size};
-use super::words::ThemeArg;
+use super::words::{ThemeArg, one_of};
 use crate::appearance;
 use crate::camera::ImageSize;
 use crate::export::format::PictureFormat;
@@ -35,7 +35,7 @@ pub(super) struct OutputArgs {
     height_cm: Option<String>,
     /// Width, height and letters for a column of a journal (8.8 cm, 8 pt), the text of a page of A4 (16 cm, 9 pt), a
     /// slide of 16 by 9 (18 pt) or a square
-    #[arg(long, value_enum, conflicts_with_all = ["size", "scale", "width_cm", "height_cm"])]
+    #[arg(long, value_parser = one_of(PaperPreset::ALL, PaperPreset::name), conflicts_with_all = ["size", "scale", "width_cm", "height_cm"])]
     paper: Option<PaperPreset>,
     /// Pixels per inch on paper, 300 by default; written into a PNG or JPEG where it or --width-cm is
     /// given
@@ -57,7 +57,7 @@ pub(super) struct OutputArgs {
     crop: bool,
     /// Faces of an SVG or PDF: as areas (`vector`), as one picture under the lines (`picture`), or as areas where these
     /// say what the pixels do
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_parser = one_of(Faces::ALL, Faces::name), default_value = Faces::default().name())]
     faces: Faces,
     /// Letters of an SVG or PDF as outlines: no program needs the font, and none can search or edit them
     #[arg(long)]

@@ -7,6 +7,7 @@ use clap::Args;
 use super::Failure;
 use super::figure_args::FigureArgs;
 use super::output_args::OutputArgs;
+use super::words::one_of;
 use crate::figure::variation::Variation;
 use crate::i18n::{Lang, families};
 use crate::limits::MAX_FAMILY;
@@ -22,7 +23,7 @@ pub(super) struct SheetArgs {
     #[command(flatten)]
     pub(super) family: FamilyArgs,
     /// Which picture; several are below one another, a row for each
-    #[arg(long, value_enum, default_value_t = Views::One(View::Image))]
+    #[arg(long, value_parser = one_of(Views::CHOICES, Views::name), default_value = View::Image.name())]
     pub(super) view: Views,
     /// Number of pictures in a row; without it, as many as have room, at most 4, or with two --vary the values of the
     /// second

@@ -1,15 +1,20 @@
 //! The words that arguments can be.
 
 use clap::ValueEnum;
-use clap::builder::PossibleValue;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use crate::camera::{Axes, Decomposition, MatrixKind, Ndc};
-use crate::explain::code::CodeTarget;
-use crate::export::paper::PaperPreset;
 use crate::i18n::Lang;
-use crate::numerics::Study;
-use crate::picture::Faces;
-use crate::views::{View, Views};
+
+/// A parser of an argument that is one of `values`, each by its name.
+pub(super) fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    values: [T; N],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    // Other texts are refused before they get here.
+    PossibleValuesParser::new(values.map(name)).try_map(move |text| {
+        values.into_iter().find(|value| name(*value) == text).ok_or_else(|| format!("no value has the name {text}"))
+    })
+}
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub(super) enum Format {
@@ -30,106 +35,6 @@ pub(super) enum DataFormat {
     Text,
     Json,
     Csv,
-}
-
-impl ValueEnum for Ndc {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-impl ValueEnum for Faces {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-impl ValueEnum for PaperPreset {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-impl ValueEnum for MatrixKind {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-impl ValueEnum for Axes {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-impl ValueEnum for CodeTarget {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.word().into())
-    }
-}
-
-impl ValueEnum for Decomposition {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-impl ValueEnum for Study {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-impl ValueEnum for View {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-impl ValueEnum for Views {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::CHOICES
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]

@@ -93,9 +93,3 @@ impl Real for Dd {
         sin_cos_degrees(degrees)
     }
 }
-
-impl PartialOrd for Dd {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        self.parts().partial_cmp(&other.parts())
-    }
-}

@@ -346,8 +346,8 @@ fn pyramid_of_the_exercises_on_spaces() {
 #[test]
 fn the_table_of_equations_names_what_exists() {
     let folder = |path: &str| std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/").to_owned() + path).unwrap();
-    let sources: String = folder("src/camera")
-        .chain(folder("src/pipeline"))
+    let sources: String = folder("crates/engine/src/camera")
+        .chain(folder("crates/engine/src/pipeline"))
         .chain(folder("src/views"))
         .chain(folder("tests/it"))
         .map(|entry| entry.unwrap().path())

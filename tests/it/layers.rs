@@ -257,18 +257,21 @@ fn names(code: &str, library: &str) -> bool {
 
 /// Path and program text of every file.
 fn sources() -> Vec<(String, String)> {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut files = Vec::new();
-    rust_files(&source, &mut files);
-    assert!(files.len() > 50, "the sources are not where they were");
-    files.sort();
-    let read = |file: PathBuf| {
-        let path = file.strip_prefix(&source).unwrap().to_string_lossy().replace('\\', "/");
-        (path, code(&fs::read_to_string(&file).unwrap()))
-    };
-    let not_root =
-        |(path, _): &(String, String)| !(path == "lib.rs" || path == "main.rs" || path.ends_with("tests.rs"));
-    files.into_iter().map(read).filter(not_root).collect()
+    let mut sources = Vec::new();
+    for source in ["src", "crates/engine/src"].map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)) {
+        let mut files = Vec::new();
+        rust_files(&source, &mut files);
+        assert!(files.len() > 50, "the sources are not where they were");
+        files.sort();
+        let read = |file: PathBuf| {
+            let path = file.strip_prefix(&source).unwrap().to_string_lossy().replace('\\', "/");
+            (path, code(&fs::read_to_string(&file).unwrap()))
+        };
+        sources.extend(files.into_iter().map(read));
+    }
+    // The roots of the crates name everything.
+    sources.retain(|(path, _)| !(path == "lib.rs" || path == "main.rs" || path.ends_with("tests.rs")));
+    sources
 }
 
 #[test]

@@ -39,7 +39,7 @@ impl Camera {
     /// A world point in every space.
     ///
     /// ```
-    /// # use camera_lab::camera::{Camera, ImageSize, Parameters, Viewport};
+    /// # use camera_lab_engine::camera::{Camera, ImageSize, Parameters, Viewport};
     /// # use glam::{DVec2, DVec3, DVec4};
     /// let position = DVec3::new(0.0, 0.0, 5.0);
     /// let p = Parameters { position, view_angle: 90.0, near: 1.0, far: 3.0, aspect: 1.0, ..Parameters::default() };
@@ -52,7 +52,7 @@ impl Camera {
     /// assert_eq!(projected.window, DVec2::new(0.5, -0.5)); // (5.9), (5.10)
     /// assert_eq!(projected.pixel, DVec2::new(75.0, 75.0)); // (5.22): j grows downwards
     /// assert_eq!(projected.viewport, DVec3::new(75.0, 25.0, 0.75)); // (5.24), (5.25): Y grows upwards
-    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
     /// ```
     ///
     /// *Guarantees*: computed in double-double and rounded at the end. W = 0 is recognised: (p − C) · **n** is an exact

@@ -64,7 +64,7 @@ impl ClipSpace<'_> {
     /// and `1/(−z_c)` = (1 − t)/F + t/B in perspective, where nothing cancels however large B/F.
     ///
     /// ```
-    /// use camera_lab::camera::{Camera, ImageSize, Parameters, Viewport};
+    /// use camera_lab_engine::camera::{Camera, ImageSize, Parameters, Viewport};
     /// use glam::DVec3;
     ///
     /// let position = DVec3::new(0.0, 0.0, 5.0);

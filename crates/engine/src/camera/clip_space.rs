@@ -27,7 +27,7 @@ impl Camera {
     /// [`InfiniteParallel`]: parallel projection without a far plane.
     ///
     /// ```
-    /// use camera_lab::camera::{Camera, Ndc, Parameters};
+    /// use camera_lab_engine::camera::{Camera, Ndc, Parameters};
     /// use glam::DVec4;
     ///
     /// let camera = Camera::new(&Parameters { near: 2.0, far: 6.0, ..Parameters::default() })?;

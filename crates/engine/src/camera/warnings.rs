@@ -76,8 +76,7 @@ impl Warning {
     }
 }
 
-/// The thresholds at which a number of a camera becomes trouble, used by warnings and by
-/// [`health`](crate::numerics::health).
+/// The thresholds at which a number of a camera becomes trouble, used by warnings and by the program's camera check.
 pub mod thresholds {
     /// Below this angle between VUP and DOP, an error in the sixth digit of VUP shows.
     pub const NEARLY_COLLINEAR_DEGREES: f64 = 0.01;

@@ -135,8 +135,8 @@ pub struct Pipeline {
     bounds: KnownBounds,
     shadows: ShadowMaps,
     progress: Progress,
-    /// [`MAX_PIECES`]; tests have fewer.
-    pub(crate) max_pieces: usize,
+    /// The most pieces of faces that a BSP may make: [`MAX_PIECES`], and fewer in tests.
+    pub max_pieces: usize,
 }
 
 impl Default for Pipeline {

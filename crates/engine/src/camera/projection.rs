@@ -31,11 +31,11 @@ impl Camera {
     /// cancellation costs no digits, and a zero is a zero.
     ///
     /// ```
-    /// # use camera_lab::camera::{Camera, Parameters};
+    /// # use camera_lab_engine::camera::{Camera, Parameters};
     /// # use glam::{DVec3, DVec4};
     /// let camera = Camera::new(&Parameters { position: DVec3::new(3.0, 4.0, 0.0), ..Parameters::default() })?;
     /// assert_eq!(camera.view_from_world().row(2), DVec4::new(0.6, 0.8, 0.0, -5.0));
-    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
     /// ```
     #[must_use]
     pub fn view_from_world(&self) -> DMat4 {
@@ -54,14 +54,14 @@ impl Camera {
     /// and (5.16), which is 0 0 0 1, and 2n/(r − l) for 2F/(r − l) in (5.11).
     ///
     /// ```
-    /// # use camera_lab::camera::{Camera, Parameters, ViewWindow};
+    /// # use camera_lab_engine::camera::{Camera, Parameters, ViewWindow};
     /// # use glam::DVec4;
     /// let window = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
     /// let camera = Camera::new(&Parameters { window, near: 2.0, far: 6.0, ..Parameters::default() })?;
     /// let m = camera.clip_from_view();
     /// assert_eq!(m.row(0), DVec4::new(1.0, 0.0, 0.5, 0.0)); // 2F/(r−l)  0  (r+l)/(r−l)  0
     /// assert_eq!(m.row(2), DVec4::new(0.0, 0.0, -2.0, -6.0)); // 0  0  −(B+F)/(B−F)  −2BF/(B−F)
-    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
     /// ```
     #[must_use]
     pub fn clip_from_view(&self) -> DMat4 {

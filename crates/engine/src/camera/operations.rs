@@ -116,7 +116,7 @@ impl Operation {
     /// operations rounds once, at its end: twelve steps of 30° lead back to the same parameters, bit for bit.
     ///
     /// ```
-    /// # use camera_lab::camera::{Camera, Convention, Operation, Parameters};
+    /// # use camera_lab_engine::camera::{Camera, Convention, Operation, Parameters};
     /// # use glam::DVec3;
     /// let position = DVec3::new(0.0, 0.0, 5.0);
     /// let camera = Camera::new(&Parameters { position, ..Parameters::default() })?;

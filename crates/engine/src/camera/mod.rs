@@ -89,7 +89,7 @@ impl Camera {
     /// product could come from rounding their components; an angle of 1e-10 rad between them is none of both.
     ///
     /// ```
-    /// use camera_lab::camera::{Camera, Parameters};
+    /// use camera_lab_engine::camera::{Camera, Parameters};
     /// use glam::DVec3;
     ///
     /// // [0] Exercise 5.1. The (0, 1, 0) that it calls v is not perpendicular to n: it can only be VUP.
@@ -98,7 +98,7 @@ impl Camera {
     /// assert_eq!(camera.basis().n, DVec3::new(0.6, 0.8, 0.0));
     /// assert_eq!(camera.basis().u, DVec3::new(0.0, 0.0, -1.0));
     /// assert_eq!(camera.basis().v, DVec3::new(-0.8, 0.6, 0.0));
-    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
     /// ```
     ///
     /// # Errors
@@ -253,11 +253,11 @@ impl Camera {
     /// its half is reduced in degrees: tan 45° is 1.
     ///
     /// ```
-    /// # use camera_lab::camera::{Camera, Parameters};
+    /// # use camera_lab_engine::camera::{Camera, Parameters};
     /// let right_angle = Parameters { view_angle: 90.0, near: 7.0, aspect: 2.0, ..Parameters::default() };
     /// let window = Camera::new(&right_angle)?.window();
     /// assert_eq!((window.left, window.right, window.bottom, window.top), (-14.0, 14.0, -7.0, 7.0));
-    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
     /// ```
     #[must_use]
     pub fn window(&self) -> ViewWindow {

@@ -1,6 +1,6 @@
 //! The words that glam lacks: angle, ray, plane, box. No camera words here.
 
-pub(crate) mod double_double;
+pub mod double_double;
 mod triangle_tree;
 
 use glam::DVec3;

@@ -11,7 +11,7 @@ impl Camera {
     /// the plane through C, as (5.21) has it, not on the window.
     ///
     /// ```
-    /// # use camera_lab::camera::{Camera, Parameters, Projection};
+    /// # use camera_lab_engine::camera::{Camera, Parameters, Projection};
     /// # use glam::{DVec2, DVec3};
     /// // [0] Exercise 5.1, parallel projection: the ray through (1, 1).
     /// let position = DVec3::new(3.0, 4.0, 0.0);
@@ -19,7 +19,7 @@ impl Camera {
     /// let ray = Camera::new(&parallel)?.ray_through_window(DVec2::ONE);
     /// assert_eq!(ray.origin, DVec3::new(2.2, 4.6, -1.0));
     /// assert_eq!(ray.direction, DVec3::new(-0.6, -0.8, 0.0));
-    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
     /// ```
     #[must_use]
     pub fn ray_through_window(&self, point: DVec2) -> Ray {

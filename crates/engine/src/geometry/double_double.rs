@@ -11,7 +11,7 @@ use glam::DVec3;
 
 /// `a + b` as rounded sum and exact error.
 #[inline]
-pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let t = s - a;
     (s, (a - (s - t)) + (b - t))
@@ -26,13 +26,13 @@ fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// `a b` as rounded product and error; the error is exact unless it underflows.
 #[inline]
-pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub fn two_product(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
     (p, a.mul_add(b, -p))
 }
 
 /// `x · 2^k`: exact unless it overflows or becomes subnormal.
-pub(crate) fn scale(x: f64, k: i32) -> f64 {
+pub fn scale(x: f64, k: i32) -> f64 {
     let mut x = x;
     let mut k = k;
     while k > 1000 {
@@ -47,7 +47,7 @@ pub(crate) fn scale(x: f64, k: i32) -> f64 {
 }
 
 /// The k with 2^k ≤ |x| < 2^(k+1); 0 for zero and non-finite numbers.
-pub(crate) fn exponent(x: f64) -> i32 {
+pub fn exponent(x: f64) -> i32 {
     const BIAS: i32 = 1023;
     if x == 0.0 || !x.is_finite() {
         return 0;
@@ -58,56 +58,58 @@ pub(crate) fn exponent(x: f64) -> i32 {
 }
 
 /// 2⁻⁹⁶: anything smaller than this part of its summands is the noise of a computation with 106 bits.
-pub(crate) const NOISE: f64 = 1.262_177_448_353_619e-29;
+pub const NOISE: f64 = 1.262_177_448_353_619e-29;
 
 /// A number `hi + lo`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Dd {
+pub struct Dd {
     hi: f64,
     lo: f64,
 }
 
 impl Dd {
-    pub(crate) const ZERO: Self = Self::new(0.0);
-    pub(crate) const ONE: Self = Self::new(1.0);
+    /// 0
+    pub const ZERO: Self = Self::new(0.0);
+    /// 1
+    pub const ONE: Self = Self::new(1.0);
     /// π / 180.
     const RADIANS_PER_DEGREE: Self = Self { hi: 0.017_453_292_519_943_295, lo: 2.948_652_270_870_168_7e-19 };
     /// 180 / π.
     const DEGREES_PER_RADIAN: Self = Self { hi: 57.295_779_513_082_32, lo: -1.987_849_567_057_628_3e-15 };
 
     /// Exactly `x`.
-    pub(crate) const fn new(x: f64) -> Self {
+    pub const fn new(x: f64) -> Self {
         Self { hi: x, lo: 0.0 }
     }
 
     /// Exactly `a + b`.
-    pub(crate) fn sum(a: f64, b: f64) -> Self {
+    pub fn sum(a: f64, b: f64) -> Self {
         let (hi, lo) = two_sum(a, b);
         Self { hi, lo }
     }
 
     /// Exactly `a − b`.
-    pub(crate) fn difference(a: f64, b: f64) -> Self {
+    pub fn difference(a: f64, b: f64) -> Self {
         Self::sum(a, -b)
     }
 
     /// The nearest `f64`.
-    pub(crate) const fn value(self) -> f64 {
+    pub const fn value(self) -> f64 {
         self.hi
     }
 
     /// Both parts, the greater first.
-    pub(crate) const fn parts(self) -> [f64; 2] {
+    pub const fn parts(self) -> [f64; 2] {
         [self.hi, self.lo]
     }
 
     /// `self · 2^k`.
-    pub(crate) fn scaled(self, k: i32) -> Self {
+    pub fn scaled(self, k: i32) -> Self {
         Self { hi: scale(self.hi, k), lo: scale(self.lo, k) }
     }
 
     /// The square root of a number that is not negative.
-    pub(crate) fn sqrt(self) -> Self {
+    pub fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
             return Self::ZERO;
         }
@@ -118,18 +120,18 @@ impl Dd {
     }
 
     /// Zero where nothing is left of a sum but the noise of its summands: below 2⁻⁹⁶ of their `size`.
-    pub(crate) fn without_noise(self, size: f64) -> Self {
+    pub fn without_noise(self, size: f64) -> Self {
         if self.hi.abs() <= size * NOISE { Self::ZERO } else { self }
     }
 
     /// The sum; zero where nothing but noise is left of it.
-    pub(crate) fn plus(self, other: Self) -> Self {
+    pub fn plus(self, other: Self) -> Self {
         (self + other).without_noise(self.hi.abs() + other.hi.abs())
     }
 
     /// The greatest whole number that is not above it. What lies within `noise` (at most 2⁻²⁰) of a whole number is
     /// that number.
-    pub(crate) fn floor(self, noise: f64) -> f64 {
+    pub fn floor(self, noise: f64) -> f64 {
         let nearest = self.hi.round();
         let off = (self - Self::new(nearest)).hi;
         let noise = noise.max(self.hi.abs() * NOISE).min(2f64.powi(-20));
@@ -194,9 +196,15 @@ impl Div for Dd {
     }
 }
 
+impl PartialOrd for Dd {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        self.parts().partial_cmp(&other.parts())
+    }
+}
+
 /// The sum of `terms`, as if it were computed exactly and then rounded to 106 bits (Shewchuk's growing expansions).
 /// Zero if and only if the exact sum is zero.
-pub(crate) fn exact_sum(terms: impl IntoIterator<Item = f64>) -> Dd {
+pub fn exact_sum(terms: impl IntoIterator<Item = f64>) -> Dd {
     let mut parts: Vec<f64> = Vec::with_capacity(16);
     for term in terms {
         let mut x = term;
@@ -219,7 +227,7 @@ pub(crate) fn exact_sum(terms: impl IntoIterator<Item = f64>) -> Dd {
 
 /// Sine and cosine of an angle in degrees, to about 100 bits, exact at the multiples of 30° where they are rational.
 /// The angle is reduced exactly: 360° more or less change no bit.
-pub(crate) fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
+pub fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
     let turn = degrees % 360.0;
     let quarters = (turn / 90.0).round();
     let rest = turn - quarters * 90.0;
@@ -256,7 +264,7 @@ fn sin_cos_radians(x: Dd) -> (Dd, Dd) {
 }
 
 /// tan(θ/2) for 0 ≤ θ < 180 in degrees. Near 180° it comes from the complement 180° − θ, which is exact.
-pub(crate) fn tan_half_degrees(degrees: f64) -> Dd {
+pub fn tan_half_degrees(degrees: f64) -> Dd {
     if degrees > 90.0 {
         let (s, c) = sin_cos_degrees((180.0 - degrees) / 2.0);
         c / s
@@ -269,7 +277,7 @@ pub(crate) fn tan_half_degrees(degrees: f64) -> Dd {
 }
 
 /// arctan in degrees: one step of Newton's method, in double-double, from the `f64` value.
-pub(crate) fn atan_degrees(tangent: Dd) -> Dd {
+pub fn atan_degrees(tangent: Dd) -> Dd {
     if tangent.hi < 0.0 {
         return -atan_degrees(-tangent);
     }
@@ -285,44 +293,49 @@ pub(crate) fn atan_degrees(tangent: Dd) -> Dd {
 
 /// A vector of three [`Dd`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Dd3 {
-    pub(crate) x: Dd,
-    pub(crate) y: Dd,
-    pub(crate) z: Dd,
+pub struct Dd3 {
+    /// x
+    pub x: Dd,
+    /// y
+    pub y: Dd,
+    /// z
+    pub z: Dd,
 }
 
 impl Dd3 {
-    pub(crate) const fn new(x: Dd, y: Dd, z: Dd) -> Self {
+    /// The vector (x, y, z).
+    pub const fn new(x: Dd, y: Dd, z: Dd) -> Self {
         Self { x, y, z }
     }
 
     /// The components.
-    pub(crate) const fn to_array(self) -> [Dd; 3] {
+    pub const fn to_array(self) -> [Dd; 3] {
         [self.x, self.y, self.z]
     }
 
     /// The nearest `f64` vector.
-    pub(crate) fn value(self) -> DVec3 {
+    pub fn value(self) -> DVec3 {
         DVec3::new(self.x.value(), self.y.value(), self.z.value())
     }
 
-    pub(crate) fn map(self, f: impl Fn(Dd) -> Dd) -> Self {
+    /// The vector of `f` of each coordinate.
+    pub fn map(self, f: impl Fn(Dd) -> Dd) -> Self {
         Self { x: f(self.x), y: f(self.y), z: f(self.z) }
     }
 
     /// The scalar product; zero where nothing but noise is left of it.
-    pub(crate) fn dot(self, other: Self) -> Dd {
+    pub fn dot(self, other: Self) -> Dd {
         let [x, y, z] = [self.x * other.x, self.y * other.y, self.z * other.z];
         (x + y + z).without_noise(x.hi.abs() + y.hi.abs() + z.hi.abs())
     }
 
     /// The sum, with [`Dd::plus`] in each component.
-    pub(crate) fn plus(self, other: Self) -> Self {
+    pub fn plus(self, other: Self) -> Self {
         Self { x: self.x.plus(other.x), y: self.y.plus(other.y), z: self.z.plus(other.z) }
     }
 
     /// The vector product, with [`Dd::plus`] in each component.
-    pub(crate) fn cross(self, other: Self) -> Self {
+    pub fn cross(self, other: Self) -> Self {
         Self {
             x: (self.y * other.z).plus(-(self.z * other.y)),
             y: (self.z * other.x).plus(-(self.x * other.z)),
@@ -331,22 +344,22 @@ impl Dd3 {
     }
 
     /// The power of two of the greatest component.
-    pub(crate) fn exponent(self) -> i32 {
+    pub fn exponent(self) -> i32 {
         exponent(self.value().abs().max_element())
     }
 
     /// Every component times 2^k.
-    pub(crate) fn scaled(self, k: i32) -> Self {
+    pub fn scaled(self, k: i32) -> Self {
         self.map(|x| x.scaled(k))
     }
 
     /// Length of a vector whose greatest component is near 1; see [`Self::exponent`] and [`Self::scaled`].
-    pub(crate) fn length(self) -> Dd {
+    pub fn length(self) -> Dd {
         self.dot(self).sqrt()
     }
 
     /// The unit vector along a vector that is neither zero nor infinite, whatever its size.
-    pub(crate) fn unit(self) -> Self {
+    pub fn unit(self) -> Self {
         let near_one = self.scaled(-self.exponent());
         let length = near_one.length();
         near_one.map(|x| x / length)

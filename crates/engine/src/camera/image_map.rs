@@ -52,7 +52,7 @@ impl ImageSize {
     /// (i + 1/2, j + 1/2) is the centre of one.
     ///
     /// ```
-    /// # use camera_lab::camera::{ImageSize, ViewWindow};
+    /// # use camera_lab_engine::camera::{ImageSize, ViewWindow};
     /// # use glam::DVec2;
     /// let window = ViewWindow { left: -4.0, right: 4.0, bottom: -3.0, top: 3.0 };
     /// let image = ImageSize { width: 8, height: 6 };

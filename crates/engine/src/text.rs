@@ -13,24 +13,24 @@ use skrifa::{FontRef, GlyphId, MetadataProvider};
 #[cfg(not(target_arch = "wasm32"))]
 macro_rules! font {
     ($name:literal) => {
-        include_bytes!(concat!("../assets/fonts/", $name))
+        include_bytes!(concat!("../../../assets/fonts/", $name))
     };
 }
 #[cfg(target_arch = "wasm32")]
 macro_rules! font {
     ($name:literal) => {
-        include_bytes!(concat!("../assets/fonts/page/", $name))
+        include_bytes!(concat!("../../../assets/fonts/page/", $name))
     };
 }
 
 /// `DejaVu Sans`: free licence (beside it), Latin with accents, Greek, arrows and mathematical signs.
 pub static FONT_BYTES: &[u8] = font!("DejaVuSans.ttf");
 /// The letters of mathematics, those of `KaTeX`: free licence (beside them).
-pub(crate) const ROMAN_BYTES: &[u8] = include_bytes!("../assets/fonts/KaTeX_Main-Regular.ttf");
+pub const ROMAN_BYTES: &[u8] = include_bytes!("../../../assets/fonts/KaTeX_Main-Regular.ttf");
 /// Vectors.
-pub(crate) const BOLD_BYTES: &[u8] = include_bytes!("../assets/fonts/KaTeX_Main-Bold.ttf");
+pub const BOLD_BYTES: &[u8] = include_bytes!("../../../assets/fonts/KaTeX_Main-Bold.ttf");
 /// Other symbols.
-pub(crate) const ITALIC_BYTES: &[u8] = include_bytes!("../assets/fonts/KaTeX_Math-Italic.ttf");
+pub const ITALIC_BYTES: &[u8] = include_bytes!("../../../assets/fonts/KaTeX_Math-Italic.ttf");
 
 /// The font of a letter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -91,8 +91,7 @@ pub fn face(c: char, mathematical: bool) -> (Face, char) {
 }
 
 /// `DejaVu Sans Mono`, for code and columns of numbers: of the window alone.
-#[cfg(feature = "gui")]
-pub(crate) static MONOSPACED_FONT_BYTES: &[u8] = font!("DejaVuSansMono.ttf");
+pub static MONOSPACED_FONT_BYTES: &[u8] = font!("DejaVuSansMono.ttf");
 
 /// Size of a subscript, as a share of the text's.
 const SUBSCRIPT_SIZE: f32 = 0.7;
@@ -422,10 +421,10 @@ mod tests {
 
     #[test]
     fn the_page_has_the_same_letters_and_all_that_the_program_writes() {
-        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         let mut written = std::collections::BTreeSet::new();
         let mut waiting =
-            ["src", "assets/notes", "assets/exercises", "assets/figures"].map(|at| root.join(at)).to_vec();
+            ["src", "crates", "assets/notes", "assets/exercises", "assets/figures"].map(|at| root.join(at)).to_vec();
         while let Some(at) = waiting.pop() {
             if at.is_dir() {
                 waiting.extend(std::fs::read_dir(at).unwrap().map(|entry| entry.unwrap().path()));

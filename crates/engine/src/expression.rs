@@ -77,7 +77,7 @@ const MAX_DEPTH: u32 = MAX_EXPRESSION.1;
 /// The value of `text`; of an angle, its degrees.
 ///
 /// ```
-/// # use camera_lab::expression::{Dimension, evaluate};
+/// # use camera_lab_engine::expression::{Dimension, evaluate};
 /// assert_eq!(evaluate("1,5 * 2", Dimension::Number), Ok(3.0));
 /// assert_eq!(evaluate("pi/6", Dimension::Angle), Ok(30.0));
 /// assert_eq!(evaluate("2 * (3 + x)", Dimension::Number).map_err(|error| error.span), Err(9..10));
@@ -92,7 +92,7 @@ pub fn evaluate(text: &str, dimension: Dimension) -> Result<f64, ExpressionError
 /// As [`evaluate`], with numbers that have names: the F of an exercise in `2F/3`. Capitals do not matter.
 ///
 /// ```
-/// # use camera_lab::expression::{Dimension, evaluate_with};
+/// # use camera_lab_engine::expression::{Dimension, evaluate_with};
 /// assert_eq!(evaluate_with("7 − 2F/3", Dimension::Number, &[("F", 6.0)]), Ok(3.0));
 /// ```
 ///
@@ -127,7 +127,7 @@ pub fn evaluate_with(text: &str, dimension: Dimension, names: &[(&str, f64)]) ->
 /// otherwise between the commas outside of parentheses.
 ///
 /// ```
-/// # use camera_lab::expression::parts;
+/// # use camera_lab_engine::expression::parts;
 /// assert_eq!(parts("sqrt(2,5), 0, 1").collect::<Vec<_>>(), ["sqrt(2,5)", " 0", " 1"]);
 /// assert_eq!(parts("0,5; 1").collect::<Vec<_>>(), ["0,5", " 1"]);
 /// ```
