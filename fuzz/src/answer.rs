@@ -1,5 +1,5 @@
-//! Answers to every exercise, made of what answers are made of, so that nearly all are judged: what is right is right
-//! however it is written, and whatever is judged has as many verdicts as numbers and a score between 0 and 1.
+//! Answers to every exercise, by grammar, so that nearly all of them are judged. A right answer is right in every
+//! notation. Each judged answer has as many verdicts as numbers, and a score between 0 and 1.
 
 use arbitrary::{Arbitrary, Unstructured};
 use camera_lab::exercises::{Answer, Expected, Free, Kind, check, entries};

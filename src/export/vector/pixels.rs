@@ -8,7 +8,7 @@ use super::{Item, Page};
 use crate::appearance::Rgba;
 use crate::text::{self, Element};
 
-/// The page with so many pixels per unit; `None` if these are too many.
+/// The pixels of a page, `zoom` per unit; `None` if there would be too many.
 #[must_use]
 pub fn pixels(page: &Page, zoom: f32) -> Option<Pixmap> {
     paint(&page.items, [0.0, 0.0, page.size[0], page.size[1]], zoom)

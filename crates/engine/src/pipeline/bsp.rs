@@ -55,7 +55,7 @@ pub(super) fn by_splitting(
 }
 
 /// The distance from a plane within which a point is on it: a share of the extent of all faces, and the rounding of
-/// their coordinates. Where the scene is small and far away, the second is much less than a share of the distance.
+/// their coordinates. If the scene is small and far away, the second is much less than a share of the distance.
 fn tolerance(set: &[Piece]) -> f64 {
     const OF_EXTENT: f64 = 1e-10;
     let corners = || set.iter().flat_map(|piece| &piece.corners).map(|corner| corner.view);
@@ -201,7 +201,7 @@ impl Tree<'_> {
         let corners = &piece.corners;
         let new_side = self.cuts.new_side();
         let distances: Vec<f64> = corners.iter().map(|corner| plane.distance(corner.view, self.tolerance)).collect();
-        // `side`: 1 on the front, −1 on the back. Where the border leaves it, the piece goes on along the plane.
+        // `side`: 1 on the front, −1 on the back. If the border leaves it, the piece follows the plane.
         let corner = |origin: Origin, side: f64| {
             let next_is_beyond = |first: usize| side * distances[(first + 1) % corners.len()] < 0.0;
             match origin {

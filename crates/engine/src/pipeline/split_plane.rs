@@ -27,7 +27,7 @@ impl SplitPlane {
         if distance.abs() <= tolerance { 0.0 } else { distance }
     }
 
-    /// True where the eye is in front of the plane.
+    /// `true` if the eye is in front of the plane.
     pub(super) fn faces_eye(&self, projector: &Projector) -> bool {
         if projector.perspective { self.normal.dot(self.point) <= 0.0 } else { self.normal.z >= 0.0 }
     }
