@@ -2,10 +2,14 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use std::path::{Path, PathBuf};
+
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use crate::common::camera::{assert_close, assert_close3, camera, rows};
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// C = (0, 0, 5) looking at the origin: world and VRC have parallel axes.
 fn plain(change: impl FnOnce(&mut Parameters)) -> Camera {
@@ -345,16 +349,16 @@ fn pyramid_of_the_exercises_on_spaces() {
 
 #[test]
 fn the_table_of_equations_names_what_exists() {
-    let folder = |path: &str| std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/").to_owned() + path).unwrap();
-    let sources: String = folder("crates/engine/src/camera")
-        .chain(folder("crates/engine/src/pipeline"))
-        .chain(folder("src/views"))
-        .chain(folder("tests/it"))
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.is_file())
-        .map(|path| std::fs::read_to_string(path).unwrap())
-        .collect();
-    let table = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/equations.md")).unwrap();
+    let mut open: Vec<PathBuf> = ["crates", "tests/it"].map(|path| Path::new(ROOT).join(path)).into();
+    let mut sources = String::new();
+    while let Some(path) = open.pop() {
+        if path.is_dir() {
+            open.extend(std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path()));
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            sources += &std::fs::read_to_string(path).unwrap();
+        }
+    }
+    let table = std::fs::read_to_string(Path::new(ROOT).join("docs/equations.md")).unwrap();
     let mut names = 0;
     for word in table.split('`').skip(1).step_by(2) {
         let name = word.rsplit("::").next().unwrap_or(word).trim_end_matches('…');

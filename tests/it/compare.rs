@@ -2,12 +2,16 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use std::collections::BTreeSet;
+
 use camera_lab::camera::Camera;
-use camera_lab::figure::{Comparison, Figure, Show, View, read, varied, write};
-use camera_lab::i18n::{Lang, pictures::labels};
+use camera_lab::figure::variation::VariedValue;
+use camera_lab::figure::{Comparison, Figure, Show, View, read, varied, words, write};
+use camera_lab::i18n::{Lang, messages, pictures::labels};
 use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::share;
-use camera_lab::views::{Request, Size, overlay};
+use camera_lab::text::runs;
+use camera_lab::views::{Request, Size, caption, overlay};
 
 use crate::cli::pixels;
 use crate::common::program::Bench;
@@ -255,4 +259,79 @@ fn planes_fight_in_the_image_where_depths_have_few_bits() {
         Figure { compare: Some(Comparison::of_key("style.depth_format", "\"fixed-16\"")), ..fighting("f32-reversed") };
     let [own, other] = request(&both, View::Image).sides().unwrap();
     assert!(drawn(&own.request) == float && drawn(&other.request) == fixed_16);
+}
+
+#[test]
+fn an_impossible_comparison_is_refused_by_line_and_key() {
+    let many: Vec<String> = (0..9).map(|i| format!("\"zoom=1.{i}\"")).collect();
+    for (text, parts) in [
+        (
+            "with = { \"style.visibilty\" = \"painter\" }",
+            &["line 2", "[compare] with.style.visibilty", "visibility"][..],
+        ),
+        ("with = { \"styel.visibility\" = \"painter\" }", &["style"]),
+        ("with = { \"style.visibility\" = \"paint\" }", &["line 2", "\"paint\"", "\"painter\""]),
+        ("with = { \"style.theme\" = \"dark\" }", &["style.theme", "shading"]),
+        ("with = { \"scene.preset\" = \"house\" }", &["scene.preset", "camera"]),
+        ("with = { style = \"dark\" }", &["[compare] with.style", "\"dark\"", "section"]),
+        ("with = { \"camera.near\" = 0 }", &["line 2", "near is 0", "greater than 0"]),
+        ("with = { \"camera.view_up\" = [0, 0, 0] }", &["line 2", "view_up"]),
+        ("with = 3", &["[compare] with"]),
+        ("", &["[compare] with"]),
+        ("ops = [\"azimut=3\"]", &["[compare] ops"]),
+        (&format!("ops = [{}]", many.join(", ")), &["9", "8"]),
+        ("with = { \"camera.near\" = 1 }\nwiper = 2", &["line 3", "[compare] wiper", "1"]),
+        ("with = { \"camera.near\" = 1 }\nlayout = \"side\"", &["[compare] layout", "beside"]),
+        ("with = { \"camera.near\" = 1 }\nwipe = 0.5", &["[compare] wipe", "wiper"]),
+    ] {
+        let error = read::parse(&format!("[compare]\n{text}\n")).unwrap_err();
+        let message = messages::figure(Lang::En, &error);
+        for part in parts {
+            assert!(message.contains(part), "{text}: {message} lacks {part}");
+        }
+    }
+}
+
+fn caption_of(key: &str, value: Option<&str>, lang: Lang) -> String {
+    caption(&[VariedValue::Key(key.to_owned(), value.map(str::to_owned))], labels(lang))
+}
+
+#[test]
+fn captions_say_in_words_what_a_figure_reveals() {
+    fn names<T>(list: words::Words<T>) -> Vec<Option<&'static str>> {
+        std::iter::once(None).chain(list.iter().map(|(word, _)| Some(*word))).collect()
+    }
+    let on_and_off = || vec![Some("false"), Some("true")];
+    let keys = [
+        ("reveal.depth", vec![Some("false"), Some("true"), Some("linear")]),
+        ("reveal.outside", names(words::OUTSIDES)),
+        ("reveal.texture", names(words::TEXTURE_REVEALS)),
+        ("reveal.shadows", names(words::SHADOW_REVEALS)),
+        ("show.stage", names(words::STAGES)),
+        ("reveal.clipping", on_and_off()),
+        ("reveal.divide_first", on_and_off()),
+        ("reveal.culled", on_and_off()),
+        ("reveal.vanishing", on_and_off()),
+    ];
+    for (key, values) in keys {
+        let all = |lang| values.iter().map(|value| caption_of(key, *value, lang)).collect::<Vec<_>>();
+        let [english, portuguese] = [Lang::En, Lang::PtBr].map(all);
+        for texts in [&english, &portuguese] {
+            assert!(texts.iter().all(|text| !text.contains('=') && !text.contains('–')), "{texts:?}");
+            assert_eq!(texts.iter().collect::<BTreeSet<_>>().len(), values.len(), "{texts:?}");
+        }
+        assert_ne!(english, portuguese);
+    }
+}
+
+#[test]
+fn captions_print_keys_and_words_of_a_file_without_subscripts() {
+    let shown = |key, value| {
+        let text = caption_of(key, Some(value), Lang::En);
+        let runs = runs(&text);
+        assert!(runs.iter().all(|run| !run.lowered), "{runs:?}");
+        runs.iter().map(|run| run.text).collect::<String>()
+    };
+    assert_eq!(shown("world.window_opacity", "0.5"), "window_opacity = 0.5");
+    assert_eq!(shown("scene.preset", "my_scene"), "preset = my_scene");
 }

@@ -1,4 +1,4 @@
-//! Who may import whom: the `crate::` paths of each file against the table of the design.
+//! Who may use whom inside a crate. Between crates, Cargo says it.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -6,125 +6,58 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Leaves that everybody may import.
-const LEAVES: &[&str] = &["appearance", "chart", "sanitize", "limits", "progress", "stage"];
+/// Modules of the engine that anybody may use.
+const LEAVES: &[&str] = &["appearance", "sanitize", "limits", "progress", "stage"];
 
-/// Each module with the modules that it may import, besides [`LEAVES`].
-const TABLE: &[(&str, &[&str])] = &[
-    ("appearance", &[]),
-    ("chart", &["numbers"]),
-    ("sanitize", &[]),
-    ("limits", &[]),
-    ("progress", &[]),
-    ("stage", &[]),
-    ("formula", &[]),
-    ("geometry", &[]),
-    ("numbers", &[]),
-    // The sine of whole degrees is exact there.
-    ("expression", &["geometry"]),
-    ("camera", &["geometry", "numbers", "expression"]),
-    ("scene", &["geometry", "text"]),
-    ("text", &[]),
-    ("drawing", &[]),
-    ("simd", &[]),
-    ("lighting", &["drawing", "simd"]),
-    ("pipeline", &["geometry", "camera", "scene", "drawing", "lighting", "simd"]),
-    ("raster", &["drawing", "lighting", "simd", "text"]),
-    ("figure", &["geometry", "camera", "scene", "expression", "formula", "numbers"]),
-    ("inspect", &["camera", "figure"]),
-    ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "formula", "numbers", "text"]),
-    ("export", &["drawing", "raster", "inspect", "text", "formula"]),
-    ("share", &[]),
-    ("files", &["camera", "figure", "export", "scene", "exercises", "lessons", "numbers", "share"]),
-    ("clock", &[]),
-    ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export", "text"]),
-    ("numerics", &["geometry", "numbers", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),
-    ("explain", &["geometry", "camera", "scene", "figure", "inspect", "numbers"]),
-    ("exercises", &["geometry", "camera", "scene", "figure", "inspect", "explain", "expression", "formula", "numbers"]),
-    ("lessons", &["camera", "scene", "figure", "inspect", "exercises", "numerics", "numbers"]),
-    // The enums of errors, warnings, labels and stages.
+/// The modules of each crate, each with the modules of its own crate that it may use, besides [`LEAVES`].
+const CRATES: [(&str, &[(&str, &[&str])]); 4] = [
     (
-        "i18n",
+        "crates/engine/src",
         &[
-            "expression",
-            "formula",
-            "numbers",
-            "camera",
-            "scene",
-            "figure",
-            "inspect",
-            "export",
-            "files",
-            "views",
-            "pipeline",
-            "picture",
-            "numerics",
-            "explain",
-            "exercises",
-            "lessons",
-            "share",
+            ("geometry", &[]),
+            ("numbers", &[]),
+            // The sine of whole degrees is exact there.
+            ("expression", &["geometry"]),
+            ("camera", &["geometry", "numbers", "expression"]),
+            ("scene", &["geometry"]),
+            ("text", &[]),
+            ("drawing", &[]),
+            ("simd", &[]),
+            ("lighting", &["drawing", "simd"]),
+            ("pipeline", &["geometry", "camera", "scene", "drawing", "lighting", "simd"]),
+            ("raster", &["drawing", "lighting", "simd", "text"]),
         ],
     ),
-    ("cli", EVERYTHING),
-    ("gui", EVERYTHING),
+    (
+        "crates/figures/src",
+        &[
+            ("chart", &[]),
+            ("formula", &[]),
+            ("figure", &["formula"]),
+            ("inspect", &["figure"]),
+            ("explain", &["figure", "inspect"]),
+            ("views", &["figure", "formula"]),
+            ("export", &["chart", "formula", "inspect"]),
+            ("picture", &["figure", "views", "export"]),
+        ],
+    ),
+    (
+        "crates/teaching/src",
+        &[("clock", &[]), ("numerics", &["clock"]), ("exercises", &[]), ("lessons", &["exercises", "numerics"])],
+    ),
+    (
+        "src",
+        &[
+            ("share", &[]),
+            ("files", &["share"]),
+            ("i18n", &["files", "share"]),
+            ("cli", &["files", "i18n", "share"]),
+            ("gui", &["files", "i18n", "share"]),
+        ],
+    ),
 ];
 
-const EVERYTHING: &[&str] = &[
-    "exercises",
-    "lessons",
-    "explain",
-    "numerics",
-    "numbers",
-    "expression",
-    "formula",
-    "text",
-    "geometry",
-    "camera",
-    "scene",
-    "drawing",
-    "pipeline",
-    "raster",
-    "figure",
-    "inspect",
-    "views",
-    "export",
-    "files",
-    "clock",
-    "picture",
-    "share",
-    "i18n",
-];
-
-/// Libraries that only some modules may name.
-const LIBRARIES: &[(&str, &[&str])] = &[
-    ("eframe", &["gui"]),
-    ("egui", &["gui"]),
-    ("rfd", &["gui"]),
-    ("qrcode", &["gui"]),
-    ("clap", &["cli", "i18n"]),
-    ("dashu_float", &["numerics"]),
-    ("egui_commonmark", &["gui"]),
-    ("egui_plot", &["gui"]),
-    ("ratex_layout", &["gui"]),
-    ("ratex_parser", &["gui"]),
-    ("ratex_types", &["gui"]),
-    ("base64", &["export", "scene", "share"]),
-    ("js_sys", &["gui"]),
-    ("miniz_oxide", &["export", "share"]),
-    ("pdf_writer", &["export"]),
-    ("subsetter", &["export"]),
-    ("xmlwriter", &["export"]),
-    ("csv", &["exercises", "cli"]),
-    ("toml_edit", &["exercises", "figure", "gui", "lessons"]),
-    ("fearless_simd", &["simd"]),
-    ("gif", &["export"]),
-    ("skrifa", &["text"]),
-    ("wasm_bindgen", &["gui"]),
-    ("web_sys", &["gui"]),
-    ("tiny_skia", &["raster", "export", "files", "picture"]),
-];
-
-/// What touches the file system.
+/// The modules that may open files.
 const FILES: &[&str] = &["files", "cli", "gui"];
 
 fn rust_files(directory: &Path, into: &mut Vec<PathBuf>) {
@@ -250,73 +183,69 @@ fn imports(code: &str) -> BTreeSet<String> {
     found
 }
 
-fn names(code: &str, library: &str) -> bool {
-    let path = format!("{library}::");
-    code.match_indices(&path).any(|(at, _)| !code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_'))
-}
-
-/// Path and program text of every file.
-fn sources() -> Vec<(String, String)> {
-    let mut sources = Vec::new();
-    for source in ["src", "crates/engine/src"].map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)) {
-        let mut files = Vec::new();
-        rust_files(&source, &mut files);
-        assert!(files.len() > 50, "the sources are not where they were");
-        files.sort();
-        let read = |file: PathBuf| {
-            let path = file.strip_prefix(&source).unwrap().to_string_lossy().replace('\\', "/");
-            (path, code(&fs::read_to_string(&file).unwrap()))
-        };
-        sources.extend(files.into_iter().map(read));
-    }
-    // The roots of the crates name everything.
+/// Path and program text of every file of a crate.
+fn sources(folder: &str) -> Vec<(String, String)> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let mut files = Vec::new();
+    rust_files(&source, &mut files);
+    assert!(files.len() > 10, "the sources are not where they were");
+    files.sort();
+    let read = |file: PathBuf| {
+        let path = file.strip_prefix(&source).unwrap().to_string_lossy().replace('\\', "/");
+        (path, code(&fs::read_to_string(&file).unwrap()))
+    };
+    let mut sources: Vec<_> = files.into_iter().map(read).collect();
+    // The root of a crate names everything.
     sources.retain(|(path, _)| !(path == "lib.rs" || path == "main.rs" || path.ends_with("tests.rs")));
     sources
 }
 
+/// What a permission is for is found in the code: one that nobody uses is a fault too.
 #[test]
-fn every_file_keeps_to_the_table_of_imports() {
+fn modules_use_what_the_table_allows_and_nothing_else() {
     let mut faults = Vec::new();
-    let sources = sources();
-    for (path, code) in &sources {
-        let module = path.split('/').next().unwrap().trim_end_matches(".rs").to_owned();
-        let Some((_, allowed)) = TABLE.iter().find(|(name, _)| *name == module) else {
-            faults.push(format!("{path}: the module {module} is not in the table"));
-            continue;
-        };
-        for import in imports(code) {
-            let own = import == module || LEAVES.contains(&import.as_str());
-            if !own && !allowed.contains(&import.as_str()) {
-                faults.push(format!("{path} imports crate::{import}"));
+    for (folder, table) in CRATES {
+        let mut unused: BTreeSet<(&str, &str)> =
+            table.iter().flat_map(|(module, allowed)| allowed.iter().map(|name| (*module, *name))).collect();
+        let own = |name: &str| table.iter().any(|(module, _)| *module == name);
+        for (path, code) in sources(folder) {
+            let module = path.split('/').next().unwrap().trim_end_matches(".rs").to_owned();
+            let row = table.iter().find(|(name, _)| *name == module);
+            if row.is_none() && !LEAVES.contains(&module.as_str()) {
+                faults.push(format!("{folder}/{path}: the module {module} is not in the table"));
+            }
+            for import in imports(&code).into_iter().filter(|import| *import != module && own(import)) {
+                unused.retain(|permission| *permission != (module.as_str(), import.as_str()));
+                if !row.is_some_and(|(_, allowed)| allowed.contains(&import.as_str())) {
+                    faults.push(format!("{folder}/{path} uses {import}"));
+                }
+            }
+            if code.contains("std::fs") && !FILES.contains(&module.as_str()) {
+                faults.push(format!("{folder}/{path} opens files"));
+            }
+            if code.contains("egui::") && module != "gui" {
+                faults.push(format!("{folder}/{path} names egui"));
             }
         }
-        for (library, _) in LIBRARIES.iter().filter(|(_, who)| !who.contains(&module.as_str())) {
-            if names(code, library) {
-                faults.push(format!("{path} names {library}"));
-            }
-        }
-        if code.contains("std::fs") && !FILES.contains(&module.as_str()) {
-            faults.push(format!("{path} touches the file system"));
-        }
-    }
-    for (module, allowed) in TABLE {
-        for name in allowed.iter().chain([module]) {
-            let there = sources.iter().any(|(path, _)| module_of(path)[0] == *name);
-            if !there {
-                faults.push(format!("the row of {module} names {name}, which does not exist"));
-            }
-        }
+        faults.extend(unused.iter().map(|(module, name)| format!("{folder}: {module} does not use {name}")));
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
 #[test]
 fn files_of_a_module_do_not_name_each_other_in_circles() {
-    let sources = sources();
+    for (folder, _) in CRATES {
+        let found = circles_in(&sources(folder));
+        assert!(found.is_empty(), "{folder}: files that name each other in a circle: {found:?}");
+    }
+}
+
+/// The circles of each folder, with the folder.
+fn circles_in(sources: &[(String, String)]) -> Vec<(String, Vec<String>)> {
     let modules: BTreeSet<Names> = sources.iter().map(|(path, _)| module_of(path)).collect();
     // What a module hands on: `pub use child::Name` makes Name a name for the child.
     let mut handed_on: BTreeMap<Names, Names> = BTreeMap::new();
-    for (path, code) in &sources {
+    for (path, code) in sources {
         let module = module_of(path);
         for child in modules.iter().filter(|m| m.len() == module.len() + 1 && m.starts_with(&module)) {
             let name = &child[module.len()];
@@ -333,7 +262,7 @@ fn files_of_a_module_do_not_name_each_other_in_circles() {
     }
     // For each folder: which of its files names which other one.
     let mut arrows: BTreeMap<Names, BTreeSet<(String, String)>> = BTreeMap::new();
-    for (path, code) in &sources {
+    for (path, code) in sources {
         let module = module_of(path);
         for path in paths(code) {
             let mut target = resolved(&path, &module);
@@ -355,7 +284,7 @@ fn files_of_a_module_do_not_name_each_other_in_circles() {
     for (folder, arrows) in &arrows {
         found.extend(circles(arrows).into_iter().map(|circle| (folder.join("::"), circle)));
     }
-    assert!(found.is_empty(), "files that name each other in a circle: {found:?}");
+    found
 }
 
 /// The names to which arrows lead.
@@ -383,35 +312,11 @@ fn circles(arrows: &BTreeSet<(String, String)>) -> Vec<Vec<String>> {
     found.into_iter().collect()
 }
 
-/// A method that a module adds to a type of another one makes that type seem to know what it must not know.
-#[test]
-fn no_module_adds_methods_to_the_types_of_another() {
-    let mut found = Vec::new();
-    for (path, code) in sources() {
-        let module = module_of(&path);
-        let foreign: BTreeSet<String> = paths(&code)
-            .into_iter()
-            .map(|path| resolved(&path, &module))
-            .filter(|target| target.len() > 1 && target[0] != module[0])
-            .filter_map(|target| target.last().cloned())
-            .collect();
-        for (at, _) in code.match_indices("\nimpl ") {
-            let name = word(&code[at + 6..]);
-            let rest = code[at + 6 + name.len()..].trim_start();
-            if rest.starts_with('{') && foreign.contains(name) {
-                found.push((path.clone(), name.to_owned()));
-            }
-        }
-    }
-    assert_eq!(found, []);
-}
-
 #[test]
 fn imports_are_seen_in_every_form() {
     let text = "use crate::a::{B, c};\nuse crate::{d::{E, f}, g};\n// crate::no\nlet x = crate::h::i();\n#[cfg(test)]\nmod t { use crate::no; }";
     let found: Vec<String> = imports(&code(text)).into_iter().collect();
     assert_eq!(found, ["a", "d", "g", "h"]);
-    assert!(names("use egui::Ui;", "egui") && !names("let x = my_egui::x;", "egui"));
 }
 
 #[test]

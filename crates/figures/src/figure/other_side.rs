@@ -1,0 +1,180 @@
+//! The figure on the other side of a comparison, and the figures that a comparison makes.
+
+use toml_edit::Value;
+
+use super::edit::{value_of, varied_whole};
+use super::error::{FigureError, Problem};
+use super::write::{document, quoted};
+use super::{Comparison, Figure, WorldPart};
+use crate::camera::{Camera, Convention, Ndc};
+
+/// The other side of a figure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OtherSide {
+    /// The figure in the other way, without its scene.
+    pub figure: Figure,
+    /// Its camera, where it is another one.
+    pub camera: Option<Camera>,
+    /// The keys that are compared, with the values of the figure and those of the other side as they are written;
+    /// `None` where none is.
+    pub values: Vec<(String, [Option<String>; 2])>,
+}
+
+impl Comparison {
+    /// A figure that is compared as this says in one key: where it has the first of two values, with the second; else
+    /// with the first.
+    #[must_use]
+    pub fn of_pair(self, figure: &Figure, key: &str, pair: [&str; 2]) -> Figure {
+        let has_first = own_value(figure, key).as_deref() == Some(pair[0]);
+        let other = quoted(if has_first { pair[1] } else { pair[0] }).to_string();
+        let compare = Some(Self { with: vec![(key.to_owned(), other)], ops: Vec::new(), ..self });
+        Figure { compare, ..figure.clone() }
+    }
+
+    /// The values of the first key on both sides, as they are written without quotes.
+    #[must_use]
+    pub fn values(&self, figure: &Figure) -> Vec<String> {
+        let Some((key, other)) = self.with.first() else { return Vec::new() };
+        let other = other.trim_matches('"').to_owned();
+        own_value(figure, key).into_iter().chain([other]).collect()
+    }
+
+    /// The figure in the other way. Its own comparison is left out.
+    ///
+    /// # Errors
+    /// [`FigureError`], whose line is meaningless: a value is impossible together with those of the figure, or an
+    /// operation that the camera cannot do.
+    pub fn other_side(&self, figure: &Figure) -> Result<OtherSide, FigureError> {
+        let bare =
+            Figure { observers: figure.observers, show: figure.show.clone(), compare: None, ..figure.without_scene() };
+        let mut other = varied_whole(&bare, self.with.iter().map(|(key, value)| (&**key, &**value)))?;
+        let refused = |error| FigureError { line: 1, key: "[camera]".to_owned(), problem: Problem::Camera(error) };
+        let mut camera = Camera::new(&other.camera).map_err(refused)?;
+        for operation in &self.ops {
+            camera = operation.apply(&camera, Convention::default()).map_err(refused)?;
+        }
+        other.camera = *camera.parameters();
+        let documents = [&bare, &other].map(document);
+        let values = self.with.iter().map(|(key, _)| {
+            let written =
+                |value: Value| value.as_str().map_or_else(|| value.to_string().trim().to_owned(), str::to_owned);
+            let value = |document| {
+                let value = value_of(document, key).map(written);
+                value.or_else(|| unwritten(key).map(|value| value.trim_matches('"').to_owned()))
+            };
+            (key.clone(), documents.each_ref().map(value))
+        });
+        let (values, is_another) = (values.collect(), other.camera != bare.camera);
+        Ok(OtherSide { figure: other, camera: is_another.then_some(camera), values })
+    }
+
+    /// The same comparison with its sides exchanged, and the figure that belongs to it. `None` where there is no other
+    /// side, or the figure has no written value of one of its keys.
+    #[must_use]
+    pub fn swapped(&self, figure: &Figure) -> Option<Figure> {
+        let other = self.other_side(figure).ok().filter(|_| self.ops.is_empty())?;
+        let document = document(figure);
+        let own = |(key, _): &(String, String)| {
+            let value = value_of(&document, key).map(|value| value.to_string().trim().to_owned());
+            Some((key.clone(), value.or_else(|| unwritten(key))?))
+        };
+        let with: Option<Vec<_>> = self.with.iter().map(own).collect();
+        let compare = Some(Self { with: with?, wiper: self.wiper, ..self.clone() });
+        Some(Figure { scene: figure.scene.clone(), compare, ..other.figure })
+    }
+}
+
+/// The value that a figure has for a key, without quotes.
+fn own_value(figure: &Figure, key: &str) -> Option<String> {
+    let bare = Figure { show: figure.show.clone(), ..figure.without_scene() };
+    let written = value_of(&document(&bare), key).map(|value| value.to_string());
+    Some(written.or_else(|| unwritten(key))?.trim().trim_matches('"').to_owned())
+}
+
+/// The value of a key that is not written in a figure, where there is one.
+fn unwritten(key: &str) -> Option<String> {
+    Some(match key {
+        "style.depth_format" => "\"f32-reversed\"".to_owned(),
+        "show.ndc" => format!("\"{}\"", Ndc::default().name()),
+        "reveal.outside" | "reveal.texture" | "reveal.shadows" => return None,
+        _ if key.starts_with("reveal.") || key == "image.undistorted" => "false".to_owned(),
+        "world.section" | "world.dimensions" => "false".to_owned(),
+        _ if WorldPart::ALL.iter().any(|(_, part)| key.strip_prefix("world.") == Some(part)) => "true".to_owned(),
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::appearance::Visibility;
+    use crate::figure::read::parse;
+    use crate::figure::write::to_toml;
+    use crate::figure::{update, varied};
+
+    #[test]
+    fn a_comparison_is_read_written_and_edited() {
+        let text = "[compare]\nwith = { \"style.visibility\" = \"painter\", camera = { near = 0.5 } } # two keys\n\
+                    ops = [\"azimuth=30\", \"pan=1,-0.5\"]\nwiper = 0.25\ndifferences = true\n";
+        let figure = parse(text).unwrap();
+        let comparison = figure.compare.clone().unwrap();
+        let with =
+            [("style.visibility", "\"painter\""), ("camera.near", "0.5")].map(|(k, v)| (k.to_owned(), v.to_owned()));
+        assert_eq!(comparison.with, with);
+        assert_eq!((comparison.ops.len(), comparison.wiper, comparison.differences), (2, 0.25, true));
+        assert_eq!(parse(&to_toml(&figure)).unwrap(), figure);
+        let beside = Comparison { beside: true, wiper: 0.5, ..comparison.clone() };
+        let beside = Figure { compare: Some(beside), ..figure.clone() };
+        assert_eq!(parse(&to_toml(&beside)).unwrap(), beside);
+        let moved = Figure { compare: Some(Comparison { wiper: 0.75, ..comparison }), ..figure.clone() };
+        let edited = update(text, &moved);
+        assert!(edited.contains("wiper = 0.75") && edited.contains("# two keys"), "{edited}");
+        assert_eq!(parse(&edited).unwrap(), moved);
+        let none = Figure { compare: None, ..figure };
+        assert_eq!(parse(&update(text, &none)).unwrap(), none);
+        assert!(!to_toml(&none).contains("compare"));
+    }
+
+    #[test]
+    fn the_other_side_has_the_other_values_and_what_is_impossible_can_still_be_read() {
+        let text = "[camera]\nnear = 2\n[compare]\nwith = { \"style.visibility\" = \"painter\", \"reveal.depth\" = true }\n\
+                    ops = [\"zoom=2\"]\n";
+        let figure = parse(text).unwrap();
+        let comparison = figure.compare.clone().unwrap();
+        let other = comparison.other_side(&figure).unwrap();
+        assert_eq!(other.figure.style.visibility, Visibility::Painter);
+        assert_eq!((other.camera.is_some(), other.figure.compare.clone()), (true, None));
+        let text = |text: &str| Some(text.to_owned());
+        assert_eq!(other.values[0].1, [text("depth-buffer"), text("painter")]);
+        assert_eq!(other.values[1].1, [text("false"), text("true")]);
+        // Near passes the old back plane, and both orders of the keys mean the same.
+        for keys in ["\"camera.near\" = 50, \"camera.far\" = 200", "\"camera.far\" = 200, \"camera.near\" = 50"] {
+            let figure = parse(&format!("[compare]\nwith = {{ {keys} }}\n")).unwrap();
+            let other = figure.compare.as_ref().unwrap().other_side(&figure).unwrap();
+            assert_eq!([other.figure.camera.near, other.figure.camera.far], [50.0, 200.0]);
+        }
+        let far = parse("[compare]\nwith = { \"camera.near\" = 1e9 }\n").unwrap();
+        assert!(far.compare.as_ref().unwrap().other_side(&far).is_err());
+    }
+
+    #[test]
+    fn sides_are_swapped_and_swapped_back() {
+        let figure =
+            parse("[compare]\nwith = { \"style.visibility\" = \"painter\", \"world.section\" = true }\n").unwrap();
+        let swapped = figure.compare.clone().unwrap().swapped(&figure).unwrap();
+        assert_eq!((swapped.style.visibility, swapped.world.section), (Visibility::Painter, true));
+        assert_eq!(swapped.compare.clone().unwrap().swapped(&swapped).unwrap(), figure);
+    }
+
+    #[test]
+    fn one_key_is_set_anywhere_and_the_scene_stays() {
+        let figure = parse("[scene]\npreset = \"house\"\n[camera]\nnear = 0.5\n").unwrap();
+        let shaded = varied(&figure, "style.shading", "phong").unwrap();
+        assert_eq!((shaded.style.shading, &shaded.scene), (crate::appearance::Shading::Phong, &figure.scene));
+        assert_eq!(varied(&shaded, "style.shading", "").unwrap(), figure);
+        assert_ne!(varied(&figure, "scene.preset", "cube").unwrap().scene, figure.scene);
+        assert!(matches!(varied(&figure, "style.shadng", "flat").unwrap_err().problem, Problem::UnknownKey { .. }));
+    }
+}

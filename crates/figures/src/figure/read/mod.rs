@@ -1,0 +1,327 @@
+//! The text of a figure file → [`Figure`].
+
+mod comparison;
+mod labels;
+mod points;
+mod scene;
+mod screen;
+mod section;
+mod show;
+mod stacked;
+mod syntax;
+
+use std::ops::Range;
+
+use glam::DVec3;
+use toml_edit::{Document, TableLike};
+
+use super::error::{Allowed, FigureError, Problem};
+use super::words::{
+    DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES,
+    VISIBILITIES,
+};
+use super::{AXES_LENGTHS, Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook, WorldPart, WorldParts};
+use crate::appearance::Style;
+use crate::camera::{Camera, CameraError, ImageSize, Parameters, Projection, ViewWindow, Viewport};
+use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
+use crate::sanitize;
+pub use comparison::typed_comparison;
+pub use scene::line_of_object;
+pub use section::{Fault, Section};
+pub use stacked::Stacked;
+
+/// Reads the bytes of a figure file, whatever they are.
+///
+/// # Errors
+/// [`FigureError`] names the first faulty line.
+pub fn parse_bytes(bytes: &[u8]) -> Result<Figure, FigureError> {
+    parse(text_of(bytes, MAX_FIGURE_BYTES)?)
+}
+
+/// The text of a file of at most `limit` bytes.
+///
+/// # Errors
+/// [`FigureError`]: it is too large, or not UTF-8.
+pub fn text_of(bytes: &[u8], limit: usize) -> Result<&str, FigureError> {
+    let fault = |line, problem| FigureError { line, key: String::new(), problem };
+    if bytes.len() > limit {
+        return Err(fault(1, Problem::TooLarge { limit }));
+    }
+    std::str::from_utf8(bytes).map_err(|error| {
+        let good = error.valid_up_to();
+        let line = 1 + bytes[..good].iter().filter(|b| **b == b'\n').count();
+        fault(line, Problem::NotUtf8 { byte: bytes[good] })
+    })
+}
+
+/// Reads a file of another kind, with sections of its own, which may contain a figure.
+///
+/// # Errors
+/// [`FigureError`] names the first faulty line.
+pub fn parse_with<T>(text: &str, read: impl FnOnce(Section<'_>, &mut Vec<Fault>) -> T) -> Result<T, FigureError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let document = Document::parse(text).map_err(|error| syntax::explain(text, &error))?;
+    let mut faults = Vec::new();
+    let found = read(Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0), &mut faults);
+    first_of(text, faults).map_or(Ok(found), Err)
+}
+
+/// Reads a figure file. A missing key has its default; the empty text is the default figure.
+///
+/// # Guarantees
+/// The camera of the figure is one that [`Camera::new`] accepts.
+///
+/// # Errors
+/// [`FigureError`] names the first faulty line: the line, the key, the value found and the values allowed.
+pub fn parse(text: &str) -> Result<Figure, FigureError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let (figure, faults) = figure_and_faults(text)?;
+    match first_of(text, faults) {
+        Some(error) => Err(error),
+        None => Ok(figure),
+    }
+}
+
+/// As [`parse`], but keys that are not known, which a later version may have written, are passed over; they are given
+/// back.
+///
+/// # Errors
+/// As for [`parse`].
+pub fn parse_known(text: &str) -> Result<(Figure, Vec<String>), FigureError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let (figure, faults) = figure_and_faults(text)?;
+    let (unknown, faults): (Vec<_>, Vec<_>) = faults.into_iter().partition(Fault::is_unknown_key);
+    match first_of(text, faults) {
+        Some(error) => Err(error),
+        None => Ok((figure, unknown.into_iter().map(|fault| fault.key).collect())),
+    }
+}
+
+/// As [`parse`], but a camera that is impossible is no fault: its error is given back with the figure.
+///
+/// # Errors
+/// As for [`parse`], except for [`Problem::Camera`].
+pub fn parse_with_any_camera(text: &str) -> Result<(Figure, Option<CameraError>), FigureError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let (figure, faults) = figure_and_faults(text)?;
+    let (mut camera_error, mut others) = (None, Vec::new());
+    for fault in faults {
+        match fault.problem {
+            Problem::Camera(error) if fault.key.starts_with("[camera]") => camera_error = Some(error),
+            _ => others.push(fault),
+        }
+    }
+    first_of(text, others).map_or(Ok((figure, camera_error)), Err)
+}
+
+fn first_of(text: &str, faults: Vec<Fault>) -> Option<FigureError> {
+    let Fault { at, key, problem } = faults.into_iter().min_by_key(|fault| fault.at)?;
+    Some(FigureError { line: line_of(text, at), key, problem })
+}
+
+/// The figure of a text that is TOML, and all faults; where there is one, the figure has a default there.
+fn figure_and_faults(text: &str) -> Result<(Figure, Vec<Fault>), FigureError> {
+    let document = Document::parse(text).map_err(|error| syntax::explain(text, &error))?;
+    let mut faults = Vec::new();
+    let figure = figure(Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0), &mut faults);
+    Ok((figure, faults))
+}
+
+/// The figure whose sections are in a section: a file, or a part of one.
+pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
+    let inside = |root: &Section<'_>, key: &str| match root.name_of("") {
+        label if label.is_empty() => format!("[{key}]"),
+        label => format!("[{}.{key}]", label.trim_matches(['[', ']', ' '])),
+    };
+    // Asked for in the order of the documentation, in which a message lists them.
+    let [title, caption] = screen::told(&mut root);
+    let [camera_section, image_section, viewport_section, scene_section] =
+        ["camera", "image", "viewport", "scene"].map(|key| root.section(key, &inside(&root, key)));
+    let point_sections = root.sections("points", &format!("[{}]", inside(&root, "points")));
+    let [style_section, reveal_section, world_section, observers_section] =
+        ["style", "reveal", "world", "observers"].map(|key| root.section(key, &inside(&root, key)));
+    let [show_section, screen_section, compare_section, labels_section] =
+        ["show", "screen", "compare", "labels"].map(|key| root.section(key, &inside(&root, key)));
+    faults.extend(root.finish());
+    let (image, undistorted) = image(image_section, faults);
+    Figure {
+        title,
+        caption,
+        camera: camera(camera_section, faults),
+        image,
+        undistorted,
+        viewport: viewport(viewport_section, image, faults),
+        scene: scene::scene(scene_section, faults),
+        points: points::points(point_sections, faults),
+        style: style(style_section, faults),
+        reveal: reveal(reveal_section, faults),
+        world: world(world_section, faults),
+        observers: observers(observers_section, faults),
+        show: show::show(show_section, faults),
+        screen: screen::screen(screen_section, faults),
+        compare: comparison::comparison(compare_section, faults),
+        labels: labels::labels(labels_section, faults),
+    }
+}
+
+fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Parameters {
+    let default = Parameters::default();
+    let parameters = Parameters {
+        position: section.vector("position", default.position),
+        focal_point: section.vector("focal_point", default.focal_point),
+        view_up: section.vector("view_up", default.view_up),
+        projection: section.word("projection", PROJECTIONS, default.projection),
+        view_angle: section.angle("view_angle", default.view_angle),
+        height: section.number("height", default.height),
+        aspect: section.number("aspect", default.aspect),
+        near: section.number("near", default.near),
+        far: section.number_or_infinity("far", default.far),
+        window: window(&mut section, faults),
+    };
+    if section.faults.is_empty()
+        && let Err(error) = Camera::new(&parameters)
+    {
+        let concerned = error.parameters().iter().map(|key| key.name());
+        let key = concerned.clone().find(|key| section.is_present(key)).or_else(|| concerned.clone().next());
+        section.fault(key.unwrap_or_default(), Problem::Camera(error));
+    }
+    faults.extend(section.finish());
+    parameters
+}
+
+fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindow> {
+    let mut section = camera.section("window", "[camera] window.");
+    if !section.is_table() {
+        return None;
+    }
+    let mut side = |key| {
+        let value = section.number(key, 0.0);
+        if !section.is_present(key) {
+            section.missing(key, Allowed::Number);
+        }
+        value
+    };
+    let window = ViewWindow { left: side("left"), right: side("right"), bottom: side("bottom"), top: side("top") };
+    let found = section.finish();
+    let good = found.iter().all(Fault::is_unknown_key);
+    faults.extend(found);
+    good.then_some(window)
+}
+
+/// The size, and whether the image is shown undistorted.
+fn image(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (ImageSize, bool) {
+    let default = ImageSize::default();
+    let size = ImageSize {
+        width: section.integer("width", 1, i64::from(MAX_SIDE), default.width),
+        height: section.integer("height", 1, i64::from(MAX_SIDE), default.height),
+    };
+    let undistorted = section.switch("undistorted");
+    faults.extend(section.finish());
+    (size, undistorted)
+}
+
+fn viewport(mut section: Section<'_>, image: ImageSize, faults: &mut Vec<Fault>) -> Option<Viewport> {
+    let given = !section.is_empty();
+    let viewport = Viewport {
+        x: section.integer("x", -MAX_OFFSET, MAX_OFFSET, 0),
+        y: section.integer("y", -MAX_OFFSET, MAX_OFFSET, 0),
+        width: section.integer("width", 1, i64::from(MAX_SIDE), image.width),
+        height: section.integer("height", 1, i64::from(MAX_SIDE), image.height),
+        depth_near: section.number_in("depth_near", 0.0, 1.0, 0.0),
+        depth_far: section.number_in("depth_far", 0.0, 1.0, 1.0),
+    };
+    faults.extend(section.finish());
+    given.then_some(viewport)
+}
+
+fn style(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Style {
+    let default = Style::default();
+    let style = Style {
+        shading: section.word("shading", SHADINGS, default.shading),
+        visibility: section.word("visibility", VISIBILITIES, default.visibility),
+        hidden_lines: section.word("hidden_lines", HIDDEN_LINES, default.hidden_lines),
+        antialias: section.integer_of("antialias", &[1, 4, 16], default.antialias),
+        theme: section.word("theme", THEMES, default.theme),
+        depth_format: section.word("depth_format", DEPTH_FORMATS, default.depth_format),
+    };
+    faults.extend(section.finish());
+    style
+}
+
+fn reveal(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Reveal {
+    let reveal = Reveal {
+        depth: section.switch_or("depth", [Depth::Off, Depth::Stored], DEPTHS),
+        outside: section.word("outside", OUTSIDES, Outside::Usual),
+        clipping: section.switch("clipping"),
+        divide_first: section.switch("divide_first"),
+        culled: section.switch("culled"),
+        vanishing: section.switch("vanishing"),
+        texture: section.choice("texture", TEXTURE_REVEALS),
+        shadows: section.choice("shadows", SHADOW_REVEALS),
+    };
+    faults.extend(section.finish());
+    reveal
+}
+
+fn world(mut section: Section<'_>, faults: &mut Vec<Fault>) -> WorldLook {
+    let given = section.is_present("window_opacity");
+    let opacity = section.number_in("window_opacity", 0.0, 1.0, 1.0);
+    let [shortest, longest] = AXES_LENGTHS;
+    let has_length = section.is_present("axes_length");
+    let length = section.number_in("axes_length", shortest, longest, 1.0);
+    let world = WorldLook {
+        section: section.switch("section"),
+        dimensions: section.switch("dimensions"),
+        window_opacity: given.then_some(opacity),
+        axes_length: has_length.then_some(length),
+        parts: world_parts(&mut section),
+    };
+    faults.extend(section.finish());
+    world
+}
+
+fn world_parts(section: &mut Section<'_>) -> WorldParts {
+    let mut parts = WorldParts::default();
+    for (part, key) in WorldPart::ALL {
+        parts.set(part, section.switch_else(key, true));
+    }
+    parts
+}
+
+fn observers(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observers {
+    let world = section.section("world", "[observers.world]");
+    let canonical = section.section("canonical", "[observers.canonical]");
+    let (has_world, has_canonical) = (section.is_present("world"), section.is_present("canonical"));
+    faults.extend(section.finish());
+    Observers {
+        world: has_world.then(|| observer(world, faults)),
+        canonical: has_canonical.then(|| observer(canonical, faults)),
+    }
+}
+
+fn observer(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observer {
+    let observer = Observer {
+        target: section.vector("target", DVec3::ZERO),
+        distance: section.positive("distance", 10.0),
+        azimuth: section.angle("azimuth", 30.0),
+        elevation: section.angle_in("elevation", -90.0, 90.0, 20.0),
+        roll: section.angle("roll", 0.0),
+        parallel: section.word("projection", PROJECTIONS, Projection::Perspective) == Projection::Parallel,
+    };
+    faults.extend(section.finish());
+    observer
+}
+
+/// The line of a place in the text, counted from 1.
+pub fn line_of(text: &str, at: usize) -> usize {
+    1 + text.as_bytes()[..at.min(text.len())].iter().filter(|b| **b == b'\n').count()
+}
+
+/// A piece of the text that fits into a sentence: one line, no control characters, not long.
+fn snippet(text: &str, span: Range<usize>) -> String {
+    let piece = text.get(span).unwrap_or_default();
+    sanitize::escaped(&piece.split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
+#[cfg(test)]
+mod tests;

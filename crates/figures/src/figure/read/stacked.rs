@@ -1,0 +1,75 @@
+//! Sections of figures put over one another: each says only what changes.
+
+use toml_edit::{Item, Table, TableLike};
+
+use super::figure;
+use super::section::{Fault, Section};
+use crate::figure::Figure;
+
+/// The sections of a figure.
+const SECTIONS: [&str; 13] = [
+    "camera",
+    "image",
+    "viewport",
+    "scene",
+    "points",
+    "style",
+    "reveal",
+    "world",
+    "observers",
+    "show",
+    "screen",
+    "compare",
+    "labels",
+];
+
+/// Sections put over one another, with their places in the text.
+#[derive(Debug, Default)]
+pub struct Stacked {
+    table: Table,
+}
+
+impl Stacked {
+    /// Puts the sections of a figure in `over` on top: each key in them replaces the one that was there. Lists of
+    /// sections are replaced whole.
+    pub fn put(&mut self, over: &mut Section<'_>) {
+        for name in SECTIONS {
+            over.skip(name);
+        }
+        let Some(items) = over.items() else { return };
+        for name in SECTIONS {
+            let Some((key, item)) = items.get_key_value(name) else { continue };
+            match (self.table.get_mut(name).and_then(Item::as_table_like_mut), item.as_table_like()) {
+                (Some(below), Some(above)) => put(below, above),
+                _ => drop(self.table.insert_formatted(key, item.clone())),
+            }
+        }
+    }
+
+    /// Takes away a key, `show.stage`, or a whole section, `labels`; false where there is none.
+    pub fn take_away(&mut self, path: &str) -> bool {
+        match path.split_once('.') {
+            None => SECTIONS.contains(&path) && self.table.remove(path).is_some(),
+            Some((section, key)) => {
+                let section = self.table.get_mut(section).and_then(Item::as_table_like_mut);
+                section.is_some_and(|section| section.remove(key).is_some())
+            }
+        }
+    }
+
+    /// The figure of all of them; `within` is a section of the text that they come from.
+    pub fn figure(&self, within: &Section<'_>, faults: &mut Vec<Fault>) -> Figure {
+        let label = within.name_of("").trim_matches(['[', ']', ' ']).to_owned();
+        figure(Section::new(within.file(), Some(&self.table), &format!("[{label}]"), within.start()), faults)
+    }
+}
+
+fn put(below: &mut dyn TableLike, above: &dyn TableLike) {
+    for (name, item) in above.iter() {
+        below.remove(name);
+        // With the key that knows its place in the text.
+        if let Some((key, _)) = above.get_key_value(name) {
+            below.entry_format(key).or_insert(item.clone());
+        }
+    }
+}

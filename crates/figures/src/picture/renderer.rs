@@ -1,0 +1,597 @@
+//! Makes pictures from requests: the drawing of the view, then its pixels.
+
+use std::ops::Range;
+use std::sync::Arc;
+use std::time::Duration;
+
+use tiny_skia::{Pixmap, PixmapPaint, Transform};
+
+use super::compared::{Differences, joined};
+use super::plate::Plates;
+use super::shadow_truth::FoundShadows;
+use super::{Composite, FollowedTriangle, Pixels, RenderReport};
+use crate::appearance::{Shading, Texture};
+use crate::drawing::Surface;
+use crate::pipeline::{Frame, OverBudget, ShadowMaps};
+use crate::progress::{Progress, at_once};
+use crate::raster::Rasterizer;
+use crate::views::{self, LabelPlace, Request, SharedScene, Side, Size, TimedPipeline, View, overlay};
+
+/// Makes pictures; keeps its buffers, and the image on the view window, from one to the next.
+///
+/// *Guarantees*: equal requests give equal pixels, whatever has been drawn before.
+#[derive(Debug)]
+pub struct Renderer {
+    /// One for each picture: each finds its own buffers again.
+    pipelines: [TimedPipeline; View::COUNT],
+    /// For the image that the view window of the world shows.
+    window_pipeline: TimedPipeline,
+    /// The same for all pictures of a scene.
+    shadow_maps: ShadowMaps,
+    rasterizer: Rasterizer,
+    on_window: Option<(Request, Arc<Texture>)>,
+    triangle: FollowedTriangle,
+    shadows: FoundShadows,
+    /// The buffer of the other side of a comparison.
+    other_side: Pixels,
+    /// For pictures that are made at the same time as its own.
+    beside: Vec<Self>,
+    clock: Option<fn() -> Duration>,
+    progress: Progress,
+}
+
+/// Pictures that are made at the same time: more would need more memory, and a large one has several threads.
+const AT_ONCE: usize = View::COUNT;
+
+impl Default for Renderer {
+    fn default() -> Self {
+        Self::sharing(&ShadowMaps::default())
+    }
+}
+
+impl Renderer {
+    /// A renderer that shares these shadow maps with others.
+    fn sharing(shadow_maps: &ShadowMaps) -> Self {
+        let pipeline = || {
+            let mut pipeline = TimedPipeline::default();
+            pipeline.stages.share_shadows(shadow_maps);
+            pipeline
+        };
+        Self {
+            pipelines: std::array::from_fn(|_| pipeline()),
+            window_pipeline: pipeline(),
+            shadow_maps: shadow_maps.clone(),
+            rasterizer: Rasterizer::default(),
+            on_window: None,
+            triangle: FollowedTriangle::default(),
+            shadows: FoundShadows::default(),
+            other_side: Pixels::default(),
+            beside: Vec::new(),
+            clock: None,
+            progress: Progress::default(),
+        }
+    }
+
+    /// Times every stage from now on, by a clock that gives the time since any moment that stays the same; `None`: no
+    /// more.
+    pub fn measure(&mut self, clock: Option<fn() -> Duration>) {
+        self.clock = clock;
+    }
+
+    /// Says from now on how far a picture has come. There is no picture where that is cancelled.
+    pub fn watch(&mut self, progress: &Progress) {
+        self.progress = progress.clone();
+        self.rasterizer.watch(progress);
+        for pipeline in self.pipelines.iter_mut().chain([&mut self.window_pipeline]) {
+            pipeline.stages.watch(progress);
+        }
+    }
+
+    /// Forgets cached pictures and shadow maps: the next one is made from scratch, in the same memory.
+    pub fn forget(&mut self) {
+        self.on_window = None;
+        for pipeline in self.pipelines.iter_mut().chain([&mut self.window_pipeline]) {
+            pipeline.forget();
+        }
+        self.beside.iter_mut().for_each(Self::forget);
+    }
+
+    /// A picture. `None` where a side is 0, there is not enough memory, or it was cancelled.
+    pub fn pixels(&mut self, request: &Request) -> Option<Pixels> {
+        let mut picture = Pixels::default();
+        at_once(self.pixels_into(request, &mut picture)).map(|_| picture)
+    }
+
+    /// A picture as [`pixels`](Self::pixels) gives it, over another one, and how it came about. Where the result is
+    /// `None`, the other one is lost too. It pauses where [`Rasterizer::paint_into`] does. Where the figure is
+    /// compared, the report is that of the figure as it is, with the shortfall and the labels of either side.
+    pub async fn pixels_into(&mut self, request: &Request, picture: &mut Pixels) -> Option<RenderReport> {
+        let Some(sides) = request.sides() else { return self.one_into(request, picture, [0, 1]).await };
+        let mut pictures = [Pixels::default(), std::mem::take(&mut self.other_side)];
+        let of_other = self.one_into(&sides[1].request, &mut pictures[1], [0, 2]).await?;
+        let mut account = self.one_into(&sides[0].request, &mut pictures[0], [1, 2]).await?;
+        account.too_much = account.too_much.or(of_other.too_much);
+        account.labels = labels_of([account.labels, of_other.labels], &sides);
+        let Size { width, height, .. } = request.size;
+        let mut whole = Pixels::from(Pixmap::new(width, height)?);
+        let differences = Differences::marked(request, &pictures);
+        joined(&mut whole, &sides, &pictures, differences.as_ref());
+        let over = overlay(request, &sides, differences.map(|all| all.share()))?;
+        account.labels.extend(LabelPlace::all(&over));
+        let over = self.rasterizer.paint(&over)?;
+        let mut pixmap = whole.take_pixmap()?;
+        pixmap.draw_pixmap(0, 0, over.as_ref(), &PixmapPaint::default(), Transform::identity(), None);
+        *picture = pixmap.into();
+        let [_, other] = pictures;
+        self.other_side = other;
+        Some(account)
+    }
+
+    /// A picture in which nothing is compared; `side`: which of how many are painted for one picture.
+    async fn one_into(&mut self, request: &Request, picture: &mut Pixels, side: [usize; 2]) -> Option<RenderReport> {
+        let now = self.clock.unwrap_or(|| Duration::ZERO);
+        let start = now();
+        let (frame, on_window) = self.timed_drawing(request).await?;
+        if self.progress.is_cancelled() {
+            return None;
+        }
+        let mut pixmap = picture.take_pixmap().or_else(|| Pixmap::new(1, 1))?;
+        self.rasterizer.measure(self.clock);
+        let mut frame = frame;
+        let drops_faces = !frame.dropped_faces.is_empty();
+        let passes = 1 + usize::from(drops_faces) + usize::from(frame.before.is_some());
+        let pass = |pass: usize| [side[0] * passes + pass, side[1] * passes];
+        let painted = self.rasterizer.paint_pass(&frame.drawing, &mut pixmap, pass(0)).await;
+        if !painted || self.progress.is_cancelled() {
+            return None;
+        }
+        let (work, total) = (self.rasterizer.work(), now().saturating_sub(start));
+        let account = match self.clock {
+            Some(_) => RenderReport::of(&frame, work, on_window, total),
+            None => {
+                let labels = LabelPlace::all(&frame.drawing);
+                RenderReport { too_much: frame.too_much.take(), labels, ..RenderReport::default() }
+            }
+        };
+        let mut plates = Plates::from(frame).plates.into_iter();
+        let whole = plates.next()?;
+        // The report above is of the picture without the faces that a stage drops.
+        if drops_faces && !self.rasterizer.paint_pass(&whole.drawing, &mut pixmap, pass(1)).await {
+            return None;
+        }
+        for plate in plates {
+            let mut part = Pixmap::new(1, 1)?;
+            if !self.rasterizer.paint_pass(&plate.drawing, &mut part, pass(passes - 1)).await {
+                return None;
+            }
+            put_columns(&part, plate.columns, &mut pixmap);
+        }
+        if self.progress.is_cancelled() {
+            return None;
+        }
+        *picture = pixmap.into();
+        self.pipelines[request.view.index()].stages.recycle(whole.drawing);
+        Some(account)
+    }
+
+    /// Several pictures, each as [`pixels_into`](Self::pixels_into) gives it, at the same time where there are threads,
+    /// without a pause: part of a picture is always made by one of them. `None` where one of the results is.
+    pub async fn all_into(&mut self, requests: &[Request], pictures: &mut [Pixels]) -> Option<Vec<RenderReport>> {
+        let jobs = requests.iter().zip(pictures);
+        if rayon::current_num_threads() < 2 {
+            let mut reports = Vec::with_capacity(requests.len());
+            for (request, picture) in jobs {
+                reports.push(self.pixels_into(request, picture).await?);
+            }
+            return Some(reports);
+        }
+        self.paint_shadows(requests).await;
+        let count = AT_ONCE.min(requests.len());
+        let mut beside = std::mem::take(&mut self.beside);
+        beside.resize_with(beside.len().max(count.saturating_sub(1)), || Self::sharing(&self.shadow_maps));
+        for other in &mut beside {
+            other.measure(self.clock);
+            // How far this one has come is told.
+            other.watch(&self.progress.part());
+        }
+        let mut reports: Vec<Option<RenderReport>> = requests.iter().map(|_| None).collect();
+        let mut shares: Vec<Vec<_>> = (0..count).map(|_| Vec::new()).collect();
+        for (k, job) in jobs.zip(&mut reports).enumerate() {
+            shares[k % count].push(job);
+        }
+        // Threads of the pool: one that shares a part with others begins it at once, and need not be woken. While it
+        // waits for them it may make another picture, so what pictures share is found without the pool.
+        rayon::scope(|scope| {
+            for (renderer, share) in [&mut *self].into_iter().chain(&mut beside).zip(shares) {
+                scope.spawn(move |_| {
+                    for ((request, picture), report) in share {
+                        *report = at_once(renderer.pixels_into(request, picture));
+                    }
+                });
+            }
+        });
+        self.beside = beside;
+        reports.into_iter().collect()
+    }
+
+    /// Paints the shadow maps of pictures that are made at the same time: otherwise each would paint them.
+    async fn paint_shadows(&mut self, requests: &[Request]) {
+        let mut painted: Option<&SharedScene> = None;
+        let shaded = requests.iter().filter(|request| request.shot.look.style.shading != Shading::Wireframe);
+        for Request { scene, .. } in shaded {
+            // Maps of one scene at a time are kept.
+            if painted.get_or_insert(scene) == &scene {
+                for map in self.shadow_maps.of_scene(scene.alone()) {
+                    self.rasterizer.paint_shadows(&map).await;
+                }
+            }
+        }
+    }
+
+    /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty background around it. And
+    /// the shortfall of any of them. `None` as for [`pixels`](Self::pixels), and without pictures.
+    pub async fn sheet(&mut self, sheet: &Composite, crop: bool) -> Option<(Pixels, Option<OverBudget>)> {
+        let mut pictures = vec![Pixels::default(); sheet.requests.len()];
+        let reports = self.all_into(&sheet.requests, &mut pictures).await?;
+        let too_much = reports.into_iter().find_map(|report| report.too_much);
+        if crop {
+            pictures.iter_mut().for_each(|picture| *picture = std::mem::take(picture).cropped(sheet.gap));
+        }
+        if pictures.len() == 1 && sheet.grid.is_none() {
+            return Some((pictures.pop()?, too_much));
+        }
+        let sizes: Vec<[u32; 2]> = pictures.iter().map(Pixels::size).collect();
+        let layout = sheet.layout(&sizes, crop)?;
+        let mut whole = Pixels::arranged(pictures, &layout, sheet.ground)?;
+        let mut pixmap = whole.take_pixmap()?;
+        for ([left, top], strip) in sheet.strips(&layout, &sizes) {
+            let texts = self.rasterizer.paint(&strip)?;
+            let (left, top) = (i32::try_from(left).ok()?, i32::try_from(top).ok()?);
+            pixmap.draw_pixmap(left, top, texts.as_ref(), &PixmapPaint::default(), Transform::identity(), None);
+        }
+        Some((pixmap.into(), too_much))
+    }
+
+    /// The drawing of a picture with its plan and report, for outputs that are not made of pixels: the drawing that
+    /// [`pixels`](Self::pixels) paints, or that of the [`Output`](crate::pipeline::Output) in the request. `None`
+    /// without enough memory for the image on the window.
+    pub fn drawing(&mut self, request: &Request) -> Option<Frame> {
+        at_once(self.timed_drawing(request)).map(|(frame, _)| frame)
+    }
+
+    /// The plates of a picture in which nothing is compared, for a page of vectors. `None` without enough memory for
+    /// the image on the window.
+    pub(super) fn plates(&mut self, request: &Request) -> Option<Plates> {
+        let mut plates = Plates::from(self.drawing(request)?);
+        // A forced stage asks a texture of one colour for the colour of each pixel. A page has areas of that colour.
+        for plate in &mut plates.plates {
+            plate.drawing.surfaces.iter_mut().for_each(Surface::simplify);
+        }
+        Some(plates)
+    }
+
+    /// The drawing of a picture, and the time that the image on the window took, if one was drawn for it.
+    async fn timed_drawing(&mut self, request: &Request) -> Option<(Frame, Option<Duration>)> {
+        let (on_window, time) = match request.view {
+            View::World => {
+                let (texture, time) = self.image_on_window(request).await?;
+                (Some(texture), time)
+            }
+            View::Canonical | View::Image => (None, None),
+        };
+        let overlay = self.triangle.overlay(request).await;
+        let truth = self.shadows.of(request, &self.progress).await;
+        let followed = (overlay.is_some() || truth.is_some()).then(|| Request {
+            triangle: overlay,
+            shadow_truth: truth,
+            ..request.clone()
+        });
+        let request = followed.as_ref().unwrap_or(request);
+        let pipeline = &mut self.pipelines[request.view.index()];
+        pipeline.clock = self.clock;
+        Some((views::frame(request, on_window.as_ref(), pipeline), time))
+    }
+
+    /// The image that the window of the world shows; drawn again only when its content has changed.
+    async fn image_on_window(&mut self, request: &Request) -> Option<(Arc<Texture>, Option<Duration>)> {
+        let image = request.image_on_window();
+        if let Some((made_from, texture)) = &self.on_window
+            && *made_from == image
+        {
+            return Some((Arc::clone(texture), None));
+        }
+        let now = self.clock.unwrap_or(|| Duration::ZERO);
+        let start = now();
+        self.rasterizer.measure(None);
+        let frame = views::frame(&image, None, &mut self.window_pipeline);
+        let mut pixmap = Pixmap::new(1, 1)?;
+        if !self.rasterizer.paint_into(&frame.drawing, &mut pixmap).await || self.progress.is_cancelled() {
+            return None;
+        }
+        let picture = Pixels::from(pixmap);
+        self.window_pipeline.stages.recycle(frame.drawing);
+        let texture = Arc::new(picture.into_texture());
+        self.on_window = Some((image, Arc::clone(&texture)));
+        Some((texture, Some(now().saturating_sub(start))))
+    }
+}
+
+/// The labels of two sides that are seen, in the pixels of the whole picture.
+fn labels_of(labels: [Vec<LabelPlace>; 2], sides: &[Side; 2]) -> Vec<LabelPlace> {
+    let of_side = |(side, labels): (&Side, Vec<LabelPlace>)| {
+        let columns = f64::from(side.columns.start)..f64::from(side.columns.end);
+        let moved = labels.into_iter().map(|label| label.shifted(f64::from(side.left)));
+        moved.filter(|label| columns.contains(&label.center.x)).collect::<Vec<_>>()
+    };
+    sides.iter().zip(labels).flat_map(of_side).collect()
+}
+
+/// Puts columns of a picture over those of another one of the same size.
+fn put_columns(from: &Pixmap, columns: Range<u32>, onto: &mut Pixmap) {
+    let width = 4 * onto.width() as usize;
+    let columns = 4 * columns.start as usize..4 * columns.end as usize;
+    let rows = onto.data_mut().chunks_exact_mut(width.max(1)).zip(from.data().chunks_exact(width.max(1)));
+    rows.for_each(|(row, part)| row[columns.clone()].copy_from_slice(&part[columns.clone()]));
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use std::sync::OnceLock;
+    use std::time::Instant;
+
+    use super::*;
+    use crate::appearance::Shading;
+    use crate::camera::{Camera, Parameters};
+    use crate::drawing::Drawing;
+    use crate::figure::read::parse;
+    use crate::figure::{Observer, ShadowReveal};
+    use crate::pipeline::{Output, Reason, Stage};
+    use crate::scene::{Scene, no_files};
+    use crate::views::unlabelled;
+    use crate::views::{Finish, SharedScene, Shot, Size, Views};
+
+    /// Three boxes through one another, with some glass: a BSP tree splits them into more than fifty pieces.
+    fn request(view: View, visibility: &str) -> Request {
+        let object = |name: &str, color: &str, rotate: &str| {
+            format!(
+                "[[scene.objects]]\nname = \"{name}\"\nshape = \"box\"\ncolor = \"{color}\"\nrotate = {rotate}\nscale = [2, 0.4, 2]\n"
+            )
+        };
+        let text = format!(
+            "{}{}{}[style]\nantialias = 1\nvisibility = \"{visibility}\"\n",
+            object("one", "#4477aa", "[0, 0, 0]"),
+            object("two", "#ee886680", "[70, 10, 0]"),
+            object("three", "#228833", "[10, 0, 80]"),
+        );
+        let figure = parse(&text).unwrap();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let scene = SharedScene::new(views::scene_of(&figure, &mut no_files, &Progress::default()).unwrap());
+        let size = Size { width: 320, height: 240, scale: 1.0 };
+        Request::of(&figure, view, &camera, &scene, unlabelled(), size)
+    }
+
+    fn with_few_pieces() -> Renderer {
+        let mut renderer = Renderer::default();
+        for pipeline in renderer.pipelines.iter_mut().chain([&mut renderer.window_pipeline]) {
+            pipeline.stages.max_pieces = 40;
+        }
+        renderer
+    }
+
+    #[test]
+    fn the_canonical_volume_is_made_anew_where_scene_camera_or_shading_has_changed() {
+        let first = request(View::Canonical, "depth-buffer");
+        let mut moved = first.clone();
+        moved.camera = Camera::new(&Parameters { near: 3.5, ..*first.camera.parameters() }).unwrap();
+        let mut other = request(View::Canonical, "bsp");
+        other.scene = SharedScene::new(Scene { lights: Vec::new(), ..Scene::clone(&first.scene) });
+        let shaded = |shading| {
+            let mut request = first.clone();
+            Arc::make_mut(&mut request.shot).look.style.shading = shading;
+            request
+        };
+        let mut around = first.clone();
+        around.observer = Some(Observer { azimuth: 77.0, ..first.seen_from().unwrap() });
+        let [wired, smooth] = [Shading::Wireframe, Shading::Gouraud].map(shaded);
+        let all = [&first, &around, &moved, &moved, &other, &wired, &wired, &smooth, &first];
+        let mut kept = Renderer::default();
+        let mut last = Vec::new();
+        for (k, request) in all.into_iter().enumerate() {
+            let pixels = kept.pixels(request).unwrap();
+            assert!(pixels == Renderer::default().pixels(request).unwrap(), "{k}");
+            assert_eq!(pixels == *last.last().unwrap_or(&Pixels::default()), [3, 6].contains(&k), "{k}");
+            last.push(pixels);
+            if k == 4 {
+                kept.forget();
+            }
+        }
+    }
+
+    #[test]
+    fn pictures_of_a_scene_share_shadow_maps_whose_drawings_go_when_they_are_painted() {
+        let text = "[scene]\npreset = \"house\"\n[[scene.lights]]\nkind = \"point\"\nposition = [2, 5, 3]\n\
+            shadows = true\nshadow_map = 64\n";
+        let figure = parse(text).unwrap();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let scene = SharedScene::new(views::scene_of(&figure, &mut no_files, &Progress::default()).unwrap());
+        let size = Size { width: 80, height: 60, scale: 1.0 };
+        let of = |view| Request::of(&figure, view, &camera, &scene, unlabelled(), size);
+        // Without bias the depths are the same.
+        let acne = of(View::Image).with_shot(|shot| shot.look.reveal.shadows = Some(ShadowReveal::Acne));
+        let requests: Vec<Request> = View::ALL.map(of).into_iter().chain([acne]).collect();
+        let mut renderer = Renderer::default();
+        let mut pictures = vec![Pixels::default(); requests.len()];
+        at_once(renderer.all_into(&requests, &mut pictures)).unwrap();
+        let mut maps: Vec<Arc<crate::drawing::ShadowMap>> = Vec::new();
+        for (request, picture) in requests.iter().zip(&pictures) {
+            let frame = renderer.drawing(request).unwrap();
+            maps.extend(frame.drawing.surfaces.iter().flat_map(|surface| &surface.shadows).map(|s| s.map.clone()));
+            assert!(*picture == Renderer::default().pixels(request).unwrap());
+        }
+        assert!(maps.len() >= requests.len() && maps.iter().all(|map| Arc::ptr_eq(map, &maps[0])));
+        assert!(maps[0].unpainted().is_none() && maps[0].depths().is_some());
+    }
+
+    fn since_start() -> Duration {
+        static START: OnceLock<Instant> = OnceLock::new();
+        START.get_or_init(Instant::now).elapsed()
+    }
+
+    #[test]
+    fn what_is_too_much_to_be_split_is_left_to_the_depth_buffer_and_said() {
+        for view in View::ALL {
+            let (split, tested) = (request(view, "bsp"), request(view, "depth-buffer"));
+            let bare =
+                |request: &Request| Request { finish: Finish { bare: true, ..Finish::default() }, ..request.clone() };
+            let mut renderer = with_few_pieces();
+            renderer.measure(Some(since_start));
+            let mut picture = Pixels::default();
+            let account = at_once(renderer.pixels_into(&split, &mut picture)).unwrap();
+            let OverBudget::Pieces { objects } = account.too_much.unwrap() else { panic!("pieces") };
+            let mut names = objects.clone();
+            names.sort();
+            assert_eq!(names, ["one", "three", "two"]);
+            let report = account.stages.iter().find(|report| report.stage == Stage::HiddenSurfaces).unwrap();
+            assert!(matches!(report.reason, Reason::TooManyPieces { pieces: 41.. }), "{report:?}");
+            // The note is in it, and nothing else is otherwise.
+            assert_ne!(Some(&picture), renderer.pixels(&bare(&split)).as_ref());
+            assert_eq!(renderer.pixels(&bare(&split)), Renderer::default().pixels(&bare(&tested)));
+
+            let mut picture = Pixels::default();
+            let account = at_once(Renderer::default().pixels_into(&split, &mut picture)).unwrap();
+            assert_eq!(account.too_much, None);
+        }
+    }
+
+    #[test]
+    fn the_shortfall_of_either_side_of_a_comparison_is_told() {
+        let compared = |visibility: &str| {
+            let request = request(View::Image, visibility);
+            let figure = parse(&format!(
+                "[style]\nvisibility = \"{visibility}\"\n[compare]\nwith = {{ \"style.visibility\" = \"painter\" }}\n"
+            ));
+            request.with_shot(|shot| shot.compared = Shot::of(figure.as_ref().unwrap()).compared)
+        };
+        let mut other = compared("bsp");
+        // The side that is not the figure's own is sorted.
+        other = other.with_shot(|shot| {
+            let style = &mut shot.look.style;
+            style.visibility = match style.visibility {
+                crate::appearance::Visibility::Bsp => crate::appearance::Visibility::Painter,
+                _ => crate::appearance::Visibility::Bsp,
+            };
+        });
+        for request in [compared("bsp"), other] {
+            let mut picture = Pixels::default();
+            assert!(request.sides().is_some());
+            let account = at_once(with_few_pieces().pixels_into(&request, &mut picture)).unwrap();
+            assert!(account.too_much.is_some());
+        }
+    }
+
+    #[test]
+    fn each_picture_of_a_sheet_is_cropped_and_nothing_stands_between_pictures_without_ground() {
+        let pixel = |picture: &Pixels, [x, y]: [u32; 2]| {
+            let at = 4 * (y * picture.width() + x) as usize;
+            <[u8; 4]>::try_from(&picture.rgba()[at..at + 4]).unwrap()
+        };
+        let request =
+            Request { size: Size { width: 720, height: 200, scale: 1.0 }, ..request(View::Image, "depth-buffer") };
+        let sheet = |transparent| {
+            let finish = Finish { transparent, ..Finish::default() };
+            let request = Request { finish, ..request.clone() };
+            Composite::of(Views::All, &request, &Shot::default(), None).unwrap()
+        };
+        let (whole, _) = at_once(Renderer::default().sheet(&sheet(false), false)).unwrap();
+        let (clear, _) = at_once(Renderer::default().sheet(&sheet(true), false)).unwrap();
+        let first = sheet(false).requests[0].size;
+        let gap = [first.width + 1, 100];
+        assert_eq!((pixel(&whole, gap)[3], pixel(&clear, gap)), (255, [0; 4]));
+
+        let (cropped, _) = at_once(Renderer::default().sheet(&sheet(false), true)).unwrap();
+        let each: Vec<Pixels> = sheet(false)
+            .requests
+            .iter()
+            .map(|request| Renderer::default().pixels(request).unwrap().cropped(sheet(false).gap))
+            .collect();
+        let wide: u32 = each.iter().map(Pixels::width).sum();
+        assert_eq!(cropped.width(), wide + 2 * sheet(false).gap);
+        assert_eq!(cropped.height(), each.iter().map(Pixels::height).max().unwrap());
+        assert!(each.iter().all(|picture| picture.width() < first.width), "there was ground to crop");
+    }
+
+    #[test]
+    fn pictures_at_the_same_time_are_those_one_after_the_other() {
+        let requests: Vec<Request> = ["depth-buffer", "bsp"]
+            .iter()
+            .flat_map(|visibility| View::ALL.map(|view| request(view, visibility)))
+            .collect();
+        let mut renderer = Renderer::default();
+        // Whatever the machine has.
+        let threads = rayon::ThreadPoolBuilder::new().num_threads(4).build().unwrap();
+        let all = |renderer: &mut Renderer, pictures: &mut [Pixels]| {
+            threads.install(|| at_once(renderer.all_into(&requests, pictures)))
+        };
+        for _ in 0..2 {
+            let mut pictures = vec![Pixels::default(); requests.len()];
+            let reports = all(&mut renderer, &mut pictures).unwrap();
+            assert_eq!(reports.len(), requests.len());
+            for (request, picture) in requests.iter().zip(&pictures) {
+                assert_eq!(Renderer::default().pixels(request).as_ref(), Some(picture));
+            }
+            renderer.forget();
+        }
+        let progress = Progress::default();
+        renderer.watch(&progress);
+        progress.cancel();
+        let mut pictures = vec![Pixels::default(); requests.len()];
+        assert!(all(&mut renderer, &mut pictures).is_none());
+        assert!(pictures.iter().all(|picture| *picture == Pixels::default()), "none of them was made");
+    }
+
+    #[test]
+    fn strokes_are_wider_by_their_factor_also_on_the_window_and_nothing_else_changes() {
+        for view in View::ALL {
+            let request = request(view, "depth-buffer");
+            let of = |stroke_factor| {
+                let finish = Finish { stroke_factor, ..Finish::default() };
+                Renderer::default().drawing(&Request { finish, ..request.clone() }).unwrap().drawing
+            };
+            let (plain, same, mut wide) = (of(None), of(Some(1.0)), of(Some(2.5)));
+            assert!(plain == same && !plain.strokes.is_empty());
+            wide.strokes.iter_mut().for_each(|stroke| stroke.style.width /= 2.5);
+            let width = |drawing: &Drawing| drawing.strokes.iter().map(|s| f64::from(s.style.width)).sum::<f64>();
+            assert!((width(&wide) / width(&plain) - 1.0).abs() < 1e-5);
+            assert!((&wide.labels, &wide.marks, &wide.areas) == (&plain.labels, &plain.marks, &plain.areas));
+            let wide = Finish { stroke_factor: Some(2.5), ..Finish::default() };
+            let on_window = Request { finish: wide, ..request.clone() }.image_on_window();
+            assert_eq!(on_window.finish.stroke_factor, Some(2.5));
+        }
+    }
+
+    #[test]
+    fn a_drawing_for_vectors_that_is_not_in_order_says_so() {
+        let request = Request { output: Output::Vectors, ..request(View::Image, "depth-buffer") };
+        let mut pipeline = TimedPipeline::default();
+        assert!(views::frame(&request, None, &mut pipeline).too_much.is_none());
+        pipeline.stages.max_pieces = 40;
+        let frame = views::frame(&request, None, &mut pipeline);
+        assert!(frame.too_much.is_some() && !frame.drawing.painted_in_order);
+    }
+
+    #[test]
+    fn a_picture_that_is_cancelled_is_none_and_the_next_one_is_whole() {
+        let progress = Progress::default();
+        let mut renderer = Renderer::default();
+        renderer.watch(&progress);
+        for view in View::ALL {
+            let request = request(view, "bsp");
+            progress.cancel();
+            assert_eq!(renderer.pixels(&request), None);
+            progress.begin_anew();
+            assert_eq!(renderer.pixels(&request), Renderer::default().pixels(&request));
+        }
+    }
+}

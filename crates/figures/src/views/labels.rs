@@ -1,0 +1,171 @@
+//! The words in the pictures.
+
+use crate::camera::{Ndc, Step};
+use crate::figure::WorldPart;
+use crate::numbers::DecimalMark;
+use crate::pipeline::{NEAR, PlaneSet};
+use crate::stage::Stage;
+
+/// The few words in the pictures; symbols (C, PF, u, v, n …) are the same in every language.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Labels {
+    /// The number format.
+    pub mark: DecimalMark,
+    /// The view window.
+    pub window: &'static str,
+    /// The front face of the volume.
+    pub near: &'static str,
+    /// The back face of the volume.
+    pub far: &'static str,
+    /// All objects together.
+    pub scene: &'static str,
+    /// A corner of an object.
+    pub vertex: &'static str,
+    /// A place on an object.
+    pub point: &'static str,
+    /// The camera before an operation.
+    pub before: &'static str,
+    /// The camera that an answer describes.
+    pub answered: &'static str,
+    /// Heading of a picture of Z.
+    pub depth_stored: &'static str,
+    /// Heading of a picture of distances.
+    pub depth_linear: &'static str,
+    /// Heading of the picture of a light: its shadow map.
+    pub depth_of_light: &'static str,
+    /// Shadows without bias.
+    pub acne: &'static str,
+    /// Before the number of pixels where a shadow map is wrong.
+    pub map_wrong: &'static str,
+    /// Between a number and the number of all.
+    pub out_of: &'static str,
+    /// Shadow maps are not held against rays.
+    pub too_much_for_rays: &'static str,
+    /// The label of pixels without a depth.
+    pub nothing: &'static str,
+    /// Parts outside the view volume.
+    pub outside: &'static str,
+    /// Vertices that clipping makes.
+    pub cuts: &'static str,
+    /// Faces that are culled because they turn their back.
+    pub back_faces: &'static str,
+    /// Objects that are culled because they are outside.
+    pub dropped: &'static str,
+    /// Before the planes outside of which an object is.
+    pub outside_of: &'static str,
+    /// The planes: left, right, bottom, top, near, far.
+    pub planes: [&'static str; 6],
+    /// Texture coordinates are interpolated with w.
+    pub with_w: &'static str,
+    /// Texture coordinates are interpolated without w.
+    pub affine: &'static str,
+    /// The title of the colours of levels of detail.
+    pub levels: &'static str,
+    /// Texels are shown.
+    pub texels: &'static str,
+    /// The divide comes before clipping.
+    pub divided_first: &'static str,
+    /// The result, where anything is behind the eye.
+    pub wrong: &'static str,
+    /// The result otherwise.
+    pub no_difference: &'static str,
+    /// Depth that is 1 at F and 0 at B.
+    pub reversed: &'static str,
+    /// Axes that are right-handed.
+    pub right_handed: &'static str,
+    /// Axes that are left-handed.
+    pub left_handed: &'static str,
+    /// Too many pieces to be put in order.
+    pub not_split: &'static str,
+    /// Vertices are drawn beside their places.
+    pub rounded: &'static str,
+    /// Of a picture that is begun.
+    pub triangles: &'static str,
+    /// Of a stage of the pipeline.
+    pub goes_in: &'static str,
+    /// Of a stage of the pipeline.
+    pub comes_out: &'static str,
+    /// Of a stage that had more to do than is shown.
+    pub not_all: &'static str,
+    /// Parallel projection has no vanishing points.
+    pub no_vanishing: &'static str,
+    /// A direction parallel to the view plane.
+    pub ideal: &'static str,
+    /// A vanishing point that is not in the picture.
+    pub beyond_image: &'static str,
+    /// Of a point that has no image, because it is behind the eye.
+    pub behind_eye: &'static str,
+    /// The line of the vanishing points of horizontal directions.
+    pub horizon: &'static str,
+    /// Before the first step of the way to the canonical volume.
+    pub world: &'static str,
+    /// How much two sides of a comparison differ.
+    pub differ: &'static str,
+    /// The operations: elevation, azimuth, roll, yaw, pitch, zoom, dolly, pan.
+    pub operations: [&'static str; 8],
+    /// Keys of figure files that are on or off, with their names.
+    pub switches: [(&'static str, &'static str); 7],
+    /// The values of `[reveal] depth`: off, stored, linear.
+    pub depths: [&'static str; 3],
+    /// The values of `[reveal] outside`, the usual one first, the others in the order of their words.
+    pub outsides: [&'static str; 4],
+    /// The values of `[reveal] shadows`: none, then in the order of their words.
+    pub shadow_reveals: [&'static str; 4],
+    /// No stage is shown.
+    pub no_stage: &'static str,
+    /// The parts of the world, in the order of [`WorldPart::ALL`].
+    pub world_parts: [&'static str; WorldPart::ALL.len()],
+    /// Of a switch.
+    pub yes_no: [&'static str; 2],
+    /// The values of `[style] shading`, in the order of their words.
+    pub shadings: [&'static str; 4],
+    /// The values of `[style] visibility`.
+    pub visibilities: [&'static str; 3],
+    /// The values of `[style] hidden_lines`.
+    pub hidden_lines: [&'static str; 3],
+    /// The values of `[style] depth_format`.
+    pub depth_formats: [&'static str; 3],
+    /// The values of `[camera] projection`.
+    pub projections: [&'static str; 2],
+    /// The stages of the pipeline, in their order.
+    pub stages: [&'static str; Stage::ALL.len()],
+    /// Before the number of a step of the way to the canonical volume.
+    pub step_number: &'static str,
+    /// Before the number of samples of a pixel.
+    pub samples: &'static str,
+    /// The effect of each step, in the order of [`Step`].
+    pub steps: [&'static str; 15],
+}
+
+impl Labels {
+    /// The reason why an object is dropped. Behind the eye all signs are reversed, and only the front plane is
+    /// meaningful.
+    #[must_use]
+    pub fn outside_planes(&self, planes: PlaneSet) -> String {
+        let planes = if planes & NEAR != 0 { NEAR } else { planes };
+        let names: Vec<&str> =
+            (0..).zip(self.planes).filter(|(i, _)| planes >> i & 1 == 1).map(|(_, name)| name).collect();
+        format!("{}: {}", self.outside_of, names.join(", "))
+    }
+
+    /// The effect of a step of the way to the canonical volume.
+    #[must_use]
+    pub fn step(&self, step: Step) -> &'static str {
+        self.steps.get(step as usize).copied().unwrap_or_default()
+    }
+
+    /// A convention of NDC in words: whose, reversed, without a far plane.
+    #[must_use]
+    pub fn ndc_title(&self, ndc: Ndc) -> String {
+        let reversed = if ndc.reversed { format!(", {}", self.reversed) } else { String::new() };
+        let infinite = if ndc.infinite { ", B → ∞" } else { "" };
+        format!("{}{reversed}{infinite}", ndc.api.title())
+    }
+}
+
+/// Labels without words, for tests that look at anything but words.
+#[cfg(test)]
+pub(crate) fn unlabelled() -> &'static Labels {
+    static UNLABELLED: std::sync::LazyLock<Labels> = std::sync::LazyLock::new(Labels::default);
+    &UNLABELLED
+}

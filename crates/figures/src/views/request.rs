@@ -1,0 +1,337 @@
+//! Everything that a picture depends on, as one value: equal requests give equal pixels.
+
+use std::ops::Deref;
+use std::sync::{Arc, OnceLock};
+
+use super::pixels::image_frame;
+use super::{Hover, Labels, Look, ObjectTransform, Picture, Probe, ShadowTruth, Shot, Size, TriangleOverlay, View};
+use crate::camera::{Camera, Decomposition};
+use crate::figure::{Figure, Measured, Observer, ShownStep};
+use crate::geometry::Aabb;
+use crate::pipeline::{Output, Scenes};
+use crate::scene::{Scene, SceneRevision};
+
+/// A picture to be made. "Has anything changed?" is `==`, which costs nothing that grows with the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// The kind of the picture.
+    pub view: View,
+    /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture.
+    pub observer: Option<Observer>,
+    /// The camera that the picture is about.
+    pub camera: Camera,
+    /// The part of the shot that is seen in this picture.
+    pub shot: Arc<Shot>,
+    /// The scene.
+    pub scene: SharedScene,
+    /// The part made by the pointer alone.
+    pub hover: Hover,
+    /// The settings of the output.
+    pub finish: Finish,
+    /// The words in the picture.
+    pub labels: &'static Labels,
+    /// Size of the picture.
+    pub size: Size,
+    /// Run every stage of the pipeline, needed or not. The picture is the same.
+    pub force_all_stages: bool,
+    /// The output of the drawing; pixels are made of drawings for pixels.
+    pub output: Output,
+    /// The triangle of the shot on its way, which the renderer finds; nobody else sets it.
+    pub triangle: Option<Arc<TriangleOverlay>>,
+    /// Where the shadow maps of the image are wrong, which the renderer finds; nobody else sets it.
+    pub shadow_truth: Option<Arc<ShadowTruth>>,
+}
+
+/// The settings of an output, independent of the content.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Finish {
+    /// Without texts and legends: the picture is painted on something.
+    pub bare: bool,
+    /// Transparent background.
+    pub transparent: bool,
+    /// The factor of stroke widths; `None`: in proportion to the letters.
+    pub stroke_factor: Option<f32>,
+    /// The image has a border, with room around it for the marks at its sides: on paper, and beside other pictures.
+    pub framed: bool,
+}
+
+impl Request {
+    /// A picture of a figure, without hover. The camera is the figure's, or that after operations, as in
+    /// [`of_picture`](Self::of_picture); the scene is [`scene_of`](super::scene_of) the figure.
+    #[must_use]
+    pub fn of(
+        figure: &Figure,
+        view: View,
+        camera: &Camera,
+        scene: &SharedScene,
+        labels: &'static Labels,
+        size: Size,
+    ) -> Self {
+        Self::new(&Shot::of(figure), view, camera, scene, labels, size)
+    }
+
+    /// The first picture of a kind of a shot, with nothing pointed at. The camera is the figure's.
+    #[must_use]
+    pub fn new(
+        shot: &Shot,
+        view: View,
+        camera: &Camera,
+        scene: &SharedScene,
+        labels: &'static Labels,
+        size: Size,
+    ) -> Self {
+        Self::of_picture(shot, &shot.picture(view), camera, scene, labels, size)
+    }
+
+    /// A picture of a shot, with nothing pointed at. The camera is the figure's; the picture may have one of its own.
+    /// It is [rounded](Camera::rounded), so that a picture is the same before its figure is saved and after.
+    #[must_use]
+    pub fn of_picture(
+        shot: &Shot,
+        picture: &Picture,
+        camera: &Camera,
+        scene: &SharedScene,
+        labels: &'static Labels,
+        size: Size,
+    ) -> Self {
+        Self {
+            view: picture.kind,
+            observer: picture.observer.filter(|_| picture.kind != View::Image),
+            camera: picture.camera.as_ref().unwrap_or(camera).rounded(),
+            shot: Arc::new(shot.seen_in(picture.kind)),
+            scene: scene.clone(),
+            hover: Hover::default(),
+            finish: Finish::default(),
+            labels,
+            size,
+            force_all_stages: false,
+            output: Output::Pixels,
+            triangle: None,
+            shadow_truth: None,
+        }
+    }
+
+    /// The same picture with another shot, of which the part seen in it counts; where it is compared, on both sides.
+    #[must_use]
+    pub fn with_shot(self, change: impl Fn(&mut Shot)) -> Self {
+        let mut shot = Shot::clone(&self.shot);
+        change(&mut shot);
+        if let Some(compared) = &mut shot.compared {
+            change(&mut Arc::make_mut(compared).shot);
+        }
+        Self { shot: Arc::new(shot.seen_in(self.view)), ..self }
+    }
+
+    /// The same picture with another observer; the image is seen by the camera alone.
+    #[must_use]
+    pub fn seen_by(self, observer: Option<Observer>) -> Self {
+        Self { observer: observer.filter(|_| self.view != View::Image), ..self }
+    }
+
+    /// The canonical picture on its way from the world, step by step; `None`: there is no way that the camera can go,
+    /// or none is shown.
+    #[must_use]
+    pub fn normalizing(&self) -> Option<Normalizing> {
+        Normalizing::of(self.shot.show.step?, &self.camera)
+    }
+
+    /// The probe marked in all three pictures: the pinned one, or that of the pointer.
+    #[must_use]
+    pub fn probe(&self) -> Option<Probe> {
+        let pinned = self.shot.show.probe.map(|probe| Probe::of(probe, &self.camera, self.shot.look.image));
+        pinned.or(self.hover.probe)
+    }
+
+    /// The lengths, angles and coordinates that light up in the world.
+    pub fn measured(&self) -> impl Iterator<Item = Measured> {
+        let shown = &self.shot.show.measure;
+        let pointed = self.hover.measured.iter().filter(move |measured| !shown.contains(measured));
+        shown.iter().chain(pointed).copied()
+    }
+
+    /// The object of which parts are measured.
+    #[must_use]
+    pub fn measured_object(&self) -> Option<ObjectTransform> {
+        self.hover.object.or(self.shot.measured_object)
+    }
+
+    /// The image, without margins and legends, for the view window in the world: half as large as the picture, within
+    /// reason, and with the aspect of the window, in which it is undistorted.
+    #[must_use]
+    pub fn image_on_window(&self) -> Self {
+        let side = (self.size.width.max(self.size.height) / 2).clamp(256, 1024);
+        let frame = image_frame(Size { width: side, height: side, scale: 1.0 }, self.camera.window().aspect());
+        // Points and explanations are drawn in the world.
+        let look = Look { undistorted: true, ..self.shot.look };
+        let shot = Shot { look, ndc: self.shot.ndc, ..Shot::default().seen_in(View::Image) };
+        Self {
+            view: View::Image,
+            observer: None,
+            shot: Arc::new(shot),
+            hover: Hover::default(),
+            finish: Finish { bare: true, stroke_factor: self.finish.stroke_factor, ..Finish::default() },
+            size: Size { width: frame.width, height: frame.height, scale: 1.0 },
+            // Also in a vector picture it is a texture.
+            output: Output::Pixels,
+            triangle: None,
+            shadow_truth: None,
+            ..self.clone()
+        }
+    }
+}
+
+/// The progress of the scene through a decomposition: whole numbers are whole steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Normalizing {
+    /// Whose steps.
+    pub decomposition: Decomposition,
+    /// 0: the world; from the number of steps on: the canonical volume.
+    pub time: f64,
+}
+
+impl Normalizing {
+    /// The progress of a camera; `None` where it has no steps of this source.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
+    pub fn of(step: ShownStep, camera: &Camera) -> Option<Self> {
+        let ShownStep { way, at } = step;
+        let end = camera.decomposed(way)?.len() as f64;
+        Some(Self { decomposition: way, time: at.unwrap_or(end).clamp(0.0, end) })
+    }
+}
+
+/// A scene that requests share. Two are equal where they are the same one, not where they look alike: scenes have
+/// millions of vertices, and whoever keeps one makes another only when something in it has changed.
+#[derive(Clone, Debug, Default)]
+pub struct SharedScene(Arc<SceneWithBounds>);
+
+#[derive(Debug, Default)]
+struct SceneWithBounds {
+    scene: Scene,
+    /// The box around the scene: with a million vertices it takes a while to find. By one thread: those of the pool
+    /// would begin another picture of the scene meanwhile, which would wait for it.
+    bounds: OnceLock<Option<Aabb>>,
+    revision: OnceLock<SceneRevision>,
+}
+
+impl SharedScene {
+    /// Shares a scene.
+    #[must_use]
+    pub fn new(scene: Scene) -> Self {
+        Self(Arc::new(SceneWithBounds { scene, ..SceneWithBounds::default() }))
+    }
+
+    /// Another scene, which is this one with marks in it: pictures frame it as they frame this one.
+    #[must_use]
+    pub fn marked(&self, scene: Scene) -> Self {
+        Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::from(self.bounds()), ..SceneWithBounds::default() }))
+    }
+
+    /// The scene with the gear of a picture. As it is the same one, its objects are not looked at again.
+    #[must_use]
+    pub fn with<'a>(&'a self, gear: &'a Scene) -> Scenes<'a> {
+        Scenes::new(self, gear).of_revision(self.revision())
+    }
+
+    /// The scene alone.
+    #[must_use]
+    pub fn alone(&self) -> Scenes<'_> {
+        Scenes::from(&**self).of_revision(self.revision())
+    }
+
+    fn revision(&self) -> SceneRevision {
+        *self.0.revision.get_or_init(SceneRevision::next)
+    }
+
+    /// The box around the scene; `None` for an empty one.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Aabb> {
+        *self.0.bounds.get_or_init(|| self.0.scene.bounds())
+    }
+}
+
+impl Deref for SharedScene {
+    type Target = Scene;
+
+    fn deref(&self) -> &Scene {
+        &self.0.scene
+    }
+}
+
+impl PartialEq for SharedScene {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use super::*;
+    use crate::scene::PointMark;
+    use crate::views::unlabelled;
+    use crate::views::{Handle, TransformGizmo, Transforming};
+    use glam::{DVec2, DVec3};
+
+    fn request() -> Request {
+        let figure = Figure::default();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let size = Size { width: 400, height: 300, scale: 1.0 };
+        let scene = SharedScene::new(Scene::default());
+        Request::of(&figure, View::World, &camera, &scene, unlabelled(), size)
+    }
+
+    #[test]
+    fn a_scene_is_equal_to_itself_and_not_to_one_that_looks_like_it() {
+        let one = request();
+        assert_eq!(one, one.clone());
+        assert_ne!(one, Request { scene: SharedScene::new(Scene::default()), ..one.clone() });
+    }
+
+    #[test]
+    fn a_marked_scene_is_framed_as_the_scene_without_marks() {
+        let scene = SharedScene::new(Scene::default());
+        let mark = PointMark {
+            position: DVec3::splat(100.0),
+            shape: crate::appearance::MarkShape::Disc,
+            radius: 3.0,
+            color: crate::appearance::Rgba::rgb(0, 0, 0),
+            fade_if_hidden: false,
+        };
+        let marked = scene.marked(Scene { marks: vec![mark], ..Scene::default() });
+        assert_eq!((marked.bounds(), marked.marks.len()), (None, 1));
+        assert_ne!(marked, scene);
+    }
+
+    #[test]
+    fn what_moves_things_is_seen_in_the_world_alone_and_the_probe_everywhere() {
+        let hover = Hover {
+            probe: Some(Probe::Window(DVec2::ZERO)),
+            hovered: Some(Handle::Near),
+            gizmo: Some(TransformGizmo {
+                does: Transforming::Move,
+                origin: DVec3::ZERO,
+                axes: DVec3::AXES,
+                hovered: None,
+            }),
+            ..Hover::default()
+        };
+        assert_eq!(hover.seen_in(View::World), hover);
+        for view in [View::Canonical, View::Image] {
+            assert_eq!(hover.seen_in(view), Hover { probe: hover.probe, ..Hover::default() });
+        }
+    }
+
+    #[test]
+    fn the_image_on_the_window_has_its_aspect_and_never_vanishes() {
+        for (width, height, side) in [(100, 80, 256), (1280, 900, 640), (16_000, 10, 1024)] {
+            let request = Request { size: Size { width, height, scale: 2.0 }, ..request() };
+            let on_window = request.image_on_window();
+            assert_eq!(on_window.view, View::Image);
+            assert_eq!(on_window.size, Size { width: side, height: side * 3 / 4, scale: 1.0 });
+        }
+        let parameters = crate::camera::Parameters { aspect: 1e9, ..crate::camera::Parameters::default() };
+        let thin = Request { camera: Camera::new(&parameters).unwrap(), ..request() }.image_on_window();
+        assert_eq!((thin.size.width, thin.size.height), (256, 1));
+    }
+}

@@ -1,0 +1,48 @@
+//! The lessons that are part of the program: they are there wherever it is, installed or not.
+
+use std::sync::{Arc, LazyLock};
+
+use super::lesson::Lesson;
+use super::read::parse;
+
+/// A lesson that is part of the program.
+#[derive(Clone, Debug)]
+pub struct ShippedLesson {
+    /// The lesson.
+    pub lesson: Arc<Lesson>,
+    /// Its file.
+    pub text: &'static str,
+}
+
+macro_rules! lessons {
+    ($($name:literal),* $(,)?) => {
+        [$(include_str!(concat!("../../../../assets/lessons/", $name, ".toml")),)*]
+    };
+}
+
+/// Their files, in the order in which they are taken.
+const TEXTS: [&str; 12] = lessons![
+    "01-camera",
+    "02-basis",
+    "03-window",
+    "04-view",
+    "05-cube",
+    "06-w",
+    "07-clip",
+    "08-pixel",
+    "09-moves",
+    "10-hidden",
+    "11-light",
+    "12-limits"
+];
+
+/// All of them, in the order in which they are taken.
+#[must_use]
+pub fn shipped() -> &'static [ShippedLesson] {
+    // Read when the first is asked for; a test reads every one.
+    static LESSONS: LazyLock<Vec<ShippedLesson>> = LazyLock::new(|| {
+        let lesson = |text: &'static str| Some(ShippedLesson { lesson: Arc::new(parse(text).ok()?), text });
+        TEXTS.into_iter().filter_map(lesson).collect()
+    });
+    &LESSONS
+}
