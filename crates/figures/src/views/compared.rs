@@ -2,13 +2,13 @@
 
 use glam::DVec2;
 
-use super::gizmos::SMALL_TYPE;
-use super::label_layout::Author;
-use super::values::{done, said};
 use super::{Compared, Labels, Palette, Request, Shot, Size};
 use crate::appearance::{Dash, HiddenLines, Rgba};
 use crate::drawing::{Anchor, Area, Drawing, Label, StrokeSet, single};
 use crate::sanitize;
+use crate::views::words::label_layout::Author;
+use crate::views::words::values::{done, said};
+use crate::views::world::gizmos::SMALL_TYPE;
 
 /// Room between two halves, in pixels at scale 1.
 const GAP: f32 = 4.0;
@@ -111,7 +111,7 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
             drawing.strokes.push(StrokeSet {
                 points: vec![[left, 0.0, 1.0], [left, high, 1.0]],
                 polylines: std::iter::once(0..2).collect(),
-                style: super::gizmos::stroke(color, stroke * scale, Dash::Solid, HiddenLines::Shown),
+                style: crate::views::world::gizmos::stroke(color, stroke * scale, Dash::Solid, HiddenLines::Shown),
             });
         }
     }

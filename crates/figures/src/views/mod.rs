@@ -11,58 +11,22 @@
 //! | `canonical` | ndc, shown as (x_n, y_n, −z_n), which is right-handed; in other conventions as deep as they are | [`Observer`] |
 
 mod arrangement;
-mod author_labels;
-mod camera_gizmo;
 mod canonical;
-mod canonical_box;
-mod caption_strip;
 mod compared;
-mod components;
-mod coverage_grid;
-pub mod depth;
-mod dimensions;
-mod framing;
-mod ghost;
-mod gizmos;
-pub mod handles;
-mod hits;
-mod hover;
 mod image;
-mod label_layout;
-mod label_names;
-mod label_obstacles;
-mod labels;
-mod legend;
-mod light_view;
-pub mod named_points;
-mod normalizing;
-mod note_place;
-mod object_parts;
+mod interact;
 pub mod observer;
 mod observer_of;
-mod offscreen_arrows;
 pub mod palette;
-mod partial_paint;
-pub mod pick;
 mod picture;
 mod pixels;
-mod probe;
 mod request;
-mod revealed_scene;
+mod reveal;
 mod screen;
-mod section;
 mod shot;
-mod stage_overlay;
-mod texel;
 mod timed_pipeline;
-pub mod transform_gizmo;
-mod transform_preview;
-mod triangle_overlay;
-mod values;
-mod vanishing;
-mod volume;
+mod words;
 mod world;
-mod world_framing;
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -74,28 +38,33 @@ use crate::pipeline::Frame;
 use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use arrangement::{Arrangement, aspect_shown, best_arrangement, share_of_first, used_area};
-pub use author_labels::LabelPlace;
-pub use caption_strip::{Captions, caption_height};
 pub use compared::{Side, overlay};
-pub use hover::{
+pub use image::depth;
+pub use image::light_view::{ShadowAt, shadows_at};
+pub use interact::handles;
+pub use interact::hover::{
     Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, ShadowTruth, TransformGizmo, Transforming, TriangleOverlay,
 };
-pub use label_names::unknown_labels;
-pub use labels::Labels;
-#[cfg(test)]
-pub(crate) use labels::unlabelled;
-pub use light_view::{ShadowAt, shadows_at};
-pub use note_place::note_place;
+pub use interact::named_points;
+pub use interact::pick;
+pub use interact::transform_gizmo;
 use observer::Viewpoint;
 pub use observer_of::ObserverOf;
 pub use palette::Palette;
 pub use picture::{MAX_PICTURES, Picture, observer_in};
 pub use pixels::{PixelRect, Size, image_frame};
 pub use request::{Finish, Normalizing, Request, SharedScene};
+pub use reveal::texel::{TexelAt, texel_at};
 pub use shot::{Compared, Look, Shot};
-pub use texel::{TexelAt, texel_at};
 pub use timed_pipeline::TimedPipeline;
-pub use values::caption;
+pub use words::author_labels::LabelPlace;
+pub use words::caption_strip::{Captions, caption_height};
+pub use words::label_names::unknown_labels;
+pub use words::labels::Labels;
+#[cfg(test)]
+pub(crate) use words::labels::unlabelled;
+pub use words::note_place::note_place;
+pub use words::values::caption;
 
 /// Draws a picture, and reports. `on_window` is the image that the view window of the world shows:
 /// [`Request::image_on_window`] as pixels; without it the window is plain.
@@ -103,7 +72,7 @@ pub use values::caption;
 pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
     let mut frame = match request.view {
         View::World => world::frame_of(request, on_window, pipeline),
-        View::Canonical => normalizing::frame_of(request, pipeline),
+        View::Canonical => canonical::normalizing::frame_of(request, pipeline),
         View::Image => image::frame_of(request, pipeline),
     };
     if request.finish.transparent {
@@ -143,7 +112,7 @@ pub fn with_observer(requests: Vec<Request>, other: Option<&ObserverOf>) -> Vec<
         return requests;
     }
     let observer = match requests.first().map(|request| request.view) {
-        Some(View::World) => world_framing::common(&requests),
+        Some(View::World) => world::world_framing::common(&requests),
         Some(View::Canonical) => canonical::common(&requests),
         Some(View::Image) | None => None,
     };
@@ -155,7 +124,7 @@ impl Request {
     #[must_use]
     pub fn seen_from(&self) -> Option<Observer> {
         match self.view {
-            View::World => Some(world_framing::seen_from(self)),
+            View::World => Some(world::world_framing::seen_from(self)),
             View::Canonical => self.observer.or_else(|| self.observer_from(Viewpoint::Iso)),
             View::Image => None,
         }
@@ -165,7 +134,7 @@ impl Request {
     #[must_use]
     pub fn observer_from(&self, viewpoint: Viewpoint) -> Option<Observer> {
         match self.view {
-            View::World => Some(world_framing::observer(self, viewpoint)),
+            View::World => Some(world::world_framing::observer(self, viewpoint)),
             View::Canonical => Some(canonical::observer(self, viewpoint)),
             View::Image => None,
         }
@@ -175,7 +144,7 @@ impl Request {
     #[must_use]
     pub fn holds(&self, observer: &Observer) -> bool {
         match self.view {
-            View::World => world_framing::holds(self, observer),
+            View::World => world::world_framing::holds(self, observer),
             View::Canonical => canonical::holds(self, observer),
             View::Image => true,
         }
@@ -206,7 +175,7 @@ impl Request {
     #[must_use]
     pub fn fitted(&self, observer: &Observer) -> Option<Observer> {
         match self.view {
-            View::World => Some(world_framing::fit(self, observer)),
+            View::World => Some(world::world_framing::fit(self, observer)),
             View::Canonical => Some(canonical::fit(self, observer)),
             View::Image => None,
         }

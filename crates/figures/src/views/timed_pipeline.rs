@@ -3,8 +3,7 @@
 use std::borrow::Cow;
 use std::time::Duration;
 
-use super::gizmos::{self, SceneChange};
-use super::{Request, SharedScene, View, depth, stage_overlay};
+use super::{Request, SharedScene, View};
 use crate::appearance::{DepthFormat, Shading, Style};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
@@ -12,6 +11,10 @@ use crate::pipeline::depths::DepthScale;
 use crate::pipeline::project::legible_clipped_scene;
 use crate::pipeline::{Frame, Options, Pipeline, Scenes, Target};
 use crate::scene::Scene;
+use crate::views::image::depth;
+use crate::views::reveal::stage_overlay;
+use crate::views::world::gizmos;
+use crate::views::world::gizmos::SceneChange;
 
 /// The pipeline, with buffers that serve one picture after the other, and a clock for those who want to know how long
 /// each stage takes.

@@ -1,0 +1,210 @@
+//! Vanishing points of the scene's three directions, with their construction: `[4]`, ideal points under a projective
+//! map.
+//!
+//! The lines of a direction **d** meet in the image of its ideal point, M (d, 0): where w ≠ 0 that is the point in
+//! which the parallel to **d** through C meets the view plane. In parallel projection w = 0: ideal points stay ideal,
+//! parallels stay parallel.
+
+use glam::{DVec2, DVec3};
+
+use crate::appearance::{Dash, HiddenLines, MarkShape};
+use crate::camera::{Camera, Projection};
+use crate::drawing::{Drawing, Label, Mark, StrokeSet, single};
+use crate::geometry::Aabb;
+
+use crate::views::words::label_obstacles::Box2;
+use crate::views::words::legend::{LegendRow, LegendText};
+use crate::views::world::gizmos::{GearBuilder, SMALL_TYPE, stroke};
+use crate::views::{Palette, Request};
+
+/// The directions, and how their vanishing points are called.
+const DIRECTIONS: [(DVec3, &str); 3] = [(DVec3::X, "V_x"), (DVec3::Y, "V_y"), (DVec3::Z, "V_z")];
+
+/// (x_p, y_p) of the vanishing point of a direction, `[0]` (5.9), (5.10) of its ideal point; `None` where that is ideal
+/// itself: in parallel projection, and for directions parallel to the view plane up to rounding.
+pub(in crate::views) fn vanishing_point(camera: &Camera, direction: DVec3) -> Option<DVec2> {
+    let basis = camera.basis();
+    let along = direction.dot(basis.n);
+    let perspective = camera.projection() == Projection::Perspective;
+    (perspective && along.abs() > 1e-12 * direction.length())
+        .then(|| DVec2::new(direction.dot(basis.u), direction.dot(basis.v)) * (-camera.near() / along))
+        .filter(|p| p.is_finite())
+}
+
+/// In the world: the parallels through C, each up to the view plane.
+pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+    /// Farthest vanishing point to include, in windows from the middle of the window: a farther one would pull the eye
+    /// away from the scene.
+    const FARTHEST: f64 = 2.5;
+    let camera = &request.camera;
+    let size = camera.window_width().max(camera.window_height());
+    for ((direction, name), color) in DIRECTIONS.into_iter().zip(palette.axes) {
+        let Some(point) = vanishing_point(camera, direction) else { continue };
+        if point.length() > FARTHEST * size {
+            continue;
+        }
+        let basis = camera.basis();
+        let place = camera.position() + basis.u * point.x + basis.v * point.y - basis.n * camera.near();
+        builder.line(vec![camera.position(), place], color, 1.2, Dash::Dashed);
+        builder.mark(place, MarkShape::Diamond, 4.0, color);
+        builder.text(place, name, DVec2::new(0.8, -0.8), SMALL_TYPE, color);
+    }
+}
+
+/// In the image: the edges of the box around the scene, prolonged to where they meet, and the horizon.
+pub(in crate::views) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palette) -> Vec<LegendRow> {
+    let camera = &request.camera;
+    let labels = request.labels;
+    if camera.projection() == Projection::Parallel {
+        return vec![LegendRow::Title(LegendText::new("vanishing", labels.no_vanishing), palette.ink)];
+    }
+    let picture = WindowPicture { size: DVec2::new(f64::from(drawing.width), f64::from(drawing.height)), camera };
+    let scale = request.size.scale;
+    let mut rows = Vec::new();
+    horizon(drawing, &picture, request, palette);
+    for ((direction, name), color) in DIRECTIONS.into_iter().zip(palette.axes) {
+        let Some(point) = vanishing_point(camera, direction) else {
+            rows.push(LegendRow::Swatch(color, LegendText::new(name, format!("{name}: {}", labels.ideal))));
+            continue;
+        };
+        let vanishing = picture.place(point);
+        if let Some(bounds) = request.scene.bounds() {
+            for end in nearest_ends(camera, bounds, direction) {
+                picture.line(
+                    drawing,
+                    [picture.place(end), vanishing],
+                    stroke(color, 0.9 * scale, Dash::Dashed, HiddenLines::Shown),
+                );
+            }
+        }
+        if picture.holds(vanishing) {
+            drawing.marks.push(Mark {
+                position: [single(vanishing.x), single(vanishing.y), 1.0],
+                radius: 4.0 * scale,
+                color,
+                outline: palette.paper,
+                shape: MarkShape::Diamond,
+                fade_if_hidden: false,
+            });
+            drawing.labels.push(label(vanishing, name, SMALL_TYPE * scale, color, palette));
+        } else {
+            let text = format!("{name}: {}", labels.beyond_image);
+            rows.push(LegendRow::Swatch(color, LegendText::new(name, text)));
+        }
+    }
+    rows
+}
+
+/// The line of all vanishing points of horizontal directions: (x_p **u** + y_p **v** − F **n**) · y = 0.
+fn horizon(drawing: &mut Drawing, picture: &WindowPicture<'_>, request: &Request, palette: Palette) {
+    let basis = request.camera.basis();
+    let (a, b, c) = (basis.u.y, basis.v.y, -request.camera.near() * basis.n.y);
+    let across = DVec2::new(a, b);
+    // Looking straight up or down, no horizontal direction has a vanishing point in reach.
+    if across.length() < 1e-9 {
+        return;
+    }
+    let foot = across * (-c / across.length_squared());
+    let along = across.perp().normalize();
+    let reach = 4.0 * (request.camera.window_width() + request.camera.window_height()) + foot.length();
+    let ends = [picture.place(foot - along * reach), picture.place(foot + along * reach)];
+    let style = stroke(palette.soft, request.size.scale, Dash::Solid, HiddenLines::Shown);
+    if let Some([from, to]) = picture.line(drawing, ends, style) {
+        let left = if from.x < to.x { from } else { to };
+        let size = SMALL_TYPE * request.size.scale;
+        let at = left + (from.max(to) - left) * 0.04 - DVec2::Y * (0.9 * f64::from(size));
+        let name = "horizon".to_owned();
+        drawing.labels.push(Label { name, ..label(at, request.labels.horizon, size, palette.soft, palette) });
+    }
+}
+
+/// Of each edge of a box along a direction, the window point of the end from which it runs to the vanishing point: the
+/// one nearer to the eye, in front of it.
+fn nearest_ends(camera: &Camera, bounds: Aabb, direction: DVec3) -> Vec<DVec2> {
+    let view = |p: DVec3| camera.view_point(p);
+    let corners = bounds.corners();
+    let low = corners.into_iter().filter(|p| (*p - bounds.min).dot(direction).abs() < 1e-12 * (1.0 + p.length()));
+    let extent = direction * (bounds.max - bounds.min).dot(direction);
+    let ends = low.filter_map(|p| {
+        let ends = [view(p), view(p + extent)];
+        let front = |c: &DVec3| -c.z > 1e-6 * camera.near();
+        let nearer = ends.into_iter().filter(front).max_by(|a, b| a.z.total_cmp(&b.z))?;
+        Some(nearer.truncate() * (camera.near() / -nearer.z))
+    });
+    ends.filter(|p| p.is_finite()).collect()
+}
+
+/// A picture of the view window.
+struct WindowPicture<'a> {
+    size: DVec2,
+    camera: &'a Camera,
+}
+
+impl WindowPicture<'_> {
+    /// The place in pixels of a window point; also far outside.
+    fn place(&self, point: DVec2) -> DVec2 {
+        let w = self.camera.window();
+        self.size * DVec2::new((point.x - w.left) / w.width(), (w.top - point.y) / w.height())
+    }
+
+    fn holds(&self, px: DVec2) -> bool {
+        px.cmpge(DVec2::ZERO).all() && px.cmple(self.size).all()
+    }
+
+    /// Draws the part of a line in the picture (in `f64`: a vanishing point may be a billion pixels away).
+    fn line(
+        &self,
+        drawing: &mut Drawing,
+        [a, b]: [DVec2; 2],
+        style: crate::appearance::LineStyle,
+    ) -> Option<[DVec2; 2]> {
+        let whole = Box2 { center: self.size / 2.0, half: self.size / 2.0 };
+        let ends = whole.part_inside(a, b)?.map(|share| a.lerp(b, share));
+        if !ends.iter().all(|p| p.is_finite()) {
+            return None;
+        }
+        drawing.strokes.push(StrokeSet {
+            points: ends.map(|p| [single(p.x), single(p.y), 1.0]).to_vec(),
+            polylines: std::iter::once(0..2).collect(),
+            style,
+        });
+        Some(ends)
+    }
+}
+
+fn label(at: DVec2, text: &str, size: f32, color: crate::appearance::Rgba, palette: Palette) -> Label {
+    Label {
+        name: text.to_owned(),
+        offset: [0.6 * size, -0.6 * size],
+        ..Label::new([single(at.x), single(at.y), 1.0], text, size, [color, palette.paper])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use super::*;
+    use crate::camera::{ImageSize, Parameters, Viewport};
+
+    /// Points of a line, farther and farther away, come to the vanishing point.
+    #[test]
+    fn lines_run_to_the_vanishing_point_of_their_direction() {
+        let camera = Camera::new(&Parameters::default()).unwrap();
+        let image = ImageSize::default();
+        for (direction, _) in DIRECTIONS {
+            let vanishing = vanishing_point(&camera, direction).unwrap();
+            // Towards the front.
+            let ahead = if direction.dot(camera.basis().n) < 0.0 { direction } else { -direction };
+            for start in [DVec3::ZERO, DVec3::new(1.0, -2.0, 0.5)] {
+                let far = camera.stations(start + ahead * 1e9, image, &Viewport::whole(image)).projected.unwrap();
+                assert!(far.window.distance(vanishing) < 1e-8, "{} is not {vanishing}", far.window);
+            }
+        }
+        let parallel = Camera::new(&Parameters { projection: Projection::Parallel, ..Parameters::default() }).unwrap();
+        assert_eq!(vanishing_point(&parallel, DVec3::X), None);
+        let ahead = Parameters { position: DVec3::new(0.0, 0.0, 5.0), ..Parameters::default() };
+        let ahead = Camera::new(&ahead).unwrap();
+        assert_eq!(vanishing_point(&ahead, DVec3::X), None, "parallel to the view plane: one-point perspective");
+        assert_eq!(vanishing_point(&ahead, DVec3::Z), Some(DVec2::ZERO));
+    }
+}

@@ -1,0 +1,172 @@
+//! The hover: its target, its preview, and its handles, made by the pointer alone. No file holds it.
+
+use glam::{DMat4, DVec2, DVec3};
+
+use crate::camera::{Camera, Convention, ImageSize, Operation};
+use crate::figure::{Measured, ShownProbe, TriangleStep};
+use crate::scene::transform::Trs;
+use crate::views::View;
+
+/// The part of the pictures of a frame made by the pointer alone.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Hover {
+    /// The target under the pointer, marked in all three pictures where nothing is pinned.
+    pub probe: Option<Probe>,
+    /// The operation that is being tried, shown in the world.
+    pub ghost: Option<Ghost>,
+    /// The handle under the pointer, drawn stronger, in the world.
+    pub hovered: Option<Handle>,
+    /// The gizmo that moves, turns or scales the selection, in the world.
+    pub gizmo: Option<TransformGizmo>,
+    /// The target in a panel: these lengths, angles and coordinates are shown in the world.
+    pub measured: Vec<Measured>,
+    /// The object of which parts are pointed at.
+    pub object: Option<ObjectTransform>,
+}
+
+impl Hover {
+    /// The part of it that a picture shows.
+    #[must_use]
+    pub fn seen_in(&self, view: View) -> Self {
+        match view {
+            View::World => self.clone(),
+            View::Canonical | View::Image => Self { probe: self.probe, ..Self::default() },
+        }
+    }
+}
+
+/// The transform of an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObjectTransform {
+    /// The transform of its parent.
+    pub world_from_parent: DMat4,
+    /// Its own.
+    pub trs: Trs,
+}
+
+/// A triangle that is followed step by step, as the pictures show it. Points are of the world.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TriangleOverlay {
+    /// The highlighted step.
+    pub step: TriangleStep,
+    /// Its corners, a, b, c.
+    pub corners: [DVec3; 3],
+    /// Those of them that are outside of a plane.
+    pub outside: [bool; 3],
+    /// The rest of it after clipping, with the names of its corners.
+    pub left: Vec<(char, DVec3)>,
+    /// Rows of pixels of the image, m × n, that it covers: j, the first i and the one after the last.
+    pub rows: Vec<[u32; 3]>,
+    /// The pixel of which the depth is tested.
+    pub pixel: Option<[u32; 2]>,
+}
+
+/// Where the shadow maps of an image are wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ShadowTruth {
+    /// Held against rays.
+    Found {
+        /// Runs of wrong pixels of the image, m × n: row, the first column, and the one after the last.
+        rows: Vec<[u32; 3]>,
+        /// Number of pixels that were held against rays: those of faces turned to a light that casts shadows.
+        of: usize,
+    },
+    /// The image has too many pixels for that, or the scene too many triangles.
+    TooMuch,
+}
+
+impl ShadowTruth {
+    /// Number of wrong pixels.
+    #[must_use]
+    pub fn wrong(&self) -> usize {
+        match self {
+            Self::Found { rows, .. } => rows.iter().map(|[_, first, after]| (after - first) as usize).sum(),
+            Self::TooMuch => 0,
+        }
+    }
+}
+
+/// The target of the pointer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Probe {
+    /// A point of the world, such as a vertex.
+    Point(DVec3),
+    /// A point (x_p, y_p) of the view window, such as the centre of a pixel: its ray is shown.
+    Window(DVec2),
+}
+
+impl Probe {
+    /// The probe of a figure for a camera with an image of this size.
+    #[must_use]
+    pub fn of(shown: ShownProbe, camera: &Camera, image: ImageSize) -> Self {
+        match shown {
+            ShownProbe::World(p) => Self::Point(p),
+            ShownProbe::Window(p) => Self::Window(p),
+            #[expect(clippy::cast_precision_loss, reason = "pixels of an image")]
+            ShownProbe::Pixel([i, j]) => {
+                let center = DVec2::new(i as f64, j as f64) + 0.5;
+                Self::Window(image.window_from_image(&camera.window(), center))
+            }
+        }
+    }
+}
+
+/// An operation and the camera before it; the camera after it is the one of the [`Request`](crate::views::Request).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ghost {
+    /// The camera before.
+    pub before: Camera,
+    /// The operation.
+    pub operation: Operation,
+    /// The sign rule of rotations.
+    pub convention: Convention,
+}
+
+/// Something that can be dragged in the world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Handle {
+    /// C
+    Position,
+    /// PF
+    FocalPoint,
+    /// The tip of VUP.
+    ViewUp,
+    /// The front face.
+    Near,
+    /// The back face.
+    Far,
+}
+
+/// The mode of a [`TransformGizmo`]; the letters are those of the fields.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Transforming {
+    /// Three arrows move (T).
+    #[default]
+    Move,
+    /// Three rings turn (R).
+    Turn,
+    /// Three bars scale (S), and their middle scales in all directions.
+    Scale,
+}
+
+/// The placement of the gizmo.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TransformGizmo {
+    /// Its mode.
+    pub does: Transforming,
+    /// Its middle (world).
+    pub origin: DVec3,
+    /// Its axes (world), unit vectors; they need not be at right angles.
+    pub axes: [DVec3; 3],
+    /// The part under the pointer, drawn stronger.
+    pub hovered: Option<GizmoPart>,
+}
+
+/// A part of a [`TransformGizmo`] that can be dragged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GizmoPart {
+    /// The part of an axis: 0 is x.
+    Axis(usize),
+    /// The middle.
+    Middle,
+}

@@ -1,0 +1,7 @@
+//! What reveals the inner work of the pipeline in the pictures.
+
+pub(super) mod probe;
+pub(super) mod revealed_scene;
+pub(super) mod stage_overlay;
+pub(super) mod texel;
+pub(super) mod triangle_overlay;

@@ -1,0 +1,142 @@
+//! An operation while it is being tried: its axis and pivot, the way that the moved points go, and the camera before
+//! it.
+
+use std::sync::Arc;
+
+use glam::{DMat4, DQuat, DVec2, DVec3};
+
+use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
+use crate::camera::{Camera, Operation};
+use crate::geometry::Ray;
+use crate::scene::{Object, ObjectPaint};
+
+use super::camera_gizmo::Gear;
+use super::gizmos::{self, GearBuilder, SMALL_TYPE, TYPE};
+use crate::views::{Ghost, Palette, Request};
+
+/// Adds the operation that is being tried, and the camera that an answer describes, where there are any.
+pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette, gear: Gear) {
+    if let Some(answered) = &request.shot.answered {
+        camera_answered(builder, request, palette, gear, answered);
+    }
+    let Some(ghost) = &request.hover.ghost else { return };
+    camera_before(builder, request, palette, gear, &ghost.before);
+    let after = &request.camera;
+    match ghost.operation.axis(&ghost.before) {
+        Some(axis) => turn(builder, palette, gear, ghost, axis),
+        None => {
+            let moved = |a: DVec3, b: DVec3| (a != b).then(|| vec![a, b]);
+            let before = &ghost.before;
+            for way in [moved(before.position(), after.position()), moved(before.focal_point(), after.focal_point())] {
+                builder.arrows(way, palette.probe);
+            }
+        }
+    }
+}
+
+/// The camera before, faintly, with its name where it has moved.
+fn camera_before(builder: &mut GearBuilder, request: &Request, palette: Palette, gear: Gear, before: &Camera) {
+    let (c, color) = (before.position(), palette.ghost);
+    camera(builder, gear, before, "camera before", color);
+    let moved = c.distance(request.camera.position()) > 0.5 * gear.axis;
+    if moved {
+        builder.mark(c, MarkShape::Ring, 3.0, color);
+        builder.named("before", c, request.labels.before, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
+    }
+}
+
+/// The camera of an answer with its axes and its name, in the colour of errors.
+fn camera_answered(builder: &mut GearBuilder, request: &Request, palette: Palette, gear: Gear, answered: &Camera) {
+    let (c, color) = (answered.position(), palette.wrong);
+    camera(builder, gear, answered, "camera of the answer", color);
+    let basis = answered.basis();
+    for (axis, name) in [(basis.u, "u"), (basis.v, "v"), (basis.n, "n")] {
+        builder.vector(c, axis * gear.axis, color, 1.4, name);
+    }
+    builder.mark(c, MarkShape::Ring, 4.0, color);
+    builder.named("answered", c, request.labels.answered, DVec2::new(-0.6, 0.8), SMALL_TYPE, color);
+}
+
+/// A camera that is not the one of the picture, faintly: body, line to PF, and where its window is.
+fn camera(builder: &mut GearBuilder, gear: Gear, camera: &Camera, name: &str, color: Rgba) {
+    let c = camera.position();
+    builder.gear.objects.push(Object {
+        lit: false,
+        edges: Some(gizmos::stroke(color, 0.8, Dash::Solid, HiddenLines::Hidden)),
+        ..Object::new(
+            name,
+            Arc::new(gizmos::camera_body()),
+            camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
+            ObjectPaint::Solid(color.with_alpha(70)),
+        )
+    });
+    builder.line(vec![c, camera.focal_point()], color, 0.9, Dash::Dotted);
+    let corners = camera.volume_corners();
+    builder.closed(&corners[..4], color, 1.2, Dash::Dotted);
+}
+
+/// The axis through the pivot, and the arc in the sense of the rotation.
+fn turn(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, axis: Ray) {
+    let (before, pivot) = (&ghost.before, axis.origin);
+    let [u, v, n] = palette.axes;
+    let (moved, color, name) = match ghost.operation {
+        Operation::Elevation(_) => (before.position(), u, "u"),
+        Operation::Azimuth(_) => (before.position(), v, "v"),
+        Operation::Roll(_) => (gear.view_up_tip(before), n, "n"),
+        Operation::Yaw(_) => (before.focal_point(), v, "v"),
+        Operation::Pitch(_) => (before.focal_point(), u, "u"),
+        Operation::Zoom(_) | Operation::Dolly(_) | Operation::Pan { .. } => return,
+    };
+    let Some(angle) = ghost.operation.right_hand_angle(ghost.convention) else { return };
+    let reach = builder.screen.units_per_pixel(pivot) * 0.2 * builder.screen.extent().min_element();
+    let tip = pivot + axis.direction * reach;
+    builder.arrow(vec![pivot - axis.direction * reach, tip], color, 1.6, Dash::DashDot);
+    builder.text(tip, name, builder.screen.heading(pivot, axis.direction), TYPE, color);
+    builder.mark(pivot, MarkShape::Ring, 5.0, color);
+
+    let arc = arc(axis, moved, angle.radians());
+    let ends = [arc.first().copied(), arc.last().copied()];
+    for end in ends.into_iter().flatten() {
+        builder.line(vec![pivot, end], palette.probe, 0.9, Dash::Dotted);
+    }
+    builder.arrows(Some(arc), palette.probe);
+}
+
+/// The path of a point that turns about an axis; more than two full turns are not distinguished.
+fn arc(axis: Ray, from: DVec3, radians: f64) -> Vec<DVec3> {
+    const STEPS: u32 = 96;
+    let angle = radians.clamp(-2.0 * std::f64::consts::TAU, 2.0 * std::f64::consts::TAU);
+    let arm = from - axis.origin;
+    let turned = |t: f64| axis.origin + DQuat::from_axis_angle(axis.direction, angle * t) * arm;
+    (0..=STEPS).map(|i| turned(f64::from(i) / f64::from(STEPS))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use super::*;
+    use crate::camera::{Convention, Parameters};
+    use crate::geometry::Angle;
+
+    #[test]
+    fn the_arc_ends_where_the_operation_leads() {
+        let before = Camera::new(&Parameters::default()).unwrap();
+        let by = Angle::from_degrees(50.0);
+        for convention in [Convention::RightHand, Convention::Vtk] {
+            for (operation, moved) in [
+                (Operation::Elevation(by), Camera::position as fn(&Camera) -> DVec3),
+                (Operation::Azimuth(by), Camera::position),
+                (Operation::Yaw(by), Camera::focal_point),
+                (Operation::Pitch(by), Camera::focal_point),
+            ] {
+                let after = operation.apply(&before, convention).unwrap();
+                let axis = operation.axis(&before).unwrap();
+                let angle = operation.right_hand_angle(convention).unwrap().radians();
+                let (from, to) = (moved(&before), moved(&after));
+                let way = arc(axis, from, angle);
+                assert!((way.first().unwrap() - from).length() < 1e-12);
+                assert!((way.last().unwrap() - to).length() < 1e-12, "{operation:?} {convention:?}");
+            }
+        }
+    }
+}
