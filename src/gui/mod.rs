@@ -1,65 +1,19 @@
 //! The window: a thin shell over the library. What it shows, the command line can print.
 
-mod about;
 pub mod app;
-pub mod canvas;
-mod chart_export;
-mod coach;
-pub mod command;
-pub mod compare_dialog;
-pub mod comparison;
-mod context_help;
-mod dialog_buttons;
-pub mod dialogs;
-pub mod document;
-mod elide;
-mod exercises;
-pub mod explain;
+mod background;
 pub mod export;
-mod export_dialog;
-mod family;
-pub mod family_choice;
-pub mod file_flow;
-mod file_kind;
-mod focus;
+pub mod files;
 pub mod gallery;
-mod handle_drag;
-mod highlight;
-mod history;
-mod key_repeat;
-pub mod launch_options;
-mod lesson;
-mod link_dialog;
-mod mathematics;
-mod memo;
-pub mod menu;
-mod motion;
-pub mod native;
-pub mod number_field;
-mod number_tables;
-pub mod panels;
-mod plotting;
-pub mod preferences;
-mod presentation;
-pub mod preview;
-mod prose;
-mod qr;
-pub mod scene_cache;
-mod search;
-mod selection_gizmo;
-mod sequence;
-pub mod session;
+pub mod inspector;
+pub mod kit;
+mod learn;
+pub mod model;
+pub mod pictures;
+pub mod platform;
 pub mod state;
-mod tab_order;
-mod text_field;
-pub mod theme;
-mod tooltip;
-mod watch;
-#[cfg(target_arch = "wasm32")]
-pub mod web;
-#[cfg(not(target_arch = "wasm32"))]
-mod window_size;
-mod worker;
+pub mod storage;
+pub mod why;
 
 use crate::figure::Figure;
 use crate::files::SourceFile;
@@ -67,7 +21,7 @@ use crate::i18n::Lang;
 use crate::lessons::OpenLesson;
 use crate::scene::Preset;
 pub use app::App;
-pub use launch_options::LaunchOptions;
+pub use app::launch_options::LaunchOptions;
 pub use state::State;
 
 /// The initial state of the window.
@@ -138,10 +92,10 @@ pub fn run(mut start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
                 app.keep_preferences(&context.egui_ctx, folders.config_dir(), asked);
                 app.keep_session(folders.data_dir(), restore);
             } else {
-                app.state.file_flow.news.tell(session::News::NoHome);
+                app.state.file_flow.news.tell(storage::session::News::NoHome);
             }
             if let Some(open) = lesson {
-                file_flow::begin(&context.egui_ctx, &mut app.state, state::AfterSave::Lesson(open));
+                files::file_flow::begin(&context.egui_ctx, &mut app.state, state::AfterSave::Lesson(open));
             }
             Ok(Box::new(app))
         }),

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use camera_lab::camera::{Api, Ndc, Parameters};
 use camera_lab::figure::Explanation;
-use camera_lab::gui::file_flow;
+use camera_lab::gui::files::file_flow;
 use camera_lab::gui::state::{AfterSave, Dialog};
 use camera_lab::i18n::{Lang, coach};
 use camera_lab::scene::Preset;

@@ -4,7 +4,7 @@ use camera_lab::appearance::Theme;
 use camera_lab::figure::WorldLook;
 use camera_lab::figure::{Measure, Measured};
 use camera_lab::gui::LaunchOptions;
-use camera_lab::gui::command::{Command, MENUS};
+use camera_lab::gui::app::command::{Command, MENUS};
 use camera_lab::gui::state::{ObserverChange, Side};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;

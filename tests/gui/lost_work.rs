@@ -11,10 +11,10 @@ use std::time::Duration;
 
 use camera_lab::camera::Parameters;
 use camera_lab::files::{open_figure, read_lesson};
-use camera_lab::gui::command::Command;
-use camera_lab::gui::document::Document;
-use camera_lab::gui::session::{Sessions, UnsavedText};
+use camera_lab::gui::app::command::Command;
+use camera_lab::gui::model::document::Document;
 use camera_lab::gui::state::{Chosen, Dialog};
+use camera_lab::gui::storage::session::{Sessions, UnsavedText};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::{Lang, exercise_window, lessons as words, told, window};
 use camera_lab::lessons::{OpenLesson, shipped};

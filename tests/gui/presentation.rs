@@ -4,7 +4,7 @@
 use std::fs;
 
 use camera_lab::figure::Explanation;
-use camera_lab::gui::command::Command;
+use camera_lab::gui::app::command::Command;
 use camera_lab::gui::state::Side;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;

@@ -9,7 +9,7 @@ use camera_lab::figure::{Measure, Measured, ShownProbe, ShownStep, ShownTriangle
 use camera_lab::files::open_figure;
 use camera_lab::geometry::Angle;
 use camera_lab::gui::export::Export;
-use camera_lab::gui::file_flow::text_as_shown;
+use camera_lab::gui::files::file_flow::text_as_shown;
 use camera_lab::gui::state::{Dialog, Panels};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;

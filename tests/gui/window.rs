@@ -3,8 +3,9 @@
 use std::time::{Duration, Instant};
 
 use camera_lab::figure::Explanation;
+use camera_lab::gui::kit::theme;
 use camera_lab::gui::state::Side;
-use camera_lab::gui::{App, Start, State, theme};
+use camera_lab::gui::{App, Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;

@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 
 use camera_lab::camera::Parameters;
 use camera_lab::gui;
-use camera_lab::gui::document::{Document, Seen};
-use camera_lab::gui::session::{Kept, News, Sessions};
+use camera_lab::gui::model::document::{Document, Seen};
+use camera_lab::gui::storage::session::{Kept, News, Sessions};
 use eframe::egui;
 
 use crate::disk::{fill, small_disk};

@@ -10,10 +10,10 @@ use std::time::Duration;
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 
 use self::card::{CardJob, CardOutcome, Told, work};
-use super::worker::Worker;
 use crate::appearance::Theme;
 use crate::clock;
 use crate::files::SHIPPED_FIGURES;
+use crate::gui::background::worker::Worker;
 use crate::i18n::search::{folded, has_words};
 use crate::i18n::{Lang, messages};
 pub use card::{Source, figures_in};

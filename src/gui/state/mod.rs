@@ -1,34 +1,5 @@
 //! State shared by the panels and the pictures.
 
-mod annotations;
-mod asked_layout;
-mod coach;
-mod compare;
-mod conventions;
-mod exercises;
-mod explain;
-mod files;
-mod follow;
-mod insert;
-mod label_mode;
-mod layout;
-mod lesson;
-mod lesson_writing;
-mod matrices;
-mod message;
-mod notes;
-mod numerics;
-mod operations;
-mod order;
-mod recent;
-mod recording;
-mod scene_tree;
-mod search;
-mod shown;
-mod steps;
-mod triangle;
-mod view_history;
-
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -41,61 +12,63 @@ use crate::explain::Matrix;
 use crate::figure::points::free_name;
 use crate::figure::{Explanation, Figure, NamedPoint, Observers};
 use crate::files::{SourceFile, figure_from};
+pub use crate::gui::app::annotations::Annotations;
+pub use crate::gui::app::search_state::Search;
+pub(in crate::gui) use crate::gui::files::questions::Asking;
+pub use crate::gui::files::questions::{
+    AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, TEXTURE_ENDINGS, Theirs,
+};
+pub use crate::gui::inspector::state::coach::{Advice, Coach};
+pub use crate::gui::inspector::state::compare::CompareForm;
+pub(super) use crate::gui::inspector::state::insert::{free_place, rounded};
+pub use crate::gui::inspector::state::operations::Operations;
+pub(super) use crate::gui::inspector::state::operations::{DoneStep, Motion, Scrub};
+pub(super) use crate::gui::inspector::state::scene_tree::{Draft, Typing, preset_objects};
+pub use crate::gui::inspector::state::scene_tree::{SceneTree, Selected};
+pub(in crate::gui) use crate::gui::learn::exercises::state::Done;
+pub use crate::gui::learn::exercises::state::{
+    Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Typed, is_whole, joined,
+};
+pub(in crate::gui) use crate::gui::learn::lesson::state::FADE;
+pub use crate::gui::learn::lesson::state::{Moving, Playing};
+pub(in crate::gui) use crate::gui::learn::lesson::writing::FIELDS_OF_STEP;
+pub use crate::gui::learn::lesson::writing::{StepChange, Writing};
+use crate::gui::model::asked_layout::AskedLayout;
+pub use crate::gui::model::layout::{Layout, ObserverChange, Panels, Side, Tab};
+pub(in crate::gui) use crate::gui::model::message::about_session;
+pub use crate::gui::model::message::{Message, NotExported};
+pub use crate::gui::model::shown::PanelHover;
+use crate::gui::model::shown::{OpenPanels, SeenBy};
+pub use crate::gui::pictures::labels::label_mode::LabelMode;
+pub use crate::gui::pictures::view_history::ViewHistory;
+pub use crate::gui::storage::recent::Recent;
+pub(super) use crate::gui::storage::recent::merged;
+pub use crate::gui::why::state::conventions::Conventions;
+pub use crate::gui::why::state::explain::{Explain, Question};
+pub use crate::gui::why::state::follow::Follow;
+pub(super) use crate::gui::why::state::follow::Space;
+pub(in crate::gui) use crate::gui::why::state::matrices::symbols_of;
+pub use crate::gui::why::state::matrices::{Matrices, Reading};
+pub use crate::gui::why::state::notes::Notes;
+pub use crate::gui::why::state::numerics::Numerics;
+pub use crate::gui::why::state::order::{ListedCall, Order, Own};
+pub use crate::gui::why::state::steps::{Steps, count, end_of, step_at, time_of};
+pub(in crate::gui) use crate::gui::why::state::triangle::Covered;
+pub use crate::gui::why::state::triangle::TriangleNumbers;
 use crate::i18n::{Lang, faults};
 use crate::lessons::Lesson;
 use crate::limits::MAX_NAMED_POINTS;
 use crate::share::ShareError;
 use crate::views::Probe;
 use crate::views::View;
-pub use annotations::Annotations;
-use asked_layout::AskedLayout;
-pub use coach::{Advice, Coach};
-pub use compare::CompareForm;
-pub use conventions::Conventions;
-pub(in crate::gui) use exercises::Done;
-pub use exercises::{Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Typed, is_whole, joined};
-pub use explain::{Explain, Question};
-pub(in crate::gui) use files::Asking;
-pub use files::{
-    AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, TEXTURE_ENDINGS, Theirs,
-};
-pub use follow::Follow;
-pub(super) use follow::Space;
-pub(super) use insert::{free_place, rounded};
-pub use label_mode::LabelMode;
-pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
-pub(in crate::gui) use lesson::FADE;
-pub use lesson::{Moving, Playing};
-pub(in crate::gui) use lesson_writing::FIELDS_OF_STEP;
-pub use lesson_writing::{StepChange, Writing};
-pub(in crate::gui) use matrices::symbols_of;
-pub use matrices::{Matrices, Reading};
-pub(in crate::gui) use message::about_session;
-pub use message::{Message, NotExported};
-pub use notes::Notes;
-pub use numerics::Numerics;
-pub use operations::Operations;
-pub(super) use operations::{DoneStep, Motion, Scrub};
-pub use order::{ListedCall, Order, Own};
-pub use recent::Recent;
-pub(super) use recent::merged;
-pub(super) use scene_tree::{Draft, Typing, preset_objects};
-pub use scene_tree::{SceneTree, Selected};
-pub use search::Search;
-pub use shown::PanelHover;
-use shown::{OpenPanels, SeenBy};
-pub use steps::{Steps, count, end_of, step_at, time_of};
-pub(in crate::gui) use triangle::Covered;
-pub use triangle::TriangleNumbers;
-pub use view_history::ViewHistory;
 
 use super::Start;
-use super::document::Document;
 use super::export::Export;
-use super::family_choice::FamilyChoice;
 use super::gallery::{Gallery, Source};
-use super::memo::Memo;
-use super::scene_cache::SceneCache;
+use crate::gui::background::memo::Memo;
+use crate::gui::export::family_choice::FamilyChoice;
+use crate::gui::model::document::Document;
+use crate::gui::model::scene_cache::SceneCache;
 
 /// Duration of news, in seconds: time to read two lines.
 const NEWS_SECONDS: f64 = 10.0;
@@ -198,7 +171,7 @@ pub struct State {
     /// The last observers of the pictures; `None`: they have not been shown.
     pub seen: Observers,
     /// The observers that [`as_seen`](Self::as_seen) found last.
-    observers_shown: Memo<SeenBy, Observers>,
+    pub(in crate::gui) observers_shown: Memo<SeenBy, Observers>,
     /// The panels that were open in the last frame, of those that explain something in the pictures.
     pub(in crate::gui) open_panels: OpenPanels,
     /// The layout that the figure asked for.

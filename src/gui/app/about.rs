@@ -1,0 +1,35 @@
+//! The program: its version, its licence, and those of its components. Built in, so that a single copied file has it
+//! too.
+
+use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
+
+use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
+use crate::gui::state::{Dialog, State};
+use crate::i18n::window::Texts;
+
+/// Names and licences of all libraries, and the texts of the licences; `.ci/third-party` writes it.
+const THIRD_PARTY: &str = include_str!("../../../THIRD-PARTY.md");
+
+/// Shows the dialog; `first`: it has just been opened.
+pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: bool) {
+    ui.heading(format!("Camera Lab {}", env!("CARGO_PKG_VERSION")));
+    ui.add_space(6.0);
+    ui.label(t.about_text);
+    ui.label(t.about_licence);
+    ui.add_space(6.0);
+    let height = (ui.ctx().content_rect().height() - 220.0).max(80.0);
+    let lines: Vec<&str> = THIRD_PARTY.lines().collect();
+    let row = ui.text_style_height(&TextStyle::Small);
+    // As high from the first frame on: the dialog would grow for some frames.
+    let area = ScrollArea::both().max_height(height).min_scrolled_height(height).auto_shrink(false);
+    area.show_rows(ui, row, lines.len(), |ui, range| {
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+        for line in &lines[range] {
+            ui.label(RichText::new(*line).small());
+        }
+    });
+    ui.add_space(8.0);
+    if matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing) {
+        state.file_flow.dialog = Some(Dialog::About);
+    }
+}

@@ -1,0 +1,215 @@
+//! The commands of menus and keyboard: [`MENUS`] has a row for each.
+
+mod table;
+
+use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
+
+use crate::gui::state::{ObserverChange, State, Tab};
+use crate::i18n::window::Texts;
+use crate::views::{Arrangement, View};
+pub use table::MENUS;
+
+/// The enum of the commands, and the list of those without a value.
+macro_rules! commands {
+    ($($plain:ident)*; $($valued:ident($value:ty))*) => {
+        /// Something that can be done. `Arrange(None)` gives the pictures the arrangement that fits best.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[expect(missing_docs, reason = "what each does is said in its row, by its hint")]
+        pub enum Command {
+            $($plain,)*
+            $($valued($value),)*
+        }
+
+        #[cfg(test)]
+        const WITHOUT_VALUE: &[Command] = &[$(Command::$plain),*];
+    };
+}
+
+commands! {
+    New Open Gallery Recent Save SaveAs Export ExportFamily CopyLink QrCode Search Quit Undo Redo Reset
+    CopyNumbers Language Theme ReduceMotion SaveExplained SaveLayout Presentation NextFigure PreviousFigure Pen
+    Spot Freeze Blank ClearAnnotations ZoomIn ZoomOut ZoomReset ParametersPanel NumbersPanel ViewBack ViewForward
+    Section Dimensions Compare LinkOrbits Labels Pipeline Numerics Explain Exercises Lessons AddStep StepAgain
+    StepText StepQuestion StepNotes WriteLesson LeaveLesson Help About;
+    Tab(Tab) Show(View) Arrange(Option<Arrangement>) Observe(ObserverChange)
+}
+
+/// A menu: its title, and its commands in groups, between which is a line.
+#[derive(Debug)]
+pub struct Menu {
+    pub(in crate::gui) title: fn(&Texts) -> &'static str,
+    /// False: its place is elsewhere, at the titles of the pictures.
+    pub in_bar: bool,
+    groups: &'static [&'static [Row]],
+}
+
+impl Menu {
+    /// Its commands in groups, as far as a window of this kind has them.
+    pub fn groups(&self, state: &State) -> impl Iterator<Item = impl Iterator<Item = Command>> {
+        let commands = |group: &'static [Row]| group.iter().map(|row| row.command);
+        self.groups.iter().map(move |group| commands(group).filter(|command| command.is_there(state)))
+    }
+}
+
+/// All that is known of a command.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    command: Command,
+    shortcut: KeyboardShortcut,
+    second_shortcut: Option<KeyboardShortcut>,
+    in_browser: InBrowser,
+    /// Label and hint.
+    words: fn(&Texts) -> (&'static str, &'static str),
+    enabled: fn(&State) -> bool,
+    /// The reason why it is disabled, where that is not plain.
+    hint_disabled: Option<fn(&Texts) -> &'static str>,
+    on: Option<fn(&State) -> bool>,
+    run: Run,
+}
+
+/// The part of a command that a page in a browser has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum InBrowser {
+    /// The command and its keys.
+    All,
+    /// The command alone: its keys do something that people want of every browser (a new window or tab, the address,
+    /// reloading, zooming, other tabs).
+    WithoutKeys,
+    /// Nothing: a page has no files that it could open again by itself, and is closed by the browser.
+    Nothing,
+}
+
+/// The way in which a command is done.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::gui) enum Run {
+    /// By a change of the state.
+    Change(fn(&mut State, &Context)),
+    /// By going on to the next figure, or back to the one before, of which the session has to know.
+    Step { forwards: bool },
+}
+
+fn rows() -> impl Iterator<Item = &'static Row> {
+    MENUS.iter().flat_map(|menu| menu.groups).flat_map(|group| *group)
+}
+
+impl Command {
+    /// All commands, in the order of the menus.
+    pub fn all() -> impl Iterator<Item = Self> {
+        rows().map(|row| row.command)
+    }
+
+    #[expect(clippy::expect_used, reason = "a test looks for the row of every command")]
+    fn row(self) -> &'static Row {
+        rows().find(|row| row.command == self).expect("a row")
+    }
+
+    /// The label.
+    #[must_use]
+    pub fn label(self, t: &Texts) -> &'static str {
+        (self.row().words)(t).0
+    }
+
+    /// The hint.
+    #[must_use]
+    pub fn hint(self, t: &Texts) -> &'static str {
+        (self.row().words)(t).1
+    }
+
+    /// The hint while it is disabled: the reason, where that is not plain.
+    #[must_use]
+    pub fn hint_disabled(self, t: &Texts) -> &'static str {
+        self.row().hint_disabled.map_or_else(|| self.hint(t), |hint| hint(t))
+    }
+
+    /// The keys that call it.
+    #[must_use]
+    pub fn shortcut(self) -> KeyboardShortcut {
+        self.row().shortcut
+    }
+
+    /// The keys that call it in this window: a page in a browser has to leave some to the browser.
+    pub fn keys(self, state: &State) -> impl Iterator<Item = KeyboardShortcut> + use<> {
+        let row = self.row();
+        let are_there = !state.in_browser || row.in_browser == InBrowser::All;
+        row.all_keys().filter(move |_| are_there)
+    }
+
+    /// True for keys that call a command in a page of a browser.
+    #[must_use]
+    pub fn any_has_in_browser(key: Key, modifiers: Modifiers) -> bool {
+        let mut keys = rows().filter(|row| row.in_browser != InBrowser::WithoutKeys).flat_map(Row::all_keys);
+        keys.any(|keys| keys.logical_key == key && modifiers.matches_exact(keys.modifiers))
+    }
+
+    /// True where a window of this kind has it.
+    #[must_use]
+    pub fn is_there(self, state: &State) -> bool {
+        !(state.in_browser && self.row().in_browser == InBrowser::Nothing)
+    }
+
+    /// Whether it would do something.
+    #[must_use]
+    pub fn is_enabled(self, state: &State) -> bool {
+        (self.row().enabled)(state)
+    }
+
+    /// On or off, for a switch.
+    #[must_use]
+    pub fn is_on(self, state: &State) -> Option<bool> {
+        self.row().on.map(|on| on(state))
+    }
+
+    /// The way in which it is done.
+    pub(in crate::gui) fn run(self) -> Run {
+        self.row().run
+    }
+
+    /// True for what a text field does itself while it has the keyboard.
+    #[must_use]
+    pub fn is_for_text_too(self) -> bool {
+        matches!(self, Self::Undo | Self::Redo)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::*;
+    use crate::i18n::{Lang, window};
+    use crate::views::observer::Viewpoint;
+
+    #[test]
+    fn every_command_has_one_row() {
+        let commands: Vec<Command> = Command::all().collect();
+        assert_eq!(commands.iter().collect::<HashSet<_>>().len(), commands.len());
+        let mut expected = WITHOUT_VALUE.to_vec();
+        expected.extend([Tab::Camera, Tab::Scene, Tab::Drawing].map(Command::Tab));
+        expected.extend(View::ALL.map(Command::Show));
+        expected.extend(Arrangement::ALL.map(|arrangement| Command::Arrange(Some(arrangement))));
+        expected.extend(Viewpoint::ALL.map(|from| Command::Observe(ObserverChange::From(from))));
+        expected.extend([Command::Arrange(None), Command::Observe(ObserverChange::Fit)]);
+        for command in expected {
+            assert!(commands.contains(&command), "{command:?}");
+        }
+    }
+
+    #[test]
+    fn no_two_commands_share_keys() {
+        let mut seen = HashSet::new();
+        for row in rows() {
+            for keys in row.all_keys() {
+                assert!(seen.insert((keys.modifiers, keys.logical_key)), "{:?}: {keys:?}", row.command);
+            }
+        }
+    }
+
+    #[test]
+    fn every_command_has_words_of_its_own_in_both_languages() {
+        for t in [Lang::En, Lang::PtBr].map(window::texts) {
+            assert!(Command::all().all(|command| !command.label(t).is_empty() && !command.hint(t).is_empty()));
+            let labels: HashSet<&str> = Command::all().map(|command| command.label(t)).collect();
+            assert_eq!(labels.len(), Command::all().count());
+        }
+    }
+}

@@ -1,0 +1,506 @@
+//! The rows of the commands: words, keys, when each can be done, and what it does.
+
+use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
+
+use super::Command::{self, *};
+use super::{InBrowser, Menu, Row, Run};
+use crate::appearance;
+use crate::figure::{Explanation, Observers};
+use crate::gui::files::file_flow;
+use crate::gui::gallery::Part;
+use crate::gui::inspector::number_tables;
+use crate::gui::state::{
+    self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory,
+};
+use crate::i18n::window::Texts;
+use crate::i18n::{Lang, canvas, compare, labels, lessons, sharing};
+use crate::views::observer::Viewpoint;
+use crate::views::{Arrangement, View};
+
+/// A row: command, keys, the names of label and hint, and what it does: by a flag or by one of several values that
+/// stand in the state, else by a function.
+macro_rules! row {
+    ($command:expr, $keys:expr, $label:ident, $hint:ident, switch $($flag:tt)+) => {
+        row!($command, $keys, $label, $hint, |s, _| s.$($flag)+ ^= true).on(|s| s.$($flag)+)
+    };
+    (tab $tab:ident, $keys:expr, $label:ident, $hint:ident) => {
+        row!(Tab(state::Tab::$tab), $keys, $label, $hint, |s, _| show_tab(s, state::Tab::$tab))
+            .on(|s| s.settings.tab == state::Tab::$tab && s.settings.panels().is_shown(Side::Left))
+    };
+    (panel $command:ident, $side:ident, $keys:expr, $label:ident, $hint:ident) => {
+        row!($command, $keys, $label, $hint, |s, _| s.settings.panels_mut().toggle(Side::$side))
+            .on(|s| s.settings.panels().is_shown(Side::$side))
+    };
+    (picture $view:ident, $keys:expr, $label:ident) => {
+        row!(Show(View::$view), $keys, $label, show_picture_hint, |s, _| s.layout.toggle(View::$view))
+            .on(|s| s.layout.is_shown(View::$view))
+    };
+    (arrangement $arrangement:expr, $keys:expr) => {
+        Row::new(
+            Arrange($arrangement),
+            $keys,
+            |t| (canvas::texts(t.lang).arrangement($arrangement), t.arrange_hint),
+            |s, _| {
+                s.layout.arrangement = $arrangement;
+                s.layout.maximized = None;
+            },
+        )
+        .on(|s| s.layout.arrangement == $arrangement)
+    };
+    (look $change:expr, $keys:expr, $label:ident, $hint:ident) => {
+        row!(Observe($change), $keys, $label, $hint, |s, _| s.observer_change = Some($change))
+    };
+    ($command:expr, $keys:expr, $label:ident, $hint:ident, $run:expr) => {
+        Row::new($command, $keys, |t| (t.$label, t.$hint), $run)
+    };
+}
+
+/// The menus, in the order of the bar.
+pub const MENUS: &[Menu] = &[
+    Menu {
+        title: |t| t.menu_file,
+        in_bar: true,
+        groups: &[
+            &[
+                row!(New, ctrl(Key::N), new, new_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::New))
+                    .browsers_keys(),
+                row!(Gallery, ctrl(Key::G), gallery, gallery_hint, |s, _| show_dialog(s, Dialog::Gallery)),
+                row!(Open, ctrl(Key::O), open, open_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::Open)),
+                row!(Recent, ctrl_shift(Key::O), recent, recent_hint, |s, _| show_recent(s)).not_in_browser(),
+            ],
+            &[
+                row!(Save, ctrl(Key::S), save, save_hint, |s, ctx| file_flow::save(ctx, s, None)),
+                row!(SaveAs, ctrl_shift(Key::S), save_as, save_as_hint, save_as),
+                row!(SaveExplained, alt(Key::Q), save_explained, save_explained_hint, switch settings.saves_explained),
+                row!(SaveLayout, alt(Key::D), save_layout, save_layout_hint, |s, _| s.toggle_saved_layout())
+                    .on(State::saves_layout),
+            ],
+            &[
+                row!(Export, ctrl(Key::E), export, export_hint, |s, _| show_export(s)),
+                row!(ExportFamily, ctrl_shift(Key::E), export_family, export_family_hint, |s, _| {
+                    s.family = std::mem::take(&mut s.family).or_last();
+                    show_export(s);
+                }),
+                Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| s.ask_for_code()),
+                Row::new(CopyLink, ctrl(Key::K), link_words, |s, _| show_dialog(s, Dialog::Link)),
+            ],
+            &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::Quit))
+                .not_in_browser()],
+        ],
+    },
+    Menu {
+        title: |t| t.menu_edit,
+        in_bar: true,
+        groups: &[
+            &[
+                row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.undo()).enabled(|s| s.document.can_undo()),
+                row!(Redo, ctrl_shift(Key::Z), redo, redo_hint, |s, _| s.redo())
+                    .or(ctrl(Key::Y))
+                    .enabled(|s| s.document.can_redo()),
+            ],
+            &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.document.reset())
+                .enabled(|s| s.document.can_reset())
+                .browsers_keys()],
+            &[row!(CopyNumbers, ctrl_shift(Key::C), copy_numbers, copy_numbers_hint, copy_numbers)],
+        ],
+    },
+    Menu {
+        title: |t| t.menu_view,
+        in_bar: true,
+        groups: &[
+            &[
+                row!(picture World, ctrl(Key::Num1), show_world),
+                row!(picture Canonical, ctrl(Key::Num2), show_canonical),
+                row!(picture Image, ctrl(Key::Num3), show_image),
+            ],
+            &[
+                row!(arrangement None, ctrl(Key::Num4)),
+                row!(arrangement Some(Arrangement::Row), ctrl(Key::Num5)),
+                row!(arrangement Some(Arrangement::Column), ctrl(Key::Num6)),
+                row!(arrangement Some(Arrangement::Above), ctrl(Key::Num7)),
+                row!(arrangement Some(Arrangement::Beside), ctrl(Key::Num8)),
+            ],
+            &[
+                row!(ViewBack, alt(Key::ArrowLeft), view_back, view_back_hint, |s, _| see_as(s, ViewHistory::back))
+                    .enabled(|s| s.views.can_go_back(s.document.figure().observers)),
+                row!(ViewForward, alt(Key::ArrowRight), view_forward, view_forward_hint, |s, _| see_as(
+                    s,
+                    ViewHistory::forward
+                ))
+                .enabled(|s| s.views.can_go_forward(s.document.figure().observers)),
+                row!(Section, alt(Key::Num8), section_view, section_view_hint, |s, _| toggle_section(s))
+                    .on(|s| s.document.figure().world.section),
+                row!(Dimensions, alt(Key::Num9), dimensions, dimensions_hint, |s, _| toggle_dimensions(s))
+                    .on(|s| s.document.figure().world.dimensions)
+                    .enabled(|s| !s.document.figure().world.section)
+                    .disabled_because(|t| t.dimensions_in_section),
+                Row::new(Compare, ctrl_shift(Key::D), compare_words, |s, _| show_compare(s)),
+                row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch layout.linked),
+                Row::new(Labels, alt(Key::T), label_words, |s, _| s.label_mode.toggle()).on(|s| s.label_mode.on),
+            ],
+        ],
+    },
+    Menu {
+        title: |t| t.menu_viewpoint,
+        in_bar: false,
+        groups: &[&[
+            row!(look ObserverChange::From(Viewpoint::Front), alt(Key::Num1), look_front, look_front_hint),
+            row!(look ObserverChange::From(Viewpoint::Top), alt(Key::Num2), look_top, look_top_hint),
+            row!(look ObserverChange::From(Viewpoint::Side), alt(Key::Num3), look_side, look_side_hint),
+            row!(look ObserverChange::From(Viewpoint::Iso), alt(Key::Num4), look_iso, look_iso_hint),
+            row!(look ObserverChange::From(Viewpoint::AlongU), alt(Key::Num5), look_along_u, look_along_u_hint),
+            row!(look ObserverChange::From(Viewpoint::AlongV), alt(Key::Num6), look_along_v, look_along_v_hint),
+            row!(look ObserverChange::From(Viewpoint::AlongN), alt(Key::Num7), look_along_n, look_along_n_hint),
+            row!(look ObserverChange::Fit, alt(Key::Num0), look_fit, look_fit_hint),
+        ]],
+    },
+    Menu {
+        title: |t| t.menu_window,
+        in_bar: true,
+        groups: &[
+            &[
+                row!(tab Camera, plain(Key::F5), camera_tab, camera_tab_hint).browsers_keys(),
+                row!(tab Scene, plain(Key::F6), scene_tab, scene_tab_hint),
+                row!(tab Drawing, plain(Key::F7), drawing_tab, drawing_tab_hint),
+                row!(panel ParametersPanel, Left, plain(Key::F8), parameters_panel, parameters_panel_hint),
+                row!(panel NumbersPanel, Right, plain(Key::F9), numbers_panel, numbers_panel_hint),
+                row!(panel Explain, Explain, alt(Key::E), explain_panel, explain_panel_hint),
+                row!(Exercises, alt(Key::X), exercises, exercises_hint, |s, _| toggle_exercises(s))
+                    .on(State::shows_exercises),
+                row!(Pipeline, plain(Key::F10), pipeline, pipeline_hint, switch layout.strip),
+                row!(Numerics, ctrl(Key::Num9), numerics, numerics_hint, switch numerics.shown),
+            ],
+            &[
+                row!(Theme, ctrl(Key::T), theme, theme_hint, |s, _| toggle_theme(s))
+                    .on(|s| s.settings.theme == appearance::Theme::Dark)
+                    .browsers_keys(),
+                row!(ReduceMotion, alt(Key::M), reduce_motion, reduce_motion_hint, switch settings.reduce_motion),
+            ],
+            &[
+                row!(ZoomIn, ctrl(Key::Plus), zoom_in, zoom_in_hint, |s, _| zoom_by(s, 0.1))
+                    // On most keyboards + is on the key of =.
+                    .or(ctrl(Key::Equals))
+                    .browsers_keys(),
+                row!(ZoomOut, ctrl(Key::Minus), zoom_out, zoom_out_hint, |s, _| zoom_by(s, -0.1)).browsers_keys(),
+                row!(ZoomReset, ctrl(Key::Num0), zoom_reset, zoom_reset_hint, |s, _| s.settings.zoom = 1.0)
+                    .browsers_keys(),
+            ],
+            &[row!(Language, ctrl(Key::L), language, language_hint, |s, _| toggle_language(s)).browsers_keys()],
+        ],
+    },
+    Menu {
+        title: |t| t.menu_present,
+        in_bar: true,
+        groups: &[
+            &[row!(Presentation, plain(Key::F11), presentation, presentation_hint, toggle_presentation)
+                .on(|s| s.settings.presentation)],
+            &[
+                Row::step(NextFigure, ctrl(Key::PageDown), |t| (t.next_figure, t.next_figure_hint), true),
+                Row::step(PreviousFigure, ctrl(Key::PageUp), |t| (t.previous_figure, t.previous_figure_hint), false),
+            ],
+            &[
+                row!(Pen, alt(Key::P), pen, pen_hint, switch annotations.pen),
+                row!(Spot, alt(Key::S), spot, spot_hint, switch annotations.spot),
+                row!(Freeze, alt(Key::F), freeze, freeze_hint, switch annotations.frozen),
+                row!(Blank, alt(Key::B), blank, blank_hint, switch annotations.blank),
+            ],
+            &[Row::new(
+                AddStep,
+                ctrl_shift(Key::A),
+                |t| lesson_words(t, |t| (t.add_step, t.add_step_hint)),
+                record_step,
+            )
+            .not_in_browser()],
+            &[
+                Row::new(
+                    StepAgain,
+                    alt(Key::Z),
+                    |t| lesson_words(t, |t| (t.again, t.again_hint)),
+                    |s, _| s.step_again(),
+                )
+                .enabled(|s| s.lesson.is_some()),
+                Row::new(
+                    StepText,
+                    alt(Key::C),
+                    |t| lesson_words(t, |t| (t.text_command, t.text_hint)),
+                    |s, _| {
+                        change_lesson(s, |playing| playing.shows_text ^= true);
+                    },
+                )
+                .enabled(|s| s.lesson.is_some())
+                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_text)),
+                Row::new(
+                    StepQuestion,
+                    alt(Key::A),
+                    |t| lesson_words(t, |t| (t.question_command, t.question_hint)),
+                    |s, _| change_lesson(s, |playing| playing.shows_question ^= true),
+                )
+                .enabled(|s| s.lesson.is_some())
+                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_question)),
+                Row::new(
+                    StepNotes,
+                    alt(Key::N),
+                    |t| lesson_words(t, |t| (t.notes_command, t.notes_hint)),
+                    |s, _| {
+                        change_lesson(s, |playing| playing.shows_notes ^= true);
+                    },
+                )
+                .enabled(|s| s.lesson.is_some())
+                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_notes)),
+                Row::new(
+                    WriteLesson,
+                    alt(Key::R),
+                    |t| lesson_words(t, |t| (t.write_command, t.write_hint)),
+                    write_lesson,
+                )
+                .not_in_browser()
+                .enabled(|s| s.lesson.is_some() || s.lesson_file.is_some())
+                .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
+                Row::new(
+                    LeaveLesson,
+                    alt(Key::W),
+                    |t| lesson_words(t, |t| (t.leave, t.leave_hint)),
+                    |s, ctx| file_flow::begin(ctx, s, AfterSave::LeaveLesson),
+                )
+                .enabled(|s| s.lesson.is_some()),
+            ],
+            &[row!(ClearAnnotations, alt(Key::Backspace), clear_annotations, clear_annotations_hint, |s, _| s
+                .annotations
+                .clear())
+            .enabled(|s| s.annotations.any())],
+        ],
+    },
+    Menu {
+        title: |t| t.menu_help,
+        in_bar: true,
+        groups: &[&[
+            Row::new(
+                Lessons,
+                ctrl_shift(Key::L),
+                |t| lesson_words(t, |t| (t.lessons_command, t.lessons_hint)),
+                |s, _| s.list_lessons(),
+            ),
+            row!(Search, ctrl_shift(Key::P), search, search_hint, |s, _| show_search(s)).browsers_keys(),
+            row!(Help, plain(Key::F1), help, help_hint, |s, _| show_dialog(s, Dialog::Help)),
+            row!(About, shift(Key::F1), about, about_hint, |s, _| show_dialog(s, Dialog::About)),
+        ]],
+    },
+];
+
+const fn plain(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::NONE, key)
+}
+
+/// With the platform's command key.
+const fn ctrl(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND, key)
+}
+
+const fn ctrl_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
+}
+
+const fn shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::SHIFT, key)
+}
+
+const fn alt(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::ALT, key)
+}
+
+/// Label and hint.
+type Words = fn(&Texts) -> (&'static str, &'static str);
+
+impl Row {
+    /// A command that can always be done, and is neither on nor off.
+    const fn new(command: Command, shortcut: KeyboardShortcut, words: Words, run: fn(&mut State, &Context)) -> Self {
+        Self {
+            command,
+            shortcut,
+            second_shortcut: None,
+            in_browser: InBrowser::All,
+            words,
+            enabled: |_| true,
+            hint_disabled: None,
+            on: None,
+            run: Run::Change(run),
+        }
+    }
+
+    /// A command that goes on to another figure.
+    const fn step(command: Command, shortcut: KeyboardShortcut, words: Words, forwards: bool) -> Self {
+        let row = Self::new(command, shortcut, words, |_, _| {});
+        Self { run: Run::Step { forwards }, ..row }.browsers_keys()
+    }
+
+    /// Other keys call it too.
+    const fn or(self, keys: KeyboardShortcut) -> Self {
+        Self { second_shortcut: Some(keys), ..self }
+    }
+
+    /// Its keys are left to the browser.
+    const fn browsers_keys(self) -> Self {
+        Self { in_browser: InBrowser::WithoutKeys, ..self }
+    }
+
+    const fn not_in_browser(self) -> Self {
+        Self { in_browser: InBrowser::Nothing, ..self }
+    }
+
+    const fn enabled(self, enabled: fn(&State) -> bool) -> Self {
+        Self { enabled, ..self }
+    }
+
+    const fn disabled_because(self, hint: fn(&Texts) -> &'static str) -> Self {
+        Self { hint_disabled: Some(hint), ..self }
+    }
+
+    const fn on(self, on: fn(&State) -> bool) -> Self {
+        Self { on: Some(on), ..self }
+    }
+
+    pub(super) fn all_keys(&self) -> impl Iterator<Item = KeyboardShortcut> + use<> {
+        [Some(self.shortcut), self.second_shortcut].into_iter().flatten()
+    }
+}
+
+fn link_words(t: &Texts) -> (&'static str, &'static str) {
+    let t = sharing::texts(t.lang);
+    (t.copy_link, t.copy_link_hint)
+}
+
+fn code_words(t: &Texts) -> (&'static str, &'static str) {
+    let t = sharing::texts(t.lang);
+    (t.code, t.code_hint)
+}
+
+fn compare_words(t: &Texts) -> (&'static str, &'static str) {
+    let t = compare::texts(t.lang);
+    (t.command, t.command_hint)
+}
+
+fn label_words(t: &Texts) -> (&'static str, &'static str) {
+    let t = labels::texts(t.lang);
+    (t.command, t.command_hint)
+}
+
+fn lesson_words(t: &Texts, of: fn(&lessons::Texts) -> (&'static str, &'static str)) -> (&'static str, &'static str) {
+    of(lessons::texts(t.lang))
+}
+
+/// Adds what is on the screen to the lesson to which steps were added last; without one, asks for a file.
+fn record_step(state: &mut State, ctx: &Context) {
+    match state.lesson_file.clone() {
+        Some(path) => state.add_step(&path, &state::Agreed::default()),
+        None => file_flow::ask(ctx, state, Purpose::Step),
+    }
+}
+
+/// Writes the lesson of the user's own, or a copy of one of the program; while none is played, the one to which steps
+/// were added last.
+fn write_lesson(state: &mut State, ctx: &Context) {
+    if state.lesson.is_none() {
+        file_flow::begin(ctx, state, AfterSave::WriteRecorded);
+    } else if state.plays_own_lesson() {
+        state.write_lesson();
+    } else {
+        file_flow::ask(ctx, state, Purpose::OwnLesson);
+    }
+}
+
+fn change_lesson(state: &mut State, change: impl FnOnce(&mut state::Playing)) {
+    if let Some(playing) = &mut state.lesson {
+        change(playing);
+    }
+}
+
+fn show_compare(state: &mut State) {
+    let form = CompareForm::of(state.document.figure());
+    show_dialog(state, Dialog::Compare(form));
+}
+
+fn show_dialog(state: &mut State, dialog: Dialog) {
+    state.file_flow.dialog = Some(dialog);
+}
+
+fn show_search(state: &mut State) {
+    state.search.begin();
+    show_dialog(state, Dialog::Search);
+}
+
+fn show_recent(state: &mut State) {
+    state.gallery.part = Part::Recent;
+    show_dialog(state, Dialog::Gallery);
+}
+
+fn save_as(state: &mut State, ctx: &Context) {
+    file_flow::ask(ctx, state, Purpose::Save(None));
+}
+
+fn show_export(state: &mut State) {
+    state.export.fit_screen(state.picture_sizes, state.screen_scale);
+    show_dialog(state, Dialog::Export(state.export));
+}
+
+fn copy_numbers(state: &mut State, ctx: &Context) {
+    ctx.copy_text(number_tables::text(state));
+    state.say(Message::NumbersCopied);
+}
+
+/// Shows the 3D pictures as they were seen at another time, where there is one.
+fn see_as(state: &mut State, find: fn(&mut ViewHistory, Observers) -> Option<Observers>) {
+    if let Some(observers) = find(&mut state.views, state.document.figure().observers) {
+        *state.document.observers_mut() = observers;
+    }
+}
+
+fn toggle_section(state: &mut State) {
+    state.document.edit(|figure| figure.world.section ^= true);
+}
+
+fn toggle_dimensions(state: &mut State) {
+    state.document.edit(|figure| figure.world.dimensions ^= true);
+}
+
+fn show_tab(state: &mut State, tab: state::Tab) {
+    state.settings.tab = tab;
+    state.settings.panels_mut().show(Side::Left);
+}
+
+fn toggle_exercises(state: &mut State) {
+    if state.shows_exercises() && state.exercises.was_called {
+        state.settings.panels_mut().toggle(Side::Explain);
+    } else {
+        state.show_explanation(Explanation::Exercises);
+        state.exercises.call();
+    }
+}
+
+fn toggle_theme(state: &mut State) {
+    let theme = &mut state.settings.theme;
+    *theme = if *theme == appearance::Theme::Dark { appearance::Theme::Light } else { appearance::Theme::Dark };
+}
+
+fn zoom_by(state: &mut State, more: f32) {
+    state.settings.zoom = (state.settings.zoom + more).clamp(0.5, 3.0);
+}
+
+fn toggle_language(state: &mut State) {
+    state.settings.lang = match state.settings.lang {
+        Lang::En => Lang::PtBr,
+        Lang::PtBr => Lang::En,
+    };
+}
+
+fn toggle_presentation(state: &mut State, ctx: &Context) {
+    // What the figure wants to be explained is open in the presentation too, where it is open now.
+    let explained = state.document.figure().screen.panel.flatten().filter(|panel| state.shows_explanation(*panel));
+    state.settings.presentation ^= true;
+    if let Some(playing) = &mut state.lesson {
+        playing.shows_question = !state.settings.presentation;
+    }
+    explained.into_iter().for_each(|panel| state.show_explanation(panel));
+    ctx.send_viewport_cmd(ViewportCommand::Fullscreen(state.settings.presentation));
+    state.message = None;
+    state.annotations.keys_since = Some(ctx.input(|input| input.time));
+}

@@ -1,0 +1,409 @@
+//! The questions in the window.
+
+use std::collections::BTreeSet;
+use std::mem::{Discriminant, discriminant};
+use std::path::{Path, PathBuf};
+
+use eframe::egui::{self, Id, Key, Modal, RichText};
+
+use super::about;
+use super::command::{Command, MENUS};
+use super::menu;
+use super::search;
+use crate::gui::export::export_dialog;
+use crate::gui::files::comparison::{Comparison, Whose};
+use crate::gui::files::file_flow;
+use crate::gui::files::file_kind::FileKind;
+use crate::gui::files::link_dialog;
+use crate::gui::files::qr;
+use crate::gui::gallery;
+use crate::gui::gallery::{Chosen, Source};
+use crate::gui::inspector::coach;
+use crate::gui::inspector::compare_dialog;
+use crate::gui::inspector::{complaint, scene};
+use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
+use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::lesson;
+use crate::gui::platform::native::Wanted;
+use crate::gui::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
+use crate::i18n::window::{self, Texts};
+use crate::i18n::{canvas, exercise_window, lessons, scenes, sharing};
+use crate::limits::MAX_TYPED;
+use crate::sanitize;
+use crate::scene::edit::Children;
+
+/// Shows the question that is open, if any, and acts on the answer; gives a command that is to be done.
+pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
+    if state.file_flow.waits_for_system() {
+        wait_for_system(ctx, state);
+        return None;
+    }
+    let shown = Id::unique("dialog shown");
+    let Some(dialog) = state.file_flow.dialog.take() else {
+        ctx.data_mut(|data| data.remove::<Option<Discriminant<Dialog>>>(shown));
+        state.file_flow.preview = None;
+        return None;
+    };
+    let mut wanted = None;
+    let kind = Some(discriminant(&dialog));
+    let first = ctx.data_mut(|data| data.get_temp(shown)) != Some(kind);
+    ctx.data_mut(|data| data.insert_temp(shown, kind));
+    let t = window::texts(state.settings.lang);
+    let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
+    let id = Id::unique("dialog").with(kind);
+    if dialog == Dialog::Qr {
+        qr::show(ctx, state, first);
+        return None;
+    }
+    if let Dialog::Compare(form) = dialog {
+        compare_dialog::show(ctx, t, state, form);
+        return None;
+    }
+    let modal = Modal::new(id).frame(frame).show(ctx, |ui| {
+        let width = match &dialog {
+            Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress | Dialog::Link => 520.0,
+            Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,
+            Dialog::Gallery => 1110.0,
+            Dialog::Lessons => lesson::LIST_WIDTH,
+            Dialog::Coach => coach::WIDTH,
+            Dialog::Search => search::WIDTH,
+            Dialog::Export(_) => export_dialog::WIDTH,
+            Dialog::Changed(_) => 480.0,
+            Dialog::Unsaved(_)
+            | Dialog::UnsavedText(_)
+            | Dialog::Path(..)
+            | Dialog::Overwrite(..)
+            | Dialog::ReadOnly(..)
+            | Dialog::Closing
+            | Dialog::Qr
+            | Dialog::Compare(_) => 380.0_f32,
+        };
+        ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
+        match dialog {
+            Dialog::Unsaved(next) => {
+                let name = state.document.name().unwrap_or_else(|| t.untitled.to_owned());
+                text(ui, t.unsaved_title, &format!("{} {name}", t.unsaved_text));
+                match buttons(ui, t.cancel, &[t.dont_save, t.save_first], first.then_some(1)) {
+                    Pressed::Action(1) => file_flow::save(ctx, state, Some(next)),
+                    Pressed::Action(_) => file_flow::go_on(ctx, state, next),
+                    Pressed::Cancel => {}
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Unsaved(next)),
+                }
+            }
+            Dialog::UnsavedText(next) => ask_text(ui, t, state, next, first),
+            Dialog::Overwrite(purpose, path) => {
+                let names: Vec<String> =
+                    file_flow::replaced(&purpose, &path).iter().map(|path| sanitize::path(path)).collect();
+                let is_said = if names.len() > 1 { t.overwrite_several } else { t.overwrite_text };
+                text(ui, t.overwrite_title, &format!("{} {is_said}", names.join(", ")));
+                match buttons(ui, t.cancel, &[t.replace], first.then_some(CANCEL)) {
+                    Pressed::Action(_) => file_flow::confirmed(ctx, state, purpose, &path, Agreed::default()),
+                    Pressed::Cancel => {}
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path)),
+                }
+            }
+            Dialog::Changed(changed) => ask_changed(ui, t, state, changed, first),
+            Dialog::ReadOnly(purpose, path, agreed) => {
+                text(ui, t.read_only_title, &format!("{} {}", sanitize::path(&path), t.read_only_text));
+                match buttons(ui, t.cancel, &[t.replace, t.save_as], first.then_some(CANCEL)) {
+                    Pressed::Action(0) => {
+                        file_flow::confirmed(ctx, state, purpose, &path, Agreed { read_only: true, ..agreed });
+                    }
+                    Pressed::Action(_) => file_flow::ask(ctx, state, purpose),
+                    Pressed::Cancel => {}
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path, agreed)),
+                }
+            }
+            Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
+            Dialog::Export(export) => export_dialog::show(ui, t, state, export, first),
+            // It has no frame.
+            Dialog::Qr => {}
+            Dialog::Lessons => lesson::list(ui, state),
+            Dialog::Closing => {
+                text(ui, t.closing_title, t.closing_text);
+                match buttons(ui, t.cancel, &[t.close_now], first.then_some(CANCEL)) {
+                    Pressed::Action(_) => file_flow::close(ctx, state),
+                    Pressed::Cancel => {}
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Closing),
+                }
+            }
+            Dialog::Help => help(ui, t, state, first),
+            Dialog::About => about::show(ui, t, state, first),
+            Dialog::Link => link_dialog::show(ui, t, state, first),
+            Dialog::Coach => coach::show(ui, t, state, first),
+            // It has a window of its own.
+            Dialog::Compare(_) => {}
+            Dialog::Search => wanted = search::show(ui, state, first),
+            Dialog::Gallery => {
+                state.file_flow.dialog = Some(Dialog::Gallery);
+                if first {
+                    let beside = state.document.folder().map(Path::to_owned);
+                    let here = Source::of(&state.document);
+                    state.gallery.begin(&state.recent.files, beside.as_deref(), here.as_ref());
+                }
+                let style = (state.settings.theme, state.settings.lang);
+                let next = match gallery::show(ui, &mut state.gallery, style, first) {
+                    None => return,
+                    Some(Chosen::Nothing) => {
+                        state.file_flow.dialog = None;
+                        return state.gallery.end();
+                    }
+                    Some(Chosen::Folder) => return file_flow::ask(ctx, state, Purpose::Folder),
+                    Some(Chosen::Open(Source::Shipped(name))) => AfterSave::Shipped(name),
+                    Some(Chosen::Open(Source::File(path))) => AfterSave::OpenPath(path),
+                };
+                state.file_flow.dialog = None;
+                state.gallery.end();
+                file_flow::begin(ctx, state, next);
+            }
+            Dialog::Delete { names, below } => ask_delete(ui, t, state, (names, below), first),
+            Dialog::DeleteProgress => {
+                let words = exercise_window::texts(state.settings.lang);
+                text(ui, words.delete_progress, words.delete_progress_text);
+                match buttons(ui, t.cancel, &[words.delete_progress], first.then_some(CANCEL)) {
+                    Pressed::Action(_) if state.exercises.file.is_some() => state.exercises.forgets = true,
+                    Pressed::Action(_) => state.exercises.forget(),
+                    Pressed::Cancel => {}
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::DeleteProgress),
+                }
+            }
+        }
+    });
+    if modal.should_close() {
+        state.gallery.end();
+        state.file_flow.dialog = None;
+    }
+    if state.file_flow.dialog.is_none() && state.file_flow.covered.is_some() {
+        // It comes back in the next frame.
+        ctx.request_repaint();
+    }
+    if !matches!(state.file_flow.dialog, Some(Dialog::Export(_))) {
+        state.file_flow.preview = None;
+    }
+    wanted
+}
+
+/// Locks the window while a system dialog is open, because its answer belongs to the document shown now.
+fn wait_for_system(ctx: &egui::Context, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    Modal::new(Id::unique("dialog of the system")).show(ctx, |ui| {
+        ui.set_width(380.0);
+        text(ui, t.choosing_title, t.choosing_text);
+        // A system that does not answer must not keep the window for ever.
+        if matches!(buttons(ui, t.cancel, &[], None), Pressed::Cancel) {
+            state.file_flow.asking = None;
+        }
+    });
+}
+
+fn text(ui: &mut egui::Ui, title: &str, text: &str) {
+    ui.heading(title);
+    ui.add_space(6.0);
+    ui.label(text);
+    ui.add_space(10.0);
+}
+
+/// Asks about text of a lesson that cannot be saved in its file.
+fn ask_text(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, next: AfterSave, first: bool) {
+    let (ctx, words) = (ui.ctx().clone(), lessons::texts(state.settings.lang));
+    text(ui, words.unsaved_text_title, words.unsaved_text);
+    if let Some(why) = &state.file_flow.refused {
+        complaint(ui, &why.text(state.settings.lang));
+        ui.add_space(10.0);
+    }
+    let actions: &[&str] = if state.has_good_text() { &[t.dont_save, words.save_copy] } else { &[t.dont_save] };
+    match buttons(ui, t.cancel, actions, first.then_some(CANCEL)) {
+        Pressed::Action(1) => file_flow::ask(&ctx, state, Purpose::LessonText(next)),
+        Pressed::Action(_) => {
+            state.forget_text();
+            file_flow::begin(&ctx, state, next);
+        }
+        Pressed::Cancel => {}
+        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::UnsavedText(next)),
+    }
+}
+
+/// Asks about the children of objects that are deleted.
+fn ask_delete(
+    ui: &mut egui::Ui,
+    t: &'static Texts,
+    state: &mut State,
+    (names, below): (BTreeSet<String>, usize),
+    first: bool,
+) {
+    let words = scenes::texts(state.settings.lang);
+    let listed = names.iter().map(|name| sanitize::escaped(name)).collect::<Vec<_>>().join(", ");
+    text(
+        ui,
+        &format!("{} {}", words.delete, sanitize::within(&listed, 120)),
+        &format!("{} {below}", words.delete_question),
+    );
+    let children = match buttons(ui, t.cancel, &[words.delete_alone, words.delete_all], first.then_some(CANCEL)) {
+        Pressed::Action(0) => Children::HungHigher,
+        Pressed::Action(_) => Children::Removed,
+        Pressed::Cancel => return,
+        Pressed::Nothing => {
+            state.file_flow.dialog = Some(Dialog::Delete { names, below });
+            return;
+        }
+    };
+    scene::remove(state, &names, children);
+}
+
+/// Asks about a file changed by another program: the choice that loses nothing is the default.
+fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut changed: Changed, first: bool) {
+    let name = state.document.path().map(|path| sanitize::path(path)).unwrap_or_default();
+    text(ui, t.changed_title, &format!("{name} {}", t.changed_text));
+    if let Some(comparison) = &changed.comparison {
+        compared(ui, t, comparison);
+    }
+    let comparable = changed.comparison.is_none() && changed.theirs.is_some();
+    let mut actions = vec![t.replace, t.save_as];
+    if comparable {
+        actions.insert(0, t.compare);
+    }
+    let (theirs, then) = (changed.theirs.clone(), changed.then.clone());
+    let ctx = ui.ctx().clone();
+    match buttons(ui, t.cancel, &actions, first.then_some(CANCEL)) {
+        Pressed::Action(pressed) if comparable && pressed == 0 => {
+            let theirs = String::from_utf8_lossy(theirs.as_deref().unwrap_or_default()).into_owned();
+            changed.comparison = Some(Comparison::new(&theirs, &file_flow::text_to_save(state)));
+            state.file_flow.dialog = Some(Dialog::Changed(changed));
+        }
+        Pressed::Action(pressed) if pressed + 1 == actions.len() => file_flow::ask(&ctx, state, Purpose::Save(then)),
+        Pressed::Action(_) => {
+            if let Some(path) = state.document.path().cloned() {
+                let agreed = Agreed { theirs: Some(theirs), ..Agreed::default() };
+                file_flow::confirmed(&ctx, state, Purpose::Save(then), &path, agreed);
+            }
+        }
+        Pressed::Cancel => {}
+        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Changed(changed)),
+    }
+}
+
+/// The lines that differ: those of the file with −, those of the window with +.
+fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &Comparison) {
+    let visuals = ui.visuals().clone();
+    ui.label(RichText::new(t.compare_file).monospace().color(visuals.error_fg_color));
+    ui.label(RichText::new(t.compare_mine).monospace().color(visuals.hyperlink_color));
+    ui.add_space(4.0);
+    if comparison.lines.is_empty() {
+        ui.label(t.compare_equal);
+    }
+    let height = (ui.ctx().content_rect().height() - 280.0).max(80.0);
+    let line = ui.text_style_height(&egui::TextStyle::Monospace);
+    ui.spacing_mut().item_spacing.y = 1.0;
+    // As high at once as it is going to be, as in the help.
+    let area = egui::ScrollArea::both().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
+    area.show_rows(ui, line, comparison.lines.len(), |ui, rows| {
+        for (whose, text) in comparison.lines.get(rows).unwrap_or_default() {
+            let (sign, color) = match whose {
+                Whose::Both => (" ", visuals.text_color()),
+                Whose::Theirs => ("−", visuals.error_fg_color),
+                Whose::Mine => ("+", visuals.hyperlink_color),
+                Whose::Gap => ("⋯", visuals.weak_text_color()),
+            };
+            let line = RichText::new(format!("{sign} {text}")).monospace().color(color);
+            ui.add(egui::Label::new(line).extend());
+        }
+    });
+    ui.add_space(10.0);
+}
+
+fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Purpose, mut path: String, first: bool) {
+    let kind = FileKind::of(state, &purpose);
+    ui.heading(kind.title);
+    ui.add_space(6.0);
+    let words = sharing::texts(state.settings.lang);
+    let (which, hint) = match (kind.wanted == Wanted::Folder, state.in_browser) {
+        (true, _) => (crate::i18n::gallery::texts(state.settings.lang).which_folder, t.path_hint),
+        (false, true) => (words.name_text, words.name_hint),
+        (false, false) => (t.path_text, t.path_hint),
+    };
+    ui.label(which);
+    let field = TextField::line(&mut path, MAX_TYPED);
+    let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(hint));
+    let response = field.show(ui, state.settings.lang).accessible_name(t.path_name);
+    if first {
+        response.request_focus();
+    }
+    let enter = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    if let Some(error) = &state.file_flow.refused {
+        complaint(ui, &error.text(state.settings.lang));
+    }
+    ui.add_space(10.0);
+    let pressed = buttons(ui, t.cancel, &[kind.action], None);
+    let go = (enter || matches!(pressed, Pressed::Action(_))) && !path.trim().is_empty();
+    if matches!(pressed, Pressed::Cancel) {
+        return;
+    }
+    if !go {
+        state.file_flow.dialog = Some(Dialog::Path(purpose, path));
+        return;
+    }
+    (state.message, state.file_flow.refused) = (None, None);
+    file_flow::chosen(ui.ctx(), state, purpose.clone(), PathBuf::from(path.trim()));
+    // Errors are shown where the path was typed, and there alone.
+    if state.file_flow.dialog.is_none() && state.message.as_ref().is_some_and(|message| message.is_error()) {
+        state.file_flow.refused = state.message.take();
+        state.file_flow.dialog = Some(Dialog::Path(purpose, path));
+        response.request_focus();
+    }
+}
+
+fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
+    let pictures = canvas::texts(state.settings.lang);
+    let keys = [
+        (t.show_world, pictures.keys_in_world),
+        (t.show_canonical, pictures.keys_in_canonical),
+        (t.show_image, pictures.keys_in_image),
+    ];
+    ui.heading(t.help);
+    // As high from the first frame on as it is going to be: a dialog that grows moves its buttons away from the
+    // pointer.
+    let height = (ui.ctx().content_rect().height() - 160.0).max(120.0);
+    let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
+    area.show(ui, |ui| {
+        let title = |ui: &mut egui::Ui, text: &str| {
+            ui.add_space(6.0);
+            ui.label(RichText::new(text).strong().color(ui.visuals().hyperlink_color));
+        };
+        title(ui, t.help_pictures);
+        ui.label(t.help_pictures_text);
+        ui.label(pictures.pointer_in_space);
+        for (name, text) in keys {
+            ui.label(format!("{name}: {text}"));
+        }
+        if state.in_browser {
+            let words = sharing::texts(state.settings.lang);
+            title(ui, words.help_touch);
+            ui.label(words.help_touch_text);
+        }
+        title(ui, t.help_signs);
+        let signs = menu::legend().map(|(sign, command)| format!("{sign} {}", command.label(t)));
+        ui.label(signs.collect::<Vec<_>>().join(" · "));
+        title(ui, t.help_numbers);
+        ui.label(t.help_numbers_text);
+        title(ui, t.help_commands);
+        if state.in_browser {
+            ui.label(sharing::texts(state.settings.lang).keys_of_browser);
+        }
+        ui.spacing_mut().interact_size.y = 0.0;
+        egui::Grid::new("commands").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
+            for command in MENUS.iter().flat_map(|menu| menu.groups(state)).flatten() {
+                ui.monospace(
+                    command.keys(state).map(|keys| ui.ctx().format_shortcut(&keys)).collect::<Vec<_>>().join(", "),
+                );
+                ui.label(command.label(t)).explained(command.hint(t));
+                ui.end_row();
+            }
+        });
+    });
+    ui.add_space(8.0);
+    match buttons(ui, t.close, &[], first.then_some(CANCEL)) {
+        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Help),
+        Pressed::Action(_) | Pressed::Cancel => {}
+    }
+}

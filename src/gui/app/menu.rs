@@ -1,0 +1,175 @@
+//! The bar at the top: menus, the name of the figure, and the switches that a lecture needs at once.
+
+use eframe::egui::{self, Button, RichText};
+
+use super::command::{Command, MENUS};
+use super::focus::with_room_before;
+use crate::gui::app::status;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::State;
+use crate::i18n::window::{self, Texts};
+use crate::sanitize::escaped;
+
+/// Below this width, in points, the menus have no room beside the switches: a telephone held upright.
+pub(in crate::gui) const PHONE: f32 = 600.0;
+
+/// From this width on, in points, the switches that most look for have their words.
+const WORDS: f32 = 1000.0;
+
+/// From this width on, every switch of the bar has its word.
+const ALL_WORDS: f32 = 1500.0;
+
+/// A switch at the right end of the bar.
+struct Switch {
+    command: Command,
+    sign: Option<Sign>,
+    word: fn(&Texts) -> &'static str,
+}
+
+/// The sign of a switch where there is little room.
+struct Sign {
+    text: &'static str,
+    /// It stands for the word in a window of an ordinary size too, not in a small one alone.
+    is_enough: bool,
+}
+
+const SWITCHES: &[Switch] = &[
+    Switch { command: Command::Language, sign: None, word: |t| t.language },
+    Switch { command: Command::ParametersPanel, sign: Some(Sign::panel("◧")), word: |t| t.parameters_panel },
+    Switch { command: Command::Pipeline, sign: Some(Sign::panel("⬓")), word: |t| t.stages_word },
+    Switch { command: Command::NumbersPanel, sign: Some(Sign::panel("◨")), word: |t| t.operations_word },
+    Switch { command: Command::Explain, sign: Some(Sign::in_small("?")), word: |t| t.explain_word },
+    Switch { command: Command::Exercises, sign: Some(Sign::in_small("✎")), word: |t| t.exercises },
+    Switch { command: Command::Presentation, sign: Some(Sign::in_small("▶")), word: |t| t.menu_present },
+];
+
+impl Sign {
+    const fn panel(text: &'static str) -> Self {
+        Self { text, is_enough: true }
+    }
+
+    const fn in_small(text: &'static str) -> Self {
+        Self { text, is_enough: false }
+    }
+}
+
+/// The signs of the bar with their commands, as a legend lists them.
+pub(in crate::gui) fn legend() -> impl Iterator<Item = (&'static str, Command)> {
+    let switches = SWITCHES.iter().filter_map(|switch| Some((switch.sign.as_ref()?.text, switch.command)));
+    HISTORY.into_iter().map(|(command, sign)| (sign, command)).chain(switches)
+}
+
+const HISTORY: [(Command, &str); 2] = [(Command::Undo, "↶"), (Command::Redo, "↷")];
+
+/// Shows the bar; the chosen command, if any.
+pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
+    let t = window::texts(state.settings.lang);
+    let mut chosen = None;
+    egui::MenuBar::new().ui(ui, |ui| {
+        let is_phone = ui.available_width() < PHONE;
+        if is_phone {
+            // One button, so that the switches have room.
+            ui.menu_button("☰", |ui| chosen = menus(ui, t, state)).response.accessible_name(t.menus);
+        } else {
+            chosen = menus(ui, t, state);
+        }
+        ui.separator();
+        for (command, sign) in HISTORY {
+            if switch(ui, t, state, command, sign) {
+                chosen = Some(command);
+            }
+        }
+        let mut of_title = None;
+        let middle = |ui: &mut egui::Ui| {
+            // News get the little space that there is on a telephone.
+            if !is_phone {
+                title(ui, t, state, &mut of_title);
+            }
+            status::news(ui, state);
+        };
+        let switched = with_room_before(ui, middle, |ui| {
+            let mut switched = None;
+            let width = ui.ctx().content_rect().width();
+            for Switch { command, sign, word } in SWITCHES {
+                let text = match sign {
+                    Some(sign) if width < if sign.is_enough { ALL_WORDS } else { WORDS } => sign.text,
+                    Some(_) | None => word(t),
+                };
+                if switch(ui, t, state, *command, text) {
+                    switched = Some(*command);
+                }
+            }
+            switched
+        });
+        chosen = switched.or(of_title).or(chosen);
+    });
+    chosen
+}
+
+/// The menus, one beside or below the other; the chosen command, if any.
+fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
+    let mut chosen = None;
+    for menu in MENUS.iter().filter(|menu| menu.in_bar) {
+        ui.menu_button((menu.title)(t), |ui| {
+            ui.set_min_width(220.0);
+            let mut is_first = true;
+            for group in menu.groups(state) {
+                for (place, command) in group.enumerate() {
+                    if place == 0 && !std::mem::take(&mut is_first) {
+                        ui.separator();
+                    }
+                    if item(ui, t, state, command) {
+                        chosen = Some(command);
+                        ui.close();
+                    }
+                }
+            }
+        });
+    }
+    chosen
+}
+
+fn item(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command) -> bool {
+    let keys = keys(ui, state, command);
+    let mark = match command.is_on(state) {
+        Some(true) => "✔ ",
+        Some(false) => "    ",
+        None => "",
+    };
+    let button = Button::new(format!("{mark}{}", command.label(t))).shortcut_text(keys.unwrap_or_default());
+    ui.add_enabled(command.is_enabled(state), button)
+        .explained(command.hint(t))
+        .explained_disabled(command.hint_disabled(t))
+        .clicked()
+}
+
+/// The keys of a command as they are written, if it has any here.
+fn keys(ui: &egui::Ui, state: &State, command: Command) -> Option<String> {
+    command.keys(state).next().map(|keys| ui.ctx().format_shortcut(&keys))
+}
+
+fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &str) -> bool {
+    let keys = keys(ui, state, command).map(|keys| format!(" ({keys})"));
+    let hint = format!("{}{}\n{}", command.label(t), keys.unwrap_or_default(), command.hint(t));
+    let button = Button::selectable(command.is_on(state).unwrap_or(false), sign);
+    ui.add_enabled(command.is_enabled(state), button)
+        .explained(&hint)
+        .explained_disabled(&hint)
+        .accessible_name(command.label(t))
+        .clicked()
+}
+
+fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Command>) {
+    let name = state.document.name().map_or_else(|| t.untitled.to_owned(), |name| escaped(&name));
+    let text = if state.document.is_changed() { format!("{name} •") } else { name };
+    for command in [Command::Gallery, Command::Search] {
+        let keys = keys(ui, state, command).map(|keys| format!(" ({keys})")).unwrap_or_default();
+        let link = ui.link(command.label(t).trim_end_matches('…'));
+        if link.explained(format!("{}{keys}", command.hint(t))).clicked() {
+            *chosen = Some(command);
+        }
+    }
+    let label = egui::Label::new(RichText::new(text).weak()).truncate();
+    let hint = if state.document.is_changed() { t.changed_hint } else { t.unchanged_hint };
+    ui.add(label).explained(hint);
+}

@@ -1,0 +1,497 @@
+//! The sequence of a frame.
+
+pub(super) mod about;
+pub(super) mod annotations;
+pub mod command;
+pub mod dialogs;
+pub(super) mod focus;
+pub(super) mod key_repeat;
+pub mod launch_options;
+pub mod menu;
+pub(super) mod presentation;
+pub(super) mod search;
+pub(super) mod search_state;
+pub mod status;
+pub(super) mod tab_order;
+
+use std::path::Path;
+use std::time::Duration;
+
+use eframe::egui::os::OperatingSystem;
+use eframe::egui::{self, KeyboardShortcut, ViewportCommand};
+
+use super::state::{AfterSave, Message, PanelHover, Side, State};
+use crate::appearance::Theme;
+use crate::gui::app::command::{Command, Run};
+use crate::gui::app::focus::{Focus, Region};
+use crate::gui::app::key_repeat::HeldKey;
+use crate::gui::app::launch_options::LaunchOptions;
+use crate::gui::app::tab_order::KeyOrder;
+use crate::gui::files::changed_file;
+use crate::gui::files::file_flow;
+use crate::gui::files::sequence;
+use crate::gui::inspector::numerics;
+use crate::gui::inspector::operations;
+use crate::gui::inspector::parameters;
+use crate::gui::inspector::values;
+use crate::gui::kit::{text_field, theme, tooltip};
+use crate::gui::learn::lesson;
+use crate::gui::pictures::Canvas;
+use crate::gui::pictures::motion;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::gui::platform::window_size::Opening;
+use crate::gui::storage::preferences::Preferences;
+use crate::gui::storage::recovery::Decision;
+use crate::gui::storage::session::{Keeping, Kept, Restored, Sessions};
+use crate::gui::storage::session_news;
+use crate::gui::why;
+use crate::gui::why::context_help;
+use crate::i18n::window;
+use crate::sanitize;
+
+/// The window's program.
+pub struct App {
+    /// State shared by the panels and the pictures.
+    pub state: State,
+    /// The pictures.
+    pub canvas: Canvas,
+    sessions: Option<Sessions>,
+    preferences: Option<Preferences>,
+    held_key: HeldKey,
+    caret: text_field::CaretRest,
+    focus: Focus,
+    key_order: KeyOrder,
+    title: String,
+    #[cfg(not(target_arch = "wasm32"))]
+    opening: Opening,
+}
+
+/// The enlargement of a presentation.
+const PRESENTATION_ZOOM: f32 = 1.6;
+
+/// Below this width, in points, there is room for one panel beside the pictures.
+const NARROW: f32 = 960.0;
+
+impl App {
+    /// Starts from a state, in a window whose fonts and style it sets.
+    #[must_use]
+    pub fn new(ctx: &egui::Context, state: State) -> Self {
+        theme::install_fonts(ctx);
+        theme::install_style(ctx);
+        let app = Self {
+            state,
+            canvas: Canvas::default(),
+            sessions: None,
+            preferences: None,
+            held_key: HeldKey::default(),
+            caret: text_field::CaretRest::default(),
+            focus: Focus::default(),
+            key_order: KeyOrder::default(),
+            title: String::new(),
+            #[cfg(not(target_arch = "wasm32"))]
+            opening: Opening::default(),
+        };
+        app.apply_first_settings(ctx);
+        app
+    }
+
+    /// Stores preferences in `folder` from now on, and sets the window up from them and from the options in `asked`.
+    pub fn keep_preferences(&mut self, ctx: &egui::Context, folder: &Path, asked: LaunchOptions) {
+        self.preferences = Some(Preferences::begin(folder, &mut self.state, asked));
+        self.apply_first_settings(ctx);
+    }
+
+    /// Goes on as the system wants it now, where the user has not chosen otherwise.
+    #[cfg(target_arch = "wasm32")]
+    pub(in crate::gui) fn follow_system(&mut self, theme: Theme, reduce_motion: bool) {
+        if let Some(preferences) = &mut self.preferences {
+            preferences.follow(&mut self.state, "theme", |state| state.settings.theme = theme);
+            let reduce = |state: &mut State| state.settings.reduce_motion = reduce_motion;
+            preferences.follow(&mut self.state, "reduce_motion", reduce);
+        }
+    }
+
+    /// The title of the window.
+    #[cfg(target_arch = "wasm32")]
+    pub(in crate::gui) fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// Stores the session in `folder` from now on. With `restore`, restores that of a window that did not close.
+    pub fn keep_session(&mut self, folder: &Path, restore: bool) {
+        let (sessions, left) = Sessions::begin(folder, restore);
+        self.sessions = Some(sessions);
+        self.go_on_with(left);
+        self.tell_news();
+    }
+
+    /// Continues with a restored document.
+    fn go_on_with(&mut self, left: Option<Restored>) {
+        if let Some(Restored { document, text, .. }) = left {
+            let figure = document.figure().clone();
+            self.state.take_over(document);
+            if let Some(text) = text {
+                self.state.resume_text(text, figure);
+            }
+            // Another program may have gone on with the file.
+            self.state.file_flow.look = true;
+        }
+    }
+
+    /// The list of left sessions, and the user's decision.
+    fn recovery(&mut self, ui: &mut egui::Ui) {
+        let Some(sessions) = &mut self.sessions else { return };
+        let decision = crate::gui::storage::recovery::list(ui, self.state.settings.lang, sessions.left());
+        match decision {
+            Some(Decision::Restore(slot)) => file_flow::begin(ui.ctx(), &mut self.state, AfterSave::Restore(slot)),
+            Some(Decision::Discard(slot)) => sessions.discard(slot),
+            None => {}
+        }
+        if let Some(slot) = self.state.file_flow.restore.take() {
+            let left = sessions.restore(slot);
+            self.go_on_with(left);
+        }
+        self.tell_news();
+    }
+
+    /// Collects notices about sessions and preferences; each stays until dismissed, write failures as long as they
+    /// last.
+    fn tell_news(&mut self) {
+        let said = &mut self.state.file_flow.news;
+        if let Some(preferences) = &mut self.preferences {
+            preferences.news().into_iter().for_each(|news| said.tell(news));
+            preferences.kept().for_each(|what| said.is_kept(what));
+        }
+        if let Some(sessions) = &mut self.sessions {
+            sessions.news().into_iter().for_each(|news| said.tell(news));
+            if !sessions.is_failing() {
+                said.is_kept(Keeping::Session);
+            }
+        }
+    }
+
+    /// One frame; `ui` is the whole window.
+    pub fn show(&mut self, ui: &mut egui::Ui) {
+        let ctx = ui.ctx().clone();
+        let os = ctx.os();
+        ctx.input_mut(|input| {
+            text_field::cut_pasted(&mut input.events);
+            text_field::drop_letters_with_alt(&mut input.events, os);
+        });
+        self.caret.follow(&ctx);
+        motion::advance(&ctx, &mut self.state);
+        lesson::advance(&ctx, &mut self.state);
+        if ctx.input(|input| self.held_key.follow(input)) {
+            self.state.document.commit();
+        }
+        self.focus.begin(&ctx, self.state.file_flow.is_asking());
+        file_flow::poll(&ctx, &mut self.state);
+        self.canvas.listen_for_cancel(&ctx, &mut self.state);
+        if !self.canvas.holds_something(&self.state)
+            && let Some(command) = presentation::escape(&ctx, &mut self.state)
+        {
+            self.perform(&ctx, command);
+        }
+        // Each key press acts, in its turn. What comes after one that opens a dialog is for the dialog.
+        while !self.state.file_flow.is_asking()
+            && let Some(command) = self.keyboard(&ctx)
+        {
+            match context_help::asked(&ctx).filter(|_| command == Command::Help) {
+                Some(note) => self.state.explain_by_note(note),
+                None => self.perform(&ctx, command),
+            }
+        }
+        context_help::begin(&ctx);
+        // The panels of this frame set the hover.
+        self.state.hover = PanelHover::default();
+        self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
+        let sides = *self.state.settings.panels();
+        if let Some(left) = self.state.forget_old_news(ctx.input(|input| input.time)) {
+            ctx.request_repaint_after(Duration::from_secs_f64(left));
+        }
+        let t = window::texts(self.state.settings.lang);
+        let presenting = self.state.settings.presentation;
+        let bar = (!self.state.settings.bare && !presenting).then(|| {
+            egui::Panel::top("menu").show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Bar, t.region_bar);
+                menu::bar(ui, &self.state)
+            })
+        });
+        let bar = bar.and_then(|bar| bar.inner);
+        // Notices wait until the presentation is over.
+        if !presenting {
+            self.recovery(ui);
+            session_news::bar(ui, &mut self.state);
+            changed_file::bar(ui, &mut self.state);
+            let welcomed = lesson::welcome(ui, &mut self.state);
+            welcomed.into_iter().for_each(|command| self.perform(&ctx, command));
+        }
+        status::error(ui, &mut self.state);
+        if presenting {
+            presentation::caption(ui, &self.state);
+        }
+        let of_lesson = lesson::panel(ui, &mut self.state);
+        if self.state.numerics.shown {
+            egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Numerics, t.numerics);
+                numerics::ui(ui, &mut self.state);
+            });
+            name_handle(ui, "numerics", t.panel_width);
+        }
+        if sides.is_shown(Side::Left) {
+            egui::Panel::left("parameters").default_size(256.0).size_range(220.0..=420.0).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
+                tooltip::beside_panel(ui, egui::RectAlign::RIGHT_START);
+                parameters::ui(ui, &mut self.state);
+            });
+            name_handle(ui, "parameters", t.panel_width);
+        }
+        if sides.is_shown(Side::Right) {
+            egui::Panel::right("numbers").default_size(300.0).size_range(260.0..=520.0).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Numbers, t.numbers_panel);
+                tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
+                self.right(ui);
+            });
+            name_handle(ui, "numbers", t.panel_width);
+        }
+        if sides.is_shown(Side::Explain) {
+            // In a presentation the pictures keep more than half of the width.
+            let (id, share) = if presenting { ("explain in a presentation", 0.45) } else { ("explain", 1.0) };
+            let most = (share * ctx.content_rect().width()).clamp(320.0, 620.0);
+            egui::Panel::right(id).default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
+                tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
+                why::ui(ui, &mut self.state);
+            });
+            name_handle(ui, id, t.panel_width);
+        }
+        tooltip::beside_nothing(&ctx);
+        motion::show_done(&ctx, &mut self.state);
+        self.state.follow_panels();
+        let pictures = egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.ui(ui, &mut self.state));
+        self.state.consult(&ctx);
+        presentation::show(&ctx, &mut self.state, pictures.response.rect);
+        let bar = if presenting { presentation::bar(&ctx, &self.state) } else { bar };
+        if let Some(command) = bar {
+            self.perform(&ctx, command);
+        }
+        let of_speaker = lesson::speaker_window(&ctx, &mut self.state);
+        // Its window does not know of questions in this one.
+        let of_speaker = of_speaker.filter(|_| !self.state.file_flow.is_asking());
+        if let Some(command) = of_lesson.or(of_speaker) {
+            self.perform(&ctx, command);
+        }
+        if let Some(command) = dialogs::show(&ctx, &mut self.state) {
+            self.perform(&ctx, command);
+            ctx.request_repaint();
+        }
+        drop_hint(&ctx, &self.state);
+        self.focus.end(&ctx);
+        self.apply_settings(&ctx);
+        self.refuse_links(&ctx);
+        self.update_title(&ctx);
+        let moves = self.state.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
+        let moving = self.state.operations.motion.is_some() || moves || self.state.explain.steps.plays();
+        if !moving && !ctx.input(|input| input.pointer.any_down()) && !self.held_key.is_held(&ctx) {
+            self.state.document.commit();
+            let now = ctx.input(|input| input.time);
+            if let Some(left) = self.state.views.follow(self.state.document.figure().observers, now) {
+                ctx.request_repaint_after(Duration::from_secs_f64(left));
+            }
+            if let Some(sessions) = &mut self.sessions {
+                let seen = self.state.as_seen();
+                let state = &self.state;
+                let explains = state.lesson.is_none() && state.document.explains_other(&seen.show);
+                let is_work = state.has_unsaved() || explains;
+                let shown = Kept { document: &state.document, seen: &seen, is_work, text: state.unsaved_text() };
+                sessions.keep(&ctx, shown, &state.held_documents());
+            }
+            if let Some(preferences) = &mut self.preferences {
+                preferences.keep(&ctx, &mut self.state);
+            }
+        }
+    }
+
+    /// Operations above, as high as they are but not more than about half; numbers below.
+    fn right(&mut self, ui: &mut egui::Ui) {
+        let half = ui.available_height() * 0.56;
+        egui::ScrollArea::vertical().id_salt("operations").max_height(half).auto_shrink([false, true]).show(ui, |ui| {
+            operations::ui(ui, &mut self.state);
+            focus::keep_in_sight(ui);
+        });
+        ui.add_space(4.0);
+        egui::ScrollArea::vertical().id_salt("numbers").auto_shrink(false).show(ui, |ui| {
+            values::ui(ui, &mut self.state);
+            focus::keep_in_sight(ui);
+        });
+    }
+
+    /// Takes the first key press out of the input that calls a command, and gives the command.
+    fn keyboard(&self, ctx: &egui::Context) -> Option<Command> {
+        let typing = ctx.text_edit_focused();
+        // On a Mac, Option writes accents and signs.
+        let writes = |keys: &KeyboardShortcut| {
+            typing && ctx.os() == OperatingSystem::Mac && keys.modifiers.alt && !keys.modifiers.command
+        };
+        let mut shortcuts: Vec<_> = Command::all()
+            .filter(|command| !(typing && command.is_for_text_too()))
+            .flat_map(|command| command.keys(&self.state).map(move |keys| (keys, command)))
+            .collect();
+        if self.state.settings.presentation && !typing && !ctx.any_popup_open() {
+            shortcuts.extend(presentation::KEYS);
+            if ctx.memory(|memory| memory.focused().is_none()) {
+                shortcuts.extend(presentation::ARROWS);
+            }
+        }
+        if self.state.lesson.is_some() && !typing && !ctx.any_popup_open() {
+            shortcuts.extend(presentation::PAGES);
+        }
+        shortcuts.retain(|(keys, _)| !writes(keys));
+        // Ctrl+Shift+S is Ctrl+S as well: shortcuts with more keys are tested first, and also where their command can
+        // do nothing: Ctrl+Shift+Z with nothing to redo must not undo.
+        shortcuts.sort_by_key(|(keys, _)| !keys.modifiers.shift);
+        let called_by = |event: &egui::Event| match event {
+            egui::Event::Key { key, modifiers, pressed: true, .. } => shortcuts
+                .iter()
+                .find(|(keys, _)| keys.logical_key == *key && modifiers.matches_logically(keys.modifiers))
+                .map(|(_, command)| *command)
+                .filter(|command| command.is_enabled(&self.state)),
+            _ => None,
+        };
+        ctx.input_mut(|input| {
+            let (place, command) = input.events.iter().enumerate().find_map(|(i, e)| Some((i, called_by(e)?)))?;
+            input.events.remove(place);
+            Some(command)
+        })
+    }
+
+    /// Performs a command of a menu or the keyboard.
+    fn perform(&mut self, ctx: &egui::Context, command: Command) {
+        match command.run() {
+            Run::Change(change) => change(&mut self.state, ctx),
+            Run::Step { forwards } if self.state.lesson.is_some() => self.state.step_lesson(forwards),
+            Run::Step { forwards } => drop(sequence::step(&mut self.state, forwards)),
+        }
+    }
+
+    /// Lets links of texts, which may have another author, open pages and mail only: no files or programs of this
+    /// machine.
+    fn refuse_links(&mut self, ctx: &egui::Context) {
+        let mut refused = None;
+        ctx.output_mut(|output| {
+            output.commands.retain(|command| match command {
+                egui::OutputCommand::OpenUrl(link) if !opens(&link.url) => {
+                    refused = Some(link.url.clone());
+                    false
+                }
+                _ => true,
+            });
+        });
+        if let Some(link) = refused {
+            self.state.say(Message::LinkRefused(link));
+            ctx.request_repaint();
+        }
+    }
+
+    /// The name of the figure in the title of the window.
+    fn update_title(&mut self, ctx: &egui::Context) {
+        let document = &self.state.document;
+        let name = document.name().unwrap_or_else(|| window::texts(self.state.settings.lang).untitled.to_owned());
+        // It means that closing the window asks.
+        let is_unsaved = self.state.has_unsaved() || self.state.unsaved_text().is_some();
+        let mark = if is_unsaved { " •" } else { "" };
+        let title = format!("{}{mark} – Camera Lab", sanitize::escaped(&name));
+        if title != self.title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+
+    /// Theme and zoom before the first frame. [`egui::Context::set_zoom_factor`] would scale the size of the window in
+    /// the frame before, and before the first one that is 10,000 points: pictures as large would be drawn.
+    fn apply_first_settings(&self, ctx: &egui::Context) {
+        ctx.options_mut(|options| options.zoom_factor = self.zoom());
+        self.apply_settings(ctx);
+    }
+
+    /// The zoom of the interface, with that of a presentation.
+    fn zoom(&self) -> f32 {
+        let zoom = self.state.settings.zoom;
+        // If everything is large already, a presentation needs nothing larger.
+        if self.state.settings.presentation { PRESENTATION_ZOOM.max(zoom) } else { zoom }
+    }
+
+    /// Theme and zoom, as the settings say.
+    fn apply_settings(&self, ctx: &egui::Context) {
+        let theme = match self.state.settings.theme {
+            Theme::Dark => egui::Theme::Dark,
+            Theme::Light | Theme::Print => egui::Theme::Light,
+        };
+        if ctx.theme() != theme {
+            ctx.set_theme(theme);
+            ctx.request_repaint();
+        }
+        let zoom = self.zoom();
+        if ctx.zoom_factor() != zoom {
+            ctx.set_zoom_factor(zoom);
+        }
+    }
+}
+
+/// Whether a link may be opened outside of the window.
+fn opens(link: &str) -> bool {
+    let scheme = link.split_once(':').map(|(scheme, _)| scheme.to_ascii_lowercase());
+    scheme.is_some_and(|scheme| ["http", "https", "mailto"].contains(&scheme.as_str()))
+}
+
+/// Names the handle of a panel in the language of the window: egui's own name for it is English.
+fn name_handle(ui: &egui::Ui, panel: &str, name: &str) {
+    let handle = ui.scope_id().with_salt(egui::IdSalt::new(panel)).with("__resize");
+    ui.ctx().accesskit_node_builder(handle, |node| node.set_label(name));
+}
+
+/// Tells the effect of dropping a file that is held over the window.
+fn drop_hint(ctx: &egui::Context, state: &State) {
+    if ctx.input(|input| input.raw.hovered_files.is_empty()) {
+        return;
+    }
+    let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Foreground, egui::Id::unique("drop")));
+    let (rect, visuals) = (ctx.content_rect(), ctx.global_style().visuals.clone());
+    painter.rect_filled(rect, 0.0, visuals.panel_fill.gamma_multiply(0.85));
+    let text = window::texts(state.settings.lang).drop_here;
+    let font = egui::FontId::proportional(24.0);
+    painter.text(rect.center(), egui::Align2::CENTER_CENTER, text, font, visuals.text_color());
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
+        #[cfg(not(target_arch = "wasm32"))]
+        self.opening.go_on(ui.ctx());
+        self.show(ui);
+        file_flow::open_dialog(ui.ctx(), &mut self.state, frame);
+    }
+
+    /// The ground of the window: to clear it costs little, and to paint it once more, in software, milliseconds.
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        visuals.panel_fill.to_normalized_gamma_f32()
+    }
+
+    fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
+        if self.key_order.hold(&mut input.events) {
+            ctx.request_repaint();
+        }
+    }
+
+    fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        self.state.save_text();
+        // Once, whatever came of it.
+        self.state.settings.welcomed = true;
+        if let Some(preferences) = &mut self.preferences {
+            preferences.finish(&mut self.state);
+        }
+        // The user has been asked about unsaved changes. A system that ends the program has not done that.
+        if let Some(sessions) = self.sessions.as_mut().filter(|_| self.state.file_flow.may_close) {
+            sessions.forget();
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! The presentation besides large type: its keys, and the annotations over the pictures.
+
+use std::time::Duration;
+
+use eframe::egui::{
+    self, Area, Color32, Context, CursorIcon, FontId, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Pos2, Rect,
+    Sense, Shape, Stroke, TextStyle, Ui, text::LayoutJob, vec2,
+};
+
+use super::command::Command;
+use super::menu;
+use crate::gui::kit::theme;
+use crate::gui::state::State;
+use crate::i18n::{lessons, told, window};
+
+/// Duration of the display of the keys, in seconds, and of its fading.
+const SHOWN: f64 = 8.0;
+const FADES: f64 = 0.7;
+
+/// Colour of the pen and of the spot: seen on light and on dark ground.
+const INK: Color32 = Color32::from_rgb(0xe0, 0x2a, 0x1f);
+
+/// The plain keys of a presentation: those of a remote control among them.
+pub(in crate::gui) const KEYS: [(KeyboardShortcut, Command); 10] = [
+    (KeyboardShortcut::new(Modifiers::NONE, Key::PageDown), Command::NextFigure),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::PageUp), Command::PreviousFigure),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::P), Command::Pen),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::S), Command::Spot),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::F), Command::Freeze),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::B), Command::Blank),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::Period), Command::Blank),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::C), Command::StepText),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::Q), Command::StepQuestion),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::N), Command::StepNotes),
+];
+
+/// The keys of a remote control, which turn the steps of a lesson without a presentation too.
+pub(in crate::gui) const PAGES: [(KeyboardShortcut, Command); 2] = [KEYS[0], KEYS[1]];
+
+/// The arrows of a remote control, where no picture and no field has the keyboard.
+pub(in crate::gui) const ARROWS: [(KeyboardShortcut, Command); 2] = [
+    (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowRight), Command::NextFigure),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowLeft), Command::PreviousFigure),
+];
+
+/// Handles Esc, where it means nothing else: it clears annotations; without any it leaves the presentation. Returns the
+/// command.
+pub(in crate::gui) fn escape(ctx: &Context, state: &mut State) -> Option<Command> {
+    let shown = state.settings.presentation || state.annotations.any();
+    let busy = ctx.text_edit_focused() || ctx.any_popup_open() || state.file_flow.dialog.is_some();
+    if !shown || busy || !ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+        return None;
+    }
+    Some(if state.annotations.any() { Command::ClearAnnotations } else { Command::Presentation })
+}
+
+/// The height at the upper border in which the pointer calls the bar, in points.
+const EDGE: f32 = 26.0;
+
+/// The bar of a presentation, over the pictures: it comes when the pointer goes to the upper border, and stays while
+/// one of its menus is open. The chosen command. News take its place meanwhile.
+pub(in crate::gui) fn bar(ctx: &Context, state: &State) -> Option<Command> {
+    let id = Id::unique("bar of the presentation");
+    let was_shown = ctx.data(|data| data.get_temp::<bool>(id)).unwrap_or(false);
+    let at_edge = ctx.pointer_hover_pos().is_some_and(|pointer| pointer.y < if was_shown { 1.6 * EDGE } else { EDGE });
+    let held = ctx.input(|input| input.pointer.any_down()) && !was_shown;
+    let is_shown = !state.file_flow.is_asking()
+        && (at_edge && !held && !state.annotations.pen || was_shown && ctx.any_popup_open());
+    ctx.data_mut(|data| data.insert_temp(id, is_shown));
+    let area = Area::new(id).order(Order::Middle).fixed_pos(ctx.content_rect().min).constrain(false);
+    if !is_shown {
+        let message = state.message.as_ref().filter(|message| !message.is_error())?;
+        // At the foot of the pictures: above them are the title and the caption.
+        let foot = ctx.content_rect().center_bottom() - vec2(0.0, 4.0 * EDGE);
+        area.fixed_pos(foot).pivot(egui::Align2::CENTER_BOTTOM).show(ctx, |ui| {
+            let most = (ctx.content_rect().width() - 60.0).max(100.0);
+            egui::Frame::popup(ui.style()).show(ui, |ui| {
+                ui.set_max_width(most);
+                ui.label(message.text(state.settings.lang));
+            });
+        });
+        return None;
+    }
+    let shown = area.show(ctx, |ui| {
+        ui.set_width(ctx.content_rect().width());
+        let frame = egui::Frame::side_top_panel(ui.style()).fill(ui.visuals().panel_fill);
+        frame.show(ui, |ui| menu::bar(ui, state)).inner
+    });
+    shown.inner
+}
+
+/// Lines of a caption, at most.
+const CAPTION_ROWS: usize = 2;
+
+/// The title and the caption of the figure, large, above the pictures; nothing where it has none.
+pub(in crate::gui) fn caption(ui: &mut Ui, state: &State) {
+    let figure = state.document.figure();
+    if figure.title.is_none() && figure.caption.is_none() {
+        return;
+    }
+    let lang = state.settings.lang;
+    egui::Panel::top("caption").show(ui, |ui| {
+        let body = TextStyle::Body.resolve(ui.style());
+        let rows = [
+            (&figure.title, TextStyle::Heading.resolve(ui.style()), ui.visuals().strong_text_color(), 1),
+            (&figure.caption, FontId::new(1.15 * body.size, body.family), ui.visuals().text_color(), CAPTION_ROWS),
+        ];
+        for (text, font, color, rows) in rows {
+            let Some(text) = text else { continue };
+            let text = told(lang, text);
+            let width = ui.available_width();
+            let mut job = match rows {
+                // Titles name matrices, M_p.
+                1 => theme::lowered(ui, text, &TextStyle::Heading, color),
+                _ => LayoutJob::simple(text.to_owned(), font, color, width),
+            };
+            job.wrap.max_width = width;
+            job.wrap.max_rows = rows;
+            ui.label(job);
+        }
+    });
+}
+
+/// The annotations over the pictures, which are in `room`.
+pub(in crate::gui) fn show(ctx: &Context, state: &mut State, room: Rect) {
+    if state.annotations.pen {
+        pen(ctx, state, room);
+    }
+    let painter = ctx.layer_painter(LayerId::new(Order::Middle, Id::unique("annotations"))).with_clip_rect(room);
+    for stroke in &state.annotations.strokes {
+        painter.add(Shape::line(stroke.clone(), Stroke::new(3.0, INK)));
+    }
+    let t = window::texts(state.settings.lang);
+    if state.annotations.frozen {
+        label(ctx, &painter, t.frozen, (room.center_top() + vec2(0.0, 44.0), room.width()));
+    }
+    if state.annotations.spot
+        && let Some(pointer) = ctx.pointer_hover_pos().filter(|pointer| room.contains(*pointer))
+    {
+        painter.circle(pointer, 26.0, INK.gamma_multiply(0.18), Stroke::new(2.5, INK));
+        painter.circle_filled(pointer, 3.0, INK);
+    }
+    if state.annotations.blank {
+        let painter = ctx.layer_painter(LayerId::new(Order::Tooltip, Id::unique("blank")));
+        painter.rect_filled(ctx.content_rect(), 0.0, Color32::BLACK);
+    }
+}
+
+/// The pointer draws over the pictures, which do not feel it meanwhile.
+fn pen(ctx: &Context, state: &mut State, room: Rect) {
+    let strokes = &mut state.annotations.strokes;
+    Area::new(Id::unique("pen")).order(Order::Middle).fixed_pos(room.min).show(ctx, |ui| {
+        let response = ui.allocate_rect(room, Sense::drag());
+        let response = response.on_hover_and_drag_cursor(CursorIcon::Crosshair);
+        if response.drag_started() {
+            strokes.push(ctx.input(|input| input.pointer.press_origin()).into_iter().collect());
+        }
+        let at = response.interact_pointer_pos().filter(|_| response.dragged());
+        if let (Some(at), Some(stroke)) = (at, strokes.last_mut())
+            && stroke.last().is_none_or(|last: &Pos2| last.distance(at) > 1.0)
+        {
+            stroke.push(at);
+        }
+    });
+}
+
+/// The keys of a presentation as long as they are to be seen, and how much of them. While Esc takes something away,
+/// that is said.
+pub(in crate::gui) fn keys(ctx: &Context, state: &mut State) -> Option<(&'static str, f32)> {
+    if state.annotations.any() {
+        return Some((window::texts(state.settings.lang).escape_clears, 1.0));
+    }
+    let since = state.annotations.keys_since.filter(|_| state.settings.presentation)?;
+    let left = since + SHOWN - ctx.input(|input| input.time);
+    let fading = if state.settings.reduce_motion { 0.0 } else { FADES };
+    if left <= 0.0 {
+        state.annotations.keys_since = None;
+        return None;
+    }
+    ctx.request_repaint_after(Duration::from_secs_f64((left - fading).max(1.0 / 60.0)));
+    #[expect(clippy::cast_possible_truncation, reason = "a share")]
+    let share = if fading > 0.0 { (left / fading).min(1.0) as f32 } else { 1.0 };
+    let lang = state.settings.lang;
+    let of_lesson = state.lesson.is_some().then(|| lessons::texts(lang).presentation_keys);
+    Some((of_lesson.unwrap_or(window::texts(lang).presentation_keys), share))
+}
+
+/// A sentence on a ground of its own, whose centre is at a place, in a room so wide.
+fn label(ctx: &Context, painter: &egui::Painter, text: &str, (center, width): (Pos2, f32)) {
+    let style = ctx.global_style();
+    let color = style.visuals.strong_text_color();
+    let font = TextStyle::Body.resolve(&style);
+    let galley = painter.layout(text.to_owned(), font, color, (width - 48.0).max(80.0));
+    let rect = Rect::from_center_size(center, galley.size());
+    painter.rect_filled(rect.expand2(vec2(10.0, 6.0)), 5.0, style.visuals.window_fill.gamma_multiply(0.94));
+    painter.galley(rect.min, galley, color);
+}

@@ -1,0 +1,333 @@
+//! One search for everything in the window: commands, parameters, explanations, matrices, notes, exercises, figures.
+
+use std::borrow::Cow;
+
+use eframe::egui::{self, Align, Button, Key, Modifiers, RichText, Role, Ui, WidgetInfo};
+
+use super::command::Command;
+use crate::explain::Matrix;
+use crate::figure::Explanation;
+use crate::files::SHIPPED_FIGURES;
+use crate::gui::files::file_flow;
+use crate::gui::kit::number_field;
+use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::theme;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::exercises::list;
+use crate::gui::state::{AfterSave, Dialog, Side, State, Tab};
+use crate::gui::why;
+use crate::i18n::search::{self as words, also_called, folded, has_words};
+use crate::i18n::window;
+use crate::i18n::{exercises as exercise_words, explain as explain_words, notes, told};
+use crate::lessons::{OpenLesson, shipped};
+use crate::limits::MAX_TYPED_NAME;
+
+/// The width of the dialog.
+pub(in crate::gui) const WIDTH: f32 = 620.0;
+
+/// Number of results that are listed.
+const MOST: usize = 60;
+
+/// The target of a result.
+#[derive(Clone, Debug, PartialEq)]
+enum Target {
+    Command(Command),
+    /// The number field of a parameter, by its name.
+    Parameter(Tab, &'static str),
+    Explanation(Explanation),
+    Matrix(Matrix),
+    Note(&'static str),
+    Exercise(String),
+    Figure(&'static str),
+    /// A lesson of the program, by its place, and a step of it.
+    Step(usize, usize),
+}
+
+/// Something that can be found.
+struct Entry {
+    target: Target,
+    /// The word for its kind.
+    kind: &'static str,
+    title: Cow<'static, str>,
+    /// More of it, in which words are found too.
+    about: Cow<'static, str>,
+}
+
+/// The parameters: the name of the field, its symbol, and its name in words.
+type Parameter = (Tab, &'static str, fn(&window::Texts) -> &'static str);
+
+const PARAMETERS: [Parameter; 11] = [
+    (Tab::Camera, "C x", |t| t.position),
+    (Tab::Camera, "PF x", |t| t.focal_point),
+    (Tab::Camera, "VUP x", |t| t.view_up),
+    (Tab::Camera, "θ", |t| t.view_angle),
+    (Tab::Camera, "A", |t| t.aspect),
+    (Tab::Camera, "F", |t| t.near),
+    (Tab::Camera, "B", |t| t.far),
+    (Tab::Camera, "", |t| t.perspective),
+    (Tab::Camera, "", |t| t.parallel),
+    (Tab::Camera, "", |t| t.window),
+    (Tab::Camera, "", |t| t.viewport),
+];
+
+/// A matrix and its name among the texts of the window.
+type NamedMatrix = (Matrix, fn(&window::Texts) -> &'static str);
+
+const MATRICES: [NamedMatrix; 3] = [
+    (Matrix::View, |t| t.view_name),
+    (Matrix::Projection, |t| t.projection_name),
+    (Matrix::ViewProjection, |t| t.product_name),
+];
+
+/// Everything that can be found, in the order in which equally good results are listed.
+fn entries(state: &State) -> Vec<Entry> {
+    let lang = state.settings.lang;
+    let (t, t_window) = (words::texts(lang), window::texts(lang));
+    let mut all = Vec::new();
+    for (explanation, question, (title, about)) in why::all(explain_words::texts(lang)) {
+        all.push(Entry {
+            target: Target::Explanation(explanation),
+            kind: question,
+            title: title.into(),
+            about: about.into(),
+        });
+    }
+    for command in Command::all().filter(|command| *command != Command::Search && command.is_there(state)) {
+        let (title, about) = (command.label(t_window), command.hint(t_window));
+        all.push(Entry { target: Target::Command(command), kind: t.command, title: title.into(), about: about.into() });
+    }
+    for (tab, field, name) in PARAMETERS {
+        let symbol = field.split(' ').next().unwrap_or_default();
+        let title = format!("{symbol} {}", name(t_window)).trim().to_owned();
+        all.push(Entry {
+            target: Target::Parameter(tab, field),
+            kind: t.parameter,
+            title: title.into(),
+            about: "".into(),
+        });
+    }
+    for (matrix, name) in MATRICES {
+        let title = format!("{} {}", matrix.text(), name(t_window));
+        let about = explain_words::matrix(lang, matrix);
+        let kind = explain_words::texts(lang).matrices;
+        all.push(Entry { target: Target::Matrix(matrix), kind, title: title.into(), about: about.into() });
+    }
+    for figure in &SHIPPED_FIGURES {
+        let [title, about] = figure.told().map(|text| told(lang, &text).to_owned());
+        all.push(Entry {
+            target: Target::Figure(figure.name),
+            kind: t.figure,
+            title: title.into(),
+            about: about.into(),
+        });
+    }
+    for (place, shipped) in shipped().iter().enumerate() {
+        let lesson = &shipped.lesson;
+        let of_lesson = told(lang, &lesson.title);
+        let about = lesson.sentence.as_ref().map_or("", |sentence| told(lang, sentence));
+        all.push(Entry {
+            target: Target::Step(place, 0),
+            kind: t.lesson,
+            title: of_lesson.into(),
+            about: about.into(),
+        });
+        for (k, step) in lesson.steps.iter().enumerate() {
+            all.push(Entry {
+                target: Target::Step(place, k),
+                kind: t.step,
+                title: told(lang, &step.title).into(),
+                about: of_lesson.into(),
+            });
+        }
+    }
+    for note in notes::notes(lang) {
+        all.push(Entry {
+            target: Target::Note(note.id),
+            kind: t.note,
+            title: note.title.into(),
+            about: note.searched().into(),
+        });
+    }
+    for entry in state.exercises.entries() {
+        let title = exercise_words::title(lang, entry).to_owned();
+        let about = format!("{} {}", entry.id, entry.source);
+        all.push(Entry {
+            target: Target::Exercise(entry.id.clone().into_owned()),
+            kind: t.exercise,
+            title: title.into(),
+            about: about.into(),
+        });
+    }
+    all
+}
+
+/// The results, best first: where the words begin the title, are in it, are elsewhere; the same by other names.
+fn found(state: &State) -> Vec<Entry> {
+    let called = also_called(&state.search.wanted);
+    let rank = |entry: &Entry| {
+        let title = folded(&entry.title);
+        let whole = format!("{title} {}", folded(&entry.about));
+        // The hint of an explanation is about as short as a title, and is what people look for first.
+        let is_explained = matches!(entry.target, Target::Explanation(_));
+        let of_name = |name: &str| match name {
+            name if title.starts_with(name) => Some(0),
+            name if has_words(&title, name) || is_explained && has_words(&whole, name) => Some(1),
+            name if has_words(&whole, name) => Some(3),
+            _ => None,
+        };
+        let own = called.first().and_then(|name| of_name(name));
+        // Another name counts after the title, before a word somewhere in the text.
+        let others = called.iter().skip(1).filter_map(|name| of_name(name)).min().map(|rank: usize| rank.max(1) + 1);
+        [own, others].into_iter().flatten().min()
+    };
+    let mut ranked: Vec<_> = entries(state).into_iter().filter_map(|entry| Some((rank(&entry)?, entry))).collect();
+    ranked.sort_by_key(|(rank, _)| *rank);
+    ranked.into_iter().take(MOST).map(|(_, entry)| entry).collect()
+}
+
+/// Shows the field and the results; goes to the one that is chosen, or gives its command. `first`: it has just been
+/// opened.
+pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Option<Command> {
+    state.file_flow.dialog = Some(Dialog::Search);
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    ui.heading(t.title);
+    let results = found(state);
+    let last = results.len().saturating_sub(1);
+    let before = state.search.wanted.clone();
+    let (mut chosen, enter) = ui.input_mut(|input| {
+        let down = input.count_and_consume_key(Modifiers::NONE, Key::ArrowDown);
+        let up = input.count_and_consume_key(Modifiers::NONE, Key::ArrowUp);
+        let to = (state.search.chosen + down).min(last).saturating_sub(up);
+        (to, input.key_pressed(Key::Enter))
+    });
+    let moved = chosen != state.search.chosen;
+    let field = TextField::line(&mut state.search.wanted, MAX_TYPED_NAME);
+    let field = field.with(|edit| edit.hint_text(t.field).desired_width(f32::INFINITY));
+    let response = field.show(ui, lang).accessible_name(t.title);
+    if first {
+        response.request_focus();
+    }
+    let mut wanted = None;
+    // As high from the first frame on as it is going to be: nothing moves under the pointer.
+    let height = (ui.ctx().content_rect().height() - 170.0).clamp(120.0, 420.0);
+    let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink(false);
+    area.show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 1.0;
+        if results.is_empty() {
+            ui.label(t.nothing);
+        }
+        for (i, entry) in results.iter().enumerate() {
+            let row = row(ui, state, entry, i == chosen);
+            if moved && i == chosen {
+                row.scroll_to_me(Some(Align::Center));
+            }
+            if row.clicked() {
+                wanted = Some(entry.target.clone());
+            }
+        }
+    });
+    ui.add_space(4.0);
+    ui.label(RichText::new(t.keys).small().weak());
+    if enter && (response.has_focus() || response.lost_focus()) {
+        wanted = wanted.or_else(|| results.get(chosen).map(|entry| entry.target.clone()));
+    }
+    if state.search.wanted != before {
+        chosen = 0;
+    }
+    state.search.chosen = chosen;
+    let target = wanted?;
+    state.file_flow.dialog = None;
+    if let Target::Command(command) = target {
+        return Some(command).filter(|command| command.is_enabled(state));
+    }
+    go_to(ui.ctx(), state, target);
+    None
+}
+
+/// A result: its title, its kind, and the keys of a command.
+fn row(ui: &mut Ui, state: &State, entry: &Entry, chosen: bool) -> egui::Response {
+    let keys = match &entry.target {
+        Target::Command(command) => command.keys(state).next().map(|keys| ui.ctx().format_shortcut(&keys)),
+        _ => None,
+    };
+    let side = keys.map_or_else(|| entry.kind.to_owned(), |keys| format!("{}  {keys}", entry.kind));
+    let enabled = !matches!(&entry.target, Target::Command(command) if !command.is_enabled(state));
+    let button = Button::selectable(chosen, theme::symbol(ui, &entry.title)).shortcut_text(side).truncate();
+    let response =
+        ui.with_layout(egui::Layout::top_down_justified(Align::LEFT), |ui| ui.add_enabled(enabled, button)).inner;
+    let said = format!("{}, {}", entry.title, entry.kind);
+    response.widget_info(|| WidgetInfo::selected(Role::Button, enabled, chosen, &said));
+    if matches!(entry.target, Target::Note(_)) { response } else { response.explained(entry.about.as_ref()) }
+}
+
+fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
+    match target {
+        // Its caller does it.
+        Target::Command(_) => {}
+        Target::Parameter(tab, field) => {
+            state.settings.tab = tab;
+            state.settings.panels_mut().show(Side::Left);
+            if !field.is_empty() {
+                number_field::take_keyboard(ctx, field);
+            }
+        }
+        Target::Explanation(explanation) => {
+            state.show_explanation(explanation);
+            if explanation == Explanation::Exercises {
+                state.exercises.call();
+            }
+        }
+        Target::Matrix(matrix) => state.explain_entry(matrix, [0, 0]),
+        Target::Note(id) => state.explain_by_note(id),
+        Target::Exercise(id) => {
+            state.show_explanation(Explanation::Exercises);
+            let entry = state.exercises.entry(&id).cloned();
+            entry.iter().for_each(|entry| list::open(&mut state.exercises, entry));
+        }
+        Target::Figure(name) => file_flow::begin(ctx, state, AfterSave::Shipped(name)),
+        Target::Step(place, step) => {
+            if let Some(shipped) = shipped().get(place) {
+                let open = OpenLesson { lesson: shipped.lesson.clone(), path: None, step };
+                file_flow::begin(ctx, state, AfterSave::Lesson(open));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::i18n::Lang;
+
+    /// The first results for some words, by title.
+    fn titles(lang: Lang, wanted: &str) -> Vec<String> {
+        let mut state =
+            State::new(crate::gui::Start { lang, ..crate::gui::Start::default() }).expect("nothing is opened");
+        state.search.wanted = wanted.to_owned();
+        found(&state).into_iter().take(3).map(|entry| entry.title.into_owned()).collect()
+    }
+
+    #[test]
+    fn people_find_by_the_words_they_know() {
+        for (lang, wanted, title) in [
+            (Lang::En, "fov", "θ view angle"),
+            (Lang::En, "near plane", "F front plane"),
+            (Lang::En, "frustum to cube", "Frustum → cube"),
+            (Lang::En, "gluLookAt", "Other libraries"),
+            (Lang::En, "z-fighting", "Depth, z-fighting"),
+            (Lang::En, "painter", "Hidden surfaces"),
+            (Lang::En, "view matrix", "M_v view matrix (5.7)"),
+            (Lang::En, "direct3d", "Conventions"),
+            (Lang::PtBr, "abertura", "θ ângulo de vista"),
+            (Lang::PtBr, "angulo de vista", "θ ângulo de vista"),
+            (Lang::PtBr, "recorte", "Recorte"),
+            (Lang::PtBr, "matriz de vista", "M_v matriz de vista (5.7)"),
+            (Lang::PtBr, "lookAt", "Outras bibliotecas"),
+        ] {
+            let found = titles(lang, wanted);
+            assert!(found.iter().take(2).any(|found| found == title), "{wanted}: {found:?}");
+        }
+        assert_eq!(titles(Lang::En, "xyzzy"), Vec::<String>::new());
+    }
+}

@@ -1,0 +1,48 @@
+//! The last message: news in the bar at the top, errors in full at the bottom until they are closed.
+
+use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
+
+use crate::gui::kit::elide;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{Message, State};
+use crate::i18n::window;
+
+/// The news, as much of it as there is room for, and how many warnings there are.
+pub fn news(ui: &mut egui::Ui, state: &State) {
+    let t = window::texts(state.settings.lang);
+    let warnings = state.warnings();
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        if !warnings.is_empty() {
+            let text = RichText::new(format!("⚠ {}", warnings.len())).color(ui.visuals().warn_fg_color);
+            ui.label(text).explained(format!("{}:\n{}", t.warnings, warnings.join("\n")));
+        }
+        if let Some(message) = state.message.as_ref().filter(|message| !message.is_error()) {
+            let text = message.text(state.settings.lang);
+            let (font, room) = (TextStyle::Body.resolve(ui.style()), ui.available_width());
+            let said = elide::parts(&text, |text| elide::width(ui, &font, text) <= room);
+            let said = RichText::new(said);
+            // What somebody has to do is no news that one may miss.
+            let said = if matches!(message, Message::TaskFirst) { said.strong() } else { said.weak() };
+            let label = Label::new(said).truncate().show_tooltip_when_elided(false);
+            ui.add(label).explained(text);
+        }
+    });
+}
+
+/// The error, with a button that closes it.
+pub fn error(ui: &mut egui::Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    let Some(message) = state.message.as_ref().filter(|message| message.is_error()) else { return };
+    let mut closed = false;
+    egui::Panel::bottom("error").show(ui, |ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            closed = ui.add(Button::new("✕")).explained(t.close).accessible_name(t.close).clicked();
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                crate::gui::inspector::complaint(ui, &message.text(state.settings.lang));
+            });
+        });
+    });
+    if closed {
+        state.message = None;
+    }
+}

@@ -1,0 +1,368 @@
+//! The question of how pictures are exported, with the picture as it will be.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{self, Color32, Id, Key, Modifiers, Rect, RichText, Sense, Vec2, WidgetInfo, vec2};
+
+use super::family;
+use super::preview::{Preview, can_be_copied};
+use crate::appearance::Theme;
+use crate::export::format::PictureFormat;
+use crate::export::paper::PaperPreset;
+use crate::gui::export::{Export, ExportSource, Paper, as_letters};
+use crate::gui::files::file_flow;
+use crate::gui::inspector::{choice, complaint, row};
+use crate::gui::kit::dialog_buttons::{Pressed, buttons};
+use crate::gui::kit::number_field::{FieldError, NumberField, Step};
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{Dialog, Purpose, State};
+use crate::i18n::window::Texts;
+use crate::i18n::{families, pictures};
+use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
+use crate::picture::{Crowded, Faces};
+use crate::views::{View, Views};
+
+/// The width of the settings, of the preview beside them and of both with the gap, in points.
+const SETTINGS: f32 = 360.0;
+const PICTURE: Vec2 = vec2(360.0, 240.0);
+const BETWEEN: f32 = 20.0;
+pub(in crate::gui) const WIDTH: f32 = SETTINGS + BETWEEN + PICTURE.x;
+
+/// The height of what stands above and below the settings, in points.
+const AROUND: f32 = 130.0;
+
+/// The narrowest picture that is worth its room.
+const LEAST_PICTURE: f32 = 120.0;
+
+/// Asks how; goes on to the question where.
+pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export, first: bool) {
+    let enter = !first && enter(ui);
+    ui.heading(t.export_heading);
+    ui.add_space(6.0);
+    let room = (ui.available_width() - SETTINGS - BETWEEN).min(PICTURE.x);
+    // In a low window the settings scroll, and the buttons stay in sight.
+    let height = (ui.ctx().content_rect().height() - AROUND).max(LEAST_PICTURE);
+    let area = egui::ScrollArea::vertical().max_height(height).auto_shrink([false, true]);
+    let row = |ui: &mut egui::Ui| {
+        ui.spacing_mut().item_spacing.x = BETWEEN;
+        let width = SETTINGS.min(ui.available_width());
+        let column = |ui: &mut egui::Ui| {
+            ui.set_width(width);
+            ui.spacing_mut().item_spacing.x = 8.0;
+            settings(ui, t, state, &mut export)
+        };
+        let errors = ui.vertical(column).inner;
+        if room >= LEAST_PICTURE {
+            ui.vertical(|ui| {
+                ui.set_width(room);
+                picture(ui, t, state, &export, (vec2(room, PICTURE.y), errors.is_empty()));
+            });
+        }
+        errors
+    };
+    let errors = area.show(ui, |ui| ui.horizontal_top(row).inner).inner;
+    ui.add_space(10.0);
+    let pressed = match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
+        Pressed::Nothing if enter => Pressed::Action(0),
+        pressed => pressed,
+    };
+    match pressed {
+        Pressed::Action(_) if errors.is_empty() => {
+            state.export = export;
+            file_flow::ask(ui.ctx(), state, Purpose::Export(export));
+        }
+        Pressed::Cancel => {}
+        Pressed::Action(_) | Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Export(export)),
+    }
+}
+
+/// True, under this name, where a checkbox of the dialog has the focus.
+fn on_checkbox() -> Id {
+    Id::unique("checkbox of the export dialog has the focus")
+}
+
+/// Enter exports wherever it has nothing else to do: where nothing has the focus, and on checkboxes, which the space
+/// bar switches.
+fn enter(ui: &egui::Ui) -> bool {
+    let free = ui.memory(|memory| memory.focused()).is_none() && !egui::Popup::is_any_open(ui.ctx());
+    let on_checkbox = ui.data_mut(|data| data.remove_temp::<bool>(on_checkbox())).is_some();
+    (free || on_checkbox) && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter))
+}
+
+/// A switch.
+fn checkbox(ui: &mut egui::Ui, on: &mut bool, text: impl Into<egui::WidgetText>, hint: &str) {
+    let response = ui.checkbox(on, text.into()).explained(hint).explained_disabled(hint);
+    if response.has_focus() {
+        ui.data_mut(|data| data.insert_temp(on_checkbox(), true));
+    }
+}
+
+/// The present screen, for the export.
+fn subject(state: &State, export: &Export) -> ExportSource {
+    ExportSource::of(&state.document, state.figure_as_shown(), state.settings.lang, export.theme)
+        .with_family(state.family.clone(), state.operations.convention)
+}
+
+/// The picture as it will be, how large it is, and the button that copies it.
+fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Export, (room, valid): (Vec2, bool)) {
+    let ctx = ui.ctx().clone();
+    let mut preview = state.file_flow.preview.take().unwrap_or_default();
+    if valid {
+        preview.follow(
+            &ctx,
+            (export, &state.family),
+            [room.x, room.y].map(|side| side * ctx.pixels_per_point()),
+            || subject(state, export),
+        );
+    }
+    let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, t.export_preview));
+    paint(ui, &preview, rect, export.is_without_ground());
+    if preview.texture().is_none() {
+        let why = preview.fault.as_ref().map_or_else(|| t.export_drawing.to_owned(), |error| error.text(t.lang, ""));
+        // A child of its own: the content below does not move.
+        let middle = egui::Layout::centered_and_justified(egui::Direction::TopDown);
+        let place = egui::UiBuilder::new().max_rect(rect.shrink(12.0)).layout(middle);
+        ui.new_child(place).add(egui::Label::new(RichText::new(why).weak()).wrap());
+    }
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 8.0;
+        let copying = preview.is_copying();
+        let fits = can_be_copied(export, preview.size().unwrap_or([export.width, export.height]));
+        let button = ui.add_enabled(valid && fits && !copying, egui::Button::new(t.export_copy));
+        let hint = match (fits, export.format.is_vector()) {
+            (true, false) => t.export_copy_hint,
+            (true, true) => t.export_copy_svg_hint,
+            (false, _) => t.export_copy_too_large,
+        };
+        if button.explained(hint).explained_disabled(hint).clicked() {
+            state.export = *export;
+            let subject = subject(state, export);
+            preview.copy(&ctx, export, subject);
+        }
+        match &preview.copied {
+            _ if copying => {
+                ui.label(t.export_drawing);
+            }
+            Some(Ok(())) => {
+                ui.label(t.copied);
+            }
+            Some(Err(error)) => complaint(ui, &error.text(t.lang, "")),
+            None => {}
+        }
+    });
+    if let Some(crowded) = &preview.crowded {
+        let text = format!("⚠ {}", pictures::crowded(t.lang, crowded));
+        ui.add(egui::Label::new(RichText::new(text).color(ui.visuals().warn_fg_color)).wrap());
+    }
+    state.file_flow.preview = Some(preview);
+}
+
+/// The picture in the middle of a place, on a chequered ground where it has none of its own.
+fn paint(ui: &egui::Ui, preview: &Preview, room: Rect, transparent: bool) {
+    let painter = ui.painter().with_clip_rect(room.expand(1.0).intersect(ui.clip_rect()));
+    let border = ui.visuals().widgets.noninteractive.bg_stroke;
+    let Some(texture) = preview.texture() else {
+        painter.rect_stroke(room, 0.0, border, egui::StrokeKind::Inside);
+        return;
+    };
+    let size = texture.size_vec2();
+    let factor = (room.width() / size.x).min(room.height() / size.y).min(1.0 / ui.ctx().pixels_per_point());
+    let rect = Rect::from_center_size(room.center(), size * factor);
+    if transparent {
+        chequers(&painter.with_clip_rect(rect), rect);
+    }
+    let whole = Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
+    painter.image(texture.id(), rect, whole, Color32::WHITE);
+    painter.rect_stroke(rect, 0.0, border, egui::StrokeKind::Outside);
+}
+
+/// Squares of two greys, as image editors show that there is nothing.
+fn chequers(painter: &egui::Painter, rect: Rect) {
+    const SIDE: f32 = 8.0;
+    painter.rect_filled(rect, 0.0, Color32::from_gray(250));
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few squares")]
+    let count = |length: f32| (length / SIDE).ceil() as u16;
+    for row in 0..count(rect.height()) {
+        for column in (row % 2..count(rect.width())).step_by(2) {
+            let at = rect.min + SIDE * vec2(f32::from(column), f32::from(row));
+            painter.rect_filled(Rect::from_min_size(at, Vec2::splat(SIDE)), 0.0, Color32::from_gray(215));
+        }
+    }
+}
+
+/// A field, and the fault of the typed text.
+type Fault = (&'static str, FieldError);
+
+/// The settings; returns the faults of typed texts.
+fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mut Export) -> Vec<Fault> {
+    let pair = [[t.show_world, t.show_image], [t.show_world, t.show_canonical], [t.show_canonical, t.show_image]]
+        .map(|names| names.join(", "));
+    let what = [
+        (Views::All, t.export_all),
+        (Views::Without(View::Canonical), pair[0].as_str()),
+        (Views::Without(View::Image), pair[1].as_str()),
+        (Views::Without(View::World), pair[2].as_str()),
+        (Views::One(View::World), t.show_world),
+        (Views::One(View::Canonical), t.show_canonical),
+        (Views::One(View::Image), t.show_image),
+    ];
+    row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
+    family::rows(ui, t, &mut state.family);
+    let sizes = [
+        ((Some(1), false), "1 ×"),
+        ((Some(2), false), "2 ×"),
+        ((Some(3), false), "3 ×"),
+        ((Some(4), false), "4 ×"),
+        ((None, false), t.export_typed),
+        ((None, true), t.export_paper),
+    ];
+    let mut size = (export.times.filter(|_| !export.on_paper), export.on_paper);
+    row(ui, "", t.export_size, t.export_size_hint, |ui| {
+        choice(ui, t.export_size, t.export_size_hint, &mut size, &sizes)
+    });
+    (export.times, export.on_paper) = size;
+    let crowded = state.file_flow.preview.as_ref().and_then(|preview| preview.crowded);
+    // Always there, so that nothing moves under the pointer.
+    let on_paper = export.on_paper;
+    let mut errors = ui.add_enabled_ui(on_paper, |ui| paper(ui, t, export, crowded)).inner;
+    errors.retain(|_| on_paper);
+    export.fit_screen(state.picture_sizes, state.screen_scale);
+    // A family in multiples of the screen is larger than its figure.
+    let of_family = state.file_flow.preview.as_ref().and_then(Preview::size);
+    let of_family = of_family.filter(|_| size.0.is_some() && state.family.variations().is_some());
+    errors.extend(row(ui, "", t.export_pixels, "", |ui| {
+        ui.add_enabled_ui(size == (None, false), |ui| match of_family {
+            Some([width, height]) => {
+                pixels(ui, t, &mut Export { width, height, ..*export });
+                // Its faults are said in place of the preview.
+                Vec::new()
+            }
+            None => pixels(ui, t, export),
+        })
+        .inner
+    }));
+    for (field, error) in &errors {
+        complaint(ui, &format!("{field}: {}", error.text(t.lang)));
+    }
+    let themes = [(Theme::Print, t.theme_print), (Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark)];
+    row(ui, "", t.theme_name, t.export_theme_hint, |ui| {
+        choice(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes)
+    });
+    let formats = PictureFormat::ALL.map(|format| (format, format.name()));
+    row(ui, "", t.export_format, t.export_format_hint, |ui| {
+        choice(ui, t.export_format, t.export_format_hint, &mut export.format, &formats)
+    });
+    let faces = [
+        (Faces::Auto, t.export_faces_auto),
+        (Faces::Areas, t.export_faces_areas),
+        (Faces::Picture, t.export_faces_picture),
+    ];
+    // Always there, so that nothing moves under the pointer.
+    ui.add_enabled_ui(export.format.is_vector(), |ui| {
+        row(ui, "", t.export_faces, t.export_faces_hint, |ui| {
+            choice(ui, t.export_faces, t.export_faces_hint, &mut export.faces, &faces);
+            checkbox(ui, &mut export.outlines, t.export_outlines, t.export_outlines_hint);
+        });
+    });
+    ui.add_space(4.0);
+    let able = export.format.has_transparency();
+    ui.add_enabled_ui(able, |ui| {
+        let hint = if able { t.export_transparent_hint } else { t.export_opaque_hint };
+        // A format without transparency shows the effect, and forgets nothing.
+        let mut shown = export.is_without_ground();
+        checkbox(ui, &mut shown, t.export_transparent, hint);
+        if able {
+            export.transparent = shown;
+        }
+    });
+    checkbox(ui, &mut export.crop, t.export_crop, t.export_crop_hint);
+    ui.label(RichText::new(t.export_note).small().weak());
+    errors
+}
+
+/// The size on paper; returns the faults of typed texts.
+fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Option<Crowded>) -> Vec<Fault> {
+    let field = |ui: &mut egui::Ui, name: &'static str, range, value: &mut f64| {
+        let field = NumberField::new(name, Step::Add(1.0)).within(range).width(64.0);
+        field.show(ui, t, value).error.map(|error| (name, error))
+    };
+    let paper = &mut export.paper;
+    let mut errors = Vec::new();
+    preset(ui, t, paper);
+    row(ui, "", t.export_centimetres, "", |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        errors.extend(field(ui, t.export_width_cm, PAPER_CM, &mut paper.size[0]));
+        ui.label("×");
+        errors.extend(field(ui, t.export_height_cm, PAPER_CM, &mut paper.size[1]));
+    });
+    row(ui, "", t.export_dpi, "", |ui| {
+        errors.extend(field(ui, t.export_dpi, PAPER_DPI, &mut paper.dpi));
+    });
+    row(ui, "", t.export_letters, t.export_letters_hint, |ui| {
+        errors.extend(field(ui, t.export_letters, PAPER_LETTERS, &mut paper.letters));
+    });
+    let letters = crowded.map_or(paper.letters, |crowded| crowded.letters);
+    errors.extend(lines(ui, t, &mut paper.lines, as_letters(letters)));
+    errors
+}
+
+/// A place that the picture is made for, which sets its size and its letters.
+fn preset(ui: &mut egui::Ui, t: &'static Texts, paper: &mut Paper) {
+    let words = families::texts(t.lang);
+    let names = PaperPreset::ALL.map(|preset| match preset {
+        PaperPreset::Column => words.column,
+        PaperPreset::A4 => words.a4,
+        PaperPreset::Slide => words.slide,
+        PaperPreset::Square => words.square,
+    });
+    let size = |preset: PaperPreset| {
+        let (width, height) = preset.size();
+        // A picture of 4 by 3, where the height is free.
+        [width, height.unwrap_or(0.75 * width)]
+    };
+    let is = |preset: &PaperPreset| paper.size == size(*preset) && paper.letters == preset.letters();
+    let mut now = PaperPreset::ALL.into_iter().find(is);
+    let choices: Vec<(Option<PaperPreset>, &str)> =
+        [(None, words.own_size)].into_iter().chain(PaperPreset::ALL.map(Some).into_iter().zip(names)).collect();
+    let changed =
+        row(ui, "", words.paper, words.paper_hint, |ui| choice(ui, words.paper, words.paper_hint, &mut now, &choices));
+    if let Some(preset) = now.filter(|_| changed) {
+        (paper.size, paper.letters) = (size(preset), preset.letters());
+    }
+}
+
+/// The width of lines, which follows the letters as long as it has none of its own; returns the fault of the typed
+/// text.
+fn lines(ui: &mut egui::Ui, t: &'static Texts, lines: &mut Option<f64>, as_letters: f64) -> Option<Fault> {
+    let mut fault = None;
+    row(ui, "", t.export_lines, t.export_lines_hint, |ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        let mut points = lines.unwrap_or(as_letters);
+        let mut own = lines.is_some();
+        ui.add_enabled_ui(own, |ui| {
+            let field = NumberField::new(t.export_lines, Step::Add(0.1)).within(PAPER_LINES).width(64.0);
+            fault = field.show(ui, t, &mut points).error.map(|error| (t.export_lines, error));
+        });
+        checkbox(ui, &mut own, t.export_lines_own, t.export_lines_hint);
+        *lines = own.then_some(points);
+    });
+    fault
+}
+
+/// Width and height; returns the faults of typed texts.
+fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Fault> {
+    let [mut width, mut height] = [f64::from(export.width), f64::from(export.height)];
+    let sides = 1.0..=f64::from(MAX_SIDE);
+    let field = |name: &str| NumberField::new(name, Step::Add(16.0)).whole().within(sides.clone()).width(64.0);
+    ui.spacing_mut().item_spacing.x = 4.0;
+    let of_width = field(t.export_width).show(ui, t, &mut width);
+    ui.label("×");
+    let of_height = field(t.export_height).show(ui, t, &mut height);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers that fit")]
+    let side = |v: f64| v as u32;
+    (export.width, export.height) = (side(width), side(height));
+    let fits = |side: u32| sides.contains(&f64::from(side));
+    let too_large = (!fits(export.width) || !fits(export.height)).then(|| FieldError::Outside(sides.clone()));
+    let faults = [(t.export_width, of_width.error), (t.export_height, of_height.error), (t.export_pixels, too_large)];
+    faults.into_iter().filter_map(|(field, error)| Some((field, error?))).collect()
+}

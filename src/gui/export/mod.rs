@@ -1,0 +1,507 @@
+//! Pictures into files: the same way as `camera-lab render`, so that the bytes are the same.
+
+pub(super) mod chart_export;
+pub(super) mod export_dialog;
+pub(super) mod family;
+pub mod family_choice;
+pub mod preview;
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use eframe::egui;
+
+use crate::appearance::Theme;
+use crate::camera::{Camera, CameraError, Convention, Decomposition};
+use crate::clock;
+use crate::export::animation::AnimationFormat;
+use crate::export::format::PictureFormat;
+use crate::export::plot::{Block, encode};
+use crate::export::vector::Letters;
+use crate::figure::Figure;
+use crate::figure::update;
+use crate::figure::variation::{Variant, Variation, VariationError, variants};
+use crate::files::{self, FigureFiles, FileAccess, FileError, Overwrite};
+use crate::gui::background::worker::{Running, Worker};
+use crate::gui::export::family_choice::FamilyChoice;
+use crate::gui::model::document::Document;
+use crate::i18n::{Lang, families, messages, pictures, window};
+use crate::limits::{MAX_FAMILY, PAPER_LINES};
+use crate::numbers::round_to;
+use crate::picture::{
+    self, Animation, Beside, Composite, Faces, Family, FileOptions, FilmFormat, NoComposite, OnPaper, PictureError,
+    PictureFile, SheetSize, Told,
+};
+use crate::pipeline::OverBudget;
+use crate::progress::Progress;
+use crate::scene::SceneError;
+use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
+
+/// The export settings: pictures, size, theme.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Export {
+    /// One picture, or all three on a sheet.
+    pub what: Views,
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Multiple of the size on screen; `None`: the size was typed.
+    pub times: Option<u32>,
+    /// The size is that on paper, below; `times` does not count.
+    pub on_paper: bool,
+    /// The settings for paper.
+    pub paper: Paper,
+    /// The format that is proposed; the name of the file decides.
+    pub format: PictureFormat,
+    /// Without ground, where the format has transparency.
+    pub transparent: bool,
+    /// Crop the empty background around each picture.
+    pub crop: bool,
+    /// How the faces of vectors are written.
+    pub faces: Faces,
+    /// The letters of vectors are outlines, and no text.
+    pub outlines: bool,
+    /// The theme of the picture.
+    pub theme: Theme,
+    /// Thick strokes and large type by this factor.
+    pub scale: f32,
+}
+
+/// The width of lines in proportion to letters of a height, both in points, to two decimals.
+pub(super) fn as_letters(letters: f64) -> f64 {
+    round_to(letters * Size::EDGES_TO_LETTERS, 0.01).max(*PAPER_LINES.start())
+}
+
+/// A size on paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Paper {
+    /// Width and height in centimetres.
+    pub size: [f64; 2],
+    /// Pixels per inch.
+    pub dpi: f64,
+    /// Height of the letters of names in points.
+    pub letters: f64,
+    /// Width of the edges of solids in points; `None`: in proportion to the letters.
+    pub lines: Option<f64>,
+}
+
+impl Paper {
+    /// The request for a picture on paper.
+    fn asked(self) -> OnPaper {
+        let Self { dpi, letters, lines, .. } = self;
+        OnPaper { dpi, letters: Some(letters), lines, arranged: true }
+    }
+}
+
+impl Default for Paper {
+    /// A picture in a column of a page.
+    fn default() -> Self {
+        Self { size: [8.0, 6.0], dpi: 300.0, letters: 9.0, lines: None }
+    }
+}
+
+impl Export {
+    /// The options of its file.
+    pub(super) fn form(&self) -> FileOptions {
+        let letters = if self.outlines { Letters::Outlines } else { Letters::Text };
+        let dpi = self.on_paper.then_some(self.paper.dpi);
+        FileOptions { format: self.format, crop: self.crop, dpi, faces: self.faces, letters }
+    }
+
+    /// All three pictures as on the screen, for paper. `sizes`: width and height of each picture on the screen, in the
+    /// order of [`View::ALL`]; `scale`: pixels there for one unit of stroke width.
+    #[must_use]
+    pub fn new(sizes: [[u32; 2]; View::COUNT], scale: f32) -> Self {
+        let mut export = Self {
+            what: Views::All,
+            width: 0,
+            height: 0,
+            times: Some(2),
+            on_paper: false,
+            paper: Paper::default(),
+            format: PictureFormat::ALL[0],
+            transparent: false,
+            crop: false,
+            faces: Faces::default(),
+            outlines: false,
+            theme: Theme::Print,
+            scale: 1.0,
+        };
+        export.fit_screen(sizes, scale);
+        export
+    }
+
+    /// Sets the size to that on paper, or to that on the screen, `times` as large, which may be more than a picture can
+    /// have; `sizes` and `scale` as in [`new`](Self::new).
+    pub fn fit_screen(&mut self, sizes: [[u32; 2]; View::COUNT], scale: f32) {
+        if self.on_paper {
+            let paper = self.paper.asked();
+            let [width, height] = self.paper.size.map(|cm| pixels(paper.pixels_across(cm)));
+            #[expect(clippy::cast_possible_truncation, reason = "the height of letters")]
+            let letters = paper.pixels(self.paper.letters) as f32;
+            (self.width, self.height) = (width, height);
+            self.scale = Size::with_letters(width, height, letters).scale;
+            return;
+        }
+        let Some(times) = self.times else { return };
+        let [width, height] = match self.what {
+            Views::One(view) => sizes[view.index()],
+            Views::All => together(sizes),
+            Views::Without(other) => {
+                let all = together(sizes);
+                [(all[0] - sizes[other.index()][0].min(all[0] / 3)).max(1), all[1]]
+            }
+        };
+        let side = |pixels: u32| pixels.max(1).saturating_mul(times);
+        (self.width, self.height) = (side(width), side(height));
+        self.scale = times as f32 * scale;
+    }
+}
+
+impl Export {
+    /// The size of the picture.
+    #[must_use]
+    pub fn size(&self) -> Size {
+        Size { width: self.width, height: self.height, scale: self.scale }
+    }
+
+    /// True where the picture is going to have no ground.
+    #[must_use]
+    pub fn is_without_ground(&self) -> bool {
+        self.transparent && self.format.has_transparency()
+    }
+}
+
+/// Whole pixels.
+fn pixels(side: f64) -> u32 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "what is too large or too small is told"
+    )]
+    let side = side.round() as u32;
+    side
+}
+
+/// Room for three pictures side by side: as on the screen, or, where they are stacked there, as large as the largest, 4
+/// by 3.
+fn together(sizes: [[u32; 2]; View::COUNT]) -> [u32; 2] {
+    if sizes.iter().all(|size| size[1] == sizes[0][1]) {
+        return [sizes.iter().map(|size| size[0]).sum(), sizes[0][1]];
+    }
+    let area = sizes.iter().map(|[width, height]| f64::from(*width) * f64::from(*height)).fold(1.0, f64::max);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sides of a screen")]
+    let side = |v: f64| v.round() as u32;
+    [3 * side((area * 4.0 / 3.0).sqrt()), side((area * 0.75).sqrt())]
+}
+
+/// Width and height of each picture of a film.
+const FILM: [u32; 2] = [640, 480];
+/// Duration of a step in it.
+const STEP_SECONDS: f64 = 2.0;
+
+/// Why a picture was not written.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum ExportError {
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    #[error(transparent)]
+    File(#[from] FileError),
+    #[error(transparent)]
+    Family(#[from] VariationError),
+    /// A picture without background, in a format that has no transparency.
+    #[error("{} has no transparency", .0.name())]
+    NoTransparency(PictureFormat),
+    /// The user does not want it any more.
+    #[error("cancelled")]
+    Cancelled,
+    /// The export panicked.
+    #[error("a bug in this program")]
+    Panic,
+}
+
+/// The result of an export: a shortfall, or the reason why nothing was written.
+pub(super) type Exported = Result<Option<OverBudget>, ExportError>;
+
+impl ExportError {
+    /// Why the picture `name` was not written.
+    pub(super) fn text(&self, lang: Lang, name: &str) -> String {
+        let t = window::texts(lang);
+        match self {
+            Self::Camera(error) => messages::camera(lang, error),
+            Self::Scene(error) => messages::scene(lang, error),
+            Self::Family(error) => families::error(lang, error),
+            Self::Cancelled | Self::Picture(PictureError::Cancelled) => format!("{} {name}", t.export_cancelled),
+            Self::Picture(PictureError::TooLarge | PictureError::Composite(NoComposite::TooLarge)) => {
+                t.picture_too_large.to_owned()
+            }
+            Self::Picture(PictureError::Composite(NoComposite::UnevenRows { count, columns })) => {
+                families::uneven_rows(lang, *count, *columns)
+            }
+            Self::Picture(PictureError::Composite(NoComposite::NoRoom { count, .. })) => {
+                format!("{count} {}", t.picture_no_room)
+            }
+            Self::Picture(PictureError::Strokes) => messages::too_much(lang, &OverBudget::Strokes),
+            Self::Picture(error @ PictureError::Font) => error.to_string(),
+            Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
+            Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, format.name(), why),
+            Self::Picture(PictureError::Animate { format, why }) => messages::encoder(lang, format.name(), why),
+            Self::File(error) => messages::file(lang, name, error),
+            Self::NoTransparency(format) => format!("{} {}", format.name(), t.export_no_transparency),
+            Self::Panic => format!("{} {name}", t.picture_failed),
+        }
+    }
+}
+
+/// A picture that is being written.
+#[derive(Debug)]
+pub(super) struct Exporting {
+    path: PathBuf,
+    worker: Worker<Task, Exported>,
+}
+
+/// The source of exported pictures.
+pub(super) struct ExportSource {
+    figure: Figure,
+    shot: Shot,
+    folder: PathBuf,
+    reach: FileAccess,
+    lang: Lang,
+    family: FamilyChoice,
+    convention: Convention,
+}
+
+impl ExportSource {
+    /// The present screen, in a theme. The figure is [`State::figure_as_shown`](super::State::figure_as_shown).
+    pub(super) fn of(document: &Document, shown: Figure, lang: Lang, theme: Theme) -> Self {
+        let mut figure = shown;
+        figure.style.theme = theme;
+        let shot = Shot::of(&figure);
+        let folder = document.folder().map(Path::to_owned).unwrap_or_default();
+        let (family, convention) = (FamilyChoice::default(), Convention::default());
+        Self { figure, shot, folder, reach: document.reach(), lang, family, convention }
+    }
+
+    /// The same as a family, whose rotations follow a convention.
+    pub(super) fn with_family(self, family: FamilyChoice, convention: Convention) -> Self {
+        Self { family, convention, ..self }
+    }
+
+    /// The sheet of a family.
+    fn family(
+        &self,
+        (export, request): (&Export, &Request),
+        variations: &[Variation],
+        camera: &Camera,
+        progress: &Progress,
+    ) -> Result<Composite, ExportError> {
+        let mut files = FigureFiles::new(&self.folder, self.reach);
+        let mut members: Vec<(Variant, SharedScene)> = Vec::new();
+        for variant in variants(&self.figure, camera, variations, self.convention, MAX_FAMILY)? {
+            let same = |(other, _): &&(Variant, SharedScene)| {
+                other.figure.scene == variant.figure.scene && other.figure.style == variant.figure.style
+            };
+            let scene = match members.iter().find(same) {
+                Some((_, scene)) => scene.clone(),
+                None => SharedScene::new(scene_of(&variant.figure, &mut |wanted| files.read(wanted), progress)?),
+            };
+            members.push((variant, scene));
+        }
+        let count = members.len() * export.what.views().count();
+        if count > MAX_FAMILY {
+            return Err(VariationError::TooMany { count, limit: MAX_FAMILY }.into());
+        }
+        let FamilyChoice { columns, parts, .. } = self.family;
+        // Two keys are a table.
+        let columns = columns.or_else(|| variations.get(1).map(|second| second.values.len()));
+        let captions = self.family.captions();
+        let family = Family { members, views: export.what, columns, parts, captions, observer_of: None };
+        // In multiples of the screen, each picture is as large as there.
+        let size = if export.on_paper || export.times.is_none() {
+            SheetSize::Whole([export.width, export.height])
+        } else {
+            let side_by_side = u32::try_from(export.what.views().count()).unwrap_or(1).max(1);
+            SheetSize::Pictures([(export.width / side_by_side).max(1), export.height])
+        };
+        let paper = export.on_paper.then(|| export.paper.asked());
+        Ok(family.sheet(request, size, Some(export.scale), paper.as_ref()).map_err(PictureError::from)?)
+    }
+
+    /// The words that go with its pictures into their file.
+    pub(super) fn told(&self, sheet: &Composite, figure: String) -> Told {
+        pictures::told_of(self.lang, &self.figure, sheet, figure)
+    }
+
+    /// Each picture of the way to the canonical volume.
+    fn film(&self, progress: &Progress) -> Result<Request, ExportError> {
+        let Self { figure, shot, folder, reach, lang, .. } = self;
+        let camera = Camera::new(&figure.camera)?;
+        let mut files = FigureFiles::new(folder, *reach);
+        let scene = SharedScene::new(scene_of(figure, &mut |wanted| files.read(wanted), progress)?);
+        let size = Size { width: FILM[0], height: FILM[1], scale: 1.0 };
+        Ok(Request::new(shot, View::Canonical, &camera, &scene, pictures::labels(*lang), size))
+    }
+
+    /// The drawn pictures.
+    pub(super) fn sheet(&self, export: &Export, progress: &Progress) -> Result<Composite, ExportError> {
+        let Self { figure, shot, folder, reach, lang, .. } = self;
+        let camera = Camera::new(&figure.camera)?;
+        let mut files = FigureFiles::new(folder, *reach);
+        let scene = scene_of(figure, &mut |wanted| files.read(wanted), progress)?;
+        let labels = pictures::labels(*lang);
+        let scene = SharedScene::new(scene);
+        let request = Request::new(shot, View::Image, &camera, &scene, labels, export.size());
+        let finish = Finish { transparent: export.is_without_ground(), ..Finish::default() };
+        let request = Request { finish, ..request };
+        if let Some(variations) = self.family.variations() {
+            return self.family((export, &request), &variations?, &camera, progress);
+        }
+        let paper = export.on_paper.then(|| export.paper.asked());
+        Ok(Composite::of(export.what, &request, shot, paper.as_ref()).map_err(PictureError::from)?)
+    }
+}
+
+/// Everything that a picture in a file depends on.
+pub(super) struct Task {
+    subject: ExportSource,
+    source: String,
+    what: ExportKind,
+    path: PathBuf,
+    overwrite: Overwrite,
+}
+
+/// The kind of the file.
+#[derive(Clone, Copy)]
+pub(super) enum ExportKind {
+    Pictures(Export),
+    /// The way to the canonical volume by these steps, in a theme.
+    Animation(Decomposition, Theme),
+}
+
+impl Exporting {
+    /// Draws and writes beside the window's thread.
+    pub(super) fn start(ctx: &egui::Context, task: Task) -> Self {
+        Self::with(ctx, task, || async |task: Task, progress: &Progress| task.run(progress).await)
+    }
+
+    /// As [`start`](Self::start), by other means of drawing and writing.
+    pub(super) fn with<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(
+        ctx: &egui::Context,
+        task: Task,
+        make: impl Fn() -> W + Send + Sync + 'static,
+    ) -> Self {
+        let path = task.path.clone();
+        let mut worker = Worker::new("export", clock::now, make);
+        worker.ask(ctx, 0, task);
+        Self { path, worker }
+    }
+
+    /// The path of the file.
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The running work.
+    pub(super) fn running(&self) -> Option<Running> {
+        self.worker.running()
+    }
+
+    /// Gives it up; it still comes to its end, but soon.
+    pub(super) fn cancel(&self) {
+        self.worker.cancel();
+    }
+
+    /// The result and its path, once it has ended.
+    pub(super) fn take(&mut self) -> Option<(PathBuf, Exported)> {
+        let [done] = self.worker.take(Duration::ZERO);
+        Some((self.path.clone(), done?.outcome.unwrap_or(Err(ExportError::Panic))))
+    }
+}
+
+impl Task {
+    /// `shown`: see [`ExportSource::of`].
+    pub(super) fn new(
+        (document, shown): (&Document, Figure),
+        lang: Lang,
+        what: ExportKind,
+        (path, overwrite): (PathBuf, Overwrite),
+    ) -> Self {
+        let theme = match what {
+            ExportKind::Pictures(export) => export.theme,
+            ExportKind::Animation(_, theme) => theme,
+        };
+        let subject = ExportSource::of(document, shown, lang, theme);
+        Self { subject, source: document.source().to_owned(), what, path, overwrite }
+    }
+
+    /// The same as a family.
+    pub(super) fn with_family(self, family: FamilyChoice, convention: Convention) -> Self {
+        Self { subject: self.subject.with_family(family, convention), ..self }
+    }
+
+    async fn run(self, progress: &Progress) -> Exported {
+        let PictureFile { bytes, beside, too_much, .. } = self.file(progress).await.map_err(|error| match error {
+            _ if progress.is_cancelled() => ExportError::Cancelled,
+            error => error,
+        })?;
+        save_both(&self.path, &bytes, beside, self.overwrite)?;
+        Ok(too_much)
+    }
+
+    /// The file, with the figure file in it.
+    async fn file(&self, progress: &Progress) -> Result<PictureFile, ExportError> {
+        let Self { subject, source, what, path, .. } = self;
+        let export = match what {
+            ExportKind::Pictures(export) => export,
+            ExportKind::Animation(decomposition, _) => {
+                let film = Animation { request: subject.film(progress)?, decomposition: *decomposition };
+                let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));
+                let told = subject.told(&film.stills(), update(source, &subject.figure)).for_file(path);
+                return Ok(film.file(format, STEP_SECONDS, &told, progress).await?);
+            }
+        };
+        let sheet = subject.sheet(export, progress)?;
+        let told = subject.told(&sheet, update(source, &subject.figure)).for_file(path);
+        Ok(picture::file(&sheet, export.form(), &told, progress).await?)
+    }
+}
+
+/// Writes charts, in the format that the name of the file says.
+pub(super) fn save_chart(block: &Block, lang: Lang, path: &Path, overwrite: Overwrite) -> Result<(), FileError> {
+    let format = PictureFormat::of(path).unwrap_or(PictureFormat::Svg);
+    let (bytes, beside) = encode(std::slice::from_ref(block), lang.tag(), format, path)
+        .map_err(|error| FileError::Write(std::io::Error::other(error)))?;
+    save_both(path, &bytes, beside, overwrite)
+}
+
+fn save_both(path: &Path, bytes: &[u8], beside: Option<Beside>, overwrite: Overwrite) -> Result<(), FileError> {
+    if let Some(Beside { name, bytes }) = beside {
+        files::save(&path.with_file_name(name), &bytes, overwrite)?;
+    }
+    files::save(path, bytes, overwrite)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_size_on_paper_has_pixels_and_letters() {
+        let mut export = Export { on_paper: true, ..Export::new([[400, 300]; 3], 1.0) };
+        export.fit_screen([[400, 300]; 3], 1.0);
+        assert_eq!((export.width, export.height), (945, 709));
+        let size = Size { width: 945, height: 709, scale: export.scale };
+        assert!((size.letters() - 37.5).abs() < 0.1, "9 pt at 300 dpi: {}", size.letters());
+    }
+
+    #[test]
+    fn three_pictures_have_room_side_by_side() {
+        assert_eq!(together([[400, 600], [300, 600], [300, 600]]), [1000, 600]);
+        assert_eq!(together([[800, 300], [395, 300], [395, 301]]), [3 * 566, 424]);
+    }
+}

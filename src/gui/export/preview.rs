@@ -1,0 +1,179 @@
+//! The picture that the export dialog shows, and the one that it copies: drawn beside the window's thread, in the same
+//! way as the one that is written.
+
+use std::time::Duration;
+
+use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+
+use super::family_choice::FamilyChoice;
+use crate::clock;
+use crate::export::format::PictureFormat;
+use crate::gui::background::worker::Worker;
+use crate::gui::export::{Export, ExportError, ExportSource};
+use crate::limits::MAX_COPIED_PIXELS;
+use crate::picture::{self, Crowded, FileOptions, Pixels};
+use crate::progress::Progress;
+
+/// The preview is drawn at this multiple of its displayed size: thin strokes stay whole.
+const FINENESS: f32 = 2.0;
+
+const SHOWN: usize = 0;
+const COPIED: usize = 1;
+
+/// The preview of the export dialog as long as it is open.
+pub struct Preview {
+    worker: Worker<PreviewJob, Done, 2>,
+    /// The last request.
+    asked: Option<(Export, FamilyChoice)>,
+    texture: Option<TextureHandle>,
+    /// The message where several pictures have little space on their paper.
+    pub(in crate::gui) crowded: Option<Crowded>,
+    /// Width and height in pixels of what is exported: a family may be far larger than the picture of its figure.
+    size: Option<[u32; 2]>,
+    /// Why there is no picture.
+    pub(in crate::gui) fault: Option<ExportError>,
+    /// The result of the last copy.
+    pub(in crate::gui) copied: Option<Result<(), ExportError>>,
+}
+
+/// A picture that is wanted.
+struct PreviewJob {
+    subject: ExportSource,
+    export: Export,
+    /// The pixels of the preview's place; `None`: the size of the export.
+    room: Option<[f32; 2]>,
+    /// Vectors as text in place of pixels.
+    as_svg: bool,
+}
+
+/// The result of a job.
+enum Drawn {
+    /// Pixels, the message where several pictures have little space on their paper, and the size of the export.
+    Picture(Pixels, Option<Crowded>, [u32; 2]),
+    /// A picture of vectors as text.
+    Svg(String),
+}
+
+type Done = Result<Drawn, ExportError>;
+
+impl std::fmt::Debug for Preview {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Preview").field("asked", &self.asked).finish_non_exhaustive()
+    }
+}
+
+impl Default for Preview {
+    fn default() -> Self {
+        let worker = Worker::new("preview", clock::now, work);
+        Self { worker, asked: None, texture: None, crowded: None, size: None, fault: None, copied: None }
+    }
+}
+
+fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
+    async |PreviewJob { subject, export, room, as_svg }, progress: &Progress| {
+        let sheet = subject.sheet(&export, progress)?;
+        let size = sheet.size().unwrap_or([export.width, export.height]);
+        let sheet = sheet.reduced(room.map_or(1.0, |room| factor(size, room)));
+        if as_svg {
+            let form = FileOptions { format: PictureFormat::Svg, ..export.form() };
+            let file = picture::file(&sheet, form, &subject.told(&sheet, String::new()), progress).await?;
+            return Ok(Drawn::Svg(String::from_utf8_lossy(&file.bytes).into_owned()));
+        }
+        let (pixels, _) = picture::assembled(&sheet, export.crop, progress).await?;
+        Ok(Drawn::Picture(pixels, sheet.crowded, size))
+    }
+}
+
+impl Preview {
+    /// Takes results, and requests a new preview where the settings have changed; `room`: width and height in pixels of
+    /// its place.
+    pub(in crate::gui) fn follow(
+        &mut self,
+        ctx: &Context,
+        (export, family): (&Export, &FamilyChoice),
+        room: [f32; 2],
+        subject: impl FnOnce() -> ExportSource,
+    ) {
+        let [shown, copied] = self.worker.take(Duration::ZERO);
+        match shown.map(|done| done.outcome.unwrap_or(Err(ExportError::Panic))) {
+            Some(Ok(Drawn::Picture(picture, crowded, size))) => {
+                (self.crowded, self.size) = (crowded, Some(size));
+                self.texture = Some(ctx.load_texture("export preview", image(&picture), TextureOptions::LINEAR));
+                self.fault = None;
+            }
+            Some(Err(error)) => {
+                (self.texture, self.crowded, self.size, self.fault) = (None, None, None, Some(error));
+            }
+            Some(Ok(Drawn::Svg(_))) | None => {}
+        }
+        if let Some(done) = copied {
+            let outcome = done.outcome.unwrap_or(Err(ExportError::Panic));
+            self.copied = Some(outcome.map(|drawn| match drawn {
+                Drawn::Picture(picture, ..) => ctx.copy_image(image(&picture)),
+                Drawn::Svg(text) => ctx.copy_text(text),
+            }));
+        }
+        if self.asked.as_ref().is_none_or(|(asked, of)| asked != export || of != family) {
+            self.asked = Some((*export, family.clone()));
+            self.copied = None;
+            let room = Some(room.map(|side| FINENESS * side));
+            self.worker.ask(ctx, SHOWN, PreviewJob { subject: subject(), export: *export, room, as_svg: false });
+        }
+    }
+
+    /// The picture, once there is one.
+    #[must_use]
+    pub fn texture(&self) -> Option<&TextureHandle> {
+        self.texture.as_ref()
+    }
+
+    /// Width and height in pixels of what is exported, once there is a picture.
+    #[must_use]
+    pub fn size(&self) -> Option<[u32; 2]> {
+        self.size
+    }
+
+    /// Draws the picture at its size, and puts it on the clipboard then: vectors as the text of an SVG file.
+    pub(in crate::gui) fn copy(&mut self, ctx: &Context, export: &Export, subject: ExportSource) {
+        self.copied = None;
+        self.worker.ask(
+            ctx,
+            COPIED,
+            PreviewJob { subject, export: *export, room: None, as_svg: export.format.is_vector() },
+        );
+    }
+
+    /// True while the picture for the clipboard is drawn.
+    pub(in crate::gui) fn is_copying(&self) -> bool {
+        self.worker.is_pending(COPIED)
+    }
+}
+
+/// Whether an export of this size is small enough for the clipboard.
+pub(in crate::gui) fn can_be_copied(export: &Export, [width, height]: [u32; 2]) -> bool {
+    export.format.is_vector() || u64::from(width) * u64::from(height) <= MAX_COPIED_PIXELS
+}
+
+fn image(picture: &Pixels) -> ColorImage {
+    let size = [picture.width() as usize, picture.height() as usize];
+    ColorImage::from_rgba_premultiplied(size, picture.rgba())
+}
+
+/// The reduction of a picture that fits into this number of pixels; 1 where it fits.
+fn factor([width, height]: [u32; 2], room: [f32; 2]) -> f32 {
+    #[expect(clippy::cast_precision_loss, reason = "pixels")]
+    let [width, height] = [width.max(1) as f32, height.max(1) as f32];
+    (room[0] / width).min(room[1] / height).min(1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_larger_than_its_room_is_reduced_to_it() {
+        for (size, expected) in [([6000, 3000], 0.12), ([960, 960], 0.5), ([64, 48], 1.0)] {
+            assert_eq!(factor(size, [720.0, 480.0]), expected);
+        }
+    }
+}

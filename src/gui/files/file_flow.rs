@@ -1,0 +1,652 @@
+//! Opening, saving and closing: the questions, their order, and the actions.
+//!
+//! ```text
+//! New, Open, a dropped file, Quit ── unsaved? ── ask ──┐
+//! Save, Save as, Export ── which file? ── there already? changed by another program? read-only? ── ask ── do it ── then what was wanted
+//! ```
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use eframe::egui::{self, ViewportCommand};
+
+use super::file_kind::FileKind;
+use crate::export::format::PictureFormat;
+use crate::figure::{Figure, read, update};
+use crate::files::{self, FileChange, FileError, Overwrite, disk};
+use crate::gui::export::{ExportError, ExportKind, Exporting, Task, save_chart};
+use crate::gui::gallery::Source;
+use crate::gui::model::document::Document;
+use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
+use crate::gui::state::{
+    AfterSave, Agreed, Asking, Changed, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State, Tab,
+    Theirs,
+};
+use crate::lessons::OpenLesson;
+use crate::picture::file_beside;
+use crate::scene::{Shape, TextureSource};
+use crate::share;
+
+/// Does the `next` action, after asking about everything that would be lost: text of a lesson that cannot be saved, and
+/// changes of the figure. Whatever replaces or closes a document comes through here.
+pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
+    state.end_move();
+    state.document.commit();
+    if !state.save_text() {
+        // The dialog says why.
+        state.file_flow.refused = state.message.take();
+        state.file_flow.dialog = Some(Dialog::UnsavedText(next));
+    } else if next.replaces_figure()
+        && state.has_unsaved()
+        && !(next == AfterSave::WriteRecorded && state.is_recorded())
+    {
+        state.file_flow.dialog = Some(Dialog::Unsaved(next));
+    } else {
+        go_on(ctx, state, next);
+    }
+}
+
+/// Does the `next` action; changes are lost. Only [`begin`] and the answer to its question call this.
+pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
+    match next {
+        AfterSave::New => {
+            if let Ok(document) = Document::new(crate::gui::fresh(), None) {
+                state.take_over(document);
+            }
+        }
+        AfterSave::Open => ask(ctx, state, Purpose::Open),
+        AfterSave::OpenPath(path) => open(state, &path),
+        AfterSave::Shipped(name) => open_shipped(state, name),
+        AfterSave::Text(text) => match read::parse(&text).map(|figure| Document::new(figure, None)) {
+            Ok(Ok(document)) => state.take_over(document),
+            Ok(Err(error)) => state.say(Message::Camera(error)),
+            // The program wrote it, of a camera that it had measured: a test opens every one.
+            Err(_) => {}
+        },
+        AfterSave::Lesson(open) => state.play(open),
+        AfterSave::LeaveLesson => state.leave_lesson(),
+        AfterSave::WriteRecorded => state.write_recorded(),
+        AfterSave::ReadLesson => state.read_lesson_again(),
+        AfterSave::Reload => reload(state),
+        AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
+        AfterSave::Quit => quit(ctx, state),
+    }
+}
+
+/// Goes on to the next document that closing would lose; closes the window once there is none.
+fn quit(ctx: &egui::Context, state: &mut State) {
+    state.gather_held();
+    if let Some((_, document)) = state.kept.pop() {
+        // If the window is not closed after all, the figure is still there.
+        if state.has_unsaved() {
+            state.given_up.push((Source::of(&state.document), state.document.clone()));
+        }
+        state.take_over(document);
+        begin(ctx, state, AfterSave::Quit);
+    } else if state.file_flow.exporting.is_empty() {
+        close(ctx, state);
+    } else {
+        state.file_flow.dialog = Some(Dialog::Closing);
+    }
+}
+
+/// Closes the window, whatever is going on.
+pub fn close(ctx: &egui::Context, state: &mut State) {
+    state.file_flow.may_close = true;
+    ctx.send_viewport_cmd(ViewportCommand::Close);
+}
+
+/// Saves to the figure's own file; asks for one where there is none.
+pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
+    let named = || state.in_browser.then(|| FileKind::of(state, &Purpose::Save(None)).proposal());
+    match state.document.path().cloned().or_else(named) {
+        Some(path) => write(ctx, state, &path, then, Agreed::default()),
+        None => ask(ctx, state, Purpose::Save(then)),
+    }
+}
+
+/// Asks for a file: with the dialog of the system, or with a field where it has none. A page in a browser has no
+/// folders to choose: it asks only for the name of a figure.
+pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
+    let kind = FileKind::of(state, &purpose);
+    let hands_out = state.in_browser && kind.wanted == Wanted::NewFile;
+    if hands_out && !matches!(purpose, Purpose::Save(_)) {
+        chosen(ctx, state, purpose, kind.proposal());
+    } else if state.file_flow.native && !hands_out {
+        // The shell opens the dialog, in front of its window.
+        let (document, question) = (state.document.id(), Some(kind.question()));
+        state.file_flow.asking = Some(Asking { purpose, document, question, dialog: None });
+        ctx.request_repaint();
+    } else {
+        ask_in_window(state, purpose);
+    }
+}
+
+/// Asks for the path of a file in a field.
+fn ask_in_window(state: &mut State, purpose: Purpose) {
+    let text = FileKind::of(state, &purpose).proposal().display().to_string();
+    state.file_flow.refused = None;
+    state.file_flow.dialog = Some(Dialog::Path(purpose, text));
+}
+
+/// Opens the system's dialog for the question that waits for it, in front of the window of `frame`.
+pub(in crate::gui) fn open_dialog(ctx: &egui::Context, state: &mut State, frame: &eframe::Frame) {
+    if let Some(asking) = &mut state.file_flow.asking
+        && let Some(question) = asking.question.take()
+    {
+        asking.dialog = Some(OpenFileDialog::start(ctx, question, frame));
+    }
+}
+
+/// Takes the answer of the system's dialog.
+fn take_answer(ctx: &egui::Context, state: &mut State) {
+    let asking = state.file_flow.asking.as_mut();
+    let Some(answer) = asking.and_then(|asking| asking.dialog.as_mut()?.poll()) else { return };
+    answered(ctx, state, answer);
+}
+
+/// Goes on with the answer. It belongs to the document that was shown when the question came up.
+fn answered(ctx: &egui::Context, state: &mut State, answer: FileAnswer) {
+    let Some(Asking { purpose, document, .. }) = state.file_flow.asking.take() else { return };
+    let is_same = document == state.document.id();
+    match (answer, purpose) {
+        (FileAnswer::Cancelled, _) => {}
+        // The next question may have a dialog again.
+        (FileAnswer::Unavailable, purpose) => ask_in_window(state, purpose),
+        (FileAnswer::Chosen(path), Purpose::Open) if !is_same => begin(ctx, state, AfterSave::OpenPath(path)),
+        (FileAnswer::Chosen(path), purpose) if is_same || !purpose.is_about_figure() => {
+            chosen(ctx, state, purpose, path);
+        }
+        (FileAnswer::Chosen(path), _) => state.say(Message::OtherFigure(path)),
+    }
+}
+
+/// Goes on with the file that was chosen; asks before a file is replaced.
+pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path: PathBuf) {
+    let kind = FileKind::of(state, &purpose);
+    let path = kind.with_ending(files::whole(&path));
+    if let Purpose::Export(export) = &mut purpose {
+        export.transparent = export.is_without_ground();
+        export.format = PictureFormat::of(&path).unwrap_or(export.format);
+        if export.transparent && !export.format.has_transparency() {
+            let error = ExportError::NoTransparency(export.format);
+            return state.say(Message::NotExported(path, NotExported(error)));
+        }
+    }
+    let own = state.document.path() == Some(&path);
+    // A step is added to what is there.
+    let adds = matches!(purpose, Purpose::Step);
+    let is_new = kind.wanted == Wanted::NewFile && !own && !adds;
+    if is_new && !replaced(&purpose, &path).is_empty() {
+        state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path));
+    } else {
+        confirmed(ctx, state, purpose, &path, Agreed::default());
+    }
+}
+
+/// The files that are there already, and that writing to `path` replaces: a picture may have another file beside it.
+#[must_use]
+pub fn replaced(purpose: &Purpose, path: &Path) -> Vec<PathBuf> {
+    let writes_pictures = matches!(purpose, Purpose::Export(_) | Purpose::Animation(_) | Purpose::Chart(_));
+    let beside = file_beside(path).filter(|_| writes_pictures);
+    std::iter::once(path.to_owned()).chain(beside).filter(|path| disk::exists(path)).collect()
+}
+
+/// Opens or writes the file, with the overwrites in `agreed`.
+pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: &Path, agreed: Agreed) {
+    match purpose {
+        Purpose::Open => open(state, path),
+        Purpose::Save(then) => write(ctx, state, path, then, agreed),
+        Purpose::Export(_)
+        | Purpose::Animation(_)
+        | Purpose::Chart(_)
+        | Purpose::Progress
+        | Purpose::Step
+        | Purpose::OwnLesson
+        | Purpose::LessonText(_)
+            if !agreed.read_only && files::is_read_only(path) =>
+        {
+            state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
+        }
+        Purpose::Mesh(which) => mesh(state, which, path),
+        Purpose::Texture(object) => texture(state, &object, path),
+        Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
+        Purpose::Step => state.add_step(path, &agreed),
+        Purpose::OwnLesson => state.copy_lesson(path, &agreed),
+        Purpose::LessonText(next) => {
+            if state.save_text_as(path, &agreed) {
+                begin(ctx, state, next);
+            }
+        }
+        Purpose::Chart(block) => {
+            let saved = save_chart(&block, state.settings.lang, path, agreed.overwrite());
+            say_whether_saved(state, path, saved);
+        }
+        Purpose::Animation(decomposition) => {
+            let what = ExportKind::Animation(decomposition, state.settings.theme);
+            export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
+        }
+        Purpose::Exercises => state.exercises.look_into(Some(path.to_owned())),
+        Purpose::Folder => {
+            state.gallery.look_into(path.to_owned());
+            state.file_flow.dialog = Some(Dialog::Gallery);
+        }
+        Purpose::Export(options) => {
+            export(ctx, state, ExportKind::Pictures(options), (path.to_owned(), agreed.overwrite()));
+        }
+    }
+}
+
+fn save_bytes(state: &mut State, path: &Path, bytes: Result<Vec<u8>, FileError>, agreed: &Agreed) {
+    let saved = bytes.and_then(|bytes| files::save(path, &bytes, agreed.overwrite()));
+    say_whether_saved(state, path, saved);
+}
+
+fn say_whether_saved(state: &mut State, path: &Path, saved: Result<(), FileError>) {
+    match saved {
+        Ok(()) => say_saved(state, path.to_owned()),
+        Err(error) => state.say(Message::File(path.to_owned(), error)),
+    }
+}
+
+fn export(ctx: &egui::Context, state: &mut State, what: ExportKind, to: (PathBuf, Overwrite)) {
+    let task = Task::new((&state.document, state.figure_as_shown()), state.settings.lang, what, to)
+        .with_family(state.family.clone(), state.operations.convention);
+    state.file_flow.exporting.push(Exporting::start(ctx, task));
+    state.say(Message::Exporting);
+}
+
+/// Puts a mesh file into the scene.
+fn mesh(state: &mut State, which: MeshFor, path: &Path) {
+    let named = files::named_in_figure(state.document.folder(), path);
+    match which {
+        MeshFor::New => state.insert_mesh(named),
+        MeshFor::Object(name) => state.document.edit(|figure| {
+            if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == name) {
+                object.shape = Some(Shape::Mesh { path: named });
+            }
+        }),
+    }
+}
+
+/// Puts a picture on an object.
+fn texture(state: &mut State, object: &str, path: &Path) {
+    let named = files::named_in_figure(state.document.folder(), path);
+    state.document.edit(|figure| {
+        if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == object) {
+            object.texture = Some(TextureSource::of(&named));
+        }
+    });
+}
+
+fn open(state: &mut State, path: &Path) {
+    if files::is_lesson(path) {
+        return match files::read_lesson(path) {
+            Ok((lesson, _)) => {
+                let is_link = share::link_of(path).is_some();
+                let path = if is_link { path.to_owned() } else { files::whole(path) };
+                if !is_link {
+                    state.recent.add(&path);
+                }
+                state.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path), step: 0 });
+            }
+            Err(error) => state.say(Message::File(path.to_owned(), error)),
+        };
+    }
+    if let Some(kept) = state.take_kept(Some(&Source::File(files::whole(path)))) {
+        state.take_over(kept);
+        state.file_flow.look = true;
+        return;
+    }
+    match files::open_figure_with_any_camera(path) {
+        Ok((opened, _)) => {
+            let (figure, file) = opened.at(path);
+            match Document::with_any_camera(figure, Some(file)) {
+                Ok(document) => {
+                    let problem = document.problem().cloned();
+                    state.take_over(document);
+                    if let Some(error) = problem {
+                        state.say(Message::Impossible(path.to_owned(), error));
+                    } else if share::link_of(path).is_some() {
+                        state.say(Message::LinkOpened);
+                    } else {
+                        state.recent.add(&files::whole(path));
+                        state.say(Message::Opened(path.to_owned()));
+                    }
+                }
+                Err(error) => state.say(Message::NotOpened(path.to_owned(), error)),
+            }
+        }
+        Err(error) => state.say(Message::File(path.to_owned(), error)),
+    }
+}
+
+/// Goes on with a figure of the program.
+fn open_shipped(state: &mut State, name: &'static str) {
+    let kept = state.take_kept(Some(&Source::Shipped(name)));
+    if let Some(document) = kept.or_else(|| Document::shipped(name)) {
+        state.take_over(document);
+    }
+}
+
+/// Reads the figure's own file again, and goes on with it.
+fn reload(state: &mut State) {
+    if let Some(path) = state.document.path().cloned() {
+        open(state, &path);
+    }
+}
+
+/// Continues with the window's figure although the file holds another one; the same content is not asked about again.
+pub fn keep_mine(state: &mut State) {
+    state.file_flow.decided = state.file_flow.theirs.take();
+}
+
+/// Asks about the content of another program in the figure's file.
+pub fn ask_about(state: &mut State, theirs: Theirs, then: Option<AfterSave>) {
+    state.file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
+}
+
+/// The figure as it is written to `path`.
+fn for_folder(state: &State, path: &Path) -> Figure {
+    files::for_folder(&state.figure_to_save(), state.document.folder(), path.parent())
+}
+
+/// The text that saving would write.
+#[must_use]
+pub fn text_to_save(state: &State) -> String {
+    let figure = state.document.path().map_or_else(|| state.figure_to_save(), |path| for_folder(state, path));
+    update(state.document.source(), &figure)
+}
+
+/// The text of the present screen, as links carry it.
+#[must_use]
+pub fn text_as_shown(state: &State) -> String {
+    update(state.document.source(), &state.figure_as_shown())
+}
+
+/// The present content of the figure's file, where it differs from the one read or saved last.
+fn theirs(document: &Document, path: &Path) -> Option<Theirs> {
+    if document.path().is_none_or(|own| own != path) {
+        return None;
+    }
+    match files::look(path, document.source().as_bytes(), None) {
+        FileChange::Other(theirs) => Some(theirs),
+        FileChange::Same(_) | FileChange::Gone => None,
+    }
+}
+
+fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<AfterSave>, agreed: Agreed) {
+    if let Some(error) = state.document.problem().filter(|_| state.document.has_stand_in_camera()) {
+        state.say(Message::NotSaved(error.clone()));
+        return;
+    }
+    if let Some(theirs) = theirs(&state.document, path).filter(|theirs| agreed.theirs.as_ref() != Some(theirs)) {
+        return ask_about(state, theirs, then);
+    }
+    if !agreed.read_only && files::is_read_only(path) {
+        state.file_flow.dialog = Some(Dialog::ReadOnly(Purpose::Save(then), path.to_owned(), agreed));
+        return;
+    }
+    let figure = for_folder(state, path);
+    let text = update(state.document.source(), &figure);
+    match files::save(path, text.as_bytes(), agreed.overwrite()) {
+        Ok(()) => {
+            if figure.scene != state.document.figure().scene {
+                state.document.edit(|own| own.scene = figure.scene);
+            }
+            state.document.mark_saved(path.to_owned(), text);
+            state.recent.add(path);
+            state.file_flow.theirs = None;
+            state.file_flow.decided = None;
+            say_saved(state, path.to_owned());
+            if let Some(then) = then {
+                go_on(ctx, state, then);
+            }
+        }
+        Err(error) => state.say(Message::File(path.to_owned(), error)),
+    }
+}
+
+/// Says that a file has been written: to where it was wanted, or into the hands of a browser.
+fn say_saved(state: &mut State, path: PathBuf) {
+    state.say(if state.in_browser { Message::Downloaded(path) } else { Message::Saved(path) });
+}
+
+/// Looks whether another program has changed the figure's file: when the window gets the focus, and where it was
+/// restored.
+fn watch(ctx: &egui::Context, state: &mut State) {
+    let focused = ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true)));
+    if std::mem::take(&mut state.file_flow.look) || focused {
+        state.file_flow.watch.begin(ctx, &state.document);
+    }
+    match state.file_flow.watch.take(&state.document) {
+        Some(FileChange::Other(theirs)) if state.file_flow.decided.as_ref() != Some(&theirs) => {
+            state.file_flow.theirs = Some(theirs);
+        }
+        // As it was: there is nothing to say any more.
+        Some(FileChange::Same(_)) => (state.file_flow.theirs, state.file_flow.decided) = (None, None),
+        Some(FileChange::Other(_) | FileChange::Gone) | None => {}
+    }
+}
+
+/// The automatic part of each frame: answers of dialogs and of exports, dropped files, the window's own close button.
+pub fn poll(ctx: &egui::Context, state: &mut State) {
+    take_answer(ctx, state);
+    take_exports(ctx, state);
+    if !state.file_flow.is_closing() {
+        state.kept.append(&mut state.given_up);
+    }
+    watch(ctx, state);
+    take_given(ctx, state);
+    if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
+        if state.would_lose_something() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            ask_before_closing(ctx, state);
+        } else {
+            state.file_flow.may_close = true;
+        }
+    }
+    if state.file_flow.dialog.is_none() && state.file_flow.asking.is_none() && !state.file_flow.may_close {
+        let covered = state.file_flow.covered.take().filter(|(document, _)| *document == state.document.id());
+        state.file_flow.dialog = covered.map(|(_, dialog)| dialog);
+    }
+}
+
+/// Asks what closing the window would lose. A dialog that was open comes back if the window stays.
+fn ask_before_closing(ctx: &egui::Context, state: &mut State) {
+    if state.file_flow.is_closing() {
+        // It has been asked.
+        return;
+    }
+    // The answer of a dialog of the system is not waited for any more.
+    state.file_flow.asking = None;
+    let document = state.document.id();
+    state.file_flow.covered = state.file_flow.dialog.take().map(|dialog| (document, dialog));
+    begin(ctx, state, AfterSave::Quit);
+}
+
+/// Opens files that were dropped, or given to a page: the first one, once no question is open that it would replace.
+fn take_given(ctx: &egui::Context, state: &mut State) {
+    let dropped: Vec<PathBuf> =
+        ctx.input(|input| input.raw.dropped_files.iter().map(|file| files::whole(file.path())).collect());
+    if !dropped.is_empty() {
+        state.file_flow.given = dropped;
+    }
+    if state.file_flow.has_question() {
+        return;
+    }
+    let given = std::mem::take(&mut state.file_flow.given);
+    let count = given.len();
+    let Some(path) = given.into_iter().next() else { return };
+    if state.file_flow.is_asking() {
+        state.file_flow.dialog = None;
+        state.gallery.end();
+    }
+    take_file(ctx, state, path.clone());
+    // An error matters more. The files that come with one to a page are those that it names.
+    if count > 1 && !state.in_browser && !state.message.as_ref().is_some_and(Message::is_error) {
+        state.say(Message::FirstOfDropped(path, count));
+    }
+}
+
+/// Opens a dropped file: a figure, or a mesh, which is added to the scene.
+fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    if !MESH_ENDINGS.contains(&ending.as_str()) {
+        return begin(ctx, state, AfterSave::OpenPath(path));
+    }
+    let is_this = |shape: &Shape| matches!(shape, Shape::Mesh { path: named } if Path::new(named).file_name() == path.file_name());
+    let mut shapes = state.document.figure().scene.objects.iter().filter_map(|object| object.shape.as_ref());
+    if state.in_browser && shapes.any(is_this) {
+        // The scene names it, and had to do without it.
+        return state.scene_cache.read_again();
+    }
+    mesh(state, MeshFor::New, &path);
+    state.settings.tab = Tab::Scene;
+}
+
+/// Reports finished exports. A window that waits for them closes with the last one, unless one has failed: nobody would
+/// see that.
+fn take_exports(ctx: &egui::Context, state: &mut State) {
+    let mut failed = false;
+    for (path, result) in state.file_flow.exported() {
+        let message = match result {
+            Ok(None) => {
+                say_saved(state, path);
+                continue;
+            }
+            Ok(Some(too_much)) => Message::SavedOtherwise(path, too_much),
+            Err(error) => {
+                failed |= !matches!(error, ExportError::Cancelled);
+                Message::NotExported(path, NotExported(error))
+            }
+        };
+        state.say(message);
+    }
+    if state.file_flow.dialog == Some(Dialog::Closing) && (failed || state.file_flow.exporting.is_empty()) {
+        state.file_flow.dialog = None;
+        if !failed {
+            close(ctx, state);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::expect_used, reason = "a test may fail by panicking")]
+
+    use std::sync::Mutex;
+
+    use super::*;
+    use crate::gui::export::{Export, Exported};
+    use crate::i18n::Lang;
+    use crate::progress::Progress;
+
+    /// The window as it is while a picture is being written by `make`, and frames of it.
+    fn exporting<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(make: fn() -> W) -> (egui::Context, State) {
+        let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
+        let export = Export::new([[4, 3]; 3], 1.0);
+        let (what, to) = (ExportKind::Pictures(export), (PathBuf::from("a.png"), Overwrite::Writable));
+        let task = Task::new((&state.document, state.figure_as_shown()), Lang::En, what, to);
+        let exporting = Exporting::with(&ctx, task, make);
+        state.file_flow.exporting.push(exporting);
+        (ctx, state)
+    }
+
+    /// One frame, in which the window's close button is pressed or not; returns the requests to the system.
+    fn frame(ctx: &egui::Context, state: &mut State, close: bool) -> Vec<ViewportCommand> {
+        let mut input = egui::RawInput::default();
+        if close {
+            let window = input.viewports.entry(egui::ViewportId::ROOT).or_default();
+            window.events.push(egui::ViewportEvent::Close);
+        }
+        let mut output = ctx.run_ui(input, |ui| poll(ui.ctx(), state));
+        output.textures_delta.clear();
+        output.viewport_output[&egui::ViewportId::ROOT].commands.clone()
+    }
+
+    fn until_done(ctx: &egui::Context, state: &mut State) -> Vec<ViewportCommand> {
+        let since = std::time::Instant::now();
+        let mut commands = Vec::new();
+        while !state.file_flow.exporting.is_empty() {
+            assert!(since.elapsed().as_secs() < 60);
+            std::thread::sleep(std::time::Duration::from_millis(5));
+            commands.extend(frame(ctx, state, false));
+        }
+        commands
+    }
+
+    #[test]
+    fn a_panic_while_a_picture_is_written_is_not_told_as_a_lack_of_memory() {
+        let (ctx, mut state) = exporting(|| async |_, _: &Progress| panic!("as a fault would"));
+        until_done(&ctx, &mut state);
+        let message = state.message.expect("said");
+        let text = message.text(Lang::En);
+        assert!(message.is_error() && text.contains("bug in this program") && text.contains("a.png"));
+    }
+
+    #[test]
+    fn the_answer_of_a_dialog_belongs_to_the_figure_it_was_asked_for() {
+        let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
+        let folder = std::env::temp_dir().join(format!("camera-lab-answer-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let path = folder.join("copy.toml");
+        for is_same in [false, true] {
+            ask(&ctx, &mut state, Purpose::Save(None));
+            assert!(state.file_flow.is_asking());
+            if !is_same {
+                go_on(&ctx, &mut state, AfterSave::Shipped("house"));
+            }
+            answered(&ctx, &mut state, FileAnswer::Chosen(path.clone()));
+            assert!(!state.file_flow.is_asking());
+            assert_eq!((path.exists(), state.document.path().is_some()), (is_same, is_same));
+            assert_eq!(matches!(state.message, Some(Message::OtherFigure(_))), !is_same);
+        }
+        // A lack of dialogs is no reason to have none for the next question.
+        ask(&ctx, &mut state, Purpose::Open);
+        answered(&ctx, &mut state, FileAnswer::Unavailable);
+        assert!(matches!(state.file_flow.dialog, Some(Dialog::Path(Purpose::Open, _))) && state.file_flow.native);
+        std::fs::remove_dir_all(folder).expect("removed");
+    }
+
+    #[test]
+    fn a_latex_picture_replaces_the_pdf_beside_it_only_after_a_question() {
+        let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
+        let folder = std::env::temp_dir().join(format!("camera-lab-beside-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let beside = folder.join("my-fig-art.pdf");
+        std::fs::write(&beside, "precious").expect("written");
+        let export = Export { format: PictureFormat::Tex, ..Export::new([[4, 3]; 3], 1.0) };
+        chosen(&ctx, &mut state, Purpose::Export(export), folder.join("my fig.tex"));
+        let Some(Dialog::Overwrite(purpose, path)) = &state.file_flow.dialog else { panic!("a question") };
+        assert_eq!(replaced(purpose, path), [beside]);
+        assert!(state.file_flow.exporting.is_empty());
+        std::fs::remove_dir_all(folder).expect("removed");
+    }
+
+    #[test]
+    fn a_window_that_is_closed_waits_for_its_pictures() {
+        static HELD: Mutex<()> = Mutex::new(());
+        fn make() -> impl AsyncFnMut(Task, &Progress) -> Exported {
+            async |_, _: &Progress| {
+                let _wait = HELD.lock();
+                Ok(None)
+            }
+        }
+        let held = HELD.lock();
+        let (ctx, mut state) = exporting(make);
+        assert!(frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
+        assert_eq!(state.file_flow.dialog, Some(Dialog::Closing));
+        assert!(!frame(&ctx, &mut state, false).contains(&ViewportCommand::Close));
+        drop(held);
+        assert!(until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
+        assert_eq!(state.file_flow.dialog, None);
+        assert!(!frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
+
+        // A failed one is reported, by a window that stays.
+        let (ctx, mut state) = exporting(|| async |_, _: &Progress| Err(ExportError::Panic));
+        go_on(&ctx, &mut state, AfterSave::Quit);
+        assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
+        assert!(state.message.is_some_and(|message| message.is_error()) && state.file_flow.dialog.is_none());
+    }
+}

@@ -1,0 +1,11 @@
+//! Asks for files and hands them out: opening and saving, sequences, links.
+
+pub mod changed_file;
+pub mod comparison;
+pub mod file_flow;
+pub(super) mod file_kind;
+pub(super) mod link_dialog;
+pub(super) mod qr;
+pub(super) mod questions;
+pub(super) mod sequence;
+pub(super) mod watch;

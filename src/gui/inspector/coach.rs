@@ -1,0 +1,231 @@
+//! The coach: in an empty image why it is empty, under the pictures a few words, and in a dialog all there is to say,
+//! with repairs.
+
+use eframe::egui::{
+    self, Align, Button, Color32, Label, Layout, Rect, Response, RichText, TextStyle, Ui, UiBuilder, vec2,
+};
+
+use crate::camera::ImageSize;
+use crate::figure::{Explanation, Figure};
+use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
+use crate::gui::kit::elide;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{Advice, Dialog, State};
+use crate::i18n::Lang;
+use crate::i18n::coach as words;
+use crate::i18n::window::Texts;
+use crate::numerics::diagnosis::{Diagnosis, IN_A_WINDOW, Repair, changes};
+use crate::numerics::health::Level;
+
+/// The width of the dialog.
+pub(in crate::gui) const WIDTH: f32 = 720.0;
+
+/// The summary of the coach.
+pub(in crate::gui) struct Brief {
+    text: String,
+    level: Level,
+    lang: Lang,
+}
+
+impl Brief {
+    /// The last advice, until there is more. `None` in a presentation, where the space is for the keys.
+    pub(in crate::gui) fn of(state: &State) -> Option<Self> {
+        if state.settings.presentation {
+            return None;
+        }
+        let lang = state.settings.lang;
+        let t = words::texts(lang);
+        let Some(Advice { diagnosis, health, .. }) = state.coach.newest_advice() else {
+            return Some(Self { text: t.looking.to_owned(), level: Level::Good, lang });
+        };
+        let worst = health.iter().map(|line| line.level).max().unwrap_or(Level::Good);
+        let findings = diagnosis.as_ref().map_or(0, |diagnosis| diagnosis.findings.len());
+        let (text, level) = match diagnosis {
+            Some(Diagnosis { camera_error: Some(_), .. }) => (t.one_finding.to_owned(), Level::Poor),
+            Some(Diagnosis { visible: 0, .. }) => (t.image_empty.to_owned(), Level::Poor),
+            _ if findings == 1 => (t.one_finding.to_owned(), Level::Fair.max(worst)),
+            _ if findings > 1 => (format!("{findings} {}", t.many_findings), Level::Fair.max(worst)),
+            _ => (words::camera_is(lang, worst), worst),
+        };
+        Some(Self { text, level, lang })
+    }
+
+    /// The text of the button.
+    fn shown(text: &str, level: Level) -> String {
+        if level > Level::Good { format!("⚠ {text}") } else { text.to_owned() }
+    }
+
+    /// Space for any of its texts, so that nothing beside it moves under the pointer.
+    fn room(&self, ui: &Ui) -> f32 {
+        let t = words::texts(self.lang);
+        let levels = [Level::Good, Level::Fair, Level::Poor];
+        let texts = levels.map(|level| Self::shown(&words::camera_is(self.lang, level), level)).into_iter();
+        let findings = [t.image_empty.to_owned(), format!("99 {}", t.many_findings)];
+        let texts = texts.chain(findings.iter().map(|text| Self::shown(text, Level::Poor)));
+        let font = TextStyle::Small.resolve(ui.style());
+        let widest = texts.map(|text| elide::width(ui, &font, &text)).fold(0.0, f32::max);
+        (widest + 2.0 * ui.spacing().button_padding.x).ceil()
+    }
+
+    /// A small button with it.
+    pub(in crate::gui) fn button(&self, ui: &mut Ui) -> Response {
+        let mut text = RichText::new(Self::shown(&self.text, self.level)).small();
+        if self.level > Level::Good {
+            text = text.color(color(ui, self.level));
+        }
+        let button = Button::new(text).min_size(vec2(self.room(ui), 0.0));
+        ui.add(button).explained(words::texts(self.lang).coach_hint)
+    }
+}
+
+fn color(ui: &Ui, level: Level) -> Color32 {
+    match level {
+        Level::Good => ui.visuals().text_color(),
+        Level::Fair => ui.visuals().warn_fg_color,
+        Level::Poor => ui.visuals().error_fg_color,
+    }
+}
+
+/// Explains an empty image over it, with the button of the repair.
+pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    let Some(diagnosis) = state.coach.advice().and_then(|advice| advice.diagnosis.as_ref()) else { return };
+    // With an impossible camera the last good image stays.
+    let is_empty = diagnosis.visible == 0 && diagnosis.camera_error.is_none();
+    let Some(finding) = diagnosis.findings.first().filter(|_| is_empty) else { return };
+    let (text, repair) = (words::finding(lang, finding, diagnosis, &state.document.figure().scene), finding.repair);
+    let change = repair.map(|repair| change(state, &repair));
+    let room = picture.shrink2(vec2(16.0, 8.0));
+    let width = room.width().min(420.0);
+    let place = Rect::from_center_size(room.center(), vec2(width, room.height().min(110.0)));
+    let mut pressed = false;
+    let builder = UiBuilder::new().id_salt("why empty").max_rect(place).layout(Layout::top_down(Align::Center));
+    ui.scope_builder(builder, |ui| {
+        let frame = egui::Frame::popup(ui.style());
+        frame.show(ui, |ui| {
+            ui.add(Label::new(text).wrap().selectable(false));
+            if let Some(change) = change {
+                pressed = ui.button(t.show_it).explained(change).clicked();
+            }
+        });
+    });
+    if let Some(repair) = repair.filter(|_| pressed) {
+        state.apply_repair(repair);
+        ui.request_repaint();
+    }
+}
+
+/// The changes of a repair.
+fn change(state: &State, repair: &Repair) -> String {
+    // The numbers in the fields, which may make no camera.
+    let camera = *state.document.draft();
+    let figure = Figure { camera, ..state.document.figure().without_scene() };
+    words::changes_in_symbols(state.settings.lang, &repair.changes(&figure))
+}
+
+/// An action to take.
+enum Wish {
+    Repair(Repair),
+    Camera(crate::camera::Parameters),
+    /// Go to the explanation of depths.
+    Depth,
+}
+
+/// The dialog with all there is to say.
+pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: bool) {
+    let words = words::texts(state.settings.lang);
+    ui.heading(words.coach);
+    let height = (ui.ctx().content_rect().height() - 150.0).max(120.0);
+    let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
+    let mut wish = None;
+    area.show(ui, |ui| match state.coach.advice().cloned() {
+        None => drop(ui.label(words.looking)),
+        Some(advice) => {
+            findings(ui, state, &advice, &mut wish);
+            health(ui, state, &advice, &mut wish);
+            if ui.link(words.about_depth).clicked() {
+                wish = Some(Wish::Depth);
+            }
+        }
+    });
+    ui.add_space(8.0);
+    let closed = !matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing);
+    let Some(wish) = wish else {
+        state.file_flow.dialog = (!closed).then_some(Dialog::Coach);
+        return;
+    };
+    match wish {
+        Wish::Repair(repair) => state.apply_repair(repair),
+        Wish::Camera(camera) => state.apply_camera(camera),
+        Wish::Depth => {
+            state.file_flow.dialog = None;
+            state.show_explanation(Explanation::Depth);
+        }
+    }
+    ui.request_repaint();
+}
+
+fn title(ui: &mut Ui, text: &str) {
+    ui.add_space(6.0);
+    ui.label(RichText::new(text).strong().color(ui.visuals().hyperlink_color));
+}
+
+fn findings(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) {
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    title(ui, t.findings);
+    let Some(diagnosis) = &advice.diagnosis else {
+        ui.label(t.too_large);
+        return;
+    };
+    if diagnosis.camera_error.is_none() {
+        ui.label(words::seen(lang, diagnosis.visible, diagnosis.covered));
+    }
+    if diagnosis.findings.is_empty() {
+        let ImageSize { width, height } = state.document.figure().image;
+        let is_coarse = u64::from(width) * u64::from(height) > IN_A_WINDOW;
+        ui.label(if is_coarse { t.no_problems_in_coarse } else { t.no_problems });
+    }
+    for finding in &diagnosis.findings {
+        let button = finding.repair.map(|repair| (t.show_it, change(state, &repair)));
+        if line(ui, &words::finding(lang, finding, diagnosis, &state.document.figure().scene), button) {
+            *wish = finding.repair.map(Wish::Repair);
+        }
+    }
+}
+
+fn health(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) {
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    if !advice.health.is_empty() {
+        title(ui, t.health);
+    }
+    for health in &advice.health {
+        let color = color(ui, health.level);
+        let sign = if health.level == Level::Good { "" } else { "⚠ " };
+        let (name, level) = (words::quantity(lang, health.quantity), words::level(lang, health.level));
+        ui.label(RichText::new(format!("{sign}{name}: {level}")).color(color));
+        let figure = state.document.figure();
+        let change = |camera| words::changes_in_symbols(lang, &changes(&figure.camera, camera));
+        let button = health.repair.as_ref().map(|camera| (t.improve, change(camera)));
+        if line(ui, &words::health(lang, health, &advice.camera, figure.style.depth_format), button) {
+            *wish = health.repair.map(Wish::Camera);
+        }
+    }
+}
+
+/// A sentence, and the button that acts on it; true where that was pressed.
+fn line(ui: &mut Ui, text: &str, button: Option<(&str, String)>) -> bool {
+    let mut pressed = false;
+    ui.indent(text, |ui| {
+        ui.add(Label::new(text).wrap());
+        if let Some((name, change)) = button {
+            ui.horizontal_wrapped(|ui| {
+                pressed = ui.button(name).explained(&change).clicked();
+                ui.label(RichText::new(change).small().weak());
+            });
+        }
+    });
+    pressed
+}

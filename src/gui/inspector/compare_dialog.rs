@@ -1,0 +1,232 @@
+//! The dialog that compares the figure with itself in another way. What is chosen is seen at once.
+
+use eframe::egui::{Align2, Button, Context, Id, Key, Modifiers, Ui, Window, vec2};
+
+use crate::camera::{Operation, Projection};
+use crate::figure::{Comparison, Figure, read};
+use crate::gui::inspector::complaint;
+use crate::gui::kit::number_field::NumberField;
+use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{CompareForm, Dialog, State};
+use crate::i18n::compare::{self as words, Texts as Words};
+use crate::i18n::messages;
+use crate::i18n::window::Texts;
+use crate::limits::{MAX_EXPRESSION, MAX_TYPED_NAME};
+
+/// A button that opens the dialog.
+pub(in crate::gui) fn button(ui: &mut Ui, state: &mut State) {
+    let words = words::texts(state.settings.lang);
+    if ui.button(words.command).explained(words.command_hint).clicked() {
+        state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.document.figure())));
+    }
+}
+
+/// Shows the dialog in a window of its own, which can be moved: the pictures beside it show what is chosen, and can be
+/// used.
+pub(in crate::gui) fn show(ctx: &Context, t: &Texts, state: &mut State, form: CompareForm) {
+    let words = words::texts(state.settings.lang);
+    let mut open = true;
+    let corner = ctx.content_rect().left_bottom() + vec2(8.0, -8.0);
+    let mut kept = Some(form);
+    let window = Window::new(words.title).id(Id::unique("compare")).open(&mut open).collapsible(true).resizable(false);
+    window.pivot(Align2::LEFT_BOTTOM).default_pos(corner).constrain(true).show(ctx, |ui| {
+        ui.set_width(440.0_f32.min(ctx.content_rect().width() - 60.0));
+        kept = kept.take().and_then(|form| content(ui, t, state, form));
+    });
+    let is_left = ctx.input_mut(|input| !state.annotations.any() && input.consume_key(Modifiers::NONE, Key::Escape));
+    // A command may have opened another one meanwhile.
+    if state.file_flow.dialog.is_none() {
+        state.file_flow.dialog = kept.filter(|_| open && !is_left).map(Dialog::Compare);
+    }
+}
+
+/// The content of the window; the form, until it is closed.
+fn content(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm) -> Option<CompareForm> {
+    let words = words::texts(state.settings.lang);
+    ui.label(words.text);
+    ui.add_space(6.0);
+    let mut chosen = pairs(ui, words, state);
+    chosen = angle(ui, t, words, state, &mut form).or(chosen);
+    chosen = operation(ui, words, state, &mut form).or(chosen);
+    chosen = key(ui, words, state, &mut form).or(chosen);
+    ui.separator();
+    chosen = options(ui, words, state).or(chosen);
+    if let Some(figure) = chosen {
+        take(state, figure);
+        ui.request_repaint();
+    }
+    if let Some(why) = state.impossible_side() {
+        complaint(ui, &why);
+    }
+    ui.add_space(8.0);
+    (!ui.button(t.close).clicked()).then_some(form)
+}
+
+/// The figure with the convention of the window, which is not in it.
+fn in_window(state: &State) -> Figure {
+    let mut figure = state.document.figure().clone();
+    figure.show.ndc = Some(state.settings.conventions.ndc);
+    figure
+}
+
+/// Makes a figure that differs in its comparison and in what belongs to it that of the window.
+fn take(state: &mut State, figure: Figure) {
+    let Figure { camera, image, undistorted, viewport, style, reveal, world, show, compare, .. } = figure;
+    if camera != state.document.figure().camera {
+        // Only then: what is being typed stays.
+        state.document.set_parameters(camera);
+    }
+    state.document.edit(|figure| {
+        (figure.image, figure.undistorted, figure.viewport) = (image, undistorted, viewport);
+        (figure.style, figure.reveal, figure.world, figure.compare) = (style, reveal, world, compare);
+    });
+    *state.document.show_mut() = show;
+}
+
+/// The ready pairs, and nothing.
+fn pairs(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
+    let figure = state.document.figure();
+    let compared = figure.compare.as_ref();
+    let keys: Vec<&str> =
+        compared.iter().flat_map(|comparison| &comparison.with).map(|(key, _)| key.as_str()).collect();
+    let is_of = |key: &str, value: &str| {
+        keys == [key] && compared.is_some_and(|comparison| comparison.values(figure).contains(&value.to_owned()))
+    };
+    let mut chosen = None;
+    let offer =
+        |ui: &mut Ui, on: bool, name: &str| ui.add(Button::selectable(on, name).frame_when_inactive(true)).clicked();
+    ui.horizontal_wrapped(|ui| {
+        if offer(ui, compared.is_none(), words.nothing) {
+            chosen = Some(Figure { compare: None, ..figure.clone() });
+        }
+        for (name, key, pair, differences) in [
+            (words.visibility_painter, "style.visibility", ["painter", "depth-buffer"], true),
+            (words.visibility_bsp, "style.visibility", ["bsp", "depth-buffer"], true),
+            (words.shading, "style.shading", ["flat", "phong"], false),
+            (words.projection, "camera.projection", ["parallel", "perspective"], false),
+            (words.convention, "show.ndc", ["opengl", "direct3d"], false),
+            (words.depth, "style.depth_format", ["fixed-16", "f32-reversed"], false),
+        ] {
+            if offer(ui, is_of(key, pair[0]), name) {
+                let mut figure = in_window(state);
+                if key == "camera.projection" {
+                    give_other_projection(state, &mut figure);
+                }
+                let before = figure.compare.take().unwrap_or_default();
+                // Of two boxes each is to be seen whole.
+                let beside = key == "show.ndc";
+                chosen = Some(Comparison { beside, differences, ..before }.of_pair(&figure, key, pair));
+            }
+        }
+    });
+    chosen
+}
+
+/// The height or the angle with which the other projection shows as much as this one does.
+fn give_other_projection(state: &State, figure: &mut Figure) {
+    let other = match figure.camera.projection {
+        Projection::Perspective => Projection::Parallel,
+        Projection::Parallel => Projection::Perspective,
+    };
+    if let Ok(camera) = state.document.camera().with_projection(other) {
+        let (height, view_angle) = (camera.parameters().height, camera.parameters().view_angle);
+        (figure.camera.height, figure.camera.view_angle) = (height, view_angle);
+    }
+}
+
+/// θ now and another one.
+fn angle(ui: &mut Ui, t: &Texts, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
+    let figure = state.document.figure();
+    let has_angle = figure.camera.projection == Projection::Perspective && figure.camera.window.is_none();
+    let on = figure.compare.as_ref().is_some_and(|c| c.with.iter().any(|(key, _)| key == "camera.view_angle"));
+    ui.horizontal(|ui| {
+        let now = t.lang.mark().number(figure.camera.view_angle, 4);
+        let button = Button::selectable(on, format!("θ = {now}° | θ")).frame_when_inactive(true);
+        let button = ui.add_enabled(has_angle, button).explained(words.angle_hint).explained_disabled(words.angle_none);
+        let old = form.angle;
+        NumberField::angle(words.angle_hint, 5.0).within(1e-6..=179.9).width(80.0).show(ui, t, &mut form.angle);
+        let is_changed = old.to_bits() != form.angle.to_bits() && on;
+        let comparison = || {
+            let before = figure.compare.clone().unwrap_or_default();
+            let other = Comparison::of_key("camera.view_angle", &crate::numbers::exact(form.angle));
+            Comparison { with: other.with, ops: Vec::new(), differences: false, ..before }
+        };
+        (has_angle && (button.clicked() || is_changed))
+            .then(|| Figure { compare: Some(comparison()), ..in_window(state) })
+    })
+    .inner
+}
+
+/// Before and after an operation.
+fn operation(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
+    let compared = state.document.figure().compare.as_ref();
+    let on = compared.is_some_and(|comparison| !comparison.ops.is_empty());
+    let mut chosen = None;
+    let (mut why, mut is_typed) = (None, false);
+    ui.horizontal(|ui| {
+        let button = Button::selectable(on, words.operation).frame_when_inactive(true);
+        let clicked = ui.add(button).explained(words.operation_hint).clicked();
+        let field = TextField::line(&mut form.operation, MAX_TYPED_NAME);
+        let typed = field.with(|edit| edit.desired_width(160.0)).show(ui, words.lang).explained(words.operation_hint);
+        is_typed = typed.has_focus();
+        let changed = typed.accessible_name(words.operation_hint).changed();
+        match form.operation.parse::<Operation>() {
+            Ok(operation) if clicked || changed && on => {
+                let before = compared.cloned().unwrap_or_default();
+                let comparison = Comparison { with: Vec::new(), ops: vec![operation], differences: false, ..before };
+                chosen = Some(Figure { compare: Some(comparison), ..in_window(state) });
+            }
+            Ok(_) => {}
+            Err(error) => why = Some(messages::operation(words.lang, &error)),
+        }
+    });
+    if let Some(why) = why.filter(|_| on || is_typed) {
+        complaint(ui, &why);
+    }
+    chosen
+}
+
+/// Any key and another value of it.
+fn key(ui: &mut Ui, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
+    let compared = state.document.figure().compare.as_ref();
+    let typed = read::typed_comparison(&form.key);
+    let on = matches!((&typed, compared), (Ok(typed), Some(compared)) if typed.with == compared.with);
+    let mut chosen = None;
+    ui.horizontal(|ui| {
+        let button = Button::selectable(on, words.key).frame_when_inactive(true);
+        let clicked = ui.add(button).explained(words.key_hint).clicked();
+        let field = TextField::line(&mut form.key, MAX_EXPRESSION.0);
+        let field = field.with(|edit| edit.desired_width(260.0)).show(ui, words.lang).explained(words.key_hint);
+        let field = field.accessible_name(words.key_hint);
+        let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        if let (Ok(typed), true) = (&typed, clicked || entered) {
+            let before = compared.cloned().unwrap_or_default();
+            let comparison = Comparison { with: typed.with.clone(), ops: Vec::new(), ..before };
+            chosen = Some(Figure { compare: Some(comparison), ..in_window(state) });
+        }
+    });
+    if let Err(error) = typed {
+        complaint(ui, &messages::without_line(words.lang, &error));
+    }
+    chosen
+}
+
+/// How it is compared.
+fn options(ui: &mut Ui, words: &Words, state: &State) -> Option<Figure> {
+    let compared = state.document.figure().compare.clone();
+    let old = compared.clone().unwrap_or_default();
+    let mut new = old.clone();
+    let mut swapped = None;
+    ui.add_enabled_ui(compared.is_some(), |ui| {
+        ui.horizontal_wrapped(|ui| {
+            ui.checkbox(&mut new.differences, words.differences).explained(words.differences_hint);
+            ui.checkbox(&mut new.beside, words.beside).explained(words.beside_hint);
+            let figure = in_window(state);
+            let other = compared.as_ref().and_then(|comparison| comparison.swapped(&figure));
+            let button = ui.add_enabled(other.is_some(), Button::new(words.swap)).explained(words.swap_hint);
+            swapped = other.filter(|_| button.clicked());
+        });
+    });
+    swapped.or_else(|| (new != old).then(|| Figure { compare: Some(new), ..in_window(state) }))
+}

@@ -1,0 +1,202 @@
+//! The panel of studies: which to measure, the chart of errors, and the methods with their numbers; each opens the
+//! camera on which it was worst.
+
+mod plot;
+
+pub(in crate::gui) use plot::color_of;
+
+use std::time::Duration;
+
+use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
+
+use crate::gui::app::focus::keep_in_sight;
+use crate::gui::export::chart_export;
+use crate::gui::files::file_flow;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{AfterSave, State};
+use crate::i18n::numerics as words;
+use crate::numbers::significant;
+use crate::numerics::{Findings, Row, Study};
+
+/// Interval between looks at the progress.
+const GLANCE: Duration = Duration::from_millis(100);
+/// Width of the list of studies, in points.
+const LIST: f32 = 210.0;
+/// Width of the table of methods.
+const TABLE: f32 = 380.0;
+
+/// Shows the panel's content.
+pub fn ui(ui: &mut Ui, state: &mut State) {
+    state.numerics.take(Duration::ZERO);
+    state.numerics.begin(ui.ctx());
+    if state.numerics.measuring().is_some() {
+        ui.ctx().request_repaint_after(GLANCE);
+    }
+    let height = ui.available_height();
+    let mut opened = None;
+    ui.horizontal_top(|ui| {
+        ui.allocate_ui(egui::vec2(LIST, height), |ui| {
+            ScrollArea::vertical().id_salt("studies").auto_shrink(false).show(ui, |ui| {
+                studies(ui, state);
+                keep_in_sight(ui);
+            });
+        });
+        ui.separator();
+        let Some(findings) = state.numerics.found(state.numerics.study).cloned() else {
+            nothing_yet(ui, state);
+            return;
+        };
+        let table = TABLE.min(ui.available_width() * 0.5);
+        let room = egui::vec2((ui.available_width() - table - 24.0).max(120.0), height);
+        ui.allocate_ui(room, |ui| opened = chart(ui, state, &findings));
+        ui.separator();
+        ui.allocate_ui(egui::vec2(table, height), |ui| {
+            ScrollArea::both().id_salt("methods").auto_shrink(false).show(ui, |ui| {
+                ui.vertical(|ui| {
+                    if let Some(row) = methods(ui, state, &findings) {
+                        opened = Some(row);
+                    }
+                    keep_in_sight(ui);
+                });
+            });
+        });
+    });
+    if let Some(text) = opened.and_then(|row: Row| row.figure) {
+        file_flow::begin(ui.ctx(), state, AfterSave::Text(text));
+    }
+}
+
+/// The studies, each with a mark where it has been measured, and the button that measures.
+fn studies(ui: &mut Ui, state: &mut State) {
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    ui.vertical(|ui| {
+        ui.set_width(LIST - 12.0);
+        let measuring = state.numerics.measuring();
+        match measuring {
+            None => {
+                if ui.button(t.measure).explained(t.measure_hint).clicked() {
+                    state.numerics.measure(ui.ctx());
+                }
+            }
+            Some((study, share)) => {
+                ui.horizontal(|ui| {
+                    if ui.button(t.cancel).explained(words::short_title(lang, study)).clicked() {
+                        state.numerics.cancel();
+                    }
+                    ui.add(ProgressBar::new(share.unwrap_or(0.0)).desired_width(100.0).show_percentage());
+                });
+            }
+        }
+        ui.add_space(2.0);
+        for study in Study::ALL {
+            let mark = if state.numerics.found(study).is_some() { "✔ " } else { "" };
+            let chosen = state.numerics.study == study;
+            let label = ui.selectable_label(chosen, format!("{mark}{}", words::short_title(lang, study)));
+            if label.explained(words::title(lang, study)).clicked() && !chosen {
+                let numerics = &mut state.numerics;
+                (numerics.study, numerics.case, numerics.parameter) = (study, 0, None);
+            }
+        }
+    });
+}
+
+/// The question of a study, before it has been measured.
+fn nothing_yet(ui: &mut Ui, state: &State) {
+    let lang = state.settings.lang;
+    ui.vertical(|ui| {
+        ui.add_space(8.0);
+        ui.label(RichText::new(words::title(lang, state.numerics.study)).strong());
+        let t = words::texts(lang);
+        match state.numerics.measuring() {
+            Some((study, _)) => ui.label(format!("{} {}", t.measuring, words::title(lang, study))),
+            None => ui.label(t.nothing_yet),
+        };
+    });
+}
+
+/// The chart of one case; gives the row whose point was clicked.
+fn chart(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    let cases = findings.cases();
+    let case = cases.get(state.numerics.case).copied().unwrap_or_default();
+    ui.vertical(|ui| {
+        ui.horizontal(|ui| {
+            let list = ComboBox::from_id_salt("case").selected_text(words::name(lang, case)).show_ui(ui, |ui| {
+                for (i, name) in cases.iter().enumerate() {
+                    if ui.selectable_label(i == state.numerics.case, words::name(lang, name)).clicked() {
+                        (state.numerics.case, state.numerics.parameter) = (i, None);
+                    }
+                }
+            });
+            list.response.accessible_name(t.case);
+            ui.selectable_value(&mut state.numerics.over_time, false, t.over_parameter);
+            ui.selectable_value(&mut state.numerics.over_time, true, t.over_time);
+            let over_time = state.numerics.over_time;
+            chart_export::button(ui, state, words::title(lang, findings.study), || {
+                let pair = words::with_words(lang, findings.study, |words| findings.charts(case, words));
+                if over_time { pair.by_time } else { pair.by_parameter }
+            });
+        });
+        let over_time = state.numerics.over_time;
+        let pair = words::with_words(lang, findings.study, |words| findings.charts(case, words));
+        plot::show(ui, lang, findings, case, &pair, over_time)
+    })
+    .inner
+}
+
+/// The methods at one parameter; gives the row whose camera is to be opened.
+fn methods(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    let case = findings.cases().get(state.numerics.case).copied().unwrap_or_default().to_owned();
+    let rows: Vec<&Row> = findings.rows.iter().filter(|row| row.case == case).collect();
+    let mut parameters: Vec<f64> = rows.iter().map(|row| row.parameter).collect();
+    parameters.dedup();
+    let at = state.numerics.parameter.unwrap_or(parameters.len().saturating_sub(1));
+    let number = |x: f64| lang.mark().printed(&significant(x, 3));
+    let value = |x: f64| lang.mark().printed(&words::value(x));
+    let parameter = parameters.get(at).copied().unwrap_or_default();
+    ui.horizontal(|ui| {
+        let name = words::parameter(lang, findings.study);
+        let list = ComboBox::from_id_salt("parameter").width(70.0).selected_text(value(parameter));
+        let list = list.show_ui(ui, |ui| {
+            for (i, parameter) in parameters.iter().enumerate() {
+                if ui.selectable_label(i == at, value(*parameter)).clicked() {
+                    state.numerics.parameter = Some(i);
+                }
+            }
+        });
+        list.response.accessible_name(name);
+        ui.add(egui::Label::new(name).truncate());
+    });
+    let mut opened = None;
+    let colors = findings.methods();
+    Grid::new("methods").num_columns(5).striped(true).show(ui, |ui| {
+        for (head, hint) in [(t.method, ""), (t.error, ""), (t.nanos, ""), (t.bits, t.bits_hint), ("", "")] {
+            let head = ui.label(RichText::new(head).strong());
+            if !hint.is_empty() {
+                head.explained(hint);
+            }
+        }
+        ui.end_row();
+        for row in rows.into_iter().filter(|row| row.parameter == parameter) {
+            let name = words::name(lang, row.method);
+            ui.horizontal(|ui| {
+                let color = colors.iter().position(|method| *method == row.method);
+                ui.colored_label(color_of(color, ui.visuals().dark_mode), "●");
+                ui.label(if row.pareto { RichText::new(format!("{name} *")).strong() } else { RichText::new(name) });
+            });
+            ui.monospace(lang.mark().printed(&words::short(row.error)));
+            ui.monospace(number(row.nanos));
+            ui.monospace(lang.mark().printed(&format!("{:.1}", row.bits)));
+            if row.figure.is_some() && ui.small_button(t.open).explained(t.open_hint).clicked() {
+                opened = Some(row.clone());
+            }
+            ui.end_row();
+        }
+    });
+    ui.label(RichText::new(t.star).small());
+    opened
+}

@@ -1,0 +1,253 @@
+//! The operations on the camera: by a step, or scrubbed with a slider from where the camera is.
+
+use eframe::egui::{self, Align, Layout, RichText, Slider};
+
+use super::{TEXT_LINE, complaint, erratum, section};
+use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
+use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::theme;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::pictures::motion;
+use crate::gui::state::{Scrub, State};
+use crate::gui::why::context_help::help_topic_row;
+use crate::i18n::notes;
+use crate::i18n::window::{self, Texts};
+use crate::numbers::DecimalMark;
+use crate::views::Ghost;
+
+/// The operation of a slider, by how far it has been pulled: degrees; a power of two; scene units. 0 changes nothing.
+fn pulled(freedom: Freedom, pull: f64) -> Operation {
+    match freedom.descriptor().amount {
+        Amount::Angle | Amount::Length => freedom.by(pull),
+        Amount::Factor => freedom.by(pull.exp2()),
+    }
+}
+
+/// The operation of a button: one step forwards or backwards.
+fn stepped(freedom: Freedom, step: f64, forwards: bool) -> Operation {
+    freedom.by(if forwards { step } else { freedom.descriptor().amount.inverse(step) })
+}
+
+fn name(freedom: Freedom, t: &Texts) -> &'static str {
+    match freedom {
+        Freedom::Elevation => t.elevation,
+        Freedom::Azimuth => t.azimuth,
+        Freedom::Roll => t.roll,
+        Freedom::Yaw => t.yaw,
+        Freedom::Pitch => t.pitch,
+        Freedom::Zoom => t.zoom,
+        Freedom::Dolly => t.dolly,
+        Freedom::PanU => t.pan_u,
+        Freedom::PanV => t.pan_v,
+    }
+}
+
+/// The effect of an operation.
+fn effect(freedom: Freedom, t: &Texts) -> &'static str {
+    match freedom {
+        Freedom::Elevation => t.elevation_effect,
+        Freedom::Azimuth => t.azimuth_effect,
+        Freedom::Roll => t.roll_effect,
+        Freedom::Yaw => t.yaw_effect,
+        Freedom::Pitch => t.pitch_effect,
+        Freedom::Zoom => t.zoom_effect,
+        Freedom::Dolly => t.dolly_effect,
+        Freedom::PanU => t.pan_u_effect,
+        Freedom::PanV => t.pan_v_effect,
+    }
+}
+
+/// Shows the operations.
+pub fn ui(ui: &mut egui::Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    let possible = state.document.problem().is_none();
+    section(ui, t.operations, "operations", true, |ui| {
+        ui.spacing_mut().item_spacing.y = 2.0;
+        ui.add_enabled_ui(possible, |ui| {
+            for Descriptor { freedom, .. } in &OPERATIONS {
+                ui.push_id(freedom, |ui| operation(ui, t, state, *freedom));
+            }
+        });
+        let mut vtk = state.operations.convention == Convention::Vtk;
+        ui.checkbox(&mut vtk, t.vtk).explained(t.vtk_hint);
+        state.operations.convention = if vtk { Convention::Vtk } else { Convention::RightHand };
+    });
+    if !ui.input(|input| input.pointer.any_down()) {
+        state.operations.scrub = None;
+    }
+}
+
+fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
+    let amount = state.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map(|scrub| scrub.amount);
+    let row = ui.scope(|ui| {
+        ui.spacing_mut().item_spacing.y = 1.0;
+        let height = std::mem::replace(&mut ui.spacing_mut().interact_size.y, TEXT_LINE);
+        ui.horizontal(|ui| {
+            let explained = explained(freedom, t, state.operations.convention);
+            ui.label(RichText::new(name(freedom, t)).strong()).explained(explained);
+            match freedom {
+                Freedom::Yaw => erratum(ui, t, t.erratum_yaw),
+                Freedom::Pitch => erratum(ui, t, t.erratum_pitch),
+                Freedom::Elevation
+                | Freedom::Azimuth
+                | Freedom::Roll
+                | Freedom::Zoom
+                | Freedom::Dolly
+                | Freedom::PanU
+                | Freedom::PanV => {}
+            }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let small = match amount {
+                    Some(amount) => RichText::new(describe(freedom, amount, t.lang.mark())).small().strong(),
+                    None => RichText::new(effect(freedom, t)).small().weak(),
+                };
+                ui.add(egui::Label::new(small).truncate());
+            });
+        });
+        ui.spacing_mut().interact_size.y = height;
+        controls(ui, t, state, freedom);
+    });
+    ui.add_space(1.0);
+    help_topic_row(ui, row.response.rect, notes::of_operation(freedom));
+    let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
+    if state.hover.ghost.is_none() && hovered && !ui.input(|input| input.pointer.any_down()) {
+        let before = state.document.camera().clone();
+        let operation = stepped(freedom, state.operations.steps[freedom as usize], true);
+        state.hover.ghost = Some(Ghost { before, operation, convention: state.operations.convention });
+    }
+}
+
+/// The amount of a slider.
+fn describe(freedom: Freedom, amount: f64, mark: DecimalMark) -> String {
+    let sign = if amount > 0.0 { "+" } else { "" };
+    match freedom.descriptor().amount {
+        Amount::Factor => format!("× {}", mark.number(amount.exp2(), 4)),
+        Amount::Length => format!("{sign}{}", mark.number(amount, 4)),
+        Amount::Angle => format!("{sign}{}°", mark.number(amount, 5)),
+    }
+}
+
+/// − step + and the slider.
+fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
+    let name = name(freedom, t);
+    let error = ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        button(ui, t, state, freedom, false);
+        let step = &mut state.operations.steps[freedom as usize];
+        let title = format!("{name}: {}", t.step);
+        let field = match freedom.descriptor().amount {
+            Amount::Factor => NumberField::new(title, Step::Multiply(1.1)).prefix("×"),
+            Amount::Length => NumberField::new(title, Step::Multiply(1.1)),
+            Amount::Angle => NumberField::angle(title, 5.0),
+        };
+        let error = field.positive().width(58.0).hint(t.step_hint).show(ui, t, step).error;
+        button(ui, t, state, freedom, true);
+        slider(ui, t, state, freedom);
+        error
+    });
+    if let Some(error) = error.inner {
+        complaint(ui, &error.text(t.lang));
+    }
+}
+
+fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, forwards: bool) {
+    let sign = if forwards { "+" } else { "−" };
+    let arrow = motion::arrow(state.document.camera(), freedom, forwards, state.operations.convention);
+    let text = arrow.map_or_else(|| sign.to_owned(), |arrow| format!("{sign} {arrow}"));
+    let button = egui::Button::new(text).min_size(egui::vec2(34.0, 0.0));
+    let name = format!("{} {sign}", name(freedom, t));
+    if ui.add(button).accessible_name(name).explained(explained(freedom, t, state.operations.convention)).clicked() {
+        let step = state.operations.steps[freedom as usize];
+        let amount = if forwards { step } else { freedom.descriptor().amount.inverse(step) };
+        motion::begin(state, freedom, amount);
+    }
+}
+
+/// The effect of an operation, and the direction of a positive angle.
+fn explained(freedom: Freedom, t: &Texts, convention: Convention) -> String {
+    let effect = match freedom {
+        Freedom::Azimuth => format!("{}. {}", effect(freedom, t), t.azimuth_of_vtk),
+        _ => effect(freedom, t).to_owned(),
+    };
+    match (freedom.descriptor().amount, convention) {
+        (Amount::Factor | Amount::Length, _) => effect,
+        (Amount::Angle, Convention::RightHand) => format!("{effect}. {}", t.sign_right_hand),
+        (Amount::Angle, Convention::Vtk) => format!("{effect}. {}", t.sign_vtk),
+    }
+}
+
+/// Sliders of angles stop at multiples of so many degrees.
+const SNAP: f64 = 5.0;
+
+/// Draws the springs that bring a knob back to the middle; `share` is its place, 0 … 1.
+fn springs(ui: &egui::Ui, place: egui::Rect, share: f32) {
+    let radius = place.height() / 3.0;
+    let rail = place.shrink2(egui::vec2(radius, 0.0));
+    let knob = egui::lerp(rail.left()..=rail.right(), share);
+    let stroke = egui::Stroke::new(1.0, ui.visuals().weak_text_color());
+    let high = 0.22 * place.height();
+    for (end, beside) in [(rail.left(), knob - radius), (rail.right(), knob + radius)] {
+        let at = |k: u8| {
+            let up = if k == 0 || k == COILS {
+                0.0
+            } else if k.is_multiple_of(2) {
+                high
+            } else {
+                -high
+            };
+            egui::pos2(egui::lerp(end..=beside, f32::from(k) / f32::from(COILS)), place.center().y + up)
+        };
+        ui.painter().line((0..=COILS).map(at).collect(), stroke);
+    }
+}
+
+/// Corners of a spring.
+const COILS: u8 = 12;
+
+/// Pulls the camera from where it was taken; springs back when it is let go.
+fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
+    let free = ui.input(|input| input.modifiers.command);
+    let (range, grain) = match freedom.descriptor().amount {
+        Amount::Factor => (3.0, 0.05),
+        Amount::Length => {
+            let start = state.operations.scrub.as_ref().map_or(state.document.camera(), |s| &s.start);
+            (start.distance(), 0.0)
+        }
+        Amount::Angle if free => (180.0, 0.0),
+        Amount::Angle => (180.0, SNAP),
+    };
+    let mut amount = state.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map_or(0.0, |s| s.amount);
+    ui.spacing_mut().slider_width = ui.available_width().max(40.0);
+    // Springs take the place of the rail.
+    ui.spacing_mut().slider_rail_height = 0.0;
+    theme::strengthen_rail(ui);
+    // A pixel is several degrees wide: there is a round number in each.
+    let slider = Slider::new(&mut amount, -range..=range).show_value(false).step_by(grain).smart_aim(!free);
+    let response = ui.add(slider).explained(t.scrub_hint);
+    let response = response.accessible_name(format!("{}: {}", name(freedom, t), t.scrub));
+    #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
+    springs(ui, response.rect, ((amount + range) / (2.0 * range)).clamp(0.0, 1.0) as f32);
+    if response.drag_started() {
+        state.operations.scrub = Some(Scrub { freedom, start: state.document.camera().clone(), amount: 0.0 });
+    }
+    // Where it is let go counts too: the pointer may have moved since the last frame.
+    if response.dragged() || response.drag_stopped() {
+        let convention = state.operations.convention;
+        if let Some(scrub) = state.operations.scrub.as_mut().filter(|scrub| scrub.freedom == freedom) {
+            state.hover.ghost =
+                Some(Ghost { before: scrub.start.clone(), operation: pulled(freedom, amount), convention });
+            if scrub.amount != amount {
+                scrub.amount = amount;
+                let done = if amount == 0.0 {
+                    state.document.set_camera(scrub.start.clone());
+                    Ok(())
+                } else {
+                    state.document.operate_from(&scrub.start, pulled(freedom, amount), convention)
+                };
+                state.say_camera_error(done);
+            }
+        }
+    } else if response.changed() {
+        state.operate(pulled(freedom, amount));
+    }
+}

@@ -1,0 +1,265 @@
+//! The panel on the left: every parameter of the figure, in three tabs: the camera, the scene, how it is drawn.
+
+mod camera;
+mod image;
+mod style;
+mod world_section;
+
+use eframe::egui;
+use glam::DVec3;
+
+use super::{complaint, row};
+use crate::camera::{Camera, CameraError, CameraRepair, ParameterKey, Parameters, camera_repairs};
+use crate::explain::Symbol;
+use crate::figure::{Measure, Measured, WindowSide};
+use crate::gui::app::command::Command;
+use crate::gui::app::focus::keep_in_sight;
+use crate::gui::kit::number_field::{FieldOutput, NumberField};
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{State, Tab, symbols_of};
+use crate::gui::why::context_help::{has_focus, help_topic_row};
+use crate::i18n::window::{self, Texts};
+use crate::i18n::{Lang, faults, notes, scenes};
+use crate::numbers;
+use crate::scene::Preset;
+
+/// Shows the panel's content: one of its tabs.
+pub fn ui(ui: &mut egui::Ui, state: &mut State) {
+    tabs(ui, state);
+    let scroll = egui::ScrollArea::vertical().id_salt(state.settings.tab).auto_shrink(false);
+    match state.settings.tab {
+        Tab::Camera => {
+            scroll.show(ui, |ui| {
+                camera_tab(ui, state);
+                keep_in_sight(ui);
+            });
+        }
+        Tab::Scene => super::scene::ui(ui, state),
+        Tab::Drawing => {
+            scroll.show(ui, |ui| {
+                style::ui(ui, state);
+                world_section::ui(ui, state);
+                keep_in_sight(ui);
+            });
+        }
+    }
+}
+
+/// The heads of the tabs, side by side.
+fn tabs(ui: &mut egui::Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    let drawing = scenes::texts(state.settings.lang).drawing;
+    ui.add_space(2.0);
+    ui.columns(3, |columns| {
+        let all = [(Tab::Camera, t.camera), (Tab::Scene, t.scene), (Tab::Drawing, drawing)];
+        for (column, (tab, text)) in columns.iter_mut().zip(all) {
+            let command = Command::Tab(tab);
+            let keys = column.ctx().format_shortcut(&command.shortcut());
+            let hint = format!("{} ({keys})", command.hint(t));
+            let impossible = tab == Tab::Camera && state.document.problem().is_some();
+            let text = if impossible { format!("⚠ {text}") } else { text.to_owned() };
+            column.vertical_centered_justified(|ui| {
+                let button = egui::Button::selectable(state.settings.tab == tab, text).frame_when_inactive(true);
+                if ui.add(button).explained(hint).accessible_name(command.label(t)).clicked() {
+                    state.settings.tab = tab;
+                }
+            });
+        }
+    });
+    ui.add_space(2.0);
+}
+
+fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
+    let mut form = ParameterForm::new(state);
+    if form.error.is_some() && state.problem_out_of_sight {
+        form.problem(ui);
+        form.said = false;
+    }
+    camera::placement(ui, &mut form);
+    camera::projection(ui, &mut form, state);
+    camera::window(ui, &mut form);
+    state.hover.measured = form.measured;
+    state.hover.pointed = form.pointed;
+    state.problem_out_of_sight = form.error.is_some() && !form.said;
+    match form.replaced {
+        Some(camera) => state.document.set_camera(camera),
+        None => state.document.set_parameters(form.parameters),
+    }
+    image::ui(ui, state);
+}
+
+/// The camera's parameters while their fields are shown, and their faults.
+struct ParameterForm {
+    t: &'static Texts,
+    lang: Lang,
+    /// The scene that the camera looks at: of some exercises the notes have errata.
+    preset: Preset,
+    parameters: Parameters,
+    error: Option<CameraError>,
+    good: Camera,
+    /// A camera that knows more than its parameters.
+    replaced: Option<Camera>,
+    said: bool,
+    /// The measure of the parameter under the pointer.
+    measured: Vec<Measured>,
+    /// The parameter under the pointer, or that has the keyboard.
+    pointed: Vec<Symbol>,
+}
+
+impl ParameterForm {
+    fn new(state: &State) -> Self {
+        Self {
+            t: window::texts(state.settings.lang),
+            lang: state.settings.lang,
+            preset: state.document.figure().scene.preset,
+            parameters: *state.document.draft(),
+            error: state.document.problem().cloned(),
+            good: state.document.camera().clone(),
+            replaced: None,
+            said: false,
+            measured: Vec::new(),
+            pointed: Vec::new(),
+        }
+    }
+
+    fn is_marked(&self, key: ParameterKey) -> bool {
+        self.error.as_ref().is_some_and(|error| error.parameters().contains(&key))
+    }
+
+    /// Shows the fault of a value below its field: that of the typed text, or of the value.
+    fn complain(&mut self, ui: &mut egui::Ui, key: ParameterKey, fields: &[FieldOutput]) {
+        for error in fields.iter().filter_map(|field| field.error.as_ref()) {
+            complaint(ui, &error.text(self.t.lang));
+        }
+        if self.error.as_ref().is_some_and(|error| error.parameters().first() == Some(&key)) {
+            self.problem(ui);
+        }
+    }
+
+    /// Why the parameters are not a camera, and the buttons that mend them.
+    fn problem(&mut self, ui: &mut egui::Ui) {
+        let Some(error) = &self.error else { return };
+        self.said = true;
+        complaint(ui, &faults::camera_error(self.lang, error));
+        let mut mended = None;
+        ui.horizontal_wrapped(|ui| {
+            for (repair, parameters) in camera_repairs(error, &self.parameters, &self.good) {
+                if ui.button(label(self.t, repair)).clicked() {
+                    mended = Some(parameters);
+                }
+            }
+        });
+        if let Some(mended) = mended {
+            self.parameters = mended;
+        }
+    }
+
+    /// A vector: its name, and below it three fields side by side.
+    fn vector(&mut self, ui: &mut egui::Ui, vector: VectorParameter) {
+        let VectorParameter { key, symbol, name, hint, step, value } = vector;
+        let marked = self.is_marked(key);
+        let shown = super::VectorField { symbol, name, hint, field: symbol, owner: "", step, angles: false, marked };
+        let outputs = ui.scope(|ui| shown.show(ui, self.t, value(&mut self.parameters)));
+        self.point_at(ui, key, outputs.response.rect);
+        self.complain(ui, key, &outputs.inner);
+    }
+
+    /// One number: its name on the left, its field on the right.
+    fn number(&mut self, ui: &mut egui::Ui, number: Number) {
+        let Number { key, symbol, name, hint, field, value } = number;
+        let marked = self.is_marked(key);
+        let output = ui.scope(|ui| {
+            row(ui, symbol, name, hint, |ui| {
+                field.hint(hint).width(92.0).marked(marked).show(ui, self.t, value(&mut self.parameters))
+            })
+        });
+        self.point_at(ui, key, output.response.rect);
+        self.complain(ui, key, &[output.inner]);
+    }
+
+    /// While the pointer is on the row of a parameter, the world shows its length or angle; then, and while its field
+    /// has the focus, the explanations mark the entries that depend on it.
+    fn point_at(&mut self, ui: &egui::Ui, key: ParameterKey, row: egui::Rect) {
+        self.point_at_symbols(ui, symbols_of(key), measure_of(key), row);
+    }
+
+    /// The same for a side of the view window.
+    fn point_at_side(&mut self, ui: &egui::Ui, side: WindowSide, row: egui::Rect) {
+        let symbol = match side {
+            WindowSide::Left => Symbol::Left,
+            WindowSide::Right => Symbol::Right,
+            WindowSide::Bottom => Symbol::Bottom,
+            WindowSide::Top => Symbol::Top,
+        };
+        self.point_at_symbols(ui, vec![symbol], Some(Measured::Side(side)), row);
+    }
+
+    fn point_at_symbols(&mut self, ui: &egui::Ui, symbols: Vec<Symbol>, measured: Option<Measured>, row: egui::Rect) {
+        let pointed = ui.rect_contains_pointer(row);
+        if pointed
+            && !ui.input(|input| input.pointer.any_down())
+            && let Some(measured) = measured
+        {
+            self.measured = vec![measured];
+        }
+        if let Some(symbol) = symbols.first() {
+            help_topic_row(ui, row, notes::of_symbol(*symbol));
+        }
+        if pointed || (has_focus(ui, row) && self.pointed.is_empty()) {
+            self.pointed = symbols;
+        }
+    }
+
+    /// A number that follows from others.
+    fn derived(&self, ui: &mut egui::Ui, symbol: &str, name: &str, hint: &str, value: f64, unit: &str) {
+        row(ui, symbol, name, hint, |ui| {
+            let number = |digits| self.t.lang.mark().number(value, digits);
+            let exact = number(numbers::EXACT_DIGITS);
+            ui.label(format!("{}{unit}", number(6))).explained(format!("= {exact}{unit}"));
+        });
+    }
+}
+
+struct VectorParameter {
+    key: ParameterKey,
+    symbol: &'static str,
+    name: &'static str,
+    hint: &'static str,
+    step: f64,
+    value: fn(&mut Parameters) -> &mut DVec3,
+}
+
+struct Number {
+    key: ParameterKey,
+    symbol: &'static str,
+    name: &'static str,
+    hint: &'static str,
+    field: NumberField<'static>,
+    value: fn(&mut Parameters) -> &mut f64,
+}
+
+/// The length or angle that a parameter is, or sets.
+fn measure_of(key: ParameterKey) -> Option<Measured> {
+    let measure = match key {
+        ParameterKey::Near => Measure::Near,
+        ParameterKey::Far => Measure::Far,
+        ParameterKey::ViewAngle => Measure::HalfAngle,
+        ParameterKey::Height => Measure::Height,
+        ParameterKey::Aspect => Measure::Width,
+        ParameterKey::FocalPoint => Measure::Distance,
+        ParameterKey::Position | ParameterKey::ViewUp | ParameterKey::Window => return None,
+    };
+    Some(Measured::Dimension(measure))
+}
+
+fn label(t: &Texts, repair: CameraRepair) -> String {
+    match repair {
+        CameraRepair::FocalPointAhead => t.repair_focal_point.to_owned(),
+        CameraRepair::ViewUp(axis) => format!("{} ({}, {}, {})", t.repair_view_up, axis.x, axis.y, axis.z),
+        CameraRepair::SwapNearFar => t.repair_swap_near_far.to_owned(),
+        CameraRepair::FarTenTimesNear => t.repair_far.to_owned(),
+        CameraRepair::ViewAngle(angle) => format!("{} {}°", t.repair_angle, t.lang.mark().printed(&angle.to_string())),
+        CameraRepair::SwapSides => t.repair_sides.to_owned(),
+        CameraRepair::Back => t.repair_back.to_owned(),
+    }
+}

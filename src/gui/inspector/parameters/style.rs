@@ -1,0 +1,60 @@
+//! The section about the style of the drawing.
+
+use eframe::egui;
+
+use super::row;
+use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
+use crate::figure::Explanation;
+use crate::gui::inspector::{choice, section};
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::State;
+use crate::i18n::window;
+
+/// Shading, hidden surfaces and lines, samples, theme.
+pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    let old = state.document.figure().style;
+    let mut style = old;
+    let mut opens = false;
+    section(ui, t.style, "style", true, |ui| {
+        let shadings = [
+            (Shading::Wireframe, t.shading_wireframe),
+            (Shading::Flat, t.shading_flat),
+            (Shading::Gouraud, t.shading_gouraud),
+            (Shading::Phong, t.shading_phong),
+        ];
+        row(ui, "", t.shading, t.shading_hint, |ui| {
+            choice(ui, t.shading, t.shading_hint, &mut style.shading, &shadings)
+        });
+        row(ui, "", t.visibility, t.visibility_hint, |ui| {
+            let by = match style.visibility {
+                Visibility::DepthBuffer => t.visibility_depth_buffer,
+                Visibility::Painter => t.visibility_painter,
+                Visibility::Bsp => t.visibility_bsp,
+            };
+            opens = ui.link(format!("{by} →")).explained(t.visibility_hint).clicked();
+        });
+        let lines = [
+            (HiddenLines::Dashed, t.hidden_dashed),
+            (HiddenLines::Hidden, t.hidden_hidden),
+            (HiddenLines::Shown, t.hidden_shown),
+        ];
+        row(ui, "", t.hidden_lines, t.hidden_lines_hint, |ui| {
+            choice(ui, t.hidden_lines, t.hidden_lines_hint, &mut style.hidden_lines, &lines)
+        });
+        let samples = [(1, "1"), (4, "4"), (16, "16")];
+        row(ui, "", t.antialias, t.antialias_hint, |ui| {
+            choice(ui, t.antialias, t.antialias_hint, &mut style.antialias, &samples)
+        });
+        let themes = [(Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark), (Theme::Print, t.theme_print)];
+        row(ui, "", t.file_theme, t.file_theme_hint, |ui| {
+            choice(ui, t.file_theme, t.file_theme_hint, &mut style.theme, &themes)
+        });
+    });
+    if style != old {
+        state.document.edit(|figure| figure.style = style);
+    }
+    if opens {
+        state.show_explanation(Explanation::HiddenSurfaces);
+    }
+}

@@ -1,0 +1,107 @@
+//! Objects and lights to add to a scene, and their placement.
+
+use eframe::egui;
+use glam::DVec3;
+
+use crate::camera::{Camera, Projection};
+use crate::gui::files::file_flow;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{MeshFor, Purpose, Selected, State, free_place, rounded};
+use crate::i18n::scenes::Texts;
+use crate::numbers;
+use crate::scene::{DEFAULT_LIGHT, Light, LightKind, ObjectSpec, Shape};
+
+/// The menu of objects and lights to add.
+pub(super) fn menu(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+    let button = egui::Button::new(format!("+ {}", t.add));
+    let response = egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| entries(ui, state, t)).0;
+    response.explained(t.add_hint).accessible_name(t.add);
+}
+
+fn entries(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+    let solids = [
+        Shape::Box,
+        Shape::Prism,
+        Shape::Pyramid,
+        Shape::Sphere,
+        Shape::Ellipsoid,
+        Shape::Cylinder,
+        Shape::Cone,
+        Shape::Torus,
+    ];
+    let flat = [Shape::Grid, Shape::Points(vec![DVec3::ZERO]), Shape::Segments(vec![[DVec3::ZERO, DVec3::X]])];
+    ui.set_min_width(170.0);
+    for shape in solids {
+        if chosen(ui, t.shape(Some(&shape))) {
+            add(state, ObjectSpec::new(t.shape(Some(&shape)), shape));
+        }
+    }
+    ui.separator();
+    for shape in flat {
+        if chosen(ui, t.shape(Some(&shape))) {
+            add(state, ObjectSpec::new(t.shape(Some(&shape)), shape));
+        }
+    }
+    if chosen(ui, t.shape_mesh_file) {
+        file_flow::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::New));
+    }
+    ui.separator();
+    if chosen(ui, t.group) {
+        add(state, ObjectSpec { scale: DVec3::ONE, ..ObjectSpec::group(t.group) });
+    }
+    ui.separator();
+    for (name, light) in
+        [(t.directional_light, Light::directional(DEFAULT_LIGHT)), (t.point_light, Light::point(DVec3::ZERO))]
+    {
+        if chosen(ui, name) {
+            add_light(state, light);
+        }
+    }
+}
+
+/// An entry; where it is chosen, by the pointer or the keyboard, the menu closes.
+fn chosen(ui: &mut egui::Ui, name: &str) -> bool {
+    let clicked = ui.button(name).clicked();
+    if clicked {
+        ui.close();
+    }
+    clicked
+}
+
+/// Adds an object at PF, in a size that suits the view.
+fn add(state: &mut State, object: ObjectSpec) {
+    let camera = state.document.camera();
+    let size = if object.shape.is_some() { size_in(camera) } else { 1.0 };
+    let place = match object.shape {
+        // A grid lies where the scene stands, and a group has no body.
+        None | Some(Shape::Grid) => rounded(camera.focal_point(), size / 10.0),
+        Some(_) => free_place(camera, state.scene_cache.scene(), size),
+    };
+    let object = ObjectSpec { translate: place, scale: DVec3::splat(size), ..object };
+    state.insert(object);
+}
+
+fn add_light(state: &mut State, light: Light) {
+    let camera = state.document.camera();
+    let light = match light.kind {
+        LightKind::Directional => light,
+        // Above the focal point, as a lamp hangs.
+        LightKind::Point => {
+            let size = size_in(camera);
+            Light::point(rounded(camera.focal_point() + DVec3::new(size, 4.0 * size, size), size / 10.0))
+        }
+    };
+    let index = state.document.figure().scene.lights.len();
+    state.document.edit(|figure| figure.scene.lights.push(light));
+    state.tree.select(Some(Selected::Light(index)));
+}
+
+/// 1, 2 or 5 times a power of ten, about a fifth of the visible height at PF above the middle.
+fn size_in(camera: &Camera) -> f64 {
+    let half = match camera.projection() {
+        Projection::Parallel => camera.window().height() / 2.0,
+        Projection::Perspective => camera.window().height() / 2.0 / camera.near() * camera.distance(),
+    };
+    let wanted = half / 5.0;
+    numbers::nice_below(wanted).unwrap_or(1.0)
+}

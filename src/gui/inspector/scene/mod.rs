@@ -1,0 +1,332 @@
+//! The scene: the named scene, the tree of objects, the lights, and below them the selection.
+
+mod add;
+mod light;
+mod object;
+mod texture;
+mod tree;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use eframe::egui::{self, RichText};
+
+use super::{choice, row, section};
+use crate::explain::{Component, Symbol};
+use crate::figure::Measured;
+use crate::gui::app::focus::keep_in_sight;
+use crate::gui::kit::number_field::FieldOutput;
+use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{Dialog, Draft, Message, Selected, State, Typing};
+use crate::gui::why::context_help::{has_focus, help_topic_row};
+use crate::i18n::Lang;
+use crate::i18n::faults;
+use crate::i18n::notes;
+use crate::i18n::scenes::{self, Texts};
+use crate::i18n::window;
+use crate::limits::MAX_SIDE;
+use crate::scene::edit::{self, Children};
+use crate::scene::transform::{below, topmost};
+use crate::scene::{Preset, SceneError, SceneSpec, check};
+
+/// A change requested by the tree or a button.
+enum Edit {
+    Hang {
+        name: String,
+        parent: Option<String>,
+    },
+    Remove {
+        names: BTreeSet<String>,
+        children: Children,
+    },
+    /// Asks about the children, where there are any.
+    AskRemove(BTreeSet<String>),
+    RemoveLight(usize),
+}
+
+/// Shows the tab.
+pub(in crate::gui) fn ui(ui: &mut egui::Ui, state: &mut State) {
+    let t = scenes::texts(state.settings.lang);
+    named_scene(ui, state);
+    ui.horizontal(|ui| {
+        add::menu(ui, state, t);
+        edit_a_copy(ui, state, t);
+    });
+    let half = (ui.available_height() * 0.42).max(120.0);
+    let mut edits = tree::ui(ui, state, t, half);
+    ui.add_space(2.0);
+    egui::ScrollArea::vertical().id_salt("selected").auto_shrink(false).show(ui, |ui| {
+        edits.extend(selected(ui, state, t));
+        keep_in_sight(ui);
+    });
+    for edit in edits {
+        perform(state, edit);
+    }
+}
+
+fn named_scene(ui: &mut egui::Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    let old = state.document.figure().scene.preset;
+    let mut preset = old;
+    let presets = [
+        (Preset::Empty, t.scene_empty),
+        (Preset::Primitives, t.scene_primitives),
+        (Preset::Cube, t.scene_cube),
+        (Preset::House, t.scene_house),
+        (Preset::Corridor, t.scene_corridor),
+        (Preset::Pyramid, t.scene_pyramid),
+        (Preset::NdcCube, t.scene_ndc_cube),
+        (Preset::Exercise51, t.scene_exercise_51),
+        (Preset::Exercise52, t.scene_exercise_52),
+        (Preset::Exercise53, t.scene_exercise_53),
+    ];
+    row(ui, "", t.preset, t.preset_hint, |ui| choice(ui, t.preset, t.preset_hint, &mut preset, &presets));
+    if preset != old {
+        state.document.edit(|figure| edit::choose_preset(&mut figure.scene, preset));
+        // An empty scene has nothing to frame: the viewpoint stays.
+        if preset != Preset::Empty {
+            show_from_its_best_side(state, preset);
+        }
+    }
+}
+
+/// A scene of another size would be out of sight: each preset comes with its camera, and with an image of the same
+/// aspect.
+fn show_from_its_best_side(state: &mut State, preset: Preset) {
+    let mut camera = crate::figure::recommended_camera(preset);
+    if state.settings.aspect_follows_image {
+        let n = state.document.figure().image.height;
+        let m = (f64::from(n) * camera.aspect).round();
+        // An image that would be too wide stays as it is, and A follows it.
+        if (1.0..=f64::from(MAX_SIDE)).contains(&m) {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
+            state.document.edit(|figure| figure.image.width = m as u32);
+        }
+        camera.aspect = f64::from(state.document.figure().image.width) / f64::from(n);
+    }
+    state.document.set_parameters(camera);
+    *state.document.observers_mut() = Default::default();
+}
+
+/// The button that expands the named scene into a list of objects. It tells before and after what the list cannot
+/// express.
+fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+    let preset = state.document.figure().scene.preset;
+    if preset == Preset::Empty {
+        return;
+    }
+    let hint = format!("{}. {}", t.edit_copy_hint, scenes::lost(state.settings.lang, preset));
+    if !ui.button(t.edit_copy).explained(hint.trim()).clicked() {
+        return;
+    }
+    let (theme, lang) = (state.settings.theme, state.settings.lang);
+    let called = |name: &str| scenes::preset_object(lang, name);
+    let mut names = BTreeMap::new();
+    state.document.edit(|figure| names = edit::write_out_preset(&mut figure.scene, theme, called));
+    if let Some(Selected::OfPreset(name)) = state.tree.selected.clone() {
+        state.tree.select(names.remove(&name).map(Selected::Object));
+    }
+    state.say(Message::WrittenOut(preset));
+}
+
+/// The selection, with its fields; returns the request of its buttons.
+fn selected(ui: &mut egui::Ui, state: &mut State, t: &Texts) -> Option<Edit> {
+    let scene = &state.document.figure().scene;
+    let mut form = SceneForm::new(state);
+    let asked = match state.tree.selected(scene).cloned() {
+        None => {
+            ui.add(egui::Label::new(RichText::new(t.nothing_selected).weak()).wrap());
+            None
+        }
+        Some(Selected::Object(name)) => {
+            let index = form.scene.objects.iter().position(|o| o.name == name)?;
+            section_of(ui, t.object, |ui| object::ui(ui, state, &mut form, index)).flatten()
+        }
+        Some(Selected::OfPreset(name)) => {
+            section_of(ui, t.object, |ui| object::of_preset(ui, state, &mut form, &name));
+            None
+        }
+        Some(Selected::Light(index)) => section_of(ui, t.light, |ui| light::ui(ui, state, &mut form, index)).flatten(),
+    };
+    form.finish(state);
+    asked
+}
+
+fn section_of<R>(ui: &mut egui::Ui, title: &str, body: impl FnOnce(&mut egui::Ui) -> R) -> Option<R> {
+    let mut result = None;
+    section(ui, title, "selected", true, |ui| result = Some(body(ui)));
+    result
+}
+
+/// The scene while its fields are shown, and its faults.
+struct SceneForm {
+    t: &'static Texts,
+    window: &'static window::Texts,
+    lang: Lang,
+    base: SceneSpec,
+    scene: SceneSpec,
+    error: Option<SceneError>,
+    /// A unit of length that suits the scene.
+    step: f64,
+    /// The measure of the part of the transform under the pointer.
+    measured: Vec<Measured>,
+    /// The part of the transform that is under the pointer, or has the keyboard.
+    pointed: Vec<Symbol>,
+}
+
+impl SceneForm {
+    fn new(state: &State) -> Self {
+        let lang = state.settings.lang;
+        let base = state.document.figure().scene.clone();
+        let draft = state.tree.draft.as_ref().filter(|draft| draft.base == base);
+        Self {
+            t: scenes::texts(lang),
+            window: window::texts(lang),
+            lang,
+            scene: draft.map_or_else(|| base.clone(), |draft| draft.now.clone()),
+            error: draft.map(|draft| draft.error.clone()),
+            base,
+            step: crate::numbers::power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0),
+            measured: Vec::new(),
+            pointed: Vec::new(),
+        }
+    }
+
+    /// While the pointer is on a part of the transform, or its field has the focus, the world shows its measure, and
+    /// the explanations mark the entries that depend on it.
+    fn point_at(&mut self, ui: &egui::Ui, rect: egui::Rect, part: TransformPart) {
+        let symbols = Component::THREE.map(part.symbol);
+        help_topic_row(ui, rect, notes::of_symbol(symbols[0]));
+        let pointed = ui.rect_contains_pointer(rect);
+        if pointed || (has_focus(ui, rect) && self.pointed.is_empty()) {
+            self.measured = if ui.input(|input| input.pointer.any_down()) {
+                Vec::new()
+            } else {
+                (0..3).map(part.measure).collect()
+            };
+            self.pointed = symbols.to_vec();
+        }
+    }
+
+    fn is_marked(&self, object: Option<&str>, key: &str) -> bool {
+        self.error.as_ref().is_some_and(|error| error.object() == object && error.key() == key)
+    }
+
+    /// Shows the fault of a value below its field: that of the typed text, or of the value.
+    fn complain(&self, ui: &mut egui::Ui, object: Option<&str>, key: &str, fields: &[FieldOutput]) {
+        for error in fields.iter().filter_map(|field| field.error.as_ref()) {
+            super::complaint(ui, &error.text(self.window.lang));
+        }
+        if let Some(error) = self.error.as_ref().filter(|_| self.is_marked(object, key)) {
+            super::complaint(ui, &faults::scene_error(self.lang, error));
+        }
+    }
+
+    /// Takes the scene over where it is possible; otherwise the fields keep it, and the figure the last one that was.
+    fn finish(self, state: &mut State) {
+        state.hover.measured.extend_from_slice(&self.measured);
+        state.hover.pointed.extend_from_slice(&self.pointed);
+        if self.scene == self.base {
+            state.tree.draft = None;
+            return;
+        }
+        match check(&self.scene) {
+            Ok(()) => {
+                state.tree.draft = None;
+                state.document.edit(|figure| figure.scene = self.scene);
+            }
+            Err(error) => state.tree.draft = Some(Draft { base: self.base, now: self.scene, error }),
+        }
+    }
+}
+
+/// A part of an object's transform: its key in a figure file, its symbols and its measures, by axis.
+#[derive(Clone, Copy)]
+struct TransformPart {
+    key: &'static str,
+    symbol: fn(Component) -> Symbol,
+    measure: fn(usize) -> Measured,
+}
+
+const TRANSLATE: TransformPart =
+    TransformPart { key: "translate", symbol: Symbol::Translate, measure: Measured::Translate };
+const ROTATE: TransformPart = TransformPart { key: "rotate", symbol: Symbol::Rotate, measure: Measured::Rotate };
+const SCALE: TransformPart = TransformPart { key: "scale", symbol: Symbol::Scale, measure: Measured::Scale };
+
+/// Deletes an object, reports it, and selects its parent.
+pub(in crate::gui) fn remove(state: &mut State, names: &BTreeSet<String>, children: Children) {
+    let mut scene = state.document.figure().scene.clone();
+    let before = scene.objects.len();
+    let tops = topmost(&scene, names);
+    let Some(name) = tops.first() else { return };
+    let next = scene.objects.iter().find(|o| o.name == *name).and_then(|o| o.parent.clone());
+    let mut stayed = true;
+    for name in names {
+        match edit::remove(&mut scene, name, children) {
+            Ok(all) => stayed &= all,
+            Err(_) => return,
+        }
+    }
+    let others = before - scene.objects.len();
+    let selected = next.filter(|parent| scene.objects.iter().any(|o| o.name == *parent));
+    state.document.edit(|figure| figure.scene = scene);
+    state.tree.select(selected.map(Selected::Object));
+    state.say(Message::Deleted { name: name.clone(), others: others.saturating_sub(1), shear: !stayed });
+}
+
+fn perform(state: &mut State, edit: Edit) {
+    match edit {
+        Edit::Hang { name, parent } => {
+            let mut scene = state.document.figure().scene.clone();
+            let stay = !state.tree.moves_with_parent;
+            // A parent that it cannot hang on is not offered.
+            let Ok(stayed) = edit::hang(&mut scene, &name, parent.as_deref(), stay) else { return };
+            state.document.edit(|figure| figure.scene = scene);
+            if !stayed {
+                state.say(Message::Shear);
+            }
+            if let Some(parent) = parent {
+                state.tree.folded.remove(&parent);
+            }
+        }
+        Edit::Remove { names, children } => remove(state, &names, children),
+        Edit::AskRemove(names) => {
+            let below = below(&state.document.figure().scene, &names);
+            if below == 0 {
+                remove(state, &names, Children::Removed);
+            } else {
+                state.file_flow.dialog = Some(Dialog::Delete { names, below });
+            }
+        }
+        Edit::RemoveLight(index) => {
+            state.document.edit(|figure| {
+                if index < figure.scene.lights.len() {
+                    figure.scene.lights.remove(index);
+                }
+            });
+            state.tree.select(None);
+            state.say(Message::LightDeleted(index));
+        }
+    }
+}
+
+/// A field that is as high as those of numbers.
+fn text_field(
+    ui: &mut egui::Ui,
+    lang: Lang,
+    text: &mut String,
+    most: usize,
+    (id, width): (egui::Id, f32),
+) -> egui::Response {
+    let field = TextField::line(text, most).with(|edit| {
+        let edit = edit.id(id).desired_width(width).align(egui::Align2::LEFT_CENTER);
+        edit.margin(egui::Margin::symmetric(4, 2))
+    });
+    field.show(ui, lang)
+}
+
+/// The text being typed for an object.
+fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
+    let is_it = |typing: &Typing| typing.owner == owner && typing.key == key;
+    if state.tree.typing.as_ref().is_some_and(is_it) { state.tree.typing.take() } else { None }
+}

@@ -1,0 +1,199 @@
+//! The texture of an object: where it comes from, and how it lies on the surface.
+
+use eframe::egui::{self, Key, RichText};
+
+use super::{SceneForm, text_field, typing};
+use crate::appearance::{Filter, TextureReveal, Wrap};
+use crate::gui::files::file_flow;
+use crate::gui::inspector::{choice, row};
+use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{Purpose, State, Typing};
+use crate::i18n::messages;
+use crate::limits::{MAX_TEXTURE_SCALE, MAX_TYPED};
+use crate::scene::{MeshNotice, ObjectPaint, Shape, TextureSource};
+
+/// The fields of the texture of the object at this place of the list.
+pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) {
+    let object = &form.scene.objects[index];
+    let Some(shape) = object.shape.as_ref().filter(|shape| has_faces(shape)) else { return };
+    let (is_mesh, owner) = (shape.mesh_file().is_some(), object.name.clone());
+    source(ui, form, index, is_mesh);
+    if let Some(TextureSource::File(_)) = &form.scene.objects[index].texture {
+        file(ui, state, form, index);
+    }
+    let scene = state.scene_cache.scene();
+    let is_textured = |object: &crate::scene::Object| matches!(object.paint, ObjectPaint::Texture(_));
+    if scene.objects.iter().any(|object| object.owner() == owner && is_textured(object)) {
+        wrap_and_filter(ui, form, index, is_mesh);
+        scale(ui, form, index);
+        reveal(ui, state, form.t);
+    }
+    if !is_mesh {
+        let found = notices(ui, state, &owner);
+        mend(ui, state, found);
+    }
+}
+
+/// True for shapes that a picture can lie on.
+fn has_faces(shape: &Shape) -> bool {
+    !matches!(shape, Shape::Grid | Shape::Points(_) | Shape::Segments(_))
+}
+
+/// Notices about what cannot be used for an object; gives whether the user can allow files, and whether they can be
+/// read again.
+pub(super) fn notices(ui: &mut egui::Ui, state: &State, owner: &str) -> [bool; 2] {
+    let mut found = [false; 2];
+    for (_, notice) in state.scene_cache.scene().notices.iter().filter(|(object, _)| object == owner) {
+        let words = format!("⚠ {}", messages::mesh_notice(state.settings.lang, notice));
+        ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
+        if let MeshNotice::Texture(error) = notice {
+            found = [found[0] || error.is_outside(), true];
+        }
+    }
+    found
+}
+
+/// The buttons by which the user mends what could not be read.
+pub(super) fn mend(ui: &mut egui::Ui, state: &mut State, [is_outside, is_lacking]: [bool; 2]) {
+    let t = crate::i18n::scenes::texts(state.settings.lang);
+    if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
+        state.document.allow_files();
+        state.message = None;
+    }
+    if is_lacking && ui.button(t.read_again).explained(t.read_again_hint).clicked() {
+        state.scene_cache.read_again();
+        state.message = None;
+    }
+}
+
+fn source(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mesh: bool) {
+    let t = form.t;
+    let mut chosen = form.scene.objects[index].texture.clone();
+    let unsaid = if is_mesh { t.texture_of_file } else { t.texture_none };
+    let name = |source: &Option<TextureSource>| match source {
+        None => unsaid,
+        Some(TextureSource::None) => t.texture_none,
+        Some(TextureSource::Chequer) => t.texture_chequer,
+        Some(TextureSource::Letters) => t.texture_letters,
+        Some(TextureSource::Uv) => t.texture_uv,
+        Some(TextureSource::File(_)) => t.texture_file,
+    };
+    let is_file = |source: &Option<TextureSource>| matches!(source, Some(TextureSource::File(_)));
+    row(ui, "", t.texture, t.texture_hint, |ui| {
+        egui::ComboBox::from_id_salt(t.texture)
+            .selected_text(name(&chosen))
+            .width(116.0)
+            .show_ui(ui, |ui| {
+                ui.selectable_value(&mut chosen, None, unsaid);
+                // Without a file there is nothing that the texture could be told not to be.
+                let named = TextureSource::NAMED.into_iter().map(|(_, source)| source);
+                for source in named.filter(|source| is_mesh || *source != TextureSource::None) {
+                    let source = Some(source);
+                    let words = name(&source);
+                    ui.selectable_value(&mut chosen, source, words);
+                }
+                let now = if is_file(&chosen) { chosen.clone() } else { Some(TextureSource::File(String::new())) };
+                ui.selectable_value(&mut chosen, now, t.texture_file);
+            })
+            .response
+            .explained(t.texture_hint)
+            .accessible_name(t.texture);
+    });
+    form.scene.objects[index].texture = chosen;
+}
+
+/// The file, typed or chosen.
+fn file(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) {
+    let t = form.t;
+    let owner = form.scene.objects[index].name.clone();
+    let Some(TextureSource::File(path)) = &mut form.scene.objects[index].texture else { return };
+    let mut typing = typing(state, &owner, "texture").unwrap_or_else(|| Typing::of(&owner, "texture", path));
+    let mut left = false;
+    row(ui, "", t.path, t.texture_file_hint, |ui| {
+        let id = egui::Id::unique(("texture file", &owner));
+        let response = text_field(ui, t.lang, &mut typing.text, MAX_TYPED, (id, 110.0))
+            .explained(t.texture_file_hint)
+            .accessible_name(t.texture_file);
+        if ui.button(t.browse).clicked() {
+            file_flow::ask(ui.ctx(), state, Purpose::Texture(owner.clone()));
+        }
+        left = response.lost_focus();
+    });
+    let text = typing.text.trim().to_owned();
+    if left && !text.is_empty() && !ui.input(|input| input.key_pressed(Key::Escape)) {
+        *path = text;
+    } else if !left && text != *path {
+        state.tree.typing = Some(typing);
+    }
+}
+
+fn wrap_and_filter(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, is_mesh: bool) {
+    let t = form.t;
+    let object = &mut form.scene.objects[index];
+    let wraps = [(Wrap::Repeat, t.wrap_repeat), (Wrap::Clamp, t.wrap_clamp), (Wrap::Mirror, t.wrap_mirror)];
+    let unsaid = if is_mesh { t.texture_of_file } else { t.wrap_repeat };
+    row(ui, "", t.wrap, t.wrap_hint, |ui| {
+        let all = or_unsaid(unsaid, wraps, object.wrap);
+        choice(ui, t.wrap, t.wrap_hint, &mut object.wrap, &all);
+    });
+    let filters = [
+        (Filter::Nearest, t.filter_nearest),
+        (Filter::Bilinear, t.filter_bilinear),
+        (Filter::Trilinear, t.filter_trilinear),
+    ];
+    let unsaid = if is_mesh { t.texture_of_file } else { t.filter_trilinear };
+    row(ui, "", t.filter, t.filter_hint, |ui| {
+        let all = or_unsaid(unsaid, filters, object.filter);
+        choice(ui, t.filter, t.filter_hint, &mut object.filter, &all);
+    });
+}
+
+/// Some words to choose from, and before them the one that leaves it open; the same word stands there once, unless the
+/// figure says it.
+fn or_unsaid<T: Copy + PartialEq>(
+    unsaid: &'static str,
+    all: [(T, &'static str); 3],
+    now: Option<T>,
+) -> Vec<(Option<T>, &'static str)> {
+    let is_shown = |(one, name): &(T, &'static str)| *name != unsaid || now == Some(*one);
+    let said = all.into_iter().filter(is_shown).map(|(one, name)| (Some(one), name));
+    [(None, unsaid)].into_iter().chain(said).collect()
+}
+
+/// The inner work of texturing, in all pictures.
+fn reveal(ui: &mut egui::Ui, state: &mut State, t: &crate::i18n::scenes::Texts) {
+    let now = state.document.figure().reveal.texture;
+    let mut chosen = now;
+    let all = [
+        (TextureReveal::Affine, t.texture_affine),
+        (TextureReveal::Levels, t.texture_levels),
+        (TextureReveal::Texels, t.texture_texels),
+    ];
+    row(ui, "", t.texture_reveal, t.texture_reveal_hint, |ui| {
+        let all = or_unsaid(t.texture_plain, all, chosen);
+        choice(ui, t.texture_reveal, t.texture_reveal_hint, &mut chosen, &all);
+    });
+    if chosen != now {
+        state.document.edit(|figure| figure.reveal.texture = chosen);
+    }
+}
+
+/// Repetitions along u and v.
+fn scale(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
+    let (t, owner) = (form.t, form.scene.objects[index].name.clone());
+    let mut scale = form.scene.objects[index].texture_scale;
+    row(ui, "", t.texture_scale, t.texture_scale_hint, |ui| {
+        for (name, value) in [("u", &mut scale.x), ("v", &mut scale.y)] {
+            let allowed = -MAX_TEXTURE_SCALE..=MAX_TEXTURE_SCALE;
+            let mut typed = *value;
+            let field = NumberField::new(name, Step::Add(1.0)).of(&owner).within(allowed).width(56.0);
+            field.hint(t.texture_scale_hint).show(ui, form.window, &mut typed);
+            // No repetition at all would leave nothing to see.
+            if typed != 0.0 {
+                *value = typed;
+            }
+        }
+    });
+    form.scene.objects[index].texture_scale = scale;
+}

@@ -1,0 +1,125 @@
+//! The coach's findings about the figure: computed beside the window's thread, and anew only when their inputs have
+//! changed.
+
+use std::time::Duration;
+
+use eframe::egui;
+
+use crate::appearance::Style;
+use crate::camera::{Camera, ImageSize, Parameters};
+use crate::figure::{Figure, Reveal};
+use crate::gui::background::memo::Latest;
+use crate::gui::state::State;
+use crate::numerics::diagnosis::{
+    Diagnosis, IN_A_WINDOW, ImageSpec, ImpossibleCamera, Repair, diagnose, impossible_camera,
+};
+use crate::numerics::health::{Health, health};
+use crate::progress::Progress;
+use crate::views::SharedScene;
+
+/// The inputs of the findings.
+#[derive(Clone, Debug, PartialEq)]
+struct HealthRequest {
+    camera: Camera,
+    scene: SharedScene,
+    style: Style,
+    reveal: Reveal,
+    image: ImageSize,
+    /// Parameters in the fields that make no camera.
+    impossible: Option<ImpossibleCamera>,
+}
+
+/// The faults of the picture, and the health of the camera.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Advice {
+    /// The camera that it is about.
+    pub camera: Camera,
+    /// `None` where the image is too large to be drawn.
+    pub diagnosis: Option<Diagnosis>,
+    /// Six quantities; none of an impossible camera.
+    pub health: Vec<Health>,
+}
+
+/// The coach.
+#[derive(Debug)]
+pub struct Coach {
+    advice: Latest<HealthRequest, Advice>,
+    /// The gap between two surfaces, in scene units, for the test whether they can be told apart.
+    pub gap: f64,
+}
+
+impl Default for Coach {
+    fn default() -> Self {
+        let advice = Latest::new("coach", || {
+            async |request: &HealthRequest, progress: &Progress| {
+                let HealthRequest { camera, scene, style, reveal, image, impossible } = request;
+                if let Some(impossible) = impossible {
+                    let diagnosis = Some(impossible_camera(impossible, scene));
+                    return Advice { camera: camera.clone(), diagnosis, health: Vec::new() };
+                }
+                let spec = ImageSpec { scene, camera, style, reveal, image: *image, compared: IN_A_WINDOW };
+                Advice {
+                    camera: camera.clone(),
+                    diagnosis: diagnose(&spec, progress).await.ok(),
+                    health: health(camera, style.depth_format, *image, scene.bounds()),
+                }
+            }
+        });
+        Self { advice, gap: 0.01 }
+    }
+}
+
+impl Coach {
+    /// Takes results. Waits up to `patience`.
+    pub fn take(&mut self, patience: Duration) {
+        self.advice.poll(patience);
+    }
+
+    /// The advice for the last request; `None` until it is known.
+    #[must_use]
+    pub fn advice(&self) -> Option<&Advice> {
+        self.advice.answer()
+    }
+
+    /// The advice, or the last one while changes since are being examined.
+    #[must_use]
+    pub fn newest_advice(&self) -> Option<&Advice> {
+        self.advice.newest().map(|(_, advice)| advice)
+    }
+}
+
+impl State {
+    /// Has the coach look at the figure, where it has changed; not while the hand moves.
+    pub(in crate::gui) fn consult(&mut self, ctx: &egui::Context) {
+        self.coach.take(Duration::ZERO);
+        if ctx.input(|input| input.pointer.any_down()) || self.operations.motion.is_some() {
+            return;
+        }
+        // Until then the scene is not whole.
+        if self.scene_cache.loading().is_empty() {
+            let Figure { style, reveal, image, .. } = *self.document.figure();
+            let impossible = self.document.problem().cloned().map(|error| ImpossibleCamera {
+                error,
+                parameters: *self.document.draft(),
+                style,
+                reveal,
+                image,
+            });
+            let (camera, scene) = (self.document.camera().clone(), self.scene_cache.scene().clone());
+            let request = HealthRequest { camera, scene, style, reveal, image, impossible };
+            self.coach.advice.ask(ctx, request);
+        }
+    }
+
+    /// Changes the figure as a repair has it, as one step that can be undone.
+    pub(in crate::gui) fn apply_repair(&mut self, repair: Repair) {
+        self.apply_camera(repair.camera);
+        self.document.edit(|figure| repair.apply(figure));
+    }
+
+    /// Applies a repair of the camera alone.
+    pub(in crate::gui) fn apply_camera(&mut self, camera: Parameters) {
+        self.document.commit();
+        self.document.set_parameters(camera);
+    }
+}

@@ -1,0 +1,97 @@
+//! Objects that are put into the scene.
+
+use glam::{DMat4, DVec3};
+
+use crate::camera::Camera;
+use crate::geometry::Aabb;
+use crate::gui::state::{Selected, State};
+use crate::i18n::scenes;
+use crate::numbers;
+use crate::scene::edit::{free_name, placement};
+use crate::scene::palette::least_used;
+use crate::scene::{Object, ObjectSpec, Scene, SceneSpec, Shape};
+use crate::views::pick::can_be_seen_by;
+
+impl State {
+    /// Adds a mesh file, by its path as the figure names it.
+    pub(in crate::gui) fn insert_mesh(&mut self, path: String) {
+        let file = path.rsplit(['/', '\\']).next().unwrap_or(&path);
+        let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+        let name = if stem.is_empty() { scenes::texts(self.settings.lang).shape_mesh } else { stem }.to_owned();
+        // A mesh has its own size; it stays as it was modelled.
+        self.insert(ObjectSpec { segments: 32, ..ObjectSpec::new(name, Shape::Mesh { path }) });
+    }
+
+    /// Adds an object to the group that is selected, else to no other; and selects it.
+    pub(in crate::gui) fn insert(&mut self, object: ObjectSpec) {
+        let scene = &self.document.figure().scene;
+        let parent = self.group_selected(scene);
+        let name = free_name(scene, &object.name);
+        let parent_from_world = parent
+            .as_ref()
+            .and_then(|parent| Some(placement(scene, parent).ok()??.inverse()))
+            .filter(DMat4::is_finite)
+            .unwrap_or(DMat4::IDENTITY);
+        let translate =
+            if parent.is_some() { parent_from_world.transform_point3(object.translate) } else { object.translate };
+        let translate = rounded(translate, translate.abs().max_element() * 1e-6);
+        // A mesh has the colours of its materials, a grid a grey of its own, a group none.
+        let has_own = matches!(object.shape, None | Some(Shape::Mesh { .. } | Shape::Grid));
+        let color = object.color.or_else(|| (!has_own).then(|| least_used(self.scene_cache.scene())));
+        let object = ObjectSpec { name: name.clone(), parent, translate, color, ..object };
+        self.document.edit(|figure| figure.scene.objects.push(object));
+        self.tree.select(Some(Selected::Object(name)));
+    }
+
+    fn group_selected(&self, scene: &SceneSpec) -> Option<String> {
+        let Some(Selected::Object(name)) = self.tree.selected(scene) else { return None };
+        scene.objects.iter().find(|o| o.name == *name && o.shape.is_none()).map(|o| o.name.clone())
+    }
+}
+
+/// A place for a thing that reaches `half` (scene units) to every side: where the camera looks or near it, such that it
+/// is seen whole and in front of everything, and touches nothing; where there is no such place, where the camera looks.
+pub(in crate::gui) fn free_place(camera: &Camera, scene: &Scene, half: f64) -> DVec3 {
+    /// So far to the sides (and half as far towards the eye) places are tried, in steps of a thing's size.
+    const MOST: i32 = 6;
+    let (basis, middle) = (camera.basis(), camera.focal_point());
+    let taken: Vec<Aabb> = scene.objects.iter().filter(|o| o.faces).filter_map(Object::bounds).collect();
+    let mut steps: Vec<(i32, i32, i32)> =
+        (-MOST..=MOST).flat_map(|i| (-MOST..=MOST).flat_map(move |j| (0..=MOST / 2).map(move |k| (i, j, k)))).collect();
+    // Upwards before downwards, sideways before towards the eye.
+    steps.sort_by_key(|&(i, j, k)| (i * i + j * j + 2 * k * k, -j, i.abs(), i));
+    let place = |(i, j, k): (i32, i32, i32)| {
+        let way = basis.u * f64::from(i) + basis.v * f64::from(j) + basis.n * f64::from(k);
+        rounded(middle + way * (2.2 * half), half / 5.0)
+    };
+    let is_good = |p: &DVec3| {
+        let around = Aabb { min: *p - half, max: *p + half };
+        let apart = |other: &Aabb| (around.max.cmplt(other.min) | around.min.cmpgt(other.max)).any();
+        taken.iter().all(apart)
+            && around.corners().iter().all(|corner| is_in_volume(camera, *corner))
+            && can_be_seen_by(camera, scene, *p)
+    };
+    steps.into_iter().map(place).find(is_good).unwrap_or_else(|| rounded(middle, half / 5.0))
+}
+
+fn is_in_volume(camera: &Camera, p: DVec3) -> bool {
+    let clip = camera.clip_point(p);
+    clip.truncate().abs().max_element() <= clip.w
+}
+
+/// Each component to the multiple of a power of ten, not above `unit`, that is nearest.
+pub(in crate::gui) fn rounded(v: DVec3, unit: f64) -> DVec3 {
+    v.map(|x| numbers::round_to(x, unit))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_rounded_to_what_reads_well() {
+        assert_eq!(rounded(DVec3::new(0.123, -0.04, 12.0), 0.1), DVec3::new(0.1, 0.0, 12.0));
+        assert_eq!(rounded(DVec3::new(1234.0, 5.0, -77.0), 20.0), DVec3::new(1230.0, 10.0, -80.0));
+        assert_eq!(rounded(DVec3::new(1.5, 0.0, 0.0), 0.0), DVec3::new(1.5, 0.0, 0.0));
+    }
+}

@@ -1,0 +1,7 @@
+//! What the panels remember between frames.
+
+pub(in crate::gui) mod coach;
+pub(in crate::gui) mod compare;
+pub(in crate::gui) mod insert;
+pub(in crate::gui) mod operations;
+pub(in crate::gui) mod scene_tree;

@@ -1,0 +1,245 @@
+//! The numbers: basis, matrices, window, corners. Each one is that of `camera-lab inspect` for the same figure.
+
+use std::sync::Arc;
+
+use eframe::egui::{self, RichText, TextFormat, text::LayoutJob};
+
+use super::{TEXT_LINE, complaint, erratum, section};
+use crate::camera::Ndc;
+use crate::explain::Matrix;
+use crate::gui::inspector::number_tables;
+use crate::gui::inspector::number_tables::{GAP, Table, cells, ndc_of, report, tables};
+use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::theme;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::State;
+use crate::gui::why::context_help::help_topic;
+use crate::i18n::conventions::differences;
+use crate::i18n::window::{self, Texts};
+use crate::i18n::{explain, notes};
+
+/// Shows the numbers.
+pub fn ui(ui: &mut egui::Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    section(ui, t.numbers, "numbers", true, |ui| {
+        toolbar(ui, t, state);
+        let inverse = state.settings.inverse;
+        list(ui, state, inverse, None, |_| true);
+    });
+    let warnings = state.warnings();
+    if !warnings.is_empty() {
+        section(ui, t.warnings, "warnings", true, |ui| {
+            for warning in warnings {
+                let color = ui.visuals().warn_fg_color;
+                ui.label(RichText::new(format!("⚠ {warning}")).color(color));
+            }
+        });
+    }
+}
+
+/// Lists the tables that are wanted, each with the one of another convention where there is one. A click on an entry
+/// of a matrix explains it.
+pub(in crate::gui) fn list(
+    ui: &mut egui::Ui,
+    state: &mut State,
+    inverse: bool,
+    compared: Option<Ndc>,
+    is_wanted: fn(&Table) -> bool,
+) {
+    let t = window::texts(state.settings.lang);
+    let shown = state.settings.conventions;
+    let Some(report) = report(state, shown.ndc) else { return };
+    let camera = state.document.camera();
+    let other = compared.and_then(|ndc| number_tables::report(state, ndc));
+    let other = other.map(|other| (tables(t, (camera, &other), inverse, shown), ndc_of(&other)));
+    let mut asked = None;
+    for (i, table) in tables(t, (camera, &report), inverse, shown).iter().enumerate().filter(|(_, t)| is_wanted(t)) {
+        let other = other.as_ref().filter(|_| table.follows_ndc);
+        asked = show(ui, t, table, other.and_then(|(tables, _)| tables.get(i)), state.settings.digits).or(asked);
+        // Said once, below M_p.
+        if let Some((_, ndc)) = other.filter(|_| table.symbol.contains("M_p") && !table.symbol.contains("M_v")) {
+            let said = differences(t.lang, ndc_of(&report), *ndc);
+            theme::wrapped(ui, &said, &egui::TextStyle::Small, ui.visuals().text_color());
+        }
+    }
+    if let Some((matrix, entry)) = asked {
+        state.explain_entry(matrix, entry);
+    }
+}
+
+fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State) {
+    let error = ui.horizontal(|ui| {
+        ui.label(t.digits).explained(t.digits_hint);
+        let mut digits = state.settings.digits as f64;
+        let field = NumberField::new(t.digits, Step::Add(1.0)).whole().within(2.0..=17.0);
+        let output = field.width(40.0).hint(t.digits_hint).show(ui, t, &mut digits);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, between 2 and 17")]
+        let digits = digits as usize;
+        state.settings.digits = digits;
+        ui.checkbox(&mut state.settings.inverse, t.inverse).explained(t.inverse_hint);
+        if ui.button(t.copy).explained(t.copy_numbers_hint).clicked() {
+            ui.ctx().copy_text(number_tables::text(state));
+        }
+        output.error
+    });
+    if let Some(error) = error.inner {
+        complaint(ui, &error.text(t.lang));
+    }
+}
+
+/// An entry of a matrix.
+type Entry = (Matrix, [usize; 2]);
+
+/// A table; below a matrix the one that it is compared with, the entries that differ marked in both. Gives the entry
+/// that was clicked.
+fn show(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) -> Option<Entry> {
+    ui.add_space(3.0);
+    ui.spacing_mut().item_spacing.y = 1.0;
+    let asked = numbers(ui, t, table, other, digits);
+    if let Some(other) = other {
+        ui.push_id("compared", |ui| numbers(ui, t, other, Some(table), digits));
+    }
+    asked
+}
+
+/// Symbol, name and rows; marked where they differ from those of another table. Gives the entry that was clicked.
+fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) -> Option<Entry> {
+    let heading = ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = TEXT_LINE;
+        ui.spacing_mut().item_spacing.x = 5.0;
+        if !table.symbol.is_empty() {
+            ui.label(theme::symbol(ui, &table.symbol));
+        }
+        ui.label(RichText::new(&table.name).small().weak());
+        if let Some(text) = table.erratum {
+            erratum(ui, t, text);
+        }
+    });
+    if let Some((matrix, _)) = table.entry(0, 0) {
+        help_topic(&heading.response, notes::of_matrix(matrix));
+    }
+    let room = ui.available_width() - 18.0;
+    egui::ScrollArea::horizontal()
+        .id_salt(&table.name)
+        .show(ui, |ui| {
+            let written = |digits: usize| {
+                let write = |value: f64| t.lang.mark().number(value, digits);
+                cells(&table.shown(digits), write)
+            };
+            let marked = |row: usize, column: usize| {
+                let value = |table: &Table| table.rows.get(row).and_then(|(_, values)| values.get(column).copied());
+                table.is_matrix() && other.is_some_and(|other| value(other) != value(table))
+            };
+            // Few digits are rounded to fit; whoever wants many scrolls.
+            let mut fitting = digits;
+            while (3..=MOST_TO_FIT).contains(&fitting) && width(ui, job(ui, &written(fitting), marked)) > room {
+                fitting -= 1;
+            }
+            let rows = written(fitting);
+            let galley = ui.painter().layout_job(job(ui, &rows, marked));
+            let label = egui::Label::new(Arc::clone(&galley)).extend();
+            let corner = if table.is_matrix() {
+                let frame = egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 0));
+                let shown = frame.show(ui, |ui| ui.add(label));
+                brackets(ui, shown.response.rect);
+                shown.inner.rect.min
+            } else {
+                ui.add(label).rect.min
+            };
+            questions(ui, t, table, &rows, &galley, corner)
+        })
+        .inner
+}
+
+/// Makes each number that is the entry of a matrix a control for its explanation; returns the one that was clicked.
+fn questions(
+    ui: &egui::Ui,
+    t: &'static Texts,
+    table: &Table,
+    rows: &[Vec<String>],
+    galley: &egui::Galley,
+    corner: egui::Pos2,
+) -> Option<Entry> {
+    let mut asked = None;
+    for (i, (row, placed)) in rows.iter().zip(&galley.rows).enumerate() {
+        let named = usize::from(!table.is_matrix());
+        let mut begins = 0;
+        for (j, cell) in row.iter().enumerate() {
+            let (length, number) = (cell.chars().count(), cell.trim());
+            let first = begins + cell.chars().take_while(|c| *c == ' ').count();
+            let last = first + number.chars().count();
+            begins += length + GAP.len();
+            let Some(entry) = j.checked_sub(named).and_then(|column| table.entry(i, column)) else { continue };
+            let glyphs = placed.row.glyphs.get(first..last).unwrap_or_default();
+            let (Some(from), Some(to)) = (glyphs.first(), glyphs.last()) else { continue };
+            let across = (from.pos.x - 2.0)..=(to.pos.x + to.advance_width + 2.0);
+            let place = egui::Rect::from_x_y_ranges(across, 0.0..=placed.row.size.y).translate(placed.pos.to_vec2());
+            let place = place.translate(corner.to_vec2());
+            let id = ui.scope_id().with(egui::IdSalt::new(("why", &table.symbol, i, j)));
+            let response = ui.interact(place, id, egui::Sense::click());
+            let (matrix, [row, column]) = entry;
+            let name = format!("{}: {number}", explain::entry(t.lang, matrix.text(), row, column));
+            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
+            help_topic(&response, notes::of_matrix(matrix));
+            if response.hovered() {
+                let under = egui::Stroke::new(1.0, ui.visuals().hyperlink_color);
+                ui.painter().hline(place.x_range(), place.bottom() - 1.0, under);
+            }
+            if response.explained(t.why_hint).clicked() {
+                asked = Some(entry);
+            }
+        }
+    }
+    asked
+}
+
+/// Rows of cells as text; marked ones are underlined, on a background of their own.
+fn job(ui: &egui::Ui, rows: &[Vec<String>], marked: impl Fn(usize, usize) -> bool) -> LayoutJob {
+    let visuals = ui.visuals();
+    let font_id = egui::TextStyle::Monospace.resolve(ui.style());
+    let plain = TextFormat { font_id, color: visuals.text_color(), ..TextFormat::default() };
+    let strong = TextFormat {
+        color: visuals.strong_text_color(),
+        background: visuals.warn_fg_color.gamma_multiply(0.25),
+        underline: egui::Stroke::new(1.0, visuals.warn_fg_color),
+        ..plain.clone()
+    };
+    let mut job = LayoutJob::default();
+    for (i, row) in rows.iter().enumerate() {
+        if i > 0 {
+            job.append("\n", 0.0, plain.clone());
+        }
+        for (j, cell) in row.iter().enumerate() {
+            let cell = if j + 1 == row.len() { cell.trim_end() } else { cell };
+            let number = cell.trim();
+            let start = cell.len() - cell.trim_start().len();
+            job.append(&cell[..start], 0.0, plain.clone());
+            job.append(number, 0.0, if marked(i, j) { strong.clone() } else { plain.clone() });
+            job.append(&cell[start + number.len()..], 0.0, plain.clone());
+            if j + 1 < row.len() {
+                job.append(GAP, 0.0, plain.clone());
+            }
+        }
+    }
+    job
+}
+
+/// The most digits that are rounded further where they do not fit.
+const MOST_TO_FIT: usize = 7;
+
+fn width(ui: &egui::Ui, job: LayoutJob) -> f32 {
+    ui.painter().layout_job(job).size().x
+}
+
+/// Length of the ends of a bracket, in points.
+const BRACKET: f32 = 4.0;
+
+/// Square brackets at both sides of a place.
+pub(in crate::gui) fn brackets(ui: &egui::Ui, place: egui::Rect) {
+    let stroke = egui::Stroke::new(1.0, ui.visuals().weak_text_color());
+    let (top, bottom) = (place.top() + 1.0, place.bottom() - 1.0);
+    for (x, inwards) in [(place.left() + 1.0, BRACKET), (place.right() - 1.0, -BRACKET)] {
+        let points = [(x + inwards, top), (x, top), (x, bottom), (x + inwards, bottom)];
+        ui.painter().line(points.map(|(x, y)| egui::pos2(x, y)).to_vec(), stroke);
+    }
+}

@@ -1,0 +1,11 @@
+//! Widgets without state of the application: fields, formulas, text, tooltips, plots, the theme.
+
+pub(super) mod dialog_buttons;
+pub(super) mod elide;
+pub(super) mod mathematics;
+pub mod number_field;
+pub(super) mod plotting;
+pub(super) mod prose;
+pub(super) mod text_field;
+pub mod theme;
+pub(super) mod tooltip;

@@ -1,0 +1,113 @@
+//! Text in Markdown, with mathematics between dollar signs.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use eframe::egui::{Id, TextStyle, Ui};
+use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
+
+use super::mathematics;
+use crate::i18n::notes::plain;
+
+/// Symbols such as `M_v` as mathematics; text between dollar signs stays as it is.
+fn with_symbols(markdown: &str) -> String {
+    // A formula on a line of its own is between two of them.
+    let part = |(k, part): (usize, &str)| if k % 2 == 1 { part.to_owned() } else { with_symbols_in_line(part) };
+    markdown.split("$$").enumerate().map(part).collect::<Vec<_>>().join("$$")
+}
+
+fn with_symbols_in_line(markdown: &str) -> String {
+    let mut set = String::with_capacity(markdown.len() + 16);
+    for (k, part) in markdown.split('$').enumerate() {
+        if k > 0 {
+            set.push('$');
+        }
+        if k % 2 == 1 {
+            set.push_str(part);
+            continue;
+        }
+        for word in with_tuples_kept(part).split_inclusive(|c: char| !(c.is_ascii_alphanumeric() || c == '_')) {
+            let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(word.len());
+            let (symbol, rest) = word.split_at(end);
+            match symbol.split_once('_') {
+                Some((letter, below))
+                    if letter.len() == 1 && (1..=3).contains(&below.len()) && !below.contains('_') =>
+                {
+                    set.push_str(&format!("${letter}_{{{below}}}${rest}"));
+                }
+                _ => set.push_str(word),
+            }
+        }
+    }
+    set
+}
+
+/// A tuple stays in one line: no space in (1; −1; 2) is where a line may end.
+fn with_tuples_kept(text: &str) -> String {
+    /// Characters: a longer one may be wider than a narrow panel.
+    const LONGEST: usize = 30;
+    let (mut set, mut rest) = (String::with_capacity(text.len()), text);
+    while let Some((before, from)) = rest.split_once('(') {
+        set.push_str(before);
+        set.push('(');
+        rest = from;
+        let Some(end) = from.find(['(', ')']).filter(|end| from[*end..].starts_with(')')) else { continue };
+        let (inner, after) = from.split_at(end);
+        let separator = if inner.contains("; ") { "; " } else { ", " };
+        let is_tuple = inner.contains(separator)
+            && inner.chars().count() <= LONGEST
+            && inner.split(separator).all(|item| !item.contains(' '));
+        set.push_str(&if is_tuple { inner.replace(' ', "\u{a0}") } else { inner.to_owned() });
+        rest = after;
+    }
+    set + rest
+}
+
+/// Shows a text.
+pub(in crate::gui) fn show(ui: &mut Ui, markdown: &str) {
+    let cache = ui.data_mut(|data| {
+        Arc::clone(data.get_temp_mut_or_default::<Arc<Mutex<CommonMarkCache>>>(Id::unique("markdown")))
+    });
+    // A cache after a panic is still a cache.
+    let mut cache = cache.lock().unwrap_or_else(PoisonError::into_inner);
+    let set = |ui: &mut Ui, latex: &str, in_line: bool| {
+        let font = TextStyle::Body.resolve(ui.style());
+        if in_line {
+            mathematics::inline(ui, latex, &font, ui.visuals().text_color());
+        } else {
+            mathematics::show(ui, latex, &plain(latex), font.size);
+        }
+    };
+    ui.scope(|ui| {
+        // Lines are as high as words, not as controls.
+        ui.spacing_mut().interact_size.y = 0.0;
+        CommonMarkViewer::new().render_math_fn(Some(&set)).show(ui, &mut cache, &with_symbols(markdown));
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{with_symbols, with_tuples_kept};
+
+    #[test]
+    fn a_tuple_is_not_broken_and_words_in_brackets_are() {
+        let kept = "PF = (1;\u{a0}−1;\u{a0}1/2) e $(1, 2)$";
+        assert_eq!(with_symbols("PF = (1; −1; 1/2) e $(1, 2)$"), kept);
+        assert_eq!(with_tuples_kept("at (0.5, 2), (x, y)"), "at (0.5,\u{a0}2), (x,\u{a0}y)");
+        for text in ["(as it is, or not)", "(5.2), (5.3)", "f(a; (1; b c))", "an open (1, 2"] {
+            assert_eq!(with_tuples_kept(text), text);
+        }
+    }
+
+    #[test]
+    fn symbols_are_set_and_nothing_else() {
+        assert_eq!(with_symbols("(c) M_v and **u** of O_R."), "(c) $M_{v}$ and **u** of $O_{R}$.");
+        for text in [
+            "$M_v$ is set already",
+            "so $$i = \\frac{m}{W} x_p$$ and",
+            "view_angle stays, and key=a_b_c",
+            "**n** × VUP",
+        ] {
+            assert_eq!(with_symbols(text), text);
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! The text fields of the window, and their limits.
+//!
+//! Pasted text may be any file that somebody had on the clipboard: it is cut before it is laid out, which is reported
+//! beside the field. No other file makes fields of egui's own, which take everything.
+
+use eframe::egui::os::OperatingSystem;
+use eframe::egui::{Context, Event, Response, TextEdit, Ui};
+
+use super::tooltip;
+use crate::i18n::{Lang, messages};
+use crate::limits::MAX_TYPED;
+
+/// A field for a text with a greatest number of characters.
+pub(in crate::gui) struct TextField<'t> {
+    edit: TextEdit<'t>,
+    most: usize,
+    says: bool,
+}
+
+impl<'t> TextField<'t> {
+    /// One line.
+    pub(in crate::gui) fn line(text: &'t mut String, most: usize) -> Self {
+        Self { edit: TextEdit::singleline(text), most, says: true }
+    }
+
+    /// Several lines.
+    pub(in crate::gui) fn lines(text: &'t mut String, most: usize) -> Self {
+        Self { edit: TextEdit::multiline(text), most, says: true }
+    }
+
+    /// One line that is read, selected and copied, but not changed.
+    pub(in crate::gui) fn fixed_line(text: &'t mut &str) -> Self {
+        Self { edit: TextEdit::singleline(text), most: usize::MAX, says: false }
+    }
+
+    /// As [`Self::fixed_line`], of several lines.
+    pub(in crate::gui) fn fixed_lines(text: &'t mut &str) -> Self {
+        Self { edit: TextEdit::multiline(text), most: usize::MAX, says: false }
+    }
+
+    /// For a text that is refused where it is too long, with words of its own: one character more than is allowed has
+    /// room.
+    pub(in crate::gui) fn refused_beyond(self) -> Self {
+        Self { most: self.most.saturating_add(1), says: false, ..self }
+    }
+
+    /// Its look.
+    pub(in crate::gui) fn with(self, look: impl FnOnce(TextEdit<'t>) -> TextEdit<'t>) -> Self {
+        Self { edit: look(self.edit), ..self }
+    }
+
+    /// Shows the field. While it is full, that is shown beside it.
+    pub(in crate::gui) fn show(self, ui: &mut Ui, lang: Lang) -> Response {
+        let (output, text) = self.edit.char_limit(self.most).show_returning_text(ui);
+        let response = output.response.response;
+        if self.says && response.has_focus() && text.as_str().chars().nth(self.most.saturating_sub(1)).is_some() {
+            tooltip::beside(&response, |ui| drop(ui.label(messages::at_most_characters(lang, self.most))));
+        }
+        response
+    }
+}
+
+/// Cuts pasted text to the limit of the largest field, and one character more.
+pub(in crate::gui) fn cut_pasted(events: &mut [Event]) {
+    for event in events {
+        if let Event::Paste(text) | Event::Text(text) = event
+            && let Some((end, _)) = text.char_indices().nth(MAX_TYPED + 1)
+        {
+            text.truncate(end);
+            text.shrink_to_fit();
+        }
+    }
+}
+
+/// Takes out the letters of keys that are pressed with Alt: X11 delivers them like typed ones, so a field would have
+/// the letter of each command that is called from it. On a Mac, Option writes accents and signs.
+pub(in crate::gui) fn drop_letters_with_alt(events: &mut Vec<Event>, os: OperatingSystem) {
+    if os == OperatingSystem::Mac {
+        return;
+    }
+    let mut is_after_alt = false;
+    events.retain(|event| {
+        let is_letter = is_after_alt && matches!(event, Event::Text(_));
+        // With Ctrl it is AltGr, which writes signs.
+        is_after_alt = matches!(event, Event::Key { pressed: true, modifiers, .. } if modifiers.alt && !modifiers.ctrl);
+        !is_letter
+    });
+}
+
+/// The rest of the caret after a while without input: to blink, it draws the whole window anew twice a second.
+#[derive(Debug, Default)]
+pub(in crate::gui) struct CaretRest {
+    last_input: f64,
+    rests: bool,
+}
+
+impl CaretRest {
+    /// Seconds for which it blinks after the last input, as on most desktops.
+    const BLINKS: f64 = 10.0;
+
+    /// To be called in each frame.
+    pub(in crate::gui) fn follow(&mut self, ctx: &Context) {
+        let (time, anything) = ctx.input(|input| (input.time, !input.raw.events.is_empty()));
+        if anything {
+            self.last_input = time;
+        }
+        let rests = time - self.last_input > Self::BLINKS;
+        let blinks = ctx.global_style().visuals.text_cursor.blink;
+        // Who has it never blink keeps it so.
+        if (rests && blinks) || (!rests && self.rests) {
+            self.rests = rests;
+            ctx.global_style_mut(|style| style.visuals.text_cursor.blink = !rests);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn alt_writes_no_letters_but_option_does() {
+        use eframe::egui::{Key, Modifiers};
+        let pressed = |key, modifiers| Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers };
+        let text = |text: &str| Event::Text(text.to_owned());
+        let events = [
+            pressed(Key::M, Modifiers::ALT),
+            text("m"),
+            text("é"),
+            pressed(Key::A, Modifiers::NONE),
+            text("a"),
+            pressed(Key::Q, Modifiers::ALT | Modifiers::CTRL),
+            text("@"),
+        ];
+        let typed = |os| {
+            let mut events = events.to_vec();
+            drop_letters_with_alt(&mut events, os);
+            let texts =
+                events.into_iter().filter_map(|event| if let Event::Text(text) = event { Some(text) } else { None });
+            texts.collect::<String>()
+        };
+        assert_eq!(typed(OperatingSystem::Nix), "éa@");
+        assert_eq!(typed(OperatingSystem::Mac), "méa@");
+    }
+
+    #[test]
+    fn what_is_pasted_is_cut_where_no_field_has_room_for_it() {
+        let long = "θ".repeat(10 * MAX_TYPED);
+        let mut events = [Event::Paste(long.clone()), Event::Text(long), Event::Paste("θ = 45°".to_owned())];
+        cut_pasted(&mut events);
+        let lengths = events.map(|event| match event {
+            Event::Paste(text) | Event::Text(text) => text.chars().count(),
+            _ => 0,
+        });
+        assert_eq!(lengths, [MAX_TYPED + 1, MAX_TYPED + 1, 7]);
+    }
+}

@@ -1,0 +1,53 @@
+//! The folder of a lecturer's own exercises: open, read again, close, and the faults of its files.
+
+use eframe::egui::{CollapsingHeader, RichText, Ui};
+
+use crate::files::BadExercise;
+use crate::gui::files::file_flow;
+use crate::gui::inspector::complaint;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{Purpose, State};
+use crate::i18n::exercise_window::Texts;
+use crate::i18n::messages;
+use crate::sanitize;
+
+/// The part below the list.
+pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
+    if state.in_browser {
+        return;
+    }
+    ui.add_space(6.0);
+    if let Some(own) = state.exercises.own.clone() {
+        match &own.found {
+            Ok(found) if found.entries.is_empty() && found.faults.is_empty() => {
+                ui.label(format!("{}: {}", sanitize::path(&own.folder), t.own_none));
+            }
+            Ok(found) if found.faults.is_empty() => {}
+            // A folder may hold many other files: they are one line until somebody wants to know.
+            Ok(found) => {
+                let text = format!("{}: {}", t.own_passed_over, found.faults.len());
+                let heading = CollapsingHeader::new(RichText::new(text).weak()).id_salt("files that are no exercises");
+                heading.show(ui, |ui| {
+                    for BadExercise { path, error, .. } in &found.faults {
+                        complaint(ui, &sanitize::printable(&messages::file(t.lang, &sanitize::path(path), error)));
+                    }
+                });
+            }
+            Err(error) => {
+                complaint(ui, &sanitize::printable(&messages::file(t.lang, &sanitize::path(&own.folder), error)));
+            }
+        }
+    }
+    ui.horizontal_wrapped(|ui| {
+        if ui.button(t.own_open).explained(t.own_open_hint).clicked() {
+            file_flow::ask(ui.ctx(), state, Purpose::Exercises);
+        }
+        let Some(own) = state.exercises.own.clone() else { return };
+        if ui.button(t.own_again).explained(t.own_again_hint).clicked() {
+            state.exercises.look_into(Some(own.folder.clone()));
+        }
+        if ui.button(t.own_close).explained(t.own_close_hint).clicked() {
+            state.exercises.look_into(None);
+        }
+    });
+}

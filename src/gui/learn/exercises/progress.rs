@@ -1,0 +1,59 @@
+//! Progress in exercises: its file, the frequency of mistakes, export as a table for spreadsheets, and deletion.
+
+use eframe::egui::{self, RichText, Ui};
+
+use crate::exercises::{Made, Mistake};
+use crate::gui::files::file_flow;
+use crate::gui::kit::prose;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{Dialog, Purpose, State};
+use crate::i18n::exercise_window::Texts;
+use crate::i18n::exercises as said;
+use crate::sanitize;
+
+/// The foot of the list.
+pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
+    ui.add_space(6.0);
+    ui.separator();
+    egui::CollapsingHeader::new(t.progress).id_salt("progress").show(ui, |ui| {
+        match &state.exercises.file {
+            Some(file) => {
+                ui.label(RichText::new(t.progress_kept_in).weak());
+                ui.add(egui::Label::new(RichText::new(sanitize::path(file)).monospace()).wrap().selectable(true));
+            }
+            None => drop(ui.label(RichText::new(t.progress_not_kept).weak())),
+        }
+        ui.add_space(4.0);
+        mistakes(ui, t, state);
+        ui.add_space(4.0);
+        ui.horizontal_wrapped(|ui| {
+            let has_some = !state.exercises.progress.is_empty();
+            let export = ui.add_enabled(has_some, egui::Button::new(t.export_progress));
+            if export.explained(t.export_progress_hint).clicked() {
+                file_flow::ask(ui.ctx(), state, Purpose::Progress);
+            }
+            let has_typed = state.exercises.typed.values().any(|typed| !typed.is_empty());
+            let delete = ui.add_enabled(has_some || has_typed, egui::Button::new(format!("{}…", t.delete_progress)));
+            if delete.explained(t.delete_progress_hint).clicked() {
+                state.file_flow.dialog = Some(Dialog::DeleteProgress);
+            }
+        });
+    });
+}
+
+/// The known mistakes, those made most often first.
+fn mistakes(ui: &mut Ui, t: &Texts, state: &State) {
+    let mut made: Vec<(Mistake, &Made)> = state.exercises.progress.mistakes().collect();
+    if made.is_empty() {
+        ui.label(t.no_mistakes);
+        return;
+    }
+    made.sort_by_key(|(_, made)| std::cmp::Reverse(made.times));
+    ui.label(RichText::new(t.mistakes).strong());
+    for (mistake, made) in made {
+        ui.push_id(mistake.code(), |ui| {
+            let mended = if made.is_open { String::new() } else { format!(" (✓ {})", t.mended) };
+            prose::show(ui, &format!("**{} ×** {}{mended}", made.times, said::mistake(t.lang, mistake)[0]));
+        });
+    }
+}

@@ -1,0 +1,202 @@
+//! The way to an answer, step by step, and the camera that a wrong answer describes.
+
+use std::sync::Arc;
+
+use eframe::egui::{Id, Rect, Response, Ui, UiBuilder};
+use glam::{DMat4, DVec3};
+
+use super::{Sheet, figure};
+use crate::camera::{Camera, MatrixKind, Parameters, Reading, RecoveryError, recover};
+use crate::exercises::{Answer, Ask, Exercise, Expected, Judged, Worked};
+use crate::explain::{Notation, Style};
+use crate::gui::inspector::complaint;
+use crate::gui::kit::mathematics::{Both, Links, chain};
+use crate::gui::kit::prose;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{Described, NotCamera, State};
+use crate::i18n::{Lang, dialects, exercise_window as words, exercises as said};
+use crate::inspect::quantity::{BasisAxis, Quantity, QuantityPath, ReportMatrix};
+
+/// The button of the next help. It keeps the focus, whatever appears above it: it is identified by `id`, and not by its
+/// place.
+pub(super) fn help_button(ui: &mut Ui, id: Id, (label, hint, name): (&str, &'static str, &str)) -> Response {
+    let own = UiBuilder::new().scope_id(id.with("help"));
+    let button = ui.scope_builder(own, |ui| ui.button(label)).inner;
+    button.explained(hint).accessible_name(words::of_ask(label, name))
+}
+
+/// The button of the next step.
+pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, id: Id) {
+    let Sheet { t, exercise, .. } = sheet;
+    let name = said::ask(t.lang, exercise, ask).replace("**", "");
+    let opened = state.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
+    let rest = opened.way.as_ref().is_none_or(|way| opened.steps < way.len());
+    let has_none = match ask.expected() {
+        Expected::Choice(_, _, steps) | Expected::Computed(_, steps) => steps.is_empty(),
+        Expected::Quantity(..) | Expected::Camera(..) => false,
+    };
+    if !rest || has_none {
+        return;
+    }
+    let label = if opened.steps == 0 { t.first_step } else { t.next_step };
+    let button = help_button(ui, id, (label, t.step_hint, &name));
+    if button.clicked() {
+        let opened = state.exercises.opened.entry(ask.name.clone()).or_default();
+        opened.steps += 1;
+        let way = opened.way.get_or_insert_with(|| ask.steps().into());
+        if button.has_focus() && opened.steps >= way.len() {
+            // There is no next one: the focus returns to the answer.
+            state.exercises.wants_focus = Some(ask.name.clone());
+        }
+        state.exercises.note_opened(exercise, ask);
+        state.exercises.say(ask);
+    }
+}
+
+/// Shows the camera that a wrong answer describes, beside the right one; or takes it away.
+pub(super) fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, id: Id) {
+    let Sheet { t, exercise, .. } = sheet;
+    let name = said::ask(t.lang, exercise, ask).replace("**", "");
+    let shows = |ui: &mut Ui, label: &str| {
+        let own = UiBuilder::new().scope_id(id.with("camera"));
+        ui.scope_builder(own, |ui| ui.button(label)).inner.accessible_name(words::of_ask(label, &name))
+    };
+    if state.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
+        if shows(ui, t.hide_camera).clicked() {
+            state.exercises.described = None;
+        }
+        return;
+    }
+    let Some(judged) = state.exercises.checked.get(&ask.name).map(|checked| &checked.judged) else { return };
+    if judged.right || !describes_camera(ask, judged) {
+        return;
+    }
+    if !shows(ui, t.show_camera).explained(t.show_camera_hint).clicked() {
+        return;
+    }
+    let Some((right, camera)) = described(exercise, ask, &judged.understood) else { return };
+    let camera = camera.map(Box::new);
+    if camera.is_ok() && *state.document.figure() != figure::with_camera(exercise, right) {
+        state.show_figure_of_exercise(figure::with_camera(exercise, right));
+    }
+    state.exercises.described = Some(Described { ask: ask.name.clone(), camera });
+}
+
+/// The quantity of `inspect` that is asked for, where it is one, as a whole.
+fn quantity(ask: &Ask) -> Option<Quantity> {
+    match ask.expected() {
+        Expected::Quantity(_, QuantityPath { quantity, entry: [None, _] }) => Some(*quantity),
+        Expected::Quantity(..) | Expected::Computed(..) | Expected::Choice(..) | Expected::Camera(..) => None,
+    }
+}
+
+/// True for answers that are complete and say something of a camera.
+fn describes_camera(ask: &Ask, judged: &Judged) -> bool {
+    match &judged.understood {
+        Answer::Camera(_) => true,
+        Answer::Choice(_) => false,
+        Answer::Numbers { rows, columns, entries } => {
+            [*rows, *columns] == ask.shape() && entries.iter().all(Option::is_some) && matrix_kind(ask).is_some()
+                || matches!(quantity(ask), Some(Quantity::Axis(_)))
+                    && entries.len() == 3
+                    && entries.iter().all(Option::is_some)
+        }
+    }
+}
+
+/// The kind of a matrix, and whether it is the inverse.
+fn matrix_kind(ask: &Ask) -> Option<(MatrixKind, bool)> {
+    let Some(Quantity::Matrix(matrix)) = quantity(ask) else { return None };
+    Some(match matrix {
+        ReportMatrix::View => (MatrixKind::View, false),
+        ReportMatrix::InverseView => (MatrixKind::View, true),
+        ReportMatrix::Projection => (MatrixKind::Projection, false),
+        ReportMatrix::InverseProjection => (MatrixKind::Projection, true),
+        ReportMatrix::ViewProjection => (MatrixKind::ViewProjection, false),
+    })
+}
+
+/// The right camera, and the one that an answer describes.
+fn described(exercise: &Exercise, ask: &Ask, answer: &Answer) -> Option<(Parameters, Result<Camera, NotCamera>)> {
+    let camera = |parameters: &Parameters| {
+        Camera::new(parameters).map_err(|error| NotCamera::Matrix(RecoveryError::from(error)))
+    };
+    if let (Answer::Camera(parameters), Expected::Camera(_, model, ..)) = (answer, ask.expected()) {
+        return Some((**model, camera(parameters)));
+    }
+    let right = figure::subject_of(exercise, ask).camera().ok()?;
+    let Answer::Numbers { entries, .. } = answer else { return None };
+    let numbers: Vec<f64> = entries.iter().copied().collect::<Option<_>>()?;
+    let found = match matrix_kind(ask) {
+        Some((kind, is_inverse)) => {
+            let matrix = DMat4::from_cols_array(&numbers.try_into().ok()?).transpose();
+            let matrix = if is_inverse { matrix.inverse() } else { matrix };
+            let found = recover(&Reading::of(kind), matrix, right.parameters()).map_err(NotCamera::Matrix);
+            found.map(|found| found.parameters)
+        }
+        None => {
+            let Some(Quantity::Axis(of)) = quantity(ask) else { return None };
+            with_axis(&right, of, DVec3::from_array(numbers.try_into().ok()?))
+        }
+    };
+    Some((*right.parameters(), found.and_then(|found| camera(&found))))
+}
+
+/// The camera at the same place that has an axis of an answer, and of the others as much as goes with it.
+fn with_axis(right: &Camera, of: BasisAxis, axis: DVec3) -> Result<Parameters, NotCamera> {
+    /// Of lengths and cosines: that of an answer of three digits.
+    const TOLERANCE: f64 = 2e-3;
+    let (parameters, n) = (*right.parameters(), right.basis().n);
+    if (axis.length() - 1.0).abs() > TOLERANCE {
+        return Err(NotCamera::Length(axis.length()));
+    }
+    if of == BasisAxis::N {
+        let distance = parameters.position.distance(parameters.focal_point);
+        return Ok(Parameters { focal_point: parameters.position - distance * axis, ..parameters });
+    }
+    if axis.dot(n).abs() > TOLERANCE {
+        return Err(NotCamera::Oblique(axis.dot(n)));
+    }
+    let view_up = if of == BasisAxis::U { n.cross(axis) } else { axis };
+    Ok(Parameters { view_up, ..parameters })
+}
+
+/// Why an answer describes no camera.
+fn not_camera(lang: Lang, why: &NotCamera) -> String {
+    match why {
+        NotCamera::Matrix(error) => dialects::recovery_error(lang, error),
+        NotCamera::Length(length) => words::axis_length(lang, *length),
+        NotCamera::Oblique(product) => words::axis_oblique(lang, *product),
+    }
+}
+
+/// The open steps, set as mathematics, and the reason why there is no camera; returns the place of the last step.
+pub(super) fn steps(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask) -> Option<Rect> {
+    let Sheet { t, exercise, .. } = sheet;
+    let described = state.exercises.described.as_ref().filter(|described| described.ask == ask.name);
+    if let Some(Err(error)) = described.map(|described| &described.camera) {
+        complaint(ui, &format!("{}: {}", t.no_camera, not_camera(t.lang, error)));
+    }
+    let opened = state.exercises.opened.get(&ask.name)?;
+    let way: Option<Arc<[Worked]>> = opened.way.clone();
+    let mut last = None;
+    for (k, step) in way.iter().flat_map(|way| way.iter()).take(opened.steps).enumerate() {
+        last = Some(ui.push_id(("step", k), |ui| self::step(ui, state, sheet, exercise, step)).response.rect);
+    }
+    last
+}
+
+/// A step: its heading, its equation, and each row: symbol = formula = numbers = value.
+fn step(ui: &mut Ui, state: &State, sheet: Sheet<'_>, exercise: &Exercise, step: &Worked) {
+    let lang = sheet.t.lang;
+    ui.add_space(2.0);
+    prose::show(ui, &said::step_heading(lang, exercise, step));
+    let style = |notation| Style { notation, mark: lang.mark(), digits: state.settings.digits };
+    let lines = step.lines(style(Notation::Latex), true);
+    for (latex, text) in lines.into_iter().zip(step.lines(style(Notation::Text), true)) {
+        let both = |latex: String, text: String| Both { latex, text };
+        let said =
+            [both(latex.formula, text.formula), both(latex.numbers, text.numbers), both(latex.value, text.value)];
+        chain(ui, &both(latex.symbol, text.symbol), &said, Links::Dense);
+    }
+}

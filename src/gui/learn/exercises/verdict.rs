@@ -1,0 +1,108 @@
+//! The verdict on an answer: its right entries, the diagnosis, and the solution, opened one by one.
+
+use eframe::egui::{self, RichText, Ui};
+
+use super::answers::color;
+use super::{Sheet, solution};
+use crate::exercises::Ask;
+use crate::gui::kit::prose;
+use crate::gui::state::State;
+use crate::i18n::{exercise_messages as messages, exercises as said};
+
+/// Shows the verdict on an answer, and the help; a verdict `just_said` is scrolled into sight.
+pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {
+    let Sheet { t, exercise, .. } = sheet;
+    let top = ui.cursor().top();
+    let checked = state.exercises.checked.get(&ask.name).cloned();
+    let mut hints = Vec::new();
+    if let Some(checked) = &checked {
+        let judged = &checked.judged;
+        let is_old = *state.exercises.fields(ask) != *checked.fields;
+        // In the line of the verdict: in one of its own it would move the button that it asks for.
+        ui.horizontal_wrapped(|ui| {
+            // As high as words, not as controls.
+            ui.spacing_mut().interact_size.y = 0.0;
+            ui.scope(|ui| {
+                if is_old {
+                    ui.set_opacity(0.6);
+                }
+                headline(ui, sheet, judged);
+            });
+            if is_old {
+                ui.label(RichText::new(t.changed_since).small().weak());
+            }
+        });
+        ui.scope(|ui| {
+            if is_old {
+                ui.set_opacity(0.6);
+            }
+            let entries = judged.entries.iter().flatten();
+            for (condition, right) in judged.conditions.iter().zip(entries) {
+                let sign = if *right { '✓' } else { '✗' };
+                let text = format!("{sign} {}", said::condition(t.lang, condition));
+                ui.add(egui::Label::new(RichText::new(text).color(color(ui, *right))).wrap());
+            }
+            if let Some(carried) = said::carried(t.lang, judged) {
+                prose::show(ui, &carried);
+            }
+            if let Some(diagnosis) = said::diagnosis(t.lang, ask, judged).filter(|_| !judged.right) {
+                prose::show(ui, &diagnosis);
+            }
+        });
+        hints = messages::hints(t.lang, exercise, ask, judged);
+    }
+    let opened = state.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
+    for hint in hints.iter().take(opened.hints) {
+        prose::show(ui, &format!("**{}:** {hint}", t.hint));
+    }
+    let newest = solution::steps(ui, state, sheet, ask).map_or(top, |step| step.top());
+    let id = ui.scope_id();
+    ui.horizontal_wrapped(|ui| {
+        if opened.hints < hints.len() {
+            hint_button(ui, state, sheet, ask, (id, opened.hints));
+        } else {
+            solution::step_button(ui, state, sheet, ask, id);
+        }
+        solution::camera_button(ui, state, sheet, ask, id);
+    });
+    if just_said {
+        let said = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), newest..=ui.min_rect().bottom());
+        let too_high = said.height() > ui.clip_rect().height();
+        ui.scroll_to_rect(said, too_high.then_some(egui::Align::TOP));
+    }
+}
+
+fn hint_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (id, open): (egui::Id, usize)) {
+    let Sheet { t, exercise, .. } = sheet;
+    let name = said::ask(t.lang, exercise, ask).replace("**", "");
+    let label = if open == 0 { t.next_hint } else { t.stronger_hint };
+    if solution::help_button(ui, id, (label, t.hint_hint, &name)).clicked() {
+        state.exercises.opened.entry(ask.name.clone()).or_default().hints += 1;
+        state.exercises.note_opened(exercise, ask);
+        state.exercises.say(ask);
+    }
+}
+
+/// Right or wrong, how much of it, and in which reading.
+fn headline(ui: &mut Ui, sheet: Sheet<'_>, judged: &crate::exercises::Judged) {
+    let t = sheet.t;
+    let right = judged.entries.iter().flatten().filter(|right| **right).count();
+    let all = judged.entries.iter().flatten().count();
+    let text = match (judged.right, all) {
+        (true, _) if judged.reading.is_empty() => format!("✓ {}", t.right),
+        (true, _) => format!("✓ {}: {}", t.right_read_as, said::reading(t.lang, judged.reading)),
+        _ if !judged.carried.is_empty() => format!("→ {}", t.follows),
+        (false, 0 | 1) => format!("✗ {}", t.wrong),
+        (false, all) => format!("✗ {} ({})", t.wrong, messages::score(t.lang, right, all)),
+    };
+    ui.add(egui::Label::new(RichText::new(text).strong().color(color(ui, judged.right))).wrap());
+}
+
+/// Says that all is right, once it is.
+pub(super) fn all(ui: &mut Ui, state: &State, sheet: Sheet<'_>) {
+    let right = state.exercises.right();
+    if sheet.exercise.asks.iter().all(|ask| right.contains(ask.name.as_str())) {
+        ui.separator();
+        ui.label(RichText::new(format!("✓ {}", sheet.t.all_right)).strong().color(color(ui, true)));
+    }
+}

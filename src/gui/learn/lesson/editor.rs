@@ -1,0 +1,99 @@
+//! The texts of a step and of the lesson beside what they look like, and the order of the steps: a lesson of the user's
+//! own is written where it is played.
+
+use eframe::egui::{Button, Id, RichText, Ui};
+
+use crate::gui::files::file_flow;
+use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{AfterSave, FIELDS_OF_STEP, State, StepChange};
+use crate::i18n::lessons::Texts;
+use crate::i18n::{Lang, messages};
+use crate::limits::{MAX_TITLE, MAX_TYPED};
+
+/// Seconds without a key after which the text is written to the file.
+const PAUSE: f64 = 1.0;
+
+/// One line: changes of the steps.
+pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
+    let Some(playing) = state.lesson.as_ref() else { return };
+    let Some(writing) = &playing.writing else { return };
+    let (step, count) = (playing.step, playing.lesson.steps.len());
+    let (has_earlier, is_ahead) = (writing.has_earlier(), writing.is_ahead());
+    let mut change = None;
+    ui.horizontal_wrapped(|ui| {
+        use StepChange::{Another, Earlier, Later, Remove, Screen};
+        for (name, hint, is_possible, what) in [
+            (t.step_earlier, t.step_earlier_hint, step > 0, Earlier),
+            (t.step_later, t.step_later_hint, step + 1 < count, Later),
+            (t.step_screen, t.step_screen_hint, true, Screen),
+            (t.step_another, t.step_another_hint, true, Another),
+            (t.step_remove, t.step_remove_hint, count > 1, Remove),
+        ] {
+            if ui.add_enabled(is_possible, Button::new(name)).explained(hint).clicked() {
+                change = Some(what);
+            }
+        }
+        ui.separator();
+        if ui.add_enabled(has_earlier, Button::new(t.change_back)).explained(t.change_back_hint).clicked() {
+            state.take_change_back();
+        }
+        if ui.button(t.read_again).explained(t.read_again_hint).clicked() {
+            file_flow::begin(ui.ctx(), state, AfterSave::ReadLesson);
+        }
+        ui.label(RichText::new(if is_ahead { t.not_kept } else { t.is_kept }).small().weak());
+    });
+    if let Some(change) = change {
+        state.change_steps(change);
+    }
+}
+
+/// The fields of the step, or of the whole lesson.
+pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
+    let (lang, now) = (state.settings.lang, ui.input(|input| input.time));
+    let Some(writing) = state.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else { return };
+    ui.horizontal_wrapped(|ui| {
+        for (of, name) in [(Lang::En, "English"), (Lang::PtBr, "Português")] {
+            ui.selectable_value(&mut writing.lang, of, name);
+        }
+        ui.separator();
+        ui.selectable_value(&mut writing.is_of_lesson, false, t.of_step);
+        ui.selectable_value(&mut writing.is_of_lesson, true, t.of_lesson).explained(t.of_lesson_hint);
+    });
+    let (of, mut is_typed, mut is_left) = (writing.lang, false, false);
+    let width = ui.available_width();
+    // As many rows in both: what is chosen does not move under the pointer.
+    let (first, names) = if writing.is_of_lesson {
+        (FIELDS_OF_STEP, [(t.lesson_title_field, 1), (t.lesson_sentence_field, 6), (t.lesson_minutes_field, 1)])
+    } else {
+        (0, [(t.step_title_field, 1), (t.step_text_field, 5), (t.notes_command, 2)])
+    };
+    for ((k, told), (name, rows)) in writing.typed.iter_mut().enumerate().skip(first).zip(names) {
+        let text = match of {
+            Lang::PtBr if name != t.lesson_minutes_field => &mut told.pt_br,
+            Lang::En | Lang::PtBr => &mut told.en,
+        };
+        let label = ui.label(name);
+        let field = if rows == 1 { TextField::line(text, MAX_TITLE) } else { TextField::lines(text, MAX_TYPED) };
+        let id = Id::unique(("text of a step", k, of));
+        let response = field.with(|edit| edit.id(id).desired_width(width).desired_rows(rows)).show(ui, lang);
+        let response = response.labelled_by(label.id);
+        is_typed |= response.changed();
+        is_left |= response.lost_focus();
+    }
+    let waits = writing.is_ahead() && now - writing.typed_at > PAUSE && writing.fault.is_none();
+    if let Some(fault) = &writing.fault {
+        let text = format!("{}: {}", t.not_written, messages::without_line(lang, fault));
+        ui.label(RichText::new(text).color(ui.visuals().error_fg_color));
+    }
+    let has_fault = writing.fault.is_some();
+    if has_fault && ui.button(t.forget_typed).explained(t.forget_typed_hint).clicked() {
+        return state.forget_text();
+    }
+    if is_typed {
+        state.text_edited(now);
+        ui.ctx().request_repaint_after(std::time::Duration::from_secs_f64(PAUSE + 0.1));
+    } else if waits || is_left && !has_fault {
+        state.save_text();
+    }
+}

@@ -1,0 +1,78 @@
+//! The list of lessons.
+
+use eframe::egui::{Key, Label, Modifiers, RichText, ScrollArea, Ui};
+
+use crate::gui::files::file_flow;
+use crate::gui::kit::prose;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{AfterSave, Dialog, State};
+use crate::i18n::{gallery, lessons as words, told};
+use crate::lessons::{OpenLesson, shipped};
+
+/// The width of the dialog.
+pub(in crate::gui) const WIDTH: f32 = 620.0;
+
+/// Shows the list; a lesson that is chosen is played.
+pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    ui.heading(t.lessons);
+    ui.add_space(4.0);
+    let mut chosen = None;
+    let most = (ui.ctx().content_rect().height() - 160.0).max(120.0);
+    let next = state.next_lesson();
+    // Always as high, from its first frame on, where it is offered less: what grows moves under the pointer.
+    let area = ScrollArea::vertical().max_height(most).min_scrolled_height(most).auto_shrink(false);
+    area.show(ui, |ui| {
+        for (k, shipped) in shipped().iter().enumerate() {
+            let lesson = &shipped.lesson;
+            let taken = state.lessons_taken.get(&lesson.id).copied();
+            let last = lesson.steps.len().saturating_sub(1);
+            ui.horizontal_wrapped(|ui| {
+                let title = format!("{}. {}", k + 1, words::with_minutes(lang, lesson));
+                if ui.link(title).clicked() {
+                    // One goes on where one was, and begins anew what is finished.
+                    let step = taken.filter(|step| *step < last).unwrap_or_default();
+                    chosen = Some(OpenLesson { lesson: lesson.clone(), path: None, step });
+                }
+                match taken {
+                    Some(step) if step >= last => drop(ui.label(RichText::new(format!("✓ {}", t.finished)).weak())),
+                    Some(step) => {
+                        ui.label(RichText::new(words::place(lang, step + 1, last + 1)).weak());
+                    }
+                    None => {}
+                }
+                if next == Some(k) {
+                    ui.label(RichText::new(format!("◀ {}", t.learn_next)).strong());
+                }
+            });
+            if let Some(sentence) = &lesson.sentence {
+                prose::show(ui, told(lang, sentence).trim());
+            }
+            let exercises = words::exercises_of(lang, lesson);
+            if !exercises.is_empty() {
+                let text = format!("{}: {}", t.leads_to, exercises.join(" · "));
+                ui.add(Label::new(RichText::new(text).small().weak()).wrap());
+            }
+            ui.add_space(6.0);
+        }
+        if !state.own_lessons.is_empty() {
+            ui.separator();
+            ui.label(RichText::new(t.of_folder).strong());
+        }
+        for (path, lesson) in &state.own_lessons {
+            let link = ui.link(words::with_minutes(lang, lesson)).explained(crate::sanitize::path(path));
+            if link.clicked() {
+                chosen = Some(OpenLesson { lesson: lesson.clone(), path: Some(path.clone()), step: 0 });
+            }
+        }
+    });
+    ui.separator();
+    let closes = ui.button(gallery::texts(lang).close).clicked()
+        || ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+    match chosen {
+        Some(open) => file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open)),
+        None if closes => {}
+        None => state.file_flow.dialog = Some(Dialog::Lessons),
+    }
+}

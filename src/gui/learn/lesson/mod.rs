@@ -1,0 +1,371 @@
+//! The lesson that is played: the bar and the text under the pictures, its task, and the list of lessons.
+
+mod editor;
+mod list;
+pub(in crate::gui) mod recording;
+mod speaker;
+pub(in crate::gui) mod state;
+mod task;
+pub(in crate::gui) mod writing;
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use eframe::egui::{self, Button, Id, Key, Modifiers, RichText, ScrollArea, Ui};
+
+use crate::figure::{Bilingual, Explanation};
+use crate::gui::app::command::Command;
+use crate::gui::app::focus;
+use crate::gui::app::focus::Region;
+use crate::gui::files::file_flow;
+use crate::gui::kit::prose;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{AfterSave, Chosen, State};
+use crate::i18n::lessons::{self as words, Texts};
+use crate::i18n::{Lang, exercises, notes, told};
+use crate::lessons::{self, Lesson, Link, Task};
+pub(in crate::gui) use list::{WIDTH as LIST_WIDTH, show as list};
+pub(in crate::gui) use speaker::window as speaker_window;
+
+/// The share of the window that text and task may take; what is longer is scrolled.
+const SHARE: f32 = 0.42;
+/// The share that they may take while they are written.
+const SHARE_WRITTEN: f32 = 0.55;
+/// The share that they may take in a presentation while a question is asked: the button that checks its answer is in
+/// sight.
+const SHARE_ASKED: f32 = 0.5;
+/// Lines of text that read well, in heights of a line.
+const LINE: f32 = 44.0;
+/// The least width at which text and task are side by side, in such lines; large type in a presentation has little
+/// height.
+const BESIDE: f32 = 1.4;
+const BESIDE_PRESENTED: f32 = 0.8;
+/// Between a text and its task beside it.
+const GUTTER: f32 = 24.0;
+/// Seconds after which a typed number is one.
+const TYPED: f64 = 0.9;
+
+/// Goes on with the move to a step, and with what is typed; at the begin of a frame.
+pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
+    let now = ctx.input(|input| input.time);
+    if state.go_on_moving(now) {
+        ctx.request_repaint();
+    }
+    typed_step(ctx, state, now);
+    state.look_at_goal();
+}
+
+/// Offers the first lesson and the gallery, in one line, to whoever has started the program for the first time; gives a
+/// command that is to be done.
+pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command> {
+    let is_fresh = state.document.path().is_none() && state.lesson.is_none() && !state.settings.bare;
+    if !(state.welcome && is_fresh) {
+        return None;
+    }
+    let first = lessons::shipped().first()?.lesson.clone();
+    let t = words::texts(state.settings.lang);
+    let mut command = None;
+    let shown = egui::Panel::top("welcome").show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.label(t.new_here);
+            let plays = ui.link(words::with_minutes(t.lang, &first)).clicked();
+            ui.label("·");
+            if ui.link(t.or_gallery).clicked() {
+                command = Some(Command::Gallery);
+            }
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                if ui.button("✕").explained(t.no_welcome).accessible_name(t.no_welcome).clicked() {
+                    state.welcome = false;
+                    state.settings.welcomed = true;
+                }
+            });
+            plays
+        })
+        .inner
+    });
+    if shown.inner {
+        let open = lessons::OpenLesson { lesson: first, path: None, step: 0 };
+        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+    }
+    // It stays if the question about changes does.
+    if state.lesson.is_some() || command.is_some() {
+        (state.welcome, state.settings.welcomed) = (false, true);
+    }
+    command
+}
+
+/// In a presentation, digits are the number of a step: it is gone to after a moment, or at Enter.
+fn typed_step(ctx: &egui::Context, state: &mut State, now: f64) {
+    let listens = state.settings.presentation && !ctx.text_edit_focused() && !state.file_flow.is_asking();
+    let Some(playing) = state.lesson.as_mut().filter(|_| listens) else { return };
+    // In their order, and each as often as it was pressed: a slow frame brings several.
+    ctx.input_mut(|input| {
+        input.events.retain(|event| {
+            let egui::Event::Key { key, pressed: true, repeat: false, modifiers: Modifiers::NONE, .. } = event else {
+                return true;
+            };
+            let Some((digit, _)) = (0_usize..).zip(DIGITS).find(|(_, of)| of == key) else { return true };
+            let before = playing.typed.map_or(0, |(number, _)| number % 100);
+            playing.typed = Some((10 * before + digit, now));
+            false
+        });
+    });
+    let Some((number, since)) = playing.typed else { return };
+    let is_whole = now - since > TYPED || ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter));
+    if is_whole {
+        playing.typed = None;
+        if let Some(step) = number.checked_sub(1) {
+            state.go_to_step(step);
+        }
+    } else {
+        ctx.request_repaint_after(Duration::from_secs_f64(TYPED - (now - since)));
+    }
+}
+
+const DIGITS: [Key; 10] =
+    [Key::Num0, Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];
+
+/// The bar of the lesson, and the text and the task of its step, below the pictures; gives a command that is to be
+/// done.
+pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
+    let playing = state.lesson.as_ref()?;
+    let key = (playing.lesson.id.clone(), playing.step);
+    let t = words::texts(state.settings.lang);
+    let ctx = ui.ctx().clone();
+    let asks = playing.shows_question && playing.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))));
+    let share = match (state.writes_lesson(), state.settings.presentation && asks) {
+        (true, _) => SHARE_WRITTEN,
+        (false, true) => SHARE_ASKED,
+        (false, false) => SHARE,
+    };
+    let most = share * ctx.content_rect().height();
+    // As high as what it showed in the last frame; a panel does not grow with what scrolls in it.
+    let id = Id::unique("height of the lesson");
+    let height = ctx.data(|data| data.get_temp(id)).unwrap_or(0.5 * most);
+    let panel = egui::Panel::bottom("lesson").resizable(false).exact_size(height).show(ui, |ui| {
+        focus::region(ui, ui.max_rect(), Region::Lesson, t.region);
+        let top = ui.max_rect().top();
+        let command = bar(ui, t, state);
+        let writes = state.writes_lesson();
+        if writes {
+            editor::tools(ui, t, state);
+        }
+        let shows = state.lesson.as_ref().is_some_and(|playing| {
+            let notes = playing.shows_notes && !speaker::has_window(&ctx);
+            writes || playing.shows_text || notes || playing.shows_question && !playing.is_done()
+        });
+        let mut wanted = ui.cursor().top() - top;
+        if shows {
+            ui.add_space(2.0);
+            // As low as its text: taller than its panel, it would push the bar out of sight.
+            let area = ScrollArea::vertical().id_salt(key).min_scrolled_height(0.0).auto_shrink(false);
+            let shown = area.show(ui, |ui| {
+                let shown = ui.scope(|ui| if writes { written(ui, t, state) } else { content(ui, t, state) });
+                shown.response.rect.height()
+            });
+            wanted += ui.spacing().item_spacing.y + 2.0 + shown.inner;
+        }
+        let margin = egui::Frame::side_top_panel(ui.style()).total_margin().sum().y;
+        (command, wanted, wanted.min(most) + margin + 2.0)
+    });
+    let (command, whole, wanted) = panel.inner;
+    if let Some(playing) = &mut state.lesson {
+        playing.is_cut = whole > most;
+    }
+    if (wanted - height).abs() > 0.5 {
+        ctx.data_mut(|data| data.insert_temp(id, wanted));
+        ctx.request_repaint();
+    }
+    command
+}
+
+/// One line: title, number of the step, the ways on.
+fn bar(ui: &mut Ui, t: &Texts, state: &mut State) -> Option<Command> {
+    let lang = t.lang;
+    let writes_own = state.plays_own_lesson() && !state.settings.presentation;
+    let playing = state.lesson.as_ref()?;
+    let writing = playing.writing.is_some();
+    let lesson = playing.lesson.clone();
+    let (step, count, may_go_on, moved) = (
+        playing.step,
+        lesson.steps.len(),
+        playing.may_go_on(),
+        state.document.is_changed() && playing.moving.is_none(),
+    );
+    let mut command = None;
+    let mut go_to = None;
+    ui.horizontal(|ui| {
+        if ui.add_enabled(step > 0, Button::new(format!("◀ {}", t.back))).explained(t.back_hint).clicked() {
+            command = Some(Command::PreviousFigure);
+        }
+        let (label, hint) = if may_go_on { (t.next, t.next_hint) } else { (t.pass, t.pass_hint) };
+        if step + 1 < count {
+            let next = Button::new(RichText::new(format!("{label} ▶")).strong());
+            if ui.add(next).explained(hint).clicked() {
+                state.pass_over();
+                command = Some(Command::NextFigure);
+            }
+        } else if let Some(next) = after(&lesson) {
+            let name = format!("{}: {} ▶", t.go_on_with, told(lang, &next.title));
+            if ui.button(name).clicked() {
+                let open = lessons::OpenLesson { lesson: next, path: None, step: 0 };
+                file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+            }
+        }
+        let place = words::place(lang, step + 1, count);
+        ui.menu_button(format!("{place} ▾"), |ui| {
+            for (k, other) in lesson.steps.iter().enumerate() {
+                let name = format!("{}. {}", k + 1, told(lang, &other.title));
+                if ui.selectable_label(k == step, name).clicked() {
+                    go_to = Some(k);
+                    ui.close();
+                }
+            }
+        })
+        .response
+        .explained(t.all_steps);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if ui.button("✕").explained(t.leave).accessible_name(t.leave).clicked() {
+                command = Some(Command::LeaveLesson);
+            }
+            if writes_own
+                && ui.selectable_label(writing, "✎").explained(t.write_hint).accessible_name(t.write_command).clicked()
+            {
+                command = Some(Command::WriteLesson);
+            }
+            if ui.add_enabled(moved, Button::new(t.again)).explained(t.again_hint).clicked() {
+                command = Some(Command::StepAgain);
+            }
+            let title = RichText::new(told(lang, &lesson.title)).weak();
+            ui.add(egui::Label::new(title).truncate().selectable(false));
+        });
+    });
+    if let Some(step) = go_to {
+        state.go_to_step(step);
+    }
+    command
+}
+
+/// The lesson of the program after another one.
+fn after(lesson: &Lesson) -> Option<Arc<Lesson>> {
+    let all = lessons::shipped();
+    let place = all.iter().position(|shipped| shipped.lesson.id == lesson.id)?;
+    all.get(place + 1).map(|shipped| shipped.lesson.clone())
+}
+
+/// The fields of the step or of the lesson, beside what they look like.
+fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
+    ui.horizontal_top(|ui| {
+        let half = 0.5 * (ui.available_width() - GUTTER);
+        ui.vertical(|ui| {
+            ui.set_width(half);
+            editor::fields(ui, t, state);
+        });
+        ui.add_space(GUTTER - ui.spacing().item_spacing.x);
+        ui.vertical(|ui| {
+            ui.set_width(half);
+            match state.lesson.as_ref().and_then(|playing| Some((playing, playing.writing.as_ref()?))) {
+                Some((playing, writing)) if writing.is_of_lesson => whole(ui, writing.lang, &playing.lesson),
+                _ => content(ui, t, state),
+            }
+        });
+    });
+}
+
+/// Title, minutes and sentence of the lesson, as the list shows them.
+fn whole(ui: &mut Ui, lang: Lang, lesson: &Lesson) {
+    ui.add(egui::Label::new(RichText::new(words::with_minutes(lang, lesson)).heading()).wrap());
+    if let Some(sentence) = &lesson.sentence {
+        prose::show(ui, told(lang, sentence).trim());
+    }
+}
+
+/// Text, task, links and notes of the step.
+fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
+    let Some(playing) = state.lesson.as_ref() else { return };
+    let Some(step) = playing.now().cloned() else { return };
+    let writing = playing.writing.as_ref().filter(|_| state.writes_lesson());
+    let shows_text = playing.shows_text || writing.is_some();
+    let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx()) || writing.is_some();
+    // What is written is shown in the language of its fields.
+    let lang = writing.map_or(t.lang, |writing| writing.lang);
+    // The numbers are those of what is on the screen.
+    let report = lessons::numbers_of(state.document.figure()).or_else(|_| lessons::numbers_of(&step.figure)).ok();
+    let text = |text: &Bilingual| match &report {
+        Some(report) => words::filled_from(lang, text, report),
+        None => told(lang, text).to_owned(),
+    };
+    let presents = state.settings.presentation;
+    let say = |ui: &mut Ui| {
+        if !presents {
+            ui.add(egui::Label::new(RichText::new(told(lang, &step.title)).heading()).wrap());
+        }
+        prose::show(ui, text(&step.text).trim());
+    };
+    let asks = step.task.is_some() && state.lesson.as_ref().is_some_and(|playing| playing.shows_question);
+    let line = LINE * ui.text_style_height(&egui::TextStyle::Body);
+    let least = if presents { BESIDE_PRESENTED } else { BESIDE };
+    if shows_text && asks && ui.available_width() > least * line {
+        // Side by side they leave the pictures more room.
+        ui.horizontal_top(|ui| {
+            let half = 0.5 * (ui.available_width() - GUTTER);
+            ui.vertical(|ui| {
+                ui.set_width(half);
+                say(ui);
+            });
+            ui.add_space(GUTTER - ui.spacing().item_spacing.x);
+            ui.vertical(|ui| {
+                // Without a width of its own, a field that wants more would reach out of the window.
+                ui.set_width(half);
+                task::show(ui, t, state, &step, &text);
+            });
+        });
+    } else {
+        ui.set_max_width(ui.available_width().min(1.4 * line));
+        if shows_text {
+            say(ui);
+        }
+        task::show(ui, t, state, &step, &text);
+    }
+    links(ui, t, state, &step.links);
+    if let Some(notes) = step.notes.as_ref().filter(|_| shows_notes) {
+        ui.separator();
+        ui.weak(t.notes_command);
+        prose::show(ui, text(notes).trim());
+    }
+    ui.add_space(2.0);
+}
+
+/// Buttons that lead from the step to notes, exercises and lessons.
+fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
+    if links.is_empty() || state.settings.presentation {
+        return;
+    }
+    let lang = t.lang;
+    ui.horizontal_wrapped(|ui| {
+        for link in links {
+            match link {
+                Link::Note(id) => {
+                    let Some(note) = notes::note(lang, id) else { continue };
+                    if ui.link(format!("{}: {}", t.read_more, notes::plain(note.title))).clicked() {
+                        state.explain_by_note(note.id);
+                    }
+                }
+                Link::Exercise(id, seed) => {
+                    let Some(entry) = crate::exercises::entry(id) else { continue };
+                    if ui.link(format!("{}: {}", t.practise, exercises::title(lang, entry))).clicked() {
+                        state.exercises.work_on(Chosen { id: id.clone(), seed: *seed });
+                        state.show_explanation(Explanation::Exercises);
+                    }
+                }
+                Link::Lesson(id) => {
+                    let Some(other) = lessons::shipped().iter().find(|other| other.lesson.id == *id) else { continue };
+                    if ui.link(format!("{}: {}", t.see_lesson, told(lang, &other.lesson.title))).clicked() {
+                        let open = lessons::OpenLesson { lesson: other.lesson.clone(), path: None, step: 0 };
+                        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+                    }
+                }
+            }
+        }
+    });
+}

@@ -1,0 +1,97 @@
+//! Lessons of the user's own: their steps as they are recorded, and those of a folder.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::figure::{Figure, Screen};
+use crate::files::{self, FileError};
+use crate::gui::state::{Agreed, Dialog, Message, Side, State};
+use crate::i18n::lessons as words;
+use crate::lessons::{Lesson, with_step};
+use crate::views::View;
+
+impl State {
+    /// Adds what is on the screen to the lesson in a file, which is made where it is missing.
+    pub(in crate::gui) fn add_step(&mut self, path: &Path, agreed: &Agreed) {
+        if self
+            .lesson
+            .as_ref()
+            .is_some_and(|playing| playing.writing.is_some() && playing.path.as_deref() == Some(path))
+        {
+            // The window has the text of the file, and knows what it has written.
+            return self.add_to_written(path);
+        }
+        match added(self, path, agreed) {
+            Ok(lesson) => self.step_is_added(path, lesson),
+            Err(error) => self.say(Message::File(path.to_owned(), error)),
+        }
+    }
+
+    /// Whether the figure, which has no file of its own, is in the last step of the lesson to which steps were added.
+    pub(in crate::gui) fn is_recorded(&mut self) -> bool {
+        let Some(path) = self.lesson_file.as_deref().filter(|_| self.document.path().is_none()) else { return false };
+        let Ok((lesson, _)) = files::read_lesson(path) else { return false };
+        let here = as_shown(self);
+        let content = |figure: &Figure| (Figure { title: None, ..figure.without_scene() }, figure.scene.clone());
+        lesson.steps.last().is_some_and(|step| content(&step.figure) == content(&here))
+    }
+
+    /// Reports the last step of a lesson as added, and goes on with the lesson if it is the one that is played.
+    pub(in crate::gui) fn step_is_added(&mut self, path: &Path, lesson: Lesson) {
+        self.lesson_file = Some(path.to_owned());
+        self.say(Message::StepAdded(path.to_owned(), lesson.steps.len()));
+        if let Some(playing) = self.lesson.as_mut().filter(|playing| playing.path.as_deref() == Some(path)) {
+            // The steps before it have their places.
+            playing.lesson = Arc::new(lesson);
+        }
+    }
+
+    /// Opens the list of lessons, with those of the folder of figures too.
+    pub(in crate::gui) fn list_lessons(&mut self) {
+        let folders =
+            [self.lesson_file.as_deref().and_then(Path::parent), self.document.folder(), self.gallery.folder()];
+        let folder = folders.into_iter().flatten().find(|folder| !folder.as_os_str().is_empty()).map(Path::to_owned);
+        // A folder that cannot be read has none.
+        let found = folder.filter(|_| !self.in_browser).and_then(|folder| files::read_lessons(&folder).ok());
+        self.own_lessons = found.unwrap_or_default().lessons;
+        self.file_flow.dialog = Some(Dialog::Lessons);
+    }
+
+    /// Shows the QR code of the link to what is on the screen; without the address of a page, asks for that first.
+    pub(in crate::gui) fn ask_for_code(&mut self) {
+        let has_address = self.own_address.is_some() || !self.page_address.is_empty();
+        self.file_flow.dialog = Some(if has_address { Dialog::Qr } else { Dialog::Link });
+        if !has_address {
+            self.say(Message::AddressFirst);
+        }
+    }
+}
+
+fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, FileError> {
+    let (text, number) = if files::disk::exists(path) {
+        let (lesson, text) = files::read_lesson(path)?;
+        (text, lesson.steps.len() + 1)
+    } else {
+        (String::new(), 1)
+    };
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let figure = as_shown(state);
+    let (text, lesson) = with_step(&text, &stem, &words::draft(number), &figure)?;
+    files::save(path, text.as_bytes(), agreed.overwrite())?;
+    Ok(lesson)
+}
+
+/// The figure with all that the window shows of it, and how it shows it.
+pub(in crate::gui) fn as_shown(state: &mut State) -> Figure {
+    let seen = state.as_seen();
+    let panel = state.settings.panels().is_shown(Side::Explain).then(|| state.explain.shown());
+    let pictures = View::ALL.map(|view| state.layout.is_shown(view));
+    let figure = state.document.figure();
+    let screen = Screen {
+        pictures: Some(pictures),
+        panel: Some(panel),
+        arrangement: Some(state.layout.arrangement),
+        ..figure.screen
+    };
+    Figure { observers: seen.observers, show: seen.show, screen, ..figure.clone() }
+}

@@ -1,0 +1,483 @@
+//! The lesson that is played: its step, the move to it, and what is done.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::camera::{Camera, Operation};
+use crate::figure::{Figure, Observers, Show};
+use crate::files;
+use crate::gui::gallery::Source;
+use crate::gui::model::document::Document;
+use crate::gui::model::history::Revision;
+use crate::gui::state::{Chosen, Message, Panels, State, Writing};
+use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
+use crate::share;
+
+/// Seconds in which the pictures of a step before fade into those of the next one.
+pub(in crate::gui) const FADE: f64 = 0.4;
+
+/// A lesson that is played.
+#[derive(Debug)]
+pub struct Playing {
+    /// The lesson.
+    pub lesson: Arc<Lesson>,
+    /// Its file; `None`: one of the program.
+    pub path: Option<PathBuf>,
+    /// The step, from 0.
+    pub step: usize,
+    /// The move to the step, while it goes on.
+    pub(in crate::gui) moving: Option<Moving>,
+    /// The text of the step is shown.
+    pub shows_text: bool,
+    /// The question of the step is shown.
+    pub shows_question: bool,
+    /// The speaker's notes are shown.
+    pub shows_notes: bool,
+    /// The writing of the step, in a lesson of the user's own.
+    pub writing: Option<Writing>,
+    /// The lesson has been written since it is played.
+    pub(in crate::gui) was_written: bool,
+    /// A link holds the whole lesson, where it is the user's own; else the figure of the step.
+    pub links_whole: bool,
+    /// The beginning of the fading of what was shown before the step, counted.
+    pub(in crate::gui) fades: u64,
+    /// Not all of text and task is in sight; written by the panel.
+    pub is_cut: bool,
+    /// The documents of other steps in which there is work; each is shown again when its step is.
+    pub(in crate::gui) worked_on: BTreeMap<usize, Document>,
+    /// The steps whose task is done.
+    done: BTreeSet<usize>,
+    /// The steps whose task was passed over.
+    passed: BTreeSet<usize>,
+    /// The step whose task is passed over by the next wish to go on.
+    warned: Option<usize>,
+    /// The digits of the number of a step as they are typed, and when the last was.
+    pub(in crate::gui) typed: Option<(usize, f64)>,
+    /// The figure at which the goal was looked at last, and what it shows.
+    looked_at: Option<(Revision, Observers, Show)>,
+    seen: Seen,
+    /// The panels as they were before the lesson, out of a presentation.
+    panels_before: Panels,
+}
+
+/// A move from one step to another.
+#[derive(Debug)]
+pub struct Moving {
+    passage: Passage,
+    /// The step's document, as it is at the end.
+    target: Box<Document>,
+    seconds: f64,
+    began: Option<f64>,
+}
+
+impl Playing {
+    /// The step that is shown.
+    #[must_use]
+    pub fn now(&self) -> Option<&Step> {
+        self.lesson.steps.get(self.step)
+    }
+
+    /// True where the step has nothing to be done any more.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.now().is_none_or(|step| step.task.is_none()) || self.done.contains(&self.step)
+    }
+
+    /// True where the next step may be shown: the task is done, or was passed over.
+    #[must_use]
+    pub fn may_go_on(&self) -> bool {
+        self.is_done() || self.passed.contains(&self.step)
+    }
+
+    /// Whether the document of a step has work in it. A step is there to be tried: another camera, image or way of
+    /// drawing isn't marked, isn't stored, and ends with the step. What the user builds is work: objects, lights,
+    /// points, labels, titles. It's treated as in every other figure: it's marked (•), survives a crash, waits in its
+    /// step while other steps are shown, and whatever would end it asks first. Once the lesson has been written here,
+    /// every change is work, because it may become a step.
+    #[must_use]
+    pub(in crate::gui) fn is_work(&self, document: &Document) -> bool {
+        if self.was_written { document.is_changed() } else { document.is_built_on() }
+    }
+
+    /// Goes on with another text of the lesson: its steps may have other places.
+    pub(in crate::gui) fn take_lesson(&mut self, lesson: Arc<Lesson>) {
+        self.lesson = lesson;
+        self.done.clear();
+        self.passed.clear();
+    }
+
+    /// True where the goal was looked at with this figure.
+    fn has_looked_at(&self, document: &Document) -> bool {
+        let Figure { observers, show, .. } = document.figure();
+        self.looked_at
+            .as_ref()
+            .is_some_and(|(version, seen, shown)| (*version, seen, shown) == (document.version(), observers, show))
+    }
+
+    /// True where this step is the last one.
+    #[must_use]
+    pub fn is_last(&self) -> bool {
+        self.step + 1 >= self.lesson.steps.len()
+    }
+}
+
+impl State {
+    /// Whether the figure has changes that must not be lost; in a step of a lesson not all are, see
+    /// `Playing::is_work`.
+    #[must_use]
+    pub fn has_unsaved(&self) -> bool {
+        self.is_work(&self.document)
+    }
+
+    fn is_work(&self, document: &Document) -> bool {
+        self.lesson.as_ref().map_or(document.is_changed(), |playing| playing.is_work(document))
+    }
+
+    /// The documents with changes that the window holds without showing them: figures and steps that were left, and
+    /// those behind the figure of an exercise.
+    pub fn held_documents(&self) -> Vec<&Document> {
+        let left = self.kept.iter().chain(&self.given_up).map(|(_, document)| document);
+        let of_lesson = self.lesson.iter().flat_map(|playing| playing.worked_on.values());
+        let held = left.chain(of_lesson).flat_map(|document| std::iter::once(document).chain(document.behind()));
+        held.filter(|document| document.is_changed())
+            .chain(self.document.behind().filter(|document| self.is_work(document)))
+            .collect()
+    }
+
+    /// Whether closing the window would lose something.
+    #[must_use]
+    pub fn would_lose_something(&self) -> bool {
+        self.has_unsaved()
+            || self.unsaved_text().is_some()
+            || !self.held_documents().is_empty()
+            || !self.file_flow.exporting.is_empty()
+    }
+
+    /// Takes the documents that wait in steps and behind figures among those that the window asks about when it is
+    /// closed.
+    pub(in crate::gui) fn gather_held(&mut self) {
+        self.keep_behind();
+        let of_lesson = self.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
+        self.keep(of_lesson.into_iter().flat_map(BTreeMap::into_values).collect());
+    }
+
+    /// Keeps the work behind the figure.
+    pub(in crate::gui) fn keep_behind(&mut self) {
+        let mut behind = self.document.take_behind();
+        behind.retain(|document| self.is_work(document));
+        self.keep(behind);
+    }
+
+    /// Has the work in the figure, or behind it, wait in the step that is left.
+    pub(in crate::gui) fn leave_step(&mut self) {
+        let mut left = Some(self.document.clone());
+        while let Some(document) = left.take_if(|document| !self.is_work(document)) {
+            left = document.into_behind();
+        }
+        self.document.take_behind();
+        if let (Some(document), Some(playing)) = (left, &mut self.lesson) {
+            playing.worked_on.insert(playing.step, document);
+        }
+    }
+
+    /// Keeps documents with changes until the window is closed, which asks about them.
+    pub(in crate::gui) fn keep(&mut self, documents: Vec<Document>) {
+        for mut document in documents {
+            let behind = document.take_behind();
+            self.kept.extend(
+                std::iter::once(document)
+                    .chain(behind)
+                    .filter(Document::is_changed)
+                    .map(|document| (Source::of(&document), document)),
+            );
+        }
+    }
+
+    /// The panels at the sides as the user wants them without a lesson.
+    #[must_use]
+    pub fn own_panels(&self) -> &Panels {
+        self.lesson.as_ref().map_or(&self.settings.panels, |playing| &playing.panels_before)
+    }
+
+    /// The lesson of the program to be taken next, by its place: the first that is not finished.
+    #[must_use]
+    pub fn next_lesson(&self) -> Option<usize> {
+        let is_finished =
+            |lesson: &Lesson| self.lessons_taken.get(&lesson.id).is_some_and(|step| step + 1 >= lesson.steps.len());
+        shipped().iter().position(|shipped| !is_finished(&shipped.lesson))
+    }
+
+    /// Plays a lesson; the figure is lost. Only the window's start calls this, and [`file_flow`](crate::gui::files::file_flow)
+    /// once it has asked.
+    pub(in crate::gui) fn play(&mut self, open: OpenLesson) {
+        let OpenLesson { lesson, path, step } = open;
+        // A session of another folder has to find the file too.
+        let path = path.map(|path| if share::link_of(&path).is_some() { path } else { files::whole(&path) });
+        let playing = Playing {
+            lesson,
+            path,
+            step,
+            moving: None,
+            shows_text: true,
+            shows_question: !self.settings.presentation,
+            shows_notes: false,
+            writing: None,
+            was_written: false,
+            links_whole: true,
+            fades: 0,
+            is_cut: false,
+            worked_on: BTreeMap::new(),
+            done: BTreeSet::new(),
+            passed: BTreeSet::new(),
+            warned: None,
+            typed: None,
+            looked_at: None,
+            seen: Seen::default(),
+            panels_before: *self.own_panels(),
+        };
+        self.show_step(playing, step, false);
+    }
+
+    /// Ends the lesson; the figure of its step stays.
+    pub(in crate::gui) fn leave_lesson(&mut self) {
+        self.end_move();
+        self.let_lesson_go();
+    }
+
+    /// Forgets the lesson, and gives the panels back. Work in its steps is kept.
+    pub(in crate::gui) fn let_lesson_go(&mut self) {
+        if let Some(playing) = self.lesson.take() {
+            self.settings.panels.wanted = playing.panels_before.wanted;
+            self.keep(playing.worked_on.into_values().collect());
+        }
+        self.exercises.of_lesson.clear();
+        self.exercises.leave_unknown();
+    }
+
+    /// Shows the figure of the step as it was at first; undoing brings the changed one back.
+    pub fn step_again(&mut self) {
+        self.end_move();
+        let Some(playing) = self.lesson.take() else { return };
+        let mut document = self.document.clone();
+        if let Some(step) = playing.now()
+            && document.replace((*step.figure).clone()).is_ok()
+        {
+            let step = playing.step;
+            self.show_in_step(playing, step, document, false);
+        } else {
+            self.lesson = Some(playing);
+        }
+    }
+
+    /// Goes to a step, from 0; nothing if there is none. Work in the step that is left waits there.
+    pub fn go_to_step(&mut self, step: usize) {
+        if !self.save_text() {
+            return;
+        }
+        self.end_move();
+        if self.lesson.as_ref().is_none_or(|playing| step >= playing.lesson.steps.len()) {
+            return;
+        }
+        self.leave_step();
+        let Some(playing) = self.lesson.take() else { return };
+        let moves = step == playing.step + 1;
+        self.show_step(playing, step, moves);
+    }
+
+    /// Goes on to the next step, or back to the one before. What is to be done first is said once, and passed over
+    /// then.
+    pub fn step_lesson(&mut self, forwards: bool) {
+        if self.end_move() && forwards {
+            return;
+        }
+        let Some(playing) = &mut self.lesson else { return };
+        let step = playing.step;
+        if !forwards {
+            match step.checked_sub(1) {
+                Some(before) => self.go_to_step(before),
+                None => self.say(Message::FirstStep),
+            }
+            return;
+        }
+        if !playing.may_go_on() && playing.warned != Some(step) {
+            playing.warned = Some(step);
+            playing.shows_question = true;
+            return self.say(Message::TaskFirst);
+        }
+        playing.passed.insert(step);
+        if playing.is_last() {
+            return self.say(Message::LastStep);
+        }
+        self.go_to_step(step + 1);
+    }
+
+    /// Passes over the task of the step.
+    pub(in crate::gui) fn pass_over(&mut self) {
+        if let Some(playing) = &mut self.lesson {
+            playing.passed.insert(playing.step);
+        }
+    }
+
+    /// Changes the figure by the way that a lesson knows to its goal, from the figure of the step, as one change.
+    pub(in crate::gui) fn go_the_way(&mut self, goal: &Goal) {
+        let Some(figure) = self.lesson.as_ref().and_then(|playing| Some(playing.now()?.figure.clone())) else { return };
+        let Ok(camera) = Camera::new(&figure.camera) else { return };
+        // A lesson that was read has tried it.
+        let Ok(after) = goal.reached_from(&figure, &camera) else { return };
+        let seen = self.document.figure().observers;
+        let done = self.document.replace(Figure { observers: seen, ..after.figure });
+        self.say_camera_error(done);
+    }
+
+    /// Shows a step and brings back the changes you tried in it, either at once or with a camera move.
+    pub(in crate::gui) fn show_step(&mut self, mut playing: Playing, step: usize, moves: bool) {
+        self.end_move();
+        let waiting = playing.worked_on.remove(&step);
+        let Some(shown) = playing.lesson.steps.get(step) else { return };
+        let document = match waiting {
+            Some(document) => Ok(document),
+            None => Document::of_lesson((*shown.figure).clone(), playing.path.as_deref()),
+        };
+        match document {
+            Ok(document) => self.show_in_step(playing, step, document, moves),
+            Err(error) => {
+                self.lesson = Some(playing);
+                self.say(Message::Camera(error));
+            }
+        }
+    }
+
+    /// Shows this document in a step.
+    fn show_in_step(&mut self, mut playing: Playing, step: usize, document: Document, moves: bool) {
+        let Some(shown) = playing.lesson.steps.get(step) else { return };
+        let seconds = if self.settings.reduce_motion { 0.0 } else { shown.seconds };
+        let seen = self.as_seen();
+        let from = Figure { observers: seen.observers, show: seen.show, ..self.document.figure().clone() };
+        let from = Arc::new(from);
+        let to = Arc::new(document.figure().clone());
+        playing.step = step;
+        playing.warned = None;
+        playing.looked_at = None;
+        playing.shows_question = !self.settings.presentation;
+        let question = match &shown.task {
+            Some(Task::Question(entry)) => Some((**entry).clone()),
+            _ => None,
+        };
+        let exercise = match &shown.task {
+            Some(Task::Exercise { id, seed }) => Some(Chosen { id: id.clone(), seed: *seed }),
+            _ => None,
+        };
+        // The pictures and the text have the room. For a try, the panel that it needs is open: the operations, or else
+        // the numbers of the camera.
+        let goal = if let Some(Task::Try(goal)) = &shown.task { Some(goal) } else { None };
+        let operates =
+            goal.is_some_and(|goal| goal.way.iter().any(|(key, _)| Operation::names().contains(&key.as_str())));
+        let tries = goal.is_some();
+        self.take_over(document.clone());
+        self.settings.panels.wanted = [tries && !operates, operates, self.settings.panels.wanted[2]];
+        if let Some(entry) = question {
+            self.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
+            self.exercises.of_lesson = vec![entry];
+        }
+        if let Some(chosen) = exercise {
+            self.exercises.work_on(chosen);
+            self.show_explanation(crate::figure::Explanation::Exercises);
+        }
+        let passage = Passage::new(from, to);
+        if moves && seconds > 0.0 && !passage.is_at_once() {
+            // What is new fades in; then the camera moves.
+            playing.fades += 1;
+            playing.moving = Some(Moving { passage, target: Box::new(document), seconds, began: None });
+        }
+        let is_of_program = shipped().iter().any(|shipped| shipped.lesson.id == playing.lesson.id);
+        if playing.path.is_none() || !is_of_program {
+            // A lesson of the user's own does not count as the one of the program whose name it has.
+            let furthest = self.lessons_taken.entry(playing.lesson.id.clone()).or_default();
+            *furthest = step.max(*furthest);
+        }
+        self.lesson = Some(playing);
+        self.follow_writing();
+    }
+
+    /// Goes on with the move to the step; true while it goes on. `now`: a time in seconds.
+    pub(in crate::gui) fn go_on_moving(&mut self, now: f64) -> bool {
+        let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
+        let share = ((now - *moving.began.get_or_insert(now + FADE)) / moving.seconds).max(0.0);
+        if share >= 1.0 {
+            self.end_move();
+            return false;
+        }
+        // It begins and ends slowly.
+        let figure = moving.passage.at(share * share * (3.0 - 2.0 * share));
+        if let Ok(camera) = Camera::new(&figure.camera) {
+            self.document.set_camera(camera);
+        }
+        *self.document.observers_mut() = figure.observers;
+        *self.document.show_mut() = figure.show;
+        true
+    }
+
+    /// Ends the move to the step, where there is one: the step is there exactly.
+    pub(in crate::gui) fn end_move(&mut self) -> bool {
+        let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.take()) else { return false };
+        let (now, target) = (self.document.figure(), moving.target.figure());
+        let is_changed = now.scene != target.scene
+            || now.points != target.points
+            || now.labels != target.labels
+            || (&now.title, &now.caption) != (&target.title, &target.caption);
+        if is_changed {
+            // The figure was changed meanwhile: only the camera arrives.
+            let target = moving.target.figure();
+            (*self.document.observers_mut(), *self.document.show_mut()) = (target.observers, target.show.clone());
+            self.document.set_camera(moving.target.camera().clone());
+        } else {
+            self.document = *moving.target;
+        }
+        true
+    }
+
+    /// Notes what is reached in the step.
+    pub(in crate::gui) fn look_at_goal(&mut self) {
+        let Some(mut playing) = self.lesson.take() else { return };
+        let step = playing.step;
+        let reached = match playing.now().and_then(|now| now.task.as_ref()) {
+            _ if playing.is_done() || playing.moving.is_some() => false,
+            Some(Task::Question(_) | Task::Exercise { .. }) => self.is_answered(&playing),
+            Some(Task::Try(goal)) if !playing.has_looked_at(&self.document) => {
+                // Once for each figure: pixels are counted.
+                let subject = Subject {
+                    figure: self.document.figure(),
+                    camera: self.document.camera(),
+                    scene: self.scene_cache.scene(),
+                };
+                let goal = goal.clone();
+                // The scene of a step that has just begun is built after this.
+                let is_ready = self.scene_cache.is_of(&self.document, self.settings.theme);
+                if is_ready {
+                    let Figure { observers, show, .. } = self.document.figure();
+                    playing.looked_at = Some((self.document.version(), *observers, show.clone()));
+                }
+                is_ready && goal.is_reached(subject, &mut playing.seen)
+            }
+            Some(Task::Try(_)) | None => false,
+        };
+        if reached {
+            playing.done.insert(step);
+        }
+        self.lesson = Some(playing);
+    }
+
+    /// True where every question of the step has its right answer.
+    fn is_answered(&self, playing: &Playing) -> bool {
+        let (id, seed) = match playing.now().and_then(|now| now.task.as_ref()) {
+            Some(Task::Question(entry)) => (&*entry.id, 0),
+            Some(Task::Exercise { id, seed }) => (id.as_str(), *seed),
+            _ => return false,
+        };
+        let is_open = self.exercises.open.as_ref().is_some_and(|open| open.id == id && open.seed == seed);
+        let right = self.exercises.right();
+        let asks = self.exercises.entry(id).map(|entry| entry.exercise(seed, &Default::default()).asks);
+        is_open && asks.is_some_and(|asks| asks.iter().all(|ask| right.contains(ask.name.as_str())))
+    }
+}

@@ -1,0 +1,478 @@
+//! A lesson of the user's own that is written in the window: its texts and those of its step as they are typed, the
+//! changes of its file, and the way back.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::figure::{Bilingual, Figure, FigureError};
+use crate::files::{self, FileError};
+use crate::gui::state::{Agreed, Message, State};
+use crate::gui::storage::session::UnsavedText;
+use crate::i18n::Lang;
+use crate::lessons::{Edit, Lesson, LessonText, OpenLesson, StepText, Words, edited, reworded, with_step};
+use crate::numbers::significant;
+use crate::share;
+
+/// Changes that can be taken back.
+const MOST_EARLIER: usize = 100;
+
+/// The writing of the step that is shown.
+#[derive(Debug)]
+pub struct Writing {
+    /// The text of the file as it was read or written last.
+    text: String,
+    /// The step whose texts these are, from 0.
+    step: usize,
+    /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as they are typed; the
+    /// minutes in the first language alone.
+    pub typed: [Bilingual; FIELDS.len()],
+    /// The same as they are in the file.
+    kept: [Bilingual; FIELDS.len()],
+    /// The file with the typed texts, which is not yet written.
+    ahead: Option<String>,
+    /// Why it cannot be written.
+    pub fault: Option<FigureError>,
+    /// The language of the fields.
+    pub lang: Lang,
+    /// The fields are those of the whole lesson.
+    pub is_of_lesson: bool,
+    /// The time of the last key, in seconds.
+    pub typed_at: f64,
+    /// The file before each change, and the step that was shown.
+    earlier: Vec<(String, usize)>,
+    /// Typed text that is not in the file, as a session stores it.
+    unsaved: Option<Arc<UnsavedText>>,
+}
+
+impl Writing {
+    fn new(text: String, lang: Lang) -> Self {
+        Self {
+            text,
+            step: usize::MAX,
+            typed: Default::default(),
+            kept: Default::default(),
+            ahead: None,
+            fault: None,
+            lang,
+            is_of_lesson: false,
+            typed_at: 0.0,
+            earlier: Vec::new(),
+            unsaved: None,
+        }
+    }
+
+    /// True where a change can be taken back.
+    #[must_use]
+    pub fn has_earlier(&self) -> bool {
+        !self.earlier.is_empty()
+    }
+
+    /// True where what is typed is not in the file.
+    #[must_use]
+    pub fn is_ahead(&self) -> bool {
+        self.typed != self.kept
+    }
+
+    /// Shows the texts of a step, and of its lesson.
+    fn show(&mut self, number: usize, lesson: &Lesson) {
+        let Some(step) = lesson.steps.get(number) else { return };
+        let minutes = lesson.minutes.map(|minutes| significant(minutes, MINUTES_DIGITS)).unwrap_or_default();
+        let texts = [
+            step.title.clone(),
+            step.text.clone(),
+            step.notes.clone().unwrap_or_default(),
+            lesson.title.clone(),
+            lesson.sentence.clone().unwrap_or_default(),
+            Bilingual { en: minutes, ..Bilingual::default() },
+        ];
+        (self.step, self.typed, self.kept) = (number, texts.clone(), texts);
+        (self.ahead, self.fault, self.unsaved) = (None, None, None);
+    }
+
+    /// The file with the texts as they are typed.
+    fn tried(&self) -> Result<(String, Lesson), FigureError> {
+        let fields = FIELDS.into_iter().zip(self.typed.iter().zip(&self.kept));
+        let changed = fields.filter(|(_, (typed, kept))| typed != kept);
+        let words: Vec<Words> = changed.map(|(words, (typed, _))| words(self.step, typed.clone())).collect();
+        reworded(&self.text, &words)
+    }
+}
+
+/// The words of a field: those of a step, then those of the lesson.
+const FIELDS: [fn(usize, Bilingual) -> Words; 6] = [
+    |step, told| Words::OfStep(step, StepText::Title, told),
+    |step, told| Words::OfStep(step, StepText::Text, told),
+    |step, told| Words::OfStep(step, StepText::Notes, told),
+    |_, told| Words::OfLesson(LessonText::Title, told),
+    |_, told| Words::OfLesson(LessonText::Sentence, told),
+    |_, told| Words::OfLesson(LessonText::Minutes, told),
+];
+
+/// The fields that are those of the step.
+pub(in crate::gui) const FIELDS_OF_STEP: usize = 3;
+
+/// Digits of the minutes in their field.
+const MINUTES_DIGITS: usize = 4;
+
+/// A change of the steps of a lesson.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepChange {
+    /// The step comes before the one above it.
+    Earlier,
+    /// The step comes after the next one.
+    Later,
+    /// The step shows what is on the screen.
+    Screen,
+    /// A step more after this one, with what is on the screen.
+    Another,
+    /// A step less.
+    Remove,
+}
+
+impl State {
+    /// True where the lesson that is played is a file that can be written.
+    #[must_use]
+    pub fn plays_own_lesson(&self) -> bool {
+        let path = self.lesson.as_ref().and_then(|playing| playing.path.as_deref());
+        path.is_some_and(|path| share::link_of(path).is_none()) && !self.in_browser
+    }
+
+    /// True where the step is written: in a presentation the class sees it as it will be.
+    #[must_use]
+    pub fn writes_lesson(&self) -> bool {
+        !self.settings.presentation && self.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())
+    }
+
+    /// Begins to write the step that is shown, or ends it.
+    pub(in crate::gui) fn write_lesson(&mut self) {
+        if !self.save_text() || !self.plays_own_lesson() {
+            return;
+        }
+        let lang = self.settings.lang;
+        let Some(playing) = &mut self.lesson else { return };
+        if playing.writing.take().is_some() {
+            return;
+        }
+        let Some(path) = playing.path.clone() else { return };
+        match files::read_lesson(&path) {
+            Ok((lesson, text)) => {
+                playing.lesson = Arc::new(lesson);
+                playing.step = playing.step.min(playing.lesson.steps.len().saturating_sub(1));
+                (playing.writing, playing.was_written) = (Some(Writing::new(text, lang)), true);
+                self.lesson_file = Some(path);
+                self.follow_writing();
+            }
+            Err(error) => self.say(Message::File(path, error)),
+        }
+    }
+
+    /// Plays the last step of the lesson to which steps were added last, and begins to write it; the figure is lost.
+    pub(in crate::gui) fn write_recorded(&mut self) {
+        let Some(path) = self.lesson_file.clone() else { return };
+        match files::read_lesson(&path) {
+            Ok((lesson, _)) => {
+                let step = lesson.steps.len().saturating_sub(1);
+                self.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path), step });
+                self.write_lesson();
+            }
+            Err(error) => self.say(Message::File(path, error)),
+        }
+    }
+
+    /// Shows the texts of the step that is played in the fields.
+    pub(in crate::gui) fn follow_writing(&mut self) {
+        let Some(playing) = &mut self.lesson else { return };
+        if let Some(writing) = &mut playing.writing
+            && writing.step != playing.step
+        {
+            writing.show(playing.step, &playing.lesson);
+        }
+    }
+
+    /// The text of the lesson that is not in its file.
+    #[must_use]
+    pub fn unsaved_text(&self) -> Option<&Arc<UnsavedText>> {
+        self.lesson.as_ref()?.writing.as_ref()?.unsaved.as_ref()
+    }
+
+    /// True if the text that is not in its file could be written into another one.
+    pub(in crate::gui) fn has_good_text(&self) -> bool {
+        let writing = self.lesson.as_ref().and_then(|playing| playing.writing.as_ref());
+        writing.is_some_and(|writing| writing.ahead.is_some())
+    }
+
+    /// Goes on with the text of a session, in the step in which it was typed. `shown`: the figure of the window.
+    pub(in crate::gui) fn resume_text(&mut self, unsaved: UnsavedText, shown: Figure) {
+        let UnsavedText { path, step, text, typed } = unsaved;
+        // A session without a lesson was not restored.
+        let Ok(lesson) = crate::lessons::parse(&text) else { return };
+        let step = step.min(lesson.steps.len().saturating_sub(1));
+        self.play(OpenLesson { lesson: Arc::new(lesson), path: Some(path.clone()), step });
+        let lang = self.settings.lang;
+        if let Some(playing) = &mut self.lesson {
+            (playing.writing, playing.was_written) = (Some(Writing::new(text, lang)), true);
+        }
+        self.follow_writing();
+        if let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
+            writing.typed = typed;
+        }
+        self.lesson_file = Some(path);
+        self.text_edited(0.0);
+        if self.document.figure() != &shown {
+            let done = self.document.replace(shown);
+            self.say_camera_error(done);
+        }
+    }
+
+    /// Takes what is typed into the lesson that is shown, or finds why it cannot be.
+    pub(in crate::gui) fn text_edited(&mut self, now: f64) {
+        let Some(playing) = &mut self.lesson else { return };
+        let (Some(path), Some(writing)) = (&playing.path, &mut playing.writing) else { return };
+        writing.typed_at = now;
+        writing.unsaved = writing.is_ahead().then(|| {
+            let (text, typed) = (writing.text.clone(), writing.typed.clone());
+            Arc::new(UnsavedText { path: path.clone(), step: writing.step, text, typed })
+        });
+        match writing.tried() {
+            Ok((text, lesson)) => {
+                (writing.ahead, writing.fault) = (Some(text), None);
+                playing.lesson = Arc::new(lesson);
+            }
+            Err(fault) => (writing.ahead, writing.fault) = (None, Some(fault)),
+        }
+    }
+
+    /// Writes what is typed into the file. False if it cannot be written: a message says why, and the texts stay in
+    /// their fields.
+    pub(in crate::gui) fn save_text(&mut self) -> bool {
+        let Some(playing) = &mut self.lesson else { return true };
+        let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return true };
+        if !writing.is_ahead() {
+            return true;
+        }
+        let step = writing.step;
+        let Some(text) = writing.ahead.clone() else {
+            let fault = writing.fault.clone().map(FileError::Figure);
+            fault.into_iter().for_each(|fault| self.say(Message::StepNotKept(path.clone(), fault)));
+            return false;
+        };
+        let is_kept = self.store(&path, text, step);
+        if is_kept && let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
+            writing.kept = writing.typed.clone();
+            (writing.ahead, writing.unsaved) = (None, None);
+        }
+        is_kept
+    }
+
+    /// Forgets what is typed and not in the file.
+    pub(in crate::gui) fn forget_text(&mut self) {
+        let Some(playing) = &mut self.lesson else { return };
+        let Some(writing) = &mut playing.writing else { return };
+        writing.typed = writing.kept.clone();
+        self.text_edited(0.0);
+    }
+
+    /// Saves the lesson with its typed text as another file and continues with that file. False if it can't be written.
+    pub(in crate::gui) fn save_text_as(&mut self, path: &Path, agreed: &Agreed) -> bool {
+        let Some(playing) = &mut self.lesson else { return true };
+        let Some(writing) = &mut playing.writing else { return true };
+        let Some(text) = writing.ahead.clone() else { return false };
+        if let Err(error) = files::save(path, text.as_bytes(), agreed.overwrite()) {
+            self.say(Message::File(path.to_owned(), error));
+            return false;
+        }
+        playing.path = Some(path.to_owned());
+        (writing.text, writing.kept) = (text, writing.typed.clone());
+        (writing.ahead, writing.unsaved) = (None, None);
+        // The changes of the other file are not those of this one.
+        writing.earlier.clear();
+        self.lesson_file = Some(path.to_owned());
+        true
+    }
+
+    /// Adds what is on the screen as the last step of the lesson that is written.
+    pub(in crate::gui) fn add_to_written(&mut self, path: &Path) {
+        if !self.save_text() {
+            return;
+        }
+        let figure = super::recording::as_shown(self);
+        let Some(playing) = &self.lesson else { return };
+        let Some(writing) = &playing.writing else { return };
+        let draft = crate::i18n::lessons::draft(playing.lesson.steps.len() + 1);
+        let step = playing.step;
+        match with_step(&writing.text, &playing.lesson.id, &draft, &figure) {
+            Ok((text, lesson)) => {
+                if self.store(path, text, step) {
+                    self.step_is_added(path, lesson);
+                }
+            }
+            Err(fault) => self.say(Message::StepNotKept(path.to_owned(), FileError::Figure(fault))),
+        }
+    }
+
+    /// Changes the steps of the lesson in its file.
+    pub(in crate::gui) fn change_steps(&mut self, change: StepChange) {
+        if !self.save_text() {
+            return;
+        }
+        let figure = super::recording::as_shown(self);
+        let draft = crate::i18n::lessons::draft;
+        let Some(playing) = &self.lesson else { return };
+        let (Some(path), Some(writing)) = (playing.path.clone(), &playing.writing) else { return };
+        let (step, count) = (playing.step, playing.lesson.steps.len());
+        let (changed, then) = match change {
+            StepChange::Earlier => {
+                (edited(&writing.text, &Edit::Move(step, step.saturating_sub(1))), step.saturating_sub(1))
+            }
+            StepChange::Later => (edited(&writing.text, &Edit::Move(step, step + 1)), step + 1),
+            StepChange::Screen => (edited(&writing.text, &Edit::Show(step, Box::new(figure))), step),
+            StepChange::Another => {
+                let added = with_step(&writing.text, &playing.lesson.id, &draft(count + 1), &figure);
+                (added.and_then(|(text, _)| edited(&text, &Edit::Move(count, step + 1))), step + 1)
+            }
+            StepChange::Remove => (edited(&writing.text, &Edit::Remove(step)), step.saturating_sub(1)),
+        };
+        match changed {
+            Ok((text, lesson)) => {
+                if self.store(&path, text, step) {
+                    self.go_on_changed(lesson, change, step, then);
+                }
+            }
+            Err(fault) => self.say(Message::StepNotKept(path, FileError::Figure(fault))),
+        }
+    }
+
+    /// Takes the last change of the file back.
+    pub(in crate::gui) fn take_change_back(&mut self) {
+        if !self.save_text() {
+            return;
+        }
+        let Some(playing) = &mut self.lesson else { return };
+        let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return };
+        let Some((text, step)) = writing.earlier.pop() else { return };
+        let read = crate::lessons::parse(&text);
+        if let Ok(lesson) = read
+            && self.store(&path, text, step)
+        {
+            // The way back is no change to be taken back.
+            let writing = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
+            writing.into_iter().for_each(|writing| drop(writing.earlier.pop()));
+            self.play_changed(lesson, step);
+        }
+    }
+
+    /// Goes on with a lesson of the program as the user's own, in a copy in a file.
+    pub(in crate::gui) fn copy_lesson(&mut self, path: &Path, agreed: &Agreed) {
+        let Some(playing) = &self.lesson else { return };
+        let id = playing.lesson.id.clone();
+        let Some(shipped) = crate::lessons::shipped().iter().find(|shipped| shipped.lesson.id == id) else { return };
+        match files::save(path, shipped.text.as_bytes(), agreed.overwrite()) {
+            Ok(()) => {
+                // The figure of the step stays as it is on the screen.
+                if let Some(playing) = &mut self.lesson {
+                    playing.path = Some(path.to_owned());
+                }
+                self.write_lesson();
+            }
+            Err(error) => self.say(Message::File(path.to_owned(), error)),
+        }
+    }
+
+    /// Writes the text of the lesson into its file, unless another program has changed it; true where it is written.
+    fn store(&mut self, path: &Path, text: String, step: usize) -> bool {
+        let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else { return false };
+        let is_ours = files::read_lesson(path).is_ok_and(|(_, now)| now == writing.text);
+        if !is_ours && files::disk::exists(path) {
+            self.say(Message::LessonChanged(path.to_owned()));
+            return false;
+        }
+        match files::save(path, text.as_bytes(), Agreed::default().overwrite()) {
+            Ok(()) => {
+                let before = std::mem::replace(&mut writing.text, text);
+                if writing.earlier.len() == MOST_EARLIER {
+                    writing.earlier.remove(0);
+                }
+                writing.earlier.push((before, step));
+                true
+            }
+            Err(error) => {
+                self.say(Message::File(path.to_owned(), error));
+                false
+            }
+        }
+    }
+
+    /// Reads the lesson again that another program has changed; text that is not in the file is lost.
+    pub(in crate::gui) fn read_lesson_again(&mut self) {
+        let Some(playing) = &self.lesson else { return };
+        let (Some(path), step) = (playing.path.clone(), playing.step) else { return };
+        match files::read_lesson(&path) {
+            Ok((lesson, text)) => {
+                let writing = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
+                writing.into_iter().for_each(|writing| writing.text.clone_from(&text));
+                self.play_changed(lesson, step);
+            }
+            Err(error) => self.say(Message::File(path, error)),
+        }
+    }
+
+    /// Goes on after a change of the steps. The work in each goes where the step goes; that in a removed step is kept.
+    fn go_on_changed(&mut self, lesson: Lesson, change: StepChange, step: usize, then: usize) {
+        self.end_move();
+        if change == StepChange::Remove {
+            self.leave_step();
+        }
+        let Some(playing) = &mut self.lesson else { return };
+        let new_place = |place: usize| match change {
+            StepChange::Earlier | StepChange::Later if place == step => Some(then),
+            StepChange::Earlier | StepChange::Later if place == then => Some(step),
+            StepChange::Another if place > step => Some(place + 1),
+            StepChange::Remove if place > step => Some(place - 1),
+            StepChange::Remove if place == step => None,
+            _ => Some(place),
+        };
+        let mut without = Vec::new();
+        for (place, document) in std::mem::take(&mut playing.worked_on) {
+            match new_place(place) {
+                Some(place) => drop(playing.worked_on.insert(place, document)),
+                None => without.push(document),
+            }
+        }
+        if matches!(change, StepChange::Earlier | StepChange::Later) {
+            // The step is the same, and so is the figure on the screen.
+            playing.take_lesson(Arc::new(lesson));
+            playing.step = then;
+            if let Some(writing) = &mut playing.writing {
+                writing.step = usize::MAX;
+            }
+            self.follow_writing();
+        } else {
+            self.show_changed(lesson, then);
+        }
+        self.keep(without);
+    }
+
+    /// Shows a step of the lesson as another text of the file has it. The work in steps is kept: which of the new steps
+    /// it belongs to is not known.
+    fn play_changed(&mut self, lesson: Lesson, step: usize) {
+        self.end_move();
+        self.leave_step();
+        let worked_on = self.lesson.as_mut().map(|playing| std::mem::take(&mut playing.worked_on));
+        self.keep(worked_on.into_iter().flat_map(BTreeMap::into_values).collect());
+        self.show_changed(lesson, step);
+    }
+
+    fn show_changed(&mut self, lesson: Lesson, step: usize) {
+        let Some(playing) = &mut self.lesson else { return };
+        let step = step.min(lesson.steps.len().saturating_sub(1));
+        playing.take_lesson(Arc::new(lesson));
+        if let Some(writing) = &mut playing.writing {
+            writing.step = usize::MAX;
+        }
+        if let Some(playing) = self.lesson.take() {
+            self.show_step(playing, step, false);
+        }
+        self.follow_writing();
+    }
+}

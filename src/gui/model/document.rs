@@ -1,0 +1,654 @@
+//! The figure that is being edited: the last one that was possible, the draft that may not be, its file, undo and redo.
+
+use std::path::{Path, PathBuf};
+
+use super::history::{History, Moment, Revision};
+use crate::camera::{Camera, CameraError, Convention, Operation, Parameters, camera_repairs};
+use crate::figure::{Figure, Labels, Observers, Show};
+use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
+use crate::share;
+
+/// The figure that is being edited.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// Tells this document from every other one, whatever happens to either.
+    id: Revision,
+    figure: Figure,
+    camera: Camera,
+    draft: Parameters,
+    problem: Option<CameraError>,
+    path: Option<PathBuf>,
+    /// The name of the figure of the program that it began as, while it has no file.
+    shipped: Option<&'static str>,
+    folder: Option<PathBuf>,
+    reach: FileAccess,
+    source: String,
+    saved: Figure,
+    /// The revision of the scene, and whether it differs from the saved one.
+    revision: Revision,
+    scene_is_changed: bool,
+    /// The number of the document, whatever its observers and what is shown in it, and of the one of which the last
+    /// step was made.
+    version: Revision,
+    committed: Option<Revision>,
+    is_changed: bool,
+    opened: Parameters,
+    history: History,
+    /// The document in front of which this one was shown: undoing past the first step leads back to it.
+    behind: Option<Box<Self>>,
+    /// The document that was shown in front of this one, until undoing led back: redoing leads to it again.
+    in_front: Option<Box<Self>>,
+    /// See [`Self::has_stand_in_camera`].
+    stands_in: bool,
+}
+
+/// From where a figure is seen, and what is explained in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seen {
+    /// From where.
+    pub observers: Observers,
+    /// The explanations.
+    pub show: Show,
+}
+
+impl Seen {
+    /// As a figure itself says.
+    #[must_use]
+    pub fn of(figure: &Figure) -> Self {
+        Self { observers: figure.observers, show: figure.show.clone() }
+    }
+}
+
+impl Document {
+    /// A document that has not been changed yet.
+    ///
+    /// # Errors
+    /// [`CameraError`] where the figure's camera is impossible.
+    pub fn new(figure: Figure, file: Option<SourceFile>) -> Result<Self, CameraError> {
+        let camera = Camera::new(&figure.camera)?;
+        let folder = file.as_ref().and_then(|file| file.path.parent()).map(Path::to_owned);
+        let reach = file.as_ref().map_or(FileAccess::Figure, |file| FileAccess::of(&file.path, file.is_picture, false));
+        let (path, source) = match file {
+            // A picture holds a figure, but it is not a figure file: saving must not replace it.
+            Some(SourceFile { text, is_picture: true, .. }) => (None, text),
+            Some(SourceFile { path, text, is_picture: false }) => (Some(path), text),
+            None => (None, String::new()),
+        };
+        let revision = Revision::new();
+        Ok(Self {
+            id: Revision::new(),
+            history: History::new(&figure, revision, &camera),
+            revision,
+            scene_is_changed: false,
+            version: Revision::new(),
+            committed: None,
+            is_changed: false,
+            camera,
+            draft: figure.camera,
+            problem: None,
+            path,
+            shipped: None,
+            folder,
+            reach,
+            source,
+            saved: figure.clone(),
+            opened: figure.camera,
+            figure,
+            behind: None,
+            in_front: None,
+            stands_in: false,
+        })
+    }
+
+    /// A figure of the program; `None` where there is none of this name. Saving asks for a file.
+    #[must_use]
+    pub fn shipped(name: &'static str) -> Option<Self> {
+        let text = ShippedFigure::named(name)?.text().into_owned();
+        let figure = figure_from(text.as_bytes()).ok()?.figure;
+        // An empty path has no folder.
+        let file = SourceFile { path: PathBuf::new(), text, is_picture: false };
+        let document = Self::new(figure, Some(file)).ok()?;
+        Some(Self { path: None, shipped: Some(name), ..document })
+    }
+
+    /// A figure of a lesson, which looks for meshes in the folder of the lesson's file. Saving asks for a file.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new).
+    pub(in crate::gui) fn of_lesson(figure: Figure, lesson: Option<&Path>) -> Result<Self, CameraError> {
+        let file = |path: &Path| SourceFile { path: path.to_owned(), text: String::new(), is_picture: false };
+        // Beside a link there are no files.
+        let reach = FileAccess::of_lesson(lesson, false);
+        let lesson = lesson.filter(|path| share::link_of(path).is_none());
+        Ok(Self { path: None, reach, ..Self::new(figure, lesson.map(file))? })
+    }
+
+    /// A figure whose camera may be impossible. Then it is drawn with the first repair of its camera, and the fields
+    /// hold the numbers of the file, with the reason as [`Self::problem`].
+    ///
+    /// # Errors
+    /// [`CameraError`] if neither a repair nor the default camera is possible.
+    pub fn with_any_camera(figure: Figure, file: Option<SourceFile>) -> Result<Self, CameraError> {
+        let draft = figure.camera;
+        let Err(error) = Camera::new(&draft) else { return Self::new(figure, file) };
+        let good = Camera::new(&Parameters::default())?;
+        let repairs = camera_repairs(&error, &draft, &good);
+        let camera = repairs.first().map_or(*good.parameters(), |(_, camera)| *camera);
+        let mut document = Self::new(Figure { camera, ..figure }, file)?;
+        document.set_parameters(draft);
+        // Nobody has changed the file's numbers yet, and none of ours may take their place unasked.
+        document.saved.camera = draft;
+        document.is_changed = false;
+        document.stands_in = true;
+        Ok(document)
+    }
+
+    /// The figure as it is drawn: its camera is always possible.
+    #[must_use]
+    pub fn figure(&self) -> &Figure {
+        &self.figure
+    }
+
+    /// The camera of [`Self::figure`], with the rest beyond the `f64`s of its parameters. Pictures are drawn without
+    /// it, see [`Camera::rounded`].
+    #[must_use]
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// Whether the camera only stands in for an impossible one of the file, whose numbers saving would replace.
+    #[must_use]
+    pub fn has_stand_in_camera(&self) -> bool {
+        self.stands_in
+    }
+
+    /// The parameters as the fields show them; may be nonsense.
+    #[must_use]
+    pub fn draft(&self) -> &Parameters {
+        &self.draft
+    }
+
+    /// Why the draft is not a camera.
+    #[must_use]
+    pub fn problem(&self) -> Option<&CameraError> {
+        self.problem.as_ref()
+    }
+
+    /// Takes new camera parameters: where they are possible they become the figure's, otherwise the last good ones stay
+    /// and [`Self::problem`] says why.
+    pub fn set_parameters(&mut self, parameters: Parameters) {
+        if self.draft == parameters {
+            return;
+        }
+        self.draft = parameters;
+        match Camera::new(&parameters) {
+            Ok(camera) => {
+                self.figure.camera = parameters;
+                self.camera = camera;
+                self.problem = None;
+                self.stands_in = false;
+            }
+            Err(error) => self.problem = Some(error),
+        }
+        self.note_change();
+    }
+
+    /// Changes anything but the camera; a change of `figure.camera` is ignored.
+    pub fn edit(&mut self, change: impl FnOnce(&mut Figure)) {
+        let camera = self.figure.camera;
+        change(&mut self.figure);
+        self.figure.camera = camera;
+        self.has_scene(Revision::new());
+    }
+
+    /// Changes the author's labels. The scene stays what it is.
+    pub fn edit_labels(&mut self, change: impl FnOnce(&mut Labels)) {
+        change(&mut self.figure.labels);
+        self.note_change();
+    }
+
+    /// Notes that the figure has this scene now.
+    fn has_scene(&mut self, revision: Revision) {
+        self.revision = revision;
+        self.scene_is_changed = self.figure.scene != self.saved.scene;
+        self.note_change();
+    }
+
+    /// Notes that the document is another one now.
+    fn note_change(&mut self) {
+        self.version = Revision::new();
+        self.is_changed = self.scene_is_changed
+            || self.draft != self.saved.camera
+            || self.figure.without_scene() != self.saved.without_scene();
+    }
+
+    /// A number that this document keeps through every change, and that no other one has.
+    pub(in crate::gui) fn id(&self) -> Revision {
+        self.id
+    }
+
+    /// A number that says which document it is, without a look at it: not from where it is seen, nor what is explained
+    /// in it.
+    pub(in crate::gui) fn version(&self) -> Revision {
+        self.version
+    }
+
+    /// A number that says which scene the figure has, without a look at it.
+    pub(in crate::gui) fn revision(&self) -> Revision {
+        self.revision
+    }
+
+    /// The observers: stored in the file, but neither a change of the figure nor an undo step.
+    pub fn observers_mut(&mut self) -> &mut Observers {
+        &mut self.figure.observers
+    }
+
+    /// `[show]`: saved in the file like the observers, and no change of the figure. What is
+    /// chosen there (a stage, a triangle, what is measured) is an undo step.
+    pub fn show_mut(&mut self) -> &mut Show {
+        &mut self.figure.show
+    }
+
+    fn restore(&mut self, moment: Option<Moment>) {
+        let Some(Moment { figure, revision, camera, draft }) = moment else { return };
+        (self.figure, self.draft) = (figure, draft);
+        self.camera = camera;
+        self.has_scene(revision);
+        self.problem = Camera::new(&self.draft).err();
+    }
+
+    /// Makes an undo step of the changes since the last one. Call it when no pointer or key is held, so that a drag is
+    /// one step.
+    pub fn commit(&mut self) {
+        let is_another = self.committed.replace(self.version) != Some(self.version);
+        if is_another || self.history.shows_other(&self.figure.show) {
+            let is_step = self.history.commit((&self.figure, self.revision), &self.camera, &self.draft);
+            if is_step {
+                // As the steps that could be redone.
+                self.in_front = None;
+            }
+        }
+    }
+
+    /// True where there is something to undo.
+    #[must_use]
+    pub fn can_undo(&self) -> bool {
+        self.history.can_undo() || self.behind.is_some()
+    }
+
+    /// True where there is something to redo.
+    #[must_use]
+    pub fn can_redo(&self) -> bool {
+        self.history.can_redo() || self.in_front.is_some()
+    }
+
+    /// Goes one step back.
+    pub fn undo(&mut self) {
+        self.commit();
+        if !self.history.can_undo()
+            && let Some(behind) = self.behind.take()
+        {
+            let in_front = std::mem::replace(self, *behind);
+            self.in_front = Some(Box::new(in_front));
+            return;
+        }
+        let moment = self.history.undo(self.figure.observers, &self.figure.show);
+        self.restore(moment);
+    }
+
+    /// Goes one step forward.
+    pub fn redo(&mut self) {
+        self.commit();
+        if !self.history.can_redo()
+            && let Some(in_front) = self.in_front.take()
+        {
+            let behind = std::mem::replace(self, *in_front);
+            self.behind = Some(Box::new(behind));
+            return;
+        }
+        let moment = self.history.redo(self.figure.observers, &self.figure.show);
+        self.restore(moment);
+    }
+
+    /// Takes another figure over, as one undo step.
+    ///
+    /// # Errors
+    /// [`CameraError`] where the figure's camera is impossible; nothing has changed then.
+    pub fn replace(&mut self, figure: Figure) -> Result<(), CameraError> {
+        let camera = Camera::new(&figure.camera)?;
+        self.commit();
+        self.draft = figure.camera;
+        self.camera = camera;
+        let before = std::mem::replace(&mut self.figure, figure);
+        self.problem = None;
+        self.has_scene(Revision::new());
+        self.history.replace(before.show, (&self.figure, self.revision), &self.camera);
+        self.in_front = None;
+        Ok(())
+    }
+
+    /// Shows another figure in front of this one, as one undo step. It is a document without a file: saving asks for
+    /// one. This document waits behind it with its file and its changes; see [`Self::behind`].
+    ///
+    /// # Errors
+    /// As for [`Self::new`]; nothing has changed then.
+    pub fn show_in_front(&mut self, figure: Figure) -> Result<(), CameraError> {
+        let shown = Self { folder: self.folder.clone(), reach: self.reach, ..Self::new(figure, None)? };
+        self.commit();
+        // What could be redone gives way to a new step, as always.
+        self.history.forget_future();
+        self.in_front = None;
+        let left = std::mem::replace(self, shown);
+        // A shown figure without changes is not worth a way back: there is no chain of them.
+        self.behind = if left.is_changed || left.behind.is_none() { Some(Box::new(left)) } else { left.behind };
+        Ok(())
+    }
+
+    /// The documents behind this one, the nearest first.
+    pub fn behind(&self) -> impl Iterator<Item = &Self> {
+        std::iter::successors(self.behind.as_deref(), |document| document.behind.as_deref())
+    }
+
+    /// The document behind this one, once this one is left.
+    pub(in crate::gui) fn into_behind(self) -> Option<Self> {
+        self.behind.map(|behind| *behind)
+    }
+
+    /// Takes the documents from behind this one.
+    pub(in crate::gui) fn take_behind(&mut self) -> Vec<Self> {
+        let mut taken = Vec::new();
+        let mut next = self.behind.take();
+        while let Some(mut document) = next {
+            next = document.behind.take();
+            taken.push(*document);
+        }
+        taken
+    }
+
+    /// True where the camera differs from the one the figure was opened with.
+    #[must_use]
+    pub fn can_reset(&self) -> bool {
+        self.draft != self.opened
+    }
+
+    /// The camera as it was when the figure was opened.
+    pub fn reset(&mut self) {
+        self.set_parameters(self.opened);
+    }
+
+    /// Sets a camera, with the rest beyond the `f64`s of its parameters.
+    pub fn set_camera(&mut self, camera: Camera) {
+        self.draft = *camera.parameters();
+        self.figure.camera = self.draft;
+        self.camera = camera;
+        self.problem = None;
+        self.note_change();
+    }
+
+    /// Applies an operation to the camera.
+    ///
+    /// *Guarantees*: the camera retains the rest beyond the `f64`s of its parameters, so that errors do not add up:
+    /// twelve turns by 30° give it back bit for bit.
+    ///
+    /// # Errors
+    /// [`CameraError`] where the operation has no result, or where the edited parameters are not a camera; nothing has
+    /// changed then.
+    pub fn operate(&mut self, operation: Operation, convention: Convention) -> Result<(), CameraError> {
+        self.operate_from(&self.camera.clone(), operation, convention)
+    }
+
+    /// As [`Self::operate`], but applied to `start`: the camera before a slider was pulled.
+    ///
+    /// # Errors
+    /// As for [`Self::operate`].
+    pub fn operate_from(
+        &mut self,
+        start: &Camera,
+        operation: Operation,
+        convention: Convention,
+    ) -> Result<(), CameraError> {
+        if let Some(problem) = &self.problem {
+            return Err(problem.clone());
+        }
+        let camera = operation.apply(start, convention)?;
+        self.set_camera(camera);
+        Ok(())
+    }
+
+    /// The name of the file, without its folder; of a figure of the program that has no file yet, the one that it could
+    /// have.
+    #[must_use]
+    pub fn name(&self) -> Option<String> {
+        match (&self.path, self.shipped) {
+            (Some(path), _) => Some(path.file_name()?.to_string_lossy().into_owned()),
+            (None, shipped) => shipped.map(|name| format!("{name}.toml")),
+        }
+    }
+
+    /// The name of the figure of the program that it began as, while it has no file.
+    #[must_use]
+    pub fn shipped_name(&self) -> Option<&'static str> {
+        self.shipped
+    }
+
+    /// The file, once there is one.
+    #[must_use]
+    pub fn path(&self) -> Option<&PathBuf> {
+        self.path.as_ref()
+    }
+
+    /// The folder of the file that the figure came from: paths of meshes are relative to it.
+    #[must_use]
+    pub fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
+    /// The files that the figure may name.
+    #[must_use]
+    pub fn reach(&self) -> FileAccess {
+        self.reach
+    }
+
+    /// Lets the figure name any file of this machine, with the user's permission.
+    pub fn allow_files(&mut self) {
+        self.reach = FileAccess::Anywhere;
+        self.note_change();
+    }
+
+    /// The text of the file as it was read or written last, with its comments; empty without a file.
+    #[must_use]
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// Records that the figure is now in a file with this text.
+    pub fn mark_saved(&mut self, path: PathBuf, source: String) {
+        self.folder = path.parent().map(Path::to_owned);
+        self.path = Some(path);
+        self.source = source;
+        self.saved = self.figure.clone();
+        self.scene_is_changed = false;
+        self.note_change();
+    }
+
+    /// Leaves the file alone from now on: saving asks for one.
+    pub fn forget_file(&mut self) {
+        self.path = None;
+        self.note_change();
+    }
+
+    /// Whether something else is explained than in the file. The convention of NDC does not count: it is the window's.
+    #[must_use]
+    pub fn explains_other(&self, show: &Show) -> bool {
+        let own = |show: &Show| Show { ndc: None, ..show.clone() };
+        own(show) != own(&self.saved.show)
+    }
+
+    /// Whether closing would lose something. Observers do not count, nor do explanations.
+    #[must_use]
+    pub fn is_changed(&self) -> bool {
+        self.is_changed
+    }
+
+    /// Whether something was built: the scene, points, labels, title or caption are other ones than the saved ones.
+    /// The camera, the image and the way of drawing are only tried, however they are set.
+    #[must_use]
+    pub fn is_built_on(&self) -> bool {
+        let built = |figure: &Figure| {
+            let Figure { title, caption, points, labels, .. } = figure;
+            (title.clone(), caption.clone(), points.clone(), labels.clone())
+        };
+        self.is_changed && (self.scene_is_changed || built(&self.figure) != built(&self.saved))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::geometry::Angle;
+
+    fn azimuth(degrees: f64) -> Operation {
+        Operation::Azimuth(Angle::from_degrees(degrees))
+    }
+
+    #[test]
+    fn undo_covers_what_was_chosen_to_be_shown_and_not_what_was_pointed_at_or_plays() {
+        use crate::figure::{ShownProbe, ShownStep};
+        use crate::stage::Stage;
+        use glam::DVec3;
+
+        let mut document = Document::new(Figure::default(), None).unwrap();
+        document.show_mut().stage = Some(Stage::Clip);
+        document.commit();
+        assert!(document.can_undo() && !document.is_changed(), "a step, but nothing to save");
+        document.show_mut().probe = Some(ShownProbe::World(DVec3::ONE));
+        let step = ShownStep { way: crate::camera::Decomposition::Notes, at: Some(1.5) };
+        document.show_mut().step = Some(step);
+        document.commit();
+        document.undo();
+        let show = &document.figure().show;
+        assert_eq!((show.stage, show.probe, show.step), (None, Some(ShownProbe::World(DVec3::ONE)), Some(step)));
+        assert!(!document.can_undo(), "pointing and playing are no steps");
+        document.redo();
+        assert_eq!(document.figure().show.stage, Some(Stage::Clip));
+    }
+
+    #[test]
+    fn the_figure_that_another_one_has_replaced_comes_back_with_all_that_it_explained() {
+        let mut document = Document::new(Figure::default(), None).unwrap();
+        document.show_mut().painted = Some(0.25);
+        let mut other = Figure::of_preset(crate::scene::Preset::Cube);
+        other.show.measure = vec![crate::figure::Measured::Dimension(crate::figure::Measure::Near)];
+        document.replace(other.clone()).unwrap();
+        assert_eq!(document.figure().show, other.show);
+        document.undo();
+        assert_eq!(document.figure().show.painted, Some(0.25));
+        document.redo();
+        assert_eq!(document.figure().show, other.show);
+    }
+
+    #[test]
+    fn steps_all_the_way_round_give_the_camera_back_bit_for_bit() {
+        for (steps, degrees) in [(12, 30.0), (24, 15.0)] {
+            for convention in [Convention::RightHand, Convention::Vtk] {
+                let mut document = Document::new(Figure::default(), None).unwrap();
+                let before = *document.camera().parameters();
+                for operation in [azimuth(degrees), Operation::Elevation(Angle::from_degrees(degrees))] {
+                    for _ in 0..steps {
+                        document.operate(operation, convention).unwrap();
+                    }
+                    assert_eq!(*document.camera().parameters(), before, "{steps} × {operation:?}");
+                    assert_eq!(*document.draft(), before);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_scene_is_changed_until_it_is_the_saved_one_again_however_that_came() {
+        let mut document = Document::new(Figure::default(), None).unwrap();
+        let (first, saved) = (document.revision(), document.figure().scene.clone());
+        let light = crate::scene::Light::point(glam::DVec3::ONE);
+        document.edit(|figure| figure.scene.lights.push(light));
+        document.commit();
+        assert!(document.is_changed() && document.revision() != first);
+        document.edit(|figure| figure.scene = saved);
+        assert!(!document.is_changed());
+        document.undo();
+        assert!(document.is_changed(), "the light is back");
+        document.undo();
+        assert!(!document.is_changed() && document.revision() == first);
+        document.redo();
+        assert!(document.is_changed());
+        document.mark_saved(PathBuf::from("/a.toml"), String::new());
+        assert!(!document.is_changed());
+        document.replace(Figure::default()).unwrap();
+        assert!(document.is_changed());
+    }
+
+    #[test]
+    fn every_change_makes_another_document_and_how_it_is_seen_does_not() {
+        let mut document = Document::new(Figure::default(), None).unwrap();
+        let other = Figure::of_preset(crate::scene::Preset::Empty);
+        let shown = Figure { image: crate::camera::ImageSize { width: 9, height: 9 }, ..other.clone() };
+        let changes: [&dyn Fn(&mut Document); 10] = [
+            &|document| document.set_parameters(Parameters { aspect: 2.0, ..*document.draft() }),
+            &|document| document.set_parameters(Parameters { near: 1e9, ..*document.draft() }),
+            &|document| document.edit(|figure| figure.image.width = 7),
+            &|document| document.undo(),
+            &|document| document.redo(),
+            &|document| document.replace(other.clone()).unwrap(),
+            &|document| document.mark_saved(PathBuf::from("/a.toml"), "a".to_owned()),
+            &|document| document.show_in_front(shown.clone()).unwrap(),
+            &|document| document.operate(azimuth(1.0), Convention::RightHand).unwrap(),
+            &|document| document.allow_files(),
+        ];
+        for (i, change) in changes.into_iter().enumerate() {
+            let before = document.version();
+            change(&mut document);
+            assert_ne!(document.version(), before, "change {i}");
+            document.commit();
+        }
+        let version = document.version();
+        *document.observers_mut() = Observers::default();
+        document.show_mut().painted = Some(0.5);
+        assert_eq!(document.version(), version);
+    }
+
+    #[test]
+    fn undo_and_redo_keep_what_the_camera_knows_beyond_its_parameters() {
+        let mut document = Document::new(Figure::default(), None).unwrap();
+        let before = document.camera().clone();
+        let mut cameras = vec![before.clone()];
+        for _ in 0..5 {
+            document.operate(azimuth(30.0), Convention::RightHand).unwrap();
+            document.commit();
+            cameras.push(document.camera().clone());
+        }
+        for camera in cameras.iter().rev().skip(1) {
+            document.undo();
+            assert_eq!(document.camera(), camera);
+        }
+        for camera in cameras.iter().skip(1) {
+            document.redo();
+            assert_eq!(document.camera(), camera);
+        }
+        for _ in 5..12 {
+            document.operate(azimuth(30.0), Convention::RightHand).unwrap();
+        }
+        assert_eq!(document.camera().parameters(), before.parameters());
+    }
+
+    #[test]
+    fn what_is_not_a_camera_cannot_be_operated_on_and_stays_as_it_was_typed() {
+        let mut document = Document::new(Figure::default(), None).unwrap();
+        document.set_parameters(Parameters { near: 1e9, ..*document.draft() });
+        let typed = *document.draft();
+        assert_eq!(document.operate(azimuth(5.0), Convention::RightHand).as_ref().err(), document.problem());
+        assert_eq!(*document.draft(), typed);
+        document.reset();
+        assert!(document.operate(Operation::Dolly(0.0), Convention::RightHand).is_err());
+    }
+}

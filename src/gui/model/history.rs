@@ -1,0 +1,287 @@
+//! Undo and redo: snapshots of the figure, which share the scenes that have not changed.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use crate::camera::{Camera, Parameters};
+use crate::figure::{Figure, Observers, Show, ShownTriangle};
+use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
+use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
+
+/// The number of a scene or of a document: equal numbers mean equal content, without a comparison of it, which can be
+/// large. Different numbers mean nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::gui) struct Revision(u64);
+
+impl Revision {
+    /// One that nothing has.
+    pub(in crate::gui) fn new() -> Self {
+        static LAST: AtomicU64 = AtomicU64::new(0);
+        Self(LAST.fetch_add(1, Ordering::Relaxed))
+    }
+}
+
+/// The content of an undo step: everything but the observers. Of `[show]` it restores the choices;
+/// all of it where the figure was another one.
+#[derive(Clone, Debug)]
+struct Snapshot {
+    scene: Arc<SceneSpec>,
+    revision: Revision,
+    /// The figure without its scene.
+    rest: Figure,
+    /// With its digits beyond the `f64`s of its parameters.
+    camera: Camera,
+    draft: Parameters,
+    show: Show,
+    /// This figure has taken the place of another one.
+    replaces: bool,
+}
+
+/// The edited state, as seen by undo and redo.
+#[derive(Clone, Debug)]
+pub(in crate::gui) struct Moment {
+    pub(in crate::gui) figure: Figure,
+    pub(in crate::gui) revision: Revision,
+    pub(in crate::gui) camera: Camera,
+    pub(in crate::gui) draft: Parameters,
+}
+
+impl Snapshot {
+    /// `before`: whose scene is shared where it is the same.
+    fn new(
+        (figure, revision): (&Figure, Revision),
+        camera: &Camera,
+        draft: &Parameters,
+        before: Option<&Self>,
+    ) -> Self {
+        let shared = before.filter(|before| before.has_scene(&figure.scene, revision)).map(|before| &before.scene);
+        Self {
+            scene: shared.map_or_else(|| Arc::new(figure.scene.clone()), Arc::clone),
+            revision,
+            rest: figure.without_scene(),
+            camera: camera.clone(),
+            draft: *draft,
+            show: figure.show.clone(),
+            replaces: false,
+        }
+    }
+
+    fn has_scene(&self, scene: &SceneSpec, revision: Revision) -> bool {
+        self.revision == revision || *self.scene == *scene
+    }
+
+    fn is_of(&self, (figure, revision): (&Figure, Revision), camera: &Camera, draft: &Parameters) -> bool {
+        (&self.camera, &self.draft) == (camera, draft)
+            && self.rest == figure.without_scene()
+            && chosen(&self.show) == chosen(&figure.show)
+            && self.has_scene(&figure.scene, revision)
+    }
+
+    /// `show`: what is explained now; `all`: what was explained then takes its place as a whole.
+    fn moment(&self, observers: Observers, show: &Show, all: bool) -> Moment {
+        let Self { scene, revision, rest, camera, draft, show: then, replaces: _ } = self.clone();
+        let scene = Arc::unwrap_or_clone(scene);
+        let show = if all { then } else { with_chosen(show, &then) };
+        let figure = Figure { camera: *camera.parameters(), scene, observers, show, ..rest };
+        Moment { figure, revision, camera, draft }
+    }
+}
+
+/// The parts of `[show]` that are choices: not pointed at, played, or made by a panel.
+fn chosen(show: &Show) -> impl PartialEq {
+    let triangle = show.triangle.as_ref().map(|triangle| (&triangle.object, triangle.index));
+    (show.stage, show.stage_of, triangle, &show.measure, &show.measure_of)
+}
+
+/// `[show]` as it is now, with the choices of then.
+fn with_chosen(now: &Show, then: &Show) -> Show {
+    let Show { stage, stage_of, triangle, measure, measure_of, .. } = then.clone();
+    let is_of = |triangle: &ShownTriangle| (triangle.object.clone(), triangle.index);
+    // Of the same triangle, its step and its pixel stay.
+    let triangle =
+        if now.triangle.as_ref().map(is_of) == triangle.as_ref().map(is_of) { now.triangle.clone() } else { triangle };
+    Show { stage, stage_of, triangle, measure, measure_of, ..now.clone() }
+}
+
+/// The steps.
+#[derive(Clone, Debug)]
+pub(in crate::gui) struct History {
+    now: Snapshot,
+    past: Vec<Snapshot>,
+    future: Vec<Snapshot>,
+}
+
+impl History {
+    pub(in crate::gui) fn new(figure: &Figure, revision: Revision, camera: &Camera) -> Self {
+        let now = Snapshot::new((figure, revision), camera, &figure.camera, None);
+        Self { now, past: Vec::new(), future: Vec::new() }
+    }
+
+    /// Makes a step of the changes since the last one; false if there are none.
+    pub(in crate::gui) fn commit(&mut self, of: (&Figure, Revision), camera: &Camera, draft: &Parameters) -> bool {
+        if self.now.is_of(of, camera, draft) {
+            // Another number may have come to the same scene.
+            self.now.revision = of.1;
+            return false;
+        }
+        let now = Snapshot::new(of, camera, draft, Some(&self.now));
+        self.push(now);
+        true
+    }
+
+    /// True where something else was chosen to be explained than at the last step.
+    pub(in crate::gui) fn shows_other(&self, show: &Show) -> bool {
+        chosen(&self.now.show) != chosen(show)
+    }
+
+    /// Makes a step of another figure that has taken the place of the one before, which explained `before`.
+    pub(in crate::gui) fn replace(&mut self, before: Show, of: (&Figure, Revision), camera: &Camera) {
+        self.now.show = before;
+        let now = Snapshot::new(of, camera, &of.0.camera, Some(&self.now));
+        if !self.now.is_of(of, camera, &of.0.camera) || self.now.show != of.0.show {
+            self.push(Snapshot { replaces: true, ..now });
+        }
+    }
+
+    fn push(&mut self, now: Snapshot) {
+        self.past.push(std::mem::replace(&mut self.now, now));
+        self.future.clear();
+        let steps = self.affordable();
+        self.past.drain(..self.past.len() - steps);
+    }
+
+    /// Number of the last steps within the bounds; at least one.
+    fn affordable(&self) -> usize {
+        let mut newer = &self.now;
+        let mut bytes = 0_usize;
+        let mut steps = 0;
+        for step in self.past.iter().rev().take(MAX_UNDO_STEPS) {
+            if !Arc::ptr_eq(&step.scene, &newer.scene) {
+                bytes = bytes.saturating_add(bytes_of(&step.scene));
+            }
+            if bytes > MAX_UNDO_BYTES && steps > 0 {
+                break;
+            }
+            steps += 1;
+            newer = step;
+        }
+        steps
+    }
+
+    /// Drops what could be redone.
+    pub(in crate::gui) fn forget_future(&mut self) {
+        self.future.clear();
+    }
+
+    pub(in crate::gui) fn can_undo(&self) -> bool {
+        !self.past.is_empty()
+    }
+
+    pub(in crate::gui) fn can_redo(&self) -> bool {
+        !self.future.is_empty()
+    }
+
+    /// Undoes a step; returns the state then, seen by these observers.
+    pub(in crate::gui) fn undo(&mut self, observers: Observers, show: &Show) -> Option<Moment> {
+        let earlier = self.past.pop()?;
+        self.now.show = show.clone();
+        let later = std::mem::replace(&mut self.now, earlier);
+        let all = later.replaces;
+        self.future.push(later);
+        Some(self.now.moment(observers, show, all))
+    }
+
+    /// One step forward.
+    pub(in crate::gui) fn redo(&mut self, observers: Observers, show: &Show) -> Option<Moment> {
+        let later = self.future.pop()?;
+        self.now.show = show.clone();
+        self.past.push(std::mem::replace(&mut self.now, later));
+        Some(self.now.moment(observers, show, self.now.replaces))
+    }
+}
+
+/// The memory of a scene, nearly: that of its objects, their names and their points.
+fn bytes_of(scene: &SceneSpec) -> usize {
+    let object = |object: &ObjectSpec| {
+        let names = object.name.len() + object.parent.as_ref().map_or(0, String::len);
+        size_of::<ObjectSpec>() + names + object.shape.as_ref().map_or(0, data_of)
+    };
+    scene.objects.iter().map(object).sum::<usize>() + size_of_val(&scene.lights[..]) + size_of::<Light>()
+}
+
+fn data_of(shape: &Shape) -> usize {
+    match shape.data() {
+        ShapeData::Points(points) => size_of_val(points),
+        ShapeData::Path(path) => path.len(),
+        ShapeData::None => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+
+    fn history(objects: usize) -> (History, Figure, Camera) {
+        let mut figure = Figure::default();
+        figure.scene.objects = (0..objects).map(|i| ObjectSpec::new(format!("object {i}"), Shape::Box)).collect();
+        let camera = Camera::new(&figure.camera).unwrap();
+        (History::new(&figure, Revision::new(), &camera), figure, camera)
+    }
+
+    #[test]
+    fn a_scene_that_stays_is_not_copied() {
+        let (mut history, mut figure, camera) = history(1000);
+        for width in 1..=2 * u32::try_from(MAX_UNDO_STEPS).unwrap() {
+            figure.image.width = width;
+            history.commit((&figure, Revision::new()), &camera, &figure.camera);
+        }
+        assert_eq!(history.past.len(), MAX_UNDO_STEPS);
+        assert!(history.past.iter().all(|step| Arc::ptr_eq(&step.scene, &history.now.scene)));
+        assert_eq!(Arc::strong_count(&history.now.scene), MAX_UNDO_STEPS + 1);
+    }
+
+    #[test]
+    fn what_has_the_same_number_is_not_compared() {
+        let (mut history, figure, camera) = history(3);
+        // A scene that only says that it is the same: nobody has looked.
+        let mut other = figure.clone();
+        other.scene.objects.clear();
+        history.commit((&other, history.now.revision), &camera, &figure.camera);
+        assert!(!history.can_undo());
+        // The same scene under another number has that from then on.
+        let renumbered = Revision::new();
+        history.commit((&figure, renumbered), &camera, &figure.camera);
+        assert!(!history.can_undo() && history.now.revision == renumbered);
+        history.commit((&other, Revision::new()), &camera, &figure.camera);
+        assert_eq!(history.undo(Observers::default(), &Show::default()).unwrap().revision, renumbered);
+    }
+
+    #[test]
+    fn scenes_that_change_have_a_budget_and_the_oldest_go() {
+        let (mut history, mut figure, camera) = history(20_000);
+        let scene = bytes_of(&figure.scene);
+        assert!(scene > 20_000 * size_of::<ObjectSpec>());
+        for x in 1..=60 {
+            figure.scene.objects[7].translate.x = f64::from(x);
+            history.commit((&figure, Revision::new()), &camera, &figure.camera);
+        }
+        assert_eq!(history.past.len(), MAX_UNDO_BYTES / scene);
+        assert!(history.past.len() < 60 && history.past.len() >= 5);
+        let last = history.undo(Observers::default(), &Show::default()).unwrap().figure;
+        assert_eq!(last.scene.objects[7].translate.x, 59.0);
+        // One step is always there, however large the scene.
+        let (mut history, mut figure, camera) = self::history(1);
+        let points = MAX_UNDO_BYTES / size_of::<glam::DVec3>() + 1;
+        figure.scene.objects[0].shape = Some(Shape::Points(vec![glam::DVec3::ZERO; points]));
+        history.commit((&figure, Revision::new()), &camera, &figure.camera);
+        figure.scene.objects[0].name.push('!');
+        history.commit((&figure, Revision::new()), &camera, &figure.camera);
+        assert_eq!(history.past.len(), 1);
+        assert_eq!(
+            history.undo(Observers::default(), &Show::default()).unwrap().figure.scene.objects[0].name,
+            "object 0"
+        );
+    }
+}

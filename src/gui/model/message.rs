@@ -1,0 +1,236 @@
+//! Messages at the bottom of the window, as values: their words are made when they are shown, in the language of that
+//! moment.
+
+use std::path::{Path, PathBuf};
+
+use crate::camera::CameraError;
+use crate::files::FileError;
+use crate::gui::export::ExportError;
+use crate::gui::storage::session::{Keeping, News};
+use crate::i18n::{
+    Lang, canvas, exercise_messages, explain_point, faults, lessons, messages, scenes, sessions, sharing, window,
+};
+use crate::limits::MAX_SESSIONS;
+use crate::pipeline::OverBudget;
+use crate::sanitize;
+use crate::scene::{Preset, SceneError};
+use crate::views::View;
+
+/// A message at the bottom of the window.
+#[derive(Debug)]
+pub enum Message {
+    /// The numbers are in the clipboard.
+    NumbersCopied,
+    /// The position in a sequence of figures.
+    Step {
+        /// From 1.
+        number: usize,
+        /// Number of figures.
+        of: usize,
+    },
+    /// Why a file was passed over, and how many more were.
+    AndMore(Box<Self>, usize),
+    /// No figure before this one.
+    FirstFigure,
+    /// No figure after this one.
+    LastFigure,
+    /// A step was added to the lesson in a file: its number.
+    StepAdded(PathBuf, usize),
+    /// The texts of a step cannot be written into the file of its lesson.
+    StepNotKept(PathBuf, FileError),
+    /// The file of the lesson was changed by another program.
+    LessonChanged(PathBuf),
+    /// A QR code needs the address of a page.
+    AddressFirst,
+    /// No step of the lesson before this one.
+    FirstStep,
+    /// No step of the lesson after this one.
+    LastStep,
+    /// A step of the lesson has something to be done first.
+    TaskFirst,
+    /// The observer of a picture went back, so that everything stays in it.
+    WentBack(View),
+    /// A file has been opened.
+    Opened(PathBuf),
+    /// Of several files dropped at once, this one was opened.
+    FirstOfDropped(PathBuf, usize),
+    /// A file has been written.
+    Saved(PathBuf),
+    /// A file was handed to the browser.
+    Downloaded(PathBuf),
+    /// A file was chosen for a figure that the window no longer shows: nothing was done with it.
+    OtherFigure(PathBuf),
+    /// A link with this number of characters is in the clipboard.
+    LinkCopied(usize),
+    /// The figure of a link is shown.
+    LinkOpened,
+    /// A text has this link, which leads neither to a page nor to mail.
+    LinkRefused(String),
+    /// A file cannot be read or written.
+    File(PathBuf, FileError),
+    /// The camera of the figure in this file is impossible.
+    NotOpened(PathBuf, CameraError),
+    /// A figure can't be saved before its impossible camera is repaired.
+    NotSaved(CameraError),
+    /// A file was opened whose camera is impossible: its numbers are in the fields.
+    Impossible(PathBuf, CameraError),
+    /// An operation leads to no camera.
+    Camera(CameraError),
+    /// The scene cannot be built.
+    Scene(SceneError),
+    /// A picture has a shortfall.
+    OverBudget(OverBudget),
+    /// A picture is being written.
+    Exporting,
+    /// The picture in this file is written, with a shortfall.
+    SavedOtherwise(PathBuf, OverBudget),
+    /// No picture was written to this file.
+    NotExported(PathBuf, NotExported),
+    /// A named scene is a list of objects now.
+    WrittenOut(Preset),
+    /// An object that hangs on another one now is sheared, and did not stay where it was.
+    Shear,
+    /// An object is deleted.
+    Deleted {
+        /// Its name.
+        name: String,
+        /// Number of others removed with it.
+        others: usize,
+        /// A child is sheared, and did not stay in place.
+        shear: bool,
+    },
+    /// The light with this place in the list, from 0, is deleted.
+    LightDeleted(usize),
+    /// Objects that cannot be selected together.
+    SelectedAlone,
+    /// No more points can be followed.
+    TooManyPoints,
+    /// The progress in exercises is deleted, and still in this file.
+    ProgressDeleted(PathBuf),
+}
+
+/// Why no picture was written.
+#[derive(Debug)]
+pub struct NotExported(pub(in crate::gui) ExportError);
+
+impl Message {
+    /// Something went wrong.
+    #[must_use]
+    pub fn is_error(&self) -> bool {
+        self.row(Lang::En).0 == Tone::Error
+    }
+
+    /// Whether the message disappears by itself; errors, and lasting states, stay.
+    #[must_use]
+    pub fn passes(&self) -> bool {
+        self.row(Lang::En).0 == Tone::News
+    }
+
+    /// The sentence.
+    #[must_use]
+    pub fn text(&self, lang: Lang) -> String {
+        sanitize::printable(self.row(lang).1.trim())
+    }
+
+    /// Tone and sentence.
+    fn row(&self, lang: Lang) -> (Tone, String) {
+        use Tone::{Error, Lasting, News};
+        let (t, scene, sharing) = (window::texts(lang), scenes::texts(lang), sharing::texts(lang));
+        let about = |words: &str, path: &Path| format!("{words} {}", sanitize::path(path));
+        match self {
+            Self::NumbersCopied => (News, t.copied.to_owned()),
+            Self::Step { number, of } => (News, format!("{number} / {of}")),
+            Self::AndMore(first, more) => (Error, exercise_messages::and_more(lang, &first.text(lang), *more)),
+            Self::StepAdded(path, number) => (News, lessons::step_added(lang, &sanitize::path(path), *number)),
+            Self::StepNotKept(path, error) => {
+                let why = messages::file(lang, &sanitize::path(path), error);
+                (Error, format!("{}: {why}", lessons::texts(lang).not_written))
+            }
+            Self::LessonChanged(path) => (Error, lessons::changed_elsewhere(lang, &sanitize::path(path))),
+            Self::AddressFirst => (News, sharing::texts(lang).address_first.to_owned()),
+            Self::FirstStep => (News, lessons::texts(lang).first_step.to_owned()),
+            Self::LastStep => (News, lessons::texts(lang).last_step.to_owned()),
+            Self::TaskFirst => (News, lessons::texts(lang).task_first.to_owned()),
+            Self::FirstFigure => (News, t.first_figure.to_owned()),
+            Self::LastFigure => (News, t.last_figure.to_owned()),
+            Self::WentBack(view) => (News, canvas::went_back(lang, *view)),
+            Self::Opened(path) => (News, about(t.opened, path)),
+            Self::FirstOfDropped(path, count) => {
+                (News, sessions::first_of_dropped(lang, &sanitize::path(path), *count))
+            }
+            Self::Saved(path) => (News, about(t.saved, path)),
+            Self::Downloaded(path) => (News, about(sharing.downloaded, path)),
+            Self::OtherFigure(path) => (Error, about(t.other_figure, path)),
+            Self::LinkCopied(length) => (News, format!("{} {length} {}", sharing.copied, sharing.characters)),
+            Self::LinkRefused(link) => (Error, format!("{} {}", t.link_refused, sanitize::within(link, 120))),
+            Self::LinkOpened => (News, sharing.opened.to_owned()),
+            Self::File(path, error) => (Error, messages::file(lang, &messages::opened(lang, path), error)),
+            Self::NotOpened(path, error) => {
+                (Error, format!("{}: {}", messages::opened(lang, path), messages::camera(lang, error)))
+            }
+            Self::NotSaved(error) => (Error, format!("{} {}", t.not_saved, faults::camera_error(lang, error))),
+            Self::Impossible(path, error) => (
+                Error,
+                format!("{}: {}. {}", messages::opened(lang, path), messages::camera(lang, error), t.numbers_in_fields),
+            ),
+            Self::Camera(error) => (Error, faults::camera_error(lang, error)),
+            Self::Scene(error) => (Error, messages::scene(lang, error)),
+            Self::OverBudget(too_much) => (Error, messages::too_much(lang, too_much)),
+            Self::Exporting => (Lasting, t.exporting.to_owned()),
+            Self::SavedOtherwise(path, too_much) => {
+                (Error, format!("{}; {}", about(t.saved, path), messages::too_much(lang, too_much)))
+            }
+            Self::NotExported(path, NotExported(error)) => {
+                let tone = if matches!(error, ExportError::Cancelled) { News } else { Error };
+                (tone, error.text(lang, &sanitize::path(path)))
+            }
+            Self::WrittenOut(preset) => (News, format!("{} {}", scene.copied, scenes::lost(lang, *preset))),
+            Self::Shear => (News, scene.shear.to_owned()),
+            Self::Deleted { name, others, shear } => {
+                let others = if *others > 0 { format!(" (+ {others})") } else { String::new() };
+                let shear = if *shear { scene.shear } else { "" };
+                (News, format!("{} {}{others}. {shear}", scene.deleted, sanitize::escaped(name)))
+            }
+            Self::LightDeleted(index) => (News, format!("{} {} {}", scene.deleted, scene.light, index + 1)),
+            Self::SelectedAlone => (News, scene.selected_alone.to_owned()),
+            Self::ProgressDeleted(path) => (News, exercise_messages::progress_deleted(lang, &sanitize::path(path))),
+            Self::TooManyPoints => (News, explain_point::texts(lang).too_many.to_owned()),
+        }
+    }
+}
+
+/// The tone of a message.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Tone {
+    /// It has been read soon.
+    News,
+    /// It is said as long as it is so.
+    Lasting,
+    /// Something went wrong.
+    Error,
+}
+
+/// A message about a window that did not close, or about the storage of this one.
+pub(in crate::gui) fn about_session(lang: Lang, news: &News) -> String {
+    let t = window::texts(lang);
+    match news {
+        // Nothing has gone wrong where a page was left.
+        News::Restored if cfg!(target_arch = "wasm32") => sharing::texts(lang).restored.to_owned(),
+        News::Restored => t.restored.to_owned(),
+        News::RestoredInPart(keys, path) => {
+            let keys: Vec<String> = keys.iter().map(|key| sanitize::escaped(key)).collect();
+            sessions::in_part(lang, &sanitize::within(&keys.join(", "), 200), &sanitize::path(path))
+        }
+        News::Damaged(path) => sessions::damaged(lang, &sanitize::path(path)),
+        News::Unusable(path, error) => messages::file(lang, &sanitize::path(path), error),
+        News::Taken => t.taken.to_owned(),
+        News::NoSlot => sessions::no_slot(lang, MAX_SESSIONS),
+        News::PreferencesSetAside(path) => sessions::preferences_set_aside(lang, &sanitize::path(path)),
+        News::ProgressSetAside(path) => sessions::progress_set_aside(lang, &sanitize::path(path)),
+        News::NotKept(not_kept) => {
+            let what = [Keeping::Session, Keeping::Preferences, Keeping::Progress].map(|what| not_kept.is_about(what));
+            sessions::not_kept(lang, what, &messages::file(lang, &sanitize::path(&not_kept.path), &not_kept.error))
+        }
+        News::NoHome => sessions::no_home(lang).to_owned(),
+    }
+}

@@ -1,0 +1,397 @@
+//! The scene that the pictures show, made anew only when the figure's has changed. Mesh files are read beside the
+//! window's thread: until one is there, and where one cannot be read, the rest of the scene is shown without it.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use eframe::egui;
+
+use super::document::Document;
+use super::history::Revision;
+use crate::appearance::{HiddenLines, Texture, Theme};
+use crate::clock;
+use crate::files::{FigureFiles, FileAccess};
+use crate::gui::background::memo::Latest;
+use crate::gui::background::worker::Running;
+use crate::progress::Progress;
+use crate::scene::import::{Imported, read, read_texture};
+use crate::scene::{
+    self, MeshError, MeshFiles, Preset, ReadError, Scene, SceneError, SceneSpec, Shape, TextureError, TextureSource,
+    Wanted,
+};
+use crate::views::SharedScene;
+
+/// More vertices and triangles than this take longer to look through than a frame has.
+const HEAVY: usize = 60_000;
+
+/// Whether a scene takes longer to look through than a frame has: what does is done beside the window's thread then.
+pub(in crate::gui) fn is_heavy(scene: &Scene) -> bool {
+    scene.objects.iter().map(|o| o.mesh.positions.len() + o.mesh.triangles.len()).sum::<usize>() > HEAVY
+}
+
+/// The scene of the figure, or the last one that could be made.
+#[derive(Debug, Default)]
+pub struct SceneCache {
+    made_from: Option<MadeFrom>,
+    files: MeshFiles,
+    /// Files that could not be read; they are not tried again by themselves.
+    broken: BTreeMap<String, MeshError>,
+    /// Files that the mesh files name and lack, and can be drawn without.
+    unread: BTreeMap<String, Vec<ReadError>>,
+    reader: Reader,
+    scene: SharedScene,
+    /// Counts the scenes that have nothing to do with each other.
+    subject: u64,
+}
+
+#[derive(Clone, Debug)]
+struct MadeFrom {
+    spec: SceneSpec,
+    /// The revision of the document's scene.
+    revision: Revision,
+    theme: Theme,
+    hidden_lines: HiddenLines,
+    folder: Option<PathBuf>,
+    reach: FileAccess,
+}
+
+impl MadeFrom {
+    fn is_of(&self, document: &Document, theme: Theme) -> bool {
+        let figure = document.figure();
+        self.theme == theme
+            && self.hidden_lines == figure.style.hidden_lines
+            && self.folder.as_deref() == document.folder()
+            && self.reach == document.reach()
+            && (self.revision == document.revision() || self.spec == figure.scene)
+    }
+}
+
+/// The content of a file.
+#[derive(Debug)]
+enum Read {
+    Mesh(Result<Arc<Imported>, MeshError>),
+    Texture(Result<Arc<Texture>, TextureError>),
+}
+
+/// The result of reading a file.
+#[derive(Debug)]
+struct BuiltScene {
+    read: Read,
+    /// Bytes read, of it and of the files it names.
+    bytes: usize,
+    /// The missing files that it names.
+    unread: Vec<ReadError>,
+}
+
+/// A file to be read.
+#[derive(Clone, Debug, PartialEq)]
+struct SceneFile {
+    path: String,
+    /// It is a texture; else a mesh.
+    is_texture: bool,
+    folder: PathBuf,
+    reach: FileAccess,
+    /// The bytes that the figure's other files have.
+    spent: usize,
+}
+
+impl SceneFile {
+    async fn read(&self, progress: &Progress) -> BuiltScene {
+        let mut files = FigureFiles::new(&self.folder, self.reach).after(self.spent);
+        let mut read_file = |wanted: Wanted<'_>| files.read(wanted);
+        let read = if self.is_texture {
+            Read::Texture(read_texture(&self.path, &mut read_file))
+        } else {
+            Read::Mesh(read(&self.path, &mut read_file, progress).await)
+        };
+        BuiltScene { read, bytes: files.spent() - self.spent, unread: files.unread().to_vec() }
+    }
+}
+
+/// Reads one file after the other.
+#[derive(Debug)]
+struct Reader {
+    read: Latest<SceneFile, BuiltScene>,
+    /// The files that come next.
+    waiting: Vec<SceneFile>,
+    /// Bytes read for each file in use.
+    bytes: BTreeMap<String, usize>,
+}
+
+impl Default for Reader {
+    fn default() -> Self {
+        let read = Latest::new("meshes", || async |file: &SceneFile, progress: &Progress| file.read(progress).await);
+        Self { read, waiting: Vec::new(), bytes: BTreeMap::new() }
+    }
+}
+
+impl Reader {
+    /// Has these files read, and no others.
+    fn begin(&mut self, ctx: &egui::Context, files: Vec<SceneFile>) {
+        self.read.give_up();
+        self.waiting = files;
+        self.next(ctx);
+    }
+
+    fn next(&mut self, ctx: &egui::Context) {
+        if !self.is_busy() && !self.waiting.is_empty() {
+            let mut file = self.waiting.remove(0);
+            file.spent = self.bytes.values().sum();
+            self.read.ask_again(ctx, file);
+        }
+    }
+
+    /// The file that is being read.
+    fn reading(&self) -> Option<&SceneFile> {
+        self.read.waiting()
+    }
+
+    fn is_busy(&self) -> bool {
+        self.reading().is_some()
+    }
+
+    /// The next file that has been read. Waits for it up to `patience`.
+    fn take(&mut self, ctx: &egui::Context, patience: Duration) -> Option<(String, BuiltScene)> {
+        self.reading()?;
+        let read = self.read.take(patience);
+        if read.is_none() && self.is_busy() {
+            return None;
+        }
+        if let Some((file, outcome)) = &read {
+            self.bytes.insert(file.path.clone(), outcome.bytes);
+        }
+        self.next(ctx);
+        match read {
+            Some((file, outcome)) => Some((file.path, outcome)),
+            // A panic; missing files are requested again with the next change.
+            None => self.take(ctx, patience),
+        }
+    }
+}
+
+impl SceneCache {
+    /// The scene. It is another one only after the figure's has changed.
+    #[must_use]
+    pub fn scene(&self) -> &SharedScene {
+        &self.scene
+    }
+
+    /// True where the scene is that of a document, and not of one before it.
+    #[must_use]
+    pub(in crate::gui) fn is_of(&self, document: &Document, theme: Theme) -> bool {
+        self.loading().is_empty() && self.made_from.as_ref().is_some_and(|made| made.is_of(document, theme))
+    }
+
+    /// A number that stays while one and the same scene is changed, and is another one after another scene has come.
+    #[must_use]
+    pub fn subject(&self) -> u64 {
+        self.subject
+    }
+
+    /// Announces another scene, whatever it looks like.
+    pub fn expect_another(&mut self) {
+        self.subject += 1;
+    }
+
+    /// The files that are being read.
+    #[must_use]
+    pub fn loading(&self) -> Vec<&str> {
+        self.reader.reading().into_iter().chain(&self.reader.waiting).map(|file| file.path.as_str()).collect()
+    }
+
+    /// The file that is being read, and how far that has come.
+    pub(in crate::gui) fn running(&self) -> Option<(&str, Running)> {
+        Some((self.reader.reading()?.path.as_str(), self.reader.read.running()?))
+    }
+
+    /// Gives up reading. The files count as such that cannot be read.
+    pub(in crate::gui) fn cancel(&mut self) {
+        self.reader.read.stop();
+        self.broken.extend(self.reader.waiting.drain(..).map(|file| (file.path, MeshError::Cancelled)));
+    }
+
+    /// Why the file of an object cannot be used.
+    #[must_use]
+    pub fn problem_of(&self, object: &str) -> Option<SceneError> {
+        let spec = &self.made_from.as_ref()?.spec;
+        let Some(Shape::Mesh { path }) = &spec.objects.iter().find(|o| o.name == object)?.shape else { return None };
+        let error = self.broken.get(path)?.clone();
+        Some(SceneError::Mesh { name: object.to_owned(), path: path.clone(), error })
+    }
+
+    /// The files that the mesh file of an object names, lacks, and can be drawn without.
+    #[must_use]
+    pub fn unread_of(&self, object: &str) -> &[ReadError] {
+        let spec = self.made_from.as_ref().map(|made| &made.spec);
+        let shape = spec.and_then(|spec| spec.objects.iter().find(|o| o.name == object)).and_then(|o| o.shape.as_ref());
+        let Some(Shape::Mesh { path }) = shape else { return &[] };
+        self.unread.get(path).map_or(&[], Vec::as_slice)
+    }
+
+    /// Tries the files again that could not be read, and reads the others anew.
+    pub fn read_again(&mut self) {
+        self.forget_files();
+        self.made_from = None;
+    }
+
+    fn forget_files(&mut self) {
+        self.files = MeshFiles::default();
+        self.broken.clear();
+        self.unread.clear();
+        self.reader.bytes.clear();
+    }
+
+    /// Makes the scene, in the colours of `theme`, where the figure's has changed, or a mesh file has been read. Meshes
+    /// are looked for beside the figure file. Waits up to `patience` for a file that is being begun; requests a frame
+    /// of `ctx` when one is read.
+    ///
+    /// # Errors
+    /// A failure to read or build. It is reported once, not in each frame.
+    pub fn update(
+        &mut self,
+        ctx: &egui::Context,
+        document: &Document,
+        theme: Theme,
+        patience: Duration,
+    ) -> Result<(), SceneError> {
+        let figure = document.figure();
+        let changed = !self.made_from.as_ref().is_some_and(|made| made.is_of(document, theme));
+        if !changed && let Some(made) = &mut self.made_from {
+            // Another number may have come to the same scene.
+            made.revision = document.revision();
+            if !self.reader.is_busy() {
+                return Ok(());
+            }
+        }
+        let wanted = MadeFrom {
+            spec: figure.scene.clone(),
+            revision: document.revision(),
+            theme,
+            hidden_lines: figure.style.hidden_lines,
+            folder: document.folder().map(Path::to_owned),
+            reach: document.reach(),
+        };
+        let mut said = Ok(());
+        let before = self.made_from.take();
+        if before.as_ref().is_some_and(|before| (&before.folder, before.reach) != (&wanted.folder, wanted.reach)) {
+            // Another folder: other files under the same names. Another reach: other files may be read.
+            self.forget_files();
+            self.reader.begin(ctx, Vec::new());
+        }
+        if before
+            .as_ref()
+            .is_some_and(|before| before.spec.preset != wanted.spec.preset && wanted.spec.preset != Preset::Empty)
+        {
+            self.subject += 1;
+        }
+        self.made_from = before;
+        let mut arrived = self.receive(ctx, Duration::ZERO, &wanted, &mut said);
+        if changed || arrived {
+            let used = paths(&wanted.spec);
+            let is_used = |path: &String| [true, false].into_iter().any(|kind| used.contains(&(path.clone(), kind)));
+            self.broken.retain(|path, _| is_used(path));
+            self.unread.retain(|path, _| is_used(path));
+            self.reader.bytes.retain(|path, _| is_used(path));
+            if self.begin_to_load(ctx, &wanted) {
+                arrived |= self.receive(ctx, patience, &wanted, &mut said);
+            }
+        }
+        if changed || arrived {
+            said = said.and(self.build(wanted));
+        }
+        said
+    }
+
+    /// Takes over files read; returns whether there are any. Waits up to `patience` for all.
+    fn receive(
+        &mut self,
+        ctx: &egui::Context,
+        patience: Duration,
+        wanted: &MadeFrom,
+        said: &mut Result<(), SceneError>,
+    ) -> bool {
+        let mut arrived = false;
+        let end = clock::now() + patience;
+        while let Some((path, BuiltScene { read, unread, .. })) =
+            self.reader.take(ctx, end.saturating_sub(clock::now()))
+        {
+            arrived = true;
+            self.unread.remove(&path);
+            let imported = match read {
+                Read::Texture(read) => {
+                    self.files.insert_texture(&path, read);
+                    continue;
+                }
+                Read::Mesh(imported) => imported,
+            };
+            if !unread.is_empty() && imported.is_ok() {
+                self.unread.insert(path.clone(), unread);
+            }
+            match imported {
+                Ok(imported) => self.files.insert(&path, imported),
+                Err(error) => {
+                    let shape = Some(Shape::Mesh { path: path.clone() });
+                    if let Some(object) = wanted.spec.objects.iter().find(|o| o.shape == shape) {
+                        let name = object.name.clone();
+                        *said = Err(SceneError::Mesh { name, path: path.clone(), error: error.clone() });
+                    }
+                    self.broken.insert(path, error);
+                }
+            }
+        }
+        arrived
+    }
+
+    /// Has the files read that are not known, unless others are being read; true where that has begun.
+    fn begin_to_load(&mut self, ctx: &egui::Context, wanted: &MadeFrom) -> bool {
+        if self.reader.is_busy() {
+            return false;
+        }
+        let unknown = |(path, is_texture): &(String, bool)| {
+            let is_known = if *is_texture { self.files.knows_texture(path) } else { self.files.knows(path) };
+            !is_known && !self.broken.contains_key(path)
+        };
+        let folder = wanted.folder.clone().unwrap_or_default();
+        let file =
+            |(path, is_texture)| SceneFile { path, is_texture, folder: folder.clone(), reach: wanted.reach, spent: 0 };
+        let missing: Vec<SceneFile> = paths(&wanted.spec).into_iter().filter(unknown).map(file).collect();
+        if missing.is_empty() {
+            return false;
+        }
+        self.reader.begin(ctx, missing);
+        true
+    }
+
+    /// Builds the scene; objects without their mesh are left out.
+    fn build(&mut self, wanted: MadeFrom) -> Result<(), SceneError> {
+        let mut spec = wanted.spec.clone();
+        for object in &mut spec.objects {
+            if matches!(&object.shape, Some(Shape::Mesh { path }) if !self.files.knows(path)) {
+                object.shape = None;
+            }
+            // Its colour is shown until the texture is there.
+            if matches!(&object.texture, Some(TextureSource::File(path)) if !self.files.knows_texture(path)) {
+                object.texture = None;
+            }
+        }
+        let style = crate::appearance::Style {
+            theme: wanted.theme,
+            hidden_lines: wanted.hidden_lines,
+            ..crate::appearance::Style::default()
+        };
+        self.made_from = Some(wanted);
+        let scene = scene::build_with(&spec, &style, &mut scene::no_files, &mut self.files)?;
+        self.scene = SharedScene::new(scene);
+        Ok(())
+    }
+}
+
+/// The mesh files of a scene and its textures; true for these.
+fn paths(spec: &SceneSpec) -> BTreeSet<(String, bool)> {
+    let meshes = spec.objects.iter().filter_map(|object| Some((object.shape.as_ref()?.mesh_file()?, false)));
+    let textures = spec.objects.iter().filter_map(|object| Some((object.texture.as_ref()?.file()?, true)));
+    // An empty name is one that is still to be typed.
+    meshes.chain(textures.filter(|(path, _)| !path.is_empty())).map(|(path, is)| (path.to_owned(), is)).collect()
+}

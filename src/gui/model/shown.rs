@@ -1,0 +1,423 @@
+//! Explanations in the pictures: the `[show]` of the figure, its changes by panels, and the shot made of it.
+
+use std::sync::Arc;
+
+use super::asked_layout::shown_entry;
+use crate::camera::Ndc;
+use crate::explain::Symbol;
+use crate::figure::{
+    Explanation, Figure, Measured, Observers, Screen, Show, ShownProbe, ShownStep, StagePicture, View,
+};
+use crate::gui::model::document::Seen;
+use crate::gui::model::history::Revision;
+use crate::gui::state::{Side, State};
+use crate::gui::why::state::steps;
+use crate::i18n::pictures::labels;
+use crate::stage::Stage;
+use crate::views::observer::Viewpoint;
+use crate::views::{Compared, Ghost, Look, Normalizing, Picture, Probe, Request, Shot, Size};
+
+/// Things that panels point at in a frame; each frame begins without any.
+#[derive(Clone, Debug, Default)]
+pub struct PanelHover {
+    /// The operation that is being tried or pointed at, shown in the world.
+    pub ghost: Option<Ghost>,
+    /// The measures of the hover, shown in the world.
+    pub measured: Vec<Measured>,
+    /// The parameters that are pointed at in another panel.
+    pub pointed: Vec<Symbol>,
+}
+
+/// The panels that explain something in the pictures: closing one removes its explanation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::gui) struct OpenPanels {
+    stages: bool,
+    painting: bool,
+    triangle: bool,
+    steps: bool,
+    order: bool,
+}
+
+/// The state that the observers of the screen depend on.
+pub(in crate::gui) type SeenBy = ((Revision, [Observers; 2], [bool; View::COUNT], [[u32; 2]; View::COUNT]), Ndc);
+
+impl State {
+    /// All that `pictures` show in this frame.
+    #[must_use]
+    pub fn shot(&self, pictures: Vec<Picture>) -> Shot {
+        let figure = self.document.figure();
+        let shot = Shot::of_one(figure, &figure.scene);
+        let look = Look { style: self.style(), ..shot.look };
+        let mut show = shot.show;
+        show.step = self.step_as_shown();
+        show.moved.extend_from_slice(&self.explain.placed);
+        Shot {
+            look,
+            ndc: self.settings.conventions.ndc,
+            pictures,
+            answered: self.answered_camera().or(shot.answered),
+            show,
+            compared: self.compared().map(Arc::new),
+            ..shot
+        }
+    }
+
+    /// The other side of the pictures of this frame; `None` where nothing is compared, or it is impossible.
+    #[must_use]
+    pub fn compared(&self) -> Option<Compared> {
+        let figure = self.document.figure();
+        figure.compare.as_ref()?;
+        let shown = Figure { style: self.style(), show: self.show_as_saved(), ..figure.without_scene() };
+        Compared::of(&shown, &figure.scene)
+    }
+
+    /// Why the other side of the comparison is impossible; `None` where it is possible, or nothing is compared.
+    pub(in crate::gui) fn impossible_side(&self) -> Option<String> {
+        let figure = self.document.figure();
+        let error = figure.compare.as_ref()?.other_side(figure).err()?;
+        Some(crate::i18n::compare::impossible(self.settings.lang, &error))
+    }
+
+    /// The figure that shows in any program the present screen: with explanations, and with the observers.
+    #[must_use]
+    pub fn figure_as_shown(&self) -> Figure {
+        let (observers, show) = (self.observers_as_shown(), self.show_as_saved());
+        Figure { observers, show, screen: self.screen_to_save(), ..self.document.figure().clone() }
+    }
+
+    /// The figure that is saved. From where nobody has turned a picture, nothing is written: whoever opens the file
+    /// looks from where it suits.
+    #[must_use]
+    pub fn figure_to_save(&self) -> Figure {
+        let show = if self.settings.saves_explained { self.show_as_saved() } else { Show::default() };
+        Figure { show, screen: self.screen_to_save(), ..self.document.figure().clone() }
+    }
+
+    /// The layout of the window, where it is to be saved.
+    fn screen_to_save(&self) -> Screen {
+        if self.saves_layout() { self.screen() } else { Screen::default() }
+    }
+
+    /// True where the layout of the window is saved with the figure: where its file, or the user, wants that.
+    pub(in crate::gui) fn saves_layout(&self) -> bool {
+        self.document.figure().screen != Screen::default()
+    }
+
+    /// Saves the layout of the window with the figure from now on, or no longer.
+    pub(in crate::gui) fn toggle_saved_layout(&mut self) {
+        let screen = if self.saves_layout() { Screen::default() } else { self.screen() };
+        self.document.edit(|figure| figure.screen = screen);
+    }
+
+    /// The layout of the window.
+    fn screen(&self) -> Screen {
+        let is_open = self.settings.panels().wanted[Side::Explain as usize];
+        Screen {
+            pictures: Some(View::ALL.map(|view| self.layout.is_shown(view))),
+            arrangement: Some(self.layout.arrangement),
+            panel: Some(is_open.then(|| self.explain.shown())),
+            entry: shown_entry(&self.explain.matrices)
+                .filter(|_| is_open && self.explain.shown() == Explanation::Matrices),
+        }
+    }
+
+    /// Leaves to the figure what it shows: an explanation that it closes takes nothing of it away.
+    pub(in crate::gui) fn keep_what_it_explains(&mut self) {
+        let (before, now) = (self.open_panels, self.panels_now());
+        self.open_panels = OpenPanels {
+            stages: before.stages && now.stages,
+            painting: before.painting && now.painting,
+            triangle: before.triangle && now.triangle,
+            steps: before.steps && now.steps,
+            order: before.order && now.order,
+        };
+    }
+
+    /// The observers of the pictures, where they are not the default ones: an observer that nobody has turned stays in
+    /// place while the camera moves.
+    fn observers_as_shown(&self) -> Observers {
+        let mut observers = self.document.figure().observers;
+        let figure = self.document.figure();
+        let shot = Shot {
+            ndc: self.settings.conventions.ndc,
+            compared: self.compared().map(Arc::new),
+            ..Shot::of_one(figure, &figure.scene)
+        };
+        for (view, observer, seen) in [
+            (View::World, &mut observers.world, self.seen.world),
+            (View::Canonical, &mut observers.canonical, self.seen.canonical),
+        ] {
+            if observer.is_some() || !self.layout.is_shown(view) {
+                continue;
+            }
+            let [width, height] = self.picture_sizes[view.index()];
+            let size = Size { width, height, scale: self.screen_scale };
+            let labels = labels(self.settings.lang);
+            let (camera, scene) = (self.document.camera(), self.scene_cache.scene());
+            let own = Request::new(&shot, view, camera, scene, labels, size).observer_from(Viewpoint::default());
+            *observer = seen.filter(|seen| Some(*seen) != own);
+        }
+        observers
+    }
+
+    /// As [`figure_as_shown`](Self::figure_as_shown), without the figure.
+    pub(in crate::gui) fn as_seen(&mut self) -> Seen {
+        let (document, figure) = (&self.document, self.document.figure());
+        let shown = View::ALL.map(|view| self.layout.is_shown(view));
+        let key = (document.version(), [figure.observers, self.seen], shown, self.picture_sizes);
+        // Framing a picture takes too long for each frame.
+        let mut kept = std::mem::take(&mut self.observers_shown);
+        let observers = *kept.of((key, self.settings.conventions.ndc), |_| self.observers_as_shown());
+        self.observers_shown = kept;
+        Seen { observers, show: self.show_as_saved() }
+    }
+
+    /// The step that is shown. Where motion is to be reduced, one after the other is played, and nothing between.
+    fn step_as_shown(&self) -> Option<ShownStep> {
+        let step = self.shown().step?;
+        let jumps = self.settings.reduce_motion && self.explain.steps.plays();
+        Some(ShownStep { at: step.at.map(|at| if jumps { at.floor() } else { at }), ..step })
+    }
+
+    fn show_as_saved(&self) -> Show {
+        let show = &self.document.figure().show;
+        let answered = self.answered_camera().map(|camera| *camera.parameters());
+        let ndc = Some(self.settings.conventions.ndc).filter(|ndc| *ndc != Ndc::default());
+        let moved = show.moved.iter().chain(&self.explain.placed).cloned().collect();
+        Show { answer: answered.or(show.answer), ndc, moved, step: self.step_as_shown(), ..show.clone() }
+    }
+
+    /// Forgets a triangle that has gone from the scene; not one of an object whose file cannot be read now.
+    pub(in crate::gui) fn forget_missing(&mut self) {
+        let (scene, spec) = (self.scene_cache.scene(), &self.document.figure().scene);
+        let is_of = |name: &str, owner: &str| {
+            name.strip_prefix(owner).is_some_and(|part| part.is_empty() || part.starts_with('/'))
+        };
+        let is_there = |name: &str, index: u32| match scene.place_of(name) {
+            Some(place) => (index as usize) < scene.objects[place].mesh.triangles.len(),
+            None => spec.objects.iter().any(|object| is_of(name, &object.name)),
+        };
+        let triangle = self.shown().triangle.as_ref();
+        if triangle.is_some_and(|triangle| !is_there(&triangle.object, triangle.index)) {
+            self.document.show_mut().triangle = None;
+        }
+    }
+
+    /// The explanations in the pictures.
+    #[must_use]
+    pub fn shown(&self) -> &Show {
+        &self.document.figure().show
+    }
+
+    /// The progress of the canonical picture on its way; `None` where no way is shown, or the camera has none.
+    #[must_use]
+    pub fn normalizing(&self) -> Option<Normalizing> {
+        self.shown().step.and_then(|step| Normalizing::of(step, self.document.camera()))
+    }
+
+    /// True while the canonical picture is on its way: points are not where the canonical volume has them, and nothing
+    /// can be picked.
+    #[must_use]
+    pub fn is_on_the_way(&self) -> bool {
+        let camera = self.document.camera();
+        self.shown().step.is_some_and(|step| steps::time_of(step, camera) < steps::end_of(step.way, camera))
+    }
+
+    /// The share of the image that is painted, where it is not all.
+    #[must_use]
+    pub fn painted_share(&self) -> Option<f64> {
+        self.shown().painted
+    }
+
+    /// Paints this share of the image.
+    pub(in crate::gui) fn paint_share(&mut self, share: f64) {
+        let show = self.document.show_mut();
+        show.painted = Some(share.clamp(0.0, 1.0)).filter(|share| *share < 1.0);
+        // A picture of which a part is painted has not been through any stage.
+        show.stage = None;
+    }
+
+    /// The stage whose input and output a picture shows.
+    #[must_use]
+    pub fn shown_stage(&self) -> Option<Stage> {
+        self.shown().stage
+    }
+
+    /// Shows or hides the input and output of a stage, of the picture whose stages are listed.
+    pub(in crate::gui) fn toggle_stage(&mut self, stage: Stage) {
+        let of = StagePicture(self.layout.strip_of);
+        let show = self.document.show_mut();
+        (show.stage, show.stage_of) = match show.stage {
+            Some(shown) if shown == stage => (None, StagePicture::default()),
+            _ => (Some(stage), of),
+        };
+        show.painted = None;
+    }
+
+    /// Lists the stages of a picture; the stage that is shown is shown there.
+    pub(in crate::gui) fn list_stages_of(&mut self, view: View) {
+        self.layout.strip_of = view;
+        let show = self.document.show_mut();
+        if show.stage.is_some() {
+            show.stage_of = StagePicture(view);
+        }
+    }
+
+    /// Takes away the stage that is shown.
+    pub(in crate::gui) fn release_stage(&mut self) {
+        let show = self.document.show_mut();
+        (show.stage, show.stage_of) = (None, StagePicture::default());
+    }
+
+    /// `[show]` after Esc: without its stage, then without its triangle; then without all else that no open panel
+    /// shows, but a file or another window has brought. The first of them that there is, as it is without it.
+    fn without_shown(&self) -> Option<Show> {
+        let (show, open) = (self.shown(), self.open_panels);
+        if show.stage.is_some() {
+            return Some(Show { stage: None, stage_of: StagePicture::default(), ..show.clone() });
+        }
+        if show.triangle.is_some() {
+            return Some(Show { triangle: None, ..show.clone() });
+        }
+        if self.settings.presentation {
+            // Esc ends it; what a figure was made to explain stays.
+            return None;
+        }
+        let rest = Show {
+            painted: show.painted.filter(|_| open.painting),
+            step: show.step.filter(|_| open.steps),
+            moved: Vec::new(),
+            measure: Vec::new(),
+            measure_of: None,
+            answer: None,
+            ..show.clone()
+        };
+        (rest != *show).then_some(rest)
+    }
+
+    /// True where [`release_shown`](Self::release_shown) would let go of something.
+    pub(in crate::gui) fn can_release_shown(&self) -> bool {
+        self.without_shown().is_some()
+    }
+
+    /// Lets go of something that is explained, as Esc does; false where there is nothing.
+    pub(in crate::gui) fn release_shown(&mut self) -> bool {
+        let Some(rest) = self.without_shown() else { return false };
+        *self.document.show_mut() = rest;
+        true
+    }
+
+    /// The pinned probe.
+    #[must_use]
+    pub fn pinned(&self) -> Option<Probe> {
+        let image = self.document.figure().image;
+        self.shown().probe.map(|probe| Probe::of(probe, self.document.camera(), image))
+    }
+
+    /// Pins something; or nothing.
+    pub(in crate::gui) fn pin(&mut self, probe: Option<Probe>) {
+        self.document.show_mut().probe = probe.map(|probe| match probe {
+            Probe::Point(p) => ShownProbe::World(p),
+            Probe::Window(p) => ShownProbe::Window(p),
+        });
+    }
+
+    /// Whether anything shows the reports of stages.
+    pub(in crate::gui) fn accounts_for_stages(&self) -> bool {
+        self.layout.strip || self.shows_explanation(Explanation::Stages)
+    }
+
+    /// True while an explanation is at the side.
+    #[must_use]
+    pub fn shows_explanation(&self, explanation: Explanation) -> bool {
+        self.settings.panels().is_shown(Side::Explain) && self.explain.shown() == explanation
+    }
+
+    /// The picture that is shown where there is room for one: the one that the open explanation is about.
+    #[must_use]
+    pub fn main_picture(&self) -> View {
+        let wanted = match self.explain.shown() {
+            _ if !self.settings.panels().is_shown(Side::Explain) => View::World,
+            Explanation::Steps | Explanation::Conventions => View::Canonical,
+            Explanation::Stages => self.layout.strip_of,
+            Explanation::Triangle | Explanation::HiddenSurfaces | Explanation::Depth => View::Image,
+            Explanation::Matrices
+            | Explanation::Point
+            | Explanation::Homogeneous
+            | Explanation::Order
+            | Explanation::Clipping
+            | Explanation::Dialects
+            | Explanation::Code
+            | Explanation::Exercises
+            | Explanation::Notes => View::World,
+        };
+        let is_shown = |view: &View| self.layout.is_shown(*view);
+        [wanted].into_iter().chain(View::ALL).find(is_shown).unwrap_or(wanted)
+    }
+
+    fn panels_now(&self) -> OpenPanels {
+        OpenPanels {
+            stages: self.accounts_for_stages(),
+            painting: self.shows_explanation(Explanation::HiddenSurfaces),
+            triangle: self.shows_explanation(Explanation::Triangle),
+            steps: self.shows_explanation(Explanation::Steps),
+            order: self.shows_explanation(Explanation::Order),
+        }
+    }
+
+    /// Removes the explanation of a panel that has been closed since the last frame, and shows that of one that has
+    /// been opened.
+    pub(in crate::gui) fn follow_panels(&mut self) {
+        if let Some(ndc) = self.document.show_mut().ndc.take() {
+            // A file's convention is that of the window from now on.
+            self.settings.conventions.ndc = ndc;
+        }
+        let now = self.panels_now();
+        let before = std::mem::replace(&mut self.open_panels, now);
+        if before.stages && !now.stages {
+            self.release_stage();
+        }
+        let way = self.explain.steps.way;
+        let show = self.document.show_mut();
+        if before.painting && !now.painting {
+            show.painted = None;
+        }
+        if before.triangle && !now.triangle {
+            show.triangle = None;
+        }
+        if before.order && !now.order {
+            self.explain.placed.clear();
+        }
+        match (before.steps, now.steps) {
+            (true, false) => show.step = None,
+            (false, true) => show.step = show.step.or(Some(ShownStep { way, at: None })),
+            _ => {}
+        }
+        if let Some(step) = show.step {
+            self.explain.steps.way = step.way;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::camera::Decomposition;
+    use crate::gui::Start;
+
+    #[test]
+    fn a_step_that_is_played_without_motion_is_the_same_on_the_screen_and_in_a_file() {
+        let mut state = State::new(Start::default()).unwrap();
+        let step = ShownStep { way: Decomposition::Notes, at: Some(1.6) };
+        let step = state.explain.steps.play_or_hold(step, 0.0);
+        state.document.show_mut().step = Some(step);
+        for (reduce_motion, at) in [(false, 1.6), (true, 1.0)] {
+            state.settings.reduce_motion = reduce_motion;
+            let shown = Some(ShownStep { at: Some(at), ..step });
+            assert_eq!(state.shot(Vec::new()).show.step, shown);
+            assert_eq!((state.figure_as_shown().show.step, state.figure_to_save().show.step), (shown, shown));
+        }
+    }
+}

@@ -1,0 +1,304 @@
+//! The observer of a picture that nobody has turned: it stays where it is, so that a camera that moves is seen moving,
+//! and goes back, once, where something would leave the picture.
+
+use std::collections::VecDeque;
+
+use crate::camera::{Camera, Ndc};
+use crate::figure::{Observer, Outside};
+use crate::views::observer::Viewpoint;
+use crate::views::{Request, SharedScene, Size};
+
+/// Seconds in which an observer goes back.
+const GLIDE: f64 = 0.35;
+/// The distance that an observer goes back, in terms of the one from which everything just fits: what goes on in the
+/// same direction stays in the picture for a while.
+const SPARE: f64 = 1.15;
+/// The number of cameras that are remembered.
+const REMEMBERED: usize = 64;
+
+/// The moment in which an observer is asked for.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::gui::pictures) struct Moment {
+    /// Time in seconds.
+    pub(in crate::gui::pictures) now: f64,
+    /// The pointer holds something in a picture, which has to stay below it.
+    pub(in crate::gui::pictures) in_hand: bool,
+    /// Some button of the pointer is down: the camera is on its way.
+    pub(in crate::gui::pictures) on_the_way: bool,
+    /// Nothing glides.
+    pub(in crate::gui::pictures) still: bool,
+    /// Files of the scene are still being read.
+    pub(in crate::gui::pictures) loading: bool,
+}
+
+/// Settings that make a picture larger or smaller besides the camera and the scene: the parts outside the volume that
+/// are shown, and the convention of NDC.
+type Extent = (Outside, Ndc);
+
+/// The observer of a figure that says nothing about it.
+#[derive(Debug, Default)]
+pub(in crate::gui::pictures) struct Auto {
+    kept: Option<KeptObserver>,
+    /// Earlier subjects, and from where they were seen: a camera that comes back, as by undo, is seen as then.
+    before: VecDeque<(Subject, Observer)>,
+}
+
+/// The subject of a framing, besides the scene and the size of the picture.
+#[derive(Clone, Debug, PartialEq)]
+struct Subject {
+    camera: Camera,
+    extent: Extent,
+    /// The camera, if it is another one, and the convention of the other side of a comparison, and whether there are
+    /// two halves.
+    compared: Option<(Option<Camera>, Ndc, bool)>,
+}
+
+impl Subject {
+    fn of(request: &Request) -> Self {
+        let compared = request.shot.compared.as_ref();
+        Self {
+            camera: request.camera.clone(),
+            extent: (request.shot.look.reveal.outside, request.shot.ndc),
+            compared: compared.map(|other| (other.camera.clone(), other.shot.ndc, other.comparison.beside)),
+        }
+    }
+}
+
+/// An observer in a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::gui::pictures) struct AutoObserver {
+    pub(in crate::gui::pictures) observer: Observer,
+    /// It begins to go back: something would have left the picture.
+    pub(in crate::gui::pictures) goes_back: bool,
+    /// It is going back.
+    pub(in crate::gui::pictures) glides: bool,
+}
+
+#[derive(Debug)]
+struct KeptObserver {
+    observer: Observer,
+    framed: Subject,
+    scene: SharedScene,
+    subject: u64,
+    /// It was framed before all files of the scene had been read.
+    incomplete: bool,
+    size: Size,
+    /// The camera was not on its way.
+    settled: bool,
+    /// From where it glides, since when.
+    glide: Option<(Observer, f64)>,
+}
+
+impl Auto {
+    /// The observer for a picture; `None` for the image. It looks in the same direction until there is another
+    /// `subject`: a scene that has nothing to do with the last one.
+    pub(in crate::gui::pictures) fn observer(
+        &mut self,
+        request: &Request,
+        subject: u64,
+        moment: Moment,
+    ) -> Option<AutoObserver> {
+        let framed = Subject::of(request);
+        let is_same =
+            |kept: &&mut KeptObserver| kept.subject == subject && (!kept.incomplete || kept.scene == request.scene);
+        let Some(kept) = self.kept.as_mut().filter(is_same) else {
+            let observer = request.observer_from(Viewpoint::default())?;
+            self.before.clear();
+            self.kept = Some(KeptObserver {
+                observer,
+                framed,
+                scene: request.scene.clone(),
+                subject,
+                incomplete: moment.loading,
+                size: request.size,
+                settled: !moment.on_the_way,
+                glide: None,
+            });
+            return Some(AutoObserver { observer, goes_back: false, glides: false });
+        };
+        // Gear and letters have sizes of their own, in pixels.
+        let resized = kept.size != request.size;
+        let changed = kept.framed != framed;
+        if resized || kept.scene != request.scene {
+            self.before.clear();
+        } else if kept.settled && changed {
+            self.before.truncate(REMEMBERED - 1);
+            self.before.push_front((kept.framed.clone(), kept.observer));
+        }
+        let returns = (changed || !kept.settled) && !moment.on_the_way;
+        let then = self.before.iter().find(|(before, _)| returns && *before == framed);
+        // What was in hand has changed when it is let go.
+        let is_new = resized || changed || kept.scene != request.scene;
+        // A button that is pressed sends nothing on its way before something changes.
+        kept.settled = !moment.on_the_way || kept.settled && !changed;
+        let mut goes_back = false;
+        if let Some((_, observer)) = then {
+            (kept.observer, kept.glide) = (*observer, None);
+        } else if is_new && (resized || !moment.in_hand) {
+            if resized {
+                (kept.observer, kept.glide) = (request.fitted(&kept.observer)?, None);
+            } else if !request.holds(&kept.observer) {
+                let fitted = request.fitted(&kept.observer)?;
+                let from = kept.seen(moment.now);
+                kept.observer = Observer { distance: SPARE * fitted.distance, ..fitted };
+                kept.glide = (!moment.still).then_some((from, moment.now));
+                goes_back = true;
+            }
+        }
+        if !moment.in_hand {
+            (kept.size, kept.framed) = (request.size, framed);
+            kept.scene = request.scene.clone();
+        }
+        let observer = kept.seen(moment.now);
+        Some(AutoObserver { observer, goes_back, glides: kept.glide.is_some() })
+    }
+
+    /// Fits again in the next frame.
+    pub(in crate::gui::pictures) fn forget(&mut self) {
+        self.kept = None;
+        self.before.clear();
+    }
+}
+
+impl KeptObserver {
+    /// From where it is seen at a time.
+    fn seen(&mut self, now: f64) -> Observer {
+        let Some((from, since)) = self.glide else { return self.observer };
+        let share = (now - since) / GLIDE;
+        if !(0.0..1.0).contains(&share) {
+            self.glide = None;
+            return self.observer;
+        }
+        // Slow at both ends.
+        let share = share * share * (3.0 - 2.0 * share);
+        Observer {
+            target: from.target.lerp(self.observer.target, share),
+            distance: from.distance + share * (self.observer.distance - from.distance),
+            ..self.observer
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::camera::{Convention, Operation, Parameters};
+    use crate::figure::Figure;
+    use crate::geometry::Angle;
+    use crate::i18n::{Lang, pictures::labels};
+    use crate::views::View;
+    use glam::DVec3;
+
+    /// A picture of a figure without a scene, and what is seen of it.
+    struct Seen {
+        figure: Figure,
+        scene: SharedScene,
+        auto: Auto,
+    }
+
+    impl Seen {
+        fn new() -> Self {
+            Self { figure: Figure::default(), scene: SharedScene::default(), auto: Auto::default() }
+        }
+
+        fn of(&mut self, camera: &Camera, width: u32, moment: Moment) -> AutoObserver {
+            let size = Size { width, height: 300, scale: 1.0 };
+            let request = Request::of(&self.figure, View::World, camera, &self.scene, labels(Lang::En), size);
+            self.auto.observer(&request, 0, moment).unwrap()
+        }
+    }
+
+    const FREE: Moment = Moment { now: 0.0, in_hand: false, on_the_way: false, still: true, loading: false };
+    const SLIDER: Moment = Moment { on_the_way: true, ..FREE };
+    const HANDLE: Moment = Moment { in_hand: true, on_the_way: true, ..FREE };
+
+    fn at(position: DVec3) -> Camera {
+        Camera::new(&Parameters { position, far: 12.0, ..Figure::default().camera }).unwrap()
+    }
+
+    #[test]
+    fn turning_the_camera_turns_no_observer_and_a_camera_that_comes_back_is_seen_as_before() {
+        let mut seen = Seen::new();
+        let camera = Camera::new(&seen.figure.camera).unwrap();
+        let turned = |degrees| {
+            let by = Operation::Azimuth(Angle::from_degrees(degrees));
+            by.apply(&camera, Convention::RightHand).unwrap()
+        };
+        let first = seen.of(&camera, 400, FREE).observer;
+        for degrees in [0.0, 20.0, 45.0, 65.0] {
+            assert_eq!(seen.of(&turned(degrees), 400, HANDLE).observer, first, "nothing moves in the hand");
+        }
+        let moved = seen.of(&turned(65.0), 400, FREE).observer;
+        assert_eq!((moved.azimuth, moved.elevation), (first.azimuth, first.elevation), "nor when it is let go");
+        assert_eq!(seen.of(&camera, 400, FREE).observer, first, "undone");
+        assert_eq!(seen.of(&turned(65.0), 400, FREE).observer, moved, "done again");
+    }
+
+    #[test]
+    fn what_leaves_the_picture_is_followed_once_and_only_outwards() {
+        let mut seen = Seen::new();
+        let near = DVec3::new(3.0, 4.0, 5.0);
+        let first = seen.of(&at(near), 400, FREE).observer;
+        assert_eq!(seen.of(&at(near * 1.02), 400, FREE).observer, first);
+        assert_eq!(seen.of(&at(near * 9.0), 400, HANDLE).observer, first, "it is in the hand");
+        let later = seen.of(&at(near * 9.0), 400, FREE);
+        assert!(later.goes_back && later.observer.distance > 2.0 * first.distance);
+        assert_eq!((later.observer.azimuth, later.observer.elevation), (first.azimuth, first.elevation));
+        let again = seen.of(&at(near * 9.0), 400, FREE);
+        assert!(!again.goes_back && again.observer == later.observer);
+        assert_eq!(seen.of(&at(near * 2.0), 400, FREE).observer, later.observer, "it does not come nearer by itself");
+        let narrow = seen.of(&at(near * 2.0), 150, HANDLE).observer;
+        assert_ne!(narrow, later.observer, "another shape is fitted at once");
+        assert_eq!(narrow.azimuth, first.azimuth);
+    }
+
+    #[test]
+    fn what_was_seen_before_a_button_was_pressed_comes_back_with_its_camera() {
+        for held in [SLIDER, HANDLE] {
+            let mut seen = Seen::new();
+            let near = DVec3::new(3.0, 4.0, 5.0);
+            let first = seen.of(&at(near), 400, FREE).observer;
+            // Pressed, and nothing has moved yet.
+            for factor in [1.0, 1.0, 4.0, 9.0, 8.0] {
+                seen.of(&at(near * factor), 400, held);
+            }
+            let later = seen.of(&at(near * 8.0), 400, FREE).observer;
+            assert_ne!(later, first);
+            assert_eq!(seen.of(&at(near), 400, FREE).observer, first, "undone");
+            assert_eq!(seen.of(&at(near * 8.0), 400, FREE).observer, later, "done again");
+        }
+    }
+
+    #[test]
+    fn a_slider_is_followed_while_it_is_held_and_gliding_takes_its_time() {
+        let mut seen = Seen::new();
+        let near = DVec3::new(3.0, 4.0, 5.0);
+        let moving = Moment { still: false, ..SLIDER };
+        let first = seen.of(&at(near), 400, FREE).observer;
+        let begins = seen.of(&at(near * 4.0), 400, moving);
+        assert!(begins.goes_back && begins.glides && begins.observer == first);
+        let half = seen.of(&at(near * 4.0), 400, Moment { now: GLIDE / 2.0, ..moving });
+        let end = seen.of(&at(near * 4.0), 400, Moment { now: GLIDE, ..moving });
+        assert!(half.glides && !half.goes_back && !end.glides);
+        assert!(first.distance < half.observer.distance && half.observer.distance < end.observer.distance);
+    }
+
+    #[test]
+    fn a_scene_that_arrives_late_is_framed_as_if_it_had_been_there() {
+        let camera = at(DVec3::new(0.0, 2.0, 9.0));
+        let figure = crate::figure::read::parse(
+            "[[scene.objects]]\nname = \"far\"\nshape = \"box\"\ntranslate = [40, 0, 0]\nscale = [3, 3, 3]\n",
+        )
+        .unwrap();
+        let scene = crate::scene::build(&figure.scene, &figure.style, &mut crate::scene::no_files).unwrap();
+        let mut late = Seen::new();
+        let early = late.of(&camera, 400, Moment { loading: true, ..FREE }).observer;
+        late.scene = SharedScene::new(scene.clone());
+        let mut there = Seen { scene: SharedScene::new(scene), ..Seen::new() };
+        let expected = there.of(&camera, 400, FREE);
+        assert_ne!(early, expected.observer);
+        assert_eq!(late.of(&camera, 400, FREE), expected);
+    }
+}

@@ -1,0 +1,5 @@
+//! The mode *Labels*: labels are dragged, renamed and hidden.
+
+pub(super) mod label_drag;
+pub(in crate::gui) mod label_mode;
+pub(super) mod labels_card;

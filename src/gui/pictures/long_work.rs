@@ -1,0 +1,136 @@
+//! Work that takes longer than half a second: reported under the pictures, and cancelled with Esc.
+
+use std::time::Duration;
+
+use eframe::egui::{self, Key, Modifiers};
+
+use super::Canvas;
+use crate::gui::background::worker::Running;
+use crate::gui::state::State;
+use crate::i18n::canvas as words;
+use crate::i18n::{progress, scenes, window};
+use crate::sanitize;
+
+/// Work shorter than this is not reported.
+const PATIENCE: Duration = Duration::from_millis(500);
+
+/// Work that takes long.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct LongWork {
+    /// The activity, its purpose, and how to cancel it.
+    pub(super) text: String,
+    /// The share done, where it is known.
+    pub(super) share: Option<f32>,
+}
+
+impl LongWork {
+    /// The longest-running long work.
+    pub(super) fn of(canvas: &Canvas, state: &State) -> Option<Self> {
+        let lang = state.settings.lang;
+        let mesh = state
+            .scene_cache
+            .running()
+            .map(|(path, running)| (format!("{} {}", scenes::texts(lang).loading, sanitize::escaped(path)), running));
+        let picture = canvas.rendering.running().and_then(|running| {
+            let view = canvas.shot.pictures.get(running.slot)?.kind;
+            Some((words::texts(lang).view(view).to_owned(), running))
+        });
+        let exports = state
+            .file_flow
+            .running()
+            .map(|(path, running)| (format!("{} {}", window::texts(lang).exporting, sanitize::path(path)), running));
+        let all = exports.chain(mesh).chain(picture).filter(|(_, running)| running.time >= PATIENCE);
+        let (what, Running { now, .. }) = all.max_by_key(|(_, running)| running.time)?;
+        // The name, which may be long, comes last, where it may be elided.
+        let doing = now.map(|(doing, share)| format!("{} · ", progress::progress(lang, doing, share)));
+        let text = format!("{}{} · {what}", doing.unwrap_or_default(), progress::texts(lang).cancel);
+        Some(Self { text, share: now.and_then(|(_, share)| share) })
+    }
+}
+
+impl Canvas {
+    /// Cancels long work where Esc is pressed and means nothing else.
+    pub fn listen_for_cancel(&mut self, ctx: &egui::Context, state: &mut State) {
+        let busy = ctx.text_edit_focused() || ctx.input(|input| input.pointer.any_down());
+        if state.file_flow.is_asking() || busy || LongWork::of(self, state).is_none() {
+            return;
+        }
+        if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+            let is_long = |running: Running| running.time >= PATIENCE;
+            if self.rendering.running().is_some_and(is_long) {
+                self.rendering.cancel();
+            }
+            if state.scene_cache.running().is_some_and(|(_, running)| is_long(running)) {
+                state.scene_cache.cancel();
+            }
+            state.file_flow.cancel(is_long);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::expect_used, reason = "a test may fail by panicking")]
+
+    use std::path::PathBuf;
+
+    use super::*;
+    use crate::files::Overwrite;
+    use crate::gui::Start;
+    use crate::gui::export::{Export, ExportError, ExportKind, Exported, Exporting, Task};
+    use crate::i18n::Lang;
+    use crate::progress::{Activity, Progress};
+
+    /// Paints, and does not come to an end by itself.
+    fn endless() -> impl AsyncFnMut(Task, &Progress) -> Exported {
+        async |_, progress: &Progress| {
+            progress.begin(Activity::Painting, 4);
+            progress.advance(3);
+            while !progress.is_cancelled() {
+                std::thread::yield_now();
+            }
+            Err(ExportError::Cancelled)
+        }
+    }
+
+    #[test]
+    fn long_work_is_told_after_half_a_second_and_given_up_with_escape() {
+        let (ctx, mut state) = (egui::Context::default(), State::new(Start::default()).expect("a camera"));
+        let mut canvas = Canvas::default();
+        let path = PathBuf::from("a.png");
+        let export = Export::new([[4, 3]; 3], 1.0);
+        let (what, to) = (ExportKind::Pictures(export), (path.clone(), Overwrite::Writable));
+        let task = Task::new((&state.document, state.figure_as_shown()), Lang::En, what, to);
+        let exporting = Exporting::with(&ctx, task, endless);
+        state.file_flow.exporting.push(exporting);
+        let mut press = |state: &mut State| {
+            let key = egui::Event::Key {
+                key: Key::Escape,
+                physical_key: None,
+                pressed: true,
+                repeat: false,
+                modifiers: Modifiers::NONE,
+            };
+            let input = egui::RawInput { events: vec![key], ..egui::RawInput::default() };
+            let mut output = ctx.run_ui(input, |ui| canvas.listen_for_cancel(ui.ctx(), state));
+            output.textures_delta.clear();
+        };
+        // Too early: nothing is reported, and Escape means something else.
+        press(&mut state);
+        std::thread::sleep(PATIENCE + Duration::from_millis(100));
+        let told = LongWork::of(&Canvas::default(), &state).expect("told");
+        assert_eq!(told.share, Some(0.75));
+        assert!(told.text.contains("a.png") && told.text.contains("painting… 75 %"), "{}", told.text);
+        assert!(told.text.contains("Esc cancels"), "{}", told.text);
+        press(&mut state);
+        let since = std::time::Instant::now();
+        let done = loop {
+            if let Some(done) = state.file_flow.exported().pop() {
+                break done;
+            }
+            assert!(since.elapsed().as_secs() < 60);
+        };
+        assert!(done.0 == path && matches!(done.1, Err(ExportError::Cancelled)));
+        assert_eq!(LongWork::of(&Canvas::default(), &state), None);
+    }
+}

@@ -1,0 +1,553 @@
+//! The three pictures in the middle of the window: their layout, their observers, and the interaction with them.
+//!
+//! Nothing is stored that can be computed: each frame describes anew the request of each visible picture, and only a
+//! picture whose request has changed is drawn again.
+
+mod arrange;
+mod card;
+pub(super) mod highlight;
+mod icons;
+pub(super) mod labels;
+mod long_work;
+pub(super) mod motion;
+pub(super) mod pointer;
+mod readout;
+mod rendering;
+mod status;
+mod strip;
+mod texture;
+pub(super) mod view_history;
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
+};
+
+use self::arrange::{Automatic, Axis, Framed, Shares, arrange};
+use self::card::CardPlace;
+use self::long_work::LongWork;
+use self::rendering::{Missing, RenderJob, Rendering};
+use self::status::StatusAction;
+use self::strip::{Strip, StripAction};
+use self::texture::{PictureRect, PictureTexture};
+use crate::appearance::Rgba;
+use crate::figure::{Explanation, Observer};
+use crate::gui::app::focus;
+use crate::gui::app::focus::Region;
+use crate::gui::app::presentation;
+use crate::gui::inspector::coach;
+use crate::gui::inspector::coach::Brief;
+use crate::gui::pictures::arrange::auto_observer::Auto;
+use crate::gui::pictures::arrange::title::{Title, TitleAction};
+use crate::gui::pictures::highlight::Highlight;
+use crate::gui::pictures::pointer::held::Drag;
+use crate::gui::pictures::pointer::keyboard_probe::{ProbeStep, Probing};
+use crate::gui::pictures::pointer::picking::{PickRequest, Picker};
+use crate::gui::pictures::pointer::probe_steps::Click;
+use crate::gui::pictures::pointer::selection_gizmo::Movable;
+use crate::gui::pictures::pointer::vertex_name::VertexNames;
+use crate::gui::state::{Dialog, Message, ObserverChange, State};
+use crate::gui::why;
+use crate::i18n::canvas::{self as words, CanvasTexts};
+use crate::i18n::pictures::labels;
+use crate::picture::RenderReport;
+use crate::pipeline::OverBudget;
+use crate::views::image_frame;
+use crate::views::{Hover, LabelPlace, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
+
+/// Time that a frame waits for its pictures. Slower ones are shown when they are done.
+const PATIENCE: Duration = Duration::from_millis(30);
+/// In a room that is narrower, in points of a presentation, one picture is large instead of three being small.
+const ROOM_FOR_SEVERAL: f32 = 560.0;
+/// Interval between reports of long work.
+const TELL: Duration = Duration::from_millis(100);
+
+/// Draws the pictures and stores their state from one frame to the next.
+pub struct Canvas {
+    /// Time that a frame waits for its pictures; tests have more of it than a hand that drags.
+    pub patience: Duration,
+    rendering: Rendering,
+    /// The pictures of the shot, as they are on the screen.
+    pictures: Vec<ScreenPicture>,
+    shares: Shares,
+    automatic: Automatic,
+    /// The request of a title's button, and its picture.
+    asked: Option<(usize, ObserverChange)>,
+    /// The shot of this frame, and the additions of the pointer.
+    shot: Shot,
+    hover: Hover,
+    highlight: Highlight,
+    /// Pickers for the pointer, for the point of the probe, and for its next point by keys.
+    picker: Picker,
+    probe_picker: Picker,
+    key_picker: Picker,
+    drag: Option<Drag>,
+    card: CardPlace,
+    vertex_names: VertexNames,
+    /// For a double-click, whose first click was not meant to pin.
+    pinned_before: Option<Probe>,
+    /// The mode of the arrow keys, and its picture.
+    probing: Option<(usize, Probing)>,
+    /// Where the keys move it that have not been followed yet, by picture.
+    probe_steps: VecDeque<(usize, ProbeStep)>,
+    /// The search at the pointer, and one whose result is to be pinned.
+    hover_pick: Option<PickRequest>,
+    clicked_pick: Option<PickRequest>,
+    /// The last probe of the pointer in a compared picture, and the side that it was on.
+    probed_side: Option<(Probe, Request)>,
+    /// A click on something that has not been found yet, and its picker.
+    clicked: Option<Click>,
+    click_picker: Picker,
+    /// The steps of a lesson whose pictures have begun to fade in.
+    faded: u64,
+}
+
+/// A picture on the screen, and what is kept of it from one frame to the next.
+#[derive(Default)]
+struct ScreenPicture {
+    texture: PictureTexture,
+    /// How it came about.
+    account: Option<RenderReport>,
+    /// Why there is none.
+    missing: Option<Missing>,
+    /// A budget that it exceeded.
+    too_much: Option<OverBudget>,
+    /// From where it is seen where the figure does not say.
+    auto: Auto,
+    /// The observer that a button or a key framed last, with the size of the picture.
+    framed: Option<(Observer, Size)>,
+    /// Where its labels are.
+    labels: Vec<LabelPlace>,
+    /// Where it is, in points.
+    place: Option<Rect>,
+}
+
+impl Default for Canvas {
+    fn default() -> Self {
+        Self {
+            patience: PATIENCE,
+            rendering: Rendering::default(),
+            pictures: Vec::new(),
+            shares: Shares::default(),
+            automatic: Automatic::default(),
+            asked: None,
+            shot: Shot::default(),
+            hover: Hover::default(),
+            highlight: Highlight::default(),
+            picker: Picker::default(),
+            probe_picker: Picker::default(),
+            key_picker: Picker::default(),
+            drag: None,
+            card: CardPlace::default(),
+            vertex_names: VertexNames::default(),
+            pinned_before: None,
+            probing: None,
+            probe_steps: VecDeque::new(),
+            hover_pick: None,
+            probed_side: None,
+            clicked_pick: None,
+            clicked: None,
+            click_picker: Picker::default(),
+            faded: 0,
+        }
+    }
+}
+
+/// A picture in this frame.
+struct Pane {
+    /// Its place among the pictures of the shot.
+    picture: usize,
+    /// Its kind.
+    view: View,
+    rect: PictureRect,
+    response: Response,
+    /// All that it shows.
+    request: Request,
+}
+
+impl Canvas {
+    /// How often each picture of the shot has been drawn since the window was opened.
+    #[must_use]
+    pub fn drawn(&self) -> Vec<u64> {
+        self.rendering.drawn()[..self.pictures.len()].to_vec()
+    }
+
+    /// Where each picture of the shot is on the screen, with its kind; points.
+    pub fn places(&self) -> impl Iterator<Item = (View, Rect)> {
+        self.shot.pictures.iter().zip(&self.pictures).filter_map(|(shown, screen)| Some((shown.kind, screen.place?)))
+    }
+
+    /// The labels of the picture of a kind, in its pixels.
+    #[must_use]
+    pub fn labels(&self, kind: View) -> &[LabelPlace] {
+        self.picture_of(kind).map(|picture| picture.labels.as_slice()).unwrap_or_default()
+    }
+
+    /// A picture of the shot with what the pointer adds to it.
+    fn request(&self, state: &State, picture: &Picture, size: Size) -> Request {
+        let (camera, scene) = (state.document.camera(), state.scene_cache.scene());
+        let request = Request::of_picture(&self.shot, picture, camera, scene, labels(state.settings.lang), size);
+        Request { hover: self.hover.seen_in(picture.kind), ..request }
+    }
+
+    /// The picture of a kind on the screen.
+    fn picture_of(&self, kind: View) -> Option<&ScreenPicture> {
+        let of_kind = self.shot.pictures.iter().zip(&self.pictures).find(|(shown, _)| shown.kind == kind);
+        of_kind.map(|(_, screen)| screen)
+    }
+
+    /// True where Esc would let go of something in a picture.
+    #[must_use]
+    pub fn holds_something(&self, state: &State) -> bool {
+        self.drag.is_some()
+            || state.label_mode.on
+            || self.is_probing()
+            || state.pinned().is_some()
+            || state.can_release_shown()
+    }
+
+    /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
+    pub fn ui(&mut self, ui: &mut Ui, state: &mut State) {
+        let room = ui.available_rect_before_wrap();
+        ui.take_available_space();
+        let texts = words::texts(state.settings.lang);
+        let lines = status::height(ui, room.width(), state.settings.presentation);
+        let (room, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
+        let stages = if state.layout.strip { strip::height(ui, room.width()) } else { 0.0 };
+        let (pictures, stages) = room.split_top_bottom_at_y((room.bottom() - stages).max(room.top()));
+
+        let ctx = ui.ctx().clone();
+        if state.tree.settle() {
+            ctx.request_repaint();
+        }
+        if let Err(error) = state.scene_cache.update(&ctx, &state.document, state.settings.theme, self.patience) {
+            state.say(Message::Scene(error));
+        } else if state.scene_cache.loading().is_empty() {
+            state.forget_missing();
+        }
+        self.hover = Hover {
+            ghost: state.hover.ghost.clone(),
+            measured: state.hover.measured.clone(),
+            object: why::object_transform(state),
+            gizmo: Movable::selected(state).map(|movable| movable.gizmo),
+            ..Hover::default()
+        };
+        self.shot = state.shot(std::mem::take(&mut self.shot.pictures));
+        self.shot.pictures.truncate(MAX_PICTURES);
+        self.pictures.resize_with(self.shot.pictures.len(), ScreenPicture::default);
+        let mut panes = self.panes(ui, pictures, state, texts);
+        self.pictures.iter_mut().for_each(|picture| picture.place = None);
+        for pane in &panes {
+            self.pictures[pane.picture].place = Some(pane.rect.rect);
+            state.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];
+            state.screen_scale = pane.rect.size.scale;
+        }
+        self.settle_observers(ui, state, &mut panes);
+        let mut status = self.interact(ui, state, &panes, texts);
+        self.pin_clicked(&ctx, state);
+        self.take_click(&ctx, state);
+        self.take_probe_steps(&ctx, state, &panes);
+        state.probe = state.pinned().or(self.hover.probe);
+        state.seen = Picture::observers(&self.shot.pictures);
+        self.draw(ui, state, &mut panes);
+        self.decorate(ui, state, &panes, texts);
+        self.outline_labels(ui, state, &panes);
+        self.labels_card(ui, state, &panes);
+        Self::wipers(ui, state, &panes);
+
+        if state.layout.strip {
+            self.strip(ui, stages, state, texts);
+        }
+
+        // Below the titles, whose buttons a card would cover.
+        let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b)).unwrap_or(pictures);
+        self.describe_probe((ui, room), &panes, state, &mut status, texts);
+        self.say_why_empty(ui, state, &panes);
+        status.coach = Brief::of(state);
+        status.strip = state.layout.strip;
+        status.presenting = state.settings.presentation;
+        status.keys = presentation::keys(&ctx, state);
+        let loading = loading(state);
+        if !loading.is_empty() {
+            status.message = loading;
+        }
+        status.work = LongWork::of(self, state);
+        if self.rendering.running().is_some() || state.runs() {
+            ctx.request_repaint_after(TELL);
+        }
+        status.hidden = if state.layout.maximized.is_none() {
+            View::ALL.into_iter().filter(|p| !state.layout.shown[p.index()]).collect()
+        } else {
+            Vec::new()
+        };
+        status.arrangement = (panes.len() > 1).then_some(state.layout.arrangement);
+        match status.show(ui, lines, texts) {
+            None => {}
+            Some(StatusAction::ShowAgain(view)) => state.layout.shown[view.index()] = true,
+            Some(StatusAction::Arrange(arrangement)) => state.layout.arrangement = arrangement,
+            Some(StatusAction::Strip) => state.layout.strip = !state.layout.strip,
+            Some(StatusAction::Coach) => state.file_flow.dialog = Some(Dialog::Coach),
+        }
+    }
+
+    /// Explains an empty image, in it.
+    fn say_why_empty(&self, ui: &mut Ui, state: &mut State, panes: &[Pane]) {
+        let image = panes.iter().find(|pane| pane.view == View::Image);
+        let is_there = |pane: &&Pane| self.drag.is_none() && self.pictures[pane.picture].missing.is_none();
+        if let Some(pane) = image.filter(is_there) {
+            coach::why_empty(ui, pane.rect.rect, state);
+        }
+    }
+
+    /// The stages of the pipeline, as they were for the picture that is on the screen.
+    fn strip(&self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) {
+        let view = state.layout.strip_of;
+        let hidden = !state.layout.is_shown(view);
+        let account = self.picture_of(view).and_then(|picture| picture.account.as_ref()).filter(|_| !hidden);
+        focus::region(ui, room, Region::Strip, texts.strip);
+        let strip = Strip { lang: state.settings.lang, texts, view, account, hidden, shown: state.shown_stage() };
+        match strip.show(ui, room) {
+            None => return,
+            Some(StripAction::Of(view)) => state.list_stages_of(view),
+            Some(StripAction::Close) => state.layout.strip = false,
+            Some(StripAction::Show(stage)) => state.toggle_stage(stage),
+        }
+        ui.request_repaint();
+    }
+
+    /// Lays the pictures out, with their titles and the bars between them.
+    fn panes(&mut self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) -> Vec<Pane> {
+        let alone = (state.settings.presentation && room.width() < ROOM_FOR_SEVERAL).then(|| state.main_picture());
+        let is_visible = |view| {
+            state.layout.is_shown(view) && (state.layout.maximized.is_some() || alone.is_none_or(|only| only == view))
+        };
+        let visible = self.shot.pictures.iter().enumerate().filter(|(_, shown)| is_visible(shown.kind));
+        let framed = |(picture, shown): (usize, &Picture)| Framed {
+            picture,
+            aspect: aspect_shown(shown.kind, state.document.figure().image),
+        };
+        let mut framed: Vec<Framed> = visible.map(framed).collect();
+        if state.shows_explanation(Explanation::Steps) {
+            // What moves has the largest place.
+            framed.sort_by_key(|framed| self.shot.pictures[framed.picture].kind != View::Canonical);
+        }
+        let presenting = state.settings.presentation;
+        let arrangement = state.layout.arrangement;
+        let arrangement = arrangement.unwrap_or_else(|| self.automatic.of(room, &framed, presenting));
+        let (rects, bars) = arrange(room, &framed, arrangement, &self.shares);
+        for (i, bar) in bars.iter().enumerate() {
+            let response = ui.interact(bar.rect, Id::unique(("between pictures", i)), Sense::CLICK | Sense::DRAG);
+            let cursor = if bar.axis == Axis::X { CursorIcon::ResizeHorizontal } else { CursorIcon::ResizeVertical };
+            let response = response.on_hover_and_drag_cursor(cursor);
+            if response.double_clicked() {
+                self.shares.reset(bar);
+            } else if response.dragged()
+                && let Some(pointer) = response.interact_pointer_pos()
+            {
+                self.shares.drag(bar, pointer);
+            }
+        }
+        let mut panes = Vec::new();
+        for (picture, rect) in rects {
+            let view = self.shot.pictures[picture].kind;
+            let height = ui.spacing().interact_size.y + 4.0;
+            let (title, below) = rect.split_top_bottom_at_y((rect.top() + height).min(rect.bottom()));
+            let action = Title {
+                view,
+                name: if view == View::Canonical && state.is_on_the_way() {
+                    texts.on_the_way
+                } else {
+                    texts.view(view)
+                },
+                texts,
+                linked: state.layout.linked,
+                maximized: state.layout.maximized == Some(view),
+                quiet: presenting,
+                can_hide: state.layout.maximized.is_none() && framed.len() > 1,
+                undistorted: undistorted(state).filter(|_| view == View::Image),
+                section: (view == View::World).then_some(state.document.figure().world.section),
+            }
+            .show(ui, title);
+            self.take_action(ui, state, (picture, view), action);
+            let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), state.settings.stroke_scale());
+            let response = ui.interact(pane_rect.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
+            let description =
+                words::describe(state.settings.lang, view, state.document.camera(), state.document.figure().image);
+            response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));
+            focus::note(ui.ctx(), Region::Picture(picture), response.id, rect);
+            let request = self.request(state, &self.shot.pictures[picture], pane_rect.size);
+            panes.push(Pane { picture, view, rect: pane_rect, response, request });
+        }
+        panes
+    }
+
+    fn take_action(&mut self, ui: &Ui, state: &mut State, (picture, view): (usize, View), action: Option<TitleAction>) {
+        match action {
+            None => return,
+            Some(TitleAction::Observe(change)) => self.asked = Some((picture, change)),
+            Some(TitleAction::ToggleLink) => state.layout.linked = !state.layout.linked,
+            Some(TitleAction::ToggleMaximized) => toggle_maximized(state, view),
+            Some(TitleAction::Hide) => state.layout.shown[view.index()] = false,
+            Some(TitleAction::ToggleSection) => state.document.edit(|figure| figure.world.section ^= true),
+            Some(TitleAction::ToggleUndistorted) => {
+                state.document.edit(|figure| figure.undistorted = !figure.undistorted);
+            }
+        }
+        ui.request_repaint();
+    }
+
+    /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
+    fn draw(&mut self, ui: &Ui, state: &mut State, panes: &mut [Pane]) {
+        let ctx = ui.ctx();
+        let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
+        let style = state.style();
+        let scene = self.highlight.scene(state);
+        for pane in panes.iter_mut() {
+            let Pane { picture, view, ref mut request, .. } = *pane;
+            // What pointer and keys have changed in this frame.
+            let shown = &self.shot.pictures[picture];
+            request.camera = shown.camera.as_ref().unwrap_or(state.document.camera()).rounded();
+            (request.observer, request.hover) = (shown.observer, self.hover.seen_in(view));
+            if pane.rect.size.width == 0 || pane.rect.size.height == 0 {
+                continue;
+            }
+            let request = Request { scene: scene.clone(), ..pane.request.clone() };
+            let heavy = style.antialias > 1 && self.rendering.is_heavy(picture, self.patience);
+            let accounted = state.accounts_for_stages() && state.layout.strip_of == pane.view;
+            if !state.annotations.frozen {
+                self.rendering.ask(ctx, RenderJob { picture, request, draft: moving && heavy, max_side, accounted });
+            }
+        }
+        let fades = state.lesson.as_ref().map_or(0, |playing| playing.fades);
+        if std::mem::replace(&mut self.faded, fades) < fades {
+            let now = ui.input(|input| input.time);
+            self.pictures.iter_mut().for_each(|picture| picture.texture.fade(now));
+        }
+        for (i, done) in self.rendering.collect(self.patience).into_iter().enumerate() {
+            let (Some(rendered), Some(shown)) = (done, self.shot.pictures.get(i)) else { continue };
+            let missing = rendered.as_ref().err().copied();
+            let (tiles, account, too_much, labels) =
+                rendered.map_or((None, None, None, Vec::new()), |r| (Some(r.tiles), r.account, r.too_much, r.labels));
+            // Reported when it comes up; as long as it holds, a note is in the picture.
+            let is_known =
+                |new: &OverBudget| self.pictures.iter().any(|picture| picture.too_much.as_ref() == Some(new));
+            if let Some(too_much) = too_much.as_ref().filter(|new| !is_known(new)) {
+                state.say(Message::OverBudget(too_much.clone()));
+            }
+            let picture = &mut self.pictures[i];
+            picture.texture.set(ctx, words::texts(state.settings.lang).view(shown.kind), tiles);
+            (picture.missing, picture.account, picture.too_much) = (missing, account, too_much);
+            picture.labels = labels;
+        }
+        self.report(ctx, state);
+        let palette = Palette::of(style.theme);
+        for pane in panes.iter() {
+            let texture = &mut self.pictures[pane.picture].texture;
+            if !texture.covers(&pane.rect) {
+                let ground = if pane.view == View::Image { palette.surround } else { palette.paper };
+                let Rgba { r, g, b, .. } = ground;
+                ui.painter().rect_filled(pane.rect.rect, 0.0, eframe::egui::Color32::from_rgb(r, g, b));
+            }
+            texture.paint(ui, &pane.rect);
+        }
+    }
+
+    /// Tells the side of explanations how the picture came about.
+    fn report(&self, ctx: &eframe::egui::Context, state: &mut State) {
+        let of = state.layout.strip_of;
+        let is_asked = state.shows_explanation(Explanation::Stages) && state.layout.is_shown(of);
+        let account = self.picture_of(of).and_then(|picture| picture.account.as_ref()).filter(|_| is_asked);
+        let reports = account.map(|account| account.stages.as_slice()).unwrap_or_default();
+        if state.explain.reports != reports {
+            state.explain.reports = reports.to_vec();
+            ctx.request_repaint();
+        }
+    }
+
+    /// Overlays of the pictures: borders, the focus ring, the cross hairs of the pointer.
+    fn decorate(&self, ui: &Ui, state: &State, panes: &[Pane], texts: &CanvasTexts) {
+        for pane in panes {
+            let rect = pane.rect.rect;
+            let border = ui.visuals().widgets.noninteractive.bg_stroke;
+            ui.painter().rect_stroke(rect, 0.0, border, StrokeKind::Inside);
+            if pane.response.has_focus() {
+                let ring = Stroke::new(2.0, ui.visuals().hyperlink_color);
+                ui.painter().rect_stroke(rect, 0.0, ring, StrokeKind::Inside);
+            }
+            let picture = &self.pictures[pane.picture];
+            if picture.missing == Some(Missing::Cancelled) {
+                note(ui, rect, texts.given_up);
+            } else if picture.texture.failed() {
+                let font = TextStyle::Body.resolve(ui.style());
+                let color = ui.visuals().error_fg_color;
+                ui.painter().text(rect.center(), Align2::CENTER_CENTER, texts.not_drawn, font, color);
+            }
+            note(ui, rect, &loading(state));
+            if pane.view == View::Image && pane.response.hovered() && self.drag.is_none() {
+                cross(ui, pane);
+            }
+        }
+    }
+}
+
+/// Whether the image is shown as the eye would see it; `None` where its pixels are square, so that it makes no
+/// difference.
+fn undistorted(state: &State) -> Option<bool> {
+    let figure = state.document.figure();
+    let differs = state.document.camera().aspect_warning(figure.image).is_some();
+    (differs || figure.undistorted).then_some(figure.undistorted)
+}
+
+/// The mesh files being read, in a sentence; empty where there are none.
+fn loading(state: &State) -> String {
+    let files = state.scene_cache.loading();
+    if files.is_empty() {
+        return String::new();
+    }
+    format!("{} {}…", crate::i18n::scenes::texts(state.settings.lang).loading, files.join(", "))
+}
+
+/// A sentence over a picture.
+fn note(ui: &Ui, picture: Rect, text: &str) {
+    if text.is_empty() {
+        return;
+    }
+    let font = TextStyle::Body.resolve(ui.style());
+    let color = ui.visuals().text_color();
+    let galley = ui.painter().layout(text.to_owned(), font, color, (picture.width() - 24.0).max(40.0));
+    let place = Align2::CENTER_CENTER.anchor_size(picture.center(), galley.size());
+    ui.painter().rect_filled(place.expand2(eframe::egui::vec2(8.0, 4.0)), 3.0, ui.visuals().panel_fill);
+    ui.painter().galley(place.min, galley, color);
+}
+
+/// Gives a picture all the room, or gives it back.
+fn toggle_maximized(state: &mut State, view: View) {
+    state.layout.maximized = if state.layout.maximized == Some(view) { None } else { Some(view) };
+}
+
+/// Two lines that cross at the pointer, within the frame of the image.
+#[expect(clippy::cast_precision_loss, reason = "sides of a screen are far below 2²⁴")]
+fn cross(ui: &Ui, pane: &Pane) {
+    let Some(pointer) = pane.response.hover_pos() else { return };
+    let (left, request) = pane.side(pointer).map_or((0, pane.request.clone()), |side| (side.left, side.request));
+    let f = image_frame(request.size, request.shot.look.image_aspect(&request.camera));
+    let frame = pane.rect.rect_of((f.x + left) as f32, f.y as f32, f.width as f32, f.height as f32);
+    if !frame.contains(pointer) {
+        return;
+    }
+    let stroke = Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.5));
+    let gap = 8.0;
+    let painter = ui.painter().with_clip_rect(frame);
+    for (a, b) in [
+        (pos2(frame.left(), pointer.y), pos2(pointer.x - gap, pointer.y)),
+        (pos2(pointer.x + gap, pointer.y), pos2(frame.right(), pointer.y)),
+        (pos2(pointer.x, frame.top()), pos2(pointer.x, pointer.y - gap)),
+        (pos2(pointer.x, pointer.y + gap), pos2(pointer.x, frame.bottom())),
+    ] {
+        painter.line_segment([a, b], stroke);
+    }
+    ui.set_cursor_icon(CursorIcon::Crosshair);
+}

@@ -1,0 +1,80 @@
+//! Dragging a point that is followed, in the world and in the image.
+
+use eframe::egui::Context;
+use glam::{DVec2, DVec3};
+
+use crate::gui::pictures::Pane;
+use crate::gui::pictures::pointer::handle_drag;
+use crate::gui::state::State;
+use crate::i18n::explain_point;
+use crate::sanitize::escaped;
+use crate::views::{Request, named_points};
+
+/// A point that is held.
+pub(in crate::gui::pictures) struct PointDrag {
+    index: usize,
+    before: DVec3,
+    /// The picture and the pointer (pixels) from which the motion is measured.
+    pressed: Request,
+    from: DVec2,
+}
+
+impl PointDrag {
+    /// Takes the point at `from` (pixels), if one is there.
+    pub(in crate::gui::pictures) fn taken(pressed: Request, from: DVec2, pane: &Pane) -> Option<Self> {
+        let index = named_points::point_at(&pressed, from, pane.rect.pixels(handle_drag::REACH))?;
+        let before = pressed.shot.points.get(index)?.position;
+        Some(Self { index, before, pressed, from })
+    }
+
+    /// The point goes where the pointer is (pixels).
+    pub(in crate::gui::pictures) fn follow(&self, state: &mut State, to: DVec2, ctx: &Context) {
+        let Some(moved) = named_points::dragged(&self.pressed, self.before, self.from, to) else { return };
+        let Some(point) = state.document.figure().points.get(self.index) else { return };
+        if point.position == moved {
+            return;
+        }
+        let name = point.name.clone();
+        if state.follow.index(&state.document.figure().points) != Some(self.index) {
+            state.follow.choose(&name);
+        }
+        self.put(state, moved);
+        ctx.request_repaint();
+    }
+
+    fn put(&self, state: &mut State, p: DVec3) {
+        state.document.edit(|figure| {
+            if let Some(point) = figure.points.get_mut(self.index) {
+                point.position = p;
+            }
+        });
+    }
+
+    /// Puts it back where it was.
+    pub(in crate::gui::pictures) fn give_up(&self, state: &mut State) {
+        self.put(state, self.before);
+    }
+
+    /// Its position, and how it is dragged.
+    pub(in crate::gui::pictures) fn lines(&self, state: &State) -> Vec<String> {
+        lines(self.index, state)
+    }
+}
+
+/// The point under the pointer, and its status lines.
+pub(in crate::gui::pictures) fn hovered(
+    request: &Request,
+    pointer: DVec2,
+    pane: &Pane,
+    state: &State,
+) -> Option<(DVec3, Vec<String>)> {
+    let index = named_points::point_at(request, pointer, pane.rect.pixels(handle_drag::REACH))?;
+    Some((request.shot.points.get(index)?.position, lines(index, state)))
+}
+
+fn lines(index: usize, state: &State) -> Vec<String> {
+    let (lang, digits) = (state.settings.lang, state.settings.digits.min(6));
+    let Some(point) = state.document.figure().points.get(index) else { return Vec::new() };
+    let place = handle_drag::point(point.position, digits, lang.mark());
+    vec![format!("{} = {place}", escaped(&point.name)), explain_point::texts(lang).drag_point.to_owned()]
+}

@@ -1,0 +1,304 @@
+//! Drags of the pointer: the observer of a picture, a handle of the camera, the gizmo of the selection, a followed
+//! point.
+
+use eframe::egui::{CursorIcon, Key, PointerButton, PopupAnchor, Pos2, RichText, TextWrapMode, Tooltip, Ui};
+use glam::DVec2;
+
+use super::followed::PointDrag;
+use crate::figure::Observer;
+use crate::gui::pictures::arrange::orbit;
+use crate::gui::pictures::labels::label_drag::LabelDrag;
+use crate::gui::pictures::pointer::handle_drag;
+use crate::gui::pictures::pointer::handle_drag::HandleDrag;
+use crate::gui::pictures::pointer::selection_gizmo::Movable;
+use crate::gui::pictures::status::Status;
+use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::state::State;
+use crate::i18n::canvas::CanvasTexts;
+use crate::i18n::faults::camera_error;
+use crate::i18n::scenes;
+use crate::numbers::power_of_ten;
+use crate::scene::SceneSpec;
+use crate::views::handles::handle_at;
+use crate::views::transform_gizmo::{part_at, pull};
+use crate::views::{GizmoPart, Picture, Transforming, View};
+
+/// Distance within which the pointer catches a part of the gizmo, in points.
+pub(in crate::gui::pictures) const GIZMO_REACH: f32 = 7.0;
+
+/// A drag of the pointer.
+pub(in crate::gui::pictures) enum Drag {
+    /// The eye of a three-dimensional picture turns.
+    Orbit { picture: usize, pressed: Vec<Option<Observer>> },
+    /// The eye of a three-dimensional picture moves.
+    Pan { picture: usize, pressed: Observer },
+    /// Something in the world is moved.
+    Handle(usize, Box<HandleDrag>),
+    /// The selection is moved, turned or scaled.
+    Gizmo(usize, Box<GizmoDrag>),
+    /// A point that is followed is moved.
+    Point(usize, Box<PointDrag>),
+    /// A label is moved.
+    Label(usize, Box<LabelDrag>),
+}
+
+/// A part of the gizmo that is held.
+pub(in crate::gui::pictures) struct GizmoDrag {
+    /// As it was when it was taken, and the scene with it.
+    movable: Movable,
+    before: SceneSpec,
+    part: GizmoPart,
+    observer: Option<Observer>,
+    from: DVec2,
+    /// Some objects would be sheared and stay as they were.
+    is_sheared: bool,
+}
+
+impl Drag {
+    /// In which picture.
+    pub(in crate::gui::pictures) fn picture(&self) -> usize {
+        match self {
+            Self::Orbit { picture, .. } | Self::Pan { picture, .. } => *picture,
+            Self::Handle(picture, _) | Self::Gizmo(picture, _) | Self::Point(picture, _) | Self::Label(picture, _) => {
+                *picture
+            }
+        }
+    }
+}
+
+impl Canvas {
+    pub(in crate::gui::pictures) fn drag(&mut self, ui: &Ui, state: &mut State, pane: &Pane) {
+        let (origin, pointer) = ui.input(|i| (i.pointer.press_origin(), i.pointer.latest_pos()));
+        if pane.response.drag_started()
+            && let Some(origin) = origin
+        {
+            self.drag = self.taken(ui, state, pane, origin);
+        }
+        if self.drag.as_ref().is_none_or(|drag| drag.picture() != pane.picture) {
+            return;
+        }
+        if ui.input(|i| i.key_pressed(Key::Escape)) {
+            self.give_up(state);
+            return;
+        }
+        if let (Some(origin), Some(pointer)) = (origin, pointer) {
+            self.follow(ui, state, pane, origin, pointer);
+        }
+        if pane.response.drag_stopped() || !ui.input(|i| i.pointer.any_down()) {
+            self.drag = None;
+        }
+    }
+
+    /// The drag that a press at `origin` begins.
+    fn taken(&self, ui: &Ui, state: &State, pane: &Pane, origin: Pos2) -> Option<Drag> {
+        let Pane { picture, view, request, .. } = pane;
+        let picture = *picture;
+        let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
+        let from = pane.rect.pixel(origin);
+        let point = || PointDrag::taken(request.clone(), from, pane);
+        if state.label_mode.on && primary {
+            let labels = &self.pictures[picture].labels;
+            if let Some(held) = LabelDrag::taken(labels, *view, from, state) {
+                return Some(Drag::Label(picture, Box::new(held)));
+            }
+        }
+        let is_own = pane.is_own(origin) && !state.label_mode.on;
+        if *view == View::Image {
+            return (primary && is_own).then(point)?.map(|held| Drag::Point(picture, Box::new(held)));
+        }
+        if *view == View::World && primary && is_own {
+            if let Some(handle) = handle_at(request, from, pane.rect.pixels(handle_drag::REACH)) {
+                let held = HandleDrag::new(handle, request.clone(), from, modifiers);
+                return Some(Drag::Handle(picture, Box::new(held)));
+            }
+            if let Some(movable) = Movable::selected(state)
+                && let Some(part) = part_at(request, from, pane.rect.pixels(GIZMO_REACH))
+            {
+                let (observer, before) = (request.observer, state.document.figure().scene.clone());
+                let held = GizmoDrag { movable, before, part, observer, from, is_sheared: false };
+                return Some(Drag::Gizmo(picture, Box::new(held)));
+            }
+            if let Some(held) = point() {
+                return Some(Drag::Point(picture, Box::new(held)));
+            }
+        }
+        Some(if primary && !modifiers.shift {
+            Drag::Orbit { picture, pressed: self.shot.pictures.iter().map(|picture| picture.observer).collect() }
+        } else {
+            Drag::Pan { picture, pressed: self.seen(picture)? }
+        })
+    }
+
+    fn follow(&mut self, ui: &Ui, state: &mut State, pane: &Pane, origin: Pos2, pointer: Pos2) {
+        let motion = pointer - origin;
+        let request = &pane.request;
+        match &mut self.drag {
+            None => {}
+            Some(Drag::Orbit { picture, pressed }) => {
+                let (picture, pressed) = (*picture, pressed.clone());
+                for other in self.turning_with(picture, state) {
+                    if let Some(pressed) = pressed.get(other).copied().flatten() {
+                        self.turn(state, other, orbit::orbited(pressed, motion));
+                    }
+                }
+            }
+            Some(Drag::Pan { picture, pressed }) => {
+                let (picture, pressed) = (*picture, *pressed);
+                let motion = pane.rect.pixel(pointer) - pane.rect.pixel(origin);
+                let height = f64::from(pane.rect.size.height);
+                self.turn(state, picture, pressed.pan(motion.x, motion.y, height));
+            }
+            Some(Drag::Handle(_, held)) => {
+                let modifiers = ui.input(|i| i.modifiers);
+                let moved = held.moved(request, pane.rect.pixel(pointer), modifiers);
+                if let Some(parameters) = moved.filter(|p| p != state.document.draft()) {
+                    state.document.set_parameters(parameters);
+                    ui.request_repaint();
+                }
+            }
+            Some(Drag::Point(_, held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
+            Some(Drag::Label(_, held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
+            Some(Drag::Gizmo(_, held)) => {
+                let GizmoDrag { movable, before, part, observer, from, is_sheared } = held.as_mut();
+                let request = request.clone().seen_by(*observer);
+                let Some(pulled) = pull(&request, &movable.gizmo, *part, *from, pane.rect.pixel(pointer)) else {
+                    return;
+                };
+                let snap = ui.input(|i| i.modifiers.command).then(|| snap_length(state));
+                // Where the scene cannot be built with it, the last possible one stays.
+                let Ok(Some((scene, all))) = movable.pulled(before, *part, pulled, snap) else { return };
+                *is_sheared = !all;
+                if state.document.figure().scene != scene {
+                    state.document.edit(|figure| figure.scene = scene);
+                    ui.request_repaint();
+                }
+            }
+        }
+    }
+
+    /// The pictures whose observers turn with that of one.
+    pub(in crate::gui::pictures) fn turning_with(&self, picture: usize, state: &State) -> Vec<usize> {
+        let turns =
+            |(i, other): &(usize, &Picture)| *i == picture || (state.layout.linked && other.kind != View::Image);
+        self.shot.pictures.iter().enumerate().filter(turns).map(|(i, _)| i).collect()
+    }
+
+    /// Restores the state before the press.
+    pub(in crate::gui::pictures) fn give_up(&mut self, state: &mut State) {
+        match self.drag.take() {
+            None => {}
+            Some(Drag::Orbit { pressed, picture }) => {
+                for other in self.turning_with(picture, state) {
+                    if let Some(pressed) = pressed.get(other).copied().flatten() {
+                        self.turn(state, other, pressed);
+                    }
+                }
+            }
+            Some(Drag::Pan { picture, pressed }) => self.turn(state, picture, pressed),
+            Some(Drag::Handle(_, held)) => state.document.set_camera(held.before()),
+            Some(Drag::Gizmo(_, held)) => state.document.edit(|figure| figure.scene = held.before),
+            Some(Drag::Point(_, held)) => held.give_up(state),
+            Some(Drag::Label(_, held)) => held.give_up(state),
+        }
+    }
+
+    pub(in crate::gui::pictures) fn say_drag(
+        &mut self,
+        ui: &Ui,
+        state: &State,
+        status: &mut Status,
+        texts: &CanvasTexts,
+    ) {
+        let digits = state.settings.digits.min(6);
+        match &self.drag {
+            None => {}
+            Some(Drag::Orbit { picture, .. }) => {
+                let Some(Observer { azimuth, elevation, .. }) = self.seen(*picture) else { return };
+                let angles = [azimuth, elevation].map(|a| texts.lang.mark().number(a, 4));
+                status.message = format!("{}: {}° · {}°", texts.turning, angles[0], angles[1]);
+                ui.set_cursor_icon(CursorIcon::Grabbing);
+            }
+            Some(Drag::Pan { .. }) => {
+                texts.moving.clone_into(&mut status.message);
+                ui.set_cursor_icon(CursorIcon::Move);
+            }
+            Some(Drag::Handle(_, held)) => {
+                self.hover.hovered = Some(held.handle());
+                let camera = state.document.camera();
+                let mut lines = vec![handle_drag::readout(held.handle(), camera, digits, texts)];
+                status.message = match held.stopped() {
+                    Some(error) => {
+                        let reason = format!("{} {}", texts.stopped, camera_error(state.settings.lang, error));
+                        lines.push(reason.clone());
+                        status.warning = true;
+                        reason
+                    }
+                    None => format!("{} · {}", lines[0], handle_drag::hint(held.handle(), camera, digits, texts)),
+                };
+                tooltip(ui, &lines);
+                ui.set_cursor_icon(handle_drag::cursor(true));
+            }
+            Some(Drag::Point(_, held)) => {
+                let lines = held.lines(state);
+                status.message = lines.join(" · ");
+                tooltip(ui, &lines);
+                ui.set_cursor_icon(handle_drag::cursor(true));
+            }
+            Some(Drag::Label(_, held)) => {
+                status.message = held.line(state);
+                ui.set_cursor_icon(CursorIcon::Grabbing);
+            }
+            Some(Drag::Gizmo(_, held)) => {
+                if let Some(gizmo) = &mut self.hover.gizmo {
+                    gizmo.hovered = Some(held.part);
+                }
+                let mut lines = gizmo_lines(state, digits);
+                if held.is_sheared {
+                    scenes::texts(state.settings.lang).sheared.clone_into(&mut lines[1]);
+                    status.warning = true;
+                }
+                status.message = lines.join(" · ");
+                tooltip(ui, &lines);
+                ui.set_cursor_icon(handle_drag::cursor(true));
+            }
+        }
+    }
+}
+
+/// A note beside the pointer.
+pub(in crate::gui::pictures) fn tooltip(ui: &Ui, lines: &[String]) {
+    let id = ui.scope_id().with("handle");
+    Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, PopupAnchor::Pointer).gap(16.0).show(|ui| {
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+        for (i, line) in lines.iter().enumerate() {
+            let text = RichText::new(line);
+            ui.label(if i == 0 { text.strong() } else { text.small() });
+        }
+    });
+}
+
+/// Length of one step of a move while the modifier is held: a tenth of D, as a power of ten.
+fn snap_length(state: &State) -> f64 {
+    power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0)
+}
+
+/// The transform of the selection that the gizmo changes, and how it is dragged.
+pub(in crate::gui::pictures) fn gizmo_lines(state: &State, digits: usize) -> [String; 2] {
+    let t = scenes::texts(state.settings.lang);
+    let Some(movable) = Movable::selected(state) else { return Default::default() };
+    let (symbol, value, hint) = match (movable.is_light(), movable.gizmo.does) {
+        (true, Transforming::Turn) => ("L", movable.place, t.drag_parallel_light),
+        (true, Transforming::Move | Transforming::Scale) => ("P", movable.place, t.drag_lamp),
+        (false, Transforming::Move) => ("T", movable.place, t.drag_object),
+        (false, Transforming::Turn) => ("R", movable.rotate, t.drag_ring),
+        (false, Transforming::Scale) => ("S", movable.scale, t.drag_bar),
+    };
+    let together = match movable.count() {
+        1 => String::new(),
+        count => format!(" · {count} {}", t.together),
+    };
+    [
+        format!("{symbol} = {}{together}", handle_drag::point(value, digits, t.lang.mark())),
+        format!("{hint} · {}", t.drag_snaps),
+    ]
+}

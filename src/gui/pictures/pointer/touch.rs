@@ -1,0 +1,33 @@
+//! Two fingers on a picture: it moves with them, and grows with their distance. One finger is a pointer.
+
+use eframe::egui::Ui;
+
+use crate::gui::pictures::arrange::orbit;
+use crate::gui::pictures::{Canvas, Pane};
+use crate::gui::state::State;
+use crate::views::View;
+
+impl Canvas {
+    /// Lets two fingers move and zoom a three-dimensional picture; true while they are on it. What the first of them
+    /// had begun before the second came is taken back: it was not meant.
+    pub(in crate::gui::pictures) fn fingers(&mut self, ui: &Ui, state: &mut State, pane: &Pane) -> bool {
+        let touch = ui.input(|input| input.multi_touch());
+        let Some(touch) = touch.filter(|touch| pane.rect.rect.contains(touch.start_pos)) else { return false };
+        if self.drag.is_some() {
+            self.give_up(state);
+        }
+        let height = f64::from(pane.rect.size.height);
+        let moved = pane.rect.pixel(touch.center_pos) - pane.rect.pixel(touch.center_pos - touch.translation_delta);
+        if pane.view != View::Image
+            && let Some(seen) = self.seen(pane.picture)
+        {
+            let at = pane.rect.pixel(touch.center_pos);
+            let moved = seen.pan(moved.x, moved.y, height);
+            let observer = orbit::zoomed_at(moved, f64::from(touch.zoom_delta), at, pane.rect.size);
+            if observer != seen {
+                self.turn(state, pane.picture, observer);
+            }
+        }
+        true
+    }
+}

@@ -1,0 +1,377 @@
+//! Has pictures drawn beside the window's thread, each only when something that made it has changed.
+
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, PoisonError, RwLock};
+use std::time::Duration;
+
+use eframe::egui;
+
+use super::texture::Tiles;
+use crate::clock;
+use crate::gui::background::worker::{Running, Worker};
+use crate::picture::{Pixels, RenderReport, Renderer};
+use crate::pipeline::OverBudget;
+use crate::progress::Progress;
+use crate::views::{Hover, LabelPlace, MAX_PICTURES, Request};
+
+/// A picture to draw. Two equal jobs make the same pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct RenderJob {
+    /// Its place among the pictures of the shot.
+    pub(super) picture: usize,
+    pub(super) request: Request,
+    /// One sample per pixel, whatever the style says.
+    pub(super) draft: bool,
+    /// The greatest side of a texture, pixels.
+    pub(super) max_side: usize,
+    /// Every stage is timed and counted.
+    pub(super) accounted: bool,
+}
+
+/// A picture that has been drawn.
+pub(super) struct Rendered {
+    pub(super) tiles: Tiles,
+    /// Its render report, where it was requested.
+    pub(super) account: Option<RenderReport>,
+    /// A shortfall of the picture.
+    pub(super) too_much: Option<OverBudget>,
+    /// Where its labels are.
+    pub(super) labels: Vec<LabelPlace>,
+}
+
+/// Why there is no picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Missing {
+    /// The user gave it up.
+    Cancelled,
+    /// It has no size, there is not enough memory, or drawing has panicked.
+    NotDrawn,
+}
+
+impl Missing {
+    fn of(progress: &Progress) -> Self {
+        if progress.is_cancelled() { Self::Cancelled } else { Self::NotDrawn }
+    }
+}
+
+/// The result of a job.
+struct DrawOutcome {
+    rendered: Result<Rendered, Missing>,
+    draft: bool,
+    /// The part of its time in which it waited for other pictures.
+    waited: Duration,
+    /// Number of pictures that shared the processors with it, itself included.
+    together: u32,
+}
+
+impl DrawOutcome {
+    /// The time that the picture would have taken alone, about.
+    fn own_time(&self, time: Duration) -> Duration {
+        time.saturating_sub(self.waited) / self.together.max(1)
+    }
+}
+
+/// Has pictures drawn, one slot for each.
+pub(super) struct Rendering {
+    worker: Worker<RenderJob, DrawOutcome, MAX_PICTURES>,
+    /// The last jobs, by picture.
+    asked: [Option<RenderJob>; MAX_PICTURES],
+    /// The jobs that the user cancelled, by picture.
+    given_up: [Option<RenderJob>; MAX_PICTURES],
+    /// Number of pictures drawn, by picture.
+    drawn: [u64; MAX_PICTURES],
+    /// The time of the last drawing of each picture, and that of the last one that was not a draft, as if alone.
+    cost: [Duration; MAX_PICTURES],
+    full_cost: [Duration; MAX_PICTURES],
+}
+
+impl Default for Rendering {
+    fn default() -> Self {
+        Self {
+            worker: drawing(),
+            asked: Default::default(),
+            given_up: Default::default(),
+            drawn: [0; MAX_PICTURES],
+            cost: [Duration::ZERO; MAX_PICTURES],
+            full_cost: [Duration::ZERO; MAX_PICTURES],
+        }
+    }
+}
+
+/// Draws pictures at the same time, but alone what is timed: its times are not those of waiting for the others.
+fn drawing() -> Worker<RenderJob, DrawOutcome, MAX_PICTURES> {
+    let turn = Arc::new(Turn::default());
+    Worker::new("pictures", clock::now, move || work(Arc::clone(&turn)))
+}
+
+/// The pictures that are being drawn.
+#[derive(Default)]
+struct Turn {
+    /// Held by one that is drawn alone, shared by the others.
+    lock: RwLock<()>,
+    drawing: AtomicU32,
+}
+
+/// One of them, until it is dropped.
+struct UnderWay<'a>(&'a Turn);
+
+impl Drop for UnderWay<'_> {
+    fn drop(&mut self) {
+        self.0.drawing.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+fn work(turn: Arc<Turn>) -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome {
+    let mut renderer = Renderer::default();
+    let mut pictures: [Pixels; MAX_PICTURES] = Default::default();
+    let mut last: [Vec<Arc<egui::ColorImage>>; MAX_PICTURES] = Default::default();
+    async move |job: RenderJob, progress: &Progress| {
+        // Where jobs pause, none begins before the last one has ended; and the lock holds nothing that a panic could
+        // leave half done.
+        let asked = clock::now();
+        let _alone = job.accounted.then(|| turn.lock.write().unwrap_or_else(PoisonError::into_inner));
+        let _beside = (!job.accounted).then(|| turn.lock.read().unwrap_or_else(PoisonError::into_inner));
+        let waited = clock::now().saturating_sub(asked);
+        let before = turn.drawing.fetch_add(1, Ordering::Relaxed) + 1;
+        let _under_way = UnderWay(&turn);
+        let RenderJob { picture, mut request, draft, max_side, accounted } = job;
+        if draft {
+            request = request.with_shot(|shot| shot.look.style.antialias = 1);
+        }
+        renderer.measure(accounted.then_some(clock::now));
+        renderer.watch(progress);
+        let pixels = &mut pictures[picture];
+        let account = if accounted {
+            // By this thread: one of the pool may make a part of something else in between.
+            renderer.pixels_into(&request, pixels).await
+        } else {
+            renderer.all_into(&[request], std::slice::from_mut(pixels)).await.and_then(|mut all| all.pop())
+        };
+        let together = before.max(turn.drawing.load(Ordering::Relaxed));
+        let rendered = account.map(|account| {
+            let tiles = Tiles::of(pixels, max_side).since(&last[picture]);
+            last[picture] = tiles.images();
+            Rendered {
+                tiles,
+                too_much: account.too_much.clone(),
+                labels: account.labels.clone(),
+                account: accounted.then_some(account),
+            }
+        });
+        DrawOutcome { rendered: rendered.ok_or_else(|| Missing::of(progress)), draft, waited, together }
+    }
+}
+
+/// Whether two pictures differ at most in the hover.
+fn same_but_hover(one: &Request, other: &Request) -> bool {
+    let bare = |request: &Request| Request { hover: Hover::default(), ..request.clone() };
+    bare(one) == bare(other)
+}
+
+impl Rendering {
+    /// Number of pictures drawn, by picture.
+    pub(super) fn drawn(&self) -> [u64; MAX_PICTURES] {
+        self.drawn
+    }
+
+    /// True for a picture that takes longer than `patience`: while the hand moves, a draft of it is better than a late
+    /// one.
+    pub(super) fn is_heavy(&self, picture: usize, patience: Duration) -> bool {
+        self.full_cost[picture] > patience
+    }
+
+    /// Requests a picture, unless it, or one of which it would be a draft, was requested last. Requests a frame of
+    /// `ctx` when it is done.
+    pub(super) fn ask(&mut self, ctx: &egui::Context, job: RenderJob) {
+        let i = job.picture;
+        // A picture that is there needs no draft of itself, and no second drawing without the account that it has.
+        let is_as_good = |last: &RenderJob| {
+            (!last.draft || job.draft)
+                && (last.accounted || !job.accounted)
+                && last.max_side == job.max_side
+                && last.request == job.request
+        };
+        let is_given_up = |up: &RenderJob| same_but_hover(&up.request, &job.request);
+        if self.given_up[i].as_ref().is_some_and(is_given_up) {
+            return;
+        }
+        self.given_up[i] = None;
+        if !self.asked[i].as_ref().is_some_and(is_as_good) {
+            self.worker.ask(ctx, i, job.clone());
+            self.asked[i] = Some(job);
+        }
+    }
+
+    /// The running job.
+    pub(super) fn running(&self) -> Option<Running> {
+        self.worker.running()
+    }
+
+    /// Cancels all pictures that are being drawn. A new hover does not begin them anew, only a new shot does.
+    pub(super) fn cancel(&mut self) {
+        for i in (0..MAX_PICTURES).filter(|&i| self.worker.is_pending(i)) {
+            self.given_up[i].clone_from(&self.asked[i]);
+        }
+        self.worker.cancel();
+    }
+
+    /// The pictures that are done. Waits for them up to `patience`, so that a light scene is never a frame late; where
+    /// the last drawings took longer than that, it does not wait at all, and the window gets a frame of its own when
+    /// they are done.
+    pub(super) fn collect(&mut self, patience: Duration) -> [Option<Result<Rendered, Missing>>; MAX_PICTURES] {
+        let pending = (0..MAX_PICTURES).filter(|&i| self.worker.is_pending(i));
+        // They are drawn at the same time, and their costs are of times when they were.
+        let expected = pending.map(|i| self.cost[i]).max().unwrap_or_default();
+        let mut done = self.worker.take(if expected <= patience { patience } else { Duration::ZERO });
+        std::array::from_fn(|i| {
+            let done = done[i].take()?;
+            self.drawn[i] += 1;
+            self.cost[i] = done.time;
+            let Some(outcome) = done.outcome else { return Some(Err(Missing::NotDrawn)) };
+            if !outcome.draft {
+                self.full_cost[i] = outcome.own_time(done.time);
+            }
+            Some(outcome.rendered)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::camera::Camera;
+    use crate::figure::Figure;
+    use crate::i18n::{Lang, pictures};
+    use crate::views::{SharedScene, Size, View};
+
+    fn job(side: u32) -> RenderJob {
+        let figure = Figure::default();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let size = Size { width: side, height: side, scale: 1.0 };
+        let labels = pictures::labels(Lang::En);
+        let request = Request::of(&figure, View::Image, &camera, &SharedScene::default(), labels, size);
+        RenderJob { picture: 2, request, draft: false, max_side: 2048, accounted: false }
+    }
+
+    fn sized(job: &RenderJob, side: u32) -> RenderJob {
+        let size = Size { width: side, height: side, scale: 1.0 };
+        RenderJob { request: Request { size, ..job.request.clone() }, ..job.clone() }
+    }
+
+    #[test]
+    fn what_took_long_is_not_waited_for() {
+        let ctx = egui::Context::default();
+        let mut rendering = Rendering { cost: [Duration::from_secs(1); MAX_PICTURES], ..Rendering::default() };
+        rendering.ask(&ctx, job(40));
+        let mut rendered = rendering.collect(Duration::from_millis(1));
+        let start = clock::now();
+        while rendered[2].is_none() && clock::now() - start < Duration::from_secs(60) {
+            std::thread::sleep(Duration::from_millis(2));
+            rendered = rendering.collect(Duration::ZERO);
+        }
+        assert_eq!(rendered[2].as_ref().unwrap().as_ref().unwrap().tiles.size, [40, 40]);
+        assert_eq!(rendering.drawn()[..3], [0, 0, 1]);
+    }
+
+    #[test]
+    fn the_same_picture_is_not_drawn_twice_nor_as_a_draft_of_itself() {
+        let ctx = egui::Context::default();
+        let mut rendering = Rendering::default();
+        let full = job(30);
+        let draft = RenderJob { draft: true, ..full.clone() };
+        for (job, drawn) in [
+            (full.clone(), 1),
+            (full.clone(), 1),
+            (draft.clone(), 1),
+            (sized(&draft, 31), 2),
+            (sized(&full, 31), 3),
+            (RenderJob { accounted: true, ..sized(&full, 31) }, 4),
+            (sized(&full, 31), 4),
+        ] {
+            rendering.ask(&ctx, job);
+            rendering.collect(Duration::from_secs(60));
+            assert_eq!(rendering.drawn()[2], drawn);
+        }
+    }
+
+    #[test]
+    fn what_was_given_up_is_begun_anew_by_another_picture_and_not_by_what_is_pointed_at() {
+        let waiting = || {
+            async |job: RenderJob, progress: &Progress| {
+                while !progress.is_cancelled() {
+                    std::thread::yield_now();
+                }
+                let rendered = Err(Missing::of(progress));
+                DrawOutcome { rendered, draft: job.draft, waited: Duration::ZERO, together: 1 }
+            }
+        };
+        let ctx = egui::Context::default();
+        let worker = Worker::new("pictures", clock::now, waiting);
+        let mut rendering = Rendering { worker, ..Rendering::default() };
+        rendering.ask(&ctx, job(30));
+        while rendering.running().is_none() {
+            std::thread::yield_now();
+        }
+        assert_eq!(rendering.running().unwrap().slot, 2);
+        rendering.cancel();
+        assert!(matches!(rendering.collect(Duration::from_secs(60))[2], Some(Err(Missing::Cancelled))));
+        let pointed_at = Hover { probe: Some(crate::views::Probe::Point(glam::DVec3::ZERO)), ..Hover::default() };
+        let same = RenderJob { request: Request { hover: pointed_at, ..job(30).request }, ..job(30) };
+        let same = RenderJob {
+            request: Request { scene: rendering.asked[2].as_ref().unwrap().request.scene.clone(), ..same.request },
+            ..same
+        };
+        rendering.ask(&ctx, same);
+        assert!(!rendering.worker.is_pending(2));
+        rendering.ask(&ctx, job(31));
+        assert!(rendering.worker.is_pending(2));
+        rendering.cancel();
+        rendering.collect(Duration::from_secs(60));
+    }
+
+    #[test]
+    fn where_there_are_no_threads_pictures_are_drawn_in_the_frame() {
+        let ctx = egui::Context::default();
+        let worker = drawing().without_thread(&ctx);
+        let mut rendering = Rendering { worker, ..Rendering::default() };
+        rendering.ask(&ctx, job(25));
+        let rendered = rendering.collect(Duration::ZERO);
+        assert_eq!(rendered[2].as_ref().unwrap().as_ref().unwrap().tiles.size, [25, 25]);
+    }
+
+    #[test]
+    fn a_picture_is_as_heavy_as_it_would_be_alone() {
+        let outcome = |waited, together| DrawOutcome {
+            rendered: Err(Missing::NotDrawn),
+            draft: false,
+            waited: Duration::from_millis(waited),
+            together,
+        };
+        let time = Duration::from_millis(60);
+        assert_eq!(outcome(0, 1).own_time(time), time);
+        assert_eq!(outcome(24, 3).own_time(time), Duration::from_millis(12));
+        assert_eq!(outcome(70, 2).own_time(time), Duration::ZERO);
+        // None of several pictures waits for itself.
+        let ctx = egui::Context::default();
+        let mut rendering = Rendering::default();
+        for picture in 0..3 {
+            rendering.ask(&ctx, RenderJob { picture, accounted: picture == 1, ..job(60) });
+        }
+        assert_eq!(
+            rendering.collect(Duration::from_secs(60)).iter().filter(|one| matches!(one, Some(Ok(_)))).count(),
+            3
+        );
+        for i in 0..3 {
+            assert!(rendering.full_cost[i] <= rendering.cost[i] && !rendering.full_cost[i].is_zero());
+        }
+    }
+
+    #[test]
+    fn a_picture_without_pixels_is_said_to_be_none() {
+        let mut rendering = Rendering::default();
+        rendering.ask(&egui::Context::default(), job(0));
+        assert!(matches!(rendering.collect(Duration::from_secs(60))[2], Some(Err(Missing::NotDrawn))));
+    }
+}

@@ -1,0 +1,154 @@
+//! Progress in exercises, and typed answers: a file of its own beside the preferences, which can be read and deleted.
+//!
+//! A window merges its progress into the present content of the file: nothing of two windows is lost.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::time::Duration;
+
+use eframe::egui;
+use toml_edit::{DocumentMut, Value};
+
+use super::answers::{self, NOTHING};
+use super::shared_file::{Change, PATIENCE, SharedFile};
+use crate::exercises::Progress;
+use crate::gui::state::{Done, Message, State};
+use crate::gui::storage::session::{Keeping, News};
+
+/// The progress of one window.
+#[derive(Clone, Debug)]
+struct ProgressJob {
+    /// Typed answers: keys with their values as TOML.
+    changed: BTreeMap<String, String>,
+    done: Vec<Done>,
+}
+
+impl Change for ProgressJob {
+    /// As its two readers understand it.
+    type Content = (DocumentMut, Progress);
+    type Merged = Progress;
+
+    fn understood(text: &str) -> Option<Self::Content> {
+        Some((text.parse().ok()?, Progress::read(text).ok()?))
+    }
+
+    fn is_empty(&self) -> bool {
+        self.changed.is_empty() && self.done.is_empty()
+    }
+
+    /// Progress only ever grows.
+    fn is_same(&self, other: &Self) -> bool {
+        self.changed == other.changed && self.done.len() == other.done.len()
+    }
+
+    fn merge(&self, (_, mut progress): Self::Content) -> (String, Progress) {
+        self.done.iter().for_each(|done| done.note(&mut progress));
+        let mut document: DocumentMut = progress.to_toml().parse().unwrap_or_default();
+        for (key, value) in &self.changed {
+            match value.parse::<Value>() {
+                Ok(_) if value == NOTHING => drop(document.remove(key)),
+                Ok(value) => document[key.as_str()] = value.into(),
+                Err(_) => {}
+            }
+        }
+        (document.to_string(), progress)
+    }
+}
+
+/// The file of progress, and the part of this window in it.
+pub(super) struct KeptProgress {
+    file: SharedFile<ProgressJob>,
+    /// The answers typed in this window, as they are in the file.
+    kept: BTreeMap<String, String>,
+}
+
+impl KeptProgress {
+    /// Loads the file in `folder`, and the answers in `preferences` from before there was one.
+    pub(super) fn begin(folder: &Path, state: &mut State, preferences: &DocumentMut) -> Self {
+        let (file, content) =
+            SharedFile::open(folder.join("progress.toml"), "progress", (Keeping::Progress, News::ProgressSetAside));
+        if let Some((document, progress)) = content {
+            state.exercises.progress = progress;
+            let typed = answers::read(&document).map(|(chosen, table)| (chosen, answers::typed(table)));
+            state.exercises.typed.extend(typed);
+        }
+        let kept = answers::values(state).collect();
+        for (chosen, table) in answers::read(preferences) {
+            if answers::is_solved(table) {
+                state.exercises.note(Done::WasSolved(chosen.id.clone()));
+            }
+            state.exercises.typed.entry(chosen).or_insert_with(|| answers::typed(table));
+        }
+        state.exercises.file = Some(file.path.clone());
+        Self { file, kept }
+    }
+
+    /// Saves the progress, beside the window's thread. A failed write is repeated with the next progress.
+    pub(super) fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
+        self.take(state, Duration::ZERO);
+        if std::mem::take(&mut state.exercises.forgets) {
+            self.forget(state);
+            ctx.request_repaint();
+        }
+        self.file.ask(ctx, self.job(state));
+    }
+
+    /// Saves the rest, before the window closes.
+    pub(super) fn finish(&mut self, state: &mut State) {
+        self.take(state, PATIENCE);
+        let job = self.job(state);
+        if let Some(progress) = self.file.finish(&job) {
+            self.took(state, job, progress);
+        }
+    }
+
+    /// True where all that was done is in the file.
+    pub(super) fn is_written(&self, state: &State) -> bool {
+        self.job(state).is_empty()
+    }
+
+    /// Whether it cannot be saved.
+    pub(super) fn is_failing(&self) -> bool {
+        self.file.is_failing()
+    }
+
+    /// New messages about it, each once.
+    pub(super) fn news(&mut self) -> Vec<News> {
+        self.file.news()
+    }
+
+    /// The part that is not in the file yet.
+    fn job(&self, state: &State) -> ProgressJob {
+        let mut changed: BTreeMap<String, String> = answers::values(state).collect();
+        changed.retain(|key, value| self.kept.get(key).map_or(NOTHING, String::as_str) != value);
+        ProgressJob { changed, done: state.exercises.unwritten.clone() }
+    }
+
+    /// Takes the result of a write.
+    pub(super) fn take(&mut self, state: &mut State, patience: Duration) {
+        if let Some((job, progress)) = self.file.take(patience) {
+            self.took(state, job, progress);
+        }
+    }
+
+    fn took(&mut self, state: &mut State, job: ProgressJob, progress: Progress) {
+        self.kept.extend(job.changed);
+        let exercises = &mut state.exercises;
+        exercises.unwritten.drain(..job.done.len().min(exercises.unwritten.len()));
+        exercises.progress = progress;
+        exercises.unwritten.iter().for_each(|done| done.note(&mut exercises.progress));
+    }
+
+    /// Forgets all of it. The file stays under another name, until that is done once more.
+    fn forget(&mut self, state: &mut State) {
+        self.take(state, PATIENCE);
+        let aside = self.file.path.with_extension("bak");
+        match self.file.put_aside(&aside) {
+            Err(error) => return state.say(Message::File(self.file.path.clone(), error)),
+            Ok(true) => state.say(Message::ProgressDeleted(aside)),
+            Ok(false) => {}
+        }
+        state.exercises.forget();
+        self.kept.clear();
+    }
+}

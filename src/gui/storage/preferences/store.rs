@@ -1,0 +1,345 @@
+//! The storage of the preferences.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use eframe::egui;
+use toml_edit::{Array, DocumentMut, Value};
+
+use super::progress::KeptProgress;
+use super::shared_file::{Change, PATIENCE, SharedFile};
+use super::{LESSONS, RECENT, answers, apply, merged_lessons, recent, values};
+use crate::files;
+use crate::gui::app::launch_options::LaunchOptions;
+use crate::gui::state::{State, merged};
+use crate::gui::storage::session::{Keeping, News};
+
+/// The changes of one window.
+#[derive(Clone, Debug, PartialEq)]
+struct SettingsJob {
+    /// Keys with their values as TOML.
+    changed: BTreeMap<String, String>,
+    /// The files that were opened in it, the latest first.
+    opened: Vec<PathBuf>,
+    /// The typed answers are in a file of their own now.
+    answers_moved: bool,
+}
+
+impl Change for SettingsJob {
+    type Content = DocumentMut;
+    /// All files that are remembered.
+    type Merged = Vec<PathBuf>;
+
+    fn understood(text: &str) -> Option<DocumentMut> {
+        text.parse().ok()
+    }
+
+    fn is_empty(&self) -> bool {
+        self.changed.is_empty() && self.opened.is_empty() && !self.answers_moved
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+
+    fn merge(&self, mut document: DocumentMut) -> (String, Vec<PathBuf>) {
+        if self.answers_moved {
+            answers::remove(&mut document);
+        }
+        for (key, value) in &self.changed {
+            let Ok(value) = value.parse::<Value>() else { continue };
+            let before = document.get(key).and_then(|item| item.as_value()).filter(|_| key == LESSONS);
+            let value = before.map(|before| merged_lessons(before, &value)).unwrap_or(value);
+            document[key.as_str()] = value.into();
+        }
+        let recent = merged(&self.opened, &recent(&document));
+        if !self.opened.is_empty() {
+            let mut list = Array::new();
+            list.extend(recent.iter().filter_map(|path| path.to_str()));
+            document[RECENT] = list.into();
+        }
+        (document.to_string(), recent)
+    }
+}
+
+/// The preferences of a window, and the file in which they are kept.
+pub struct Preferences {
+    file: SharedFile<SettingsJob>,
+    /// The keys of this window as they are in the file, or were when it was read.
+    kept: BTreeMap<String, String>,
+    /// The keys in the file.
+    remembered: BTreeSet<String>,
+    progress: KeptProgress,
+    /// The file of preferences still has typed answers.
+    has_answers: bool,
+}
+
+impl Preferences {
+    /// Sets a window up from the file in `folder`. The options in `asked` are for this window only, and are not saved.
+    #[must_use]
+    pub fn begin(folder: &Path, state: &mut State, asked: LaunchOptions) -> Self {
+        files::remove_left_over(folder);
+        let (file, content) = SharedFile::open(
+            folder.join("preferences.toml"),
+            "preferences",
+            (Keeping::Preferences, News::PreferencesSetAside),
+        );
+        // The figure that the window opens with may say how it is shown; that is no preference.
+        state.give_back_layout();
+        if let Some(document) = &content {
+            apply(document, state);
+        }
+        let kept_before = content.unwrap_or_default();
+        state.show_screen(state.document.figure().screen);
+        asked.apply(state);
+        let progress = KeptProgress::begin(folder, state, &kept_before);
+        let has_answers = answers::read(&kept_before).next().is_some();
+        let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
+        let kept = values(state);
+        // A page may be somebody's figure in the middle of a text.
+        state.welcome = !state.settings.welcomed && !state.in_browser;
+        Self { file, kept, remembered, progress, has_answers }
+    }
+
+    /// Sets a key as the system wants it, unless the user has chosen otherwise; that is not remembered.
+    #[cfg(any(test, target_arch = "wasm32"))]
+    pub(in crate::gui) fn follow(&mut self, state: &mut State, key: &str, set: impl FnOnce(&mut State)) {
+        let is_as_it_was = |values: &BTreeMap<String, String>| values.get(key) == self.kept.get(key);
+        if self.remembered.contains(key) || !is_as_it_was(&values(state)) {
+            return;
+        }
+        set(state);
+        if let Some(value) = values(state).remove(key) {
+            self.kept.insert(key.to_owned(), value);
+        }
+    }
+
+    /// Saves changes, beside the window's thread. A failed write is repeated with the next change.
+    pub fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
+        self.progress.keep(ctx, state);
+        self.take(state, Duration::ZERO);
+        self.file.ask(ctx, self.job(state));
+    }
+
+    /// Saves the rest, before the window closes.
+    pub fn finish(&mut self, state: &mut State) {
+        self.progress.finish(state);
+        self.take(state, PATIENCE);
+        self.file.finish(&self.job(state));
+    }
+
+    /// New messages about them, each once.
+    pub fn news(&mut self) -> Vec<News> {
+        let mut news = self.file.news();
+        news.extend(self.progress.news());
+        news
+    }
+
+    /// The parts that can be saved, as far as is known.
+    pub fn kept(&self) -> impl Iterator<Item = Keeping> {
+        let kept = [(Keeping::Preferences, self.file.is_failing()), (Keeping::Progress, self.progress.is_failing())];
+        kept.into_iter().filter(|(_, fails)| !fails).map(|(what, _)| what)
+    }
+
+    /// The part that is not in the file yet.
+    fn job(&self, state: &State) -> SettingsJob {
+        let mut changed = values(state);
+        changed.retain(|key, value| self.kept.get(key) != Some(value));
+        let answers_moved = self.has_answers && self.progress.is_written(state);
+        SettingsJob { changed, opened: state.recent.new.clone(), answers_moved }
+    }
+
+    /// Takes the result of a write.
+    fn take(&mut self, state: &mut State, patience: Duration) {
+        if let Some((SettingsJob { changed, opened, answers_moved }, recent)) = self.file.take(patience) {
+            self.has_answers &= !answers_moved;
+            self.remembered.extend(changed.keys().cloned());
+            self.kept.extend(changed);
+            state.recent.new.retain(|path| !opened.contains(path));
+            state.recent.files = merged(&state.recent.new, &recent);
+        }
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use std::fs;
+
+    use super::*;
+    use crate::appearance::Theme;
+    use crate::gui::Start;
+    use crate::i18n::Lang;
+
+    pub(in crate::gui::storage::preferences) struct Folder(pub(in crate::gui::storage::preferences) PathBuf);
+
+    impl Folder {
+        pub(in crate::gui::storage::preferences) fn new(name: &str) -> Self {
+            let path = std::env::temp_dir().join(format!("camera-lab-preferences-{name}-{}", std::process::id()));
+            let _ = fs::remove_dir_all(&path);
+            Self(path)
+        }
+
+        fn text(&self) -> String {
+            fs::read_to_string(self.0.join("preferences.toml")).unwrap_or_default()
+        }
+
+        pub(in crate::gui::storage::preferences) fn window(&self) -> (State, Preferences) {
+            let mut state = State::new(Start::default()).unwrap();
+            let preferences = Preferences::begin(&self.0, &mut state, LaunchOptions::default());
+            (state, preferences)
+        }
+    }
+
+    impl Drop for Folder {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+
+    fn keep(preferences: &mut Preferences, state: &mut State) {
+        preferences.keep(&egui::Context::default(), state);
+        preferences.take(state, Duration::from_secs(60));
+    }
+
+    #[test]
+    fn nothing_is_written_before_something_is_changed_and_then_that_alone() {
+        let folder = Folder::new("alone");
+        let (mut state, mut preferences) = folder.window();
+        keep(&mut preferences, &mut state);
+        assert_eq!(folder.text(), "");
+        state.settings.theme = Theme::Dark;
+        keep(&mut preferences, &mut state);
+        assert_eq!(folder.text(), "theme = \"dark\"\n");
+        assert_eq!(folder.window().0.settings.theme, Theme::Dark);
+    }
+
+    #[test]
+    fn of_two_windows_the_last_one_wins_key_by_key_and_nothing_is_lost() {
+        let folder = Folder::new("two");
+        fs::create_dir_all(&folder.0).unwrap();
+        fs::write(folder.0.join("preferences.toml"), "# mine\nlater_key = [1, 2] # stays\ndigits = 7\n").unwrap();
+        let ((mut one, mut of_one), (mut two, mut of_two)) = (folder.window(), folder.window());
+        assert_eq!((one.settings.digits, two.settings.digits), (7, 7));
+        one.settings.theme = Theme::Dark;
+        one.settings.digits = 9;
+        one.recent.add(Path::new("/one.toml"));
+        keep(&mut of_one, &mut one);
+        two.settings.digits = 3;
+        two.layout.strip = true;
+        two.recent.add(Path::new("/two.toml"));
+        keep(&mut of_two, &mut two);
+        assert_eq!(two.recent.files, ["/two.toml", "/one.toml"].map(PathBuf::from));
+        let text = folder.text();
+        assert!(text.starts_with("# mine\nlater_key = [1, 2] # stays\n"), "{text}");
+        let (third, _) = folder.window();
+        assert_eq!((third.settings.theme, third.settings.digits, third.layout.strip), (Theme::Dark, 3, true));
+        assert_eq!(third.recent.files, two.recent.files);
+    }
+
+    #[test]
+    fn of_two_windows_each_lesson_is_remembered_as_far_as_either_has_come() {
+        let folder = Folder::new("lessons");
+        let ((mut one, mut of_one), (mut two, mut of_two)) = (folder.window(), folder.window());
+        let taken = |lessons: &[(&str, usize)]| lessons.iter().map(|(id, step)| ((*id).to_owned(), *step)).collect();
+        two.lessons_taken = taken(&[("cube", 2), ("camera", 6)]);
+        keep(&mut of_two, &mut two);
+        one.lessons_taken = taken(&[("camera", 3)]);
+        keep(&mut of_one, &mut one);
+        one.lessons_taken = taken(&[("camera", 4), ("basis", 1)]);
+        keep(&mut of_one, &mut one);
+        assert_eq!(folder.window().0.lessons_taken, taken(&[("basis", 1), ("camera", 6), ("cube", 2)]));
+    }
+
+    #[test]
+    fn a_broken_file_is_set_aside_and_said() {
+        let folder = Folder::new("broken");
+        fs::create_dir_all(&folder.0).unwrap();
+        for bytes in [&b"theme = \"dark"[..], &[0xff, 0xfe, 0x00]] {
+            fs::write(folder.0.join("preferences.toml"), bytes).unwrap();
+            let (mut state, mut preferences) = folder.window();
+            let news = preferences.news();
+            let [News::PreferencesSetAside(aside)] = &news[..] else { panic!("{news:?}") };
+            assert_eq!(fs::read(aside).unwrap(), bytes);
+            state.settings.digits = 4;
+            preferences.finish(&mut state);
+            assert_eq!(folder.text(), "digits = 4\n");
+        }
+    }
+
+    #[test]
+    fn a_file_that_is_far_too_large_is_set_aside_unread() {
+        let folder = Folder::new("large");
+        fs::create_dir_all(&folder.0).unwrap();
+        let names = ["preferences", "progress"];
+        for name in names {
+            // A hole: it takes no room on the disk.
+            let file = fs::File::create(folder.0.join(format!("{name}.toml"))).unwrap();
+            file.set_len(200 << 20).unwrap();
+        }
+        let (mut state, mut preferences) = folder.window();
+        assert!(matches!(&preferences.news()[..], [News::PreferencesSetAside(_), News::ProgressSetAside(_)]));
+        for name in names {
+            assert_eq!(fs::metadata(folder.0.join(format!("{name}.damaged"))).unwrap().len(), 200 << 20);
+        }
+        state.settings.digits = 4;
+        preferences.finish(&mut state);
+        assert_eq!(folder.text(), "digits = 4\n");
+        // A large and valid file is read.
+        let text = format!("{}digits = 5\n", "# long\n".repeat(100_000));
+        fs::write(folder.0.join("preferences.toml"), text).unwrap();
+        assert_eq!(folder.window().0.settings.digits, 5);
+    }
+
+    #[test]
+    fn a_language_that_was_asked_for_is_not_remembered() {
+        let folder = Folder::new("language");
+        let mut state = State::new(Start::default()).unwrap();
+        let asked = LaunchOptions { lang: Some(Lang::PtBr), ..LaunchOptions::default() };
+        let mut preferences = Preferences::begin(&folder.0, &mut state, asked);
+        assert_eq!(state.settings.lang, Lang::PtBr);
+        preferences.finish(&mut state);
+        assert_eq!(folder.text(), "");
+    }
+
+    #[test]
+    fn what_the_system_wants_counts_until_the_user_has_chosen_and_is_not_remembered() {
+        let folder = Folder::new("follow");
+        let (mut state, mut preferences) = folder.window();
+        let follow = |preferences: &mut Preferences, state: &mut State, theme| {
+            preferences.follow(state, "theme", |state| state.settings.theme = theme);
+            keep(preferences, state);
+            state.settings.theme
+        };
+        assert_eq!(follow(&mut preferences, &mut state, Theme::Dark), Theme::Dark);
+        assert_eq!(folder.text(), "");
+        assert_eq!(follow(&mut preferences, &mut state, Theme::Light), Theme::Light);
+        state.settings.theme = Theme::Dark;
+        assert_eq!(follow(&mut preferences, &mut state, Theme::Light), Theme::Dark);
+        assert_eq!(folder.text(), "theme = \"dark\"\n");
+        let (mut next, mut preferences) = folder.window();
+        assert_eq!(follow(&mut preferences, &mut next, Theme::Light), Theme::Dark);
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_said_once() {
+        let folder = Folder::new("refused");
+        fs::create_dir_all(folder.0.join("preferences.toml")).unwrap();
+        let (mut state, mut preferences) = folder.window();
+        assert!(matches!(&preferences.news()[..], [News::NotKept(_)]));
+        let mut write = |digits| {
+            state.settings.digits = digits;
+            keep(&mut preferences, &mut state);
+            (preferences.news().len(), preferences.kept().collect::<Vec<_>>())
+        };
+        assert_eq!(write(3), (0, vec![Keeping::Progress]));
+        assert_eq!(write(4), (0, vec![Keeping::Progress]));
+        fs::remove_dir(folder.0.join("preferences.toml")).unwrap();
+        assert_eq!(write(6), (0, vec![Keeping::Preferences, Keeping::Progress]));
+        fs::remove_file(folder.0.join("preferences.toml")).unwrap();
+        fs::create_dir(folder.0.join("preferences.toml")).unwrap();
+        assert_eq!(write(7), (1, vec![Keeping::Progress]));
+    }
+}

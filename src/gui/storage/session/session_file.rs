@@ -1,0 +1,194 @@
+//! The stored session of a window: its figure with the changes, and its file.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::figure::{Bilingual, Figure, read, update};
+use crate::files::{SourceFile, disk};
+use crate::gui::fresh;
+use crate::gui::model::document::Document;
+
+/// A path that comes back as it was: as a text where it is one.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(untagged)]
+enum KeptPath {
+    Text(String),
+    // A browser knows no other names than texts.
+    #[cfg(not(target_arch = "wasm32"))]
+    Other(std::ffi::OsString),
+}
+
+impl From<&Path> for KeptPath {
+    fn from(path: &Path) -> Self {
+        match path.to_str() {
+            #[cfg(not(target_arch = "wasm32"))]
+            None => Self::Other(path.as_os_str().to_owned()),
+            text => Self::Text(text.unwrap_or_default().to_owned()),
+        }
+    }
+}
+
+impl KeptPath {
+    /// The path; a relative one says nothing: nobody knows of which folder.
+    fn whole(&self) -> Option<PathBuf> {
+        let path = match self {
+            Self::Text(text) => PathBuf::from(text),
+            #[cfg(not(target_arch = "wasm32"))]
+            Self::Other(text) => PathBuf::from(text),
+        };
+        Some(path).filter(|path| disk::is_whole(path))
+    }
+}
+
+/// The text of a lesson that is not in its file: a session stores it, and a window goes on with it after a crash.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnsavedText {
+    /// The file.
+    pub path: PathBuf,
+    /// The step whose texts were written, from 0.
+    pub step: usize,
+    /// The text of the file as the window read or wrote it last.
+    pub text: String,
+    /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as they were typed.
+    pub typed: [Bilingual; 6],
+}
+
+/// The stored session. Unknown keys, from a later version, are ignored.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct SessionFile {
+    /// The figure's file, if it has one.
+    path: Option<KeptPath>,
+    /// Of a figure without a file of its own: the folder of the picture that it came from.
+    folder: Option<KeptPath>,
+    /// The text that was read or saved last.
+    source: String,
+    /// The figure with its changes.
+    figure: String,
+    /// The figure is being restored, and the window has not lived long with it yet.
+    #[serde(default)]
+    pub(super) restoring: bool,
+    /// The text of a lesson that is not in its file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    lesson: Option<KeptText>,
+}
+
+/// The text of a lesson that is not in its file; see [`UnsavedText`].
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct KeptText {
+    path: KeptPath,
+    step: usize,
+    text: String,
+    /// Each in English and in Portuguese.
+    typed: Vec<[String; 2]>,
+}
+
+/// The key of [`SessionFile::restoring`].
+const RESTORING: &str = "restoring";
+
+/// A window that has come back.
+pub struct Restored {
+    /// The document.
+    pub document: Document,
+    /// Keys of the figure that are not known here, and were passed over.
+    pub unknown: Vec<String>,
+    /// The text of a lesson that was not in its file.
+    pub text: Option<UnsavedText>,
+}
+
+impl SessionFile {
+    pub(super) fn new(place: &SessionPlace, source: String, figure: &Figure, restoring: bool) -> Self {
+        let figure = update(&source, figure);
+        let kept = |path: &Option<PathBuf>| path.as_deref().map(KeptPath::from);
+        Self { path: kept(&place.path), folder: kept(&place.folder), source, figure, restoring, lesson: None }
+    }
+
+    /// The same with the text of a lesson.
+    pub(super) fn with_text(self, text: Option<&UnsavedText>) -> Self {
+        let lesson = text.map(|UnsavedText { path, step, text, typed }| KeptText {
+            path: KeptPath::from(&**path),
+            step: *step,
+            text: text.clone(),
+            typed: typed.iter().map(|Bilingual { en, pt_br }| [en.clone(), pt_br.clone()]).collect(),
+        });
+        Self { lesson, ..self }
+    }
+
+    /// The text of a lesson; `None` if it lacks something that an [`UnsavedText`] has.
+    fn text(&self) -> Option<UnsavedText> {
+        let KeptText { path, step, text, typed } = self.lesson.as_ref()?;
+        let typed: Vec<Bilingual> =
+            typed.iter().map(|[en, pt_br]| Bilingual { en: en.clone(), pt_br: pt_br.clone() }).collect();
+        Some(UnsavedText { path: path.whole()?, step: *step, text: text.clone(), typed: typed.try_into().ok()? })
+    }
+
+    /// Reads these bytes; `None` where they are unreadable.
+    pub(super) fn read(bytes: &[u8]) -> Option<Self> {
+        serde_json::from_slice(bytes).ok()
+    }
+
+    /// The same bytes, with the record that the figure is being restored. Unknown keys stay.
+    pub(super) fn noted(bytes: &[u8]) -> Option<Vec<u8>> {
+        let mut kept: serde_json::Value = serde_json::from_slice(bytes).ok()?;
+        kept.as_object_mut()?.insert(RESTORING.to_owned(), true.into());
+        serde_json::to_vec(&kept).ok()
+    }
+
+    /// The figure's file, if it has one.
+    pub(super) fn path(&self) -> Option<PathBuf> {
+        self.path.as_ref()?.whole()
+    }
+
+    /// The file that a list names: that of the figure, or of the lesson with the text.
+    pub(super) fn named(&self) -> Option<PathBuf> {
+        let of_lesson = || self.lesson.as_ref()?.path.whole();
+        self.path().or_else(of_lesson)
+    }
+
+    /// The window as it was. Where the figure has keys that are not known here, saving asks for another file: the old
+    /// one may have been written by a later version too.
+    pub(super) fn restore(&self) -> Option<Restored> {
+        let (changed, unknown) = read::parse_known(&self.figure).ok()?;
+        let (path, folder) = (self.path(), self.folder.as_ref().and_then(KeptPath::whole));
+        // Without a text, the window had begun with its own first figure, not with that of an empty file.
+        let saved = match &self.source {
+            source if source.is_empty() && path.is_none() => fresh(),
+            source => read::parse_known(source).map_or_else(|_| fresh(), |(saved, _)| saved),
+        };
+        let text = self.source.clone();
+        let file = match (path, folder) {
+            (Some(path), _) => Some(SourceFile { path, text, is_picture: false }),
+            // Only the folder of the picture counts: nothing is written there.
+            (None, Some(folder)) => Some(SourceFile { path: folder.join("picture.png"), text, is_picture: true }),
+            (None, None) if text.is_empty() => None,
+            // An empty path has no folder either.
+            (None, None) => Some(SourceFile { path: PathBuf::new(), text, is_picture: false }),
+        };
+        let mut document = Document::new(saved, file).ok()?;
+        if !unknown.is_empty() || self.path().is_none() {
+            document.forget_file();
+        }
+        document.replace(changed).ok()?;
+        // A text that cannot be shown must not be thrown away with the file.
+        let text = self.text();
+        if self.lesson.is_some() && text.as_ref().is_none_or(|text| crate::lessons::parse(&text.text).is_err()) {
+            return None;
+        }
+        Some(Restored { document, unknown, text })
+    }
+}
+
+/// The source of a document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct SessionPlace {
+    pub(super) path: Option<PathBuf>,
+    pub(super) folder: Option<PathBuf>,
+}
+
+impl SessionPlace {
+    pub(super) fn of(document: &Document) -> Self {
+        let path = document.path().cloned();
+        let folder = document.folder().filter(|_| path.is_none()).map(Path::to_owned);
+        Self { path, folder }
+    }
+}

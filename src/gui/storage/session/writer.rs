@@ -1,0 +1,182 @@
+//! Writes a window's figure down, beside the window's thread.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+
+use eframe::egui;
+
+use super::UnsavedText;
+use super::session_file::{SessionFile, SessionPlace};
+use crate::clock;
+use crate::figure::Figure;
+use crate::files::disk::{self, Lock};
+use crate::files::{self, FileError, Overwrite};
+use crate::gui::background::worker::Worker;
+use crate::gui::model::document::{Document, Seen};
+use crate::gui::model::history::Revision;
+use crate::progress::Progress;
+
+/// The longest wait for a running write before the window closes.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// The content of a session file.
+#[derive(Debug)]
+struct Note {
+    place: SessionPlace,
+    source: String,
+    figure: Figure,
+    text: Option<Arc<UnsavedText>>,
+    /// The revision of the scene.
+    revision: Revision,
+    restoring: bool,
+}
+
+/// Something that a crash must not lose.
+#[derive(Clone, Copy)]
+pub struct Kept<'a> {
+    /// The document.
+    pub document: &'a Document,
+    /// How the pictures show it.
+    pub seen: &'a Seen,
+    /// The document has changes that closing the window asks about.
+    pub is_work: bool,
+    /// The text of a lesson that is not in its file.
+    pub text: Option<&'a Arc<UnsavedText>>,
+}
+
+impl Kept<'_> {
+    /// Whether something would be lost: work, and in a browser, which reads no file again by itself, also an opened
+    /// figure.
+    pub(super) fn is_worth_keeping(&self) -> bool {
+        let document = self.document;
+        self.is_work
+            || self.text.is_some()
+            || (cfg!(target_arch = "wasm32") && (document.name().is_some() || !document.source().is_empty()))
+    }
+}
+
+impl Note {
+    fn is_of(&self, document: &Document) -> bool {
+        let figure = document.figure();
+        self.place == SessionPlace::of(document)
+            && self.source == document.source()
+            && self.figure.without_scene() == figure.without_scene()
+            && (self.revision == document.revision() || self.figure.scene == figure.scene)
+    }
+
+    /// Whether it has these observers, and what is shown.
+    fn is_seen_as(&self, seen: &Seen) -> bool {
+        (self.figure.observers, &self.figure.show) == (seen.observers, &seen.show)
+    }
+}
+
+/// The new content of the slot; `None`: nothing.
+struct WriteJob {
+    file: PathBuf,
+    note: Option<Arc<Note>>,
+    /// The slot belongs to this window until the job is done, also where the window is gone before.
+    _lock: Arc<Lock>,
+}
+
+impl WriteJob {
+    fn run(self) -> Result<(), FileError> {
+        let Some(note) = self.note else {
+            return disk::remove(&self.file).map_err(FileError::Write);
+        };
+        let kept = SessionFile::new(&note.place, note.source.clone(), &note.figure, note.restoring);
+        let kept = kept.with_text(note.text.as_deref());
+        let text = serde_json::to_vec(&kept).map_err(|error| FileError::Write(error.into()))?;
+        files::save(&self.file, &text, Overwrite::Writable)
+    }
+}
+
+/// The slot of this window, and its content.
+#[derive(Debug)]
+pub(super) struct Writer {
+    file: PathBuf,
+    lock: Arc<Lock>,
+    worker: Worker<WriteJob, Result<(), FileError>>,
+    /// The last request; `None` before there was any.
+    asked: Option<Option<Arc<Note>>>,
+    /// The number of that document.
+    version: Option<Revision>,
+}
+
+impl Writer {
+    pub(super) fn new(file: PathBuf, lock: Lock) -> Self {
+        let worker = Worker::new("session", clock::now, || async |job: WriteJob, _: &Progress| job.run());
+        Self { file, lock: Arc::new(lock), worker, asked: None, version: None }
+    }
+
+    /// True where what was asked for last is still what is wanted.
+    pub(super) fn is_up_to_date(&mut self, kept: Kept<'_>, restoring: bool) -> bool {
+        let Kept { document, seen, text, .. } = kept;
+        match &self.asked {
+            Some(Some(note)) => {
+                let version = Some(document.version());
+                let is_same = kept.is_worth_keeping()
+                    && note.restoring == restoring
+                    && note.is_seen_as(seen)
+                    && note.text.as_ref().map(Arc::as_ptr) == text.map(Arc::as_ptr)
+                    && (self.version == version || note.is_of(document));
+                if is_same {
+                    // Another number may have come to the same document.
+                    self.version = version;
+                }
+                is_same
+            }
+            Some(None) => !kept.is_worth_keeping(),
+            None => false,
+        }
+    }
+
+    /// True if the last request was made for this document as it is, from wherever it was seen then.
+    pub(super) fn has(&self, document: &Document) -> bool {
+        self.version == Some(document.version()) && matches!(self.asked, Some(Some(_)))
+    }
+
+    /// Has the next look find that the document is not stored.
+    pub(super) fn ask_again(&mut self) {
+        (self.asked, self.version) = (None, None);
+    }
+
+    /// Saves the document; where nothing would be lost with it, deletes the stored one.
+    pub(super) fn ask(&mut self, ctx: &egui::Context, kept: Kept<'_>, restoring: bool) {
+        let Kept { document, seen, text, .. } = kept;
+        let note = kept.is_worth_keeping().then(|| {
+            let Seen { observers, show } = seen.clone();
+            Arc::new(Note {
+                place: SessionPlace::of(document),
+                source: document.source().to_owned(),
+                figure: Figure { observers, show, ..document.figure().clone() },
+                text: text.cloned(),
+                revision: document.revision(),
+                restoring,
+            })
+        });
+        (self.asked, self.version) = (Some(note.clone()), Some(document.version()));
+        self.worker.ask(ctx, 0, WriteJob { file: self.file.clone(), note, _lock: Arc::clone(&self.lock) });
+    }
+
+    /// The result, once.
+    pub(super) fn take(&mut self) -> Option<Result<(), FileError>> {
+        let [done] = self.worker.take(Duration::ZERO);
+        Some(done?.outcome.unwrap_or_else(|| Err(FileError::Write(std::io::Error::other("a bug in this program")))))
+    }
+
+    /// Waits until nothing is being written any more.
+    #[cfg(test)]
+    pub(super) fn wait(&self) {
+        while self.worker.is_pending(0) {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+
+    /// Waits for a running write, and deletes the session: it has been saved, or discarded.
+    pub(super) fn forget(mut self) {
+        self.worker.take(PATIENCE);
+        // The window closes, or goes on with another slot: nothing more can be done.
+        let _ = disk::remove(&self.file);
+    }
+}

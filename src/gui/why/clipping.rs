@@ -1,0 +1,64 @@
+//! Clipping: the parts of the scene outside the view volume, the vertices that the planes make, and the division before
+//! clipping.
+
+use eframe::egui::{Button, Ui};
+
+use crate::figure::{Explanation, Outside};
+use crate::files::ShippedFigure;
+use crate::gui::files::file_flow;
+use crate::gui::inspector::{choice, row};
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{AfterSave, State};
+use crate::i18n::{explain, gallery, told, window};
+use crate::pipeline::divide_before_clip::divided_first;
+
+/// Shows it.
+pub(super) fn ui(ui: &mut Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    let old = state.document.figure().reveal;
+    let mut reveal = old;
+    let outsides = [
+        (Outside::Usual, t.outside_usual),
+        (Outside::Cut, t.outside_cut),
+        (Outside::Tinted, t.outside_tinted),
+        (Outside::Shown, t.outside_shown),
+    ];
+    row(ui, "", t.outside_view, t.outside_view_hint, |ui| {
+        choice(ui, t.outside_view, t.outside_view_hint, &mut reveal.outside, &outsides)
+    });
+    for (on, name, hint) in [
+        (&mut reveal.clipping, t.clipping_view, t.clipping_view_hint),
+        (&mut reveal.divide_first, t.divide_first, t.divide_first_hint),
+    ] {
+        ui.checkbox(on, name).explained(hint);
+        ui.label(eframe::egui::RichText::new(hint).small().weak());
+    }
+    if reveal != old {
+        state.document.edit(|figure| figure.reveal = reveal);
+    }
+    dead_end(ui, state);
+    let words = explain::texts(state.settings.lang);
+    if ui.link(words.one_triangle).explained(words.triangle_hint).clicked() {
+        state.show_explanation(Explanation::Triangle);
+    }
+}
+
+/// The figure of the program in which dividing before clipping goes wrong.
+const SHOWS_IT: &str = "divide-first";
+
+/// Where dividing before clipping does no harm to the scene, offers a figure in which it does.
+fn dead_end(ui: &mut Ui, state: &mut State) {
+    if !state.document.figure().reveal.divide_first {
+        return;
+    }
+    let camera = state.document.camera();
+    let key = (state.scene_cache.scene().clone(), *camera.parameters());
+    let is_right = *state.explain.divides_right.of(key, |(scene, _)| divided_first(scene, camera, 1.0).is_right());
+    let Some(figure) = ShippedFigure::named(SHOWS_IT).filter(|_| is_right) else { return };
+    let lang = state.settings.lang;
+    let [title, caption] = figure.told();
+    let text = format!("{} {}", gallery::texts(lang).shows, told(lang, &title));
+    if ui.add(Button::new(text).wrap()).explained(told(lang, &caption)).clicked() {
+        file_flow::begin(ui.ctx(), state, AfterSave::Shipped(figure.name));
+    }
+}

@@ -1,0 +1,81 @@
+//! Hidden surfaces: the image painted so far, triangle by triangle, by each hidden-surface algorithm; the faces that
+//! are turned away.
+
+use eframe::egui::{self, RichText, Slider, Ui};
+
+use crate::appearance::Visibility;
+use crate::figure::{Depth, Reveal};
+use crate::gui::inspector::compare_dialog;
+use crate::gui::kit::theme;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::State;
+use crate::i18n::{stages, window};
+use crate::views::View;
+
+/// Shows it.
+pub(super) fn ui(ui: &mut Ui, state: &mut State) {
+    let t = stages::texts(state.settings.lang);
+    ui.label(RichText::new(t.hint).weak());
+    if !state.layout.is_shown(View::Image) {
+        ui.label(t.hidden);
+    }
+    let figure = state.document.figure();
+    let (mut style, mut reveal) = (figure.style, figure.reveal);
+    ui.horizontal_wrapped(|ui| {
+        for (visibility, name, hint) in [
+            (Visibility::Painter, t.painter, t.painter_hint),
+            (Visibility::Bsp, t.bsp, t.bsp_hint),
+            (Visibility::DepthBuffer, t.depth_buffer, t.depth_buffer_hint),
+        ] {
+            let button = egui::Button::selectable(style.visibility == visibility, name).frame_when_inactive(true);
+            if ui.add(button).explained(hint).clicked() {
+                style.visibility = visibility;
+            }
+        }
+    });
+    ui.label(match style.visibility {
+        Visibility::Painter => t.painter_said,
+        Visibility::Bsp => t.bsp_said,
+        Visibility::DepthBuffer => t.depth_buffer_said,
+    });
+    scrubber(ui, t, state);
+    let mut depth = reveal.depth == Depth::Stored;
+    if ui.checkbox(&mut depth, t.depth).explained(t.depth_hint).changed() {
+        reveal = Reveal { depth: if depth { Depth::Stored } else { Depth::Off }, ..reveal };
+    }
+    compare_dialog::button(ui, state);
+    let words = window::texts(state.settings.lang);
+    ui.checkbox(&mut reveal.culled, words.culled_view).explained(words.culled_view_hint);
+    let figure = state.document.figure();
+    if (style, reveal) != (figure.style, figure.reveal) {
+        state.document.edit(|figure| (figure.style, figure.reveal) = (style, reveal));
+    }
+}
+
+/// From nothing to the whole image; the arrow keys move the slider.
+fn scrubber(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
+    let old = state.painted_share().unwrap_or(1.0);
+    let mut share = old;
+    ui.horizontal(|ui| {
+        for (sign, name, to) in
+            [("|◀", t.nothing, 0.0), ("◀", t.fewer, share - STEP), ("▶", t.more, share + STEP), ("▶|", t.all, 1.0)]
+        {
+            if ui.button(sign).explained(name).accessible_name(name).clicked() {
+                share = to;
+            }
+        }
+    });
+    ui.scope(|ui| {
+        theme::strengthen_rail(ui);
+        ui.spacing_mut().slider_width = (ui.available_width() - 16.0).max(80.0);
+        let slider = Slider::new(&mut share, 0.0..=1.0).show_value(false).smart_aim(false);
+        ui.add(slider).explained(t.scrubber).accessible_name(t.scrubber);
+    });
+    if old.to_bits() != share.to_bits() {
+        state.paint_share(share);
+        ui.ctx().request_repaint();
+    }
+}
+
+/// The share of the triangles that a button adds or removes.
+const STEP: f64 = 1.0 / 24.0;

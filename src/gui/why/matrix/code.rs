@@ -1,0 +1,41 @@
+//! The explanation as code: the camera for other libraries.
+
+use eframe::egui::{self, FontId, TextStyle};
+
+use crate::explain::Setting;
+use crate::explain::code::CodeTarget;
+use crate::gui::inspector::choice;
+use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::State;
+use crate::i18n::{code, explain};
+
+/// Shows the tab.
+pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
+    let lang = state.settings.lang;
+    let t = explain::texts(lang);
+    let targets = CodeTarget::ALL.map(|target| (target, target.name()));
+    let text = written(state);
+    ui.horizontal(|ui| {
+        choice(ui, t.code_for, t.code_hint, &mut state.explain.code, &targets);
+        if ui.button(t.copy).explained(t.copy_code_hint).clicked() {
+            ui.ctx().copy_text(text.clone());
+        }
+    });
+    ui.add_space(4.0);
+    let font = FontId::monospace(TextStyle::Small.resolve(ui.style()).size);
+    // Read, selected and copied, but not edited: the camera is edited in the other tabs.
+    let mut shown = text.as_str();
+    let field = TextField::fixed_lines(&mut shown);
+    let field = field.with(|edit| edit.font(font).desired_width(f32::INFINITY).code_editor());
+    field.show(ui, lang).accessible_name(t.code);
+}
+
+/// The code for the camera as it is, in the language of the window.
+fn written(state: &State) -> String {
+    let camera = state.document.camera();
+    let figure = state.document.figure();
+    let target = state.explain.code;
+    let setting = Setting::new(camera.notes_clip_space(), figure.image, figure.viewport);
+    target.code(&setting, &code::comments(state.settings.lang, target, &target.conventions(camera)))
+}

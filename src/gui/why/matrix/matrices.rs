@@ -1,0 +1,237 @@
+//! The explanation of matrices: each entry of each matrix with its formula, its numbers and its value.
+
+use std::time::Duration;
+
+use eframe::egui::{self, RichText, Ui};
+
+use super::entries::{self, Cell};
+use crate::camera::{Ndc, Projection};
+use crate::explain::{EntryFormula, Formula, Matrix, MatrixFormula, Setting, forward, leaves};
+use crate::gui::inspector::erratum;
+use crate::gui::kit::mathematics::Both;
+use crate::gui::kit::theme;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{Matrices, Reading, State};
+use crate::gui::why::answer;
+use crate::gui::why::answer::Writing;
+use crate::gui::why::context_help::help_topic;
+use crate::gui::why::subject::ExplainedSetting;
+use crate::i18n::explain::{self as words, Texts};
+use crate::i18n::{conventions, notes, window};
+use crate::numbers::without_rests;
+
+/// Shows the tab.
+pub(in crate::gui::why) fn ui(ui: &mut Ui, state: &mut State) {
+    let t = words::texts(state.settings.lang);
+    choices(ui, t, &mut state.explain.matrices);
+    let subject = ExplainedSetting::of(state);
+    let matrix = state.explain.matrices.shown();
+    if state.explain.matrices.matrix == Matrix::Model {
+        match &subject.object {
+            None => {
+                ui.label(t.select_object);
+                return;
+            }
+            Some((name, _)) => drop(ui.label(crate::sanitize::escaped(name))),
+        }
+    }
+    let setting = subject.setting(state);
+    let formulas = MatrixFormula::new(matrix, &setting);
+    heading(ui, state, &setting, &formulas);
+    let writing = Writing { setting: &setting, lang: state.settings.lang, digits: state.settings.digits };
+    let values = values(&setting, matrix, state.settings.digits);
+    if values.iter().flatten().any(|value| !value.is_finite()) {
+        ui.label(t.no_inverse);
+        return;
+    }
+    let now = ui.input(|input| input.time);
+    let object = subject.object.as_ref().filter(|_| state.explain.matrices.matrix == Matrix::Model);
+    state.explain.matrices.glow.follow((matrix, object.map(|(name, _)| name.as_str())), values, now);
+    let (reading, glow) = (state.explain.matrices.reading, &state.explain.matrices.glow);
+    let written = (matrix.text(), &formulas.entries, reading);
+    let cells = cells(state, writing, written, &values, |entry| glow.strength(entry, now));
+    let Matrices { entry, wants_focus, .. } = state.explain.matrices;
+    let pointed = entries::show(ui, &cells, (entry, wants_focus), note_on(&formulas));
+    state.explain.matrices.wants_focus = false;
+    if let Some(chosen) = pointed.chosen {
+        state.explain.matrices.entry = chosen;
+    }
+    if state.explain.matrices.glow.is_seen(now) {
+        ui.ctx().request_repaint_after(Duration::from_millis(if state.settings.reduce_motion { 250 } else { 40 }));
+    }
+    copy(ui, t, matrix, &cells);
+    ui.separator();
+    let [row, column] = pointed.hovered.unwrap_or(state.explain.matrices.entry);
+    let name = entry_name(matrix, row, column);
+    let place = words::entry(t.lang, matrix.text(), row, column);
+    let heading = theme::lowered(ui, &place, &egui::TextStyle::Body, ui.visuals().strong_text_color());
+    ui.label(heading).accessible_name(place);
+    let formula = formulas.entry(row, column);
+    let lit = answer::show(ui, writing, &name, (formula, values[row][column]), &mut state.explain.matrices);
+    let lights = answer::lights(formula, lit);
+    used_in(ui, state, &setting, writing, (matrix, row, column));
+    state.hover.measured.extend(lights);
+}
+
+/// The note on the equation in force; where there is none, on the matrix.
+fn note_on(formulas: &MatrixFormula) -> &'static str {
+    notes::of_equation(formulas.equation).unwrap_or(notes::of_matrix(formulas.matrix))
+}
+
+/// The term with an entry in the trace of the followed point, with its numbers, in its row.
+fn used_in(
+    ui: &mut Ui,
+    state: &State,
+    setting: &Setting<'_>,
+    writing: Writing<'_>,
+    (matrix, row, column): (Matrix, usize, usize),
+) {
+    let points = &state.document.figure().points;
+    let Some(point) = state.follow.index(points).and_then(|index| points.get(index)) else { return };
+    let followed = setting.clone().with_point_seen_from_object(point.position);
+    for step in forward(&followed).into_iter().filter(|step| step.by == Some(matrix)) {
+        let (Some(symbol), Some(formula), Some(value)) =
+            (step.symbols.get(row), step.formulas.get(row), step.terms.get(row).and_then(|terms| terms.get(column)))
+        else {
+            continue;
+        };
+        let Some(term) = formula.terms().get(column).cloned() else { continue };
+        let writing = Writing { setting: &followed, ..writing };
+        ui.add_space(4.0);
+        let name = crate::sanitize::escaped(&point.name);
+        let said = words::used_in(writing.lang, &name, &symbol.text());
+        theme::wrapped(ui, &said, &egui::TextStyle::Small, ui.visuals().weak_text_color());
+        answer::term(ui, writing, &term, *value);
+    }
+}
+
+/// The choice of the matrix, of its inverse, and of its notation.
+fn choices(ui: &mut Ui, t: &'static Texts, state: &mut Matrices) {
+    ui.horizontal_wrapped(|ui| {
+        for matrix in Matrices::CHOICES {
+            let button = egui::Button::selectable(state.matrix == matrix, matrix_symbol(ui, matrix));
+            let button = ui.add(button.frame_when_inactive(true)).explained(words::matrix(t.lang, matrix));
+            help_topic(&button, notes::of_matrix(matrix));
+            button.widget_info(|| {
+                let on = state.matrix == matrix;
+                egui::WidgetInfo::selected(egui::Role::Button, true, on, matrix.text())
+            });
+            if button.clicked() {
+                state.matrix = matrix;
+            }
+        }
+        ui.checkbox(&mut state.inverse, t.inverse);
+    });
+    reading(ui, t, &mut state.reading);
+}
+
+/// The choice of the notation of entries.
+pub(in crate::gui::why) fn reading(ui: &mut Ui, t: &'static Texts, chosen: &mut Reading) {
+    ui.horizontal_wrapped(|ui| {
+        for (reading, name, hint) in [
+            (Reading::Formulas, t.formulas, t.formulas_hint),
+            (Reading::Numbers, t.numbers, t.numbers_hint),
+            (Reading::Values, t.values, t.values_hint),
+        ] {
+            ui.selectable_value(chosen, reading, name).explained(hint);
+        }
+    });
+}
+
+/// The symbol of a matrix, with subscripts lowered.
+fn matrix_symbol(ui: &Ui, matrix: Matrix) -> egui::text::LayoutJob {
+    theme::lowered(ui, &matrix.text().replace("_vp", "_{vp}"), &egui::TextStyle::Button, ui.visuals().text_color())
+}
+
+/// The matrix, the equation in force and its place, and the errata of the notes.
+fn heading(ui: &mut Ui, state: &State, setting: &Setting<'_>, formulas: &MatrixFormula) {
+    let lang = state.settings.lang;
+    let (t, ndc) = (window::texts(lang), setting.space().ndc());
+    ui.horizontal_wrapped(|ui| {
+        ui.label(words::matrix(lang, formulas.matrix));
+        let place = format!("[0] {} {}", formulas.section, formulas.equation);
+        let place = ui.label(RichText::new(place.trim_end()).weak()).explained(words::in_force(lang, formulas));
+        help_topic(&place, note_on(formulas));
+        if ndc != Ndc::default() {
+            ui.label(RichText::new(format!("· {}", conventions::name(lang, ndc))).weak());
+        }
+        let parallel = setting.space().camera().projection() == Projection::Parallel;
+        if parallel && formulas.matrix == Matrix::Projection && !formulas.equation.is_empty() {
+            erratum(ui, t, t.erratum_parallel);
+        }
+    });
+    let shown = state.settings.conventions;
+    if shown.row_vectors || shown.left_handed {
+        ui.label(RichText::new(words::texts(lang).as_in_the_notes).small().weak());
+    }
+}
+
+/// The program's own numbers; of matrices whose rows are of one size, without rounding errors of zero.
+fn values(setting: &Setting<'_>, matrix: Matrix, digits: usize) -> [[f64; 4]; 4] {
+    let rows = setting.matrix(matrix).transpose().to_cols_array_2d().map(|row| row.map(|x| x + 0.0));
+    let of_axes = matches!(matrix, Matrix::View | Matrix::InverseView | Matrix::Model | Matrix::InverseModel);
+    if !of_axes {
+        return rows;
+    }
+    rows.map(|row| {
+        let clean = without_rests(&row, digits);
+        std::array::from_fn(|j| clean[j])
+    })
+}
+
+/// p₁₁ of M_p; of an inverse, which has no letters of its own, the matrix with the place.
+fn entry_name(matrix: Matrix, row: usize, column: usize) -> Both {
+    let place = format!("{}{}", row + 1, column + 1);
+    let (latex, text) = (matrix.latex(), matrix.text());
+    let compound = text.contains(['⁻', ' ']) && !text.ends_with(')');
+    if compound {
+        Both { latex: format!(r"\left({latex}\right)_{{{place}}}"), text: format!("({text})_{place}") }
+    } else {
+        Both { latex: format!(r"\left({latex}\right)_{{{place}}}"), text: format!("{text}_{place}") }
+    }
+}
+
+/// The entries of the matrix called `name` as they are written; `glow` is the strength of an entry's glow, 0 … 1.
+pub(in crate::gui::why) fn cells(
+    state: &State,
+    writing: Writing<'_>,
+    (name, formulas, reading): (&str, &EntryFormula, Reading),
+    values: &[[f64; 4]; 4],
+    glow: impl Fn([usize; 2]) -> f64,
+) -> [[Cell; 4]; 4] {
+    let pointed = &state.hover.pointed;
+    let depends = |formula: &Formula| {
+        !pointed.is_empty() && leaves(formula, writing.setting).iter().any(|symbol| pointed.contains(symbol))
+    };
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            let formula = &formulas[i][j];
+            let Both { latex, text } = match reading {
+                Reading::Formulas => writing.formula(formula),
+                Reading::Numbers => writing.numbers(formula),
+                Reading::Values => writing.value(values[i][j]),
+            };
+            let name = format!("{}: {text}", words::entry(writing.lang, name, i, j));
+            let strength = glow([i, j]);
+            #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
+            let glow = if state.settings.reduce_motion { strength.ceil() } else { strength } as f32;
+            Cell { latex, text, name, depends: depends(formula), glow }
+        })
+    })
+}
+
+/// Copies the matrix as it is shown, as LaTeX and as text.
+fn copy(ui: &mut Ui, t: &'static Texts, matrix: Matrix, cells: &[[Cell; 4]; 4]) {
+    ui.horizontal_wrapped(|ui| {
+        if ui.button(t.copy_latex).explained(t.copy_latex_hint).clicked() {
+            let rows = cells.each_ref().map(|row| row.each_ref().map(|cell| cell.latex.as_str()).join(" & "));
+            let matrix = matrix.latex();
+            ui.ctx()
+                .copy_text(format!("{matrix} = \\begin{{bmatrix}}\n  {}\n\\end{{bmatrix}}\n", rows.join(" \\\\\n  ")));
+        }
+        if ui.button(t.copy_text).explained(t.copy_text_hint).clicked() {
+            let rows = cells.each_ref().map(|row| row.each_ref().map(|cell| cell.text.as_str()).join("\t"));
+            ui.ctx().copy_text(format!("{}\n{}\n", matrix.text(), rows.join("\n")));
+        }
+    });
+}

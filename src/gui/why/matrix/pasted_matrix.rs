@@ -1,0 +1,203 @@
+//! A matrix of another program → its camera: what it is, in whose axes, recognised or chosen.
+
+use eframe::egui::{self, RichText};
+
+use crate::camera::{
+    Axes, Camera, ImageSize, MatrixEntries, MatrixKind, Ndc, Parameters, Reading, Recognised, RecoveryError, Stated,
+    recognise,
+};
+use crate::explain::vocabulary::Vocabulary;
+use crate::gui::inspector::{choice, complaint, row};
+use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::State;
+use crate::gui::why::context_help::help_topic;
+use crate::i18n::dialects::{self, Texts};
+use crate::i18n::window;
+use crate::limits::{MAX_ANSWER, MAX_SIDE};
+
+/// The note on a pasted matrix.
+pub(in crate::gui::why) const fn note_on_matrix(kind: Option<MatrixKind>) -> &'static str {
+    match kind {
+        Some(MatrixKind::View) => "M_v",
+        Some(MatrixKind::CameraToWorld) | None => "inverse",
+        Some(MatrixKind::Projection) => "M_p",
+        Some(MatrixKind::ViewProjection) => "M_pM_v",
+        Some(MatrixKind::Pinhole) => "K",
+    }
+}
+
+/// Takes parameters over. Where they have an aspect of their own, it no longer follows the image.
+pub(in crate::gui::why) fn take(state: &mut State, parameters: Parameters) {
+    let own = parameters.window.is_none() && parameters.aspect.to_bits() != state.document.draft().aspect.to_bits();
+    state.settings.aspect_follows_image &= !own;
+    state.document.set_parameters(parameters);
+}
+
+/// Shows a field for a matrix, and the camera that has it.
+pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
+    let lang = state.settings.lang;
+    let t = dialects::texts(lang);
+    ui.label(RichText::new(t.pasted_hint).weak());
+    choices(ui, state, t);
+    let pasted = &mut state.explain.pasted;
+    let hint = "1 0 0 0\n0 1 0 0\n0 0 -1 0\n0 0 0 1";
+    let field = TextField::lines(&mut pasted.text, MAX_ANSWER).with(|edit| {
+        let edit = edit.desired_rows(4).desired_width(f32::INFINITY);
+        edit.hint_text(hint).font(egui::TextStyle::Monospace)
+    });
+    let field = field.show(ui, lang).accessible_name(t.pasted);
+    help_topic(&field, note_on_matrix(pasted.kind));
+    if pasted.text.trim().is_empty() {
+        return;
+    }
+    let entries = match MatrixEntries::read(&pasted.text) {
+        Ok(entries) => entries,
+        Err(fault) => return complaint(ui, &dialects::unreadable(lang, &fault)),
+    };
+    let stated = stated(state);
+    match recognise(&entries, &stated, state.document.draft()) {
+        Err(error) => refused(ui, state, &entries, &stated, &error),
+        Ok(found) => recognised(ui, state, t, &found),
+    }
+}
+
+/// The part of the reading that is chosen.
+fn stated(state: &State) -> Stated {
+    let pasted = &state.explain.pasted;
+    Stated {
+        kind: pasted.kind,
+        axes: pasted.axes,
+        by_columns: pasted.transposed,
+        ndc: state.settings.conventions.ndc,
+        image: pasted.image.unwrap_or(state.document.figure().image),
+    }
+}
+
+/// Its kind, its axes, and how it is written.
+fn choices(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+    let pasted = &mut state.explain.pasted;
+    let mut kinds = vec![(None, t.recognise)];
+    kinds.extend(MatrixKind::ALL.map(|kind| (Some(kind), dialects::kind(t.lang, kind))));
+    row(ui, "", t.kind, t.kind_hint, |ui| choice(ui, t.kind, t.kind_hint, &mut pasted.kind, &kinds));
+    if pasted.kind.is_none_or(MatrixKind::has_pose) {
+        let mut axes = vec![(None, t.recognise)];
+        axes.extend(Axes::ALL.map(|axes| (Some(axes), dialects::axes(axes))));
+        row(ui, "", t.axes, t.axes_hint, |ui| choice(ui, t.axes, t.axes_hint, &mut pasted.axes, &axes));
+    }
+    ui.checkbox(&mut pasted.transposed, t.transposed).explained(t.transposed_hint);
+}
+
+/// Why it is not the matrix of a camera, and as what it would be.
+fn refused(ui: &mut egui::Ui, state: &mut State, entries: &MatrixEntries, stated: &Stated, error: &RecoveryError) {
+    let lang = state.settings.lang;
+    complaint(ui, &dialects::recovery_error(lang, error));
+    if matches!(error, RecoveryError::Depths { .. }) || stated.kind.is_none() {
+        return;
+    }
+    // The other way of writing matrices is the usual reason, the kind the next one.
+    let turned = Stated { by_columns: !stated.by_columns, ..*stated };
+    if recognise(entries, &turned, state.document.draft()).is_ok() {
+        ui.label(dialects::texts(lang).try_transposed);
+        return;
+    }
+    let open = Stated { kind: None, axes: None, by_columns: false, ..*stated };
+    if let Ok(found) = recognise(entries, &open, state.document.draft()) {
+        read_as(ui, state, &[found.reading.kind]);
+    }
+}
+
+/// How it was read, what it leaves open, and its camera.
+fn recognised(ui: &mut egui::Ui, state: &mut State, t: &Texts, found: &Recognised) {
+    let (lang, reading) = (t.lang, found.reading);
+    let pasted = &state.explain.pasted;
+    if pasted.kind.is_none() || pasted.axes.is_none() && reading.kind.has_camera_axes() {
+        ui.label(dialects::reading(lang, &reading, found.by_columns && !pasted.transposed, found.evidence));
+    }
+    read_as(ui, state, &found.others);
+    if reading.kind == MatrixKind::Pinhole {
+        image(ui, state, t);
+    } else if reading.ndc != Ndc::default()
+        && matches!(reading.kind, MatrixKind::Projection | MatrixKind::ViewProjection)
+    {
+        ui.label(RichText::new(format!("{} {}", t.read_as, reading.ndc.name())).small());
+    }
+    for unknown in &found.found.unknown {
+        ui.label(RichText::new(format!("• {}", dialects::unknown(lang, *unknown))).small());
+    }
+    if let Ok(camera) = Camera::new(&found.found.parameters) {
+        camera_found(ui, state, &camera, &found.reading);
+    }
+    if ui.button(t.take).explained(t.take_hint).clicked() {
+        if reading.kind == MatrixKind::Pinhole && reading.image != state.document.figure().image {
+            state.document.edit(|figure| figure.image = reading.image);
+        }
+        take(state, found.found.parameters);
+    }
+}
+
+/// A button for each other kind as which it gives a camera.
+fn read_as(ui: &mut egui::Ui, state: &mut State, others: &[MatrixKind]) {
+    let t = dialects::texts(state.settings.lang);
+    if others.is_empty() {
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.label(t.instead);
+        for kind in others {
+            if ui.button(dialects::kind(t.lang, *kind)).explained(t.instead_hint).clicked() {
+                state.explain.pasted.kind = Some(*kind);
+            }
+        }
+    });
+}
+
+/// The size of the image that K is for.
+fn image(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+    let own = state.document.figure().image;
+    let old = state.explain.pasted.image.unwrap_or(own);
+    let mut sides = [old.width, old.height].map(f64::from);
+    row(ui, "m × n", t.image, t.image_hint, |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for (name, side) in ["m", "n"].into_iter().zip(&mut sides) {
+            let field = NumberField::new(format!("{} {name}", t.image), Step::Add(16.0))
+                .whole()
+                .within(1.0..=f64::from(MAX_SIDE));
+            field.hint(t.image_hint).width(62.0).show(ui, window::texts(t.lang), side);
+        }
+    });
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the fields take whole numbers that fit"
+    )]
+    let [width, height] = sides.map(|side| side as u32);
+    let new = ImageSize { width, height };
+    if new != old {
+        state.explain.pasted.image = (new != own).then_some(new);
+    }
+}
+
+/// C, DOP and, for K, its numbers: to be compared with those of the program.
+fn camera_found(ui: &mut egui::Ui, state: &State, camera: &Camera, reading: &Reading) {
+    let (mark, digits) = (state.settings.lang.mark(), state.settings.digits);
+    let mut lines = Vec::new();
+    if reading.kind.has_pose() {
+        for (name, vector) in [("C", camera.position()), ("DOP", camera.direction_of_projection())] {
+            lines.push(format!("{name} = {}", mark.tuple(&vector.to_array(), digits)));
+        }
+    }
+    if reading.kind == MatrixKind::Pinhole
+        && let Ok(vocabulary) = Vocabulary::Pinhole.lines(camera, reading.image)
+    {
+        let numbers = vocabulary.iter().filter(|line| line.name == "K").flat_map(|line| &line.arguments);
+        let numbers = numbers.filter(|argument| argument.name != "skew");
+        lines.push(
+            numbers.map(|a| format!("{} = {}", a.name, mark.number(a.value, digits))).collect::<Vec<_>>().join(", "),
+        );
+    }
+    for line in lines {
+        ui.label(RichText::new(line).monospace().small());
+    }
+}

@@ -1,0 +1,193 @@
+//! The side of explanations, in the place of operations and numbers: four questions, and what answers each.
+//!
+//! An explanation is a variant of [`Explanation`], its row in `QUESTIONS` and a file here with `fn ui`. Only the one
+//! that is shown computes anything.
+
+mod answer;
+mod arithmetic;
+mod clipping;
+pub(super) mod context_help;
+mod depth;
+mod hidden_surfaces;
+mod homogeneous;
+pub(super) mod matrix;
+mod measures;
+mod notes;
+mod order;
+mod order_list;
+mod point;
+mod stages;
+pub(super) mod state;
+mod steps;
+mod subject;
+mod triangle;
+
+use eframe::egui::{self, Button, RichText, TextStyle, Ui, vec2};
+
+pub(in crate::gui) use subject::object_transform;
+
+use super::state::{Question, State};
+use crate::figure::Explanation;
+use crate::gui::app::focus::keep_in_sight;
+use crate::gui::kit::elide;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::exercises;
+use crate::i18n::explain::{self, Texts};
+pub(super) use triangle::clicked;
+
+/// A name and a hint.
+type Words = fn(&Texts) -> (&'static str, &'static str);
+
+/// A question, and the explanations that answer it.
+struct QuestionRow {
+    question: Question,
+    words: Words,
+    answers: &'static [ExplanationRow],
+}
+
+/// An explanation: its name, its purpose, and its content.
+struct ExplanationRow {
+    explanation: Explanation,
+    words: Words,
+    /// The part that stays in sight while the rest is scrolled.
+    head: Option<fn(&mut Ui, &mut State)>,
+    ui: fn(&mut Ui, &mut State),
+}
+
+impl ExplanationRow {
+    /// An explanation of which everything scrolls.
+    const fn new(explanation: Explanation, words: Words, ui: fn(&mut Ui, &mut State)) -> Self {
+        Self { explanation, words, head: None, ui }
+    }
+}
+
+/// The questions and their explanations, in the order in which they are read.
+const QUESTIONS: &[QuestionRow] = &[
+    QuestionRow {
+        question: Question::Where,
+        words: |t| (t.question_where, t.question_where_hint),
+        answers: &[
+            ExplanationRow::new(Explanation::Matrices, |t| (t.matrices, t.matrices_hint), matrix::matrices::ui),
+            ExplanationRow::new(Explanation::Point, |t| (t.point, t.point_hint), point::ui),
+            ExplanationRow::new(Explanation::Homogeneous, |t| (t.homogeneous, t.homogeneous_hint), homogeneous::ui),
+            ExplanationRow {
+                head: Some(order::head),
+                ..ExplanationRow::new(Explanation::Order, |t| (t.order, t.order_hint), order::ui)
+            },
+        ],
+    },
+    QuestionRow {
+        question: Question::Happens,
+        words: |t| (t.question_happens, t.question_happens_hint),
+        answers: &[
+            ExplanationRow::new(Explanation::Steps, |t| (t.steps, t.steps_hint), steps::ui),
+            ExplanationRow::new(Explanation::Stages, |t| (t.stages, t.stages_hint), stages::ui),
+            ExplanationRow::new(Explanation::Triangle, |t| (t.triangle, t.triangle_hint), triangle::ui),
+            ExplanationRow::new(
+                Explanation::HiddenSurfaces,
+                |t| (t.hidden_surfaces, t.hidden_surfaces_hint),
+                hidden_surfaces::ui,
+            ),
+            ExplanationRow::new(Explanation::Clipping, |t| (t.clipping, t.clipping_hint), clipping::ui),
+            ExplanationRow::new(Explanation::Depth, |t| (t.depth, t.depth_hint), depth::ui),
+        ],
+    },
+    QuestionRow {
+        question: Question::Called,
+        words: |t| (t.question_called, t.question_called_hint),
+        answers: &[
+            ExplanationRow::new(Explanation::Dialects, |t| (t.dialects, t.dialects_hint), matrix::dialects::ui),
+            ExplanationRow::new(Explanation::Code, |t| (t.code, t.code_hint), matrix::code::ui),
+            ExplanationRow::new(
+                Explanation::Conventions,
+                |t| (t.conventions, t.conventions_hint),
+                matrix::conventions::ui,
+            ),
+        ],
+    },
+    QuestionRow {
+        question: Question::Able,
+        words: |t| (t.question_able, t.question_able_hint),
+        answers: &[
+            ExplanationRow {
+                head: Some(exercises::head),
+                ..ExplanationRow::new(Explanation::Exercises, |t| (t.exercises, t.exercises_hint), exercises::ui)
+            },
+            ExplanationRow::new(Explanation::Notes, |t| (t.notes, t.notes_hint), notes::ui),
+        ],
+    },
+];
+
+/// Name and purpose of each explanation, with its question.
+pub(super) fn all(t: &Texts) -> impl Iterator<Item = (Explanation, &'static str, (&'static str, &'static str))> {
+    QUESTIONS.iter().flat_map(move |row| {
+        let question = (row.words)(t).0;
+        row.answers.iter().map(move |answer| (answer.explanation, question, (answer.words)(t)))
+    })
+}
+
+/// Shows the questions, the explanations of the one that is open, and the explanation that is chosen.
+pub fn ui(ui: &mut Ui, state: &mut State) {
+    let t = explain::texts(state.settings.lang);
+    ui.add_space(2.0);
+    questions(ui, t, state);
+    let Some(question) = QUESTIONS.iter().find(|row| row.question == state.explain.question()) else { return };
+    ui.horizontal_wrapped(|ui| {
+        for row in question.answers {
+            let (name, hint) = (row.words)(t);
+            let chosen = state.explain.shown() == row.explanation;
+            let button = Button::selectable(chosen, name).frame_when_inactive(true);
+            if ui.add(button).explained(hint).clicked() {
+                state.explain.show(row.explanation);
+            }
+        }
+    });
+    ui.add_space(2.0);
+    let Some(row) = question.answers.iter().find(|row| row.explanation == state.explain.shown()) else { return };
+    if let Some(head) = row.head {
+        head(ui, state);
+        ui.separator();
+    }
+    egui::ScrollArea::vertical().id_salt(("explain", row.explanation)).auto_shrink(false).show(ui, |ui| {
+        (row.ui)(ui, state);
+        keep_in_sight(ui);
+    });
+}
+
+/// Beside the name of a question on its button, in points.
+const PADDING: f32 = 3.0;
+
+/// The four questions, two in a row; each opens at the explanation that was read last.
+fn questions(ui: &mut Ui, t: &Texts, state: &mut State) {
+    let gap = 4.0;
+    let (room, height) = (ui.available_width() - gap, ui.spacing().interact_size.y);
+    let font = TextStyle::Small;
+    let names = |column: usize| QUESTIONS.iter().skip(column).step_by(2).map(|row| (row.words)(t).0);
+    let widest = [0, 1].map(|column| {
+        let widths = names(column).map(|name| elide::width(ui, &font.resolve(ui.style()), name) + 2.0 * PADDING);
+        widths.fold(1.0, f32::max)
+    });
+    // A column is as wide as its longest name asks for.
+    let shares = widest.map(|width| width / (widest[0] + widest[1]));
+    let wraps = widest[0] + widest[1] > room;
+    // Where one name needs two lines, all buttons are as high.
+    let height = if wraps { 2.0 * ui.text_style_height(&font) + 2.0 * ui.spacing().button_padding.y } else { height };
+    for two in QUESTIONS.chunks(2) {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            ui.spacing_mut().button_padding.x = PADDING;
+            for (row, share) in two.iter().zip(shares) {
+                let size = vec2((room * share).floor(), height);
+                let (name, hint) = (row.words)(t);
+                let open = state.explain.question() == row.question;
+                let text = RichText::new(name).text_style(font.clone());
+                let text = if open { text.strong() } else { text };
+                let button = Button::selectable(open, text).frame_when_inactive(true).wrap().min_size(size);
+                if ui.add_sized(size, button).explained(hint).clicked() {
+                    state.explain.ask(row.question);
+                }
+            }
+        });
+    }
+    ui.separator();
+}

@@ -1,0 +1,247 @@
+//! The tab that follows a point: which one, where it is in every space, and its whole way with the arithmetic.
+
+use eframe::egui::{self, Key, RichText};
+use glam::{DVec2, DVec3};
+
+use super::arithmetic;
+use super::subject::ExplainedSetting;
+use crate::camera::{NotProjectable, Place};
+use crate::explain::{Component, Setting, Symbol};
+use crate::figure::points::may_be_named;
+use crate::gui::inspector::complaint;
+use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::{Space, State};
+use crate::gui::why::context_help::help_topic_row;
+use crate::i18n::explain_point::{self, Texts};
+use crate::i18n::{messages, notes, window};
+use crate::limits::{MAX_NAMED_POINTS, MAX_TYPED_NAME};
+use crate::sanitize::escaped;
+use crate::views::{Probe, shadows_at, texel_at};
+
+/// Shows the tab.
+pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
+    let t = explain_point::texts(state.settings.lang);
+    choose(ui, state, t);
+    let Some(index) = state.follow.index(&state.document.figure().points) else {
+        ui.add(egui::Label::new(t.no_points).wrap());
+        return;
+    };
+    name(ui, state, t, index);
+    let position = state.document.figure().points[index].position;
+    let subject = ExplainedSetting::of(state);
+    let setting = subject.setting(state).with_point_seen_from_object(position);
+    let moved = places(ui, state, t, &setting);
+    if let Some(position) = moved {
+        state.document.edit(|figure| figure.points[index].position = position);
+        ui.ctx().request_repaint();
+    }
+    ui.separator();
+    let name = state.document.figure().points[index].name.clone();
+    arithmetic::ui(ui, &setting, &name, (t, state.settings.digits));
+    texture(ui, state, position);
+    shadows(ui, state, position);
+}
+
+/// The depths that each light with shadows compares at the point.
+fn shadows(ui: &mut egui::Ui, state: &State, position: DVec3) {
+    let (lang, digits) = (state.settings.lang, state.settings.digits);
+    for at in shadows_at(state.scene_cache.scene(), position) {
+        let label = ui.add(egui::Label::new(explain_point::in_shadow(lang, &at, digits)).wrap());
+        help_topic_row(ui, label.rect, "stage-shadow");
+    }
+}
+
+/// The place of the point in a texture, where it is on a surface that has one.
+fn texture(ui: &mut egui::Ui, state: &State, position: DVec3) {
+    let (lang, digits) = (state.settings.lang, state.settings.digits);
+    let Some(at) = texel_at(state.scene_cache.scene(), state.document.camera(), position) else { return };
+    let label = ui.add(egui::Label::new(explain_point::on_texture(lang, &at, digits)).wrap());
+    help_topic_row(ui, label.rect, "stage-texture");
+}
+
+/// The points, one of them chosen; and the buttons that add and delete them.
+fn choose(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+    let points = state.document.figure().points.clone();
+    let chosen = state.follow.index(&points);
+    ui.horizontal_wrapped(|ui| {
+        for (i, point) in points.iter().enumerate() {
+            let button = egui::Button::selectable(chosen == Some(i), escaped(&point.name)).frame_when_inactive(true);
+            if ui.add(button).clicked() {
+                state.follow.choose(&point.name);
+            }
+        }
+        let is_room = points.len() < MAX_NAMED_POINTS;
+        let add = ui.add_enabled(is_room, egui::Button::new(t.add));
+        if add.explained(t.add_hint).explained_disabled(t.too_many).clicked() {
+            let at = match state.probe {
+                Some(Probe::Point(p)) => p,
+                Some(Probe::Window(_)) | None => state.document.camera().focal_point(),
+            };
+            // One more at the same place, rather than the one that is there.
+            let taken = points.iter().any(|point| point.position == at);
+            let step = DVec3::X * (0.1 * state.document.camera().distance());
+            state.follow_point(if taken { at + step } else { at });
+        }
+        if let Some(index) = chosen
+            && ui.button(t.delete).explained(t.delete_hint).clicked()
+        {
+            state.document.edit(|figure| drop(figure.points.remove(index)));
+            state.follow = Default::default();
+        }
+    });
+}
+
+/// The field of the name: it takes effect with Enter, or when it is left; one that is wrong stays with its reason until
+/// it is mended.
+fn name(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
+    let points = &state.document.figure().points;
+    let old = points[index].name.clone();
+    let kept = state.follow.typing.take().filter(|(of, ..)| *of == old);
+    let (_, mut text, was_left) = kept.unwrap_or_else(|| (old.clone(), old.clone(), false));
+    let field = TextField::line(&mut text, MAX_TYPED_NAME);
+    let field = field.with(|edit| edit.id(egui::Id::unique(("point name", &old))).desired_width(150.0));
+    let response = field.show(ui, state.settings.lang).explained(t.name_hint).accessible_name(t.name);
+    let left = response.lost_focus();
+    let wanted = text.trim().to_owned();
+    if wanted == old || left && ui.input(|input| input.key_pressed(Key::Escape)) {
+        if response.has_focus() {
+            state.follow.typing = Some((old, text, false));
+        }
+        return;
+    }
+    let others = points.iter().filter(|point| point.name != old);
+    let good = may_be_named(&wanted, others);
+    if good && left {
+        state.document.edit(|figure| figure.points[index].name.clone_from(&wanted));
+        state.follow.choose(&wanted);
+        return;
+    }
+    if !good && (left || was_left) {
+        complaint(ui, if wanted.is_empty() { t.name_empty } else { t.name_taken });
+    }
+    state.follow.typing = Some((old, text, left || was_left));
+}
+
+/// The coordinates in one space: their name, and their symbols.
+struct TraceRow {
+    space: Space,
+    name: &'static str,
+    more: &'static str,
+    fields: [(&'static str, Symbol); 3],
+    whole: bool,
+}
+
+fn rows(t: &Texts, setting: &Setting<'_>) -> Vec<TraceRow> {
+    use Component::{X, Y, Z};
+    let row = |space, name, more, fields| TraceRow { space, name, more, fields, whole: space == Space::Pixel };
+    let three = |names: [&'static str; 3], symbol: fn(Component) -> Symbol| {
+        [(names[0], symbol(X)), (names[1], symbol(Y)), (names[2], symbol(Z))]
+    };
+    let mut rows = vec![
+        row(Space::World, t.world, "", three(["x", "y", "z"], Symbol::World)),
+        row(Space::View, t.view, "", three(["x_c", "y_c", "z_c"], Symbol::View)),
+        row(Space::Ndc, t.ndc, "", three(["x_n", "y_n", "z_n"], Symbol::Ndc)),
+        row(
+            Space::Window,
+            t.window,
+            t.window_and_depth,
+            [("x_p", Symbol::Window(X)), ("y_p", Symbol::Window(Y)), ("−z_c", Symbol::View(Z))],
+        ),
+        row(
+            Space::Pixel,
+            t.pixel,
+            t.pixel_and_depth,
+            [("i", Symbol::Pixel(X)), ("j", Symbol::Pixel(Y)), ("Z", Symbol::Viewport(Z))],
+        ),
+    ];
+    if setting.local().is_some() {
+        let fields = three(["x_o", "y_o", "z_o"], Symbol::Local);
+        rows.insert(0, row(Space::Local, t.local, t.local_of, fields));
+    }
+    rows
+}
+
+/// The point in each of its spaces, to be typed; where it goes when something was.
+fn places(ui: &mut egui::Ui, state: &mut State, t: &Texts, setting: &Setting<'_>) -> Option<DVec3> {
+    let words = window::texts(state.settings.lang);
+    let step = crate::numbers::power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0);
+    let mut moved = None;
+    for row in rows(t, setting) {
+        let caption = if row.more.is_empty() { row.name.to_owned() } else { format!("{} {}", row.name, row.more) };
+        ui.label(RichText::new(caption).small().weak());
+        let before = values(&row, setting);
+        if before.iter().any(|x| !x.is_finite()) {
+            ui.label(t.no_image);
+            continue;
+        }
+        let mut after = before;
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            let width = ((ui.available_width() - 8.0) / 3.0).floor();
+            for (k, ((symbol, of), value)) in row.fields.iter().zip(&mut after).enumerate() {
+                let small = matches!(row.space, Space::Ndc) || (row.space == Space::Pixel && k == 2);
+                let whole = row.whole && k < 2;
+                let step = if small {
+                    0.01
+                } else if whole {
+                    1.0
+                } else {
+                    step
+                };
+                let field = NumberField::new(format!("{} {symbol}", row.name), Step::Add(step));
+                let field = if whole { field.whole() } else { field };
+                let field = field.of("point").prefix(symbol).hint(t.typed_hint).width(width);
+                let shown = ui.scope(|ui| drop(field.show(ui, words, value)));
+                help_topic_row(ui, shown.response.rect, notes::of_symbol(*of));
+            }
+        });
+        if after != before {
+            match place(row.space, after, setting) {
+                Ok(world) => {
+                    moved = Some(world);
+                    state.follow.refused = None;
+                }
+                Err(why) => state.follow.refused = Some((row.space, why)),
+            }
+        }
+        if let Some((_, why)) = state.follow.refused.filter(|(space, _)| *space == row.space) {
+            complaint(ui, &messages::no_way_back(state.settings.lang, why));
+            if row.space == Space::Pixel && matches!(why, NotProjectable::BeyondInfinity { .. }) {
+                ui.add(egui::Label::new(RichText::new(t.behind_pixel).small().weak()).wrap());
+            }
+        }
+    }
+    moved
+}
+
+/// The coordinates as in the fields: of view coordinates beside the window, the distance.
+fn values(row: &TraceRow, setting: &Setting<'_>) -> [f64; 3] {
+    let mut values = row.fields.map(|(_, symbol)| setting.value(symbol));
+    if row.space == Space::Window {
+        values[2] = 0.0 - values[2];
+    }
+    values
+}
+
+/// The point of the world that has these coordinates in a space.
+fn place(space: Space, [x, y, z]: [f64; 3], setting: &Setting<'_>) -> Result<DVec3, NotProjectable> {
+    let p = DVec3::new(x, y, z);
+    let place = match space {
+        Space::Local => {
+            let placed = setting.placement().map_or(p, |placement| placement.world_from_object.transform_point3(p));
+            Place::World(placed)
+        }
+        Space::World => Place::World(p),
+        Space::View => Place::View(p),
+        Space::Ndc => Place::Ndc(p),
+        Space::Window => Place::Window(DVec2::new(x, y), z),
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "whole numbers; beyond i64 they saturate, and are refused as too large"
+        )]
+        Space::Pixel => Place::Pixel([x as i64, y as i64], z),
+    };
+    setting.space().world_of(setting.image(), &setting.viewport(), place)
+}

@@ -1,0 +1,54 @@
+//! Stages: each stage of the pipeline with what it did; a click shows its input and output in the picture.
+
+use eframe::egui::{self, RichText, Ui};
+
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::state::State;
+use crate::gui::why::context_help::help_topic;
+use crate::i18n::sources::with_titles;
+use crate::i18n::{notes, pipeline, stages};
+use crate::pipeline::Stage;
+
+/// Shows them.
+pub(super) fn ui(ui: &mut Ui, state: &mut State) {
+    let t = stages::texts(state.settings.lang);
+    shown(ui, t, state);
+    ui.separator();
+    list(ui, t, state);
+    ui.checkbox(&mut state.layout.strip, t.strip).explained(t.strip_hint);
+}
+
+/// The stage that is shown: its name, its purpose, and its report, or the reason why it was left out.
+fn shown(ui: &mut Ui, t: &stages::Texts, state: &State) {
+    let Some(stage) = state.shown_stage() else {
+        ui.label(RichText::new(t.none_shown).weak());
+        return;
+    };
+    let lang = state.settings.lang;
+    ui.label(RichText::new(format!("{}: {}", t.shown, pipeline::stage(lang, stage))).strong());
+    ui.label(with_titles(pipeline::purpose(lang, stage)));
+    if let Some(report) = state.explain.reports.iter().find(|report| report.stage == stage) {
+        ui.label(pipeline::line(lang, report));
+        if report.ran {
+            ui.label(RichText::new(stages::in_and_out(t, stage)).weak());
+        }
+    }
+}
+
+/// All stages; a click shows one in the picture of the strip.
+fn list(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
+    let lang = state.settings.lang;
+    for (i, stage) in Stage::ALL.into_iter().enumerate() {
+        let name = pipeline::stage(lang, stage);
+        let report = state.explain.reports.iter().find(|report| report.stage == stage);
+        let text = RichText::new(format!("{}. {name}", i + 1));
+        let text = if report.is_some_and(|report| !report.ran) { text.strikethrough().weak() } else { text };
+        let button = egui::Button::selectable(state.shown_stage() == Some(stage), text);
+        let response = ui.add(button);
+        help_topic(&response, notes::of_stage(stage));
+        let said = report.map(|report| pipeline::line(lang, report)).unwrap_or_default();
+        if response.explained(format!("{}\n{said}\n{}", pipeline::purpose(lang, stage), t.show)).clicked() {
+            state.toggle_stage(stage);
+        }
+    }
+}

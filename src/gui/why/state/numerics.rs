@@ -1,0 +1,117 @@
+//! The studies of error against run time: the one shown, the results, and the thread that measures.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use eframe::egui;
+
+use crate::gui::background::memo::Latest;
+use crate::gui::background::worker::Running;
+use crate::numerics::{self, Effort, Findings, Study};
+use crate::progress::Progress;
+
+/// The panel of studies.
+#[derive(Debug)]
+pub struct Numerics {
+    /// The panel is shown.
+    pub shown: bool,
+    /// The study that is shown.
+    pub study: Study,
+    /// The case, by its index.
+    pub case: usize,
+    /// Error over time, rather than over the parameter.
+    pub over_time: bool,
+    /// The parameter of the table, by its index; `None`: the stiffest.
+    pub parameter: Option<usize>,
+    /// The effort of a run.
+    pub effort: Effort,
+    found: BTreeMap<&'static str, Findings>,
+    /// The study that was begun by itself last.
+    begun: Option<Study>,
+    measured: Latest<(Study, Effort), Findings>,
+}
+
+impl Default for Numerics {
+    fn default() -> Self {
+        Self {
+            shown: false,
+            study: Study::VertexTransform,
+            case: 0,
+            over_time: false,
+            parameter: None,
+            effort: Effort { seed: 1, seconds: 3.0, thorough: true },
+            found: BTreeMap::new(),
+            begun: None,
+            measured: Latest::new("numerics", || {
+                async |(study, effort): &(Study, Effort), progress: &Progress| {
+                    numerics::run(*study, effort, progress).await
+                }
+            }),
+        }
+    }
+}
+
+impl Numerics {
+    /// Measures the study that is shown, beside the window's thread.
+    pub fn measure(&mut self, ctx: &egui::Context) {
+        self.measured.ask_again(ctx, (self.study, self.effort));
+    }
+
+    /// Begins the study that is shown, once, where it has not been measured; one that runs makes room for it.
+    pub(in crate::gui) fn begin(&mut self, ctx: &egui::Context) {
+        if self.begun != Some(self.study) && self.found(self.study).is_none() {
+            self.begun = Some(self.study);
+            self.measure(ctx);
+        }
+    }
+
+    /// Cancels the running study.
+    pub fn cancel(&mut self) {
+        self.measured.stop();
+        self.measured.give_up();
+    }
+
+    /// The study that is being measured, and which share of it is done.
+    #[must_use]
+    pub fn measuring(&self) -> Option<(Study, Option<f32>)> {
+        let share = self.measured.running().and_then(|Running { now, .. }| now).and_then(|(_, share)| share);
+        self.measured.waiting().map(|(study, _)| (*study, share))
+    }
+
+    /// The results of a study.
+    #[must_use]
+    pub fn found(&self, study: Study) -> Option<&Findings> {
+        self.found.get(study.name())
+    }
+
+    /// Takes results. Waits up to `patience`.
+    pub fn take(&mut self, patience: Duration) {
+        if let Some(((study, _), findings)) = self.measured.take(patience) {
+            self.found.insert(study.name(), findings);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The one that was given up comes to its end later, and says nothing of the one that is wanted now.
+    #[test]
+    fn a_study_that_is_given_up_and_begun_again_is_measured_until_it_is_found() {
+        let ctx = egui::Context::default();
+        let mut numerics = Numerics {
+            study: Study::Basis,
+            effort: Effort { seed: 1, seconds: 0.0, thorough: false },
+            ..Numerics::default()
+        };
+        numerics.measure(&ctx);
+        numerics.cancel();
+        numerics.measure(&ctx);
+        while numerics.found(Study::Basis).is_none() {
+            assert!(numerics.measuring().is_some(), "the button would measure it a second time");
+            numerics.take(Duration::from_secs(60));
+        }
+        assert!(numerics.measuring().is_none());
+    }
+}
