@@ -3,7 +3,8 @@
 
 use camera_lab::camera::Camera;
 use camera_lab::figure::{read, write};
-use camera_lab::i18n::{Lang, lessons};
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::learn::lessons;
 use camera_lab::lessons::{Part, Passage, Task, parse, place};
 
 const HEAD: &str = "\

@@ -4,10 +4,11 @@ use serde::Serialize;
 
 use super::args::AccuracyArgs;
 use super::render::save;
-use super::words::{DataFormat, LangArg};
 use super::{Failure, print, progress};
+use crate::cli::args::words::{DataFormat, LangArg};
 use crate::export::plot::{self, Block};
-use crate::i18n::{Lang, numerics as words};
+use crate::i18n::Lang;
+use crate::i18n::why::numerics as words;
 use crate::numerics::overhead::{self, Price};
 use crate::numerics::{self, Effort, Findings, Row, Study};
 use crate::progress::at_once;

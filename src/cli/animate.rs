@@ -3,9 +3,9 @@
 
 use super::args::AnimateArgs;
 use super::render::{no_picture, save};
-use super::words::LangArg;
 use super::{Failure, OpenFigure, progress, say, sweep};
 use crate::camera::ImageSize;
+use crate::cli::args::words::LangArg;
 use crate::figure::update;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{Animation, FilmFormat, PictureFile};

@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use super::args::BenchArgs;
 use super::render::no_picture;
-use super::words::TableFormat;
 use super::{Failure, OpenFigure, print};
+use crate::cli::args::words::TableFormat;
 use crate::clock;
 use crate::i18n::{Lang, command_line as texts, messages};
 use crate::picture::{Composite, Pixels, Renderer};

@@ -3,12 +3,13 @@
 use super::args::CodeArgs;
 use super::{Failure, open, print};
 use crate::explain::Setting;
-use crate::i18n::{Lang, code as texts};
+use crate::i18n::Lang;
+use crate::i18n::why::code as texts;
 
 pub(super) fn run(args: &CodeArgs, lang: Lang) -> Result<(), Failure> {
     let (opened, camera) = open(&args.figure, &args.common, lang)?;
     let setting = Setting::new(camera.notes_clip_space(), opened.figure.image, opened.figure.viewport);
-    let written = args.common.lang.map_or(Lang::En, super::words::LangArg::lang);
+    let written = args.common.lang.map_or(Lang::En, crate::cli::args::words::LangArg::lang);
     let comments = texts::comments(written, args.target, &args.target.conventions(&camera));
     print(args.target.code(&setting, &comments).as_bytes(), lang)
 }

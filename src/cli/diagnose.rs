@@ -6,12 +6,13 @@ use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
 use super::args::DiagnoseArgs;
-use super::words::{LangArg, TableFormat};
 use super::{Failure, OpenFigure, print, progress, say, scene};
 use crate::camera::{Camera, CameraError};
+use crate::cli::args::words::{LangArg, TableFormat};
 use crate::figure::{Figure, update};
 use crate::files::{self, Opened, Overwrite};
-use crate::i18n::{Lang, coach, messages};
+use crate::i18n::window::coach;
+use crate::i18n::{Lang, messages};
 use crate::numerics::diagnosis::{
     Diagnosis, Finding, ImageSpec, ImpossibleCamera, Repair, Value, WrongPixels, diagnose, impossible_camera,
 };

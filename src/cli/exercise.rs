@@ -6,18 +6,20 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
-use super::exercise_args::{CheckArgs, ExerciseArgs, ExerciseCommand, ListArgs, NumbersArgs, SheetArgs, ShowArgs};
 use super::render::no_picture;
-use super::words::{LangArg, TableFormat};
 use super::{Failure, print, say};
 use crate::camera::Camera;
+use crate::cli::args::exercise::{
+    CheckArgs, ExerciseArgs, ExerciseCommand, ListArgs, NumbersArgs, SheetArgs, ShowArgs,
+};
+use crate::cli::args::words::{LangArg, TableFormat};
 use crate::exercises::{self, Answer, AnswerError, Ask, Cause, Entry, Exercise, Expected, Judged, Kind};
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, BadExercise, Overwrite, OwnExercises};
-use crate::i18n::{
-    Lang, exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, messages, notes, pictures,
-};
+use crate::i18n::learn::{exercise_messages as said, exercise_sheet as sheet_of, exercises as texts};
+use crate::i18n::why::notes;
+use crate::i18n::{Lang, messages, pictures};
 use crate::inspect::json_text;
 use crate::picture::{self, Composite, FileOptions, PictureError, Told};
 use crate::progress::{Progress, at_once};

@@ -5,10 +5,12 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::args::ExplainArgs;
-use super::words::TableFormat;
 use super::{Failure, OpenFigure, print};
+use crate::cli::args::words::TableFormat;
 use crate::clock;
-use crate::i18n::{Lang, canvas, command_line as texts, pipeline};
+use crate::i18n::why::pipeline;
+use crate::i18n::window::canvas;
+use crate::i18n::{Lang, command_line as texts};
 use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::{Containment, ObjectReport, Stage, StageReport};
 use crate::progress::at_once;

@@ -4,12 +4,13 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::matrix_args::MatrixArgs;
-use super::words::{LangArg, TableFormat};
 use super::{Failure, open, print};
 use crate::camera::{MatrixEntries, MatrixKind, Recognised, Stated, Unknown, recognise};
+use crate::cli::args::matrix::MatrixArgs;
+use crate::cli::args::words::{LangArg, TableFormat};
 use crate::figure::update;
-use crate::i18n::{Lang, dialects};
+use crate::i18n::Lang;
+use crate::i18n::why::dialects;
 use crate::inspect::CameraReport;
 
 /// The JSON output.

@@ -10,25 +10,16 @@ mod bench;
 mod code;
 mod diagnose;
 mod exercise;
-mod exercise_args;
 mod explain;
-mod figure_args;
 mod inspect;
 mod lesson;
-mod lesson_args;
-mod lesson_handout;
-mod lesson_pictures;
 mod manual;
 mod matrix;
-mod matrix_args;
 mod opening;
-mod output_args;
 mod progress;
 mod render;
 mod sheet;
-mod sheet_args;
 mod sweep;
-mod words;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -48,9 +39,9 @@ use crate::progress::Progress;
 use crate::sanitize;
 use crate::scene::Scene;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
+use args::figure::FigureArgs;
+use args::words::LangArg;
 use args::{Command, CommandLine};
-use figure_args::FigureArgs;
-use words::LangArg;
 
 /// Why a command ends early.
 #[derive(Debug)]

@@ -1,8 +1,8 @@
 //! No subcommand: the initial state of the window.
 
 use super::args::WindowArgs;
-use super::words::LangArg;
 use super::{Failure, Opening};
+use crate::cli::args::words::LangArg;
 use crate::figure::Figure;
 use crate::files;
 use crate::i18n::{Lang, messages};

@@ -5,7 +5,8 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
-use crate::i18n::{Lang, progress as words};
+use crate::i18n::Lang;
+use crate::i18n::window::progress as words;
 use crate::progress::Progress;
 
 /// Delay before the first message.

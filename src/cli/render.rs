@@ -3,13 +3,14 @@
 use std::path::Path;
 
 use super::args::RenderArgs;
-use super::figure_args::FigureArgs;
-use super::words::LangArg;
 use super::{Failure, open, progress, say, scene};
 use crate::camera::{Camera, ImageSize};
+use crate::cli::args::figure::FigureArgs;
+use crate::cli::args::words::LangArg;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
-use crate::i18n::{Lang, command_line as texts, compare, families, labels as labels_words, messages, pictures};
+use crate::i18n::window::{compare, labels as labels_words};
+use crate::i18n::{Lang, command_line as texts, families, messages, pictures};
 use crate::picture::{self, Beside, Composite, NoComposite, OnPaper, PictureError, PictureFile, gap};
 use crate::pipeline::OverBudget;
 use crate::progress::at_once;

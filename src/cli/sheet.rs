@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use super::figure_args::FigureArgs;
 use super::render::{no_picture, observer_of, report, save};
-use super::sheet_args::SheetArgs;
-use super::words::LangArg;
 use super::{Failure, open, progress, scene};
 use crate::camera::Camera;
+use crate::cli::args::figure::FigureArgs;
+use crate::cli::args::sheet::SheetArgs;
+use crate::cli::args::words::LangArg;
 use crate::figure::update;
 use crate::figure::variation::{Variant, Variation, VariationError, variants};
 use crate::files::Opened;

@@ -3,9 +3,9 @@
 use super::args::AnimateArgs;
 use super::render::{no_picture, observer_of, save};
 use super::sheet::members;
-use super::words::LangArg;
 use super::{Failure, open, progress, scene};
 use crate::camera::{Camera, CameraPath, ImageSize};
+use crate::cli::args::words::LangArg;
 use crate::figure::variation::Variant;
 use crate::figure::{Figure, update};
 use crate::files;

@@ -5,10 +5,10 @@ use std::ops::RangeInclusive;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::Lang;
-use super::expressions::in_expression;
 use crate::camera::{Decomposition, ImageSize};
 use crate::export::format::PictureFormat;
 use crate::expression::ExpressionError;
+use crate::i18n::messages::expressions::in_expression;
 use crate::limits::MAX_SIDE;
 use crate::sanitize::{self, escaped};
 

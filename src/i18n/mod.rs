@@ -54,52 +54,13 @@ macro_rules! both {
     };
 }
 
-mod cameras;
-pub mod canvas;
-pub mod coach;
-pub mod code;
 pub mod command_line;
-pub mod compare;
-pub mod conventions;
-pub mod dialects;
-mod exercise_cameras;
-pub mod exercise_messages;
-pub mod exercise_sheet;
-mod exercise_texts;
-pub mod exercise_window;
-pub mod exercises;
-pub mod explain;
-pub mod explain_point;
-mod expressions;
 pub mod families;
-pub mod faults;
-mod figure_files;
-mod files;
-pub mod gallery;
-pub mod homogeneous;
-pub mod labels;
-pub mod lessons;
-mod meshes;
+pub mod learn;
 pub mod messages;
-pub mod notes;
-pub mod numerics;
-pub mod order;
 pub mod pictures;
-pub mod pipeline;
-pub mod progress;
-pub mod reasons;
-mod scene_errors;
-pub mod scenes;
-pub mod search;
-pub mod sessions;
-pub mod sharing;
-pub mod sources;
-pub mod stages;
-pub mod toml_complaints;
-pub mod triangle;
-mod unreadable;
+pub mod why;
 pub mod window;
-mod wording;
 
 use crate::figure::Bilingual;
 use crate::numbers::DecimalMark;
@@ -142,9 +103,10 @@ impl Lang {
 
 #[cfg(test)]
 mod tests {
-    use super::{
-        Lang, canvas, coach, conventions, exercise_window, families, lessons, order, pictures, reasons, scenes, sharing,
-    };
+    use super::{Lang, families, pictures};
+    use crate::i18n::learn::{exercise_window, lessons};
+    use crate::i18n::why::{conventions, order, reasons};
+    use crate::i18n::window::{canvas, coach, scenes, sharing};
 
     /// The words of the window itself have a test of their own, in the window.
     #[test]

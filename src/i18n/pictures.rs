@@ -1,7 +1,9 @@
 //! The words in the three pictures.
 
-use super::{Lang, canvas, messages, pipeline, scenes, told, window};
+use super::{Lang, messages, told, window};
 use crate::figure::{Bilingual, Figure};
+use crate::i18n::why::pipeline;
+use crate::i18n::window::{canvas, scenes};
 use crate::picture::{Composite, Crowded, NoAreas, Told};
 use crate::stage::Stage;
 use crate::views::Labels;

@@ -7,7 +7,7 @@ use camera_lab::figure::Explanation;
 use camera_lab::figure::{ShownTriangle, TriangleStep};
 use camera_lab::gui::state::{Selected, Side, Tab};
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::triangle::texts;
+use camera_lab::i18n::why::triangle::texts;
 use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::TrianglePixels;
 use camera_lab::progress::at_once;

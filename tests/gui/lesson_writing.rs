@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use camera_lab::files::read_lesson;
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::{Lang, lessons as words};
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::learn::lessons as words;
 use camera_lab::lessons::{Lesson, OpenLesson, shipped};
 use camera_lab::share::{self, Held};
 use eframe::egui::accesskit::Role;

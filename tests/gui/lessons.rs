@@ -5,8 +5,9 @@
 use camera_lab::figure::NamedPoint;
 use camera_lab::gui::state::Side;
 use camera_lab::gui::{LaunchOptions, Start, State};
-use camera_lab::i18n::exercises::choice_of;
-use camera_lab::i18n::{Lang, exercise_sheet, lessons as words, told};
+use camera_lab::i18n::learn::exercises::choice_of;
+use camera_lab::i18n::learn::{exercise_sheet, lessons as words};
+use camera_lab::i18n::{Lang, told};
 use camera_lab::lessons::{OpenLesson, Task, shipped};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, vec2};
@@ -86,13 +87,13 @@ fn a_wrong_answer_is_told_why_in_both_languages() {
         let camera_lab::exercises::Kind::Choice(choices) = &ask.kind else { panic!("a choice") };
         window.harness.get_by_label(choice_of(lang, ask, &choices[wrong])).click();
         window.run();
-        let check = camera_lab::i18n::exercise_window::texts(lang).check;
+        let check = camera_lab::i18n::learn::exercise_window::texts(lang).check;
         window.harness.get_by_label_contains(check).click();
         window.run();
         let checked = &window.state().exercises.checked[&ask.name];
         assert!(!checked.judged.right);
         assert!(!window.state().lesson.as_ref().unwrap().is_done());
-        let said = camera_lab::i18n::exercises::diagnosis(lang, ask, &checked.judged).unwrap();
+        let said = camera_lab::i18n::learn::exercises::diagnosis(lang, ask, &checked.judged).unwrap();
         assert!(said.contains(told(lang, &mistake.message).trim()), "{said}");
     }
 }
@@ -237,7 +238,7 @@ fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
                 window.run();
                 window.key(Key::Q);
                 window.run();
-                let check = camera_lab::i18n::exercise_window::texts(lang).check;
+                let check = camera_lab::i18n::learn::exercise_window::texts(lang).check;
                 let check = By::new().role(Role::Button).label_contains(check);
                 let bottom = window.harness.get(check).rect().bottom();
                 let screen = window.harness.ctx.content_rect();

@@ -4,8 +4,8 @@ use camera_lab::figure::Explanation;
 use camera_lab::figure::NamedPoint;
 use camera_lab::gui::state::{Dialog, Selected, Side, Tab};
 use camera_lab::i18n::Lang;
-use camera_lab::i18n::explain::texts;
-use camera_lab::i18n::notes::note;
+use camera_lab::i18n::why::explain::texts;
+use camera_lab::i18n::why::notes::note;
 use camera_lab::scene::{ObjectSpec, Shape};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2};
@@ -199,7 +199,7 @@ fn f1_opens_the_note_on_what_is_in_the_other_tabs_of_explanations() {
         window.key(Key::F1);
         assert_eq!(shown(&window), Some(note), "{label}");
     };
-    let t = camera_lab::i18n::homogeneous::texts(Lang::En);
+    let t = camera_lab::i18n::why::homogeneous::texts(Lang::En);
     ask(Explanation::Homogeneous, Role::Slider, t.share, "5.6");
     ask(Explanation::Homogeneous, Role::CheckBox, t.vanishing, "ideal-point");
     ask(Explanation::Homogeneous, Role::DisclosureTriangle, t.plane_title, "w");
@@ -221,7 +221,7 @@ fn f1_opens_the_note_on_the_fields_of_an_object_and_of_a_point() {
     state.tree.select(Some(Selected::Object("caixa".to_owned())));
     state.settings.tab = Tab::Scene;
     window.run();
-    let t = camera_lab::i18n::scenes::texts(Lang::PtBr);
+    let t = camera_lab::i18n::window::scenes::texts(Lang::PtBr);
     for (name, note) in [(t.translate, "translation"), (t.rotate, "rotation"), (t.scale, "scale")] {
         window.field(&format!("{name} z")).focus();
         window.run();

@@ -7,7 +7,7 @@ use camera_lab::figure::Explanation;
 use camera_lab::figure::Figure;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
-use camera_lab::i18n::order::texts;
+use camera_lab::i18n::why::order::texts;
 use camera_lab::scene::edit::placements;
 use camera_lab::scene::{ObjectSpec, Preset, Shape};
 use camera_lab::views::View;

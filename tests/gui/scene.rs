@@ -199,7 +199,7 @@ fn a_light_gets_shadows_their_numbers_and_what_they_show() {
     assert!(window.says("allowed: whole numbers from 64 to 4096") || window.says("64"));
     assert_eq!(shadows(&window).map, 256);
     window.key(Key::Escape);
-    let t = camera_lab::i18n::scenes::texts(Lang::En);
+    let t = camera_lab::i18n::window::scenes::texts(Lang::En);
     window.pick(t.shadow_reveal, t.shadow_of_light);
     assert_eq!(window.state().document.figure().reveal.shadows, Some(ShadowReveal::Map));
     window.click(en::SCENES.shadows);
@@ -568,7 +568,7 @@ fn names_of_any_length_leave_the_panel_as_wide_as_it_is() {
 fn an_object_gets_a_texture_and_says_which_file_it_lacks() {
     let folder = Folder::new("texture");
     for lang in [Lang::En, Lang::PtBr] {
-        let t = camera_lab::i18n::scenes::texts(lang);
+        let t = camera_lab::i18n::window::scenes::texts(lang);
         let mut window = Window::scene(lang);
         window.app_mut().state.document.edit(|figure| {
             figure.scene.objects = vec![ObjectSpec::new("cube", Shape::Box)];

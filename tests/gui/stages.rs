@@ -6,7 +6,7 @@ use camera_lab::appearance::Visibility;
 use camera_lab::figure::Explanation;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
-use camera_lab::i18n::stages::texts;
+use camera_lab::i18n::why::stages::texts;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
 use eframe::egui::{Key, Modifiers};

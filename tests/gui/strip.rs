@@ -194,7 +194,7 @@ fn the_strip_says_the_same_numbers_while_it_shows_a_stage() {
 fn stages_are_reached_shown_and_explained_by_keyboard() {
     for lang in [Lang::En, Lang::PtBr] {
         let mut window = with_house(lang);
-        let name = camera_lab::i18n::pipeline::stage(lang, Stage::Clip);
+        let name = camera_lab::i18n::why::pipeline::stage(lang, Stage::Clip);
         cell(&window, name).focus();
         window.run();
         assert!(cell(&window, name).is_focused());
@@ -204,10 +204,10 @@ fn stages_are_reached_shown_and_explained_by_keyboard() {
         assert_eq!(window.state().shown_stage(), None, "Space");
         // Tab goes on to the next stage.
         window.key(Key::Tab);
-        assert!(cell(&window, camera_lab::i18n::pipeline::stage(lang, Stage::Oblique)).is_focused());
+        assert!(cell(&window, camera_lab::i18n::why::pipeline::stage(lang, Stage::Oblique)).is_focused());
         window.key(Key::F1);
         assert_eq!(window.state().explain.shown(), Explanation::Notes);
-        assert_eq!(window.state().explain.notes.chosen, camera_lab::i18n::notes::of_stage(Stage::Oblique));
+        assert_eq!(window.state().explain.notes.chosen, camera_lab::i18n::why::notes::of_stage(Stage::Oblique));
     }
 }
 
@@ -221,7 +221,7 @@ fn in_the_world_a_stage_of_the_image_shows_what_belongs_to_it() {
     window.explain(Explanation::Stages);
     let drawn = window.app_mut().canvas.drawn()[View::World.index()];
     assert!(drawn >= before);
-    let clipping = format!("7. {}", camera_lab::i18n::pipeline::stage(Lang::En, Stage::Clip));
+    let clipping = format!("7. {}", camera_lab::i18n::why::pipeline::stage(Lang::En, Stage::Clip));
     window.click(&clipping);
     assert_eq!(window.state().shown_stage(), Some(Stage::Clip));
     assert!(window.app_mut().canvas.drawn()[View::World.index()] > drawn, "cuts are marked there");

@@ -6,7 +6,7 @@ use camera_lab::figure::Explanation;
 use camera_lab::figure::TriangleStep;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
-use camera_lab::i18n::triangle::{step, texts};
+use camera_lab::i18n::why::triangle::{step, texts};
 use camera_lab::picture::FollowedTriangle;
 use camera_lab::progress::at_once;
 use camera_lab::scene::Preset;

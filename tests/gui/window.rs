@@ -26,7 +26,7 @@ pub(crate) struct Window {
 
 /// The names of an explanation's question and of itself in the window.
 pub(crate) fn names(lang: Lang, explanation: Explanation) -> [&'static str; 2] {
-    let t = camera_lab::i18n::explain::texts(lang);
+    let t = camera_lab::i18n::why::explain::texts(lang);
     match explanation {
         Explanation::Matrices => [t.question_where, t.matrices],
         Explanation::Point => [t.question_where, t.point],

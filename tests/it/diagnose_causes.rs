@@ -6,7 +6,8 @@
 use camera_lab::appearance::Style;
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
 use camera_lab::figure::{Figure, Reveal};
-use camera_lab::i18n::{Lang, coach};
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::window::coach;
 use camera_lab::numbers::random::Random;
 use camera_lab::numerics::diagnosis::{Cause, Diagnosis, ImageSpec};
 use camera_lab::pipeline::{Target, draw};

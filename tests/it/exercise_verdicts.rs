@@ -4,7 +4,8 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::exercises::{Answer, Exercise, Free, Judged, Table, check_beside, entry, read_answer};
-use camera_lab::i18n::{Lang, exercise_messages, exercises as said};
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::learn::{exercise_messages, exercises as said};
 use camera_lab::inspect::quantity::QuantityPath;
 use glam::{DMat4, DVec3};
 

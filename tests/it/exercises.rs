@@ -9,8 +9,10 @@ use camera_lab::exercises::{
     Answer, Ask, Entry, Exercise, Expected, Free, Kind, Mistake, Nature, Slip, Slips, Table, check, entries, entry,
     judge_answer,
 };
-use camera_lab::i18n::exercises::{self as texts, typed_choice};
-use camera_lab::i18n::{Lang, exercise_messages};
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::learn::exercise_messages;
+use camera_lab::i18n::learn::exercises as texts;
+use camera_lab::i18n::learn::exercises::typed_choice;
 use camera_lab::numbers::exact_form;
 
 /// How many seeds of each family are tried; more by `EXERCISE_SEEDS=10000 cargo test --release --test it exercises`.
@@ -466,7 +468,7 @@ fn statements_say_where_the_notes_have_it_otherwise() {
     ] {
         let exercise = entry(id).unwrap().exercise(3, &Free::new());
         for (lang, word, mark) in [(Lang::En, en, "≠ notes: "), (Lang::PtBr, pt, "≠ notas: ")] {
-            let said = camera_lab::i18n::exercises::assumptions(lang, &exercise);
+            let said = camera_lab::i18n::learn::exercises::assumptions(lang, &exercise);
             assert!(said.iter().any(|text| text.starts_with(mark) && text.contains(word)), "{id}: {said:?}");
         }
     }
@@ -477,7 +479,7 @@ fn calls_of_functions_are_written_as_code_in_both_languages() {
     let mut calls = BTreeSet::new();
     for lang in [Lang::En, Lang::PtBr] {
         all_of(6, |_, exercise| {
-            for paragraph in camera_lab::i18n::exercises::statement(lang, exercise) {
+            for paragraph in camera_lab::i18n::learn::exercises::statement(lang, exercise) {
                 for call in paragraph.split("gl").skip(1) {
                     let Some((name, rest)) = call.split_once('(') else { continue };
                     let arguments = rest.split(')').next().unwrap();

@@ -48,11 +48,24 @@ fn files(folder: &str, ends: &str) -> Vec<PathBuf> {
     paths.filter(|path| path.to_string_lossy().ends_with(ends)).collect()
 }
 
+/// The files of the folder, and of the folders in it.
+fn files_below(folder: &str, ends: &str) -> Vec<PathBuf> {
+    let root = Path::new(ROOT).join(folder);
+    let inner = fs::read_dir(&root).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_dir());
+    let inner = inner.flat_map(|path| files_below(&path.to_string_lossy(), ends));
+    files(folder, ends).into_iter().chain(inner).collect()
+}
+
 /// The language of a file, where it has one only.
 fn language(path: &Path) -> Option<&'static str> {
     let name = path.file_name().unwrap().to_string_lossy();
     match () {
-        () if name.ends_with("en.md") || name.ends_with("args.rs") || name == "README.md" => Some("en"),
+        () if name.ends_with("en.md")
+            || path.parent().is_some_and(|folder| folder.ends_with("cli/args"))
+            || name == "README.md" =>
+        {
+            Some("en")
+        }
         () if name.ends_with("pt-BR.md") => Some("pt"),
         () => None,
     }
@@ -102,12 +115,13 @@ fn texts_say_what_the_glossary_says() {
         .into_iter()
         .flat_map(|folder| files(folder, ".toml"))
         .map(|path| (path.clone(), said_of_itself(&fs::read_to_string(path).unwrap().to_lowercase())));
-    let texts: Vec<(PathBuf, String)> = [("src/i18n", ".rs"), ("assets/notes", ".md"), ("assets/exercises", ".md")]
+    let texts: Vec<(PathBuf, String)> = [("assets/notes", ".md"), ("assets/exercises", ".md")]
         .into_iter()
-        .chain([("docs", ".en.md"), ("docs", ".pt-BR.md"), ("src/cli", "args.rs"), ("", "README.md")])
+        .chain([("docs", ".en.md"), ("docs", ".pt-BR.md"), ("src/cli/args", ".rs"), ("", "README.md")])
         .flat_map(|(folder, ends)| files(folder, ends))
+        .chain(files_below("src/i18n", ".rs"))
         // The words of other books are what the search is for.
-        .filter(|path| !path.ends_with("i18n/search.rs"))
+        .filter(|path| !path.ends_with("window/search.rs"))
         .map(|path| (path.clone(), fs::read_to_string(path).unwrap().to_lowercase()))
         .chain(figures)
         .collect();

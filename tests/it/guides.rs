@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use camera_lab::camera::{Amount, Camera, Convention, Freedom, OPERATIONS, Operation};
 use camera_lab::exercises::Mistake;
-use camera_lab::i18n::{Lang, exercises, window};
+use camera_lab::i18n::learn::exercises;
+use camera_lab::i18n::{Lang, window};
 
 use crate::common::camera::camera;
 use crate::common::program::Bench;

@@ -7,7 +7,10 @@ use camera_lab::figure::variation::varied_by;
 use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, WorldPart, read};
 use camera_lab::formula;
-use camera_lab::i18n::{Lang, exercise_sheet, lessons as words, messages, notes, pictures::labels, told};
+use camera_lab::i18n::learn::{exercise_sheet, lessons as words};
+use camera_lab::i18n::pictures::labels;
+use camera_lab::i18n::why::notes;
+use camera_lab::i18n::{Lang, messages, told};
 use camera_lab::lessons::{Link, Seen, Subject, Task, objects_named, parse, shipped};
 use camera_lab::scene::no_files;
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
@@ -58,11 +61,11 @@ fn a_step_has_all_of_the_steps_before_but_what_it_changes() {
     let Some(Task::Question(entry)) = &two.task else { panic!("a question") };
     let exercise = entry.exercise(0, &Default::default());
     let ask = &exercise.asks[0];
-    assert_eq!(camera_lab::i18n::exercises::ask(Lang::En, &exercise, ask), "Is F 2?");
+    assert_eq!(camera_lab::i18n::learn::exercises::ask(Lang::En, &exercise, ask), "Is F 2?");
     assert!(exercises::check(entry, &exercise, ask, "yes").unwrap().right);
     let wrong = exercises::check(entry, &exercise, ask, "no").unwrap();
     assert!(!wrong.right);
-    assert!(camera_lab::i18n::exercises::diagnosis(Lang::En, ask, &wrong).unwrap().contains("It is."));
+    assert!(camera_lab::i18n::learn::exercises::diagnosis(Lang::En, ask, &wrong).unwrap().contains("It is."));
 }
 
 #[test]
@@ -206,7 +209,7 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
                     let exercise = entry.exercise(0, &Default::default());
                     let ask = &exercise.asks[0];
                     let right = exercise_sheet::answer(Lang::En, ask);
-                    let right = camera_lab::i18n::exercises::typed_choice(ask, &right).to_owned();
+                    let right = camera_lab::i18n::learn::exercises::typed_choice(ask, &right).to_owned();
                     assert!(exercises::check(entry, &exercise, ask, &right).unwrap().right, "{place}: {right}");
                     let (Expected::Choice(right, ..), Kind::Choice(choices)) = (ask.expected(), &ask.kind) else {
                         continue;
@@ -214,7 +217,8 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
                     for (_, wrong) in choices.iter().enumerate().filter(|(k, _)| k != right) {
                         let judged = exercises::check(entry, &exercise, ask, wrong).unwrap();
                         for lang in [Lang::En, Lang::PtBr] {
-                            let said = camera_lab::i18n::exercises::diagnosis(lang, ask, &judged).unwrap_or_default();
+                            let said =
+                                camera_lab::i18n::learn::exercises::diagnosis(lang, ask, &judged).unwrap_or_default();
                             assert!(said.chars().count() > 20, "{place}: {wrong} has no message");
                         }
                     }

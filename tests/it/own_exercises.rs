@@ -7,7 +7,8 @@ use std::path::Path;
 
 use camera_lab::exercises::{Free, check, own};
 use camera_lab::files::{FileError, read_exercises};
-use camera_lab::i18n::{Lang, exercises as texts, messages};
+use camera_lab::i18n::learn::exercises as texts;
+use camera_lab::i18n::{Lang, messages};
 use camera_lab::limits::MAX_OWN_EXERCISES;
 
 use crate::common::program::Bench;

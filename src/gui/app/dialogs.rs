@@ -16,8 +16,7 @@ use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::FileKind;
 use crate::gui::files::link_dialog;
 use crate::gui::files::qr;
-use crate::gui::gallery;
-use crate::gui::gallery::{Chosen, Source};
+use crate::gui::gallery::{self, Chosen, Source};
 use crate::gui::inspector::coach;
 use crate::gui::inspector::compare_dialog;
 use crate::gui::inspector::{complaint, scene};
@@ -27,8 +26,10 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::lesson;
 use crate::gui::platform::native::Wanted;
 use crate::gui::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
+use crate::i18n::learn::{exercise_window, lessons};
+use crate::i18n::window::gallery as gallery_words;
 use crate::i18n::window::{self, Texts};
-use crate::i18n::{canvas, exercise_window, lessons, scenes, sharing};
+use crate::i18n::window::{canvas, scenes, sharing};
 use crate::limits::MAX_TYPED;
 use crate::sanitize;
 use crate::scene::edit::Children;
@@ -318,7 +319,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     ui.add_space(6.0);
     let words = sharing::texts(state.settings.lang);
     let (which, hint) = match (kind.wanted == Wanted::Folder, state.in_browser) {
-        (true, _) => (crate::i18n::gallery::texts(state.settings.lang).which_folder, t.path_hint),
+        (true, _) => (gallery_words::texts(state.settings.lang).which_folder, t.path_hint),
         (false, true) => (words.name_text, words.name_hint),
         (false, false) => (t.path_text, t.path_hint),
     };

@@ -11,7 +11,8 @@ use super::command::Command;
 use super::menu;
 use crate::gui::kit::theme;
 use crate::gui::state::State;
-use crate::i18n::{lessons, told, window};
+use crate::i18n::learn::lessons;
+use crate::i18n::{told, window};
 
 /// Duration of the display of the keys, in seconds, and of its fading.
 const SHOWN: f64 = 8.0;

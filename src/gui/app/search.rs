@@ -16,9 +16,12 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises::list;
 use crate::gui::state::{AfterSave, Dialog, Side, State, Tab};
 use crate::gui::why;
-use crate::i18n::search::{self as words, also_called, folded, has_words};
+use crate::i18n::learn::exercises as exercise_words;
+use crate::i18n::told;
+use crate::i18n::why::{explain as explain_words, notes};
 use crate::i18n::window;
-use crate::i18n::{exercises as exercise_words, explain as explain_words, notes, told};
+use crate::i18n::window::search as words;
+use crate::i18n::window::search::{also_called, folded, has_words};
 use crate::lessons::{OpenLesson, shipped};
 use crate::limits::MAX_TYPED_NAME;
 

@@ -5,7 +5,10 @@ use std::path::{Path, PathBuf};
 use crate::export::format::PictureFormat;
 use crate::gui::platform::native::{FileQuestion, Wanted};
 use crate::gui::state::{MESH_ENDINGS, Purpose, State, TEXTURE_ENDINGS};
-use crate::i18n::{exercise_window, explain, gallery, lessons, scenes, window};
+use crate::i18n::learn::{exercise_window, lessons};
+use crate::i18n::why::explain;
+use crate::i18n::window;
+use crate::i18n::window::{gallery, scenes};
 
 /// A kind of files.
 pub(in crate::gui) struct FileKind {

@@ -5,7 +5,7 @@ use qrcode::{Color, EcLevel, QrCode};
 
 use super::link_dialog;
 use crate::gui::state::{Dialog, State};
-use crate::i18n::sharing;
+use crate::i18n::window::sharing;
 
 /// The free border around the code, in modules: as the standard asks for.
 const QUIET: usize = 4;

@@ -14,7 +14,7 @@ use crate::appearance::Theme;
 use crate::clock;
 use crate::files::SHIPPED_FIGURES;
 use crate::gui::background::worker::Worker;
-use crate::i18n::search::{folded, has_words};
+use crate::i18n::window::search::{folded, has_words};
 use crate::i18n::{Lang, messages};
 pub use card::{Source, figures_in};
 pub(super) use show::{Chosen, show};

@@ -15,8 +15,9 @@ use crate::files::{ShippedFigure, Topic};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::Lang;
-use crate::i18n::gallery::{self as words, Texts};
-use crate::i18n::search::also_called;
+use crate::i18n::window::gallery as words;
+use crate::i18n::window::gallery::Texts;
+use crate::i18n::window::search::also_called;
 use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
 

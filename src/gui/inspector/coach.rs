@@ -12,8 +12,8 @@ use crate::gui::kit::elide;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Advice, Dialog, State};
 use crate::i18n::Lang;
-use crate::i18n::coach as words;
 use crate::i18n::window::Texts;
+use crate::i18n::window::coach as words;
 use crate::numerics::diagnosis::{Diagnosis, IN_A_WINDOW, Repair, changes};
 use crate::numerics::health::Level;
 

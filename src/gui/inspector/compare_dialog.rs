@@ -9,9 +9,10 @@ use crate::gui::kit::number_field::NumberField;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{CompareForm, Dialog, State};
-use crate::i18n::compare::{self as words, Texts as Words};
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
+use crate::i18n::window::compare as words;
+use crate::i18n::window::compare::Texts as Words;
 use crate::limits::{MAX_EXPRESSION, MAX_TYPED_NAME};
 
 /// A button that opens the dialog.

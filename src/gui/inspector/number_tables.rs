@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::camera::{Camera, Ndc};
 use crate::explain::{Matrix, projection_equation};
 use crate::gui::state::{Conventions, State};
-use crate::i18n::conventions;
+use crate::i18n::why::conventions;
 use crate::i18n::window::{self, Texts};
 use crate::inspect::Report;
 use crate::numbers::{self, without_rests};

@@ -10,7 +10,7 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::pictures::motion;
 use crate::gui::state::{Scrub, State};
 use crate::gui::why::context_help::help_topic_row;
-use crate::i18n::notes;
+use crate::i18n::why::notes;
 use crate::i18n::window::{self, Texts};
 use crate::numbers::DecimalMark;
 use crate::views::Ghost;

@@ -14,9 +14,9 @@ use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::gui::why::context_help::help_topic;
-use crate::i18n::conventions::differences;
+use crate::i18n::why::conventions::differences;
+use crate::i18n::why::{explain, notes};
 use crate::i18n::window::{self, Texts};
-use crate::i18n::{explain, notes};
 
 /// Shows the numbers.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {

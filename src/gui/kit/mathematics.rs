@@ -12,7 +12,7 @@ use ratex_layout::{LayoutOptions, layout, to_display_list};
 use ratex_types::display_item::{DisplayItem, DisplayList};
 
 use crate::drawing::single;
-use crate::i18n::notes::plain;
+use crate::i18n::why::notes::plain;
 use crate::text;
 
 /// The fonts, by the names that `RaTeX` has for them. What would need another one is written as text.
@@ -277,7 +277,7 @@ pub(in crate::gui) fn chain(ui: &mut Ui, name: &Both, said: &[Both], links: Link
 mod tests {
     use super::Ink;
     use crate::i18n::Lang;
-    use crate::i18n::notes::{Piece, notes};
+    use crate::i18n::why::notes::{Piece, notes};
 
     #[test]
     fn the_mathematics_of_all_notes_is_set_with_the_fonts_that_are_there() {

@@ -13,7 +13,7 @@ use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip;
 use crate::gui::kit::tooltip::Explained;
-use crate::i18n::sources::with_titles;
+use crate::i18n::why::sources::with_titles;
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, messages};
 use crate::limits::MAX_EXPRESSION;

@@ -6,7 +6,7 @@ use eframe::egui::{Id, TextStyle, Ui};
 use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
 
 use super::mathematics;
-use crate::i18n::notes::plain;
+use crate::i18n::why::notes::plain;
 
 /// Symbols such as `M_v` as mathematics; text between dollar signs stays as it is.
 fn with_symbols(markdown: &str) -> String {

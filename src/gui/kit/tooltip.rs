@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, Id, LayerId, Rect, RectAlign, Response, Tooltip, Ui};
 
-use crate::i18n::sources::with_titles;
+use crate::i18n::why::sources::with_titles;
 
 /// The place of the tooltips of a panel.
 #[derive(Clone, Copy)]

@@ -7,9 +7,11 @@ use crate::camera::CameraError;
 use crate::files::FileError;
 use crate::gui::export::ExportError;
 use crate::gui::storage::session::{Keeping, News};
-use crate::i18n::{
-    Lang, canvas, exercise_messages, explain_point, faults, lessons, messages, scenes, sessions, sharing, window,
-};
+use crate::i18n::learn::{exercise_messages, lessons};
+use crate::i18n::messages::faults;
+use crate::i18n::why::explain_point;
+use crate::i18n::window::{canvas, scenes, sessions, sharing};
+use crate::i18n::{Lang, messages, window};
 use crate::limits::MAX_SESSIONS;
 use crate::pipeline::OverBudget;
 use crate::sanitize;

@@ -75,7 +75,7 @@ impl State {
     pub(in crate::gui) fn impossible_side(&self) -> Option<String> {
         let figure = self.document.figure();
         let error = figure.compare.as_ref()?.other_side(figure).err()?;
-        Some(crate::i18n::compare::impossible(self.settings.lang, &error))
+        Some(crate::i18n::window::compare::impossible(self.settings.lang, &error))
     }
 
     /// The figure that shows in any program the present screen: with explanations, and with the observers.

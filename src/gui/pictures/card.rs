@@ -10,8 +10,8 @@ use crate::figure::{Depth, Explanation};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::pictures::pointer::picking::{PickQuery, PickRequest};
 use crate::gui::state::State;
-use crate::i18n::canvas::CanvasTexts;
-use crate::i18n::explain_point;
+use crate::i18n::why::explain_point;
+use crate::i18n::window::canvas::CanvasTexts;
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::views::{Hover, Probe, Request, Shot, Size, View, pick};
 

@@ -7,8 +7,9 @@ use eframe::egui::{self, Key, Modifiers};
 use super::Canvas;
 use crate::gui::background::worker::Running;
 use crate::gui::state::State;
-use crate::i18n::canvas as words;
-use crate::i18n::{progress, scenes, window};
+use crate::i18n::window;
+use crate::i18n::window::canvas as words;
+use crate::i18n::window::{progress, scenes};
 use crate::sanitize;
 
 /// Work shorter than this is not reported.

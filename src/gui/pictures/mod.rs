@@ -51,8 +51,9 @@ use crate::gui::pictures::pointer::selection_gizmo::Movable;
 use crate::gui::pictures::pointer::vertex_name::VertexNames;
 use crate::gui::state::{Dialog, Message, ObserverChange, State};
 use crate::gui::why;
-use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
+use crate::i18n::window::canvas as words;
+use crate::i18n::window::canvas::CanvasTexts;
 use crate::picture::RenderReport;
 use crate::pipeline::OverBudget;
 use crate::views::image_frame;
@@ -507,7 +508,7 @@ fn loading(state: &State) -> String {
     if files.is_empty() {
         return String::new();
     }
-    format!("{} {}…", crate::i18n::scenes::texts(state.settings.lang).loading, files.join(", "))
+    format!("{} {}…", crate::i18n::window::scenes::texts(state.settings.lang).loading, files.join(", "))
 }
 
 /// A sentence over a picture.

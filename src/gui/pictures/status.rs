@@ -11,7 +11,7 @@ use crate::gui::app::focus::with_room_before;
 use crate::gui::inspector::coach::Brief;
 use crate::gui::kit::elide;
 use crate::gui::kit::tooltip::Explained;
-use crate::i18n::canvas::CanvasTexts;
+use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::{Arrangement, View};
 
 /// Room between two cells, in heights of a line.

@@ -9,8 +9,8 @@ use crate::gui::app::focus::with_room_before;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::storage::session::LeftOver;
 use crate::i18n::Lang;
-use crate::i18n::sessions::ago;
 use crate::i18n::window;
+use crate::i18n::window::sessions::ago;
 use crate::sanitize;
 
 /// The user's decision about a slot.

@@ -9,8 +9,10 @@ use crate::figure::Measured;
 use crate::gui::kit::mathematics::{Both, Formula as Typeset, Links, chain};
 use crate::gui::state::Matrices;
 use crate::gui::why::context_help::help_topic;
-use crate::i18n::explain::{self as words, Texts};
-use crate::i18n::{Lang, notes};
+use crate::i18n::Lang;
+use crate::i18n::why::explain as words;
+use crate::i18n::why::explain::Texts;
+use crate::i18n::why::notes;
 use crate::numbers::exact_form;
 
 /// The type size of formulas, in points.

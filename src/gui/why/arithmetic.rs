@@ -11,8 +11,9 @@ use crate::gui::kit::mathematics;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::why::context_help::help_topic;
 use crate::gui::why::matrix::digits;
-use crate::i18n::explain_point::Texts;
-use crate::i18n::{messages, notes};
+use crate::i18n::messages;
+use crate::i18n::why::explain_point::Texts;
+use crate::i18n::why::notes;
 
 /// The type size of formulas, in points.
 const SIZE: f32 = 14.0;

@@ -9,7 +9,9 @@ use crate::gui::files::file_flow;
 use crate::gui::inspector::{choice, row};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{AfterSave, State};
-use crate::i18n::{explain, gallery, told, window};
+use crate::i18n::why::explain;
+use crate::i18n::window::gallery;
+use crate::i18n::{told, window};
 use crate::pipeline::divide_before_clip::divided_first;
 
 /// Shows it.

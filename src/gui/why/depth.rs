@@ -18,7 +18,8 @@ use crate::gui::kit::plotting::{linear_x, logarithmic_x, still};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
-use crate::i18n::{Lang, coach as words, compare, window};
+use crate::i18n::window::{coach as words, compare};
+use crate::i18n::{Lang, window};
 use crate::numerics::health::{suggested_planes, with_planes};
 use crate::numerics::{Resolution, Seen, TwoPlanes, resolutions};
 use crate::views::Probe;
@@ -58,7 +59,7 @@ fn depth_view(ui: &mut Ui, state: &mut State) {
     let mut format = old;
     let formats =
         [(DepthFormat::Fixed16, "fixed 16"), (DepthFormat::Fixed24, "fixed 24"), (DepthFormat::Float, "f32 reversed")];
-    let names = formats.map(|(_, name)| crate::i18n::numerics::name(state.settings.lang, name));
+    let names = formats.map(|(_, name)| crate::i18n::why::numerics::name(state.settings.lang, name));
     let choices: Vec<_> = formats.iter().zip(&names).map(|((format, _), name)| (*format, &**name)).collect();
     row(ui, "", t.format, t.format_hint, |ui| choice(ui, t.format, t.format_hint, &mut format, &choices));
     if format != old {
@@ -125,7 +126,7 @@ fn formats(ui: &mut Ui, lang: Lang, resolutions: &[Resolution]) {
         });
         ui.end_row();
         for Resolution { format, step, planes } in resolutions {
-            let name = crate::i18n::numerics::name(lang, format);
+            let name = crate::i18n::why::numerics::name(lang, format);
             ui.label(&name);
             ui.label(lang.mark().number(*step, 3));
             let said = words::two_planes(lang, planes.share_through());

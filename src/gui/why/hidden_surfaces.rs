@@ -9,7 +9,8 @@ use crate::gui::inspector::compare_dialog;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
-use crate::i18n::{stages, window};
+use crate::i18n::why::stages;
+use crate::i18n::window;
 use crate::views::View;
 
 /// Shows it.

@@ -32,7 +32,8 @@ use crate::gui::app::focus::keep_in_sight;
 use crate::gui::kit::elide;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises;
-use crate::i18n::explain::{self, Texts};
+use crate::i18n::why::explain;
+use crate::i18n::why::explain::Texts;
 pub(super) use triangle::clicked;
 
 /// A name and a hint.

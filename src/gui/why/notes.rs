@@ -11,9 +11,11 @@ use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Notes, State};
-use crate::i18n::explain::{self as words, Texts};
-use crate::i18n::notes::{self, Note, Piece};
-use crate::i18n::sources::with_titles;
+use crate::i18n::why::explain as words;
+use crate::i18n::why::explain::Texts;
+use crate::i18n::why::notes;
+use crate::i18n::why::notes::{Note, Piece};
+use crate::i18n::why::sources::with_titles;
 use crate::limits::MAX_TYPED_NAME;
 
 /// The type size of equations, in points.

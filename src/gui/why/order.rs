@@ -19,7 +19,8 @@ use crate::gui::kit::mathematics;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Message, Order, Own, Selected, State};
-use crate::i18n::order::{self as words, Texts};
+use crate::i18n::why::order as words;
+use crate::i18n::why::order::Texts;
 use crate::scene::edit::descendants;
 use crate::scene::transform::{Trs, put_on_chain};
 

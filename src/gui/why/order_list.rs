@@ -12,7 +12,8 @@ use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::Order;
 use crate::gui::why::context_help::help_topic_row;
-use crate::i18n::order::{self as words, Texts};
+use crate::i18n::why::order as words;
+use crate::i18n::why::order::Texts;
 use crate::i18n::window;
 
 /// Widths, in points: of the dots, of number and symbol, of a button at the right.

@@ -5,8 +5,8 @@ use eframe::egui::{self, RichText, Ui};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::gui::why::context_help::help_topic;
-use crate::i18n::sources::with_titles;
-use crate::i18n::{notes, pipeline, stages};
+use crate::i18n::why::sources::with_titles;
+use crate::i18n::why::{notes, pipeline, stages};
 use crate::pipeline::Stage;
 
 /// Shows them.

@@ -19,8 +19,10 @@ use crate::gui::state::{Purpose, Reading, State, Steps, end_of, step_at, time_of
 use crate::gui::why::context_help::help_topic;
 use crate::gui::why::matrix::entries;
 use crate::gui::why::matrix::matrices::{cells, reading};
-use crate::i18n::explain::{self as words, Texts};
-use crate::i18n::{Lang, command_line, notes, pictures};
+use crate::i18n::why::explain as words;
+use crate::i18n::why::explain::Texts;
+use crate::i18n::why::notes;
+use crate::i18n::{Lang, command_line, pictures};
 use crate::numbers::without_rests;
 use crate::views::View;
 

@@ -2,9 +2,9 @@
 
 use super::answer::Answer;
 use super::exercise::{Ask, Expected, Reading};
-use super::slip::{Slip, Slips};
 use super::value::Table;
 use crate::camera::Camera;
+use crate::exercises::mistakes::slip::{Slip, Slips};
 
 /// Whether an answer is right in one of the readings.
 pub(super) fn is_right(ask: &Ask, answer: &Answer) -> bool {

@@ -5,15 +5,15 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::follows::Follows;
-use super::mistake::Mistake;
-use super::nature::Nature;
 use super::own_texts::{OwnMistake, OwnTexts};
-use super::slip::Slips;
 use super::subject::Subject;
 use super::textbook;
 use super::value::Table;
 use super::worked::{Worked, worked};
 use crate::camera::{Camera, ParameterKey, Parameters};
+use crate::exercises::mistakes::mistake::Mistake;
+use crate::exercises::mistakes::nature::Nature;
+use crate::exercises::mistakes::slip::Slips;
 use crate::figure::{Bilingual, Figure};
 use crate::inspect::quantity::{PointNumber, Quantity, QuantityPath, RayNumber, WindowNumber};
 

@@ -6,13 +6,13 @@ use std::sync::Arc;
 use super::acceptance::{allows, is_right};
 use super::answer::Answer;
 use super::beside::Beside;
-use super::diagnose::{Diagnosis, diagnose};
 use super::exercise::{Ask, Expected, TOLERANCE};
-use super::mistake::Mistake;
 use super::own_texts::{ExpectedAnswer, OwnMistake};
-use super::slip::Cause;
 use super::value::Table;
 use crate::camera::Camera;
+use crate::exercises::mistakes::diagnose::{Diagnosis, diagnose};
+use crate::exercises::mistakes::mistake::Mistake;
+use crate::exercises::mistakes::slip::Cause;
 
 /// The verdict on an answer.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,9 +2,9 @@
 
 use glam::{DQuat, DVec3};
 
-use super::slip::{Slip, Slips};
 use super::subject::Subject;
 use crate::camera::{Camera, CameraError, Convention, Operation, Parameters, Projection};
+use crate::exercises::mistakes::slip::{Slip, Slips};
 use crate::geometry::Angle;
 
 /// The camera after the operations, as they are done with the slips.

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::exercise::{Ask, Exercise, Expected, Kind, Unit};
-use super::mistake::Mistake;
 use super::own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
 use super::statement_facts::about;
 use super::subject::Subject;
 use super::value::Table;
 use super::{Entry, Make};
+use crate::exercises::mistakes::mistake::Mistake;
 use crate::figure::Bilingual;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{self, Fault, Section};

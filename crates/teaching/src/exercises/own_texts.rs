@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::mistake::Mistake;
 use super::value::Table;
+use crate::exercises::mistakes::mistake::Mistake;
 use crate::figure::Bilingual;
 
 /// The texts of an exercise.

@@ -11,9 +11,9 @@ use toml_edit::DocumentMut;
 
 use super::exercise::{Exercise, Expected};
 use super::judge::Judged;
-use super::mistake::Mistake;
-use super::slip::{Cause, Slip, Slips};
 use super::{Entry, Free};
+use crate::exercises::mistakes::mistake::Mistake;
+use crate::exercises::mistakes::slip::{Cause, Slip, Slips};
 
 /// The progress in all exercises. It has a text form, which is a file that the student can read and delete.
 #[derive(Clone, Debug, Default)]

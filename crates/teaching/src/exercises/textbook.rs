@@ -5,10 +5,10 @@
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
 use super::operated::operated;
-use super::slip::{Slip, Slips};
 use super::subject::Subject;
 use super::value::Table;
 use crate::camera::{Camera, ImageSize, ParameterKey, Projection, ViewWindow, Viewport};
+use crate::exercises::mistakes::slip::{Slip, Slips};
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, QuantityPath, RayNumber, ReportMatrix, WindowNumber};
 
 /// A quantity of the report when `slips` are made; `None` where it is not a number, or the report does not have it.

@@ -12,8 +12,10 @@ use crate::gui::inspector::number_tables;
 use crate::gui::state::{
     self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory,
 };
+use crate::i18n::Lang;
+use crate::i18n::learn::lessons;
 use crate::i18n::window::Texts;
-use crate::i18n::{Lang, canvas, compare, labels, lessons, sharing};
+use crate::i18n::window::{canvas, compare, labels, sharing};
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 

@@ -14,7 +14,7 @@ use crate::gui::export::chart_export;
 use crate::gui::files::file_flow;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{AfterSave, State};
-use crate::i18n::numerics as words;
+use crate::i18n::why::numerics as words;
 use crate::numbers::significant;
 use crate::numerics::{Findings, Row, Study};
 

@@ -12,7 +12,7 @@ use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::gui::why::context_help::{has_focus, help_topic_row};
-use crate::i18n::notes;
+use crate::i18n::why::notes;
 use crate::i18n::window::{self, Texts};
 use crate::limits;
 

@@ -18,8 +18,11 @@ use crate::gui::kit::number_field::{FieldOutput, NumberField};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{State, Tab, symbols_of};
 use crate::gui::why::context_help::{has_focus, help_topic_row};
+use crate::i18n::Lang;
+use crate::i18n::messages::faults;
+use crate::i18n::why::notes;
+use crate::i18n::window::scenes;
 use crate::i18n::window::{self, Texts};
-use crate::i18n::{Lang, faults, notes, scenes};
 use crate::numbers;
 use crate::scene::Preset;
 

@@ -7,7 +7,7 @@ use crate::camera::{Camera, Projection};
 use crate::gui::files::file_flow;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{MeshFor, Purpose, Selected, State, free_place, rounded};
-use crate::i18n::scenes::Texts;
+use crate::i18n::window::scenes::Texts;
 use crate::numbers;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, ObjectSpec, Shape};
 

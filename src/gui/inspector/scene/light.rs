@@ -9,7 +9,7 @@ use crate::gui::inspector::{VectorField, choice, complaint, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
-use crate::i18n::scenes::Texts;
+use crate::i18n::window::scenes::Texts;
 use crate::scene::{DEFAULT_LIGHT, Light, LightKind, Shadows};
 
 /// Kind, direction or position; returns the request of the button.

@@ -56,7 +56,7 @@ pub(super) fn notices(ui: &mut egui::Ui, state: &State, owner: &str) -> [bool; 2
 
 /// The buttons by which the user mends what could not be read.
 pub(super) fn mend(ui: &mut egui::Ui, state: &mut State, [is_outside, is_lacking]: [bool; 2]) {
-    let t = crate::i18n::scenes::texts(state.settings.lang);
+    let t = crate::i18n::window::scenes::texts(state.settings.lang);
     if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
         state.document.allow_files();
         state.message = None;
@@ -162,7 +162,7 @@ fn or_unsaid<T: Copy + PartialEq>(
 }
 
 /// The inner work of texturing, in all pictures.
-fn reveal(ui: &mut egui::Ui, state: &mut State, t: &crate::i18n::scenes::Texts) {
+fn reveal(ui: &mut egui::Ui, state: &mut State, t: &crate::i18n::window::scenes::Texts) {
     let now = state.document.figure().reveal.texture;
     let mut chosen = now;
     let all = [

@@ -13,7 +13,7 @@ use crate::appearance::Rgba;
 use crate::gui::app::focus::keep_in_sight;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Selected, State, preset_objects};
-use crate::i18n::scenes::{Texts, preset_object};
+use crate::i18n::window::scenes::{Texts, preset_object};
 use crate::sanitize::escaped;
 use crate::scene::edit::descendants;
 use crate::scene::{LightKind, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec};

@@ -5,7 +5,7 @@ use glam::{DMat4, DVec3};
 use crate::camera::Camera;
 use crate::geometry::Aabb;
 use crate::gui::state::{Selected, State};
-use crate::i18n::scenes;
+use crate::i18n::window::scenes;
 use crate::numbers;
 use crate::scene::edit::{free_name, placement};
 use crate::scene::palette::least_used;

@@ -13,7 +13,8 @@ use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{State, is_whole, joined};
-use crate::i18n::{Lang, exercise_window as words, exercises as said, messages};
+use crate::i18n::learn::{exercise_window as words, exercises as said};
+use crate::i18n::{Lang, messages};
 use crate::limits::MAX_ANSWER;
 
 /// The type size of the interpretation, in points.

@@ -7,9 +7,10 @@ use crate::exercises::{Entry, Stage};
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Chosen, Exercises};
-use crate::i18n::exercise_window::Texts;
-use crate::i18n::search::{folded, has_words};
-use crate::i18n::{Lang, exercise_messages, exercises as said};
+use crate::i18n::Lang;
+use crate::i18n::learn::exercise_window::Texts;
+use crate::i18n::learn::{exercise_messages, exercises as said};
+use crate::i18n::window::search::{folded, has_words};
 use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
 

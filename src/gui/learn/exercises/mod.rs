@@ -20,8 +20,9 @@ use crate::exercises::{self, Ask, Entry, Exercise};
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Checked, Chosen, Done, State, joined};
-use crate::i18n::exercise_messages as messages;
-use crate::i18n::exercise_window::{self as words, Texts};
+use crate::i18n::learn::exercise_messages as messages;
+use crate::i18n::learn::exercise_window as words;
+use crate::i18n::learn::exercise_window::Texts;
 pub(in crate::gui) use answers::color;
 
 /// The exercise that is worked on, and the words of the window.

@@ -7,7 +7,7 @@ use crate::gui::files::file_flow;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Purpose, State};
-use crate::i18n::exercise_window::Texts;
+use crate::i18n::learn::exercise_window::Texts;
 use crate::i18n::messages;
 use crate::sanitize;
 

@@ -7,8 +7,8 @@ use crate::gui::files::file_flow;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Dialog, Purpose, State};
-use crate::i18n::exercise_window::Texts;
-use crate::i18n::exercises as said;
+use crate::i18n::learn::exercise_window::Texts;
+use crate::i18n::learn::exercises as said;
 use crate::sanitize;
 
 /// The foot of the list.

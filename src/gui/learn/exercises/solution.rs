@@ -14,7 +14,9 @@ use crate::gui::kit::mathematics::{Both, Links, chain};
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Described, NotCamera, State};
-use crate::i18n::{Lang, dialects, exercise_window as words, exercises as said};
+use crate::i18n::Lang;
+use crate::i18n::learn::{exercise_window as words, exercises as said};
+use crate::i18n::why::dialects;
 use crate::inspect::quantity::{BasisAxis, Quantity, QuantityPath, ReportMatrix};
 
 /// The button of the next help. It keeps the focus, whatever appears above it: it is identified by `id`, and not by its

@@ -8,7 +8,7 @@ use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
-use crate::i18n::{exercise_messages as messages, exercises as said};
+use crate::i18n::learn::{exercise_messages as messages, exercises as said};
 use crate::limits::MAX_EXPRESSION;
 
 /// Shows the statement.
@@ -17,7 +17,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
     ui.add(egui::Label::new(RichText::new(said::title(t.lang, entry)).heading().strong()).wrap());
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().interact_size.y = 0.0;
-        ui.label(RichText::new(entry.source).small().weak()).explained(crate::i18n::sources::with_titles(entry.source));
+        ui.label(RichText::new(entry.source).small().weak())
+            .explained(crate::i18n::why::sources::with_titles(entry.source));
         if entry.is_family {
             let seed = format!("{} {}", messages::texts(t.lang).seed, exercise.seed);
             ui.label(RichText::new(seed).small().weak()).explained(t.seed_hint);

@@ -7,7 +7,7 @@ use super::{Sheet, solution};
 use crate::exercises::Ask;
 use crate::gui::kit::prose;
 use crate::gui::state::State;
-use crate::i18n::{exercise_messages as messages, exercises as said};
+use crate::i18n::learn::{exercise_messages as messages, exercises as said};
 
 /// Shows the verdict on an answer, and the help; a verdict `just_said` is scrolled into sight.
 pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {

@@ -7,7 +7,7 @@ use crate::gui::files::file_flow;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{AfterSave, FIELDS_OF_STEP, State, StepChange};
-use crate::i18n::lessons::Texts;
+use crate::i18n::learn::lessons::Texts;
 use crate::i18n::{Lang, messages};
 use crate::limits::{MAX_TITLE, MAX_TYPED};
 

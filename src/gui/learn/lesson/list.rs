@@ -6,7 +6,9 @@ use crate::gui::files::file_flow;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{AfterSave, Dialog, State};
-use crate::i18n::{gallery, lessons as words, told};
+use crate::i18n::learn::lessons as words;
+use crate::i18n::told;
+use crate::i18n::window::gallery;
 use crate::lessons::{OpenLesson, shipped};
 
 /// The width of the dialog.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::figure::{Figure, Screen};
 use crate::files::{self, FileError};
 use crate::gui::state::{Agreed, Dialog, Message, Side, State};
-use crate::i18n::lessons as words;
+use crate::i18n::learn::lessons as words;
 use crate::lessons::{Lesson, with_step};
 use crate::views::View;
 

@@ -6,7 +6,7 @@ use crate::gui::app::command::Command;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
-use crate::i18n::lessons as words;
+use crate::i18n::learn::lessons as words;
 use crate::i18n::told;
 use crate::lessons;
 

@@ -7,8 +7,8 @@ use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::exercises;
 use crate::gui::state::{Chosen, State};
-use crate::i18n::exercises::title;
-use crate::i18n::lessons::Texts;
+use crate::i18n::learn::exercises::title;
+use crate::i18n::learn::lessons::Texts;
 use crate::lessons::{Step, Task};
 
 /// Shows the task of a step. In a presentation a question is shown by a key.

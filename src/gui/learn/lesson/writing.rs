@@ -299,7 +299,7 @@ impl State {
         let figure = super::recording::as_shown(self);
         let Some(playing) = &self.lesson else { return };
         let Some(writing) = &playing.writing else { return };
-        let draft = crate::i18n::lessons::draft(playing.lesson.steps.len() + 1);
+        let draft = crate::i18n::learn::lessons::draft(playing.lesson.steps.len() + 1);
         let step = playing.step;
         match with_step(&writing.text, &playing.lesson.id, &draft, &figure) {
             Ok((text, lesson)) => {
@@ -317,7 +317,7 @@ impl State {
             return;
         }
         let figure = super::recording::as_shown(self);
-        let draft = crate::i18n::lessons::draft;
+        let draft = crate::i18n::learn::lessons::draft;
         let Some(playing) = &self.lesson else { return };
         let (Some(path), Some(writing)) = (playing.path.clone(), &playing.writing) else { return };
         let (step, count) = (playing.step, playing.lesson.steps.len());

@@ -6,7 +6,7 @@ use crate::gui::app::command::Command;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::pictures::icons::{Icon, icon_button, left_center};
 use crate::gui::state::ObserverChange;
-use crate::i18n::canvas::CanvasTexts;
+use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::View;
 use crate::views::observer::Viewpoint;
 

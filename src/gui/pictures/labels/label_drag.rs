@@ -9,7 +9,7 @@ use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::gui::state::State;
-use crate::i18n::labels as words;
+use crate::i18n::window::labels as words;
 use crate::limits::MAX_LABELS;
 use crate::views::{LabelPlace, View, note_place};
 

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 use crate::gui::pictures::Pane;
 use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::state::State;
-use crate::i18n::explain_point;
+use crate::i18n::why::explain_point;
 use crate::sanitize::escaped;
 use crate::views::{Request, named_points};
 

@@ -4,7 +4,7 @@ use eframe::egui::{CursorIcon, Modifiers};
 use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, CameraError, Parameters};
-use crate::i18n::canvas::CanvasTexts;
+use crate::i18n::window::canvas::CanvasTexts;
 use crate::numbers::DecimalMark;
 use crate::views::Request;
 use crate::views::{Handle, handles};

@@ -17,7 +17,7 @@ use crate::gui::pictures::pointer::handle_drag;
 use crate::gui::pictures::status::Status;
 use crate::gui::pictures::{Canvas, Pane, readout, toggle_maximized};
 use crate::gui::state::{ObserverChange, State};
-use crate::i18n::canvas::CanvasTexts;
+use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
 use crate::views::{Handle, Hover, Probe, Request, Transforming, View, pick};

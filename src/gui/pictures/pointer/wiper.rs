@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use crate::gui::pictures::{Canvas, Pane};
 use crate::gui::state::State;
-use crate::i18n::compare as words;
+use crate::i18n::window::compare as words;
 use crate::views::{Request, Side};
 
 /// Half the width of the strip in which the pointer catches the wiper, and the radius of its handle, in points.

@@ -8,7 +8,7 @@ use crate::gui::inspector::choice;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
-use crate::i18n::{code, explain};
+use crate::i18n::why::{code, explain};
 
 /// Shows the tab.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {

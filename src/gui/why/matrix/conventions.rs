@@ -6,7 +6,8 @@ use crate::camera::{Api, Ndc};
 use crate::gui::inspector::{choice, complaint, row, values};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
-use crate::i18n::conventions::{self, Texts, finite_instead};
+use crate::i18n::why::conventions;
+use crate::i18n::why::conventions::{Texts, finite_instead};
 
 /// Shows the choices, and below them the numbers that depend on them.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {

@@ -12,7 +12,8 @@ use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::gui::why::context_help::{help_topic, help_topic_row};
-use crate::i18n::{dialects, messages, window};
+use crate::i18n::why::dialects;
+use crate::i18n::{messages, window};
 use crate::numbers::{is_rest, power_of_ten};
 
 /// Shows the tab.

@@ -16,8 +16,10 @@ use crate::gui::why::answer;
 use crate::gui::why::answer::Writing;
 use crate::gui::why::context_help::help_topic;
 use crate::gui::why::subject::ExplainedSetting;
-use crate::i18n::explain::{self as words, Texts};
-use crate::i18n::{conventions, notes, window};
+use crate::i18n::why::explain as words;
+use crate::i18n::why::explain::Texts;
+use crate::i18n::why::{conventions, notes};
+use crate::i18n::window;
 use crate::numbers::without_rests;
 
 /// Shows the tab.

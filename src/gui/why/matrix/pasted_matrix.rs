@@ -13,7 +13,8 @@ use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::gui::why::context_help::help_topic;
-use crate::i18n::dialects::{self, Texts};
+use crate::i18n::why::dialects;
+use crate::i18n::why::dialects::Texts;
 use crate::i18n::window;
 use crate::limits::{MAX_ANSWER, MAX_SIDE};
 

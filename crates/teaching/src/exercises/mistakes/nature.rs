@@ -1,0 +1,88 @@
+//! The nature of what is asked for: which general mistakes can be made in it, and which hints help.
+
+use super::mistake::Mistake;
+use crate::camera::ParameterKey;
+use crate::inspect::quantity::{PointNumber, Quantity, RayNumber, WindowNumber};
+
+/// The nature of what a question asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Nature {
+    /// A length, an angle or a share: never negative.
+    Size,
+    /// A number with a sign.
+    Number,
+    /// A point or another vector.
+    Vector,
+    /// A vector of length 1.
+    Direction,
+    /// The cosine of an angle between vectors of length 1.
+    Cosine,
+    /// A share of light: never negative, of vectors of length 1.
+    Light,
+    /// A matrix.
+    Matrix,
+    /// A pixel.
+    Pixel,
+    /// Six bits.
+    Outcode,
+    /// t of a segment.
+    Parameter,
+    /// Things in an order.
+    Order,
+    /// One of several.
+    Choice,
+    /// A camera.
+    Camera,
+}
+
+impl Nature {
+    /// The nature of a quantity; `None` where its kind says it.
+    pub(in crate::exercises) fn of_quantity(quantity: Quantity) -> Option<Self> {
+        match quantity {
+            Quantity::Axis(_) | Quantity::Direction | Quantity::Ray(_, RayNumber::Direction) => Some(Self::Direction),
+            Quantity::Point(_, PointNumber::Pixel) | Quantity::Ray(_, RayNumber::Pixel) => Some(Self::Pixel),
+            Quantity::Distance
+            | Quantity::Window(WindowNumber::Width | WindowNumber::Height | WindowNumber::Aspect)
+            | Quantity::Camera(
+                ParameterKey::ViewAngle
+                | ParameterKey::Height
+                | ParameterKey::Aspect
+                | ParameterKey::Near
+                | ParameterKey::Far,
+            ) => Some(Self::Size),
+            _ => None,
+        }
+    }
+
+    /// Whether its numbers can be negative.
+    #[must_use]
+    pub const fn has_signs(self) -> bool {
+        matches!(self, Self::Number | Self::Vector | Self::Direction | Self::Cosine | Self::Matrix)
+    }
+
+    /// Whether a mistake shows in its numbers: a length that is not 1 does where it has to be 1.
+    pub(in crate::exercises) const fn shows(self, mistake: Mistake) -> bool {
+        let has_lengths = matches!(self, Self::Direction | Self::Cosine | Self::Light | Self::Matrix);
+        has_lengths || !matches!(mistake, Mistake::NotNormalised)
+    }
+
+    /// Its name among the texts.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Size => "size",
+            Self::Number => "number",
+            Self::Vector => "vector",
+            Self::Direction => "direction",
+            Self::Cosine => "cosine",
+            Self::Light => "light",
+            Self::Matrix => "matrix",
+            Self::Pixel => "pixel",
+            Self::Outcode => "outcode",
+            Self::Parameter => "parameter",
+            Self::Order => "order",
+            Self::Choice => "choice",
+            Self::Camera => "camera",
+        }
+    }
+}

@@ -1,0 +1,398 @@
+//! The ways in which a known mistake is made, each with numbers of its own.
+
+use super::mistake::Mistake;
+
+/// The cause of a wrong answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cause {
+    /// The mistake.
+    pub mistake: Mistake,
+    /// The name of the texts that tell this way of making it; empty where those of the mistake do.
+    pub variant: &'static str,
+}
+
+impl Cause {
+    pub(in crate::exercises) const fn of(mistake: Mistake) -> Self {
+        Self { mistake, variant: "" }
+    }
+}
+
+macro_rules! slips {
+    ($($(#[doc = $doc:literal])+ $name:ident = $mistake:ident $($variant:literal)?;)*) => {
+        /// One way of making a [`Mistake`]; some are made in several ways, which give different numbers.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Slip {
+            $($(#[doc = $doc])+ $name,)*
+        }
+
+        impl Slip {
+            /// All; where several explain the same numbers, the first is told first.
+            pub const ALL: &'static [Self] = &[$(Self::$name,)*];
+
+            /// The mistake that it is, and the way of making it.
+            #[must_use]
+            pub const fn cause(self) -> Cause {
+                match self {
+                    $(Self::$name => Cause { mistake: Mistake::$mistake, variant: concat!($($variant)?) },)*
+                }
+            }
+        }
+    };
+}
+
+slips! {
+    /// Nothing was done.
+    NothingDone = NotDone;
+    /// The direction of a ray is **n**, without the minus.
+    DirectionIsNormal = Sign "direction";
+    /// The axes in `[0]` of yaw and pitch.
+    PrintedAxes = AsPrinted "axes";
+    /// VUP is not turned with the camera, as `[0]` prints it of the elevation.
+    PrintedElevation = AsPrinted "elevation";
+    /// VUP is not turned with the camera.
+    ViewUpKept = NotDone "view-up";
+    /// **u** alone is reversed.
+    UReversedAlone = UReversed;
+    /// **u** is reversed, and **v** = **n** × **u** with it.
+    UReversed = UReversed;
+    /// **v** = **u** × **n**.
+    VReversed = VReversed;
+    /// **n** alone is reversed.
+    NReversedAlone = NReversed;
+    /// **n** is reversed, and **u** = VUP × **n** with it.
+    NReversed = NReversed;
+    /// **v** is VUP, of length 1.
+    UnitViewUpAsV = VupAsV;
+    /// **v** is VUP as it is given.
+    ViewUpAsV = VupAsV;
+    /// The formula of VUV in `[3]`, with a VPN that is not of length 1.
+    PrintedViewUp = AsPrinted "vuv";
+    /// That formula, and the result divided by its length.
+    PrintedViewUpUnit = AsPrinted "vuv";
+    /// No vector is divided by its length.
+    NothingNormalised = NotNormalised;
+    /// **n** alone keeps its length, of a camera or of a surface.
+    NNotNormalised = NotNormalised;
+    /// **u** keeps its length, and **v** with it.
+    UNotNormalised = NotNormalised;
+    /// **u** alone keeps its length.
+    UNotNormalisedAlone = NotNormalised;
+    /// The direction of a ray keeps its length.
+    RayNotNormalised = NotNormalised;
+    /// −C in the last column.
+    TranslationNotRotated = TranslationNotRotated;
+    /// R C in the last column.
+    PositionNotNegated = PositionNotNegated;
+    /// C in the last column.
+    PositionAsItIs = PositionNotNegated;
+    /// −R PF in the last column.
+    FocalPointAsOrigin = FocalPointForPosition;
+    /// θ in degrees put into tan.
+    Radians = Radians;
+    /// The angle of an operation in degrees put into sin and cos.
+    TurnInRadians = Radians;
+    /// An angle in radians where degrees are asked for.
+    AnswerInRadians = Radians "answer";
+    /// tan θ for tan(θ/2).
+    WholeAngle = WholeAngle;
+    /// tan θ for 2 tan(θ/2): H = F tan θ.
+    WholeAngleOnce = WholeAngle;
+    /// H = F tan(θ/2).
+    HeightHalved = FactorTwo;
+    /// r = W, t = H.
+    SideWhole = FactorTwo;
+    /// F/W for 2F/W, 1/W for 2/W.
+    ScaleHalved = FactorTwo;
+    /// H = 4 F tan(θ/2).
+    HeightDoubled = FactorTwo;
+    /// 2F/r for F/r.
+    ScaleDoubled = FactorTwo;
+    /// BF for 2BF.
+    DepthTermHalved = FactorTwo;
+    /// `c_x` = m.
+    CentreWhole = FactorTwo;
+    /// H = 2 tan(θ/2).
+    NearForgotten = NearForgotten;
+    /// 2/W for 2F/W.
+    NearForgottenInScale = NearForgotten "scale";
+    /// `x_c`/(−`z_c`).
+    NearForgottenOnWindow = NearForgotten;
+    /// H = 2 D tan(θ/2).
+    DistanceForNear = DistanceForNear;
+    /// 2D/W.
+    DistanceInScale = DistanceForNear;
+    /// D for F in the row of z.
+    DistanceInDepth = DistanceForNear;
+    /// D `x_c`/(−`z_c`).
+    DistanceOnWindow = DistanceForNear;
+    /// W = H / A.
+    AspectInverted = AspectInverted;
+    /// W = H.
+    AspectLeftOut = AspectInverted "left-out";
+    /// θ/s.
+    ZoomOnAngle = ZoomOnAngle;
+    /// θ s.
+    ZoomTimesAngle = ZoomOnAngle;
+    /// Multiplied by the factor, and not divided.
+    FactorInverted = Inverse "factor";
+    /// t along the segment of NDC.
+    ClipAfterDivide = ClipAfterDivide;
+    /// The point where the segment leaves.
+    EntryExit = EntryExitExchanged;
+    /// Clip coordinates without w.
+    NoDivide = NoDivide;
+    /// Numbers of the other projection.
+    ProjectionsExchanged = ProjectionsExchanged;
+    /// The last row of the other M_p.
+    OtherLastRow = ProjectionsExchanged "last-row";
+    /// The ray of a perspective camera begins at the point of the window.
+    WindowPointAsOrigin = ProjectionsExchanged;
+    /// The depth of a parallel camera.
+    LinearDepth = ProjectionsExchanged "depth";
+    /// NDC in the place of window coordinates.
+    NdcAsWindow = NotDone "window";
+    /// The distance from C as depth.
+    DistanceAsDepth = DistanceForDepth;
+    /// Numbers of the VRC as those of the world.
+    ViewAsWorld = ViewAsWorld;
+    /// w = +z_c.
+    WSign = ZSign;
+    /// The row of z has the opposite signs.
+    DepthRowSign = ZSign;
+    /// Looking along +z_c: both.
+    LeftHanded = ZSign;
+    /// z_c with the opposite sign.
+    ViewDepthSign = ZSign;
+    /// Without the minus before the factor of z_c.
+    DepthScaleSign = Sign "depth";
+    /// Without the minus before the last number of the row of z.
+    DepthShiftSign = Sign "depth";
+    /// M_p for z_n in 0 … 1.
+    DepthRange = ZRange;
+    /// Z = z_n.
+    DepthNotMapped = ZRange;
+    /// The last row of (5.15) and (5.16).
+    PrintedLastRow = AsPrinted "last-row";
+    /// 2n of (5.11).
+    PrintedScale = AsPrinted "scale";
+    /// The back face of the frustum at −F.
+    PrintedBackFace = AsPrinted "back-face";
+    /// 1/B − F of (1-7).
+    PrintedThird = AsPrinted "third";
+    /// −F and −B in place of F and B, in the row of z.
+    NearFarAsCoordinates = NearFarAsCoordinates;
+    /// −F and −B everywhere.
+    NearFarAsCoordinatesEverywhere = NearFarAsCoordinates;
+    /// (j, i).
+    ColumnsAndRows = ColumnsAndRowsExchanged;
+    /// m for n, and n for m.
+    SizesExchanged = ColumnsAndRowsExchanged "sizes";
+    /// `c_x` and `c_y` exchanged.
+    CentresExchanged = ColumnsAndRowsExchanged "sizes";
+    /// Rows from the bottom.
+    YNotFlipped = YNotFlipped;
+    /// Without the half.
+    PixelCorner = PixelCorner;
+    /// The principal point where whole numbers are middles of pixels.
+    CentresAtWhole = PixelCorner "principal-point";
+    /// Without ⌊ ⌋.
+    NotFloored = NotFloored;
+    /// Rounded to the nearest whole number.
+    RoundedNotFloored = RoundedNotFloored;
+    /// From 1.
+    OneBased = OneBased;
+    /// Z from 0 to 1.
+    DepthRangeIgnored = DepthRangeIgnored;
+    /// Without X and Y of the viewport.
+    OffsetIgnored = OffsetIgnored;
+    /// The principal point at (0, 0).
+    CentreIgnored = OffsetIgnored "principal-point";
+    /// The opposite angle.
+    OppositeAngle = OppositeAngle;
+    /// A rotation about **u** through PF.
+    Elevated = OtherOperation "elevation";
+    /// A rotation about **v** through PF.
+    Turned = OtherOperation "azimuth";
+    /// A rotation about **n**.
+    Rolled = OtherOperation "roll";
+    /// A rotation about **v** through C.
+    Yawed = OtherOperation "yaw";
+    /// A rotation about **u** through C.
+    Pitched = OtherOperation "pitch";
+    /// C moved by the factor.
+    Dollied = OtherOperation "dolly";
+    /// The window divided by the factor.
+    Zoomed = OtherOperation "zoom";
+    /// A rotation about an axis of the world.
+    WorldAxis = WorldAxis;
+    /// A rotation about VUP.
+    ViewUpAxis = WorldAxis "view-up";
+    /// A rotation or a scale about the origin, of C or PF alone.
+    ThroughOrigin = ThroughOrigin;
+    /// A rotation about the origin of all that is turned.
+    ThroughOriginAll = ThroughOrigin;
+    /// Factors or operations in the opposite order.
+    OrderReversed = OrderReversed;
+    /// R T S.
+    OrderRts = OrderReversed;
+    /// T S R.
+    OrderTsr = OrderReversed;
+    /// S T R.
+    OrderStr = OrderReversed;
+    /// R S T.
+    OrderRst = OrderReversed;
+    /// The segment from B to A.
+    EndsExchanged = OrderReversed "ends";
+    /// Planes of a pair exchanged: left and right, bottom and top, near and far.
+    PairsExchanged = OrderReversed;
+    /// Left and right, bottom and top exchanged.
+    SidesExchanged = OrderReversed;
+    /// l, b, r, t.
+    SidesByPairs = OrderReversed "sides";
+    /// The place of each thing in the order, and not the things.
+    RankOfEach = OrderReversed "ranks";
+    /// A missing division by the length, in a question of a family.
+    LengthForgotten = NotNormalised;
+    /// The inverse, in a question of a family.
+    Inverted = Inverse "factor";
+    /// A step of the buffer, and not the distance that it is.
+    StepNotConverted = NotDone "step";
+    /// A point through M_v^{-1}.
+    ViewInverted = Inverse;
+    /// The axes are the columns of M_v, beside −R C.
+    AxesAsColumnsAlone = Transposed "block";
+    /// The axes are the columns of M_v, also where they are multiplied by −C.
+    AxesAsColumns = Transposed "block";
+    /// The sum of **L** and **V** in the place of **H**.
+    HalfwaySum = NotNormalised "halfway";
+    /// Half of that sum.
+    HalfwayMean = NotNormalised "halfway";
+    /// The vector along which light travels, in the place of the way to a lamp that is far away.
+    TravelForWay = Sign "travel";
+    /// P − S in the place of S − P.
+    LampReversed = Sign "lamp";
+    /// The ways to a lamp and to the viewer begin at the origin.
+    PositionForgotten = PositionForgotten;
+    /// **V** in the place of **L**.
+    ViewForLight = ViewForLight;
+    /// A lamp behind the surface takes light away.
+    NegativeLight = NegativeLight;
+    /// The angle in degrees, and not its cosine.
+    CosineLeftAsAngle = AngleForCosine;
+    /// The share of a right angle that an angle leaves.
+    ShareOfRightAngle = AngleForCosine "share";
+    /// The ambient share is left out.
+    AmbientForgotten = ShareForgotten "ambient";
+    /// 1 in the place of the diffuse share.
+    DiffuseForgotten = ShareForgotten "diffuse";
+    /// 1 in the place of the white of the highlight.
+    SpecularForgotten = ShareForgotten "specular";
+    /// **L** in the place of **H**.
+    LightForHalfway = HalfwayForgotten;
+    /// Phong's **R** · **V** in the place of **N** · **H**.
+    ReflectedForHalfway = HalfwayForgotten "reflected";
+    /// Without the exponent of the highlight.
+    ExponentForgotten = ExponentForgotten;
+    /// **n** towards the viewer, in the left-handed system of `[3]`.
+    LeftHandedNReversed = NReversed "left-handed";
+    /// **u** = **v** × **n**, in the left-handed system of `[3]`.
+    LeftHandedUReversed = UReversed "left-handed";
+    /// **v** points down, in the left-handed system of `[3]`.
+    LeftHandedVReversed = VReversed "left-handed";
+    /// F and B exchanged.
+    NearFarExchanged = NearFarAsCoordinates "exchanged";
+    /// The scale of a perspective, 2F/W, in parallel projection.
+    PerspectiveScale = ProjectionsExchanged "scale";
+    /// tan(θ/2) where its reciprocal belongs, with A at the right place.
+    TangentForCotangent = Inverse "scale";
+    /// W/2F and H/2F.
+    ScaleInverted = Inverse "scale";
+    /// 1 for the sides that a point is inside of.
+    OutcodeInverted = Inverse "outcode";
+    /// The corner on the other side, left or right.
+    OtherCornerAcross = Sign "corner";
+    /// The corner on the other side, top or bottom.
+    OtherCornerUp = Sign "corner";
+    /// The opposite corner.
+    OtherCorner = Sign "corner";
+    /// M_p applied to points of the world.
+    ViewForgotten = NotDone "view";
+    /// d²/(F 2^b): without B/(B − F), and 2^b for 2^b − 1.
+    ApproximateStep = Approximation;
+    /// Without B/(B − F).
+    FarForgotten = Approximation "far";
+    /// 2^b for 2^b − 1.
+    PowerOfTwo = Approximation "power";
+}
+
+/// [`Slips`] has a bit for each.
+const _: () = assert!(Slip::ALL.len() <= 2 * u128::BITS as usize);
+
+impl Slip {
+    /// The mistake that it is.
+    #[must_use]
+    pub const fn mistake(self) -> Mistake {
+        self.cause().mistake
+    }
+
+    /// Whether it is made where the axes of the camera are computed.
+    #[must_use]
+    pub const fn is_of_axes(self) -> bool {
+        matches!(
+            self,
+            Self::DirectionIsNormal
+                | Self::UReversedAlone
+                | Self::UReversed
+                | Self::VReversed
+                | Self::NReversedAlone
+                | Self::NReversed
+                | Self::UnitViewUpAsV
+                | Self::ViewUpAsV
+                | Self::LeftHandedNReversed
+                | Self::LeftHandedUReversed
+                | Self::LeftHandedVReversed
+                | Self::PrintedViewUp
+                | Self::PrintedViewUpUnit
+                | Self::NothingNormalised
+                | Self::NNotNormalised
+                | Self::UNotNormalised
+                | Self::UNotNormalisedAlone
+        )
+    }
+}
+
+/// The slips that are made together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Slips([u128; 2]);
+
+impl Slips {
+    /// None: the right way.
+    pub const NONE: Self = Self([0; 2]);
+
+    /// One.
+    #[must_use]
+    pub const fn one(slip: Slip) -> Self {
+        Self::NONE.and(slip)
+    }
+
+    /// One more.
+    #[must_use]
+    pub const fn and(mut self, slip: Slip) -> Self {
+        let place = slip as usize;
+        self.0[place / 128] |= 1 << (place % 128);
+        self
+    }
+
+    /// Whether it is made.
+    #[must_use]
+    pub const fn has(self, slip: Slip) -> bool {
+        let place = slip as usize;
+        self.0[place / 128] & (1 << (place % 128)) != 0
+    }
+
+    /// Whether any of these is made.
+    #[must_use]
+    pub fn any(self, slips: &[Slip]) -> bool {
+        slips.iter().any(|slip| self.has(*slip))
+    }
+}

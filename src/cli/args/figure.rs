@@ -1,0 +1,101 @@
+//! The arguments of every command that takes a figure, and how sizes and numbers are read.
+
+use std::ops::RangeInclusive;
+
+use clap::Args;
+
+use super::words::{ConventionArg, LangArg};
+use crate::camera::{Amount, Convention, ImageSize, OPERATIONS, Operation};
+use crate::cli::Failure;
+use crate::figure::{Show, show_with};
+use crate::i18n::{Lang, command_line as texts, messages};
+use crate::limits::MAX_SIDE;
+use crate::sanitize::escaped;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct FigureArgs {
+    // The words are in `OPERATIONS`.
+    #[arg(long = "op", value_name = "NAME=VALUE", allow_hyphen_values = true, help = operations_help())]
+    operations: Vec<String>,
+    /// Explanation to show in the pictures, as a key of `[show]` of a figure file with a TOML value: `stage="clip"`,
+    /// `step={way="notes",at=2.5}`, `measure=["F","theta"]`; an empty value removes it
+    #[arg(long = "show", value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    show: Vec<String>,
+    /// Signs of the rotations: right-hand rule, or as in VTK (elevation and roll the other way)
+    #[arg(long, value_enum, default_value_t)]
+    convention: ConventionArg,
+    /// Let the figure name any file of this machine. Without it, files named by a mesh (materials, buffers) must lie in
+    /// the mesh's folder or below, and those named by a figure inside a picture in the picture's. Nothing comes from
+    /// another machine
+    #[arg(long)]
+    pub(in crate::cli) allow_files: bool,
+    /// Language of the window, of messages, and of words in pictures
+    #[arg(long, value_enum, ignore_case = true)]
+    pub(in crate::cli) lang: Option<LangArg>,
+}
+
+impl FigureArgs {
+    pub(in crate::cli) fn convention(&self) -> Convention {
+        match self.convention {
+            ConventionArg::RightHand => Convention::RightHand,
+            ConventionArg::Vtk => Convention::Vtk,
+        }
+    }
+
+    pub(in crate::cli) fn operations(&self, lang: Lang) -> Result<Vec<Operation>, Failure> {
+        let read = |text: &String| {
+            text.parse()
+                .map_err(|e| Failure::BadInput(format!("--op {}: {}", escaped(text), messages::operation(lang, &e))))
+        };
+        self.operations.iter().map(read).collect()
+    }
+
+    /// The `[show]` section, with the keys that the arguments set.
+    pub(in crate::cli) fn shown(&self, show: Show, lang: Lang) -> Result<Show, Failure> {
+        self.show.iter().try_fold(show, |show, text| {
+            let refused = |why: &str| Failure::BadInput(format!("--show {}: {why}", escaped(text)));
+            let (key, value) = text.split_once('=').ok_or_else(|| refused(texts::show_without_value(lang)))?;
+            show_with(&show, key.trim(), value).map_err(|error| refused(&messages::without_line(lang, &error)))
+        })
+    }
+}
+
+/// Width and height, if they are given.
+pub(in crate::cli) fn size(text: Option<&str>, lang: Lang) -> Result<Option<ImageSize>, Failure> {
+    let Some(text) = text else { return Ok(None) };
+    let side = |text: &str| text.trim().parse().ok().filter(|side| (1..=MAX_SIDE).contains(side));
+    text.split_once(['x', 'X', '×'])
+        .and_then(|(width, height)| Some(Some(ImageSize { width: side(width)?, height: side(height)? })))
+        .ok_or_else(|| Failure::BadInput(texts::size(lang, text)))
+}
+
+/// The number of an option that is given, with the range that it takes and an example.
+pub(in crate::cli) fn option(
+    name: &str,
+    text: &Option<String>,
+    range: (&RangeInclusive<f64>, f64),
+    lang: Lang,
+) -> Result<Option<f64>, Failure> {
+    text.as_ref().map(|text| number(name, text, range, lang)).transpose()
+}
+
+pub(in crate::cli) fn number(
+    option: &str,
+    text: &str,
+    (range, example): (&RangeInclusive<f64>, f64),
+    lang: Lang,
+) -> Result<f64, Failure> {
+    let number = text.trim().parse().ok().filter(|number| range.contains(number));
+    number.ok_or_else(|| Failure::BadInput(texts::number(lang, option, text, range, example)))
+}
+
+fn operations_help() -> String {
+    let words = |amount: Amount, unit: &str| {
+        let mut words: Vec<_> = OPERATIONS.iter().filter(|row| row.amount == amount).map(|row| row.word).collect();
+        words.dedup();
+        format!("{} ({unit})", words.join(", "))
+    };
+    let [turns, factors, lengths] = [(Amount::Angle, "degrees"), (Amount::Factor, "factor"), (Amount::Length, "DX,DY")]
+        .map(|(a, unit)| words(a, unit));
+    format!("An operation on the camera, in the order given: {turns}, {factors}, {lengths}")
+}

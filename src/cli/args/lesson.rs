@@ -1,0 +1,174 @@
+//! The arguments of `camera-lab lesson`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand, ValueEnum};
+
+use super::words::{LangArg, TableFormat, one_of};
+use crate::camera::ImageSize;
+use crate::cli::Failure;
+use crate::cli::args::figure::size;
+use crate::export::format::PictureFormat;
+use crate::i18n::Lang;
+use crate::i18n::learn::lessons as texts;
+use crate::views::Views;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct LessonArgs {
+    #[command(subcommand)]
+    pub(in crate::cli) command: LessonCommand,
+}
+
+#[derive(Debug, Subcommand)]
+pub(in crate::cli) enum LessonCommand {
+    /// List the lessons of the program, and those of a folder
+    List(ListArgs),
+    /// Print a lesson: its steps, each with its text and its whole figure
+    Show(ShowArgs),
+    /// Check lesson files: every figure, number, question and goal; reports faults by line and key
+    Check(CheckArgs),
+    /// Write the numbered pictures of a lesson's steps into a folder, or a handout as PDF
+    Render(LessonRenderArgs),
+    /// Open the window with a lesson
+    Play(PlayArgs),
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ListArgs {
+    /// A table to read, or JSON for programs
+    #[arg(long, value_enum, default_value_t)]
+    pub(in crate::cli) format: TableFormat,
+    /// A folder with your own lessons, listed after the others
+    #[arg(long, value_name = "DIR")]
+    pub(in crate::cli) folder: Option<PathBuf>,
+    /// Language of titles and messages
+    #[arg(long, value_enum, ignore_case = true)]
+    pub(in crate::cli) lang: Option<LangArg>,
+}
+
+/// Which lesson.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct WhichArgs {
+    /// Identifier of a lesson, from `camera-lab lesson list`, or a lesson file
+    pub(in crate::cli) id: String,
+    /// Language of texts and messages
+    #[arg(long, value_enum, ignore_case = true)]
+    pub(in crate::cli) lang: Option<LangArg>,
+    /// Let the steps name meshes anywhere, and not only in the folder of the lesson and below
+    #[arg(long)]
+    pub(in crate::cli) allow_files: bool,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ShowArgs {
+    #[command(flatten)]
+    pub(in crate::cli) which: WhichArgs,
+    /// Text to read, or JSON for programs
+    #[arg(long, value_enum, default_value_t)]
+    pub(in crate::cli) format: TableFormat,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct CheckArgs {
+    /// Lesson files
+    #[arg(required = true, value_name = "FILE")]
+    pub(in crate::cli) files: Vec<PathBuf>,
+    /// Let the steps name meshes anywhere, and not only in the folder of the lesson and below
+    #[arg(long)]
+    pub(in crate::cli) allow_files: bool,
+    /// Language of messages
+    #[arg(long, value_enum, ignore_case = true)]
+    pub(in crate::cli) lang: Option<LangArg>,
+}
+
+/// The format of the pictures of steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum StepFormat {
+    #[default]
+    Png,
+    Svg,
+    Pdf,
+}
+
+impl StepFormat {
+    pub(in crate::cli) const fn format(self) -> PictureFormat {
+        match self {
+            Self::Png => PictureFormat::Png,
+            Self::Svg => PictureFormat::Svg,
+            Self::Pdf => PictureFormat::Pdf,
+        }
+    }
+
+    pub(in crate::cli) const fn ending(self) -> &'static str {
+        match self {
+            Self::Png => "png",
+            Self::Svg => "svg",
+            Self::Pdf => "pdf",
+        }
+    }
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct LessonRenderArgs {
+    #[command(flatten)]
+    pub(in crate::cli) which: WhichArgs,
+    /// Which pictures; without it, those that the step shows on the screen
+    #[arg(long, value_parser = one_of(Views::CHOICES, Views::name))]
+    pub(in crate::cli) view: Option<Views>,
+    /// Width and height of each picture file in pixels
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    size: Option<String>,
+    /// Format of the pictures; PNG if not given
+    #[arg(long, value_enum)]
+    pub(in crate::cli) format: Option<StepFormat>,
+    /// Steps on a page of a handout: 2 (if not given) or 4
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    per_page: Option<String>,
+    /// Put the solutions of the questions at the end of a handout
+    #[arg(long)]
+    pub(in crate::cli) answers: bool,
+    /// Folder for the pictures, created if missing; or OUT.pdf for a handout with figure, text and questions of each
+    /// step
+    #[arg(short, long, value_name = "FOLDER|OUT.pdf")]
+    pub(in crate::cli) output: PathBuf,
+}
+
+impl LessonRenderArgs {
+    /// The number of steps on a page of a handout.
+    pub(in crate::cli) fn per_page(&self, lang: Lang) -> Result<usize, Failure> {
+        let Some(per_page) = &self.per_page else { return Ok(2) };
+        let number = per_page.trim().parse().ok().filter(|number| [2, 4].contains(number));
+        number.ok_or_else(|| Failure::BadInput(texts::per_page(lang, per_page)))
+    }
+
+    /// A given option that says nothing of a handout, or of a folder of pictures.
+    pub(in crate::cli) fn unused(&self, is_handout: bool) -> Option<&'static str> {
+        let of_pictures =
+            [("--size", self.size.is_some()), ("--view", self.view.is_some()), ("--format", self.format.is_some())];
+        let of_handouts = [("--per-page", self.per_page.is_some()), ("--answers", self.answers)];
+        let unused: &[(&'static str, bool)] = if is_handout { &of_pictures } else { &of_handouts };
+        unused.iter().find(|(_, is_given)| *is_given).map(|(option, _)| *option)
+    }
+
+    /// Width and height of each file, if they are given.
+    pub(in crate::cli) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
+        size(self.size.as_deref(), lang)
+    }
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct PlayArgs {
+    #[command(flatten)]
+    pub(in crate::cli) which: WhichArgs,
+    /// Number of the step to begin with, from 1
+    #[arg(long, value_name = "N", default_value = "1", allow_hyphen_values = true)]
+    step: String,
+}
+
+impl PlayArgs {
+    /// The step, from 0, of a lesson with `count` steps.
+    pub(in crate::cli) fn step(&self, count: usize, lang: Lang) -> Result<usize, Failure> {
+        let step = self.step.trim().parse().ok().filter(|step| (1..=count).contains(step));
+        step.map(|step: usize| step - 1).ok_or_else(|| Failure::BadInput(texts::no_step(lang, &self.step, count)))
+    }
+}

@@ -1,0 +1,68 @@
+//! The words that arguments can be.
+
+use clap::ValueEnum;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use crate::i18n::Lang;
+
+/// A parser of an argument that is one of `values`, each by its name.
+pub(in crate::cli) fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    values: [T; N],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    // Other texts are refused before they get here.
+    PossibleValuesParser::new(values.map(name)).try_map(move |text| {
+        values.into_iter().find(|value| name(*value) == text).ok_or_else(|| format!("no value has the name {text}"))
+    })
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub(in crate::cli) enum Format {
+    #[default]
+    Json,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum TableFormat {
+    #[default]
+    Text,
+    Json,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum DataFormat {
+    #[default]
+    Text,
+    Json,
+    Csv,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub(in crate::cli) enum ConventionArg {
+    #[default]
+    RightHand,
+    Vtk,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(in crate::cli) enum LangArg {
+    En,
+    #[value(name = "pt-BR", aliases = ["pt", "pt_BR"])]
+    PtBr,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(in crate::cli) enum ThemeArg {
+    Light,
+    Dark,
+    Print,
+}
+
+impl LangArg {
+    pub(in crate::cli) fn lang(self) -> Lang {
+        match self {
+            Self::En => Lang::En,
+            Self::PtBr => Lang::PtBr,
+        }
+    }
+}

@@ -1,0 +1,295 @@
+//! `camera-lab lesson render -o OUT.pdf`: a lesson as a handout.
+
+use std::path::Path;
+
+use crate::camera::ImageSize;
+use crate::cli::args::lesson::LessonRenderArgs;
+use crate::cli::args::words::LangArg;
+use crate::cli::lesson::step_pictures::{Found, composite};
+use crate::cli::render::{no_picture, save};
+use crate::cli::{Failure, progress};
+use crate::exercises::{self, Exercise, Kind};
+use crate::i18n::Lang;
+use crate::i18n::learn::{exercise_sheet, exercises as said, lessons as texts};
+use crate::lessons::{Lesson, Step, Task};
+use crate::picture::{FormulaPart, Handout, HandoutEntry, Paragraph};
+use crate::progress::at_once;
+use crate::sanitize;
+use crate::views::Size;
+
+/// Digits of the numbers in worked steps.
+const DIGITS: usize = 5;
+/// Lines to write on, for a question with numbers and for one with choices, in one column and in two.
+const ROOM: [[usize; 2]; 2] = [[4, 1], [2, 0]];
+/// Height of the letters in pictures, in points.
+const LETTERS: f32 = 7.5;
+/// Width of the picture of a step in pixels, and the height of its parts.
+const WIDTH: u32 = 900;
+const HEIGHT: u32 = 330;
+
+/// Writes the handout.
+pub(in crate::cli) fn write(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Result<(), Failure> {
+    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let columns = if args.per_page(lang)? > 2 { 2 } else { 1 };
+    let lesson = &found.lesson;
+    let mut entries = vec![HandoutEntry { picture: None, paragraphs: beginning(written, lesson) }];
+    for (k, step) in lesson.steps.iter().enumerate() {
+        let size = ImageSize { width: WIDTH, height: HEIGHT * if columns > 1 { 3 } else { 2 } / 2 };
+        let picture = composite(args, found, (k, step), lettered(size, columns), lang)?;
+        entries.push(HandoutEntry { picture: Some(picture), paragraphs: of_step(written, k, step, ROOM[columns - 1]) });
+    }
+    if let Some(sentence) = &lesson.sentence {
+        let text = format!("{}: {}", texts::texts(written).keep, in_line(texts::told(written, sentence)));
+        entries.push(HandoutEntry { picture: None, paragraphs: vec![Paragraph::Text(text)] });
+    }
+    if args.answers {
+        let solutions = lesson.steps.iter().enumerate().filter_map(|(k, step)| solution(written, k, step));
+        let mut solutions: Vec<HandoutEntry> = solutions.collect();
+        if let Some(first) = solutions.first_mut() {
+            let heading = Paragraph::Heading(texts::texts(written).solutions.to_owned());
+            first.paragraphs.insert(0, heading);
+        }
+        entries.extend(solutions);
+    }
+    let title = texts::told(written, &lesson.title).to_owned();
+    let handout = Handout { title, language: written.tag(), entries, columns };
+    let made = progress::watched(lang, |progress| at_once(handout.pdf(progress)));
+    let bytes =
+        made.map_err(|error| no_picture(lang, &sanitize::path(&args.output), error, [WIDTH, HEIGHT].map(u64::from)))?;
+    save(&args.output, &bytes, None, lang)
+}
+
+/// A size of a picture whose letters have [`LETTERS`] points on the page.
+fn lettered(size: ImageSize, columns: usize) -> Size {
+    #[expect(clippy::cast_precision_loss, reason = "pixels of a picture")]
+    let per_point = WIDTH as f32 / Handout::picture_width(columns);
+    Size::with_letters(size.width, size.height, LETTERS * per_point)
+}
+
+/// True where a handout is wanted, and not a folder of pictures.
+pub(in crate::cli) fn is_handout(output: &Path) -> bool {
+    output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf"))
+}
+
+fn beginning(lang: Lang, lesson: &Lesson) -> Vec<Paragraph> {
+    let mut paragraphs = Vec::new();
+    if !lesson.aims.is_empty() {
+        paragraphs.push(Paragraph::Text(format!("{}:", texts::texts(lang).aims)));
+        let aim = |aim| Paragraph::Text(format!("• {}", in_line(texts::told(lang, aim))));
+        paragraphs.extend(lesson.aims.iter().map(aim));
+    }
+    paragraphs
+}
+
+/// Heading, text and task of a step.
+fn of_step(lang: Lang, k: usize, step: &Step, room: [usize; 2]) -> Vec<Paragraph> {
+    let mut paragraphs = vec![Paragraph::Heading(format!("{}. {}", k + 1, in_line(texts::told(lang, &step.title))))];
+    paragraphs.extend(set(&texts::text(lang, step)));
+    match &step.task {
+        Some(Task::Question(entry)) => {
+            let exercise = entry.exercise(0, &Default::default());
+            paragraphs.extend(questions(lang, &exercise, room));
+        }
+        Some(Task::Exercise { id, seed }) => {
+            let Some(exercise) = exercises::entry(id).map(|entry| entry.exercise(*seed, &Default::default())) else {
+                return paragraphs;
+            };
+            paragraphs.push(Paragraph::Text(said::exercise_title(lang, &exercise).to_owned()));
+            let statement = said::statement(lang, &exercise);
+            paragraphs.extend(statement.iter().flat_map(|paragraph| set(paragraph)));
+            paragraphs.extend(questions(lang, &exercise, room));
+        }
+        Some(Task::Try(goal)) => {
+            let text = texts::filled(lang, &goal.text, &step.figure);
+            paragraphs.push(Paragraph::Text(format!("{}: {}", texts::texts(lang).to_try, in_line(&text))));
+        }
+        None => {}
+    }
+    paragraphs
+}
+
+/// The questions of an exercise, with room for the answers.
+fn questions(lang: Lang, exercise: &Exercise, room: [usize; 2]) -> Vec<Paragraph> {
+    let mut paragraphs = Vec::new();
+    for ask in &exercise.asks {
+        paragraphs.extend(set(&said::ask(lang, exercise, ask)));
+        if let Kind::Choice(choices) = &ask.kind {
+            let choice = |name| Paragraph::Text(format!("☐ {}", in_line(said::choice_of(lang, ask, name))));
+            paragraphs.extend(choices.iter().map(|name| choice(name.as_str())));
+            paragraphs.push(Paragraph::Room(room[1]));
+        } else {
+            paragraphs.push(Paragraph::Remark(said::tolerance(lang, ask)));
+            paragraphs.push(Paragraph::Room(room[0]));
+        }
+    }
+    paragraphs
+}
+
+/// The answers to the questions of a step, with their worked steps; `None` where nothing is asked.
+fn solution(lang: Lang, k: usize, step: &Step) -> Option<HandoutEntry> {
+    let exercise = match step.task.as_ref()? {
+        Task::Question(entry) => entry.exercise(0, &Default::default()),
+        Task::Exercise { id, seed } => exercises::entry(id)?.exercise(*seed, &Default::default()),
+        Task::Try(_) => return None,
+    };
+    let title = in_line(texts::told(lang, &step.title));
+    let mut paragraphs = vec![Paragraph::Text(format!("{}. {title}", k + 1))];
+    for ask in &exercise.asks {
+        paragraphs.push(answered(&exercise_sheet::answer(lang, ask)));
+    }
+    let steps = exercise.new_steps();
+    for step in steps.iter().flatten() {
+        let text = said::step(lang, &exercise, step, DIGITS);
+        // A chain of equations is one line: D = … = …
+        let lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+        let chained = lines.fold(String::new(), |text, line| {
+            let before = if text.is_empty() || line.starts_with('=') { " " } else { "\n\n" };
+            format!("{text}{before}{line}")
+        });
+        paragraphs.extend(set(&lowered(&chained)).into_iter().map(|paragraph| match paragraph {
+            Paragraph::Text(text) => Paragraph::Remark(text),
+            Paragraph::Formula(parts) => Paragraph::SmallFormula(parts),
+            other => other,
+        }));
+    }
+    Some(HandoutEntry { picture: None, paragraphs })
+}
+
+/// An answer; a matrix, `[[a, b], [c, d]]`, in rows.
+fn answered(answer: &str) -> Paragraph {
+    let inner = answer.strip_prefix("[[").and_then(|answer| answer.strip_suffix("]]"));
+    let Some(inner) = inner else { return Paragraph::Text(format!("→ {}", in_line(answer))) };
+    let separator = if inner.contains(';') { ";" } else { "," };
+    let row = |row: &str| row.split(separator).map(|entry| in_line(entry.trim())).collect();
+    let rows = inner.split(']').map(|rest| rest.trim_start_matches([',', ';', ' ', '[']));
+    Paragraph::Formula(vec![FormulaPart::Line("→".to_owned()), FormulaPart::Matrix(rows.map(row).collect())])
+}
+
+/// Markdown as paragraphs; formulas on lines of their own are ones, and so are those with matrices.
+fn set(markdown: &str) -> Vec<Paragraph> {
+    let mut paragraphs = Vec::new();
+    for (k, part) in markdown.split("$$").enumerate() {
+        if k % 2 == 1 {
+            paragraphs.push(Paragraph::Formula(formula(part)));
+            continue;
+        }
+        for text in part.split("\n\n") {
+            // A matrix needs more than a line: what is before it is a paragraph, and what comes after it.
+            let mut line = String::new();
+            for (k, part) in text.split('$').enumerate() {
+                match (k % 2, part.contains(MATRIX[0])) {
+                    (0, _) => line.push_str(part),
+                    (_, false) => line.push_str(&format!("${part}$")),
+                    (_, true) => {
+                        paragraphs.push(Paragraph::Text(in_line(&std::mem::take(&mut line))));
+                        paragraphs.push(Paragraph::Formula(formula(part)));
+                    }
+                }
+            }
+            paragraphs.push(Paragraph::Text(in_line(&line)));
+        }
+    }
+    paragraphs.retain(|paragraph| *paragraph != Paragraph::Text(String::new()));
+    paragraphs
+}
+
+/// A line of a worked step: what is lowered is lowered whole, `p_11`.
+fn lowered(line: &str) -> String {
+    let mut text = String::with_capacity(line.len() + 8);
+    let mut rest = line;
+    while let Some((before, after)) = rest.split_once('_') {
+        text.push_str(before);
+        let end = after.find(|c: char| !c.is_alphanumeric()).unwrap_or(after.len());
+        text.push_str(&if end > 1 { format!("_{{{}}}", &after[..end]) } else { format!("_{}", &after[..end]) });
+        rest = &after[end..];
+    }
+    text + rest
+}
+
+/// Markdown on a line: without its marks, formulas as signs.
+fn in_line(markdown: &str) -> String {
+    let text = markdown.replace("$$", "$").replace("**", "").replace('\n', " ");
+    let part = |(k, part): (usize, &str)| match k % 2 {
+        1 => formula_in_line(part),
+        _ => part.replace('*', ""),
+    };
+    text.split('$').enumerate().map(part).collect::<String>().trim().to_owned()
+}
+
+/// The begin and the end of a matrix in LaTeX.
+const MATRIX: [&str; 2] = ["\\begin{bmatrix}", "\\end{bmatrix}"];
+
+/// LaTeX as signs and matrices.
+fn formula(latex: &str) -> Vec<FormulaPart> {
+    let mut parts = Vec::new();
+    let mut rest = latex;
+    let line = |latex: &str| {
+        let signs = formula_in_line(latex);
+        (!signs.trim().is_empty()).then(|| FormulaPart::Line(signs.trim().to_owned()))
+    };
+    while let Some((before, (entries, after))) =
+        rest.split_once(MATRIX[0]).and_then(|(before, rest)| Some((before, rest.split_once(MATRIX[1])?)))
+    {
+        let row = |row: &str| row.split('&').map(|entry| formula_in_line(entry.trim())).collect();
+        parts.extend(line(before));
+        parts.push(FormulaPart::Matrix(entries.split("\\\\").map(row).collect()));
+        rest = after;
+    }
+    parts.extend(line(rest));
+    parts
+}
+
+/// LaTeX as signs on a line; of a matrix, what notes in plain text have.
+fn formula_in_line(latex: &str) -> String {
+    if latex.trim().is_empty() {
+        return String::new();
+    }
+    // A comma between braces is the decimal mark, and no comma of a list.
+    let points = latex.replace("{,}", ".").replace("\\qquad", ";\\ ");
+    let set = crate::formula::set(&format!("${points}$")).unwrap_or_else(|_| crate::i18n::why::notes::plain(&points));
+    if latex.contains("{,}") { set.replace('.', ",") } else { set }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markdown_becomes_paragraphs_and_formulas_signs() {
+        let paragraphs = set("The *eye* is **C**, $z_c = -D$.\n\nThen\n\n$$H = 2F\\tan(\\theta/2)$$");
+        let text = |text: &str| Paragraph::Text(text.to_owned());
+        assert_eq!(paragraphs.len(), 3);
+        assert_eq!(paragraphs[1], text("Then"));
+        assert!(
+            matches!(&paragraphs[0], Paragraph::Text(text) if text.starts_with("The eye is C, ") && !text.contains('$'))
+        );
+        let Paragraph::Formula(parts) = &paragraphs[2] else { panic!("a formula") };
+        assert!(matches!(&parts[..], [FormulaPart::Line(line)] if line.contains('θ')));
+        assert!(in_line("$D = 6{,}53$").ends_with(" = 6,53"));
+    }
+
+    #[test]
+    fn a_matrix_has_rows_where_it_stands_in_a_text_too() {
+        let row = |row: [&str; 2]| row.map(str::to_owned).to_vec();
+        let matrix = "\\begin{bmatrix} 1 & 0{,}5 \\\\ 0 & -1 \\end{bmatrix}";
+        for text in
+            [format!("The matrix $M_v = {matrix}$ turns."), format!("The matrix\n\n$$M_v = {matrix}$$\n\nturns.")]
+        {
+            let paragraphs = set(&text);
+            let [Paragraph::Text(before), Paragraph::Formula(parts), Paragraph::Text(after)] = &paragraphs[..] else {
+                panic!("{paragraphs:?}")
+            };
+            assert_eq!((before.as_str(), after.as_str()), ("The matrix", "turns."));
+            let [FormulaPart::Line(name), FormulaPart::Matrix(rows)] = &parts[..] else { panic!("{parts:?}") };
+            assert!(name.ends_with('='), "{name}");
+            assert_eq!(*rows, [row(["1", "0,5"]), row(["0", "−1"])]);
+        }
+        for answer in ["[[1, 0.5], [0, -1]]", "[[1; 0,5]; [0; -1]]"] {
+            let Paragraph::Formula(parts) = answered(answer) else { panic!("a matrix") };
+            let FormulaPart::Matrix(rows) = &parts[1] else { panic!("a matrix") };
+            assert_eq!(rows.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2], "{rows:?}");
+        }
+        assert_eq!(answered("(1, 2)"), Paragraph::Text("→ (1, 2)".to_owned()));
+        assert_eq!(lowered("p_11 = 2F/W_c"), "p_{11} = 2F/W_c");
+    }
+}

@@ -1,0 +1,333 @@
+//! `camera-lab lesson`: lessons, their steps, and their pictures.
+
+mod handout;
+mod step_pictures;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde_json::{Value, json};
+
+use super::render::{no_picture, save};
+use super::{Failure, Opening, print, say};
+use crate::camera::Camera;
+use crate::cli::args::lesson::{
+    CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, ListArgs, PlayArgs, ShowArgs, WhichArgs,
+};
+use crate::cli::args::words::{LangArg, TableFormat};
+use crate::cli::lesson::step_pictures::{Found, composite, scene, size_of, views_of};
+use crate::exercises::Entry;
+use crate::export::format::PictureFormat;
+use crate::figure::{Figure, write::to_toml};
+use crate::files::{self, FileError};
+use crate::i18n::learn::lessons as texts;
+use crate::i18n::{Lang, command_line, messages, pictures};
+use crate::inspect::json_text;
+use crate::lessons::{Goal, Lesson, Link, OpenLesson, Part, Seen, Step, Subject, Task, objects_named, place, shipped};
+use crate::picture::{self, Composite, FileOptions};
+use crate::progress::{Progress, at_once};
+use crate::sanitize;
+use crate::scene::Scene;
+use crate::share;
+
+/// Runs the command; for `play`, gives what the window opens with.
+pub(super) fn run(args: &LessonArgs, lang: Lang) -> Result<Option<Box<Opening>>, Failure> {
+    match &args.command {
+        LessonCommand::List(args) => list(args, lang)?,
+        LessonCommand::Show(args) => show(args, lang)?,
+        LessonCommand::Check(args) => check(args, lang)?,
+        LessonCommand::Render(args) => render(args, lang)?,
+        LessonCommand::Play(args) => return play(args, lang).map(Some),
+    }
+    Ok(None)
+}
+
+/// The lesson with an identifier, or in a file.
+fn find(args: &WhichArgs, lang: Lang) -> Result<Found, Failure> {
+    // As the address of a page has it, for the lessons of the program.
+    let of_address = args.id.rsplit_once("?lesson=").and_then(|(_, asked)| asked.split(['&', '#']).next());
+    let id = of_address.unwrap_or(&args.id);
+    if let Some(shipped) = shipped().iter().find(|shipped| shipped.lesson.id == id) {
+        return Ok(Found { lesson: shipped.lesson.clone(), path: None });
+    }
+    let path = PathBuf::from(&args.id);
+    let is_name = share::link_of(&path).is_none() && !args.id.contains(['.', '/', '\\']);
+    if is_name && !path.exists() {
+        let near = shipped()
+            .iter()
+            .map(|shipped| (strsim::jaro_winkler(&shipped.lesson.id, &args.id), &*shipped.lesson.id))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .filter(|(likeness, _)| *likeness > 0.7);
+        return Err(Failure::BadInput(texts::unknown(lang, &args.id, near.map(|(_, id)| id))));
+    }
+    let (lesson, _) = read(&path, lang)?;
+    Ok(Found { lesson: Arc::new(lesson), path: Some(path) })
+}
+
+fn read(path: &Path, lang: Lang) -> Result<(Lesson, String), Failure> {
+    files::read_lesson(path).map_err(|error| of_file(path, &error, lang))
+}
+
+fn of_file(path: &Path, error: &FileError, lang: Lang) -> Failure {
+    Failure::BadInput(messages::file(lang, &messages::opened(lang, path), error))
+}
+
+fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
+    let written = args.lang.map_or(Lang::En, LangArg::lang);
+    let own = match &args.folder {
+        Some(folder) => files::read_lessons(folder).map_err(|error| of_file(folder, &error, lang))?,
+        None => files::OwnLessons::default(),
+    };
+    own.faults.iter().for_each(|(path, error)| say(&messages::file(lang, &sanitize::path(path), error)));
+    let of_program = shipped().iter().map(|shipped| (&shipped.lesson, None));
+    let all = of_program.chain(own.lessons.iter().map(|(path, lesson)| (lesson, Some(path))));
+    let lines: Vec<Value> = all
+        .map(|(lesson, path)| {
+            json!({
+                "id": lesson.id,
+                "title": texts::told(written, &lesson.title),
+                "minutes": lesson.minutes,
+                "steps": lesson.steps.len(),
+                "file": path.map(|path| path.to_string_lossy()),
+            })
+        })
+        .collect();
+    let text = match args.format {
+        TableFormat::Json => json_text(&Value::Array(lines)),
+        TableFormat::Text => lines.iter().map(|line| texts::line(written, line)).collect(),
+    };
+    print(text.as_bytes(), lang)
+}
+
+fn show(args: &ShowArgs, lang: Lang) -> Result<(), Failure> {
+    let Found { lesson, .. } = find(&args.which, lang)?;
+    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let text = match args.format {
+        TableFormat::Json => json_text(&described(written, &lesson)),
+        // Line by line: the lines are ours.
+        TableFormat::Text => {
+            texts::to_read(written, &lesson).split('\n').map(sanitize::printable).collect::<Vec<_>>().join("\n")
+        }
+    };
+    print(text.as_bytes(), lang)
+}
+
+/// The JSON output for a lesson.
+fn described(lang: Lang, lesson: &Lesson) -> Value {
+    json!({
+        "id": lesson.id,
+        "title": texts::told(lang, &lesson.title),
+        "sentence": lesson.sentence.as_ref().map(|text| texts::told(lang, text)),
+        "minutes": lesson.minutes,
+        "aims": lesson.aims.iter().map(|text| texts::told(lang, text)).collect::<Vec<_>>(),
+        "before": lesson.before,
+        "steps": lesson.steps.iter().map(|step| described_step(lang, step)).collect::<Vec<_>>(),
+    })
+}
+
+fn described_step(lang: Lang, step: &Step) -> Value {
+    let mut object = json!({
+        "title": texts::told(lang, &step.title),
+        "text": texts::text(lang, step),
+        "figure": to_toml(&step.figure),
+        "seconds": step.seconds,
+    });
+    match &step.task {
+        Some(Task::Exercise { id, seed }) => object["ask"] = json!({ "id": id, "seed": seed }),
+        Some(Task::Question(entry)) => object["ask"] = asked(lang, entry),
+        Some(Task::Try(goal)) => object["try"] = tried(lang, step, goal),
+        None => {}
+    }
+    if let Some(notes) = texts::notes(lang, step) {
+        object["notes"] = json!(notes);
+    }
+    if !step.links.is_empty() {
+        object["links"] = step.links.iter().map(linked).collect();
+    }
+    object
+}
+
+fn asked(lang: Lang, entry: &Entry) -> Value {
+    let exercise = entry.exercise(0, &Default::default());
+    let asks = exercise.asks.iter().map(|ask| super::exercise::asked(lang, &exercise, ask)).collect::<Vec<_>>();
+    json!({ "id": entry.id, "seed": 0, "asks": asks })
+}
+
+fn tried(lang: Lang, step: &Step, goal: &Goal) -> Value {
+    let way = goal.way.iter().map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>();
+    json!({ "text": texts::filled(lang, &goal.text, &step.figure), "way": way })
+}
+
+fn linked(link: &Link) -> Value {
+    match link {
+        Link::Note(note) => json!({ "note": note }),
+        Link::Exercise(id, seed) => json!({ "exercise": id, "seed": seed }),
+        Link::Lesson(id) => json!({ "lesson": id }),
+    }
+}
+
+fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
+    let mut faults = Vec::new();
+    let mut read = Vec::new();
+    for path in &args.files {
+        match files::read_lesson(path) {
+            Err(error) => faults.push(messages::file(lang, &messages::opened(lang, path), &error)),
+            Ok((lesson, text)) => read.push((path, lesson, text)),
+        }
+    }
+    let of_program = shipped().iter().map(|shipped| shipped.lesson.id.as_str());
+    let ids: Vec<&str> = of_program.chain(read.iter().map(|(_, lesson, _)| lesson.id.as_str())).collect();
+    for (path, lesson, text) in &read {
+        let name = messages::opened(lang, path);
+        for (part, say) in faults_of(lesson, &ids, Some(path), args.allow_files, lang) {
+            // What was read is there.
+            let (line, key) = place(text, part).map_or((None, String::new()), |(line, key)| (Some(line), key));
+            faults.push(command_line::in_file(lang, &name, line, &say(&key)));
+        }
+    }
+    match faults.pop() {
+        None => print(texts::all_good(lang, args.files.len()).as_bytes(), lang),
+        Some(last) => {
+            faults.iter().for_each(|fault| say(fault));
+            Err(Failure::BadInput(last))
+        }
+    }
+}
+
+/// A fault: where it is, and its message, which begins with a key.
+type Fault = (Part, Box<dyn Fn(&str) -> String>);
+
+/// The faults of a lesson that only its scenes show, and its links.
+fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files: bool, lang: Lang) -> Vec<Fault> {
+    let mut faults: Vec<Fault> = Vec::new();
+    let mut seen = Seen::default();
+    for unknown in lesson.before.iter().filter(|id| !ids.contains(&id.as_str())) {
+        let unknown = unknown.clone();
+        faults.push((Part::Before, Box::new(move |key| texts::no_lesson(lang, key, &unknown))));
+    }
+    for (k, step) in lesson.steps.iter().enumerate() {
+        for (number, link) in step.links.iter().enumerate() {
+            let part = Part::Link(k, number);
+            match link.clone() {
+                Link::Lesson(id) if !ids.contains(&id.as_str()) => {
+                    faults.push((part, Box::new(move |key| texts::no_lesson(lang, key, &id))));
+                }
+                Link::Note(id) if crate::i18n::why::notes::note(lang, &id).is_none() => {
+                    faults.push((part, Box::new(move |key| texts::no_note(lang, key, &id))));
+                }
+                _ => {}
+            }
+        }
+        match scene(&step.figure, path, allow_files, lang) {
+            Err(why) => faults.push((Part::Step(k), Box::new(move |key| format!("{key}: {why}")))),
+            Ok((scene, missing)) => {
+                for why in missing {
+                    faults.push((Part::Step(k), Box::new(move |key| format!("{key}: {why}"))));
+                }
+                if let Some(Task::Try(goal)) = &step.task {
+                    faults.extend(faults_of_goal(goal, (k, &step.figure), &scene, &mut seen, lang));
+                }
+            }
+        }
+    }
+    faults
+}
+
+/// The faults of the goal of a step.
+fn faults_of_goal(
+    goal: &Goal,
+    (k, figure): (usize, &Figure),
+    scene: &Scene,
+    seen: &mut Seen,
+    lang: Lang,
+) -> Vec<Fault> {
+    let mut faults: Vec<Fault> = Vec::new();
+    for (number, condition) in goal.until.iter().enumerate() {
+        let unknown = condition.object().filter(|name| objects_named(scene, name).next().is_none());
+        let Some(name) = unknown.map(str::to_owned) else { continue };
+        let names: Vec<String> = scene.objects.iter().map(|object| object.name.clone()).collect();
+        let say = move |key: &str| {
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            command_line::no_such_object(lang, key, &name, &names)
+        };
+        faults.push((Part::Condition(k, number), Box::new(say)));
+    }
+    let Ok(camera) = Camera::new(&figure.camera) else { return faults };
+    if !faults.is_empty() {
+        // What is hidden or seen is not known.
+        return faults;
+    }
+    if goal.is_reached(Subject { figure, camera: &camera, scene }, seen) {
+        faults.push((Part::Until(k), Box::new(move |key| texts::reached_already(lang, key))));
+    }
+    if !goal.way.is_empty()
+        && let Ok(after) = goal.reached_from(figure, &camera)
+        && !goal.is_reached(Subject { figure: &after.figure, camera: &after.camera, scene }, seen)
+    {
+        faults.push((Part::Way(k), Box::new(move |key| texts::not_reached(lang, key))));
+    }
+    faults
+}
+
+fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
+    let size = args.size(lang)?;
+    let found = find(&args.which, lang)?;
+    let is_handout = handout::is_handout(&args.output);
+    if let Some(option) = args.unused(is_handout) {
+        return Err(Failure::BadInput(texts::unused_option(lang, option, is_handout)));
+    }
+    if is_handout {
+        return handout::write(args, &found, lang);
+    }
+    // A folder of pictures that has the name of one is a slip.
+    if args.output.extension().is_some() && PictureFormat::of(&args.output).is_some() {
+        return Err(Failure::BadInput(texts::output_name(lang, &sanitize::path(&args.output))));
+    }
+    let lesson = &found.lesson;
+    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let format = args.format.unwrap_or_default();
+    let digits = lesson.steps.len().to_string().len().max(2);
+    // Nothing is written if a step is faulty.
+    let mut made = Vec::new();
+    for (k, step) in lesson.steps.iter().enumerate() {
+        let name = format!("{:0digits$}-{}.{}", k + 1, lesson.id, format.ending());
+        let output = args.output.join(name);
+        let views = args.view.unwrap_or_else(|| views_of(&step.figure));
+        let sheet = composite(args, &found, (k, step), size_of(size, views), lang)?;
+        let told = pictures::told_of(written, &step.figure, &sheet, to_toml(&step.figure)).for_file(&output);
+        let options = FileOptions::of(format.format());
+        let file = at_once(picture::file(&sheet, options, &told, &Progress::default()));
+        let file = file.map_err(|error| no_picture(lang, &sanitize::path(&output), error, pixels_of(&sheet)))?;
+        made.push((output, file));
+    }
+    fs::create_dir_all(&args.output).map_err(|error| {
+        Failure::Failed(messages::file(lang, &sanitize::path(&args.output), &FileError::Write(error)))
+    })?;
+    made.into_iter().try_for_each(|(output, file)| save(&output, &file.bytes, file.beside, lang))
+}
+
+fn pixels_of(sheet: &Composite) -> [u64; 2] {
+    sheet.requests.first().map_or([0; 2], |request| [request.size.width, request.size.height].map(u64::from))
+}
+
+fn play(args: &PlayArgs, lang: Lang) -> Result<Box<Opening>, Failure> {
+    let Found { lesson, path } = find(&args.which, lang)?;
+    let step = args.step(lesson.steps.len(), lang)?;
+    let asked_lang = args.which.lang.map(LangArg::lang);
+    Ok(Box::new(opening(OpenLesson { lesson, path, step }, args.which.allow_files, (lang, asked_lang))))
+}
+
+/// The window that plays the lesson in a file or a link.
+///
+/// # Errors
+/// It cannot be read, or holds no lesson.
+pub(super) fn opened(path: &Path, allow_files: bool, langs: (Lang, Option<Lang>)) -> Result<Opening, Failure> {
+    let (lesson, _) = read(path, langs.0)?;
+    Ok(opening(OpenLesson { lesson: Arc::new(lesson), path: Some(path.to_owned()), step: 0 }, allow_files, langs))
+}
+
+fn opening(open: OpenLesson, allow_files: bool, (lang, asked_lang): (Lang, Option<Lang>)) -> Opening {
+    let figure = open.lesson.steps.get(open.step).map_or_else(Figure::default, |step| (*step.figure).clone());
+    Opening { figure, file: None, allow_files, lang, asked_lang, lesson: Some(open) }
+}

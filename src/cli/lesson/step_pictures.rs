@@ -1,0 +1,92 @@
+//! The scenes and pictures of the steps of a lesson.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::camera::{Camera, ImageSize};
+use crate::cli::args::lesson::LessonRenderArgs;
+use crate::cli::args::words::LangArg;
+use crate::cli::render::no_picture;
+use crate::cli::{Failure, say};
+use crate::figure::Figure;
+use crate::files::{FigureFiles, FileAccess};
+use crate::i18n::learn::lessons as texts;
+use crate::i18n::{Lang, messages, pictures};
+use crate::lessons::{Lesson, Step};
+use crate::picture::{Composite, gap};
+use crate::progress::Progress;
+use crate::sanitize;
+use crate::scene::Scene;
+use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
+
+/// The size of a picture of a step, where none is given; of several, each.
+const SIZE: ImageSize = ImageSize { width: 640, height: 480 };
+
+/// A lesson, and where it comes from.
+pub(in crate::cli) struct Found {
+    pub(in crate::cli) lesson: Arc<Lesson>,
+    /// `None`: one of the program.
+    pub(in crate::cli) path: Option<PathBuf>,
+}
+
+/// The scene of a step, whose meshes and textures are in the folder of the lesson or below; and why files are missing
+/// without which it can be drawn.
+pub(in crate::cli) fn scene(
+    figure: &Figure,
+    path: Option<&PathBuf>,
+    allow_files: bool,
+    lang: Lang,
+) -> Result<(Scene, Vec<String>), String> {
+    let folder = path.and_then(|path| path.parent()).unwrap_or(Path::new(""));
+    let mut files = FigureFiles::new(folder, FileAccess::of_lesson(path.map(PathBuf::as_path), allow_files));
+    let scene = scene_of(figure, &mut |wanted| files.read(wanted), &Progress::default())
+        .map_err(|error| messages::scene(lang, &error))?;
+    let missing = files.unread().iter().map(|unread| messages::without_colors(lang, unread));
+    let notices = scene
+        .notices
+        .iter()
+        .map(|(object, notice)| format!("{}: {}", sanitize::escaped(object), messages::mesh_notice(lang, notice)));
+    let missing = missing.chain(notices).collect();
+    Ok((scene, missing))
+}
+
+/// The pictures of a step on a sheet.
+pub(in crate::cli) fn composite(
+    args: &LessonRenderArgs,
+    found: &Found,
+    (k, step): (usize, &Step),
+    size: Size,
+    lang: Lang,
+) -> Result<Composite, Failure> {
+    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let of_step = |why: &str| {
+        let name = found.path.as_ref().map_or_else(|| found.lesson.id.clone(), |path| messages::opened(lang, path));
+        format!("{name}: {}", texts::of_step(lang, k + 1, why))
+    };
+    let failed = |why: String| Failure::BadInput(of_step(&why));
+    let (scene, missing) = scene(&step.figure, found.path.as_ref(), args.which.allow_files, lang).map_err(failed)?;
+    missing.iter().for_each(|why| say(&of_step(why)));
+    let camera = Camera::new(&step.figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
+    let views = args.view.unwrap_or_else(|| views_of(&step.figure));
+    let (shot, scene) = (Shot::of(&step.figure), SharedScene::new(scene));
+    let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(written), size);
+    // A lecturer turns the pictures of a lesson in a window, whose shape is not that of a page.
+    Composite::of(views, &request, &shot, None).map(Composite::gone_back).map_err(|error| {
+        no_picture(lang, &sanitize::path(&args.output), error.into(), [size.width, size.height].map(u64::from))
+    })
+}
+
+/// The pictures that a step shows.
+pub(in crate::cli) fn views_of(figure: &Figure) -> Views {
+    let shown = figure.screen.pictures.unwrap_or([true; View::COUNT]);
+    let is_it = |views: &Views| View::ALL.iter().zip(shown).all(|(view, shown)| views.contains(*view) == shown);
+    Views::CHOICES.into_iter().find(is_it).unwrap_or(Views::All)
+}
+
+/// The size of a file: as given, or of that many pictures.
+pub(in crate::cli) fn size_of(given: Option<ImageSize>, views: Views) -> Size {
+    let count = u32::try_from(views.views().count()).unwrap_or(1);
+    let ImageSize { width, height } =
+        given.unwrap_or(ImageSize { width: SIZE.width * count + gap(1.0) * (count - 1), height: SIZE.height });
+    Size::as_on_a_screen(width, height)
+}

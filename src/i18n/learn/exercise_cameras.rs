@@ -1,0 +1,60 @@
+//! Cameras of answers, by the names of the notes.
+
+use crate::camera::{ParameterKey, Parameters, Projection, ViewWindow};
+use crate::figure::FigureError;
+use crate::figure::error::Problem;
+use crate::i18n::Lang;
+use crate::i18n::messages::cameras::camera_wording;
+use crate::i18n::messages::figure_files;
+
+/// A camera by the names of the notes, as it is typed: all that its projection needs, to the last digit.
+#[must_use]
+pub(in crate::i18n) fn typed(lang: Lang, parameters: &Parameters) -> String {
+    let mark = lang.mark();
+    let exact = |value: f64| mark.typed(&value.to_string());
+    let tuple = |values: &[f64]| {
+        let numbers: Vec<String> = values.iter().map(|value| exact(*value)).collect();
+        format!("({})", numbers.join(mark.separator()))
+    };
+    let (name, projection) = match (lang, parameters.projection) {
+        (Lang::En, Projection::Perspective) => ("projection", "perspective"),
+        (Lang::En, Projection::Parallel) => ("projection", "parallel"),
+        (Lang::PtBr, Projection::Perspective) => ("projeção", "perspectiva"),
+        (Lang::PtBr, Projection::Parallel) => ("projeção", "paralela"),
+    };
+    let mut pairs = vec![
+        ("C", tuple(&parameters.position.to_array())),
+        ("PF", tuple(&parameters.focal_point.to_array())),
+        ("VUP", tuple(&parameters.view_up.to_array())),
+        (name, projection.to_owned()),
+    ];
+    match (parameters.window, parameters.projection) {
+        (Some(ViewWindow { left, right, bottom, top }), _) => {
+            let name = if lang == Lang::En { "window" } else { "janela" };
+            pairs.push((name, tuple(&[left, right, bottom, top])));
+        }
+        (None, Projection::Perspective) => pairs.push(("θ", exact(parameters.view_angle))),
+        (None, Projection::Parallel) => pairs.push(("H", exact(parameters.height))),
+    }
+    if parameters.window.is_none() {
+        pairs.push(("A", exact(parameters.aspect)));
+    }
+    pairs.extend([("F", exact(parameters.near)), ("B", exact(parameters.far))]);
+    pairs.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join("; ")
+}
+
+/// Why the values of an answer make no camera, by the names of the notes.
+#[must_use]
+pub(in crate::i18n) fn refused(lang: Lang, error: &FigureError) -> String {
+    let of_key = |key: &ParameterKey| error.key.strip_prefix("[camera] ").is_some_and(|name| name == key.name());
+    match (&error.problem, ParameterKey::ALL.iter().find(|key| of_key(key))) {
+        (Problem::Camera(error), _) => camera_wording(lang, error).in_symbols,
+        // A window is typed as its four sides.
+        (problem, Some(ParameterKey::Window)) => {
+            let name = if lang == Lang::En { "window" } else { "janela" };
+            format!("{name} {}", figure_files::problem(lang, problem))
+        }
+        (problem, Some(key)) => format!("{} {}", key.symbol(), figure_files::problem(lang, problem)),
+        (_, None) => figure_files::without_line(lang, error),
+    }
+}

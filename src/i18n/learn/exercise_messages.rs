@@ -1,0 +1,194 @@
+//! The words of the command line about exercises, besides the exercises themselves.
+
+use super::exercises;
+use super::exercises::mistake;
+use crate::exercises::{Ask, Exercise, Judged, Why};
+use crate::i18n::Lang;
+use crate::sanitize::escaped;
+
+texts! {
+    right: "right", "certo";
+    wrong: "wrong", "errado";
+    follows: "follows from a wrong answer", "segue de uma resposta errada";
+    understood: "understood as", "entendido como";
+    hint: "Hint", "Dica";
+    asked: "Asked", "Pede-se";
+    assumptions: "Assumptions", "Hipóteses";
+    answers: "Answers", "Respostas";
+    solution: "Solution", "Resolução";
+    not_answered: "Not answered yet", "Ainda sem resposta";
+    read_as: "read as", "entendido";
+    source: "Source", "Fonte";
+    exercises: "Exercises", "Exercícios";
+    name: "Name", "Nome";
+    date: "Date", "Data";
+    seed: "seed", "semente";
+    target: "The picture to match", "Esta é a imagem a reproduzir";
+}
+
+/// An identifier that no exercise has.
+#[must_use]
+pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
+    let id = escaped(id);
+    match (lang, near) {
+        (Lang::En, Some(near)) => {
+            format!("there is no exercise {id:?}; did you mean {near:?}? `camera-lab exercise list` lists them")
+        }
+        (Lang::En, None) => format!("there is no exercise {id:?}; `camera-lab exercise list` lists them"),
+        (Lang::PtBr, Some(near)) => {
+            format!("não há exercício {id:?}; você quis dizer {near:?}? `camera-lab exercise list` os lista")
+        }
+        (Lang::PtBr, None) => format!("não há exercício {id:?}; `camera-lab exercise list` os lista"),
+    }
+}
+
+/// An answer to an unknown question.
+#[must_use]
+pub fn unknown_ask(lang: Lang, id: &str, name: &str, asks: &[&str]) -> String {
+    let (name, asks) = (escaped(name), asks.join(", "));
+    both!(lang; "--answer: {id} does not ask for {name:?}; it asks for: {asks}",
+        "--answer: {id} não pede {name:?}; pede: {asks}")
+}
+
+/// The same question answered twice.
+#[must_use]
+pub fn answered_twice(lang: Lang, name: &str) -> String {
+    both!(lang; "--answer: {} is answered twice", "--answer: {} foi respondido duas vezes"; escaped(name))
+}
+
+/// A file of a folder that is no exercise, where the others are used.
+#[must_use]
+pub fn passed_over(lang: Lang, why: &str) -> String {
+    both!(lang; "skipped: {why}", "ignorado: {why}")
+}
+
+/// Why a file was passed over, where others were too.
+#[must_use]
+pub fn and_more(lang: Lang, why: &str, more: usize) -> String {
+    match (lang, more) {
+        (Lang::En, 1) => format!("{why} (and one more file was skipped)"),
+        (Lang::En, _) => format!("{why} (and {more} more files were skipped)"),
+        (Lang::PtBr, 1) => format!("{why} (e mais um arquivo foi ignorado)"),
+        (Lang::PtBr, _) => format!("{why} (e mais {more} arquivos foram ignorados)"),
+    }
+}
+
+/// An answer without `=`.
+#[must_use]
+pub fn answer_form(lang: Lang, text: &str) -> String {
+    format!("--answer {}: {}", escaped(text), name_and_value(lang))
+}
+
+/// An answer that cannot be read; it has not been judged.
+#[must_use]
+pub fn unreadable(lang: Lang, name: &str, why: &str) -> String {
+    both!(lang; "--answer {name}: {why}. Nothing was checked", "--answer {name}: {why}. Nada foi conferido")
+}
+
+/// `--with` that cannot be used.
+#[must_use]
+pub fn with(_lang: Lang, text: &str, why: &str) -> String {
+    format!("--with {}: {why}", escaped(text))
+}
+
+/// A number that the exercise does not leave open.
+#[must_use]
+pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
+    let name = escaped(name);
+    match (lang, free.is_empty()) {
+        (Lang::En, true) => format!("--with: {id} leaves no number open, so {name:?} cannot be set"),
+        (Lang::En, false) => format!("--with: {id} does not leave {name:?} open; it leaves open: {}", free.join(", ")),
+        (Lang::PtBr, true) => {
+            format!("--with: {id} não deixa nenhum número em aberto, e {name:?} não pode ser definido")
+        }
+        (Lang::PtBr, false) => format!("--with: {id} não deixa {name:?} em aberto; deixa: {}", free.join(", ")),
+    }
+}
+
+/// `--hints` that is not a number of hints.
+#[must_use]
+pub fn hints_range(lang: Lang, text: &str) -> String {
+    let text = escaped(text);
+    both!(lang; "--hints {text}: expected a whole number from 0 to 9",
+        "--hints {text}: esperava-se um número inteiro de 0 a 9")
+}
+
+/// The expected form.
+#[must_use]
+pub const fn name_and_value(lang: Lang) -> &'static str {
+    pick!(lang; "expected NAME=VALUE", "esperava-se NOME=VALOR")
+}
+
+/// The expected range.
+#[must_use]
+pub const fn greater_than_zero(lang: Lang) -> &'static str {
+    pick!(lang; "expected a number greater than 0", "esperava-se um número maior que 0")
+}
+
+/// Hints for a wrong answer, weaker ones first; none for a right one.
+#[must_use]
+pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Vec<String> {
+    /// Digits of the numbers in the first step.
+    const DIGITS: usize = 6;
+    match &verdict.diagnosis {
+        _ if verdict.right || !verdict.carried.is_empty() => Vec::new(),
+        Some(diagnosis) => exercises::hints(lang, ask, diagnosis).into_iter().map(str::to_owned).collect(),
+        None => {
+            let steps = exercises::steps(lang, exercise, ask, DIGITS);
+            let first = steps.get(verdict.first_step).and_then(|step| step.lines().next()).map(str::to_owned);
+            exercises::hints_without_diagnosis(lang, verdict, first.as_deref())
+        }
+    }
+}
+
+/// The number of right entries.
+#[must_use]
+pub fn score(lang: Lang, right: usize, all: usize) -> String {
+    both!(lang; "{right} of {all}", "{right} de {all}")
+}
+
+/// A sheet with an ending that cannot be written.
+#[must_use]
+pub fn sheet_ending(lang: Lang, path: &str) -> String {
+    both!(lang; "{path}: unknown extension; allowed: .md, .tex",
+        "{path}: extensão desconhecida; permitido: .md, .tex")
+}
+
+/// A picture of an exercise that gives none.
+#[must_use]
+pub fn no_picture(lang: Lang, id: &str) -> String {
+    both!(lang; "--picture: {id} has no picture to match", "--picture: {id} não tem imagem a reproduzir")
+}
+
+/// A picture with an ending that cannot be written.
+#[must_use]
+pub fn picture_ending(lang: Lang, path: &str) -> String {
+    both!(lang; "--picture {path}: unknown extension; allowed: .png",
+        "--picture {path}: extensão desconhecida; permitido: .png")
+}
+
+/// Why an exercise is the next to practise.
+#[must_use]
+pub fn why(lang: Lang, why: Why) -> String {
+    match (lang, why) {
+        (Lang::En, Why::Mistake(made, times)) => {
+            let times = if times == 1 { "once".to_owned() } else { format!("{times} times") };
+            format!("It practises a mistake that you made {times}: {}", mistake(lang, made)[0])
+        }
+        (Lang::PtBr, Why::Mistake(made, times)) => {
+            let times = if times == 1 { "uma vez".to_owned() } else { format!("{times} vezes") };
+            format!("Ele exercita um erro que você cometeu {times}: {}", mistake(lang, made)[0])
+        }
+        (_, Why::NotSolved) => both!(lang; "It is the first that you have not solved.",
+            "É o primeiro que você ainda não resolveu."),
+        (_, Why::LongestAgo) => both!(lang; "You have solved them all; this is the one you tried longest ago.",
+            "Você já resolveu todos; este é o que você tentou há mais tempo."),
+    }
+}
+
+/// The progress is deleted, and still in the file at `path`.
+#[must_use]
+pub fn progress_deleted(lang: Lang, path: &str) -> String {
+    both!(lang; "Progress deleted; the old file is now {path}.",
+        "Progresso apagado; o arquivo antigo é agora {path}.")
+}

@@ -1,0 +1,111 @@
+//! The words of the window about exercises, besides the exercises themselves.
+
+use crate::i18n::Lang;
+
+texts! {
+    search: "Search the exercises", "Procurar nos exercícios";
+    search_hint: "Words of the title, the source or the identifier. Enter opens the first", "Palavras do título, da fonte ou do identificador. Enter abre o primeiro";
+    none_found: "No exercise matches.", "Nenhum exercício corresponde.";
+    of_the_notes: "From the lecture notes", "Das notas de aula";
+    families: "Families: new numbers as often as you like", "Famílias: números novos quantas vezes quiser";
+    untouched: "not begun", "não começado";
+    begun: "begun", "começado";
+    solved: "solved", "resolvido";
+    practise_next: "Practise next", "Praticar o próximo";
+    practise_next_hint: "The exercise on your most frequent mistake, else the first unsolved one, else the one you tried longest ago; it says why", "O exercício sobre o seu erro mais frequente, senão o primeiro não resolvido, senão o tentado há mais tempo; diz por quê";
+    new_numbers: "New numbers", "Números novos";
+    new_numbers_hint: "The same exercise with the numbers of the next seed; what you typed for these is kept", "O mesmo exercício com os números da próxima semente; o que você digitou para estes é mantido";
+    back: "Back to the list", "Voltar à lista";
+    seed_hint: "The numbers come from it: the same seed gives the same exercise, here and with `camera-lab exercise show`", "Dela vêm os números: a mesma semente dá o mesmo exercício, aqui e com `camera-lab exercise show`";
+    how_it_is_read: "Assumptions", "Hipóteses";
+    free_numbers: "Numbers left open", "Números deixados em aberto";
+    free_hint: "Choose your own; answers may also be formulas in them", "Escolha os seus; respostas também podem ser fórmulas neles";
+    free_wrong: "a number greater than 0", "um número maior que 0";
+    show_figure: "Show the figure", "Mostrar a figura";
+    show_figure_hint: "Loads the figure of the exercise into the pictures, with its points and their names. Undo (Ctrl+Z) brings your own figure back; saving asks for a file name, so yours stays as it is", "Carrega nas imagens a figura do exercício, com seus pontos e nomes. Desfazer (Ctrl+Z) traz a sua figura de volta; salvar pede um nome de arquivo, e a sua fica como está";
+    figure_later: "The figure is shown once you have answered.", "A figura é mostrada depois que você responder.";
+    operations_later: "They are applied once you have answered: the camera afterwards is what is asked for.", "São aplicadas depois que você responder: a câmera de depois é o que se pergunta.";
+    do_operations: "Apply its operations", "Aplicar as operações";
+    do_operations_hint: "Applies the operations of the exercise to the camera in the pictures, as one step", "Aplica à câmera das imagens as operações do exercício, num passo só";
+    your_answer: "Your answer", "Sua resposta";
+    answer_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5. Enter moves on to the next empty field, then checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5. Enter passa ao próximo campo vazio, e depois confere";
+    first_field_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5; or the whole answer in brackets: [a, b, c] or [[a, b], [c, d]]. Enter moves on to the next empty field, then checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5; ou a resposta inteira entre colchetes: [a; b; c] ou [[a; b]; [c; d]]. Enter passa ao próximo campo vazio, e depois confere";
+    camera_hint: "C=[7, −1, 4]; PF=[2, 1, 0]; θ=30°; F=0.5; …, or take the current camera", "C=[7; −1; 4]; PF=[2; 1; 0]; θ=30°; F=0,5; …, ou use a câmera atual";
+    take_camera: "Take the current camera", "Usar a câmera atual";
+    take_camera_hint: "The camera of the window becomes your answer", "A câmera da janela passa a ser sua resposta";
+    other_figure: "The pictures show another figure; “Show the figure”, above, loads that of this exercise.", "As imagens mostram outra figura; “Mostrar a figura”, acima, carrega a deste exercício.";
+    understood: "understood as", "entendido como";
+    check: "Check", "Conferir";
+    check_hint: "Checks this answer (Ctrl+Enter in one of its fields). An answer that cannot be read does not count", "Confere esta resposta (Ctrl+Enter num de seus campos). Uma resposta que não pode ser lida não conta";
+    right: "right", "certo";
+    wrong: "wrong", "errado";
+    follows: "follows from a wrong answer", "segue de uma resposta errada";
+    right_read_as: "right, read as", "certo, entendido como";
+    changed_since: "This is the result for your previous answer; check again.", "Este é o resultado da resposta anterior; confira de novo.";
+    hint: "Hint", "Dica";
+    next_hint: "A hint", "Uma dica";
+    stronger_hint: "A stronger hint", "Uma dica mais forte";
+    hint_hint: "One at a time, from weak to strong", "Uma por vez, da mais fraca à mais forte";
+    first_step: "A worked step", "Um passo resolvido";
+    next_step: "The next step", "O próximo passo";
+    step_hint: "The solution with every number, step by step", "A resolução com cada número, passo a passo";
+    show_camera: "Show the camera of your answer", "Mostrar a câmera da sua resposta";
+    show_camera_hint: "Draws the camera that your answer describes beside the right one, in the world. Esc removes it", "Desenha a câmera que sua resposta descreve ao lado da certa, no mundo. Esc a retira";
+    hide_camera: "Hide the camera of your answer", "Esconder a câmera da sua resposta";
+    no_camera: "No camera has this", "Nenhuma câmera tem isto";
+    own_open: "Open a folder of exercises…", "Abrir uma pasta de exercícios…";
+    own_open_hint: "A lecturer's own exercises, one TOML file each; they are listed below the others, and the folder is remembered", "Exercícios de um professor, um arquivo TOML para cada; são listados abaixo dos outros, e a pasta é lembrada";
+    own_again: "Read it again", "Ler de novo";
+    own_again_hint: "Its files may have changed since", "Seus arquivos podem ter mudado";
+    own_close: "Close the folder", "Fechar a pasta";
+    own_close_hint: "Removes its exercises from the list; your progress in them is kept", "Tira seus exercícios da lista; seu progresso neles é mantido";
+    own_passed_over: "Skipped in the folder", "Ignorados na pasta";
+    own_none: "no exercises (files that end in .toml)", "sem exercícios (arquivos que terminam em .toml)";
+    progress: "Progress", "Progresso";
+    progress_kept_in: "Stored in this file, which you may read, copy or delete:", "Guardado neste arquivo, que você pode ler, copiar ou apagar:";
+    progress_not_kept: "Kept until the window closes.", "Guardado até a janela fechar.";
+    no_mistakes: "No known mistake so far.", "Nenhum erro conhecido até agora.";
+    mistakes: "Known mistakes, and how often", "Erros conhecidos, e quantas vezes";
+    mended: "Solved since without it", "Resolvido depois sem ele";
+    export_progress: "Export as CSV…", "Exportar como CSV…";
+    export_title: "Export progress", "Exportar o progresso";
+    export_progress_hint: "A table for spreadsheets: a row for each exercise and each known mistake", "Uma tabela para planilhas: uma linha por exercício e por erro conhecido";
+    progress_file: "progress.csv", "progresso.csv";
+    delete_progress: "Delete progress", "Apagar o progresso";
+    delete_progress_hint: "Asks first", "Pergunta antes";
+    delete_progress_text: "Your answers, solved exercises and mistakes are forgotten. The old file stays beside the new one as progress.bak until you delete progress again; to restore it, close the program and rename it to progress.toml.", "Suas respostas, os exercícios resolvidos e os erros são esquecidos. O arquivo antigo fica ao lado do novo como progress.bak até você apagar o progresso de novo; para restaurá-lo, feche o programa e renomeie-o para progress.toml.";
+    all_right: "Everything is right.", "Tudo está certo.";
+}
+
+/// The action of a button with its question: screen readers hear which one of several it is.
+#[must_use]
+pub fn of_ask(what: &str, ask: &str) -> String {
+    format!("{what}: {ask}")
+}
+
+/// A field of a vector or a matrix; rows and columns from 0.
+#[must_use]
+pub fn field(lang: Lang, ask: &str, [rows, columns]: [usize; 2], [row, column]: [usize; 2]) -> String {
+    let (i, j) = (row + 1, column + 1);
+    match (rows, columns) {
+        (1, 1) => ask.to_owned(),
+        (_, 1) => format!("{ask} {i}"),
+        (..) => both!(lang; "{ask} row {i}, column {j}", "{ask} linha {i}, coluna {j}"),
+    }
+}
+
+/// An answer is not an axis: it is longer or shorter than 1.
+#[must_use]
+pub fn axis_length(lang: Lang, length: f64) -> String {
+    let length = lang.mark().number(length, 4);
+    both!(lang; "your vector has length {length}; an axis of a camera has length 1",
+        "seu vetor tem comprimento {length}; um eixo de uma câmera tem comprimento 1")
+}
+
+/// An answer is not an axis: its scalar product with **n** is not 0.
+#[must_use]
+pub fn axis_oblique(lang: Lang, product: f64) -> String {
+    let product = lang.mark().number(product, 4);
+    both!(lang; "your vector is not perpendicular to n: their scalar product is {product}, not 0",
+        "seu vetor não é perpendicular a n: o produto escalar deles é {product}, não 0")
+}

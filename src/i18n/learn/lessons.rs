@@ -1,0 +1,355 @@
+//! The texts of lessons with their numbers, and the words around them, in both languages.
+
+use serde_json::Value;
+
+use crate::exercises;
+use crate::figure::{Bilingual, Figure};
+use crate::i18n::Lang;
+pub use crate::i18n::told;
+use crate::inspect::Report;
+use crate::lessons::{self, Lesson, Link, Step, Task};
+use crate::numbers::significant;
+use crate::sanitize::escaped;
+
+texts! {
+    lessons: "Lessons", "Lições";
+    lesson: "lesson", "lição";
+    aims: "Afterwards you can", "Depois você sabe";
+    question: "Question", "Pergunta";
+    to_try: "Try", "Experimente";
+    step: "Step", "Passo";
+    of: "of", "de";
+    keep: "To keep", "Para guardar";
+    solutions: "Solutions", "Soluções";
+    // Messages.
+    first_step: "This is the first step of the lesson", "Este é o primeiro passo da lição";
+    last_step: "This is the last step of the lesson", "Este é o último passo da lição";
+    task_first: "There is something to do in this step; go on once more to pass over it", "Há algo a fazer neste passo; avance de novo para pulá-lo";
+    // The bar of a lesson.
+    back: "Back", "Voltar";
+    back_hint: "The step before", "O passo anterior";
+    next: "Next", "Avançar";
+    next_hint: "The next step", "O próximo passo";
+    pass: "Skip", "Pular";
+    pass_hint: "Go on without the task of this step", "Seguir sem a tarefa deste passo";
+    all_steps: "All steps of the lesson", "Todos os passos da lição";
+    again: "Back to the step", "De volta ao passo";
+    again_hint: "Shows the figure of the step as it was at first", "Mostra a figura do passo como era no início";
+    text_command: "Text of the step", "Texto do passo";
+    text_hint: "Shows or hides the text under the pictures; key C in a presentation", "Mostra ou oculta o texto sob as imagens; tecla C na apresentação";
+    question_command: "Question of the step", "Pergunta do passo";
+    question_hint: "Shows or hides the question under the pictures; key Q in a presentation", "Mostra ou oculta a pergunta sob as imagens; tecla Q na apresentação";
+    notes_command: "Speaker's notes", "Notas do apresentador";
+    notes_hint: "Shows or hides the notes of the step for the speaker, in a window of their own", "Mostra ou oculta as notas do passo para quem apresenta, em uma janela própria";
+    no_notes: "This step has no notes", "Este passo não tem notas";
+    comes_next: "Next", "A seguir";
+    leave: "Leave the lesson", "Sair da lição";
+    leave_hint: "The figure of the step stays", "A figura do passo fica";
+    region: "Lesson", "Lição";
+    done: "Done", "Feito";
+    not_yet: "Not there yet: the step notices when it is done", "Ainda não: o passo percebe quando está feito";
+    show_way: "Show how", "Mostrar como";
+    show_way_hint: "Moves the camera to where the task leads", "Move a câmera até onde a tarefa leva";
+    exercise_at_side: "Answer the exercise in the panel at the side.", "Responda o exercício no painel ao lado.";
+    open_exercise: "Open the exercise", "Abrir o exercício";
+    hidden_question: "Q shows the question", "Q mostra a pergunta";
+    // Recording.
+    add_step: "Add as step", "Acrescentar como passo";
+    add_step_hint: "Adds what is on the screen to a lesson of your own, as its next step: only the difference from the step before is written", "Acrescenta o que está na tela a uma lição sua, como o próximo passo: só a diferença do passo anterior é escrita";
+    step_title: "The lesson to which the step is added", "A lição à qual o passo é acrescentado";
+    step_action: "Add", "Acrescentar";
+    step_file: "lesson.toml", "licao.toml";
+    // Writing a lesson in the window.
+    write_command: "Write the lesson", "Escrever a lição";
+    write_hint: "Texts of the step and of the lesson beside their preview, order of the steps; of a lesson of the program, in a copy of your own", "Textos do passo e da lição ao lado da prévia, ordem dos passos; de uma lição do programa, em uma cópia sua";
+    copy_title: "A copy of the lesson, to be changed by you", "Uma cópia da lição, para você mudar";
+    copy_action: "Copy", "Copiar";
+    step_earlier: "Move up", "Para cima";
+    step_earlier_hint: "The step comes before the one above it; its picture stays the same", "O passo vem antes do anterior; sua imagem continua a mesma";
+    step_later: "Move down", "Para baixo";
+    step_later_hint: "The step comes after the next one; its picture stays the same", "O passo vem depois do próximo; sua imagem continua a mesma";
+    step_screen: "Show what is on the screen", "Mostrar o que está na tela";
+    step_screen_hint: "From now on the step shows what you see; its texts stay", "A partir de agora o passo mostra o que você vê; seus textos ficam";
+    step_another: "New step after this one", "Novo passo depois deste";
+    step_another_hint: "Adds a step that shows what is on the screen", "Acrescenta um passo que mostra o que está na tela";
+    step_remove: "Remove the step", "Remover o passo";
+    step_remove_hint: "Takes the step out of the lesson; “Take back” brings it again", "Tira o passo da lição; “Desfazer mudança” o traz de volta";
+    change_back: "Take back", "Desfazer mudança";
+    change_back_hint: "The lesson as it was before the last change of its file", "A lição como era antes da última mudança de seu arquivo";
+    read_again: "Read again", "Ler de novo";
+    read_again_hint: "Reads the file as another program has changed it; what is typed here and not written is lost", "Lê o arquivo como outro programa o mudou; o que foi digitado aqui e não está escrito se perde";
+    is_kept: "in the file", "no arquivo";
+    not_kept: "not yet in the file", "ainda não no arquivo";
+    not_written: "Not written into the file", "Não foi escrito no arquivo";
+    step_title_field: "Title", "Título";
+    step_text_field: "Text (Markdown, $formulas$, {numbers})", "Texto (Markdown, $fórmulas$, {números})";
+    of_step: "This step", "Este passo";
+    of_lesson: "The whole lesson", "A lição inteira";
+    of_lesson_hint: "Title, sentence to keep and minutes of the lesson, as lists and handouts show them", "Título, frase para guardar e minutos da lição, como listas e materiais os mostram";
+    lesson_title_field: "Title of the lesson", "Título da lição";
+    lesson_sentence_field: "Sentence to keep (Markdown, $formulas$)", "Frase para guardar (Markdown, $fórmulas$)";
+    lesson_minutes_field: "Minutes", "Minutos";
+    forget_typed: "Back to the text of the file", "De volta ao texto do arquivo";
+    forget_typed_hint: "Forgets what was typed since it was written last", "Esquece o que foi digitado desde que foi escrito";
+    // The question about text that cannot be saved.
+    unsaved_text_title: "Leave without the text of this step?", "Sair sem o texto deste passo?";
+    unsaved_text: "The text you typed isn't in the lesson's file, and can't be saved there:", "O texto que você digitou não está no arquivo da lição e não pode ser salvo nele:";
+    save_copy: "Save a copy…", "Salvar uma cópia…";
+    // The texts of a recorded step and lesson.
+    new_lesson: "A new lesson", "Uma nova lição";
+    new_text: "Say here what is to be seen.", "Diga aqui o que se vê.";
+    // A line of the window at its first start.
+    new_here: "New here?", "Primeira vez aqui?";
+    or_gallery: "Gallery of figures", "Galeria de figuras";
+    no_welcome: "Close this line; the lessons are in the menu Help", "Fechar esta linha; as lições estão no menu Ajuda";
+    presentation_keys: "Esc: leave · Page ↑ ↓: steps · Q: question · C: text · N: notes · a number: that step · P: pen · S: spotlight · B: black", "Esc: sair · Page ↑ ↓: passos · Q: pergunta · C: texto · N: notas · um número: aquele passo · P: caneta · S: foco · B: preto";
+    // The list of lessons.
+    lessons_command: "Lessons…", "Lições…";
+    lessons_hint: "A way through the chapter, step by step", "Um caminho pelo capítulo, passo a passo";
+    of_folder: "In the folder of your figures", "Na pasta de suas figuras";
+    learn_next: "Learn next", "Aprender a seguir";
+    leads_to: "Exercises", "Exercícios";
+    finished: "finished", "concluída";
+    afterwards: "Afterwards you know", "Depois você sabe";
+    read_more: "Read", "Ler";
+    practise: "Practise", "Praticar";
+    go_on_with: "Go on with", "Continue com";
+    see_lesson: "Lesson", "Lição";
+}
+
+/// A text with the numbers of a figure; as it is written where it has none.
+#[must_use]
+pub fn filled(lang: Lang, text: &Bilingual, figure: &Figure) -> String {
+    match lessons::numbers_of(figure) {
+        Ok(report) => filled_from(lang, text, &report),
+        Err(_) => told(lang, text).to_owned(),
+    }
+}
+
+/// A text with the numbers of a report; as it is written where the report lacks one of them.
+#[must_use]
+pub fn filled_from(lang: Lang, text: &Bilingual, report: &Report) -> String {
+    let text = told(lang, text);
+    lessons::filled(text, report, lang.mark()).unwrap_or_else(|_| text.to_owned())
+}
+
+/// The text of a step, in Markdown.
+#[must_use]
+pub fn text(lang: Lang, step: &Step) -> String {
+    filled(lang, &step.text, &step.figure)
+}
+
+/// The speaker's notes of a step, in Markdown.
+#[must_use]
+pub fn notes(lang: Lang, step: &Step) -> Option<String> {
+    step.notes.as_ref().map(|notes| filled(lang, notes, &step.figure))
+}
+
+/// A lesson to read in a terminal.
+#[must_use]
+pub fn to_read(lang: Lang, lesson: &Lesson) -> String {
+    let t = texts(lang);
+    let mut out = format!("{} ({})\n", told(lang, &lesson.title), lesson.id);
+    if !lesson.aims.is_empty() {
+        out.push_str(&format!("\n{}:\n", t.aims));
+        lesson.aims.iter().for_each(|aim| out.push_str(&format!("- {}\n", told(lang, aim).trim())));
+    }
+    for (k, step) in lesson.steps.iter().enumerate() {
+        out.push_str(&format!("\n{}. {}\n\n{}\n", k + 1, told(lang, &step.title), text(lang, step).trim()));
+        match &step.task {
+            Some(Task::Exercise { id, seed }) => {
+                out.push_str(&format!("\n{}: camera-lab exercise show {id} --seed {seed}\n", t.question));
+            }
+            Some(Task::Question(entry)) => {
+                let exercise = entry.exercise(0, &Default::default());
+                for ask in &exercise.asks {
+                    let asked = super::exercises::ask(lang, &exercise, ask);
+                    out.push_str(&format!(
+                        "\n{}: {} ({})\n",
+                        t.question,
+                        asked.trim(),
+                        super::exercises::kind(lang, ask)
+                    ));
+                }
+            }
+            Some(Task::Try(goal)) => {
+                out.push_str(&format!("\n{}: {}\n", t.to_try, filled(lang, &goal.text, &step.figure).trim()));
+            }
+            None => {}
+        }
+    }
+    if let Some(sentence) = &lesson.sentence {
+        out.push_str(&format!("\n{}: {}\n", t.keep, told(lang, sentence).trim()));
+    }
+    out
+}
+
+/// The titles of the exercises to which a lesson leads, each once.
+#[must_use]
+pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
+    let of_step = |step: &Step| {
+        let asked = match &step.task {
+            Some(Task::Exercise { id, .. }) => Some(id.clone()),
+            _ => None,
+        };
+        let linked = step.links.iter().filter_map(|link| match link {
+            Link::Exercise(id, _) => Some(id.clone()),
+            Link::Note(_) | Link::Lesson(_) => None,
+        });
+        asked.into_iter().chain(linked.collect::<Vec<_>>())
+    };
+    let mut ids: Vec<String> = Vec::new();
+    for id in lesson.steps.iter().flat_map(of_step) {
+        if !ids.contains(&id) {
+            ids.push(id);
+        }
+    }
+    ids.iter().filter_map(|id| Some(super::exercises::title(lang, exercises::entry(id)?))).collect()
+}
+
+/// A step was added to a file.
+#[must_use]
+pub fn step_added(lang: Lang, file: &str, number: usize) -> String {
+    both!(lang; "Step {number} was added to {file}", "O passo {number} foi acrescentado a {file}")
+}
+
+/// Another program has changed the file of the lesson.
+#[must_use]
+pub fn changed_elsewhere(lang: Lang, file: &str) -> String {
+    let again = texts(lang).read_again;
+    both!(lang; "Another program has changed {file}, so nothing was written into it. “{again}” shows the text that is in the file now",
+        "Outro programa mudou {file}, então nada foi escrito nele. “{again}” mostra o texto que está no arquivo agora")
+}
+
+/// The texts of the recorded step with this number.
+#[must_use]
+pub fn draft(number: usize) -> lessons::Draft {
+    let both =
+        |text: fn(&'static Texts) -> String| Bilingual { en: text(texts(Lang::En)), pt_br: text(texts(Lang::PtBr)) };
+    let title = |lang| format!("{} {number}", texts(lang).step);
+    lessons::Draft {
+        lesson: both(|t| t.new_lesson.to_owned()),
+        title: Bilingual { en: title(Lang::En), pt_br: title(Lang::PtBr) },
+        text: both(|t| t.new_text.to_owned()),
+    }
+}
+
+/// The title of a lesson, and the minutes that it takes.
+#[must_use]
+pub fn with_minutes(lang: Lang, lesson: &Lesson) -> String {
+    let minutes = lesson.minutes.map_or_else(String::new, |minutes| format!(" ({} min)", significant(minutes, 3)));
+    format!("{}{minutes}", told(lang, &lesson.title))
+}
+
+/// The step of how many.
+#[must_use]
+pub fn place(lang: Lang, number: usize, of: usize) -> String {
+    let t = texts(lang);
+    format!("{} {number} {} {of}", t.step, t.of)
+}
+
+/// A line of the list of lessons, from its data.
+#[must_use]
+pub fn line(lang: Lang, line: &Value) -> String {
+    let text = |key: &str| line[key].as_str().unwrap_or_default();
+    let minutes = line["minutes"].as_f64().map_or_else(String::new, |minutes| significant(minutes, 3) + " min");
+    let steps = pick!(lang; "steps", "passos");
+    format!("{:<16} {:>7} {:>3} {steps}   {}\n", text("id"), minutes, line["steps"], text("title"))
+}
+
+/// There is no such lesson.
+#[must_use]
+pub fn unknown(lang: Lang, id: &str, near: Option<&str>) -> String {
+    let id = escaped(id);
+    match (lang, near) {
+        (Lang::En, Some(near)) => {
+            format!("there is no lesson {id:?}; did you mean {near:?}? `camera-lab lesson list` lists them")
+        }
+        (Lang::En, None) => {
+            format!("there is no lesson {id:?}; allowed: a lesson file, or an id of `camera-lab lesson list`")
+        }
+        (Lang::PtBr, Some(near)) => {
+            format!("não há lição {id:?}; você quis dizer {near:?}? `camera-lab lesson list` as lista")
+        }
+        (Lang::PtBr, None) => {
+            format!("não há lição {id:?}; permitido: um arquivo de lição, ou um id de `camera-lab lesson list`")
+        }
+    }
+}
+
+/// A key of a lesson names another lesson that does not exist.
+#[must_use]
+pub fn no_lesson(lang: Lang, key: &str, id: &str) -> String {
+    both!(lang; "{key}: there is no lesson {:?}", "{key}: não há lição {:?}"; escaped(id))
+}
+
+/// A key of a lesson names a note that does not exist.
+#[must_use]
+pub fn no_note(lang: Lang, key: &str, id: &str) -> String {
+    both!(lang; "{key}: there is no note {:?}", "{key}: não há nota {:?}"; escaped(id))
+}
+
+/// A message about a step, from 1.
+#[must_use]
+pub fn of_step(lang: Lang, number: usize, why: &str) -> String {
+    both!(lang; "step {number}: {why}", "passo {number}: {why}")
+}
+
+/// There is no step with this number.
+#[must_use]
+pub fn no_step(lang: Lang, found: &str, count: usize) -> String {
+    let found = escaped(found);
+    both!(lang; "--step is {found}; allowed: a number from 1 to {count}",
+        "--step é {found}; permitido: um número de 1 a {count}")
+}
+
+/// The goal of a step holds from the start.
+#[must_use]
+pub fn reached_already(lang: Lang, key: &str) -> String {
+    both!(lang; "{key} holds already in the figure of the step; allowed: conditions that do not",
+        "{key} já vale na figura do passo; permitido: condições que ainda não valham")
+}
+
+/// The way of a goal does not lead to it.
+#[must_use]
+pub fn not_reached(lang: Lang, key: &str) -> String {
+    both!(lang; "{key} does not lead to where until holds", "{key} não leva até onde until vale")
+}
+
+/// A handout has another number of steps on a page.
+#[must_use]
+pub fn per_page(lang: Lang, found: &str) -> String {
+    let found = escaped(found);
+    both!(lang; "--per-page is {found}; allowed: 2 or 4", "--per-page é {found}; permitido: 2 ou 4")
+}
+
+/// An option of handouts with a folder of pictures, or the other way round.
+#[must_use]
+pub fn unused_option(lang: Lang, option: &str, is_handout: bool) -> String {
+    match (lang, is_handout) {
+        (Lang::En, true) => format!("{option} is for a folder of pictures; a handout takes --per-page and --answers"),
+        (Lang::En, false) => format!("{option} is for a handout; allowed: -o OUT.pdf"),
+        (Lang::PtBr, true) => {
+            format!("{option} vale para uma pasta de imagens; uma apostila aceita --per-page e --answers")
+        }
+        (Lang::PtBr, false) => format!("{option} vale para uma apostila; permitido: -o SAIDA.pdf"),
+    }
+}
+
+/// Pictures of a lesson are asked for in a file that holds only one.
+#[must_use]
+pub fn output_name(lang: Lang, path: &str) -> String {
+    both!(lang; "{path} would be one picture; allowed: a folder, or a name that ends in .pdf",
+        "{path} seria uma só imagem; permitido: uma pasta, ou um nome que termine em .pdf")
+}
+
+/// All files hold good lessons.
+#[must_use]
+pub fn all_good(lang: Lang, count: usize) -> String {
+    match (lang, count) {
+        (Lang::En, 1) => "the lesson is good\n".to_owned(),
+        (Lang::En, _) => format!("{count} lessons are good\n"),
+        (Lang::PtBr, 1) => "a lição está boa\n".to_owned(),
+        (Lang::PtBr, _) => format!("{count} lições estão boas\n"),
+    }
+}

@@ -1,0 +1,9 @@
+//! Exercises and lessons.
+
+pub(super) mod exercise_cameras;
+pub mod exercise_messages;
+pub mod exercise_sheet;
+pub(super) mod exercise_texts;
+pub mod exercise_window;
+pub mod exercises;
+pub mod lessons;

@@ -1,0 +1,51 @@
+//! Why an expression is not a number, in both languages.
+
+use crate::expression::{self, ExpressionError, ExpressionProblem};
+use crate::i18n::Lang;
+use crate::sanitize::escaped;
+
+/// Why an expression is not a number, and where in it that shows.
+pub(in crate::i18n) fn in_expression(lang: Lang, text: &str, error: &ExpressionError) -> String {
+    let (why, marked) = (expression(lang, &error.problem), expression::marked(text, &error.span));
+    both!(lang; "{why} in {marked}", "{why} em {marked}")
+}
+
+/// Why an expression is not a number.
+#[must_use]
+pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
+    match (lang, problem) {
+        (Lang::En, problem) => problem.to_string(),
+        (Lang::PtBr, ExpressionProblem::Empty) => "falta um número".to_owned(),
+        (Lang::PtBr, ExpressionProblem::Unexpected(c)) => format!("inesperado: “{}”", escaped(&c.to_string())),
+        (Lang::PtBr, ExpressionProblem::Unfinished) => "a expressão não terminou".to_owned(),
+        (Lang::PtBr, ExpressionProblem::UnknownName(name)) => format!("nome desconhecido: “{}”", escaped(name)),
+        (Lang::PtBr, ExpressionProblem::MissingParenthesis) => "falta um “)”".to_owned(),
+        (Lang::PtBr, ExpressionProblem::MixedUnits) => "ângulo e número não se misturam aqui".to_owned(),
+        (Lang::PtBr, ExpressionProblem::NotFinite) => "o resultado não é um número finito".to_owned(),
+        (Lang::PtBr, ExpressionProblem::TooLong) => "a expressão é longa demais".to_owned(),
+    }
+}
+
+/// A number is not whole.
+#[must_use]
+pub fn not_whole(lang: Lang) -> &'static str {
+    pick!(lang; "must be a whole number", "tem de ser um número inteiro")
+}
+
+/// A field is full.
+#[must_use]
+pub fn at_most_characters(lang: Lang, most: usize) -> String {
+    both!(lang; "at most {most} characters", "no máximo {most} caracteres")
+}
+
+/// A number is outside a range, which may be that of all numbers greater than 0.
+#[must_use]
+pub fn outside(lang: Lang, low: f64, high: f64) -> String {
+    let [least, greatest] = [low, high].map(|bound| lang.mark().printed(&bound.to_string()));
+    match (lang, low == f64::MIN_POSITIVE) {
+        (Lang::En, true) => "must be greater than 0".to_owned(),
+        (Lang::En, false) => format!("must be between {least} and {greatest}"),
+        (Lang::PtBr, true) => "tem de ser maior que 0".to_owned(),
+        (Lang::PtBr, false) => format!("tem de estar entre {least} e {greatest}"),
+    }
+}

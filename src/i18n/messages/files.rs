@@ -1,0 +1,120 @@
+//! Why files cannot be used, in both languages.
+
+use std::path::Path;
+
+use super::figure_files::figure;
+use super::unreadable::{read_problem, system_in_portuguese};
+use crate::export::png::{Damage, PngError};
+use crate::files::FileError;
+use crate::i18n::Lang;
+use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES};
+use crate::sanitize;
+use crate::scene::ReadProblem;
+use crate::share::{self, Held, ShareError};
+
+/// The name of an opened figure: its path, or a phrase for a link, which is long and meaningless to people.
+#[must_use]
+pub fn opened(lang: Lang, path: &Path) -> String {
+    let held = share::link_of(path).and_then(share::held_in);
+    match held {
+        None => sanitize::path(path),
+        Some(Held::Figure) => both!(lang; "the figure in the link", "a figura no link"),
+        Some(Held::Lesson) => both!(lang; "the lesson in the link", "a lição no link"),
+    }
+}
+
+/// Why the file called `name` cannot be used.
+#[must_use]
+pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
+    let after_name = |problem: &ReadProblem| format!("{name} {}", read_problem(lang, problem));
+    match (lang, error) {
+        (_, FileError::Png(error)) => format!("{name}: {}", png(lang, error)),
+        (_, FileError::Figure(error)) => format!("{name}, {}", figure(lang, error)),
+        // A link is long, and says nothing to people.
+        (_, FileError::Link(error)) => link(lang, *error),
+        (Lang::En, error) => format!("{name} {error}"),
+        (Lang::PtBr, FileError::Read(error)) => after_name(&ReadProblem::system(error)),
+        (Lang::PtBr, FileError::Write(error)) => {
+            format!("{name} não pode ser gravado: {}", system_in_portuguese(error.kind(), error.raw_os_error()))
+        }
+        (Lang::PtBr, FileError::Directory) => after_name(&ReadProblem::Directory),
+        (Lang::PtBr, FileError::TooManyExercises) => {
+            format!("{name} tem exercícios demais; permitido: no máximo {MAX_OWN_EXERCISES}")
+        }
+        (Lang::PtBr, FileError::TooLarge) => {
+            let gib = MAX_FILE_BYTES >> 30;
+            format!("{name} é maior que qualquer figura ou imagem; permitido: no máximo {gib} GiB")
+        }
+        (Lang::PtBr, FileError::NotRegular) => after_name(&ReadProblem::NotRegular),
+        (Lang::PtBr, FileError::Network) => after_name(&ReadProblem::Network),
+        (Lang::PtBr, FileError::ReservedName) => format!(
+            "{name} tem um nome que o Windows reserva para si; permitido: nomes sem \":\" que não sejam CON, PRN, AUX, NUL, COM0 a COM9 e LPT0 a LPT9, seja qual for a extensão"
+        ),
+        (Lang::PtBr, FileError::ReadOnly) => format!(
+            "{name} é somente de leitura e ficou como estava; permitido: outro nome, ou um arquivo que possa ser gravado"
+        ),
+    }
+}
+
+/// Why there is no link to a figure, or no figure in a link.
+#[must_use]
+pub fn link(lang: Lang, error: ShareError) -> String {
+    match (lang, error) {
+        (Lang::En, error) => error.to_string(),
+        (Lang::PtBr, ShareError::TooLong(length)) => format!(
+            "o link teria {length} caracteres; permitido: no máximo {MAX_LINK_CHARACTERS}, que programas de e-mail e de conversa entregam inteiros. Salve e envie o arquivo"
+        ),
+        (Lang::PtBr, ShareError::Damaged) => {
+            "o link não contém uma figura ou lição inteira: uma parte falta ou foi mudada no caminho".to_owned()
+        }
+        (Lang::PtBr, ShareError::TooLarge) => {
+            format!("a figura ou lição no link é longa demais; permitido: no máximo {MAX_FIGURE_BYTES} bytes")
+        }
+    }
+}
+
+/// Why a picture cannot be written in a format.
+#[must_use]
+pub fn encoder(lang: Lang, format: &str, why: &str) -> String {
+    both!(lang; "the picture cannot be written as {format} ({why})",
+        "a imagem não pode ser gravada como {format} ({why})")
+}
+
+/// Why a picture cannot be written or read.
+#[must_use]
+pub fn png(lang: Lang, error: &PngError) -> String {
+    match (lang, error) {
+        (Lang::En, error) => error.to_string(),
+        (Lang::PtBr, PngError::Encode(why)) => format!("a imagem não pode ser gravada como PNG ({why})"),
+        (Lang::PtBr, PngError::Damaged(damage)) => {
+            let why = match damage {
+                Damage::Truncated => "termina antes do fim",
+                Damage::Checksum => "uma soma de verificação não confere",
+                Damage::Text => "o texto nele não pode ser descompactado",
+                Damage::Format => "suas partes contradizem o formato",
+            };
+            format!("o PNG está danificado: {why}")
+        }
+        (Lang::PtBr, PngError::TooLong { limit }) => {
+            format!("a figura neste PNG é longa demais; permitido: no máximo {limit} bytes")
+        }
+        (Lang::PtBr, PngError::NoFigure) => {
+            "esta imagem não contém uma figura; permitido: um arquivo de figura, ou uma imagem gravada por camera-lab"
+                .to_owned()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io;
+
+    use super::*;
+
+    #[test]
+    fn files_are_named() {
+        let missing = FileError::Read(io::ErrorKind::NotFound.into());
+        assert_eq!(file(Lang::En, "a.toml", &missing), "a.toml cannot be read: there is no such file or directory");
+        assert_eq!(file(Lang::PtBr, "a.toml", &missing), "a.toml não pode ser lido: o arquivo ou diretório não existe");
+    }
+}

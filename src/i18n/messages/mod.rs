@@ -1,0 +1,21 @@
+//! Errors and warnings, in both languages, for both shells.
+
+pub(super) mod cameras;
+pub(super) mod expressions;
+pub mod faults;
+pub(super) mod figure_files;
+pub(super) mod files;
+pub(super) mod meshes;
+pub(super) mod scene_errors;
+pub mod toml_complaints;
+pub(super) mod unreadable;
+pub(super) mod wording;
+
+pub use crate::i18n::messages::cameras::{camera, inspect, no_way_back, operation, warning};
+pub use crate::i18n::messages::expressions::{at_most_characters, expression, not_whole, outside};
+pub use crate::i18n::messages::figure_files::{figure, without_line};
+pub use crate::i18n::messages::files::{encoder, file, link, opened, png};
+pub use crate::i18n::messages::meshes::notice as mesh_notice;
+pub use crate::i18n::messages::scene_errors::scene;
+pub use crate::i18n::messages::unreadable::without_colors;
+pub use crate::i18n::window::progress::too_much;

@@ -1,0 +1,89 @@
+//! The words of conventions: whose NDC, rows or columns, left or right hand.
+
+use crate::camera::{InfiniteParallel, Ndc};
+use crate::i18n::{Lang, pictures};
+
+texts! {
+    title: "Conventions", "Convenções";
+    ndc: "NDC of", "NDC de";
+    ndc_hint: "Whose normalised device coordinates M_p, the probe and the canonical volume use. Pixels and depths of the image stay the same", "De quem são as coordenadas de dispositivo normalizadas que M_p, a sonda e o volume canônico usam. Pixels e profundidades da imagem não mudam";
+    compared: "compared with", "comparar com";
+    compared_hint: "The same matrices in another convention, below; entries that differ are marked", "As mesmas matrizes em outra convenção, embaixo; os elementos que diferem ficam marcados";
+    nobody: "nothing", "nada";
+    reversed: "reversed", "invertido";
+    reversed_hint: "z_n is 1 at F and 0 at B: floating-point numbers are dense around 0, where perspective crowds the depths. In OpenGL by glClipControl with GL_ZERO_TO_ONE", "z_n é 1 em F e 0 em B: números de ponto flutuante são densos perto de 0, onde a perspectiva comprime as profundidades. No OpenGL, por glClipControl com GL_ZERO_TO_ONE";
+    infinite: "B → ∞", "B → ∞";
+    infinite_hint: "The limit of the matrices as the back plane goes to infinity; in perspective only. The pictures are still clipped at B", "O limite das matrizes quando o plano de fundo vai ao infinito; só em perspectiva. As imagens ainda são recortadas em B";
+    row_vectors: "row vectors", "vetores linha";
+    row_vectors_hint: "As in texts that write p′ = p M", "Como em textos que escrevem p′ = p M";
+    row_vectors_said: "Points are rows, p′ = p M: every matrix is transposed, and a product is read from the left.", "Pontos são linhas, p′ = p M: cada matriz é transposta, e um produto é lido da esquerda.";
+    left_handed: "left-handed view space", "espaço de vista de mão esquerda";
+    left_handed_hint: "z_c grows along DOP, as in texts on Direct3D", "z_c cresce ao longo de DOP, como em textos sobre Direct3D";
+    left_handed_said: "z_c grows along DOP: the third row of M_v and the third column of M_p change sign, and their product stays the same.", "z_c cresce ao longo de DOP: a terceira linha de M_v e a terceira coluna de M_p trocam de sinal, e seu produto não muda.";
+}
+
+/// A convention in words, as in the pictures.
+#[must_use]
+pub fn name(lang: Lang, ndc: Ndc) -> String {
+    pictures::labels(lang).ndc_title(ndc)
+}
+
+/// The reason why the pictures still have a back plane.
+#[must_use]
+pub fn finite_instead(lang: Lang, error: InfiniteParallel) -> String {
+    let name = error.0.api.title();
+    both!(lang; "B → ∞ gives all depths of a parallel projection the same z: {name} is shown with its back plane",
+        "B → ∞ dá o mesmo z a todas as profundidades de uma projeção paralela: {name} aparece com seu plano de fundo")
+}
+
+/// The differences of a convention from the one in use, as the reasons for different entries.
+#[must_use]
+pub fn differences(lang: Lang, ndc: Ndc, compared: Ndc) -> String {
+    let (mine, other) = (name(lang, ndc), name(lang, compared));
+    let mut reasons = Vec::new();
+    let number = |depth: f64| lang.mark().number(depth, 2);
+    let ([near, far], [other_near, other_far]) = (ndc.depths().map(number), compared.depths().map(number));
+    if ndc.depths() != compared.depths() {
+        reasons.push(both!(lang; "z_n goes from {other_near} at F to {other_far}, not from {near} to {far}",
+            "z_n vai de {other_near} em F a {other_far}, e não de {near} a {far}"));
+    }
+    if ndc.y_points_down() != compared.y_points_down() {
+        reasons.push(
+            match (lang, compared.y_points_down()) {
+                (Lang::En, true) => "y_n points down",
+                (Lang::En, false) => "y_n points up",
+                (Lang::PtBr, true) => "y_n aponta para baixo",
+                (Lang::PtBr, false) => "y_n aponta para cima",
+            }
+            .to_owned(),
+        );
+    }
+    if ndc.infinite != compared.infinite {
+        reasons.push(
+            match (lang, compared.infinite) {
+                (Lang::En, true) => "it has no back plane",
+                (Lang::En, false) => "it has a back plane",
+                (Lang::PtBr, true) => "não há plano de fundo",
+                (Lang::PtBr, false) => "há plano de fundo",
+            }
+            .to_owned(),
+        );
+    }
+    match reasons.is_empty() {
+        true => both!(lang; "{other} has the same NDC as {mine}: nothing differs.",
+            "{other} tem as mesmas NDC que {mine}: nada difere."),
+        false => both!(lang; "Marked: what differs in {other}. {}.",
+            "Marcado: o que difere em {other}. {}."; capital(&reasons.join("; "))),
+    }
+}
+
+/// A sentence begins with a capital letter, but not with a symbol's.
+fn capital(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    match letters.next() {
+        Some(first) if !sentence.starts_with("z_n") && !sentence.starts_with("y_n") => {
+            first.to_uppercase().chain(letters).collect()
+        }
+        _ => sentence.to_owned(),
+    }
+}

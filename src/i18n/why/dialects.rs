@@ -1,0 +1,237 @@
+//! The camera in other vocabularies, and a matrix that is pasted.
+
+use crate::camera::{Axes, Evidence, Lines, MatrixKind, MatrixTextError, Reading, RecoveryError, Unknown};
+use crate::explain::vocabulary::{Limitation, Vocabulary};
+use crate::i18n::{Lang, messages};
+use crate::sanitize::escaped;
+
+texts! {
+    number_hint: "Sets the camera", "Define a câmera";
+    fixed_hint: "Follows from the others and cannot be set by itself", "Decorre dos outros e não pode ser definido sozinho";
+    pasted: "A matrix → its camera", "Uma matriz → sua câmera";
+    pasted_hint: "Paste sixteen numbers, or the twelve of K [R | t], as any program writes them. What the matrix is, and in whose axes, is recognised where its numbers tell; NDC are those chosen under Conventions.",
+        "Cole dezesseis números, ou os doze de K [R | t], como qualquer programa os escreve. O que a matriz é, e em que eixos, se reconhece onde os números o dizem; as NDC são as escolhidas em Convenções.";
+    recognise: "recognise", "reconhecer";
+    kind: "The matrix is", "A matriz é";
+    kind_hint: "What the matrix does. Camera → world is the inverse of M_v: matrix_world of Blender, a node of glTF, matrixWorld of three.js. K [R | t] leads to pixels.",
+        "O que a matriz faz. Câmera → mundo é a inversa de M_v: matrix_world do Blender, um nó de glTF, matrixWorld de three.js. K [R | t] leva a pixels.";
+    axes: "Axes", "Eixos";
+    axes_hint: "Whose axes. OpenGL, glTF, three.js: x right, y up, z towards the viewer; y is up in the world. Blender: the same, but z is up in the world, which is turned. OpenCV: x right, y down, z into the scene.",
+        "Os eixos de quem. OpenGL, glTF, three.js: x à direita, y para cima, z rumo ao observador; no mundo, y é para cima. Blender: os mesmos, mas no mundo z é para cima, e ele é girado. OpenCV: x à direita, y para baixo, z para dentro da cena.";
+    instead: "Read it as", "Ler como";
+    instead_hint: "As this, it gives another camera", "Assim ela dá outra câmera";
+    image: "Image of the matrix", "Imagem da matriz";
+    image_hint: "The size in pixels of the image that K belongs to. It is not in the matrix; the figure takes it on with the camera.",
+        "O tamanho em pixels da imagem a que K pertence. Não está na matriz; a figura o recebe com a câmera.";
+    to_perspective: "Make it a perspective", "Passar à perspectiva";
+    to_perspective_hint: "The same camera in perspective; things at PF keep their size", "A mesma câmera em perspectiva; o que está em PF mantém o tamanho";
+    transposed: "row vectors, or by columns", "vetores linha, ou por colunas";
+    transposed_hint: "The matrix is written for row vectors, or by columns: it is transposed", "A matriz foi escrita para vetores linha, ou por colunas: é transposta";
+    try_transposed: "Transposed, it is the matrix of a camera: choose “row vectors, or by columns”.", "Transposta, é a matriz de uma câmera: escolha “vetores linha, ou por colunas”.";
+    read_as: "Read in the convention", "Lida na convenção";
+    take: "Take this camera", "Usar esta câmera";
+    take_hint: "The figure takes on the camera of the matrix; Ctrl+Z undoes it", "A figura recebe a câmera da matriz; Ctrl+Z desfaz";
+}
+
+/// The title of a vocabulary, and a name that no language changes.
+#[must_use]
+pub fn title(lang: Lang, vocabulary: Vocabulary) -> (&'static str, &'static str) {
+    match vocabulary {
+        Vocabulary::OpenGl => ("OpenGL, GLU [2]", "opengl"),
+        Vocabulary::Vrc => pick!(lang; ("VRP, VPN, VUV [3]: left-handed", "vrc"),
+            ("VRP, VPN, VUV [3]: mão esquerda", "vrc")),
+        Vocabulary::ReferencePoint => pick!(lang; ("Reference point and view plane [1]", "reference point"),
+            ("Ponto de referência e plano de vista [1]", "reference point")),
+        Vocabulary::Pinhole => pick!(lang; ("K [R | t]: computer vision", "pinhole"),
+            ("K [R | t]: visão computacional", "pinhole")),
+    }
+}
+
+/// A limitation of a vocabulary, or a difference to the notes.
+#[must_use]
+pub fn limitation(lang: Lang, limitation: Limitation) -> &'static str {
+    match limitation {
+        Limitation::SymmetricOnly => pick!(lang; "It can express symmetric windows only: this one is not.",
+            "Só exprime janelas simétricas: esta não é."),
+        Limitation::PerspectiveOnly => pick!(lang; "It can express perspective only.",
+            "Só exprime a perspectiva."),
+        Limitation::NoClippingPlanes => pick!(lang; "F and B are not part of it: they stay as they are.",
+            "F e B não fazem parte: ficam como estão."),
+        Limitation::NoFocalPoint => pick!(lang; "PF is not part of it: it stays at its distance D.",
+            "PF não faz parte: fica à sua distância D."),
+        Limitation::ViewPlaneIsNear => pick!(lang;
+            "Its view plane may lie anywhere; here it is the front plane, so D = F and z_{vp} = −F.",
+            "Seu plano de vista pode ficar em qualquer lugar; aqui é o plano da frente: D = F e z_{vp} = −F."),
+        Limitation::LeftHanded => pick!(lang; "Left-handed: n points into the scene, along DOP, and u = n × v.",
+            "Mão esquerda: n aponta para a cena, ao longo de DOP, e u = n × v."),
+        Limitation::Coordinates => pick!(lang;
+            "z_{near} and z_{far} are coordinates, negative, where [0] has distances F and B.",
+            "z_{near} e z_{far} são coordenadas, negativas, onde [0] tem as distâncias F e B."),
+        Limitation::YDown => pick!(lang;
+            "x to the right, y down, z into the scene; pixels from the corner of the image, as in (5.22).",
+            "x para a direita, y para baixo, z para dentro da cena; pixels a partir do canto da imagem, como em (5.22)."),
+    }
+}
+
+/// The kind of a matrix.
+#[must_use]
+pub fn kind(lang: Lang, kind: MatrixKind) -> &'static str {
+    match kind {
+        MatrixKind::View => pick!(lang; "M_v: view", "M_v: vista"),
+        MatrixKind::Projection => pick!(lang; "M_p: projection", "M_p: projeção"),
+        MatrixKind::ViewProjection => pick!(lang; "M_p M_v: both", "M_p M_v: as duas"),
+        MatrixKind::CameraToWorld => pick!(lang; "camera → world", "câmera → mundo"),
+        MatrixKind::Pinhole => "K [R | t]",
+    }
+}
+
+/// Whose axes.
+#[must_use]
+pub const fn axes(axes: Axes) -> &'static str {
+    match axes {
+        Axes::OpenGl => "OpenGL, glTF, three.js",
+        Axes::Blender => "Blender",
+        Axes::OpenCv => "OpenCV",
+    }
+}
+
+/// How a matrix was read, and why.
+#[must_use]
+pub fn reading(lang: Lang, reading: &Reading, by_columns: bool, evidence: Evidence) -> String {
+    let (kind, axes) = (kind(lang, reading.kind), axes(reading.axes));
+    let mut said = both!(lang; "Read as {kind}", "Lida como {kind}");
+    if reading.kind.has_camera_axes() {
+        said += &both!(lang; " in the axes of {axes}", " nos eixos de {axes}");
+    }
+    if by_columns {
+        said += pick!(lang; ", by columns", ", por colunas");
+    }
+    said + match evidence {
+        Evidence::Only => ".",
+        Evidence::Level => pick!(lang; ": only so is the camera level and upright.",
+            ": só assim a câmera fica nivelada e de pé."),
+        Evidence::OriginAhead => pick!(lang; ": only so does it have the origin before it.",
+            ": só assim a origem fica diante dela."),
+        Evidence::Nothing => pick!(lang; ". Its numbers fit other readings as well.",
+            ". Os números servem também a outras leituras."),
+    }
+}
+
+/// A quantity that a matrix leaves open.
+#[must_use]
+pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
+    match unknown {
+        Unknown::FocalDistance => pick!(lang; "D is unknown: a direction has no length. PF keeps its distance.",
+            "D é desconhecido: uma direção não tem comprimento. PF mantém sua distância."),
+        Unknown::ViewUp => pick!(lang; "VUP is unknown, only v is known: the present VUP stays if it fits.",
+            "VUP é desconhecido, só se conhece v: o VUP atual fica, se servir."),
+        Unknown::PositionAlongNormal => pick!(lang;
+            "In parallel projection C may lie anywhere along n: it is put where F does not change.",
+            "Em projeção paralela C pode ficar em qualquer lugar ao longo de n: é posto onde F não muda."),
+        Unknown::WindowCentre => pick!(lang;
+            "An off-axis window and a C shifted sideways give the same matrix: the window is taken as symmetric.",
+            "Uma janela fora do eixo e um C deslocado dão a mesma matriz: a janela é tomada como simétrica."),
+        Unknown::Far => pick!(lang; "The back plane is at infinity: B stays as it was.",
+            "O plano de fundo está no infinito: B fica como estava."),
+        Unknown::Lens => pick!(lang; "Window, F and B are not in it: they stay as they were.",
+            "Janela, F e B não estão nela: ficam como estavam."),
+        Unknown::Pose => pick!(lang; "C, PF and VUP are not in M_p: they stay as they were.",
+            "C, PF e VUP não estão em M_p: ficam como estavam."),
+        Unknown::DepthDirection => pick!(lang;
+            "z grows towards the viewer there, as in no camera of [0]: the volume is the same, z_n changes sign.",
+            "Ali z cresce rumo ao observador, como em nenhuma câmera de [0]: o volume é o mesmo, z_n troca de sinal."),
+        Unknown::LeftHandedView => pick!(lang; "The axes are left-handed, as in [3]: n is reversed.",
+            "Os eixos são de mão esquerda, como em [3]: n é invertido."),
+        Unknown::Rounded => pick!(lang;
+            "Its axes are unit vectors at right angles only to within their digits: they were orthonormalised.",
+            "Seus eixos só são versores perpendiculares até os seus dígitos: foram ortonormalizados."),
+        Unknown::Scaled => pick!(lang;
+            "Its columns do not have length 1: the object is scaled. A camera has no scale; it was divided out.",
+            "Suas colunas não têm comprimento 1: o objeto tem escala. Uma câmera não tem; ela foi dividida fora."),
+        Unknown::WorldTurned => pick!(lang;
+            "z is up in that world: it was turned, (x, y, z) → (x, z, −y), so that y is up, as exporters of glTF do.",
+            "Nesse mundo z é para cima: ele foi girado, (x, y, z) → (x, z, −y), para que y o seja, como fazem os exportadores de glTF."),
+        Unknown::ClippingPlanes => pick!(lang; "F and B are unknown: K [R | t] has none. They stay as they were.",
+            "F e B são desconhecidos: K [R | t] não os tem. Ficam como estavam."),
+        Unknown::ImageSize => pick!(lang;
+            "The size of the image is unknown: the window is that of the size given here. Pixels are counted from the corner, as in (5.22); OpenCV counts from the middle of the first, half a pixel less.",
+            "O tamanho da imagem é desconhecido: a janela é a do tamanho dado aqui. Os pixels se contam a partir do canto, como em (5.22); OpenCV conta a partir do meio do primeiro, meio pixel a menos."),
+        Unknown::PixelAspect => pick!(lang; "f_x and f_y differ: its pixels are not square, so A is not m/n.",
+            "f_x e f_y diferem: seus pixels não são quadrados, e A não é m/n."),
+        Unknown::SkewDropped => pick!(lang; "K has a skew of the size of its last digits: it was taken as 0.",
+            "K tem uma obliquidade (skew) do tamanho dos seus últimos dígitos: foi tomada como 0."),
+        Unknown::SignReversed => pick!(lang;
+            "Its determinant is negative: all signs were reversed, because K [R | t] is known up to a factor. If its factor counts, the image is mirrored.",
+            "Seu determinante é negativo: todos os sinais foram trocados, pois K [R | t] só se conhece a menos de um fator. Se o fator conta, a imagem é espelhada."),
+    }
+}
+
+/// Why a text is not a matrix.
+#[must_use]
+pub fn unreadable(lang: Lang, fault: &MatrixTextError) -> String {
+    match (lang, fault) {
+        (Lang::En, fault) => fault.to_string(),
+        (Lang::PtBr, MatrixTextError::Count(count)) => {
+            format!("{count} números; uma matriz tem 16, quatro linhas de quatro, ou 12: K [R | t]")
+        }
+        (Lang::PtBr, MatrixTextError::Part(part)) => format!("“{}” não é um número", escaped(part)),
+    }
+}
+
+/// A line of a matrix, with its article.
+const fn line(lines: Lines) -> &'static str {
+    match lines {
+        Lines::Rows => "a linha",
+        Lines::Columns => "a coluna",
+    }
+}
+
+/// Why a matrix is not that of a camera.
+#[must_use]
+pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
+    let number = |x: f64| lang.mark().number(x, 4);
+    match (lang, error) {
+        (_, RecoveryError::Camera(error)) => messages::camera(lang, error),
+        (Lang::En, RecoveryError::Length { row, length }) => {
+            format!("row {row} has length {}; the rows of a view matrix are unit vectors", number(*length))
+        }
+        (Lang::En, error) => error.to_string(),
+        (Lang::PtBr, RecoveryError::NotFinite { row, column }) => {
+            format!("o elemento {row},{column} não é um número finito")
+        }
+        (Lang::PtBr, RecoveryError::LastRow { last }) => format!(
+            "a última linha é {}; a de uma câmera é 0 0 0 1 (vista, paralela) ou, a menos de um fator, −n e n·c (perspectiva: 0 0 −1 0)",
+            last.to_array().map(number).join(" ")
+        ),
+        (Lang::PtBr, RecoveryError::Shear { lines, a, b, cosine }) => format!(
+            "{} {a} e {} {b} não são perpendiculares (o cosseno entre elas é {}): um cisalhamento, que nenhuma câmera tem",
+            line(*lines),
+            line(*lines),
+            number(*cosine)
+        ),
+        (Lang::PtBr, RecoveryError::Length { row, length }) => {
+            format!("a linha {row} tem comprimento {}; as linhas de uma matriz de vista são versores", number(*length))
+        }
+        (Lang::PtBr, RecoveryError::NotZero { row, column, value }) => {
+            format!("o elemento {row},{column} é {}; numa matriz de projeção ele é 0", number(*value))
+        }
+        (Lang::PtBr, RecoveryError::Mirrored) => {
+            "ela espelha: esquerda e direita, ou em cima e embaixo, estão trocados, o que nenhuma câmera faz".to_owned()
+        }
+        (Lang::PtBr, RecoveryError::Singular { lines, at }) => {
+            format!("{} {at} é zero: a matriz é singular", line(*lines))
+        }
+        (Lang::PtBr, RecoveryError::Skew { skew, focal_length }) => format!(
+            "K tem obliquidade (skew) {} (f_x é {}): seus pixels são paralelogramos, o que nenhuma janela tem",
+            number(*skew),
+            number(*focal_length)
+        ),
+        (Lang::PtBr, RecoveryError::Affine) => {
+            "a linha da profundidade é 0 0 0 w: uma câmera afim, cujo centro está no infinito".to_owned()
+        }
+        (Lang::PtBr, RecoveryError::Depths { near, far, fits }) => {
+            let fits = fits.map_or_else(String::new, |ndc| format!("; lida como {}, é uma câmera", ndc.name()));
+            format!("F e B seriam {} e {}, e é preciso 0 < F < B{fits}", number(*near), number(*far))
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! The tab that follows a point.
+
+use crate::i18n::Lang;
+use crate::numbers::significant;
+use crate::sanitize::escaped;
+use crate::views::{ShadowAt, TexelAt};
+
+texts! {
+    no_points: "No point is followed. Add one, or pin a vertex in a picture and press Follow.", "Nenhum ponto é seguido. Acrescente um, ou fixe um vértice em uma imagem e aperte Seguir.";
+    add: "Add", "Acrescentar";
+    add_hint: "Adds a point, at the vertex under the pointer or at PF, and follows it", "Acrescenta um ponto, no vértice sob o ponteiro ou em PF, e o segue";
+    delete: "Delete", "Excluir";
+    delete_hint: "Deletes the followed point", "Exclui o ponto seguido";
+    too_many: "No more points can be followed: there are 32.", "Não se podem seguir mais pontos: há 32.";
+    name: "Name of the point", "Nome do ponto";
+    name_hint: "As it is written in the pictures and in the figure file", "Como é escrito nas imagens e no arquivo da figura";
+    name_taken: "Another point has this name.", "Outro ponto tem este nome.";
+    name_empty: "A point needs a name.", "Um ponto precisa de um nome.";
+    // On the card of the probe.
+    follow: "Follow", "Seguir";
+    follow_hint: "Follows this point through every space, in the explanations", "Segue este ponto por todos os espaços, nas explicações";
+    // The spaces.
+    local: "local", "local";
+    world: "world", "mundo";
+    view: "view", "vista";
+    clip: "clip", "recorte";
+    ndc: "NDC", "NDC";
+    window: "window", "janela";
+    pixel: "pixel", "pixel";
+    viewport: "viewport", "viewport";
+    homogeneous: "homogeneous", "homogêneas";
+    typed_hint: "Type in any space: the point moves to these coordinates", "Digite em qualquer espaço: o ponto vai para essas coordenadas";
+    local_of: "of the selected object", "do objeto selecionado";
+    window_and_depth: "and the distance from the eye", "e a distância ao olho";
+    pixel_and_depth: "and Z of the depth buffer", "e Z do z-buffer";
+    no_image: "no image", "sem imagem";
+    behind_pixel: "Beyond it lie the depths that the division gives to points behind the eye; clipping stops those, so no pixel holds them. Type such a point in any other space, NDC included.",
+        "Além dele estão as profundidades que a divisão dá a pontos atrás do olho; o recorte os detém, e nenhum pixel as guarda. Digite tal ponto em qualquer outro espaço, inclusive NDC.";
+    // The arithmetic.
+    forward: "Forward", "Ida";
+    back: "Back", "Volta";
+    from_pixel: "From the centre of the pixel with its Z. (5.22) has rounded away the position within the pixel, so the way back misses the point slightly:", "Do centro do pixel com seu Z. (5.22) arredondou a posição dentro do pixel, e a volta passa um pouco ao lado do ponto:";
+    no_way_back: "There is no way back:", "Não há caminho de volta:";
+    outside: "It is outside the volume: clipping removes it, and no pixel shows it.", "Está fora do volume: o recorte o retira, e nenhum pixel o mostra.";
+    behind: "w < 0: the point is behind the eye (w = −z_c). It has no image: clipping stops it before the division. What follows is what the division would make of it: where the line through it and C meets the window, upside down and on the other side. On the way back from NDC, z_n tells it apart: it lies beyond the limit of the depths in front of the eye.", "w < 0: o ponto está atrás do olho (w = −z_c). Não tem imagem: o recorte o detém antes da divisão. O que segue é o que a divisão faria dele: onde a reta por ele e por C encontra a janela, de cabeça para baixo e do outro lado. De volta de NDC, z_n o distingue: está além do limite das profundidades à frente do olho.";
+    in_plane: "w = 0: the point is in the plane of the eye (z_c = 0). Its projector is parallel to the window and never meets it, so (5.6) would divide by 0: the way ends here. Such clip coordinates are a direction, a point at infinity.", "w = 0: o ponto está no plano do olho (z_c = 0). Seu projetor é paralelo à janela e nunca a encontra, de modo que (5.6) dividiria por 0: o caminho acaba aqui. Essas coordenadas de recorte são uma direção, um ponto no infinito.";
+    copy_text: "Copy text", "Copiar texto";
+    copy_latex: "Copy LaTeX", "Copiar LaTeX";
+    copy_hint: "The whole way, forward and back", "O caminho inteiro, ida e volta";
+    // In the pictures.
+    drag_point: "drag: moves it, keeping its distance from the eye", "arrastar: move-o, mantendo sua distância ao olho";
+}
+
+/// The depths that are compared for the shadow at a point.
+#[must_use]
+pub fn in_shadow(lang: Lang, at: &ShadowAt, digits: usize) -> String {
+    let number = |value: f64| lang.mark().printed(&significant(value, digits));
+    let (light, own, size, [i, j]) = (at.light + 1, number(at.own), at.size, at.texel);
+    match (lang, at.nearest.map(number), at.is_hidden()) {
+        (Lang::En, Some(map), true) => {
+            format!("Light {light}: depth {own}; its map has {map} there (texel {i}, {j} of {size}²): in the shadow")
+        }
+        (Lang::En, Some(map), false) => {
+            format!("Light {light}: depth {own}; its map has {map} there (texel {i}, {j} of {size}²): lit")
+        }
+        (Lang::En, None, _) => format!("Light {light}: depth {own}; its map has nothing there: lit"),
+        (Lang::PtBr, Some(map), true) => {
+            format!("Luz {light}: profundidade {own}; seu mapa tem {map} ali (texel {i}, {j} de {size}²): na sombra")
+        }
+        (Lang::PtBr, Some(map), false) => {
+            format!("Luz {light}: profundidade {own}; seu mapa tem {map} ali (texel {i}, {j} de {size}²): iluminado")
+        }
+        (Lang::PtBr, None, _) => format!("Luz {light}: profundidade {own}; seu mapa não tem nada ali: iluminado"),
+    }
+}
+
+/// The place of a point in a texture.
+#[must_use]
+pub fn on_texture(lang: Lang, at: &TexelAt, digits: usize) -> String {
+    let number = |value: f64| lang.mark().printed(&significant(value, digits));
+    let ([u, v], [i, j], [wide, high], object) = (at.uv.map(number), at.texel, at.size, escaped(&at.object));
+    both!(lang; "On the texture of {object}: u = {u}, v = {v}; texel column {i}, row {j} of {wide} × {high}",
+        "Na textura de {object}: u = {u}, v = {v}; texel da coluna {i}, linha {j}, de {wide} × {high}")
+}
+
+impl Texts {
+    /// A space, by its name in `camera-lab inspect`.
+    #[must_use]
+    pub fn space(&self, name: &str) -> &'static str {
+        match name {
+            "local" => self.local,
+            "world" => self.world,
+            "view" => self.view,
+            "clip" => self.clip,
+            "ndc" => self.ndc,
+            "window" => self.window,
+            "pixel" => self.pixel,
+            "viewport" => self.viewport,
+            _ => self.homogeneous,
+        }
+    }
+}

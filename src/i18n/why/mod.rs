@@ -1,0 +1,16 @@
+//! The explanations: what they say about matrices, points, stages and studies.
+
+pub mod code;
+pub mod conventions;
+pub mod dialects;
+pub mod explain;
+pub mod explain_point;
+pub mod homogeneous;
+pub mod notes;
+pub mod numerics;
+pub mod order;
+pub mod pipeline;
+pub mod reasons;
+pub mod sources;
+pub mod stages;
+pub mod triangle;

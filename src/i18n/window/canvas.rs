@@ -1,0 +1,213 @@
+//! The words around the three pictures: titles, hints, readouts, and descriptions for screen readers.
+
+use glam::DVec3;
+
+use crate::camera::{Camera, ImageSize};
+use crate::i18n::Lang;
+use crate::views::{Arrangement, View};
+
+/// The texts of the canvas in one language, under a name that tells them from the window's, which are often at hand
+/// too.
+pub type CanvasTexts = Texts;
+
+texts! {
+    // Title of the world.
+    world: "World", "Mundo";
+    // Title of the canonical volume.
+    canonical: "Canonical volume", "Volume canônico";
+    // Title of the image.
+    image: "Image", "Imagem";
+    // Tooltip of a button.
+    hide: "Hide this picture", "Esconder esta imagem";
+    maximize: "Enlarge (double-click)", "Ampliar (clique duplo)";
+    restore: "All pictures again (double-click)", "Todas as imagens de novo (clique duplo)";
+    // A switch of the image, and its tooltip.
+    undistorted: "undistorted", "sem distorção";
+    undistorted_hint: "As the eye would see it, with the aspect A of the view window. Off: the m × n image of (5.22), whose pixels are not square here; pixel numbers are those of the image in both cases", "Como o olho veria, com o aspecto A da janela de vista. Desligado: a imagem m × n de (5.22), cujos pixels aqui não são quadrados; os números dos pixels são os da imagem nos dois casos";
+    // Tooltip of a switch.
+    section: "Section along u: similar triangles", "Corte ao longo de u: triângulos semelhantes";
+    link: "Orbit world and canonical volume together", "Girar mundo e volume canônico juntos";
+    // A menu, and its tooltip.
+    on_the_way: "World → canonical volume", "Mundo → volume canônico";
+    look: "Viewpoint", "Ponto de vista";
+    look_menu: "Look from…", "Ver de…";
+    // From where to look.
+    fit: "Fit all", "Enquadrar tudo";
+    front: "From the front (+z)", "De frente (+z)";
+    top: "From the top (+y)", "De cima (+y)";
+    side: "From the side (+x)", "De lado (+x)";
+    iso: "From a corner", "De um canto";
+    along_u: "Along u: from the side, eye left, back plane right", "Ao longo de u: de lado, olho à esquerda, fundo à direita";
+    along_v: "Along v: from above, eye left, back plane right", "Ao longo de v: de cima, olho à esquerda, fundo à direita";
+    along_n: "Along n: as the camera looks", "Ao longo de n: como a câmera olha";
+    // Tooltip of a menu.
+    arrange: "Arrange the pictures", "Dispor as imagens";
+    // How the pictures share the room.
+    arrange_auto: "To fit the window", "Conforme a janela";
+    arrange_row: "Side by side", "Lado a lado";
+    arrange_column: "One above the other", "Uma sobre a outra";
+    arrange_above: "The world above the others", "O mundo acima das outras";
+    arrange_beside: "The world beside the others", "O mundo ao lado das outras";
+    // Before the names of the pictures that can be shown again.
+    hidden: "Hidden:", "Escondidas:";
+    // What pointer and wheel do in the world and in the canonical volume.
+    pointer_in_space: "Drag: orbit · Shift or right button: pan · wheel: zoom", "Arrastar: girar · Shift ou botão direito: mover · roda: zoom";
+    // What the pointer does in the image.
+    pointer_in_image: "Click: pin the probe", "Clique: fixar a sonda";
+    // Where nothing is pointed at: what can be done.
+    idle: "Drag C, PF, VUP and the planes in the world; elsewhere: orbit", "Arraste C, PF, VUP e os planos no mundo; fora deles: girar";
+    // The same where the world is hidden.
+    idle_canonical: "Drag: orbit", "Arraste: girar";
+    // What the keys do in the world.
+    keys_in_world: "Arrows: raise and turn the camera · Shift + arrows: orbit · + −: zoom the picture · Home: fit all · V: probe vertices", "Setas: erguer e girar a câmera · Shift + setas: girar a imagem · + −: ampliar · Home: enquadrar tudo · V: sondar vértices";
+    // What the keys do in the canonical volume.
+    keys_in_canonical: "Arrows: orbit · + −: zoom the picture · Home: fit all · V: probe vertices", "Setas: girar a imagem · + −: ampliar · Home: enquadrar tudo · V: sondar vértices";
+    // What the keys do in the image.
+    keys_in_image: "Arrows: raise and turn the camera · + −: zoom · Page ↑ ↓: nearer, farther · I, V: probe pixels, vertices", "Setas: erguer e girar a câmera · + −: zoom · Page ↑ ↓: perto, longe · I, V: sondar pixels, vértices";
+    // Title of the strip of stages, and the button that shows it.
+    strip: "Stages", "Etapas";
+    // Tooltip of that button.
+    strip_show: "Every stage of the pipeline: what went in and came out, how long it took, or why it was skipped (F10)", "Cada etapa do pipeline: o que entrou e o que saiu, quanto durou, ou por que foi omitida (F10)";
+    // Name of the chooser whose stages are shown.
+    strip_of: "Stages of the picture", "Etapas da imagem";
+    // Tooltip of a button.
+    strip_close: "Hide the stages (F10)", "Esconder as etapas (F10)";
+    // Of a picture that is hidden.
+    strip_hidden: "This picture is hidden: no stage runs for it.", "Esta imagem está escondida: nenhuma etapa é executada para ela.";
+    // Before the time of all stages.
+    strip_total: "in all", "ao todo";
+    // Before the number of stages that ran.
+    strip_ran: "ran:", "executadas:";
+    // Before the number of those that did not.
+    strip_out: "skipped:", "omitidas:";
+    // What can be done with the strip.
+    strip_hint: "click a stage: what goes in, what comes out", "clique numa etapa: o que entra, o que sai";
+    // Of a stage.
+    strip_reveal: "Click, Enter: show in the picture what goes in and what comes out · F1: its note", "Clique, Enter: mostrar na imagem o que entra e o que sai · F1: sua nota";
+    strip_unreveal: "Click, Enter, Esc: stop showing it · F1: its note", "Clique, Enter, Esc: deixar de mostrar · F1: sua nota";
+    // While the eye turns.
+    turning: "Orbiting", "Girando a imagem";
+    // While the picture is moved.
+    moving: "Panning", "Movendo a imagem";
+    // How a point is dragged on the plane; what follows is its height.
+    drag_on_plane: "Drag: on the plane y =", "Arrastar: no plano y =";
+    // How a point is dragged up and down.
+    drag_vertically: "Shift or Ctrl: up and down", "Shift ou Ctrl: para cima e para baixo";
+    // How VUP is turned.
+    drag_up: "Drag: turn VUP about DOP", "Arrastar: girar VUP em torno de DOP";
+    // How a plane is dragged.
+    drag_along_axis: "Drag: along the axis", "Arrastar: ao longo do eixo";
+    // Before the reason why a handle does not go on.
+    stopped: "Stopped:", "Parado:";
+    // Where a picture could not be drawn.
+    given_up: "Cancelled; this picture is redrawn when the figure changes.", "Cancelada; esta imagem é redesenhada quando a figura mudar.";
+    not_drawn: "This picture could not be drawn.", "Esta imagem não pôde ser desenhada.";
+    // Where nothing is pointed at.
+    probe_hint: "Point at a vertex or at a pixel of the image to read its coordinates here.", "Aponte para um vértice ou um pixel da imagem para ler aqui suas coordenadas.";
+    // While the probe is pinned.
+    pinned: "pinned (Esc: release)", "fixada (Esc: soltar)";
+    // Of a point outside the view volume.
+    outside: "outside the volume", "fora do volume";
+    // Of a point for which w = 0.
+    no_image: "w = 0: in the plane of the eye, no image", "w = 0: no plano do olho, sem imagem";
+    // Before the place of the pointer, which is not that of a vertex near it.
+    pointer: "Pointer:", "Ponteiro:";
+    // Before the number and the object of a vertex.
+    vertex: "Vertex", "Vértice";
+    // Title of the card with what is pinned, and its buttons.
+    card: "Probe", "Sonda";
+    copy: "Copy", "Copiar";
+    copy_hint: "All digits, as text", "Todos os dígitos, como texto";
+    release: "Release (Esc)", "Soltar (Esc)";
+    // The space.
+    space_world: "World", "Mundo";
+    space_view: "View", "Vista";
+    space_clip: "Clip", "Recorte";
+    space_ndc: "NDC", "NDC";
+    space_window: "Window", "Janela";
+    space_pixel: "Pixel", "Pixel";
+    space_viewport: "Viewport", "Viewport";
+    // The bits that say outside which planes a point is.
+    outcode: "Outcode", "Outcode";
+    // What the outcode of a point inside means.
+    inside: "inside", "dentro";
+    // Z of a pixel.
+    depth: "Depth", "Profundidade";
+    // Where the depth buffer holds nothing.
+    nothing_here: "nothing here", "nada aqui";
+    // From the eye.
+    distance: "Distance", "Distância";
+    // Where a ray begins.
+    ray_origin: "Ray from", "Raio de";
+    // Where a ray goes.
+    ray_direction: "Direction", "Direção";
+    // The distance of the front plane.
+    near_plane: "front plane", "plano da frente";
+    // The distance of the back plane.
+    far_plane: "back plane", "plano de fundo";
+}
+
+/// The observer of a picture went back; the first key fits the picture, undo of the camera brings it back.
+#[must_use]
+pub fn went_back(lang: Lang, view: View) -> String {
+    let name = texts(lang).view(view);
+    both!(lang; "{name}: seen from farther away, so that everything stays in the picture (Alt+0 fits it)",
+        "{name}: visto de mais longe, para que tudo continue na imagem (Alt+0 enquadra)")
+}
+
+impl CanvasTexts {
+    /// The name of an arrangement; `None`: the automatic one.
+    #[must_use]
+    pub fn arrangement(&self, arrangement: Option<Arrangement>) -> &'static str {
+        match arrangement {
+            None => self.arrange_auto,
+            Some(Arrangement::Row) => self.arrange_row,
+            Some(Arrangement::Column) => self.arrange_column,
+            Some(Arrangement::Above) => self.arrange_above,
+            Some(Arrangement::Beside) => self.arrange_beside,
+        }
+    }
+}
+
+impl Texts {
+    /// The name of a picture.
+    #[must_use]
+    pub fn view(&self, view: View) -> &'static str {
+        match view {
+            View::World => self.world,
+            View::Canonical => self.canonical,
+            View::Image => self.image,
+        }
+    }
+}
+
+/// A picture in words: the camera's place of the world, the size of the image in pixels.
+#[must_use]
+pub fn describe(lang: Lang, view: View, camera: &Camera, image: ImageSize) -> String {
+    match view {
+        View::World => {
+            let place = |p: DVec3| lang.mark().tuple(&p.to_array(), 4);
+            describe_world(lang, &place(camera.position()), &place(camera.focal_point()))
+        }
+        View::Canonical => describe_canonical(lang),
+        View::Image => describe_image(lang, image.width, image.height),
+    }
+}
+
+/// The world in words, from the coordinates of C and PF.
+fn describe_world(lang: Lang, position: &str, focal_point: &str) -> String {
+    both!(lang; "World: the scene, the camera at {position} looking at {focal_point}, and its view volume",
+        "Mundo: a cena, a câmera em {position} olhando para {focal_point}, e seu volume de vista")
+}
+
+/// The canonical volume in words.
+fn describe_canonical(lang: Lang) -> String {
+    both!(lang; "Canonical volume: the scene after projection, in the cube from −1 to 1",
+        "Volume canônico: a cena depois da projeção, no cubo de −1 a 1")
+}
+
+/// The image in words, from its size in pixels.
+fn describe_image(lang: Lang, width: u32, height: u32) -> String {
+    both!(lang; "Image: what the camera sees, {width} × {height} pixels",
+        "Imagem: o que a câmera vê, {width} × {height} pixels")
+}

@@ -1,0 +1,436 @@
+//! The words of the coach: the health of a camera, and the reasons why a picture is empty.
+
+use super::scenes::preset_object;
+use crate::appearance::DepthFormat;
+use crate::camera::{Camera, CameraError, Ndc, Projection};
+use crate::i18n::Lang;
+use crate::i18n::messages::cameras::warning_wording;
+use crate::i18n::why::conventions;
+use crate::numbers::significant;
+use crate::numerics::diagnosis::{Cause, Diagnosis, Finding, Value, WrongPixels};
+use crate::numerics::health::{Health, HealthQuantity, Level, coarseness, volume_sides};
+use crate::sanitize::escaped;
+use crate::scene::SceneSpec;
+
+texts! {
+    // Of the command line.
+    health: "Health", "Saúde";
+    findings: "Findings", "Achados";
+    no_problems: "No problems found: the image agrees with exact visibility.", "Nenhum problema encontrado: a imagem concorda com a visibilidade exata.";
+    on_the_other_side: "On the other side of the comparison:", "Do outro lado da comparação:";
+    no_problems_in_coarse: "No problems found: a coarser image agrees with exact visibility.", "Nenhum problema encontrado: uma imagem menos fina concorda com a visibilidade exata.";
+    repair: "Repair", "Conserto";
+    no_repair: "no change to the figure repairs this", "nenhuma mudança na figura conserta isto";
+    nothing_repaired: "nothing to repair: the figure is written unchanged", "nada a consertar: a figura é gravada sem mudança";
+    cannot_repair: "no change to the figure repairs this, so it is written unchanged", "nenhuma mudança na figura conserta isto, e ela é gravada como está";
+    // Of the window.
+    coach: "Camera check", "Exame da câmera";
+    coach_hint: "How close the camera is to numerical trouble, and why something is missing from the picture", "Quão perto a câmera está de problemas numéricos, e por que algo falta na imagem";
+    camera_is: "Camera check:", "Exame da câmera:";
+    image_empty: "Image empty: why?", "Imagem vazia: por quê?";
+    one_finding: "1 finding", "1 achado";
+    many_findings: "findings", "achados";
+    show_it: "Show it", "Mostrar";
+    improve: "Improve", "Melhorar";
+    looking: "Looking…", "Examinando…";
+    too_large: "The image is too large to be drawn.", "A imagem é grande demais para ser desenhada.";
+    about_depth: "Depth, z-fighting: what a depth buffer can tell apart →", "Profundidade, z-fighting: o que um z-buffer distingue →";
+    depth_hint: "z_n against the distance from the eye, from F to B, in the convention in use: in perspective, linear as in parallel projection, and reversed (from 1 to 0). The thick curve is that of this camera", "z_n em função da distância ao olho, de F a B, na convenção em uso: em perspectiva, linear como na projeção paralela, e invertida (de 1 a 0). A curva grossa é a desta câmera";
+    depth_chart: "Depth against the distance from the eye", "Profundidade em função da distância ao olho";
+    distance: "distance from the eye", "distância ao olho";
+    perspective: "perspective", "perspectiva";
+    parallel: "parallel", "paralela";
+    reversed: "reversed", "invertida";
+    format: "format", "formato";
+    step_here: "step at this depth", "passo nesta profundidade";
+    two_planes: "Two planes, this far apart:", "Dois planos, a esta distância:";
+    two_planes_hint: "In scene units: a tilted plane this far behind another, parallel to it and drawn after it. Where a format stores the same value for both, the farther one shows through", "Em unidades da cena: um plano inclinado a esta distância atrás de outro, paralelo a ele, e desenhado depois. Quando um formato guarda o mesmo valor para os dois, aparece o mais distante";
+    scene_units: "scene units", "unidades da cena";
+    nearer: "nearer", "o mais próximo";
+    farther: "farther", "o mais distante";
+    at_probe: "at the distance of the probe,", "na distância da sonda,";
+    at_focus: "at the distance of PF,", "na distância de PF,";
+    suggested: "F and B that hold the scene:", "F e B que contêm a cena:";
+    use_them: "Use them", "Usar";
+    shadow_bias: "bias of shadows", "folga das sombras";
+    good: "good", "boa";
+    fair: "fair", "regular";
+    poor: "poor", "ruim";
+}
+
+/// The word for a level.
+#[must_use]
+pub const fn level(lang: Lang, level: Level) -> &'static str {
+    let t = texts(lang);
+    match level {
+        Level::Good => t.good,
+        Level::Fair => t.fair,
+        Level::Poor => t.poor,
+    }
+}
+
+/// The level of the camera, in two words.
+#[must_use]
+pub fn camera_is(lang: Lang, level: Level) -> String {
+    format!("{} {}", texts(lang).camera_is, self::level(lang, level))
+}
+
+/// The judged quantity, in a few words.
+#[must_use]
+pub const fn quantity(lang: Lang, quantity: HealthQuantity) -> &'static str {
+    match quantity {
+        HealthQuantity::VupAngle => pick!(lang; "angle between VUP and DOP", "ângulo entre VUP e DOP"),
+        HealthQuantity::FarNearRatio => "B / F",
+        HealthQuantity::DepthResolution => pick!(lang; "depth resolution", "resolução em profundidade"),
+        HealthQuantity::PositionDigits => pick!(lang; "digits left", "dígitos que restam"),
+        HealthQuantity::VolumeShape => pick!(lang; "shape of the volume", "forma do volume"),
+        HealthQuantity::ViewAngle => pick!(lang; "view angle θ", "ângulo de vista θ"),
+    }
+}
+
+/// A plain sentence about one quantity of a camera, with the equation of the notes that it comes from.
+#[must_use]
+pub fn health(lang: Lang, health: &Health, camera: &Camera, format: DepthFormat) -> String {
+    let n = |x: f64| length(lang, x);
+    let perspective = camera.projection() == Projection::Perspective;
+    let own = match health.quantity {
+        HealthQuantity::VupAngle => vup_angle(lang, health.value),
+        HealthQuantity::FarNearRatio if perspective => {
+            let half = 2.0 * camera.near() / (1.0 + camera.near() / camera.far());
+            let (ratio, half) = (n(health.value), n(half));
+            both!(lang; "B/F is {ratio}: half of all values of Z (5.25) lie before depth 2BF/(B + F) = {half}.",
+                "B/F é {ratio}: metade dos valores de Z (5.25) fica antes da profundidade 2BF/(B + F) = {half}.")
+        }
+        HealthQuantity::FarNearRatio => {
+            let ratio = n(health.value);
+            both!(lang; "B/F is {ratio}; in parallel projection Z (5.25) grows linearly with depth, whatever B/F is.",
+                "B/F é {ratio}; na projeção paralela Z (5.25) cresce linearmente com a profundidade, qualquer que seja B/F.")
+        }
+        HealthQuantity::DepthResolution => depth_resolution(lang, camera, format),
+        HealthQuantity::PositionDigits => {
+            let (ratio, digits) = (n(camera.origin_ratio()), n(health.value));
+            both!(lang; "C and PF lie {ratio} times as far from the origin as from each other: of 16 digits, p − C in (5.7) keeps {digits}.",
+                "C e PF estão {ratio} vezes mais longe da origem que um do outro: de 16 dígitos, p − C em (5.7) conserva {digits}.")
+        }
+        HealthQuantity::VolumeShape => {
+            let [w, h, d] = volume_sides(camera).map(n);
+            let ratio = n(health.value);
+            both!(lang; "At half its depth the view volume is {w} wide and {h} high, H = 2 d tan(θ/2) (5.5), and B − F = {d} deep: its longest side is {ratio} times its shortest.",
+                "À meia profundidade o volume de vista tem largura {w} e altura {h}, H = 2 d tan(θ/2) (5.5), e profundidade B − F = {d}: o lado maior é {ratio} vezes o menor.")
+        }
+        HealthQuantity::ViewAngle => view_angle(lang, health.value, perspective),
+    };
+    let more = health.warnings.iter().filter(|_| health.quantity == HealthQuantity::VolumeShape);
+    more.fold(own, |text, warning| format!("{text} {}.", warning_wording(lang, warning).in_symbols))
+}
+
+fn vup_angle(lang: Lang, degrees: f64) -> String {
+    let n = |x: f64| lang.mark().number(x, 3);
+    let lost = -degrees.to_radians().sin().log10();
+    let angle = n(degrees);
+    match lang {
+        Lang::En if lost < 0.5 => {
+            format!("VUP is {angle}° away from the line of DOP: u = VUP × n / |VUP × n| (5.3) keeps its digits.")
+        }
+        Lang::En => format!(
+            "VUP is only {angle}° away from the line of DOP: an error in VUP is {} times as large in u = VUP × n / |VUP × n| (5.3), which costs {} digits.",
+            n(10f64.powf(lost)),
+            n(lost)
+        ),
+        Lang::PtBr if lost < 0.5 => {
+            format!("VUP está a {angle}° da reta de DOP: u = VUP × n / |VUP × n| (5.3) conserva seus dígitos.")
+        }
+        Lang::PtBr => format!(
+            "VUP está a só {angle}° da reta de DOP: um erro em VUP é {} vezes maior em u = VUP × n / |VUP × n| (5.3), o que custa {} dígitos.",
+            n(10f64.powf(lost)),
+            n(lost)
+        ),
+    }
+}
+
+/// A number with three digits; where an `f64` has none so large, that.
+fn length(lang: Lang, x: f64) -> String {
+    match lang {
+        _ if x < f64::MAX => lang.mark().number(x, 3),
+        Lang::En => "more than 10³⁰⁸".to_owned(),
+        Lang::PtBr => "mais de 10³⁰⁸".to_owned(),
+    }
+}
+
+fn depth_resolution(lang: Lang, camera: &Camera, format: DepthFormat) -> String {
+    let step = |z: f64| length(lang, (camera.depth_step(z) * coarseness(format)).min(f64::MAX));
+    let [at_near, at_focus, at_far] = [camera.near(), camera.distance(), camera.far()].map(step);
+    let (bits, power) = if format == DepthFormat::Fixed16 { (16, "2¹⁶") } else { (24, "2²⁴") };
+    let own = match (camera.projection(), lang) {
+        (Projection::Perspective, Lang::En) => format!(
+            "{bits} bits of Z (5.25) tell apart depths d that differ by d² (B − F) / (B F {power}): by {at_near} at F, {at_focus} at PF, {at_far} at B."
+        ),
+        (Projection::Perspective, Lang::PtBr) => format!(
+            "{bits} bits de Z (5.25) distinguem profundidades d que diferem de d² (B − F) / (B F {power}): de {at_near} em F, {at_focus} em PF, {at_far} em B."
+        ),
+        (Projection::Parallel, Lang::En) => {
+            format!(
+                "{bits} bits of Z (5.25) tell apart depths that differ by (B − F) / {power} = {at_far}, at every depth."
+            )
+        }
+        (Projection::Parallel, Lang::PtBr) => format!(
+            "{bits} bits de Z (5.25) distinguem profundidades que diferem de (B − F) / {power} = {at_far}, em toda profundidade."
+        ),
+    };
+    match (format, lang) {
+        (DepthFormat::Float, Lang::En) => format!("{own} This figure's reversed f32 depths are finer."),
+        (DepthFormat::Float, Lang::PtBr) => {
+            format!("{own} As profundidades desta figura, em f32 invertido, são mais finas.")
+        }
+        _ => own,
+    }
+}
+
+fn view_angle(lang: Lang, degrees: f64, perspective: bool) -> String {
+    let stretched = (0.5 * degrees).to_radians().cos().powi(-2);
+    let (angle, stretched) = (lang.mark().number(degrees, 4), lang.mark().number(stretched, 3));
+    match lang {
+        _ if !perspective && lang == Lang::En => {
+            "Parallel projection has no θ: nothing is stretched towards the borders.".to_owned()
+        }
+        _ if !perspective => "A projeção paralela não tem θ: nada se estica perto das bordas.".to_owned(),
+        Lang::En => format!(
+            "θ is {angle}° (5.4): at the upper border things are drawn 1/cos²(θ/2) = {stretched} times as high as in the middle."
+        ),
+        Lang::PtBr => format!(
+            "θ é {angle}° (5.4): na borda de cima tudo é desenhado 1/cos²(θ/2) = {stretched} vezes mais alto que no meio."
+        ),
+    }
+}
+
+/// In whose NDC depths are.
+#[must_use]
+pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
+    let name = conventions::name(lang, ndc);
+    let [near, far] = ndc.depths().map(|depth| lang.mark().number(depth, 2));
+    let back = if ndc.infinite { "B → ∞" } else { "B" };
+    both!(lang; "In the NDC of {name}: z_n is {near} at F and {far} at {back}.",
+        "Nas NDC de {name}: z_n é {near} em F e {far} em {back}.")
+}
+
+/// The verdict of a depth buffer on two planes; `share`: the part of their common area in which the farther one is
+/// seen.
+#[must_use]
+pub fn two_planes(lang: Lang, share: f64) -> String {
+    let percent = lang.mark().number(100.0 * share, 2);
+    match lang {
+        Lang::En if share == 0.0 => "told apart".to_owned(),
+        Lang::PtBr if share == 0.0 => "distinguem-se".to_owned(),
+        Lang::En => format!("flicker (z-fighting): the farther on {percent} %"),
+        Lang::PtBr => format!("cintilam (z-fighting): o mais distante em {percent} %"),
+    }
+}
+
+/// Explains a finding, with the names of the objects concerned as they are called in this language. `scene`: the
+/// figure's, whose own objects have their names from its author.
+#[must_use]
+pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &SceneSpec) -> String {
+    if let Some(error) = &diagnosis.camera_error {
+        return impossible_camera(lang, error);
+    }
+    if let Some(pixels) = finding.pixels {
+        let names: Vec<String> = finding.objects().map(|name| object_name(lang, name, scene)).collect();
+        let sentence = wrong_pixels(lang, finding.cause, pixels);
+        return if names.is_empty() { sentence } else { format!("{}: {sentence}", listed(lang, &names)) };
+    }
+    match finding.cause {
+        Cause::EmptyScene => {
+            return both!(lang; "The scene is empty: there is nothing to draw.", "A cena está vazia: não há o que desenhar.");
+        }
+        Cause::NotCompared => {
+            return both!(lang; "The image has too many pixels or faces to be compared with exact visibility.",
+                "A imagem tem pixels ou faces demais para ser comparada com a visibilidade exata.");
+        }
+        _ => {}
+    }
+    let said =
+        |partly| pick!(lang; english(finding.cause, partly, diagnosis), portuguese(finding.cause, partly, diagnosis));
+    let (whole, in_part) = (said(false), said(true));
+    let [lost, cut] = [&finding.whole, &finding.partly]
+        .map(|names| names.iter().map(|name| object_name(lang, name, scene)).collect::<Vec<_>>());
+    // A sentence that holds for objects seen in part too is written once.
+    let groups =
+        if whole == in_part { vec![([lost, cut].concat(), whole)] } else { vec![(lost, whole), (cut, in_part)] };
+    let sentences = groups.into_iter().filter(|(names, _)| !names.is_empty());
+    sentences.map(|(names, said)| format!("{}: {said}", listed(lang, &names))).collect::<Vec<_>>().join(" ")
+}
+
+/// The name of an object: its author's, or in this language that of a part of a named scene.
+fn object_name(lang: Lang, name: &str, scene: &SceneSpec) -> String {
+    match name {
+        "" if lang == Lang::En => "The scene".to_owned(),
+        "" => "A cena".to_owned(),
+        name if scene.objects.iter().any(|object| object.name == name) => escaped(name),
+        name => preset_object(lang, name),
+    }
+}
+
+/// The equation that has no result, and why.
+fn impossible_camera(lang: Lang, error: &CameraError) -> String {
+    let reason = match (lang, error) {
+        (_, CameraError::ViewUpZero | CameraError::ViewUpCollinear) => pick!(lang;
+            "u = VUP × n / |VUP × n| (5.3) has no direction: ",
+            "u = VUP × n / |VUP × n| (5.3) não tem direção: "),
+        (_, CameraError::FocalPointAtPosition) => pick!(lang; "DOP = PF − C has no direction: ",
+            "DOP = PF − C não tem direção: "),
+        (_, CameraError::FarNotBeyondNear { .. }) => pick!(lang; "The view volume from F to B is empty: ",
+            "O volume de vista entre F e B está vazio: "),
+        _ => "",
+    };
+    format!("{reason}{}.", crate::i18n::messages::cameras::camera_wording(lang, error).in_symbols)
+}
+
+/// The fault of pixels, with their number.
+fn wrong_pixels(lang: Lang, cause: Cause, pixels: WrongPixels) -> String {
+    let WrongPixels { wrong, of } = pixels;
+    let share = lang.mark().number(100.0 * pixels.share(), 3);
+    let count = both!(lang; "{share} % of the compared pixels ({wrong} of {of})",
+        "{share} % dos pixels comparados ({wrong} de {of})");
+    match cause {
+        Cause::WrongOrder => both!(lang;
+            "{count} show a farther face in front of a nearer one, because faces are painted in the order of their centroids.",
+            "{count} mostram uma face mais distante na frente de uma mais próxima, porque as faces são pintadas na ordem de seus centroides."),
+        Cause::ShadowAcne => both!(lang;
+            "{count} that face a light lie in their own shadow (shadow acne). The bias of the shadow map is too small.",
+            "{count} voltados para uma luz estão em sua própria sombra (acne de sombras). A folga do mapa de sombras é pequena demais."),
+        Cause::ShadowDetached => both!(lang;
+            "{count} that face a light are lit although something blocks it: the shadow is detached from its object. The bias of the shadow map is too large.",
+            "{count} voltados para uma luz estão iluminados, embora algo a bloqueie: a sombra se descola do objeto. A folga do mapa de sombras é grande demais."),
+        Cause::AffineTexture => both!(lang;
+            "{count} show the wrong part of a texture, because it is interpolated without w.",
+            "{count} mostram a parte errada de uma textura, porque ela é interpolada sem w."),
+        _ => both!(lang;
+            "{count} show a farther face in front of a nearer one, because the depth format can't tell their depths apart.",
+            "{count} mostram uma face mais distante na frente de uma mais próxima, porque o formato de profundidade não distingue as duas."),
+    }
+}
+
+/// Some names, and how many more.
+fn listed(lang: Lang, names: &[String]) -> String {
+    const MOST: usize = 4;
+    let first = names.iter().take(MOST).map(String::as_str).collect::<Vec<_>>().join(", ");
+    match names.len().saturating_sub(MOST) {
+        0 => first,
+        more => both!(lang; "{first} and {more} more", "{first} e mais {more}"),
+    }
+}
+
+fn english(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
+    let most = if partly { "most of it is " } else { "" };
+    match cause {
+        Cause::CameraInsideObject => "the camera is inside it, and all its faces are turned away.".to_owned(),
+        Cause::BehindCamera => format!("{most}behind the camera, z_c ≥ 0 (5.7): it looks the other way."),
+        Cause::BeforeNear => format!("{most}nearer than the front plane, −z_c < F: clipping removes what is there."),
+        Cause::BeyondFar => format!("{most}farther than the back plane, −z_c > B: clipping removes what is there."),
+        Cause::OutsideLeft => format!("{most}to the left of the view window, x_p < l (5.9)."),
+        Cause::OutsideRight => format!("{most}to the right of the view window, x_p > r (5.9)."),
+        Cause::OutsideTop => format!("{most}above the view window, y_p > t (5.10)."),
+        Cause::OutsideBottom => format!("{most}below the view window, y_p < b (5.10)."),
+        Cause::SmallerThanPixel => "smaller in the image than a pixel (5.22).".to_owned(),
+        Cause::FullyTransparent => "its colour has alpha 0: what is behind it shows through completely.".to_owned(),
+        Cause::HiddenByNearCut => "the front plane, −z_c = F, cuts its front away, and its inside is seen.".to_owned(),
+        Cause::FewPixels => format!("visible, but on only {} of the image.", percent(Lang::En, diagnosis)),
+        // The others have sentences of their own.
+        _ => String::new(),
+    }
+}
+
+fn portuguese(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
+    let most = if partly { "a maior parte está " } else { "" };
+    match cause {
+        Cause::CameraInsideObject => "a câmera está dentro, onde todas as faces lhe dão as costas.".to_owned(),
+        Cause::BehindCamera => format!("{most}atrás da câmera, z_c ≥ 0 (5.7): ela olha para o outro lado."),
+        Cause::BeforeNear => {
+            format!("{most}mais perto que o plano da frente, −z_c < F: o recorte elimina o que está ali.")
+        }
+        Cause::BeyondFar => {
+            format!("{most}mais longe que o plano de fundo, −z_c > B: o recorte elimina o que está ali.")
+        }
+        Cause::OutsideLeft => format!("{most}à esquerda da janela de vista, x_p < l (5.9)."),
+        Cause::OutsideRight => format!("{most}à direita da janela de vista, x_p > r (5.9)."),
+        Cause::OutsideTop => format!("{most}acima da janela de vista, y_p > t (5.10)."),
+        Cause::OutsideBottom => format!("{most}abaixo da janela de vista, y_p < b (5.10)."),
+        Cause::SmallerThanPixel => "menor na imagem que um pixel (5.22).".to_owned(),
+        Cause::FullyTransparent => "a cor tem alfa 0: vê-se tudo o que está atrás.".to_owned(),
+        Cause::HiddenByNearCut => "o plano da frente, −z_c = F, corta a frente fora, e vê-se o interior.".to_owned(),
+        Cause::FewPixels => format!("visível, mas em só {} da imagem.", percent(Lang::PtBr, diagnosis)),
+        // The others have sentences of their own.
+        _ => String::new(),
+    }
+}
+
+fn percent(lang: Lang, diagnosis: &Diagnosis) -> String {
+    format!("{} %", lang.mark().number(100.0 * diagnosis.covered, 2))
+}
+
+/// The changes of a repair: keys of the figure file with their new values.
+#[must_use]
+pub fn changes(changes: &[(&'static str, Value)]) -> String {
+    let n = |x: f64| significant(x, 6);
+    let of = |(key, value): &(&'static str, Value)| match value {
+        Value::Number(x) => format!("{key} = {}", n(*x)),
+        Value::Vector(v) => format!("{key} = [{}, {}, {}]", n(v.x), n(v.y), n(v.z)),
+        Value::Window(w) => {
+            format!("{key} = [{}, {}] × [{}, {}]", n(w.left), n(w.right), n(w.bottom), n(w.top))
+        }
+        Value::Word(word) => format!("{key} = {word}"),
+        Value::Absent => format!("{key} = –"),
+    };
+    changes.iter().map(of).collect::<Vec<_>>().join(", ")
+}
+
+/// The changes of a repair as the panels write them: the notes' symbols, with the decimal mark of the language.
+#[must_use]
+pub fn changes_in_symbols(lang: Lang, changes: &[(&'static str, Value)]) -> String {
+    let n = |x: f64| lang.mark().number(x, 4);
+    let mark = lang.mark();
+    let symbol = |key: &'static str| match key {
+        "position" => "C",
+        "focal_point" => "PF",
+        "view_up" => "VUP",
+        "view_angle" => "θ",
+        "height" => "H",
+        "aspect" => "A",
+        "near" => "F",
+        "far" => "B",
+        "shading" => crate::i18n::window::texts(lang).shading,
+        "visibility" => crate::i18n::window::texts(lang).visibility,
+        "depth_format" => texts(lang).format,
+        "scene.lights.shadow_bias" => texts(lang).shadow_bias,
+        key => key,
+    };
+    let of = |(key, value): &(&'static str, Value)| match value {
+        Value::Number(x) if *key == "view_angle" => format!("θ = {}°", n(*x)),
+        Value::Number(x) => format!("{} = {}", symbol(key), n(*x)),
+        Value::Vector(v) => format!("{} = {}", symbol(key), mark.tuple(&v.to_array(), 4)),
+        Value::Window(w) => format!("l = {}, r = {}, b = {}, t = {}", n(w.left), n(w.right), n(w.bottom), n(w.top)),
+        Value::Word(word) => format!("{}: {}", symbol(key), style_word(lang, word)),
+        Value::Absent => format!("{}: –", symbol(key)),
+    };
+    changes.iter().map(of).collect::<Vec<_>>().join(" · ")
+}
+
+/// A word of `[style]` as the panels write it.
+fn style_word(lang: Lang, word: &'static str) -> &'static str {
+    let t = crate::i18n::window::texts(lang);
+    match word {
+        "wireframe" => t.shading_wireframe,
+        "flat" => t.shading_flat,
+        "depth-buffer" => t.visibility_depth_buffer,
+        "bsp" => t.visibility_bsp,
+        word => word,
+    }
+}
+
+/// The share of the image that the scene covers.
+#[must_use]
+pub fn seen(lang: Lang, visible: u64, covered: f64) -> String {
+    let share = lang.mark().number(100.0 * covered, 3);
+    both!(lang; "The scene covers {visible} pixels of the image, {share} %.",
+        "A cena cobre {visible} pixels da imagem, {share} %.")
+}

@@ -1,0 +1,41 @@
+//! The words of the dialog that compares a figure with itself in another way, and of the wiper, in both languages.
+
+use crate::figure::FigureError;
+use crate::i18n::{Lang, messages};
+
+texts! {
+    command: "Compare…", "Comparar…";
+    command_hint: "The figure in two ways in one picture, with a wiper between them", "A figura de dois modos em uma só imagem, com um divisor entre eles";
+    title: "Compare two ways", "Comparar dois modos";
+    text: "Left of the wiper the figure as it is, right of it the other way. Drag the wiper in the picture.", "À esquerda do divisor a figura como está, à direita o outro modo. Arraste o divisor na imagem.";
+    nothing: "nothing", "nada";
+    visibility_painter: "painter | depth buffer", "pintor | z-buffer";
+    visibility_bsp: "BSP | depth buffer", "BSP | z-buffer";
+    shading: "flat | Phong", "plano | Phong";
+    projection: "parallel | perspective", "paralela | perspectiva";
+    convention: "OpenGL | Direct3D", "OpenGL | Direct3D";
+    depth: "depth of 16 bits | f32 reversed", "profundidade de 16 bits | f32 invertido";
+    angle: "θ", "θ";
+    angle_hint: "The view angle of the other side", "O ângulo de vista do outro lado";
+    angle_none: "A parallel camera or one with a free window has no θ", "Uma câmera paralela ou de janela livre não tem θ";
+    operation: "before | after", "antes | depois";
+    operation_hint: "An operation as on the command line: azimuth=30, zoom=2, pan=1,-0.5", "Uma operação como na linha de comando: azimuth=30, zoom=2, pan=1,-0.5";
+    key: "key = value", "chave = valor";
+    key_hint: "A key of figure files, and its value on the other side: camera.near = 0.5, style.antialias = 1, reveal.depth = \"linear\"", "Uma chave dos arquivos de figura, e seu valor no outro lado: camera.near = 0.5, style.antialias = 1, reveal.depth = \"linear\"";
+    differences: "mark differences", "marcar diferenças";
+    differences_hint: "Hatches the pixels in which the two sides differ, and counts them", "Hachura os pixels em que os dois lados diferem, e os conta";
+    beside: "two whole pictures", "duas imagens inteiras";
+    beside_hint: "Two halves with a whole picture each, without a wiper", "Duas metades com uma imagem inteira cada, sem divisor";
+    swap: "Swap sides", "Trocar os lados";
+    swap_hint: "The figure becomes the other way, which is compared with what it was", "A figura passa ao outro modo, comparado com o que ela era";
+    impossible: "The other side is impossible:", "O outro lado é impossível:";
+    wiper: "wiper between the two sides", "divisor entre os dois lados";
+    format: "depth format", "formato de profundidade";
+    format_hint: "The numbers in which the image stores depths. With few bits, planes that are close together fight for pixels, far from the eye first", "Os números em que a imagem guarda profundidades. Com poucos bits, planos próximos disputam pixels, primeiro longe do olho";
+}
+
+/// Why there is no other side.
+#[must_use]
+pub fn impossible(lang: Lang, error: &FigureError) -> String {
+    format!("{} {}", texts(lang).impossible, messages::without_line(lang, error))
+}

@@ -1,0 +1,68 @@
+//! The words of the mode *Labels*, in both languages.
+
+use crate::figure::labels::LabelTextError;
+use crate::i18n::Lang;
+use crate::i18n::messages::figure_files;
+use crate::limits::MAX_LABEL_TEXT;
+use crate::sanitize::escaped;
+
+texts! {
+    command: "Labels", "Rótulos";
+    command_hint: "Labels can be dragged, renamed and hidden, and notes added", "Os rótulos podem ser arrastados, renomeados e ocultos, e notas acrescentadas";
+    title: "Labels", "Rótulos";
+    choose: "label", "rótulo";
+    choose_hint: "The label to change; a click on it chooses it too", "O rótulo a mudar; um clique nele também o escolhe";
+    none: "none", "nenhum";
+    text: "text", "texto";
+    text_hint: "Symbols stand between dollar signs: $\\theta/2$, $x_c$, $\\mathbf{u}$", "Símbolos ficam entre cifrões: $\\theta/2$, $x_c$, $\\mathbf{u}$";
+    size: "size", "tamanho";
+    smaller: "smaller", "menor";
+    larger: "larger", "maior";
+    color: "colour", "cor";
+    hide: "Hide", "Ocultar";
+    hide_legend: "Hide the legend", "Ocultar a legenda";
+    legend_hint: "Hides all of it; dragging one of its lines moves all of it", "Oculta-a inteira; arrastar uma de suas linhas a move inteira";
+    delete: "Delete", "Excluir";
+    automatic: "Automatic again", "Automático de novo";
+    automatic_hint: "The label has its own text, place, size and colour again; a note keeps its text", "O rótulo volta a ter seu texto, lugar, tamanho e cor; uma nota conserva seu texto";
+    all_automatic: "All automatic again", "Todos automáticos de novo";
+    all_automatic_hint: "All labels have their own texts and places again; notes stay", "Todos os rótulos voltam a ter seus textos e lugares; as notas ficam";
+    hidden: "hidden:", "ocultos:";
+    show_again: "Shows the label again", "Mostra o rótulo de novo";
+    add: "Add a note", "Acrescentar nota";
+    add_hint: "A click puts it at a vertex, an edge, a point, or at a place of the picture; Enter in a picture, in its middle", "Um clique a põe em um vértice, uma aresta, um ponto ou um lugar da imagem; Enter em uma imagem, no meio dela";
+    adding: "Click where the note belongs · Esc: no note", "Clique onde fica a nota · Esc: nenhuma nota";
+    note: "note", "nota";
+    full: "There is no room for more notes", "Não há lugar para mais notas";
+    measures: "measures:", "medidas:";
+    measures_hint: "Shows this length or angle in the world", "Mostra este comprimento ou ângulo no mundo";
+    shown: "shown as", "mostrar";
+    symbol: "symbol", "símbolo";
+    value: "value", "valor";
+    both: "both", "ambos";
+    mathematics: "letters of mathematics", "letras de matemática";
+    mathematics_hint: "Symbols as in the explanations: vectors bold, others in italics", "Símbolos como nas explicações: vetores em negrito, outros em itálico";
+    leave: "Done", "Concluir";
+    idle: "Drag a label · click: choose · arrow keys: move the chosen one · Esc: done", "Arraste um rótulo · clique: escolher · setas: mover o escolhido · Esc: concluir";
+
+}
+
+/// Why a text cannot be that of a label.
+#[must_use]
+pub fn refused(lang: Lang, error: &LabelTextError) -> String {
+    match error {
+        LabelTextError::Length => both!(lang; "A label has 1 to {MAX_LABEL_TEXT} characters on one line.",
+            "Um rótulo tem de 1 a {MAX_LABEL_TEXT} caracteres em uma linha."),
+        LabelTextError::Formula(error) => both!(lang; "The text {}.",
+            "O texto {}."; figure_files::formula(lang, error)),
+    }
+}
+
+/// A name in `[labels]` that no label has.
+#[must_use]
+pub fn unknown(lang: Lang, name: &str, near: Option<&str>) -> String {
+    let name = escaped(name);
+    let meant = figure_files::meant(lang, near);
+    both!(lang; "[labels] names \"{name}\", which no label of the pictures is called{meant}",
+        "[labels] cita \"{name}\", nome que nenhum rótulo das imagens tem{meant}")
+}

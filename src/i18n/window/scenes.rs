@@ -1,0 +1,299 @@
+//! The words of the scene: its tree, its objects and lights.
+
+use crate::i18n::Lang;
+use crate::scene::{Beyond, LightKind, Preset, Shape};
+
+texts! {
+    drawing: "Drawing", "Desenho";
+
+    add: "Add", "Acrescentar";
+    add_hint: "Adds a primitive, a mesh file, a group or a light", "Acrescenta uma primitiva, um arquivo de malha, um grupo ou uma luz";
+    edit_copy: "Edit a copy", "Editar uma cópia";
+    edit_copy_hint: "Copies the named scene into the figure as a list of objects that can be edited, in the colours of the current theme", "Copia a cena nomeada para a figura como uma lista de objetos que podem ser editados, nas cores do tema atual";
+    selected_alone: "Only the figure's own objects can be selected together: use \"Edit a copy\" first.", "Só objetos da própria figura podem ser selecionados juntos: use antes \"Editar uma cópia\".";
+    lost: "A list of objects cannot express, and loses:", "Uma lista de objetos não exprime, e perde:";
+    copied: "The scene is now a list of objects.", "A cena agora é uma lista de objetos.";
+    tree: "Objects", "Objetos";
+    root: "World", "Mundo";
+    root_hint: "Drop an object here to detach it from its parent", "Solte um objeto aqui para separá-lo do pai";
+    fold: "Collapse", "Recolher";
+    unfold: "Expand", "Expandir";
+    of_preset: "of the named scene", "da cena nomeada";
+    of_preset_hint: "It belongs to the named scene and cannot be edited. “Edit a copy” makes it an object of the figure.", "Pertence à cena nomeada e não pode ser editado. “Editar uma cópia” faz dele um objeto da figura.";
+    row_hint: "Click: select · drag: make it the child of another object · Del: delete", "Clique: selecionar · arraste: torná-lo filho de outro objeto · Del: excluir";
+    nothing_selected: "Select an object or a light to edit it, here or with a click in the world or in the image; with Ctrl, several. In the world, arrows, rings and bars move, turn and scale it (keys T, R, S).", "Selecione um objeto ou uma luz para editar, aqui ou com um clique no mundo ou na imagem; com Ctrl, vários. No mundo, setas, anéis e barras o movem, giram e escalam (teclas T, R, S).";
+    empty: "There are no objects yet.", "Ainda não há objetos.";
+
+    object: "Object", "Objeto";
+    name: "name", "nome";
+    name_hint: "Each object has a name of its own", "Cada objeto tem um nome próprio";
+    kind: "kind", "tipo";
+    kind_hint: "The shape; a group has nothing but a transform", "A forma; um grupo só tem uma transformação";
+    parent: "parent", "pai";
+    parent_hint: "The object whose transform comes before its own", "O objeto cuja transformação vem antes da sua";
+    no_parent: "none", "nenhum";
+    stay: "Keep in place", "Manter no lugar";
+    stay_hint: "On: with another parent it gets the numbers that keep it in place in the world. Off: it keeps its numbers, and moves with its new parent", "Ligado: com outro pai, recebe os números que o mantêm no lugar no mundo. Desligado: mantém seus números, e se move com o novo pai";
+    shear: "It could not stay in place: under this parent that would be a shear, which translation, rotation and scale cannot express.", "Não pôde ficar no lugar: sob este pai isso seria um cisalhamento, que translação, rotação e escala não exprimem.";
+    translate: "translation", "translação";
+    translate_hint: "T, scene units along the axes of the parent. The object's matrix is T · R · S, [3]", "T, unidades da cena ao longo dos eixos do pai. A matriz do objeto é T · R · S, [3]";
+    rotate: "rotation", "rotação";
+    rotate_hint: "R, degrees about x, then y, then z: R = Rz · Ry · Rx", "R, graus em torno de x, depois y, depois z: R = Rz · Ry · Rx";
+    scale: "scale", "escala";
+    scale_hint: "S, along the object's own axes; not 0; negative: mirrored", "S, ao longo dos eixos do próprio objeto; não 0; negativa: espelhada";
+    color: "colour", "cor";
+    color_hint: "#rrggbb, or #rrggbbaa with an opacity", "#rrggbb, ou #rrggbbaa com opacidade";
+    color_auto: "automatic", "automática";
+    color_auto_hint: "The parent's colour, else the next one of the palette", "A cor do pai, ou a próxima da paleta";
+    color_bad: "a colour is written #rrggbb or #rrggbbaa", "uma cor se escreve #rrggbb ou #rrggbbaa";
+    segments: "segments", "segmentos";
+    segments_hint: "Tessellation: sides of a prism, cells of a grid, meridians of curved shapes", "Tesselação: lados de um prisma, células de uma grade, meridianos de formas curvas";
+    points: "points", "pontos";
+    ends: "ends of segments, in pairs", "extremos de segmentos, aos pares";
+    add_point: "Add a point", "Acrescentar um ponto";
+    add_segment: "Add a segment", "Acrescentar um segmento";
+    remove_point: "Remove", "Remover";
+    point_number: "point", "ponto";
+    too_many: "There are more points than can be edited here; edit them in the figure file.", "Há mais pontos do que se pode editar aqui; edite-os no arquivo da figura.";
+    path: "file", "arquivo";
+    path_hint: "OBJ, glTF or GLB; relative to the figure file", "OBJ, glTF ou GLB; relativo ao arquivo da figura";
+    texture: "texture", "textura";
+    texture_hint: "A picture on the surface; a colour of the object multiplies it", "Uma imagem sobre a superfície; uma cor do objeto a multiplica";
+    texture_none: "none", "nenhuma";
+    texture_of_file: "of the file", "a do arquivo";
+    texture_chequer: "chequers", "xadrez";
+    texture_letters: "grid with letters", "grade com letras";
+    texture_uv: "u and v as colours", "u e v como cores";
+    texture_file: "a picture…", "uma imagem…";
+    texture_file_hint: "PNG, JPEG or WebP; relative to the figure file. It does not travel with a link or an exported picture", "PNG, JPEG ou WebP; relativo ao arquivo da figura. Não viaja com um link nem com uma imagem exportada";
+    texture_title: "Choose a picture", "Escolher uma imagem";
+    texture_filter: "Picture (PNG, JPEG, WebP)", "Imagem (PNG, JPEG, WebP)";
+    texture_action: "Choose", "Escolher";
+    wrap: "beyond its border", "além da borda";
+    wrap_hint: "How the texture goes on where u or v leaves 0 … 1", "Como a textura continua onde u ou v sai de 0 … 1";
+    wrap_repeat: "repeated", "repetida";
+    wrap_clamp: "border goes on", "borda continua";
+    wrap_mirror: "mirrored", "espelhada";
+    filter: "filter", "filtro";
+    filter_hint: "How a pixel gets its colour from texels: the nearest; between four; or between four in two levels of detail", "Como um pixel obtém sua cor dos texels: o mais próximo; entre quatro; ou entre quatro em dois níveis de detalhe";
+    filter_nearest: "nearest", "vizinho mais próximo";
+    filter_bilinear: "bilinear", "bilinear";
+    filter_trilinear: "trilinear", "trilinear";
+    texture_reveal: "to see", "para ver";
+    texture_reveal_hint: "The inner work of texturing, in all pictures: u and v interpolated without w; levels of detail as colours; texels", "O trabalho interno da texturização, em todas as imagens: u e v interpolados sem w; níveis de detalhe em cores; texels";
+    texture_plain: "the texture", "a textura";
+    texture_affine: "without w", "sem w";
+    texture_levels: "levels of detail", "níveis de detalhe";
+    texture_texels: "texels", "texels";
+    texture_scale: "times", "vezes";
+    texture_scale_hint: "Repetitions along u and v; a negative number mirrors", "Repetições ao longo de u e v; um número negativo espelha";
+    browse: "Choose…", "Escolher…";
+    read_again: "Read again", "Ler de novo";
+    read_again_hint: "The file may have changed since it was read", "O arquivo pode ter mudado desde que foi lido";
+    allow_files: "Let this figure read any file", "Deixar esta figura ler qualquer arquivo";
+    allow_files_hint: "Until it is closed, the figure may name any file of this computer; files on other machines are never read", "Até ser fechada, a figura pode indicar qualquer arquivo deste computador; arquivos de outras máquinas nunca são lidos";
+    loading: "Loading", "Carregando";
+    duplicate: "Duplicate", "Duplicar";
+    duplicate_hint: "Adds a copy with the same numbers", "Acrescenta uma cópia com os mesmos números";
+    delete: "Delete", "Excluir";
+    delete_hint: "Removes it from the scene", "Remove-o da cena";
+    delete_all: "With all objects below it", "Com os objetos abaixo dele";
+    delete_alone: "Alone; its children move to its parent", "Sozinho; seus filhos vão para o pai";
+    delete_question: "Objects below it:", "Objetos abaixo dele:";
+    deleted: "Deleted:", "Excluído:";
+    matrix: "World matrix", "Matriz no mundo";
+    matrix_hint: "Object → world: the matrices of its ancestors times its own", "Objeto → mundo: as matrizes dos ancestrais vezes a sua";
+
+    lights: "Lights", "Luzes";
+    default_light: "default light", "luz padrão";
+    default_light_hint: "A scene without lights of its own has this directional one. The first light that you add replaces it.", "Uma cena sem luzes próprias tem esta, direcional. A primeira luz acrescentada a substitui.";
+    light: "Light", "Luz";
+    light_kind_hint: "Directional: parallel light, as from the sun. Point: a lamp", "Direcional: luz paralela, como a do sol. Pontual: uma lâmpada";
+    direction: "direction", "direção";
+    direction_hint: "The direction in which light travels (world); any length but 0", "A direção em que a luz se propaga (mundo); qualquer comprimento menos 0";
+    light_position: "lamp", "lâmpada";
+    light_position_hint: "Where the lamp is (world)", "Onde a lâmpada está (mundo)";
+    shadows: "casts shadows", "lança sombras";
+    shadows_hint: "Faces that this light does not see are in the shadow: its depth picture, the shadow map, says which", "As faces que esta luz não vê ficam na sombra: sua imagem de profundidades, o mapa de sombras, diz quais";
+    shadow_map: "shadow map", "mapa de sombras";
+    shadow_map_hint: "Side of the depth picture in texels, 64 to 4096: a small one has steps at the edges of shadows", "Lado da imagem de profundidades em texels, de 64 a 4096: um pequeno mostra degraus nas bordas das sombras";
+    shadow_bias: "bias", "folga";
+    shadow_bias_hint: "How much deeper than the map a point must lie to be in the shadow, in texels, 0 to 100: with 0 faces shadow themselves, with too much shadows come off", "Quão mais fundo que o mapa um ponto precisa estar para ficar na sombra, em texels, de 0 a 100: com 0 as faces sombreiam a si mesmas, com demais as sombras se soltam";
+    shadow_reveal: "to see of shadows", "ver das sombras";
+    shadow_reveal_hint: "The light is a camera: its picture, which is the shadow map; the shadows without bias, with which faces shadow themselves; or the pixels where rays to the light say something else than the map. The world shows its volume", "A luz é uma câmera: sua imagem, que é o mapa de sombras; as sombras sem folga, com as quais as faces sombreiam a si mesmas; ou os pixels em que raios até a luz dizem outra coisa que o mapa. O mundo mostra seu volume";
+    shadow_plain: "shadows", "sombras";
+    shadow_of_light: "what the light sees", "o que a luz vê";
+    shadow_acne: "without bias", "sem folga";
+    shadow_truth: "where the map is wrong", "onde o mapa erra";
+    shadow_softness: "soft edge", "borda suave";
+    shadow_softness_hint: "Width of the soft edge of shadows, in texels, 0 to 8", "Largura da borda suave das sombras, em texels, de 0 a 8";
+
+    name_empty: "a name must not be empty", "um nome não pode ser vazio";
+    mesh_title: "Choose a mesh", "Escolher uma malha";
+    mesh_filter: "Mesh (OBJ, glTF, GLB)", "Malha (OBJ, glTF, GLB)";
+    mesh_action: "Add", "Acrescentar";
+
+    drag_object: "Drag: along this axis of its parent", "Arrastar: ao longo deste eixo do pai";
+    drag_lamp: "Drag: along this axis", "Arrastar: ao longo deste eixo";
+    drag_parallel_light: "Drag: turn the direction of the light about this axis", "Arrastar: girar a direção da luz em torno deste eixo";
+    drag_ring: "Drag: turn about this axis of its parent", "Arrastar: girar em torno deste eixo do pai";
+    drag_bar: "Drag: scale along its own axis; in the middle, along all", "Arrastar: mudar a escala ao longo do próprio eixo; no meio, de todos";
+    drag_snaps: "Ctrl: in steps", "Ctrl: em passos";
+    sheared: "Some stay as they were: turned under their parent they would be sheared", "Alguns ficam como estavam: girados sob seu pai, seriam cisalhados";
+    together: "objects together", "objetos juntos";
+    gizmo_hint: "What dragging in the world does to the selection. With the keyboard, while the world has the focus: T, R, S", "O que arrastar no mundo faz à seleção. Pelo teclado, com o foco no mundo: T, R, S";
+    gizmo_move: "T move", "T mover";
+    gizmo_turn: "R turn", "R girar";
+    gizmo_scale: "S scale", "S escalar";
+    several: "objects are selected: dragging in the world, Duplicate and Delete act on all of them; the fields are those of", "objetos selecionados: arrastar no mundo, Duplicar e Excluir agem em todos; os campos são de";
+
+    group: "group", "grupo";
+    shape_box: "box", "caixa";
+    shape_prism: "prism", "prisma";
+    shape_pyramid: "pyramid", "pirâmide";
+    shape_sphere: "sphere", "esfera";
+    shape_ellipsoid: "ellipsoid", "elipsoide";
+    shape_cylinder: "cylinder", "cilindro";
+    shape_cone: "cone", "cone";
+    shape_torus: "torus", "toro";
+    shape_grid: "grid", "grade";
+    shape_points: "points", "pontos";
+    shape_segments: "segments", "segmentos";
+    shape_mesh: "mesh", "malha";
+    shape_mesh_file: "mesh file…", "arquivo de malha…";
+    directional: "directional", "direcional";
+    point: "point", "pontual";
+    directional_light: "directional light", "luz direcional";
+    point_light: "point light", "luz pontual";
+}
+
+impl Texts {
+    /// The name of a shape; a group has none.
+    #[must_use]
+    pub fn shape(&self, shape: Option<&Shape>) -> &'static str {
+        match shape {
+            None => self.group,
+            Some(Shape::Box) => self.shape_box,
+            Some(Shape::Prism) => self.shape_prism,
+            Some(Shape::Pyramid) => self.shape_pyramid,
+            Some(Shape::Sphere) => self.shape_sphere,
+            Some(Shape::Ellipsoid) => self.shape_ellipsoid,
+            Some(Shape::Cylinder) => self.shape_cylinder,
+            Some(Shape::Cone) => self.shape_cone,
+            Some(Shape::Torus) => self.shape_torus,
+            Some(Shape::Grid) => self.shape_grid,
+            Some(Shape::Points(_)) => self.shape_points,
+            Some(Shape::Segments(_)) => self.shape_segments,
+            Some(Shape::Mesh { .. }) => self.shape_mesh,
+        }
+    }
+
+    /// The name of a kind of light.
+    #[must_use]
+    pub fn light(&self, kind: LightKind) -> &'static str {
+        match kind {
+            LightKind::Directional => self.directional,
+            LightKind::Point => self.point,
+        }
+    }
+}
+
+/// The displayed name of an object of a named scene; figure files have the name itself.
+#[must_use]
+pub fn preset_object(lang: Lang, name: &str) -> String {
+    pick!(lang; name.to_owned(), name.split(' ').map(in_portuguese).collect::<Vec<_>>().join(" "))
+}
+
+fn in_portuguese(word: &str) -> &str {
+    match word {
+        "ball" => "bola",
+        "beam" => "viga",
+        "box" => "caixa",
+        "chimney" => "chaminé",
+        "column" => "coluna",
+        "cone" => "cone",
+        "crown" => "copa",
+        "cube" => "cubo",
+        "cylinder" => "cilindro",
+        "door" => "porta",
+        "ellipsoid" => "elipsoide",
+        "floor" => "piso",
+        "grid" => "grade",
+        "ground" => "chão",
+        "house" => "casa",
+        "left" => "esquerda",
+        "points" => "pontos",
+        "prism" => "prisma",
+        "pyramid" => "pirâmide",
+        "right" => "direita",
+        "roof" => "telhado",
+        "segments" => "segmentos",
+        "sphere" => "esfera",
+        "step" => "degrau",
+        "table" => "mesa",
+        "torus" => "toro",
+        "tree" => "árvore",
+        "trunk" => "tronco",
+        "walls" => "paredes",
+        "window" => "janela",
+        other => other,
+    }
+}
+
+/// The features that the list of a named scene's objects cannot express, as a sentence; empty where it expresses all.
+#[must_use]
+pub fn lost(lang: Lang, preset: Preset) -> String {
+    let lost = beyond(lang, preset.beyond_objects());
+    if lost.is_empty() { lost } else { format!("{} {lost}.", texts(lang).lost) }
+}
+
+/// The features that a list of objects cannot express, as a list.
+#[must_use]
+pub fn beyond(lang: Lang, lost: &[Beyond]) -> String {
+    let word = |what: &Beyond| match what {
+        Beyond::NumberedFaces => pick!(lang; "the colours of single faces and the numbers on them",
+            "as cores de cada face e os números nelas"),
+        Beyond::TiledFloor => pick!(lang; "the tiled floor", "o piso ladrilhado"),
+        Beyond::InnerSides => pick!(lang; "the inner sides of faces", "os lados de dentro das faces"),
+        Beyond::CornerNames => pick!(lang; "the coordinates beside the corners",
+            "as coordenadas junto aos vértices"),
+        Beyond::WireCube => pick!(lang; "that the cube has no faces", "que o cubo não tem faces"),
+        Beyond::LetterF => pick!(lang; "the letter F", "a letra F"),
+        Beyond::Rays => pick!(lang; "the arrows of the construction", "as setas da construção"),
+    };
+    lost.iter().map(word).collect::<Vec<_>>().join("; ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::appearance::Theme;
+    use crate::scene::palette::SceneColors;
+    use crate::scene::preset_objects;
+
+    #[test]
+    fn every_object_of_a_named_scene_has_a_name_in_both_languages() {
+        let mut same = std::collections::BTreeSet::new();
+        for preset in [
+            Preset::Primitives,
+            Preset::Cube,
+            Preset::House,
+            Preset::Corridor,
+            Preset::Pyramid,
+            Preset::NdcCube,
+            Preset::Exercise51,
+            Preset::Exercise52,
+            Preset::Exercise53,
+        ] {
+            for object in preset_objects(preset, &SceneColors::of(Theme::Light)) {
+                assert_eq!(preset_object(Lang::En, &object.name), object.name);
+                let shown = preset_object(Lang::PtBr, &object.name);
+                if shown == object.name {
+                    same.insert(shown);
+                }
+            }
+        }
+        assert_eq!(same.into_iter().collect::<Vec<_>>(), ["P", "cone"]);
+        assert_eq!(preset_object(Lang::PtBr, "column left 3"), "coluna esquerda 3");
+    }
+}

@@ -1,0 +1,111 @@
+//! Messages about windows that did not close, in both languages.
+
+use std::time::Duration;
+
+use crate::i18n::Lang;
+
+/// The rest of a session is in the file at `path`, and cannot be read.
+#[must_use]
+pub fn damaged(lang: Lang, path: &str) -> String {
+    both!(lang; "The unsaved changes of a window that did not close properly cannot be read. They are kept in {path}",
+        "As mudanças não salvas de uma janela que não fechou direito não podem ser lidas. Estão guardadas em {path}")
+}
+
+/// The last session is back without some keys of its figure; the whole is in the file at `path`.
+#[must_use]
+pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
+    both!(lang; "The last session is restored, but this version does not know {keys}. The whole is kept in {path}; saving asks for another file.",
+        "A última sessão foi restaurada, mas esta versão não conhece {keys}. Tudo está guardado em {path}; salvar pede outro arquivo.")
+}
+
+/// Things that cannot be stored: the session of this window, preferences, progress in exercises; `why` is a sentence
+/// with the name of the file.
+#[must_use]
+pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &str) -> String {
+    let not_remembered = match (lang, preferences, progress) {
+        (_, false, false) => "",
+        (Lang::En, true, false) => "Preferences are not saved",
+        (Lang::En, false, true) => "Progress in exercises is not saved",
+        (Lang::En, true, true) => "Preferences and progress in exercises are not saved",
+        (Lang::PtBr, true, false) => "As preferências não são salvas",
+        (Lang::PtBr, false, true) => "O progresso nos exercícios não é salvo",
+        (Lang::PtBr, true, true) => "As preferências e o progresso nos exercícios não são salvos",
+    };
+    match (lang, session, not_remembered) {
+        (_, false, _) => format!("{not_remembered}: {why}"),
+        (Lang::En, true, "") => {
+            format!("Changes in this window would be lost in a crash: {why}. Trying again.")
+        }
+        (Lang::En, true, _) => format!("{not_remembered}, and changes in this window would be lost in a crash: {why}"),
+        (Lang::PtBr, true, "") => {
+            format!("Mudanças desta janela se perderiam em uma falha do programa: {why}. Nova tentativa em andamento.")
+        }
+        (Lang::PtBr, true, _) => {
+            format!("{not_remembered}, e mudanças desta janela se perderiam em uma falha do programa: {why}")
+        }
+    }
+}
+
+/// Nothing can be stored, because the system names no folder for it.
+#[must_use]
+pub const fn no_home(lang: Lang) -> &'static str {
+    pick!(lang; "Preferences and progress are not saved, and changes would be lost in a crash: your account has no home folder",
+        "Preferências e progresso não são salvos, e mudanças se perderiam em uma falha do programa: sua conta não tem pasta pessoal")
+}
+
+/// All slots hold sessions of other windows.
+#[must_use]
+pub fn no_slot(lang: Lang, slots: usize) -> String {
+    both!(lang; "Changes in this window would be lost in a crash: there are already {slots} unsaved windows. Restore or discard what is listed.",
+        "Mudanças desta janela se perderiam em uma falha do programa: já há {slots} janelas não salvas. Restaure ou descarte o que está na lista.")
+}
+
+/// The preferences cannot be understood; they are in the file at `path` now.
+#[must_use]
+pub fn preferences_set_aside(lang: Lang, path: &str) -> String {
+    both!(lang; "The preferences cannot be read. They are kept in {path}; new ones are started.",
+        "As preferências não podem ser lidas. Estão guardadas em {path}; outras são iniciadas.")
+}
+
+/// The progress in exercises cannot be read; it is in the file at `path` now.
+#[must_use]
+pub fn progress_set_aside(lang: Lang, path: &str) -> String {
+    both!(lang; "Your progress in exercises cannot be read. It is kept in {path}; a new one is started.",
+        "Seu progresso nos exercícios não pode ser lido. Está guardado em {path}; outro é iniciado.")
+}
+
+/// Of several files that were dropped at once, only the first was taken.
+#[must_use]
+pub fn first_of_dropped(lang: Lang, path: &str, count: usize) -> String {
+    both!(lang; "Of {count} files, the window opens one: {path}", "De {count} arquivos, a janela abre um: {path}")
+}
+
+/// The age of something.
+#[must_use]
+pub fn ago(lang: Lang, age: Duration) -> String {
+    let minutes = age.as_secs() / 60;
+    let (hours, days) = (minutes / 60, minutes / 1440);
+    match (lang, minutes) {
+        (_, 0) => both!(lang; "just now", "agora mesmo"),
+        (Lang::En, 0..60) => format!("{minutes} min ago"),
+        (Lang::En, 60..2880) => format!("{hours} h ago"),
+        (Lang::En, _) => format!("{days} days ago"),
+        (Lang::PtBr, 0..60) => format!("há {minutes} min"),
+        (Lang::PtBr, 60..2880) => format!("há {hours} h"),
+        (Lang::PtBr, _) => format!("há {days} dias"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ages_are_told_in_the_unit_that_fits() {
+        let told =
+            |seconds| (ago(Lang::En, Duration::from_secs(seconds)), ago(Lang::PtBr, Duration::from_secs(seconds)));
+        assert_eq!(told(59), ("just now".to_owned(), "agora mesmo".to_owned()));
+        assert_eq!(told(7199), ("1 h ago".to_owned(), "há 1 h".to_owned()));
+        assert_eq!(told(172_800), ("2 days ago".to_owned(), "há 2 dias".to_owned()));
+    }
+}
