@@ -6,10 +6,11 @@
 #   tar      the program for Linux, with its manual, icon and completions
 #   macos    Camera Lab.app (on a Mac)
 #   all      windows, web, deb and tar, with SHA256SUMS
+# QUICK=1 makes windows and web of what is built in half the time, as tests are: to be tried, not to be handed out.
 # On Debian it installs what it needs (as root, or by sudo); elsewhere it names what is missing. The same sources give the same bytes
 # (camera-lab.exe: from the same folder, by whose name the linker orders the imports).
 set -euo pipefail
-usage() { sed -n '2,10s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+usage() { sed -n '2,11s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 [ $# -eq 2 ] || usage
 case $1 in
     windows | web | deb | tar | macos | all) ;;
@@ -28,6 +29,10 @@ export SOURCE_DATE_EPOCH
 # Where the sources lie is not to be read in the program.
 export CARGO_ENCODED_RUSTFLAGS="--remap-path-prefix=$PWD=camera-lab"$'\x1f'"--remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=cargo"
 
+# Profile of the program, and the folder that Cargo gives it.
+profile=release web_profile=web built=release web_built=web
+[ -z "${QUICK:-}" ] || profile=dev web_profile=dev built=debug web_built=debug
+
 make_windows() {
     install_packages gcc gcc-mingw-w64-x86-64 binutils-mingw-w64-x86-64
     local target=x86_64-pc-windows-gnu resource=$CARGO_TARGET_DIR/camera-lab-resource.o numbers=${version//./,},0
@@ -36,10 +41,10 @@ make_windows() {
         dist/windows/camera-lab.rc -O coff -o "$resource"
     # The linker would write the time of the build into the program.
     local unchanging=(-C link-arg=-Wl,--no-insert-timestamp -C strip=symbols)
-    cargo_for "$target" rustc --release --package camera-lab --bin camera-lab -- -C "link-arg=$resource" "${unchanging[@]}"
-    cargo_for "$target" rustc --release --manifest-path dist/windows/console/Cargo.toml -- "${unchanging[@]}"
-    cp "$CARGO_TARGET_DIR/$target/release/camera-lab.exe" "$out/camera-lab.exe"
-    cp "$CARGO_TARGET_DIR/$target/release/camera-lab-console.exe" "$out/camera-lab.com"
+    cargo_for "$target" rustc --profile "$profile" --package camera-lab --bin camera-lab -- -C "link-arg=$resource" "${unchanging[@]}"
+    cargo_for "$target" rustc --profile "$profile" --package camera-lab-console -- "${unchanging[@]}"
+    cp "$CARGO_TARGET_DIR/$target/$built/camera-lab.exe" "$out/camera-lab.exe"
+    cp "$CARGO_TARGET_DIR/$target/$built/camera-lab-console.exe" "$out/camera-lab.com"
     cp THIRD-PARTY.md "$out"
 }
 
@@ -49,29 +54,23 @@ make_web() (
     target=wasm32-unknown-unknown
     # Vectors of 128 bits, as browsers have had them since 2023: without them what is drawn in vectors is a third of the program.
     export CARGO_ENCODED_RUSTFLAGS+=$'\x1f'-Ctarget-feature=+simd128
-    cargo_for "$target" build --profile web --bin camera-lab
-    cargo_for "$target" build --release --manifest-path dist/web/unpack/Cargo.toml
+    cargo_for "$target" build --profile "$web_profile" --bin camera-lab
+    cargo_for "$target" build --profile "$web_profile" --package camera-lab-unpack
     bindings
     python3 dist/web/assemble.py "$page" "$out"
     cp THIRD-PARTY.md "$out"
 )
 
-# Writes the JavaScript between the program and the browser: by a package of our own, whose version has to be that of the library that the program
-# was built with.
+# Writes the JavaScript between the program and the browser, by a package of our own.
 bindings() {
-    local made=$CARGO_TARGET_DIR/$target package=dist/web/bindings
-    [ "$(version_of wasm-bindgen Cargo.lock)" = "$(version_of wasm-bindgen-cli-support "$package/Cargo.lock")" ] ||
-        fail "wasm-bindgen-cli-support in $package/Cargo.toml has to be $(version_of wasm-bindgen Cargo.lock), as wasm-bindgen in Cargo.lock"
+    local made=$CARGO_TARGET_DIR/$target/$web_built
     # It runs for seconds: built without optimisation it is there sooner.
-    CARGO_ENCODED_RUSTFLAGS='' cargo build --locked --manifest-path "$package/Cargo.toml"
+    CARGO_ENCODED_RUSTFLAGS='' cargo build --locked --package camera-lab-bindings
     rm -rf "${page:?}"
     mkdir -p "$page"
-    "$CARGO_TARGET_DIR/debug/camera-lab-bindings" "$made/web/camera-lab.wasm" camera-lab "$page"
-    "$CARGO_TARGET_DIR/debug/camera-lab-bindings" "$made/release/camera_lab_unpack.wasm" unpack "$page"
+    "$CARGO_TARGET_DIR/debug/camera-lab-bindings" "$made/camera-lab.wasm" camera-lab "$page"
+    "$CARGO_TARGET_DIR/debug/camera-lab-bindings" "$made/camera_lab_unpack.wasm" unpack "$page"
 }
-
-# version_of CRATE LOCK_FILE
-version_of() { sed -n "/^name = \"$1\"\$/{n;s/version = \"\(.*\)\"/\1/p}" "$2"; }
 
 # The program for this machine, once for all packages.
 build_program() {

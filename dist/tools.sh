@@ -18,11 +18,16 @@ end_step() {
     step_name=
 }
 
-# Says what every step took, at the end of a run.
+# all_steps FILE: says what every step took, at the end of a run. RECORD=1 writes it into FILE, which git keeps.
 all_steps() {
     end_step
     count_processor
-    printf '%s\n' "${steps_took[@]}" "$(printf '%5d s, of processors %5d s: all' "$SECONDS" "$processor")"
+    steps_took+=("$(printf '%5d s, of processors %5d s: all' "$SECONDS" "$processor")")
+    printf '%s\n' "${steps_took[@]}"
+    [ -z "${RECORD:-}" ] || {
+        mkdir -p "${1%/*}"
+        printf '%s\n' "$(date +%F), $(nproc) processors" "${steps_took[@]}" >"$1"
+    }
 }
 
 # User and system time of this shell and of what it has waited for, in whole seconds.

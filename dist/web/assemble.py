@@ -6,11 +6,14 @@ assemble.py MADE OUT: in MADE is what wasm-bindgen has written, of the program a
 import base64
 import gzip
 import lzma
+import os
 import pathlib
 import sys
 
 # What people download at most.
 MOST_BYTES = 3_100_000
+# To be tried, not to be handed out: of any size, and packed in seconds.
+QUICK = bool(os.environ.get("QUICK"))
 
 # Loaded from the server that the page is on, and from nowhere else.
 SERVED_POLICY = (
@@ -75,6 +78,8 @@ def page(policy: str, program: str) -> str:
 
 def packed(program: bytes) -> bytes:
     # Code has no unit of two or four bytes: `pb` = 0. The dictionary holds the whole program.
+    if QUICK:
+        return lzma.compress(program, format=lzma.FORMAT_ALONE, preset=0)
     how = {"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "dict_size": 1 << 24, "lc": 4, "lp": 0, "pb": 0, "nice_len": 273}
     return lzma.compress(program, format=lzma.FORMAT_ALONE, filters=[how])
 
@@ -113,7 +118,7 @@ def main(made: pathlib.Path, out: pathlib.Path) -> None:
         print(f"{name}: {len(data)} bytes, {small} compressed")
     (out / "camera-lab.html").write_text(alone, encoding="utf-8", newline="\n")
     print(f"index.html and its files: {total} bytes compressed; camera-lab.html: {len(alone.encode())} bytes")
-    if total > MOST_BYTES:
+    if total > MOST_BYTES and not QUICK:
         sys.exit(f"more than {MOST_BYTES} bytes to download")
 
 
