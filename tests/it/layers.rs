@@ -19,7 +19,7 @@ const CRATES: [(&str, &[(&str, &[&str])]); 4] = [
             // The sine of whole degrees is exact there.
             ("expression", &["geometry"]),
             ("camera", &["geometry", "numbers", "expression"]),
-            ("scene", &["geometry"]),
+            ("scene", &["geometry", "text"]),
             ("text", &[]),
             ("drawing", &[]),
             ("simd", &[]),
@@ -35,9 +35,9 @@ const CRATES: [(&str, &[(&str, &[&str])]); 4] = [
             ("formula", &[]),
             ("figure", &["formula"]),
             ("inspect", &["figure"]),
-            ("explain", &["figure", "inspect"]),
-            ("views", &["figure", "formula"]),
-            ("export", &["chart", "formula", "inspect"]),
+            ("explain", &["inspect"]),
+            ("views", &["figure"]),
+            ("export", &["chart", "formula"]),
             ("picture", &["figure", "views", "export"]),
         ],
     ),
@@ -240,76 +240,63 @@ fn files_of_a_module_do_not_name_each_other_in_circles() {
     }
 }
 
-/// The circles of each folder, with the folder.
-fn circles_in(sources: &[(String, String)]) -> Vec<(String, Vec<String>)> {
+/// The groups of files of a module that lead to each other, over any number of files.
+fn circles_in(sources: &[(String, String)]) -> Vec<Vec<String>> {
     let modules: BTreeSet<Names> = sources.iter().map(|(path, _)| module_of(path)).collect();
-    // What a module hands on: `pub use child::Name` makes Name a name for the child.
+    let file_of =
+        |path: &[String]| (1..=path.len()).rev().map(|end| path[..end].to_vec()).find(|m| modules.contains(m));
+    // A module hands on names of the files below it: `pub use child::Name` makes Name a name of the child.
     let mut handed_on: BTreeMap<Names, Names> = BTreeMap::new();
     for (path, code) in sources {
         let module = module_of(path);
         for child in modules.iter().filter(|m| m.len() == module.len() + 1 && m.starts_with(&module)) {
-            let name = &child[module.len()];
-            for (at, _) in code.match_indices(&format!("use {name}::")) {
+            for (at, _) in code.match_indices(&format!("use {}::", child[module.len()])) {
                 let mut found = Vec::new();
                 tree(&code[at + 4..], &module, &mut found);
                 for path in found {
                     let mut short = module.clone();
                     short.extend(path.last().cloned());
-                    handed_on.insert(short, child.clone());
+                    handed_on.extend(file_of(&path).map(|file| (short, file)));
                 }
             }
         }
     }
-    // For each folder: which of its files names which other one.
-    let mut arrows: BTreeMap<Names, BTreeSet<(String, String)>> = BTreeMap::new();
+    let mut arrows: BTreeMap<Names, BTreeSet<Names>> = BTreeMap::new();
     for (path, code) in sources {
         let module = module_of(path);
         for path in paths(code) {
-            let mut target = resolved(&path, &module);
-            for length in (1..=target.len()).rev() {
-                if let Some(child) = handed_on.get(&target[..length]) {
-                    target.splice(..length, child.iter().cloned());
-                    break;
-                }
-            }
-            let common = module.iter().zip(&target).take_while(|(a, b)| a == b).count();
-            let is_file = target.len() > common && modules.contains(&target[..=common]);
-            if common > 0 && common < module.len() && is_file {
-                let arrow = (module[common].clone(), target[common].clone());
-                arrows.entry(module[..common].to_vec()).or_default().insert(arrow);
+            let target = resolved(&path, &module);
+            let known = (1..=target.len()).rev().find_map(|end| handed_on.get(&target[..end]).cloned());
+            let Some(file) = known.or_else(|| file_of(&target)) else { continue };
+            // A module and the files below it are one thing. The state of the window hands on the parts that rooms keep.
+            let is_state = [&file, &module].iter().any(|names| names.join("::") == "gui::state");
+            if !is_state && file[0] == module[0] && !file.starts_with(&module) && !module.starts_with(&file) {
+                arrows.entry(module.clone()).or_default().insert(file);
             }
         }
     }
-    let mut found: Vec<(String, Vec<String>)> = Vec::new();
-    for (folder, arrows) in &arrows {
-        found.extend(circles(arrows).into_iter().map(|circle| (folder.join("::"), circle)));
-    }
-    found
+    circles(&arrows)
 }
 
 /// The names to which arrows lead.
-fn reach<'a>(arrows: &'a BTreeSet<(String, String)>, from: &'a String) -> BTreeSet<&'a String> {
-    let mut seen = BTreeSet::new();
-    let mut open = vec![from];
+fn reach<'a>(arrows: &'a BTreeMap<Names, BTreeSet<Names>>, from: &'a Names) -> BTreeSet<&'a Names> {
+    let (mut reached, mut open) = (BTreeSet::new(), vec![from]);
     while let Some(at) = open.pop() {
-        let next = arrows.iter().filter(|(a, _)| a == at).map(|(_, b)| b);
-        open.extend(next.filter(|b| seen.insert(*b)));
+        open.extend(arrows.get(at).into_iter().flatten().filter(|next| reached.insert(*next)));
     }
-    seen
+    reached
 }
 
 /// The groups of names that lead to each other.
-fn circles(arrows: &BTreeSet<(String, String)>) -> Vec<Vec<String>> {
-    let names: BTreeSet<&String> = arrows.iter().flat_map(|(a, b)| [a, b]).collect();
-    let mut found: BTreeSet<Vec<String>> = BTreeSet::new();
-    for name in names {
+fn circles(arrows: &BTreeMap<Names, BTreeSet<Names>>) -> Vec<Vec<String>> {
+    let all: BTreeMap<&Names, BTreeSet<&Names>> = arrows.keys().map(|name| (name, reach(arrows, name))).collect();
+    let back = |from: &Names, to: &Names| all.get(to).is_some_and(|reached| reached.contains(from));
+    let group = |(name, reached): (&&Names, &BTreeSet<&Names>)| {
         let circle: Vec<String> =
-            reach(arrows, name).into_iter().filter(|other| reach(arrows, other).contains(name)).cloned().collect();
-        if circle.len() > 1 {
-            found.insert(circle);
-        }
-    }
-    found.into_iter().collect()
+            reached.iter().filter(|other| back(name, other)).map(|name| name.join("::")).collect();
+        (circle.len() > 1).then_some(circle)
+    };
+    all.iter().filter_map(group).collect::<BTreeSet<_>>().into_iter().collect()
 }
 
 #[test]
@@ -327,7 +314,8 @@ fn paths_and_circles_are_found() {
     assert_eq!(found, ["crate f g", "super a B", "super a c", "super e", "super j", "self h I"]);
     let module = module_of("m/n.rs");
     assert_eq!(resolved(&["super".into(), "o".into()], &module), ["m", "o"]);
-    let arrow = |a: &str, b: &str| (a.to_owned(), b.to_owned());
-    let arrows = [arrow("a", "b"), arrow("b", "c"), arrow("c", "a"), arrow("c", "d"), arrow("e", "a")].into();
+    let name = |name: &str| vec![name.to_owned()];
+    let arrow = |(from, to): (&str, &[&str])| (name(from), to.iter().map(|to| name(to)).collect());
+    let arrows = [("a", &["b"][..]), ("b", &["c"]), ("c", &["a", "d"]), ("e", &["a"])].map(arrow).into();
     assert_eq!(circles(&arrows), [["a", "b", "c"]]);
 }

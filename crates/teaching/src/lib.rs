@@ -1,5 +1,4 @@
-//! What Camera Lab teaches with: studies of rounding and cost, the diagnosis of cameras and answers, exercises and
-//! lessons.
+//! Studies of rounding and cost, the diagnosis of cameras and answers, exercises and lessons.
 //!
 //! [`numerics`] measures what being right costs and diagnoses cameras. [`exercises`] states the exercises of the notes,
 //! judges answers and finds the step that went wrong. [`lessons`] reads lessons and checks what their steps ask for.

@@ -1,4 +1,4 @@
-//! What the window edits, without a widget: the document and its history, the scene, what the pictures show.
+//! The model of the window, without a widget: the document and its history, the scene, the shot of the pictures.
 
 pub(super) mod asked_layout;
 pub mod document;

@@ -1,4 +1,4 @@
-//! What survives a window: preferences, sessions, recent files, progress.
+//! Storage that outlives a window: preferences, sessions, recent files, progress.
 
 pub mod preferences;
 pub(super) mod recent;

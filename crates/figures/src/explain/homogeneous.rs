@@ -11,7 +11,7 @@ use crate::camera::Camera;
 /// `t w_B / ((1 − t) w_A + t w_B)`.
 ///
 /// ```
-/// use camera_lab::explain::homogeneous::projected_share;
+/// use camera_lab_figures::explain::homogeneous::projected_share;
 /// // B is three times as far from the eye: the middle is seen three quarters along.
 /// assert_eq!(projected_share(0.5, 1.0, 3.0), 0.75);
 /// assert_eq!(projected_share(0.5, 2.0, 2.0), 0.5);

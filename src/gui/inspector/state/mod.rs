@@ -1,4 +1,4 @@
-//! What the panels remember between frames.
+//! The state of the panels between frames.
 
 pub(in crate::gui) mod coach;
 pub(in crate::gui) mod compare;

@@ -208,8 +208,8 @@ impl State {
         shipped().iter().position(|shipped| !is_finished(&shipped.lesson))
     }
 
-    /// Plays a lesson; the figure is lost. Only the window's start calls this, and [`file_flow`](crate::gui::files::file_flow)
-    /// once it has asked.
+    /// Plays a lesson; the figure is lost. Only the window's start calls this, and
+    /// [`file_flow`](crate::gui::files::file_flow) once it has asked.
     pub(in crate::gui) fn play(&mut self, open: OpenLesson) {
         let OpenLesson { lesson, path, step } = open;
         // A session of another folder has to find the file too.

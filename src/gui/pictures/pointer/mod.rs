@@ -1,4 +1,4 @@
-//! What the pointer and the keys do in the pictures.
+//! The pointer and the keys in the pictures: probes, picking, drags.
 
 pub(super) mod followed;
 pub(in crate::gui) mod handle_drag;

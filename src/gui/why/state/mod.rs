@@ -1,4 +1,4 @@
-//! What the explanations remember between frames.
+//! The state of the explanations between frames.
 
 pub(in crate::gui) mod conventions;
 pub(in crate::gui) mod explain;

@@ -17,7 +17,7 @@ pub struct Fault {
     pub at: usize,
     /// The key as a message names it, with its section.
     pub key: String,
-    /// What is wrong with it.
+    /// The rule that the value breaks.
     pub problem: Problem,
 }
 

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::camera::{Camera, Projection};
+use crate::geometry::ray_meets_triangle;
 use crate::scene::{Object, ObjectPaint, Scene};
 
 /// The first point of the scene's faces on a segment (world), beginning at `from`.
@@ -66,30 +67,9 @@ pub(in crate::views) fn triangle_hit(object: &Object, from: DVec3, to: DVec3, fr
     let (a, b) = (object_from_world.transform_point3(from), object_from_world.transform_point3(to));
     let positions = &object.mesh.positions;
     let corner = |i: u32| positions.get(i as usize).copied();
-    object
-        .mesh
-        .triangles
-        .iter()
-        .zip(0..)
-        .filter_map(|(t, i)| Some((triangle_crossing(a, b - a, [corner(t[0])?, corner(t[1])?, corner(t[2])?])?, i)))
-        .filter(|((_, facing), _)| !fronts_only || *facing > 0.0)
+    let hit = |[i, j, k]: [u32; 3]| ray_meets_triangle(a, b - a, [corner(i)?, corner(j)?, corner(k)?]);
+    let hits = object.mesh.triangles.iter().zip(0..).filter_map(|(corners, i)| Some((hit(*corners)?, i)));
+    hits.filter(|((t, is_front), _)| (0.0..=1.0).contains(t) && (*is_front || !fronts_only))
         .map(|((t, _), i)| (t, i))
         .min_by(|one, other| one.0.total_cmp(&other.0))
-}
-
-/// The parameter, 0 … 1, at which a segment meets a triangle (Möller and Trumbore 1997), and a number that is positive
-/// where the segment comes from the side from which the corners run counter-clockwise.
-fn triangle_crossing(origin: DVec3, d: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, f64)> {
-    let (ab, ac) = (b - a, c - a);
-    let p = d.cross(ac);
-    let det = ab.dot(p);
-    if det == 0.0 {
-        return None;
-    }
-    let s = origin - a;
-    let u = s.dot(p) / det;
-    let q = s.cross(ab);
-    let v = d.dot(q) / det;
-    let t = ac.dot(q) / det;
-    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&t)).then_some((t, det))
 }

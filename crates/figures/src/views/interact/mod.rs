@@ -1,4 +1,4 @@
-//! What the pointer does in the pictures: pick, hover and drag.
+//! Picking, hovering and dragging in the pictures.
 
 pub mod handles;
 pub(super) mod hits;

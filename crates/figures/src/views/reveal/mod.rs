@@ -1,4 +1,4 @@
-//! What reveals the inner work of the pipeline in the pictures.
+//! The inner work of the pipeline in the pictures: probes, stages, triangles, texels.
 
 pub(super) mod probe;
 pub(super) mod revealed_scene;

@@ -109,9 +109,9 @@ impl Ground {
     }
 }
 
-/// The direction of [`Viewpoint::Iso`](crate::views::observer::Viewpoint::Iso): to the side of the camera and a little behind
-/// it, so that its axis runs across the picture from left to right and the image on its window is not seen from the
-/// back.
+/// The direction of [`Viewpoint::Iso`](crate::views::observer::Viewpoint::Iso): to the side of the camera and a little
+/// behind it, so that its axis runs across the picture from left to right and the image on its window is not seen from
+/// the back.
 pub(in crate::views) fn iso_direction(camera: &Camera) -> Direction {
     const ASIDE: f64 = 60.0;
     let n = camera.basis().n;
