@@ -1,6 +1,5 @@
 //! Budgets of a drawing, and its shortfall where one is exceeded.
 
-use super::rounding_check::MisplacedVertex;
 use crate::limits::{MAX_PIECES, MAX_STROKE_STEPS};
 use crate::sanitize::escaped;
 
@@ -33,6 +32,17 @@ pub enum OverBudget {
     },
 }
 
+/// The vertex of an object that is drawn farthest beside its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MisplacedVertex {
+    /// The object's name.
+    pub object: String,
+    /// The index of the vertex in the mesh, from 0.
+    pub vertex: usize,
+    /// Distance between its place and its drawn position, pixels; more than a quarter.
+    pub off: f64,
+}
+
 fn beside(vertices: &[MisplacedVertex]) -> String {
     let one = |MisplacedVertex { object, vertex, off }: &MisplacedVertex| {
         format!("vertex {vertex} of {:?} is drawn {off:.1} px off", escaped(object))
@@ -46,14 +56,14 @@ fn beside(vertices: &[MisplacedVertex]) -> String {
 
 impl OverBudget {
     /// `shares`: how many pieces each object has, by its name.
-    pub(super) fn pieces<'a>(shares: impl Iterator<Item = (&'a str, usize)>) -> Self {
+    pub(crate) fn pieces<'a>(shares: impl Iterator<Item = (&'a str, usize)>) -> Self {
         let mut shares: Vec<(&str, usize)> = shares.collect();
         shares.sort_by_key(|(_, share)| std::cmp::Reverse(*share));
         Self::Pieces { objects: shares.into_iter().map(|(name, _)| name.to_owned()).collect() }
     }
 
     /// `None` where no vertex is.
-    pub(super) fn rounding(vertices: Vec<MisplacedVertex>) -> Option<Self> {
+    pub(crate) fn rounding(vertices: Vec<MisplacedVertex>) -> Option<Self> {
         (!vertices.is_empty()).then_some(Self::Rounding { vertices })
     }
 

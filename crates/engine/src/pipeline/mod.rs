@@ -24,47 +24,16 @@
 //!
 //! All cutting is done by `cut`, and all attributes of vertices are carried over by `resample`.
 
-mod bounds;
-mod bsp;
 pub mod budget;
-mod clip;
-pub mod clip_parts;
-mod cull;
-pub mod cull_result;
-mod cut;
-pub mod depths;
-pub mod divide_before_clip;
-mod faces;
-mod hidden_surfaces;
-pub mod light;
-mod lines;
+mod mesh;
 mod object_pass;
-pub mod one_triangle;
-pub mod operations;
-mod outline;
-mod pieces;
+mod order;
 pub mod plan;
-mod plan_counts;
-mod planes;
-mod pool;
-pub mod project;
-mod projected;
-mod projector;
-mod recorder;
 pub mod report;
-mod resample;
-mod rounding_check;
 mod scenes;
-mod shade;
-mod shadow_maps;
-pub mod shadow_rays;
-mod split_plane;
-mod stage_work;
-mod stages;
-pub mod stroke_order;
-pub mod stroke_runs;
-mod transform;
-mod visibility;
+mod show;
+mod space;
+mod stage;
 
 use crate::appearance::{DepthFormat, Rgba, Shading, Style, Visibility};
 use crate::camera::Camera;
@@ -72,30 +41,34 @@ use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
 use crate::progress::Progress;
 use crate::scene::Scene;
-use bounds::KnownBounds;
-pub use budget::OverBudget;
-pub use cull::Containment;
-use depths::InView;
-use faces::Faces;
-use hidden_surfaces::Unordered;
-use light::Lights;
-use lines::Strokes;
+pub use budget::{MisplacedVertex, OverBudget};
+use mesh::bounds::KnownBounds;
+pub use mesh::resample::with_triangles;
 use object_pass::{ObjectPass, PassContext};
-pub use plan::{Options, Output, Plan, Reason, Stage};
-pub use planes::{NEAR, PlaneSet};
-use pool::Pool;
-use projector::Projector;
-use recorder::Recorder;
+pub use order::{stroke_order, stroke_runs};
+pub use plan::{Containment, FacesDone, ObjectReport, Options, Output, Plan, Reason, Stage};
 use report::Meter;
+pub use report::operations;
+use report::recorder::Recorder;
+use report::rounding_check::Misplaced;
+pub use report::work::{ObjectWork, StageWork, VertexWork};
 pub use report::{FollowedTriangle, Frame, StageReport};
-pub use resample::with_triangles;
-use rounding_check::Misplaced;
-pub use rounding_check::MisplacedVertex;
 pub use scenes::Scenes;
-pub use shadow_maps::{ShadowMaps, light_cameras};
-pub use stage_work::{ObjectWork, StageWork, VertexWork};
-pub use stages::{FacesDone, ObjectReport};
-use transform::Screen;
+pub use show::canonical as project;
+pub use show::{clip_parts, cull_result, divide_before_clip, one_triangle, shadow_rays};
+pub use space::depths;
+use space::depths::InView;
+pub use space::planes::{NEAR, PlaneSet};
+use space::projector::Projector;
+use stage::cull_faces::Faces;
+use stage::cull_objects;
+use stage::hidden_surfaces::Unordered;
+use stage::lines::{self, Strokes};
+use stage::pool::Pool;
+pub use stage::reflection as light;
+use stage::reflection::Lights;
+pub use stage::shadow_maps::{ShadowMaps, light_cameras};
+use stage::vertices::Screen;
 
 /// The picture to make: its size in pixels, and how large a stroke's or letter's unit is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -178,7 +151,7 @@ impl Pipeline {
         let (scenes, screen, meter) = (scenes.into(), Screen::new(target), Meter::new(options));
         let mut projector = Projector::new(camera);
 
-        let extents = cull::extents(scenes, &projector, &mut self.bounds);
+        let extents = cull_objects::extents(scenes, &projector, &mut self.bounds);
         let in_view = extents.iter().fold(InView::NOTHING, |all, extent| all.and(extent.in_view));
         if !options.depth_of_volume {
             let in_view = in_view.and(lines::in_view(scenes, &projector));

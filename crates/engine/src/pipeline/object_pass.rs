@@ -1,55 +1,55 @@
 //! One object on its way through the stages, from its mesh to surfaces and strokes of the drawing.
 
-use super::faces::{FaceTask, Faces};
-use super::hidden_surfaces::Unordered;
-use super::light::Lights;
-use super::lines::Strokes;
-use super::plan::{Options, Plan};
-use super::pool::Pool;
-use super::projector::{Projector, ViewFromObject};
-use super::shade::Shaded;
-use super::shadow_maps::ShadowLight;
-use super::stages::{FacesDone, LitAt, ObjectPlan};
-use super::transform::{Screen, Vertices};
 use crate::appearance::{Style, Visibility};
+use crate::pipeline::plan::{FacesDone, LitAt, ObjectPlan};
+use crate::pipeline::plan::{Options, Plan};
+use crate::pipeline::space::projector::{Projector, ViewFromObject};
+use crate::pipeline::stage::cull_faces::{FaceTask, Faces};
+use crate::pipeline::stage::hidden_surfaces::Unordered;
+use crate::pipeline::stage::light::Shaded;
+use crate::pipeline::stage::lines::Strokes;
+use crate::pipeline::stage::pool::Pool;
+use crate::pipeline::stage::reflection::Lights;
+use crate::pipeline::stage::shadow_maps::ShadowLight;
+use crate::pipeline::stage::vertices::{Screen, Vertices};
 use crate::scene::Object;
 
 /// All that objects of a picture have in common.
 #[derive(Clone, Copy)]
-pub(super) struct PassContext<'a> {
-    pub(super) plan: &'a Plan,
-    pub(super) projector: &'a Projector,
-    pub(super) screen: &'a Screen,
-    pub(super) lights: &'a Lights,
-    pub(super) shadows: &'a [ShadowLight],
-    pub(super) style: &'a Style,
-    pub(super) options: Options,
+pub(crate) struct PassContext<'a> {
+    pub(crate) plan: &'a Plan,
+    pub(crate) projector: &'a Projector,
+    pub(crate) screen: &'a Screen,
+    pub(crate) lights: &'a Lights,
+    pub(crate) shadows: &'a [ShadowLight],
+    pub(crate) style: &'a Style,
+    pub(crate) options: Options,
 }
 
 /// An object that may be in view.
-pub(super) struct ObjectPass<'a> {
-    pub(super) object: &'a Object,
-    pub(super) plan: &'a ObjectPlan,
+pub(crate) struct ObjectPass<'a> {
+    pub(crate) object: &'a Object,
+    pub(crate) plan: &'a ObjectPlan,
     /// Its place in the scene.
-    pub(super) index: usize,
+    pub(crate) index: usize,
     view_from_object: ViewFromObject,
     context: PassContext<'a>,
 }
 
 impl<'a> ObjectPass<'a> {
-    pub(super) fn new(index: usize, object: &'a Object, plan: &'a ObjectPlan, context: PassContext<'a>) -> Self {
+    pub(crate) fn new(index: usize, object: &'a Object, plan: &'a ObjectPlan, context: PassContext<'a>) -> Self {
         let view_from_object = context.projector.view_from_object(object.world_from_object);
         Self { object, plan, index, view_from_object, context }
     }
 
     /// Its vertices, in any space.
-    pub(super) fn vertices(&self) -> Vertices<'_> {
+    pub(crate) fn vertices(&self) -> Vertices<'_> {
         let positions = &self.object.mesh.positions;
         Vertices { projector: self.context.projector, view_from_object: &self.view_from_object, positions }
     }
 
     /// Takes each vertex of its faces through all spaces, once.
-    pub(super) fn transform(&self, faces: &mut Faces, pool: &mut Pool) {
+    pub(crate) fn transform(&self, faces: &mut Faces, pool: &mut Pool) {
         let PassContext { projector, screen, .. } = self.context;
         let interpolates = projector.perspective && Shaded::interpolates(self.object, self.plan);
         pool.refill(faces);
@@ -57,7 +57,7 @@ impl<'a> ObjectPass<'a> {
     }
 
     /// Drops the faces that turn their back, or are outside of a plane.
-    pub(super) fn cull(&self, faces: &mut Faces) {
+    pub(crate) fn cull(&self, faces: &mut Faces) {
         let task = FaceTask {
             cull_back: self.culls_back(faces),
             watch_turning: !self.context.plan.depth,
@@ -68,13 +68,13 @@ impl<'a> ObjectPass<'a> {
     }
 
     /// Clips the faces that are left, before the divide.
-    pub(super) fn clip(&self, faces: &mut Faces) {
+    pub(crate) fn clip(&self, faces: &mut Faces) {
         let PassContext { screen, options, .. } = self.context;
         faces.clip(&self.vertices(), screen, self.wants_source(), options.force_all_stages);
     }
 
     /// The treatment of the faces that turn their back.
-    pub(super) fn faces_done(&self, faces: &Faces) -> FacesDone {
+    pub(crate) fn faces_done(&self, faces: &Faces) -> FacesDone {
         match self.culls_back(faces) {
             true => FacesDone::BackDropped,
             false if self.plan.cull_back => FacesDone::CutOpen,
@@ -83,7 +83,7 @@ impl<'a> ObjectPass<'a> {
     }
 
     /// Lights the faces that are left, and hands them on.
-    pub(super) fn light(&self, faces: &mut Faces, pool: &mut Pool, into: &mut Unordered<'a>) {
+    pub(crate) fn light(&self, faces: &mut Faces, pool: &mut Pool, into: &mut Unordered<'a>) {
         let PassContext { plan, lights, .. } = self.context;
         let mesh = &self.object.mesh;
         let both_sides = self.lights_both_sides(faces);
@@ -108,18 +108,18 @@ impl<'a> ObjectPass<'a> {
     }
 
     /// The lights whose shadows may fall on it.
-    pub(super) fn shadows(&self) -> &'a [ShadowLight] {
+    pub(crate) fn shadows(&self) -> &'a [ShadowLight] {
         if self.plan.shadowed { self.context.shadows } else { &[] }
     }
 
     /// Draws its edges and its outline. Returns how many points were transformed for them.
-    pub(super) fn lines(&self, strokes: &mut Strokes) -> usize {
+    pub(crate) fn lines(&self, strokes: &mut Strokes) -> usize {
         let (vertices, style) = (self.vertices(), self.context.style);
         strokes.edges(self.object, &vertices, style) + strokes.outline(self.object, &vertices, style)
     }
 
     /// True where faces are lit on the side that is seen.
-    pub(super) fn lights_both_sides(&self, faces: &Faces) -> bool {
+    pub(crate) fn lights_both_sides(&self, faces: &Faces) -> bool {
         let translucent = self.object.mesh.closed && self.plan.translucent;
         self.object.two_sided || self.is_cut_open(faces) || translucent
     }

@@ -58,22 +58,22 @@ impl<'a> Scenes<'a> {
     }
 
     /// The objects that hide light: those with opaque faces. Gear hides none.
-    pub(super) fn hiding(self) -> impl Iterator<Item = &'a Object> {
+    pub(crate) fn hiding(self) -> impl Iterator<Item = &'a Object> {
         let has_faces = |object: &&Object| object.faces && !object.mesh.triangles.is_empty();
         self.hiding.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
     }
 
     /// The number of the scene in which [`Self::hiding`] are, where it is known.
-    pub(super) fn hiding_revision(self) -> Option<SceneRevision> {
+    pub(crate) fn hiding_revision(self) -> Option<SceneRevision> {
         self.hiding_revision
     }
 
     /// True where a light casts a shadow of anything.
-    pub(super) fn casts_shadows(self) -> bool {
+    pub(crate) fn casts_shadows(self) -> bool {
         self.lights.iter().any(|light| light.shadows.cast) && self.hiding().next().is_some()
     }
 
-    pub(super) fn fineness(self) -> f32 {
+    pub(crate) fn fineness(self) -> f32 {
         self.fineness
     }
 
@@ -89,38 +89,38 @@ impl<'a> Scenes<'a> {
         Self { lights, ..self }
     }
 
-    pub(super) fn lights(self) -> &'a [Light] {
+    pub(crate) fn lights(self) -> &'a [Light] {
         self.lights
     }
 
-    pub(super) fn objects(self) -> impl Iterator<Item = &'a Object> {
+    pub(crate) fn objects(self) -> impl Iterator<Item = &'a Object> {
         self.scene.objects.iter().chain(&self.gear.objects)
     }
 
-    pub(super) fn lines(self) -> impl Iterator<Item = &'a Line> {
+    pub(crate) fn lines(self) -> impl Iterator<Item = &'a Line> {
         self.scene.lines.iter().chain(&self.gear.lines)
     }
 
     /// Number of [`Self::lines`] that are of the scene: they come first.
-    pub(super) fn own_line_count(self) -> usize {
+    pub(crate) fn own_line_count(self) -> usize {
         self.scene.lines.len()
     }
 
-    pub(super) fn marks(self) -> impl Iterator<Item = &'a PointMark> {
+    pub(crate) fn marks(self) -> impl Iterator<Item = &'a PointMark> {
         self.scene.marks.iter().chain(&self.gear.marks)
     }
 
-    pub(super) fn texts(self) -> impl Iterator<Item = &'a Text> {
+    pub(crate) fn texts(self) -> impl Iterator<Item = &'a Text> {
         self.scene.texts.iter().chain(&self.gear.texts)
     }
 
     /// How many objects there are.
-    pub(super) fn object_count(self) -> usize {
+    pub(crate) fn object_count(self) -> usize {
         self.scene.objects.len() + self.gear.objects.len()
     }
 
     /// How many lines, marks and texts there are.
-    pub(super) fn line_count(self) -> usize {
+    pub(crate) fn line_count(self) -> usize {
         let count = |scene: &Scene| scene.lines.len() + scene.marks.len() + scene.texts.len();
         count(self.scene) + count(self.gear)
     }
