@@ -155,6 +155,13 @@ pub struct InWorld {
 }
 
 impl Object {
+    /// True if both sides of its faces may be seen, and have to be lit: it's two-sided, or a solid whose inside shows
+    /// because it's translucent or the front plane cuts it open (`is_cut_open`).
+    #[must_use]
+    pub fn shows_both_sides(&self, is_cut_open: bool) -> bool {
+        self.two_sided || (self.mesh.closed && (is_cut_open || self.paint.is_translucent()))
+    }
+
     /// A lit closed solid without lines.
     #[must_use]
     pub fn new(name: impl Into<String>, mesh: Arc<Mesh>, world_from_object: DMat4, paint: ObjectPaint) -> Self {
