@@ -60,15 +60,16 @@ pub use space::depths;
 use space::depths::InView;
 pub use space::planes::{NEAR, PlaneSet};
 use space::projector::Projector;
-use stage::cull_faces::Faces;
-use stage::cull_objects;
-use stage::hidden_surfaces::Unordered;
-use stage::lines::{self, Strokes};
+use space::screen::Screen;
+use stage::cull_objects::cull_objects;
+use stage::faces::Faces;
+use stage::hidden_surfaces::{Unordered, hidden_surfaces};
+use stage::lines::{self, Strokes, lines};
 use stage::pool::Pool;
 pub use stage::reflection as light;
 use stage::reflection::Lights;
 pub use stage::shadow_maps::{ShadowMaps, light_cameras};
-use stage::vertices::Screen;
+use stage::traverse::traverse;
 
 /// The picture to make: its size in pixels, and how large a stroke's or letter's unit is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,7 +152,7 @@ impl Pipeline {
         let (scenes, screen, meter) = (scenes.into(), Screen::new(target), Meter::new(options));
         let mut projector = Projector::new(camera);
 
-        let extents = cull_objects::extents(scenes, &projector, &mut self.bounds);
+        let extents = cull_objects(scenes, &projector, &mut self.bounds);
         let in_view = extents.iter().fold(InView::NOTHING, |all, extent| all.and(extent.in_view));
         if !options.depth_of_volume {
             let in_view = in_view.and(lines::in_view(scenes, &projector));
@@ -176,21 +177,20 @@ impl Pipeline {
         let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness(), pool);
         let mut unordered = Unordered::default();
 
-        for (index, (object, todo)) in scenes.objects().zip(&plan.objects).enumerate() {
-            if !todo.drawn {
-                continue;
-            }
+        for (index, object, planned) in traverse(scenes, &plan) {
             if self.progress.is_cancelled() {
                 break;
             }
-            let pass = ObjectPass::new(index, object, todo, context);
-            if todo.faces {
+            let pass = ObjectPass::new(index, object, planned, context);
+            if planned.faces {
+                // Transform, oblique window, divide and viewport: one loop takes a vertex through all of them.
                 pass.transform(faces, pool);
                 recorder.transformed(&pass);
-                pass.cull(faces);
+                pass.cull_faces(faces);
                 recorder.culled(&pass, faces);
                 pass.clip(faces);
                 recorder.clipped(&pass, faces, unordered.surfaces.len());
+                // The notes have light and its normals second: only faces that are left need any.
                 pass.light(faces, pool, &mut unordered);
                 recorder.meter.lap(Stage::Light);
             }
@@ -202,13 +202,11 @@ impl Pipeline {
             // Forced, but only edges were requested.
             unordered = Unordered::default();
         }
-        let ordered = unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress);
+        let ordered = hidden_surfaces(unordered, plan.order, (&projector, &screen), self.max_pieces, &self.progress);
         recorder.meter.pieces = ordered.pieces;
         recorder.meter.lap(Stage::HiddenSurfaces);
 
-        strokes.lines(scenes, style);
-        let marks = strokes.marks(scenes, target.background);
-        let labels = strokes.labels(scenes, target.background);
+        let (marks, labels) = lines(&mut strokes, scenes, style);
         recorder.meter.lines = (strokes.asked, strokes.drawn() + marks.len() + labels.len());
         recorder.meter.lap(Stage::Lines);
 

@@ -293,7 +293,7 @@ fn of_triangles(old: &InWorld, triangles: &[u32]) -> InWorld {
 
 /// A surface without triangles that takes pieces of `old`; one colour becomes a colour for each face, so that surfaces
 /// of different objects can be one.
-pub(crate) fn surface_like(old: &Surface) -> Surface {
+pub(crate) fn empty_like(old: &Surface) -> Surface {
     let base = match &old.base {
         Base::Solid(_) | Base::Faces(_) => Base::Faces(Vec::new()),
         Base::Vertices(_) => Base::Vertices(Vec::new()),
@@ -316,8 +316,8 @@ pub(crate) fn surface_like(old: &Surface) -> Surface {
     Surface { positions, inverse_w, triangles, base, light, shadows, ..*old }
 }
 
-/// True where `last`, which was made by [`surface_like`] for another surface, can take pieces of `old` too.
-pub(crate) fn takes(last: &Surface, old: &Surface) -> bool {
+/// True where `last`, which was made by [`empty_like`] for another surface, can take pieces of `old` too.
+pub(crate) fn can_append(last: &Surface, old: &Surface) -> bool {
     let alike = match (&last.base, &old.base) {
         (Base::Faces(_), Base::Faces(_) | Base::Solid(_)) | (Base::Vertices(_), Base::Vertices(_)) => true,
         (Base::Solid(_) | Base::Faces(_) | Base::Vertices(_) | Base::Texture { .. }, _) => false,
@@ -341,7 +341,7 @@ pub(crate) fn append(surface: &mut Surface, old: &Surface, origins: &[VertexOrig
         (Base::Faces(colors), Base::Faces(old)) => colors.extend(std::iter::repeat_n(color_at(old, source), faces)),
         (Base::Vertices(colors), Base::Vertices(old)) => add(colors, origins, |i| color_at(old, i)),
         (Base::Texture { uv, .. }, Base::Texture { uv: old, .. }) => add(uv, origins, |i| at(old, i)),
-        // Made by `surface_like`, a base is of the kind of the old one, and has no one colour.
+        // Made by `empty_like`, a base is of the kind of the old one, and has no one colour.
         (Base::Solid(_) | Base::Faces(_) | Base::Vertices(_) | Base::Texture { .. }, _) => {}
     }
     match (&mut surface.light, &old.light) {
@@ -353,7 +353,7 @@ pub(crate) fn append(surface: &mut Surface, old: &Surface, origins: &[VertexOrig
             add(&mut light.normals, origins, |i| at(&old.normals, i));
             add(&mut light.positions, origins, |i| at(&old.positions, i));
         }
-        // Made by `surface_like`, a light is of the kind of the old one.
+        // Made by `empty_like`, a light is of the kind of the old one.
         (SurfaceLight::InBase | SurfaceLight::Faces(_) | SurfaceLight::Vertices(_) | SurfaceLight::PerPixel(_), _) => {}
     }
     for (shadow, old) in surface.shadows.iter_mut().zip(&old.shadows) {
@@ -387,7 +387,7 @@ mod tests {
 
     fn taken(old: Base, origins: &[VertexOrigin]) -> Base {
         let old = surface(old, SurfaceLight::InBase);
-        let mut new = surface_like(&old);
+        let mut new = empty_like(&old);
         append(&mut new, &old, origins, 1, 2);
         new.base
     }
@@ -417,7 +417,7 @@ mod tests {
             SurfaceLight::PerPixel(PixelLight { normals, positions, lighting: Lighting::default() })
         };
         let old = surface(Base::Faces(vec![RED, BLUE]), light(Vec::new(), Vec::new()));
-        let mut new = surface_like(&old);
+        let mut new = empty_like(&old);
         append(&mut new, &old, &vertex, 1, 1);
         assert_eq!(new, surface(Base::Faces(vec![BLUE]), light(vec![[0.0; 3]], vec![[0.0; 3]])));
     }
@@ -432,9 +432,9 @@ mod tests {
         let [solid, vertices] = [Base::Solid(RED), Base::Vertices(Vec::new())];
         let of = |base: &Base, light: &SurfaceLight| surface(base.clone(), light.clone());
         let plain = of(&solid, &SurfaceLight::InBase);
-        assert!(takes(&surface_like(&plain), &plain));
-        assert!(!takes(&surface_like(&plain), &of(&vertices, &SurfaceLight::InBase)));
-        assert!(!takes(&surface_like(&plain), &of(&solid, &lit)));
-        assert!(!takes(&surface_like(&of(&solid, &lit)), &of(&solid, &lit)));
+        assert!(can_append(&empty_like(&plain), &plain));
+        assert!(!can_append(&empty_like(&plain), &of(&vertices, &SurfaceLight::InBase)));
+        assert!(!can_append(&empty_like(&plain), &of(&solid, &lit)));
+        assert!(!can_append(&empty_like(&of(&solid, &lit)), &of(&solid, &lit)));
     }
 }

@@ -6,14 +6,13 @@
 
 use glam::DVec3;
 
-use super::painter::Painter;
+use super::painter::{Painter, ToImage};
 use super::pieces::{Corner, Cuts, Layer, Piece, pieces};
 use super::split_plane::SplitPlane;
 use crate::drawing::Surface;
 use crate::limits::MAX_PIECE_BYTES;
 use crate::pipeline::mesh::cut::{Origin, cut};
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::stage::vertices::Screen;
 use crate::progress::{Activity, Progress};
 
 /// An exceeded budget of splitting: pieces of the faces of these layers.
@@ -32,7 +31,7 @@ pub(crate) struct TooManyPieces {
 pub(crate) fn by_splitting(
     layers: &[Layer],
     projector: &Projector,
-    screen: &Screen,
+    image: &ToImage,
     max_pieces: usize,
     progress: &Progress,
 ) -> Result<(Vec<Surface>, usize), TooManyPieces> {
@@ -47,7 +46,7 @@ pub(crate) fn by_splitting(
     let mut tree =
         Tree { layers, projector, tolerance: tolerance(&set), budget, cuts: Cuts::new(sides), ordered: Vec::new() };
     tree.order(set, progress)?;
-    let mut painter = Painter::new(layers, projector, screen);
+    let mut painter = Painter::new(layers, image);
     for piece in &tree.ordered {
         painter.paint(piece, &tree.cuts.border(&piece.corners));
     }
@@ -243,7 +242,6 @@ mod tests {
     use super::*;
     use crate::appearance::Rgba;
     use crate::camera::{Camera, Parameters};
-    use crate::pipeline::Target;
 
     /// Two layers of triangles that cross one another, some with common sides.
     fn layers() -> Vec<Layer> {
@@ -267,8 +265,7 @@ mod tests {
 
     fn sorted(max_pieces: usize) -> Result<(Vec<Surface>, usize), TooManyPieces> {
         let projector = Projector::new(&Camera::new(&Parameters::default()).unwrap());
-        let target = Target { width: 300, height: 200, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
-        by_splitting(&layers(), &projector, &Screen::new(target), max_pieces, &Progress::default())
+        by_splitting(&layers(), &projector, &|p| (p.0.as_vec3().to_array(), 1.0), max_pieces, &Progress::default())
     }
 
     #[test]

@@ -6,13 +6,12 @@ use crate::appearance::{HiddenLines, LineStyle, Shading, Style, Visibility};
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::space::planes::{NEAR, PlaneSet};
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::stage::light::Shaded;
 use crate::scene::{Object, ObjectPaint};
 use crate::stage::Stage;
 
 /// The counts for the plan of a frame, or, of finished work, for its report. Of objects in view only, and of their
 /// faces only where there are any.
-pub(crate) struct Survey {
+pub(crate) struct SceneCounts {
     objects: usize,
     outside: usize,
     in_view: usize,
@@ -36,7 +35,7 @@ pub(crate) struct Survey {
     lines: bool,
 }
 
-impl Survey {
+impl SceneCounts {
     pub(crate) fn new(scenes: Scenes, plans: &[ObjectPlan], style: &Style) -> Self {
         let is_outside = |plan: &&ObjectPlan| matches!(plan.containment, Containment::Outside(_));
         let is_in_view = |(_, plan): &(&Object, &ObjectPlan)| matches!(plan.containment, Containment::Crosses(_));
@@ -70,7 +69,7 @@ impl Survey {
             lit_vertices: lit(LitAt::Vertices),
             lit_pixels: lit(LitAt::Pixels),
             dark: scenes.lights().is_empty(),
-            varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan)).count(),
+            varies: faces.iter().filter(|(object, plan)| plan.interpolates(object)).count(),
             casts: scenes.casts_shadows(),
             shadowed: faces.iter().filter(|(_, plan)| plan.shadowed).count(),
             textured: faces.iter().filter(|(object, _)| has_colors(object)).count(),

@@ -16,7 +16,7 @@ use crate::pipeline::space::planes::ALL_PLANES;
 use crate::pipeline::space::projector::Projector;
 use crate::scene::{Object, ObjectPaint};
 pub use crate::stage::Stage;
-use counts::Survey;
+use counts::SceneCounts;
 pub(crate) use object::Extent;
 pub use object::{Containment, FacesDone, LitAt, ObjectPlan, ObjectReport};
 pub use reason::{Output, Reason, StagePlan};
@@ -72,19 +72,19 @@ impl Plan {
             ObjectPlan { shadowed: planned.drawn && casts && takes_shadow, ..planned }
         };
         let objects: Vec<ObjectPlan> = scenes.objects().zip(extents).map(planned).collect();
-        let survey = Survey::new(scenes, &objects, style);
+        let counts = SceneCounts::new(scenes, &objects, style);
         let stages = Stage::ALL
             .map(|stage| {
-                let (runs, reason) = survey.stage(stage, projector, style, options.output);
+                let (runs, reason) = counts.stage(stage, projector, style, options.output);
                 let reason = if force && !runs { Reason::Forced } else { reason };
                 StagePlan { stage, runs: runs || force, reason }
             })
             .to_vec();
-        let order = survey.order(style, options.output);
+        let order = counts.order(style, options.output);
         let mut plan = Self { objects, stages, order, depth: true };
         plan.depth = match order {
             Visibility::DepthBuffer => plan.runs(Stage::HiddenSurfaces),
-            Visibility::Painter | Visibility::Bsp => survey.lines_ask || force,
+            Visibility::Painter | Visibility::Bsp => counts.lines_ask || force,
         };
         plan
     }
@@ -137,7 +137,7 @@ fn plan_object(object: &Object, containment: Containment, style: &Style, dark: b
         drawn,
         clip_planes,
         faces: object.faces && !object.mesh.triangles.is_empty() && (force || style.shading != Shading::Wireframe),
-        cull_back: !(object.two_sided || (object.mesh.closed && translucent)),
+        cull_back: !object.shows_both_sides(false),
         lit,
         shadowed: false,
         translucent,

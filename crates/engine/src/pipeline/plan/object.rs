@@ -2,6 +2,7 @@
 
 use crate::pipeline::space::depths::InView;
 use crate::pipeline::space::planes::PlaneSet;
+use crate::scene::{FoundLight, Object, ObjectPaint};
 
 /// The place of an object, as far as the box and the ball around it tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +57,29 @@ pub struct ObjectPlan {
     pub translucent: bool,
     /// Its picture is asked for the colour of each pixel: it has one, and that has more than one colour.
     pub textured: bool,
+}
+
+impl ObjectPlan {
+    /// True if a value is interpolated over the faces, so that 1/w is needed.
+    pub(crate) fn interpolates(&self, object: &Object) -> bool {
+        match self.lit {
+            _ if self.shadowed => true,
+            LitAt::Vertices | LitAt::Pixels => true,
+            LitAt::Faces => matches!(object.paint, ObjectPaint::Texture(_)),
+            LitAt::Nowhere => matches!(object.paint, ObjectPaint::Vertices(_) | ObjectPaint::Texture(_)),
+        }
+    }
+
+    /// True if the triangles of the mesh have colours, their own or those of their light, so that each face that is
+    /// left must know which one it was.
+    pub(crate) fn colors_faces(&self, object: &Object) -> bool {
+        // A shadow knows the plane of each face.
+        let found = object.in_world.as_ref().map(|in_world| &in_world.light);
+        self.shadowed
+            || self.lit == LitAt::Faces
+            || matches!(object.paint, ObjectPaint::Faces(_))
+            || matches!(found, Some(FoundLight::Faces(_)))
+    }
 }
 
 /// The report of one object.

@@ -11,11 +11,11 @@ use crate::appearance::{Style, Visibility};
 use crate::drawing::{Drawing, Surface};
 use crate::pipeline::budget::OverBudget;
 use crate::pipeline::object_pass::ObjectPass;
-use crate::pipeline::plan::counts::Survey;
+use crate::pipeline::plan::counts::SceneCounts;
 use crate::pipeline::plan::{LitAt, ObjectReport, Reason};
 use crate::pipeline::plan::{Options, Plan};
 use crate::pipeline::space::depths::DepthScale;
-use crate::pipeline::stage::cull_faces::Faces;
+use crate::pipeline::stage::faces::Faces;
 use crate::scene::ObjectPaint;
 use crate::stage::{Operations, Stage};
 use work::StageWork;
@@ -175,7 +175,7 @@ impl Meter {
     }
 
     /// Tells of all stages. `done` says of each stage that works on faces whether it had any to work on, and why.
-    pub(crate) fn report(&self, plan: &Plan, done: &Survey, style: &Style) -> Vec<StageReport> {
+    pub(crate) fn report(&self, plan: &Plan, done: &SceneCounts, style: &Style) -> Vec<StageReport> {
         let drawn = plan.objects.iter().filter(|planned| planned.drawn).count();
         let same = |n: usize| Some((n, n));
         plan.stages

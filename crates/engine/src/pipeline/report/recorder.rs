@@ -6,11 +6,11 @@ use super::work::Notes;
 use crate::drawing::Drawing;
 use crate::pipeline::budget::OverBudget;
 use crate::pipeline::object_pass::{ObjectPass, PassContext};
-use crate::pipeline::plan::counts::Survey;
+use crate::pipeline::plan::counts::SceneCounts;
 use crate::pipeline::plan::{ObjectReport, Reason};
 use crate::pipeline::report::{FollowedTriangle, Frame, Meter};
 use crate::pipeline::scenes::Scenes;
-use crate::pipeline::stage::cull_faces::Faces;
+use crate::pipeline::stage::faces::Faces;
 use crate::stage::Stage;
 
 /// Watches the stages of one picture.
@@ -65,7 +65,7 @@ impl<'a> Recorder<'a> {
         let Some(done) = self.objects.get_mut(pass.index) else { return };
         done.triangles = faces.triangles.len();
         done.lit = pass.plan.lit;
-        done.faces = pass.faces_done(faces);
+        done.faces = pass.back_faces(faces);
         self.meter.count(pass, faces, done);
     }
 
@@ -82,7 +82,7 @@ impl<'a> Recorder<'a> {
     /// The picture with all that was recorded.
     pub(crate) fn frame(self, drawing: Drawing, scenes: Scenes) -> Frame {
         let PassContext { plan, projector, style, .. } = self.context;
-        let done = Survey::of_done(scenes, &plan.objects, &self.objects, style);
+        let done = SceneCounts::of_done(scenes, &plan.objects, &self.objects, style);
         let report = self.meter.report(plan, &done, style);
         // A stage that was forced shows nothing, as if it were left out.
         let ran = |stage| report.iter().any(|r| r.stage == stage && r.ran && r.reason != Reason::Forced);

@@ -11,8 +11,14 @@ use crate::camera::Camera;
 use crate::pipeline::budget::MisplacedVertex;
 use crate::pipeline::space::depths::InView;
 use crate::pipeline::space::planes::outcode;
+use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::stage::vertices::{Screen, Vertices, on_grid};
+use crate::pipeline::space::screen::Screen;
+use crate::pipeline::stage::divide::divide;
+use crate::pipeline::stage::project::clip_from_view;
+use crate::pipeline::stage::transform::view_point;
+use crate::pipeline::stage::vertices::Vertices;
+use crate::pipeline::stage::viewport::{snap, viewport};
 use crate::scene::Object;
 
 /// Tolerance in pixels: a quarter cannot be seen.
@@ -40,14 +46,14 @@ impl<'a> Misplaced<'a> {
             return;
         }
         let off = |(i, &p): (usize, &glam::DVec3)| {
-            let clip = projector.clip(view_from_object.point(p));
+            let clip = clip_from_view(projector, view_point(view_from_object, ObjectPoint(p)));
             let summands = view_from_object.magnitude(p) + view_from_object.rest();
             // A vertex that is not drawn has no place.
             if outcode(projector, clip) != 0 || within(self.bound(projector, summands, clip.w)) {
                 return None;
             }
             let exact = self.camera.exact_ndc(&object.world_from_object, p)?;
-            let [x, y, _] = on_grid(self.screen.project(projector, clip));
+            let [x, y, _] = snap(viewport(self.screen, divide(&projector.depths, clip)));
             let off = self.screen.pixels(exact).distance(glam::DVec2::new(x.into(), y.into()));
             (!within(off)).then_some((off, i))
         };
@@ -72,7 +78,7 @@ impl<'a> Misplaced<'a> {
         let error = ROUNDINGS * summands + self.camera.position_rest().length();
         let aside = |axis: usize| 1.0 + projector.shift[axis].abs();
         let by = |axis: usize| (projector.scale[axis] + aside(axis)) * (error / w) + ROUNDINGS * aside(axis).powi(2);
-        self.screen.half_size().x * by(0) + self.screen.half_size().y * by(1) + self.screen.of_grid()
+        self.screen.half_size().x * by(0) + self.screen.half_size().y * by(1) + self.screen.snap_distance()
     }
 
     /// One of each object, the farthest first.
@@ -155,11 +161,11 @@ mod tests {
             let across = |t: f64, least: f64, most: f64| to * (least + (most - least) * (0.5 + 0.5 * t));
             let p_view = DVec3::new(across(at[0], window.left, window.right), across(at[1], window.bottom, window.top), -depth);
             let p = world_from_object.inverse().transform_point3(camera.world_from_view().transform_point3(p_view));
-            let clip = projector.clip(view_from_object.point(p));
+            let clip = clip_from_view(&projector, view_point(&view_from_object, ObjectPoint(p)));
             let misplaced = Misplaced::new(&camera, &screen, InView::NOTHING);
             let bound = misplaced.bound(&projector, view_from_object.magnitude(p) + view_from_object.rest(), clip.w);
             if outcode(&projector, clip) == 0 && let Some(exact) = camera.exact_ndc(&world_from_object, p) {
-                let [x, y, _] = on_grid(screen.project(&projector, clip));
+                let [x, y, _] = snap(viewport(&screen, divide(&projector.depths, clip)));
                 let off = screen.pixels(exact).distance(DVec2::new(x.into(), y.into()));
                 prop_assert!(off <= bound, "{off} > {bound}");
             }

@@ -6,11 +6,17 @@ use crate::pipeline::mesh::resample::VertexOrigin;
 use crate::pipeline::plan::Containment;
 use crate::pipeline::plan::Plan;
 use crate::pipeline::scenes::Scenes;
-use crate::pipeline::space::projector::{ClipPoint, Projector};
+use crate::pipeline::space::planes::ALL_PLANES;
+use crate::pipeline::space::point::{ClipPoint, ViewPoint, WorldPoint};
+use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::screen::Screen;
 use crate::pipeline::stage::clip::Clipper;
-use crate::pipeline::stage::cull_faces::Faces;
+use crate::pipeline::stage::divide::divide;
+use crate::pipeline::stage::faces::Faces;
+use crate::pipeline::stage::project::clip_from_view;
 use crate::pipeline::stage::reflection::{Lights, ObjectLight};
-use crate::pipeline::stage::vertices::{Screen, Vertices, off_grid};
+use crate::pipeline::stage::vertices::Vertices;
+use crate::pipeline::stage::viewport::{unsnapped, viewport};
 use crate::scene::Object;
 use crate::stage::{Stage, WorksOn};
 
@@ -89,12 +95,12 @@ impl<'a> Notes<'a> {
     }
 
     fn image(&self, p: ClipPoint) -> [f32; 3] {
-        off_grid(self.screen.project(self.projector, p))
+        unsnapped(viewport(self.screen, divide(&self.projector.depths, p)))
     }
 
     /// The part of a segment of view space that is in the picture.
-    fn side(&mut self, ends: [DVec3; 2]) -> Option<[[f32; 3]; 2]> {
-        let ends = ends.map(|p| self.projector.clip(p));
+    fn side(&mut self, ends: [ViewPoint; 2]) -> Option<[[f32; 3]; 2]> {
+        let ends = ends.map(|p| clip_from_view(self.projector, p));
         let [(a, _), (b, _)] = self.clipper.segment(self.projector, ends)?;
         Some([self.image(a), self.image(b)])
     }
@@ -114,7 +120,7 @@ impl<'a> Notes<'a> {
             if !self.has_room(12 * self.work.objects.len()) {
                 return;
             }
-            let corners = bounds.corners().map(|p| self.projector.view(p));
+            let corners = bounds.corners().map(|p| self.projector.view(WorldPoint(p)));
             for (i, j) in (0..8).flat_map(|i| (0..8).map(move |j| (i, j))).filter(|(i, j)| i < j) {
                 // Along an edge of the box one coordinate changes.
                 let differs = (bounds.corners()[i] - bounds.corners()[j]).to_array().map(|d| d != 0.0);
@@ -127,7 +133,7 @@ impl<'a> Notes<'a> {
                     sides.push(side);
                 }
             }
-            let middle = self.projector.view(bounds.center());
+            let middle = self.projector.view(WorldPoint(bounds.center()));
             let middle = self.side([middle, middle]).map(|[p, _]| p);
             let name = object.name.clone();
             self.work.objects.push(ObjectWork { name, middle, containment: planned.containment });
@@ -148,7 +154,8 @@ impl<'a> Notes<'a> {
             let (view, clip) = (vertices.view(i), vertices.clip(i));
             let Some([image, _]) = self.side([view, view]) else { continue };
             let world = object.world_from_object.transform_point3(p);
-            self.work.vertices.push(VertexWork { world, view, clip: [clip.x, clip.y], w: clip.w, image });
+            let clip_xy = [clip.x, clip.y];
+            self.work.vertices.push(VertexWork { world, view: view.0, clip: clip_xy, w: clip.w, image });
         }
     }
 
@@ -163,7 +170,7 @@ impl<'a> Notes<'a> {
                 return;
             }
             let foot = vertices.view(i);
-            let side = self.side([foot, foot + light.unit_normal(i) * length]);
+            let side = self.side([foot, ViewPoint(foot.0 + light.unit_normal(i) * length)]);
             self.work.after.extend(side);
         }
     }
@@ -173,8 +180,8 @@ impl<'a> Notes<'a> {
         if self.work.stage != Stage::CullFaces {
             return;
         }
-        let fates = faces.fates(triangles);
-        for (&triangle, is_left) in triangles.iter().zip(fates) {
+        let outcomes = faces.outcomes(triangles);
+        for (&triangle, is_left) in triangles.iter().zip(outcomes) {
             if !self.has_room(self.work.after.len() + self.work.dropped.len()) {
                 return;
             }
@@ -182,8 +189,7 @@ impl<'a> Notes<'a> {
                 Some(true) => self.triangle_sides(vertices, triangle, |work| &mut work.after),
                 Some(false) => {
                     let corners = triangle.map(|i| vertices.clip(i));
-                    let polygon =
-                        self.clipper.triangle(self.projector, corners, crate::pipeline::space::planes::ALL_PLANES);
+                    let polygon = self.clipper.triangle(self.projector, corners, ALL_PLANES);
                     let points: Vec<ClipPoint> = polygon.iter().map(|corner| corner.point).collect();
                     let polygon: Vec<[f32; 3]> = points.into_iter().map(|p| self.image(p)).collect();
                     if polygon.len() > 2 {

@@ -12,10 +12,12 @@ use crate::pipeline::mesh::resample::{Remake, VertexOrigin, color_at, face_color
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::space::depths::{DepthScale, InView, Sheet};
 use crate::pipeline::space::planes::{NEAR, outcode};
-use crate::pipeline::space::projector::{ClipPoint, Projector};
+use crate::pipeline::space::point::{ClipPoint, WorldPoint};
+use crate::pipeline::space::projector::Projector;
 use crate::pipeline::stage::clip::Clipper;
 use crate::pipeline::stage::light::WHITE;
 use crate::pipeline::stage::lines;
+use crate::pipeline::stage::project::clip_from_world;
 use crate::pipeline::stage::reflection::{Lights, ObjectLight};
 use crate::pipeline::stage::vertices::Vertices;
 use crate::scene::{Adjacency, FoundLight, InWorld, Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
@@ -56,7 +58,7 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
     let casting: Vec<usize> = casting.filter(|_| Scenes::from(scene).casts_shadows()).collect();
     let lights = lights.as_ref().map(|lights| WorldLight { lights, casting: &casting });
     let inside = |p_world: DVec3| {
-        let p = projector.clip(projector.view(p_world));
+        let p = clip_from_world(projector, WorldPoint(p_world));
         (outcode(projector, p) == 0).then(|| displayed(projector, p))
     };
     let mut borders = Vec::new();
@@ -92,7 +94,7 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
 #[must_use]
 pub fn displayed_ndc(camera: &Camera, p_world: DVec3) -> Option<DVec3> {
     let projector = Projector::new(camera);
-    let p = projector.clip(projector.view(p_world));
+    let p = clip_from_world(&projector, WorldPoint(p_world));
     (p.w > 0.0).then(|| displayed(&projector, p)).filter(|p| p.is_finite())
 }
 
@@ -100,7 +102,7 @@ pub fn displayed_ndc(camera: &Camera, p_world: DVec3) -> Option<DVec3> {
 /// `f64`.
 pub fn view_of(camera: &Camera) -> impl Fn(DVec3) -> DVec3 {
     let projector = Projector::new(camera);
-    move |p_world| projector.view(p_world)
+    move |p_world| projector.view(WorldPoint(p_world)).0
 }
 
 /// The depth that the depth buffer of a picture holds for a distance from the plane of the eye (scene units), and its
@@ -116,7 +118,7 @@ pub fn depth_buffer_of(camera: &Camera, in_view: InView) -> (DepthScale, impl Fn
 pub fn clipped_segment_of(camera: &Camera) -> impl Fn([DVec3; 2]) -> Option<[DVec3; 2]> {
     let projector = Projector::new(camera);
     move |ends| {
-        let ends = ends.map(|p| projector.clip(projector.view(p)));
+        let ends = ends.map(|p| clip_from_world(&projector, WorldPoint(p)));
         let [(a, _), (b, _)] = Clipper::default().segment(&projector, ends)?;
         Some([displayed(&projector, a), displayed(&projector, b)])
     }
@@ -141,7 +143,7 @@ fn display_from_view(projector: &Projector) -> DMat4 {
 }
 
 fn clipped_line(line: &Line, projector: &Projector) -> Vec<Line> {
-    let points: Vec<ClipPoint> = line.points.iter().map(|&p| projector.clip(projector.view(p))).collect();
+    let points: Vec<ClipPoint> = line.points.iter().map(|&p| clip_from_world(projector, WorldPoint(p))).collect();
     let mut pieces: Vec<Line> = Vec::new();
     let mut joined = false;
     let mut clipper = Clipper::default();
@@ -194,7 +196,7 @@ fn clipped_object(
             planes.iter().map(|&plane| of_planes * plane).collect()
         }
     };
-    let cut_open = object.mesh.closed && projected.outside() & NEAR != 0;
+    let cut_open = projected.outside() & NEAR != 0;
     let colored = Colored { object, vertices, remake: &projected.remake, cut_open, shading };
     let (paint, in_world) = colored.paint(lights.filter(|_| object.lit));
     let Projected { positions, remake: Remake { triangles, edges, shared, .. }, in_view, whole, borders, .. } =
@@ -284,7 +286,7 @@ impl Colored<'_> {
     fn paint(&self, world: Option<WorldLight>) -> (ObjectPaint, Option<InWorld>) {
         let Self { object, vertices, cut_open, .. } = *self;
         let old = &object.mesh;
-        let both_sides = object.two_sided || cut_open || (old.closed && object.paint.is_translucent());
+        let both_sides = object.shows_both_sides(cut_open);
         let light_of = |lights| ObjectLight::new(lights, old, vertices, both_sides);
         let casting = world.map_or(&[][..], |world| world.casting);
         if matches!(object.paint, ObjectPaint::Texture(_)) || !casting.is_empty() {

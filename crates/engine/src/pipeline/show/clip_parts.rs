@@ -15,9 +15,12 @@ use crate::pipeline::mesh::cut::cut;
 use crate::pipeline::mesh::resample::{Remake, normals, object_paint};
 use crate::pipeline::plan::Containment;
 use crate::pipeline::space::planes::{NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
-use crate::pipeline::space::projector::{ClipPoint, Projector, ViewFromObject};
+use crate::pipeline::space::point::{ClipPoint, ObjectPoint, WorldPoint};
+use crate::pipeline::space::projector::{Projector, ViewFromObject};
 use crate::pipeline::stage::clip::ClippedCorner;
 use crate::pipeline::stage::cull_objects::containment;
+use crate::pipeline::stage::project::{clip_from_view, clip_from_world};
+use crate::pipeline::stage::transform::view_point;
 use crate::scene::{Adjacency, Line, Mesh, Object, Scene, SharedEdge};
 
 /// The bits of an outcode, `true` where a point is outside: left, right, bottom, top, near, far. `None` for a point
@@ -25,7 +28,7 @@ use crate::scene::{Adjacency, Line, Mesh, Object, Scene, SharedEdge};
 #[must_use]
 pub fn outcode_of(camera: &Camera, p_world: DVec3) -> Option<[bool; 6]> {
     let projector = Projector::new(camera);
-    let code = outcode(&projector, projector.clip(projector.view(p_world)));
+    let code = outcode(&projector, clip_from_world(&projector, WorldPoint(p_world)));
     (code != NOT_A_NUMBER).then(|| std::array::from_fn(|i| code >> i & 1 == 1))
 }
 
@@ -38,7 +41,7 @@ pub fn outcode_of(camera: &Camera, p_world: DVec3) -> Option<[bool; 6]> {
 #[must_use]
 pub fn homogeneous_distances(camera: &Camera, p_world: DVec3, ndc: Ndc) -> [f64; 6] {
     let projector = Projector::new(camera);
-    let [left, right, bottom, top, near, far] = distances(&projector, projector.clip(projector.view(p_world)));
+    let [left, right, bottom, top, near, far] = distances(&projector, clip_from_world(&projector, WorldPoint(p_world)));
     let (f, b) = (camera.near(), camera.far());
     let [at_near, at_far] = ndc.depths();
     let range = (at_near - at_far).abs();
@@ -136,8 +139,11 @@ impl Splitter {
 
     fn crossing(&mut self, object: &Object, view_from_object: &ViewFromObject, edges_only: bool) {
         let mesh = &object.mesh;
-        let clip: Vec<ClipPoint> =
-            mesh.positions.iter().map(|&p| self.projector.clip(view_from_object.point(p))).collect();
+        let clip: Vec<ClipPoint> = mesh
+            .positions
+            .iter()
+            .map(|&p| clip_from_view(&self.projector, view_point(view_from_object, ObjectPoint(p))))
+            .collect();
         let codes: Vec<PlaneSet> = clip.iter().map(|&p| outcode(&self.projector, p)).collect();
         let parted = |of: &[u32]| {
             let codes: Option<Vec<PlaneSet>> = of.iter().map(|&i| codes.get(i as usize).copied()).collect();
@@ -234,7 +240,7 @@ impl Splitter {
     fn line(&mut self, line: &Line) {
         let (mut inside, mut outside) = (Polylines::new(line), Polylines::new(line));
         for (i, ends) in line.points.windows(2).enumerate() {
-            let clip = [ends[0], ends[1]].map(|p| self.projector.clip(self.projector.view(p)));
+            let clip = [ends[0], ends[1]].map(|p| clip_from_world(&self.projector, WorldPoint(p)));
             if clip.iter().any(|p| outcode(&self.projector, *p) == NOT_A_NUMBER) {
                 continue;
             }

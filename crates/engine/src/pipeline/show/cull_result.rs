@@ -6,8 +6,11 @@ use crate::camera::Camera;
 use crate::pipeline::mesh::bounds::Bounds;
 use crate::pipeline::plan::Containment;
 use crate::pipeline::space::planes::PlaneSet;
+use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::Projector;
-use crate::pipeline::stage::cull_objects::{containment, facing};
+use crate::pipeline::stage::cull_faces::facing;
+use crate::pipeline::stage::cull_objects::containment;
+use crate::pipeline::stage::transform::view_point;
 use crate::scene::Object;
 
 /// The result of culling an object for a camera.
@@ -32,10 +35,10 @@ pub fn cull_result(object: &Object, camera: &Camera) -> CullResult {
     if let Containment::Outside(planes) = place {
         return CullResult::Dropped(planes);
     }
-    let view = |i: u32| mesh.positions.get(i as usize).map(|&p| view_from_object.point(p));
-    let before_near = |p: &DVec3| -view_from_object.point(*p).z < projector.near;
-    let cut_open = mesh.closed && mesh.positions.iter().any(before_near);
-    if object.two_sided || cut_open || (mesh.closed && object.paint.is_translucent()) {
+    let view = |i: u32| mesh.positions.get(i as usize).map(|&p| view_point(&view_from_object, ObjectPoint(p)));
+    let before_near = |p: &DVec3| -view_point(&view_from_object, ObjectPoint(*p)).0.z < projector.near;
+    let is_cut_open = mesh.closed && mesh.positions.iter().any(before_near);
+    if object.shows_both_sides(is_cut_open) {
         return CullResult::Kept;
     }
     let outward = view_from_object.outward();

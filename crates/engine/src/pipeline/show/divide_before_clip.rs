@@ -12,7 +12,10 @@ use super::projected::displayed;
 use crate::camera::Camera;
 use crate::pipeline::mesh::cut::{Origin, cut};
 use crate::pipeline::mesh::resample::{OWN_WEIGHTS, Remake, VertexOrigin, object_paint, with_triangles};
-use crate::pipeline::space::projector::{ClipPoint, Projector};
+use crate::pipeline::space::point::{ClipPoint, ObjectPoint, WorldPoint};
+use crate::pipeline::space::projector::Projector;
+use crate::pipeline::stage::project::{clip_from_view, clip_from_world};
+use crate::pipeline::stage::transform::view_point;
 use crate::scene::{Line, Mesh, Object, PointMark, Scene};
 
 /// Farther than this a point divided by a w near 0 is nowhere.
@@ -78,7 +81,7 @@ struct Divide {
 
 impl Divide {
     fn clip(&self, p_world: DVec3) -> ClipPoint {
-        self.projector.clip(self.projector.view(p_world))
+        clip_from_world(&self.projector, WorldPoint(p_world))
     }
 
     /// The point after the divide, whatever the sign of w.
@@ -105,8 +108,11 @@ impl Divide {
     fn object(&self, object: &Object) -> (Object, Option<Object>) {
         let mesh = &object.mesh;
         let view_from_object = self.projector.view_from_object(object.world_from_object);
-        let clip: Vec<ClipPoint> =
-            mesh.positions.iter().map(|&p| self.projector.clip(view_from_object.point(p))).collect();
+        let clip: Vec<ClipPoint> = mesh
+            .positions
+            .iter()
+            .map(|&p| clip_from_view(&self.projector, view_point(&view_from_object, ObjectPoint(p))))
+            .collect();
         let behind = |corners: &[u32]| corners.iter().any(|&i| clip.get(i as usize).is_some_and(|p| p.w < 0.0));
         if !clip.iter().any(|p| p.w < 0.0) {
             return (object.clone(), None);

@@ -10,10 +10,15 @@ use crate::pipeline::Target;
 use crate::pipeline::mesh::cut::Origin;
 use crate::pipeline::mesh::resample::VertexOrigin;
 use crate::pipeline::space::planes::{NOT_A_NUMBER, PLANES, distances, outcode};
+use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::screen::Screen;
 use crate::pipeline::stage::clip::Clipper;
-use crate::pipeline::stage::cull_objects::facing;
-use crate::pipeline::stage::vertices::{Screen, on_grid};
+use crate::pipeline::stage::cull_faces::facing;
+use crate::pipeline::stage::divide::divide;
+use crate::pipeline::stage::project::clip_from_view;
+use crate::pipeline::stage::transform::view_point;
+use crate::pipeline::stage::viewport::{snap, viewport};
 use crate::scene::Object;
 
 /// A triangle on its way.
@@ -102,13 +107,13 @@ pub fn one_triangle(object: &Object, triangle: usize, camera: &Camera, target: T
     let indices = *object.mesh.triangles.get(triangle)?;
     let [a, b, c] = indices.map(|i| object.mesh.positions.get(i as usize).copied());
     let local = [a?, b?, c?];
-    let view = local.map(|p| view_from_object.point(p));
-    let clip = view.map(|p| projector.clip(p));
+    let view = local.map(|p| view_point(&view_from_object, ObjectPoint(p)));
+    let clip = view.map(|p| clip_from_view(&projector, p));
     let codes = clip.map(|p| outcode(&projector, p));
     let corners = std::array::from_fn(|i| CornerSteps {
         local: local[i],
         world: object.world_from_object.transform_point3(local[i]),
-        view: view[i],
+        view: view[i].0,
         clip: DVec2::new(clip[i].x, clip[i].y),
         w: clip[i].w,
         distances: distances(&projector, clip[i]),
@@ -134,7 +139,7 @@ pub fn one_triangle(object: &Object, triangle: usize, camera: &Camera, target: T
         };
         let reached = polygon.iter().zip(names).map(|(corner, name)| {
             let p = corner.point;
-            let [x, y, _] = on_grid(screen.project(&projector, p));
+            let [x, y, _] = snap(viewport(&screen, divide(&projector.depths, p)));
             let clip = DVec2::new(p.x, p.y);
             CornerLeft { name, world: world(corner.weights), clip, w: p.w, ndc: clip / p.w, image: [x, y] }
         });

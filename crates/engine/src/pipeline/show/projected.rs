@@ -6,8 +6,11 @@ use crate::pipeline::mesh::chunks::each_chunk;
 use crate::pipeline::mesh::resample::{Remake, VertexOrigin};
 use crate::pipeline::space::depths::{InView, Sheet};
 use crate::pipeline::space::planes::{NOT_A_NUMBER, PLANES, PlaneSet, outcode};
-use crate::pipeline::space::projector::{ClipPoint, Projector};
+use crate::pipeline::space::point::{ClipPoint, ObjectPoint};
+use crate::pipeline::space::projector::Projector;
 use crate::pipeline::stage::clip::Clipper;
+use crate::pipeline::stage::project::clip_from_view;
+use crate::pipeline::stage::transform::view_point;
 use crate::pipeline::stage::vertices::Vertices;
 use crate::scene::{Mesh, SharedEdge};
 use crate::simd::with_vectors;
@@ -43,7 +46,7 @@ impl<'a> Projected<'a> {
         let mut outcodes = vec![0; positions.len()];
         each_chunk(&mut outcodes, |codes, first| {
             with_vectors!(_simd => for (code, &p) in codes.iter_mut().zip(&positions[first..]) {
-                *code = outcode(projector, projector.clip(view_from_object.point(p)));
+                *code = outcode(projector, clip_from_view(projector, view_point(view_from_object, ObjectPoint(p))));
             });
         });
         let mut made = Self {

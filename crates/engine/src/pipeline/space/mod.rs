@@ -2,4 +2,6 @@
 
 pub mod depths;
 pub(crate) mod planes;
+pub(crate) mod point;
 pub(crate) mod projector;
+pub(crate) mod screen;

@@ -1,6 +1,7 @@
 //! The six planes of the view volume: each is a linear function of the clip point, positive inside `[2]`.
 
-use super::projector::{ClipPoint, Projector};
+use super::point::ClipPoint;
+use super::projector::Projector;
 
 /// The planes of the volume, in the order of the distances: left, right, bottom, top, near, far.
 pub(crate) const PLANES: usize = 6;

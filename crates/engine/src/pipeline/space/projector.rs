@@ -3,21 +3,8 @@
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::depths::{DepthScale, Sheet};
+use super::point::{FromEye, ObjectPoint, ViewPoint, WorldPoint};
 use crate::camera::{Basis, Camera, Projection};
-
-/// A point of clip space, with the distance from the eye instead of z: clip z crowds the far depths together, the
-/// distance does not.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ClipPoint {
-    /// x, in \[−w, w\] inside the volume.
-    pub(crate) x: f64,
-    /// y, in \[−w, w\] inside the volume.
-    pub(crate) y: f64,
-    /// Homogeneous w: `depth` in perspective, 1 in parallel projection.
-    pub(crate) w: f64,
-    /// Distance from the plane through the eye, −z in the VRC, in scene units; in \[F, B\] inside the volume.
-    pub(crate) depth: f64,
-}
 
 /// The camera as the pipeline applies it, point by point.
 #[derive(Clone, Debug)]
@@ -59,26 +46,13 @@ impl Projector {
     }
 
     /// A world point in view space; C is subtracted before anything is rotated.
-    pub(crate) fn view(&self, p_world: DVec3) -> DVec3 {
-        self.view_vector(p_world - self.position)
+    pub(crate) fn view(&self, p: WorldPoint) -> ViewPoint {
+        ViewPoint(self.view_vector(p.0 - self.position))
     }
 
     /// A world vector in view space.
     pub(crate) fn view_vector(&self, d: DVec3) -> DVec3 {
         DVec3::new(self.basis.u.dot(d), self.basis.v.dot(d), self.basis.n.dot(d))
-    }
-
-    /// A view point in clip space.
-    #[inline(always)]
-    pub(crate) fn clip(&self, p_view: DVec3) -> ClipPoint {
-        let depth = -p_view.z;
-        let w = if self.perspective { depth } else { 1.0 };
-        ClipPoint {
-            x: self.scale[0] * p_view.x - self.shift[0] * w,
-            y: self.scale[1] * p_view.y - self.shift[1] * w,
-            w,
-            depth,
-        }
     }
 
     /// The direction in view space in which the distance from a plane of the volume grows, and how fast.
@@ -142,8 +116,9 @@ fn norm(m: DMat3) -> f64 {
 #[derive(Clone, Debug)]
 pub(crate) struct ViewFromObject {
     eye: DVec3,
-    linear: DMat3,
-    /// Model matrix, where the eye could not be taken to object space.
+    /// Takes [`from_eye`](Self::from_eye) to view space.
+    pub(crate) linear: DMat3,
+    /// Model matrix, if the eye couldn't be taken to object space.
     through_world: Option<(DMat3, DVec3)>,
     /// See [`rest`](Self::rest).
     rest: f64,
@@ -153,25 +128,21 @@ pub(crate) struct ViewFromObject {
 }
 
 impl ViewFromObject {
-    /// A point of the object in view space.
+    /// The way from the eye to a point of the object, before [`transform`] rotates it to view space.
+    ///
+    /// [`transform`]: crate::pipeline::stage::transform::transform
     #[inline(always)]
-    pub(crate) fn point(&self, p: DVec3) -> DVec3 {
-        self.linear * self.offset(p)
-    }
-
-    /// From the eye to a point of the object, before anything is rotated to view space by
-    /// [`of_offsets`](Self::of_offsets).
-    #[inline(always)]
-    pub(crate) fn offset(&self, p: DVec3) -> DVec3 {
-        match self.through_world {
+    pub(crate) fn from_eye(&self, ObjectPoint(p): ObjectPoint) -> FromEye {
+        FromEye(match self.through_world {
             None => p - self.eye,
             Some((linear, translation)) => linear * p + translation - self.eye,
-        }
+        })
     }
 
-    /// [`offset`](Self::offset) for some points.
+    /// [`from_eye`](Self::from_eye) for a block of points, coordinate by coordinate.
     #[inline(always)]
-    pub(crate) fn offsets(&self, given: &[DVec3], [x, y, z]: [&mut [f64; BLOCK]; 3]) {
+    pub(crate) fn block_from_eye(&self, given: &[DVec3], [x, y, z]: [&mut [f64; BLOCK]; 3]) {
+        // The same loop twice, so that neither asks for each point which of the two it is.
         match self.through_world {
             None => {
                 for (l, &p) in given.iter().enumerate().take(BLOCK) {
@@ -181,22 +152,11 @@ impl ViewFromObject {
             }
             Some(_) => {
                 for (l, &p) in given.iter().enumerate().take(BLOCK) {
-                    let d = self.offset(p);
+                    let FromEye(d) = self.from_eye(ObjectPoint(p));
                     (x[l], y[l], z[l]) = (d.x, d.y, d.z);
                 }
             }
         }
-    }
-
-    /// Takes an [`offset`](Self::offset) to view space.
-    #[inline(always)]
-    pub(crate) fn of_offset(&self, offset: DVec3) -> DVec3 {
-        self.linear * offset
-    }
-
-    /// The matrix that takes [`offset`](Self::offset)s to view space.
-    pub(crate) fn of_offsets(&self) -> DMat3 {
-        self.linear
     }
 
     /// The size of the numbers from which the view coordinates of `p` are summed up: the scale of their rounding
@@ -229,7 +189,7 @@ impl ViewFromObject {
         self.seen_from
     }
 
-    /// [`point`](Self::point) as a matrix.
+    /// The whole way to view space as a matrix.
     pub(crate) fn matrix(&self) -> DMat4 {
         let view_from_world = DMat4::from_mat3(self.linear) * DMat4::from_translation(-self.eye);
         match self.through_world {

@@ -1,11 +1,62 @@
-//! Clipping in homogeneous coordinates, before the divide `[2]`: points behind the eye never reach it.
+//! **Clip**: cut the faces that cross a plane of the volume, before the divide.
 //!
-//! [`distances`] tells the side of a plane on which a point lies, [`cut`] the point where an edge crosses it.
+//! *Notes*: `[2]`, *Clipping em coordenadas homogêneas*: inside means −w ≤ x, y, z ≤ w, and a cut lies at
+//! P = (d₁ P₂ + d₂ P₁)/(d₁ + d₂); `[3]` §1.1 step 5. It comes before the divide because a point behind the eye has
+//! w < 0, and the divide would put it in front. *Textbook*: Sutherland and Hodgman, every polygon against six planes.
+//! *Here*: the same for the few triangles that an outcode says cross a plane, and only against those planes; leaving
+//! out the others changes no bit. A cut is computed from the end inside to the end outside and set exactly onto its
+//! plane, so two triangles that share an edge get the same corner to the last bit, and no crack opens. [`distances`]
+//! tells the side of a plane, [`cut`] the point where an edge crosses it.
 
+use super::divide::divide;
+use super::faces::{Crossing, Faces, to_u32};
+use super::vertices::Vertices;
+use super::viewport::{snap, viewport};
 use crate::pipeline::mesh::cut::{Edge, Origin, cut};
 use crate::pipeline::mesh::resample::{OWN_WEIGHTS, VertexOrigin};
+use crate::pipeline::space::planes::ALL_PLANES;
 use crate::pipeline::space::planes::{NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
-use crate::pipeline::space::projector::{ClipPoint, Projector};
+use crate::pipeline::space::point::ClipPoint;
+use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::screen::Screen;
+
+/// Cuts the triangles that cross a plane, and adds the rest of each as a fan, whose new corners go to the image at once.
+/// With `all_planes`, also against the planes that they don't cross.
+pub(crate) fn clip(faces: &mut Faces, vertices: &Vertices, screen: &Screen, want_source: bool, all_planes: bool) {
+    let depths = &vertices.projector.depths;
+    let mut clipper = Clipper::default();
+    faces.cuts.clear();
+    for &Crossing { source, triangle, planes } in faces.chunks.iter().flat_map(|chunk| &chunk.crossing) {
+        let corners = triangle.map(|i| vertices.clip(i));
+        let planes = if all_planes { ALL_PLANES } else { planes };
+        let mut fan = [0_u32; 2];
+        for (i, corner) in clipper.triangle(vertices.projector, corners, planes).iter().enumerate() {
+            let index = match corner.origin(triangle) {
+                VertexOrigin::Vertex(own) => own,
+                new @ VertexOrigin::Between { .. } => {
+                    let index = to_u32(faces.image.positions.len());
+                    faces.image.positions.push(snap(viewport(screen, divide(depths, corner.point))));
+                    if !faces.image.inverse_w.is_empty() {
+                        faces.image.inverse_w.push(depths.relative_inverse_w(corner.point.w));
+                    }
+                    faces.cuts.push(new);
+                    index
+                }
+            };
+            match i {
+                0 => fan[0] = index,
+                1 => fan[1] = index,
+                _ => {
+                    faces.triangles.push([fan[0], fan[1], index]);
+                    if want_source {
+                        faces.source.push(source);
+                    }
+                    fan[1] = index;
+                }
+            }
+        }
+    }
+}
 
 /// A corner of a polygon that is being clipped.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,7 +156,7 @@ impl Clipper {
         corners: [ClipPoint; 3],
         planes: PlaneSet,
     ) -> &[ClippedCorner] {
-        self.clip(projector, &corners, planes)
+        self.polygon(projector, &corners, planes)
     }
 
     /// The part of a segment inside the volume: its two ends, each with `true` where it is a cut; nothing where no
@@ -119,14 +170,14 @@ impl Clipper {
         if codes[0] & codes[1] != 0 || either & NOT_A_NUMBER != 0 {
             return None;
         }
-        match self.clip(projector, &ends, either) {
+        match self.polygon(projector, &ends, either) {
             &[a, b] => Some([a, b].map(|end| (end.point, end.original().is_none()))),
             _ => None,
         }
     }
 
     #[inline]
-    fn clip(&mut self, projector: &Projector, points: &[ClipPoint], planes: PlaneSet) -> &[ClippedCorner] {
+    fn polygon(&mut self, projector: &Projector, points: &[ClipPoint], planes: PlaneSet) -> &[ClippedCorner] {
         self.watched(projector, points, planes, |_, _, _| {})
     }
 
@@ -164,9 +215,10 @@ impl Clipper {
 mod tests {
     #![expect(clippy::unwrap_used, reason = "tests")]
 
+    use super::super::project::clip_from_view;
     use super::*;
     use crate::camera::{Camera, Parameters, Projection, ViewWindow};
-    use crate::pipeline::space::planes::ALL_PLANES;
+    use crate::pipeline::space::point::ViewPoint;
     use glam::DVec3;
     use proptest::prelude::*;
 
@@ -187,7 +239,7 @@ mod tests {
 
     fn clip(points: [[f64; 3]; 3]) -> Vec<[f64; 3]> {
         let eye = eye();
-        let corners = points.map(|p| eye.clip(DVec3::from_array(p)));
+        let corners = points.map(|p| clip_from_view(&eye, ViewPoint(DVec3::from_array(p))));
         let mut clipper = Clipper::default();
         let out = clipper.triangle(&eye, corners, ALL_PLANES).to_vec();
         // Leaving out the planes that are not crossed changes no bit.
@@ -237,7 +289,8 @@ mod tests {
     /// The bits of the corners that lie on the side 0–1, and of an attribute there.
     fn on_shared_side(eye: &Projector, points: &[DVec3; 4], triangle: [u32; 3]) -> Option<Vec<[u64; 7]>> {
         let mut clipper = Clipper::default();
-        let polygon = clipper.triangle(eye, triangle.map(|i| eye.clip(points[i as usize])), ALL_PLANES);
+        let polygon =
+            clipper.triangle(eye, triangle.map(|i| clip_from_view(eye, ViewPoint(points[i as usize]))), ALL_PLANES);
         let third = triangle.iter().position(|i| *i > 1).unwrap();
         let mut bits: Vec<_> = polygon
             .iter()
@@ -289,7 +342,7 @@ mod tests {
             let mut cut_at = 0;
             for k in 0..200 {
                 let point = |k: f64| DVec3::new(9.1 * k.sin(), 8.3 * (1.7 * k).cos(), -3.7 + 7.3 * (2.3 * k).sin());
-                let corners = [0.0, 0.9, 2.1].map(|step| eye.clip(point(f64::from(k) + step)));
+                let corners = [0.0, 0.9, 2.1].map(|step| clip_from_view(&eye, ViewPoint(point(f64::from(k) + step))));
                 for corner in
                     Clipper::default().triangle(&eye, corners, ALL_PLANES).iter().filter(|c| c.original().is_none())
                 {
@@ -310,7 +363,7 @@ mod tests {
     fn segments_are_cut_at_both_ends_and_say_so() {
         let eye = eye();
         let cut = |a: [f64; 3], b: [f64; 3]| {
-            let ends = [a, b].map(|p| eye.clip(DVec3::from_array(p)));
+            let ends = [a, b].map(|p| clip_from_view(&eye, ViewPoint(DVec3::from_array(p))));
             Clipper::default().segment(&eye, ends).map(|ends| ends.map(|(p, cut)| ([p.x, p.y, -p.depth], cut)))
         };
         let through = cut([-8.0, 0.0, -4.0], [8.0, 0.0, -4.0]).unwrap();

@@ -1,59 +1,23 @@
-//! The faces of one object that are left to draw: projected, culled, clipped.
+//! **Cull faces**: drop the faces that turn their back.
+//!
+//! *Notes*: `[3]` §1.1 step 4, *back-face culling*; §1.4: the order of a polygon's vertices tells its front from its
+//! back. *Textbook*: the sign of **n** · **v**, the stored normal of the polygon times the direction to the eye, in view
+//! space, before anything is projected. *Here*: the sign of the triangle's area on the image, where its corners are
+//! already known, so that no normal is needed. The corners lie on the grid of the image and the sign is exact:
+//! neighbours agree about the silhouette, and a closed mesh shows no holes. Eight triangles are decided at a time. A
+//! triangle that crosses a plane of the volume has no corners on the image yet, so it's decided in view space
+//! ([`facing`]). Faces outside one plane of the volume are dropped in the same pass, because their outcodes are here.
 
-use std::collections::HashSet;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use super::clip::Clipper;
-use super::cull_objects::{area_on_image, facing};
-use super::reflection::LANES;
-use super::vertices::{OnImage, Screen, Vertices, on_grid};
+use super::faces::{Crossing, CulledChunk, Faces, LANES, to_u32};
+use super::vertices::{OnImage, Vertices};
 use crate::pipeline::mesh::chunks::CHUNK;
-use crate::pipeline::mesh::resample::VertexOrigin;
-use crate::pipeline::space::planes::{ALL_PLANES, NEAR, NOT_A_NUMBER, PlaneSet};
-
-/// A triangle that crosses planes of the volume.
-#[derive(Clone, Copy, Debug)]
-struct Crossing {
-    /// Its index in the mesh.
-    source: u32,
-    triangle: [u32; 3],
-    planes: PlaneSet,
-}
-
-/// The result of culling a stretch of [`CHUNK`] triangles.
-#[derive(Debug, Default)]
-struct CulledChunk {
-    crossing: Vec<Crossing>,
-    kept: usize,
-    back: usize,
-    turned_over: usize,
-}
-
-/// The remaining triangles of one object; reuses its buffers.
-#[derive(Debug, Default)]
-pub(crate) struct Faces {
-    /// All vertices of the mesh on the image, then the cuts.
-    pub(crate) image: OnImage,
-    /// Indices of vertices.
-    pub(crate) triangles: Vec<[u32; 3]>,
-    /// The triangle of the mesh that each one comes from; empty where nobody wants it.
-    pub(crate) source: Vec<u32>,
-    /// The vertices that clipping made.
-    pub(crate) cuts: Vec<VertexOrigin>,
-    /// For each [`LANES`] vertices of the mesh whether a triangle that is left has one of them; empty where nobody
-    /// wants it.
-    pub(crate) used: Vec<AtomicBool>,
-    /// Triangles that were dropped because they turn away.
-    pub(crate) back: usize,
-    /// Triangles that turn the other way on the grid of the image than they do in the world: thin ones, at silhouettes.
-    pub(crate) turned_over: usize,
-    /// A bit for each triangle of the mesh that is left and crosses no plane, the first in the lowest bit.
-    kept: Vec<u8>,
-    stretches: Vec<CulledChunk>,
-    clipper: Clipper,
-}
+use crate::pipeline::space::planes::{NOT_A_NUMBER, PlaneSet};
+use crate::pipeline::space::point::ViewPoint;
+use crate::pipeline::space::projector::Projector;
 
 /// The work on the faces of one object.
 #[derive(Clone, Copy, Debug)]
@@ -68,143 +32,88 @@ pub(crate) struct FaceTask {
     pub(crate) want_used: bool,
 }
 
-impl Faces {
-    /// True where the near plane cuts the object, so that its inside may be seen.
-    pub(crate) fn cut_open(&self) -> bool {
-        self.image.outside & NEAR != 0
+/// Drops the triangles that lie outside one plane, and those that turn their back. Triangles that cross a plane are put
+/// aside for [`clip`](super::clip::clip). The vertices have to be on the image already.
+pub(crate) fn cull_faces(faces: &mut Faces, vertices: &Vertices, triangles: &[[u32; 3]], task: FaceTask) {
+    let groups = if task.want_used { vertices.len().div_ceil(LANES) } else { 0 };
+    faces.used.resize_with(groups, AtomicBool::default);
+    faces.used.iter_mut().for_each(|used| *used.get_mut() = false);
+    faces.kept.resize(triangles.len().div_ceil(8), 0);
+    faces.chunks.resize_with(triangles.len().div_ceil(CHUNK), CulledChunk::default);
+
+    let culling = Culling { image: &faces.image, vertices, used: &faces.used, task };
+    let chunks = faces.chunks.iter_mut().zip(triangles.chunks(CHUNK)).zip(faces.kept.chunks_mut(CHUNK / 8));
+    let chunks = (0..).step_by(CHUNK).zip(chunks);
+    let cull = |(first, ((chunk, triangles), kept))| culling.chunk(chunk, triangles, kept, first);
+    if triangles.len() > 2 * CHUNK {
+        chunks.collect::<Vec<_>>().into_par_iter().for_each(cull);
+    } else {
+        chunks.for_each(cull);
     }
+    faces.back = faces.chunks.iter().map(|chunk| chunk.back).sum();
+    faces.turned_over = faces.chunks.iter().map(|chunk| chunk.turned_over).sum();
+    gather(faces, triangles, task.want_source);
+}
 
-    /// Number of the `count` vertices that are in groups used by any remaining triangle.
-    pub(crate) fn used_vertices(&self, count: usize) -> usize {
-        let used = self.used.iter().enumerate().filter(|(_, used)| used.load(Ordering::Relaxed));
-        used.map(|(group, _)| LANES.min(count - group * LANES)).sum()
-    }
-
-    /// The result of culling each triangle: `true` for a remaining one, `false` for a back face; `None` outside a
-    /// plane. Valid after [`cull`](Self::cull).
-    pub(crate) fn fates(&self, triangles: &[[u32; 3]]) -> Vec<Option<bool>> {
-        let crossing: HashSet<u32> =
-            self.stretches.iter().flat_map(|stretch| &stretch.crossing).map(|crossing| crossing.source).collect();
-        let codes = &self.image.outcodes;
-        let fate = |(k, triangle): (u32, &[u32; 3])| {
-            let is_kept = self.kept.get(k as usize / 8).is_some_and(|byte| byte >> (k % 8) & 1 == 1);
-            let code = |i: u32| codes.get(i as usize).copied().unwrap_or(0);
-            let is_outside = triangle.iter().fold(PlaneSet::MAX, |all, &i| all & code(i)) != 0;
-            let is_number = triangle.iter().all(|&i| code(i) & NOT_A_NUMBER == 0);
-            (is_kept || is_number && !is_outside).then(|| is_kept || crossing.contains(&k))
-        };
-        (0..).zip(triangles).map(fate).collect()
-    }
-
-    /// The triangles that cross a plane.
-    pub(crate) fn crossing(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
-        self.stretches.iter().flat_map(|stretch| &stretch.crossing).map(|crossing| crossing.triangle)
-    }
-
-    /// The pieces that [`clip`](Self::clip) has left of them.
-    pub(crate) fn pieces(&self) -> &[[u32; 3]] {
-        let whole: usize = self.stretches.iter().map(|stretch| stretch.kept).sum();
-        self.triangles.get(whole..).unwrap_or_default()
-    }
-
-    /// Drops triangles that lie outside one plane, and those that turn their back. Those that cross a plane are left to
-    /// [`clip`](Self::clip).
-    pub(crate) fn cull(&mut self, vertices: &Vertices, triangles: &[[u32; 3]], task: FaceTask) {
-        let groups = if task.want_used { vertices.len().div_ceil(LANES) } else { 0 };
-        self.used.resize_with(groups, AtomicBool::default);
-        self.used.iter_mut().for_each(|used| *used.get_mut() = false);
-        self.kept.resize(triangles.len().div_ceil(8), 0);
-        self.stretches.resize_with(triangles.len().div_ceil(CHUNK), CulledChunk::default);
-
-        let culling = Culling { image: &self.image, vertices, used: &self.used, task };
-        let stretches = self.stretches.iter_mut().zip(triangles.chunks(CHUNK)).zip(self.kept.chunks_mut(CHUNK / 8));
-        let stretches = (0..).step_by(CHUNK).zip(stretches);
-        let cull = |(first, ((stretch, triangles), kept))| culling.stretch(stretch, triangles, kept, first);
-        if triangles.len() > 2 * CHUNK {
-            stretches.collect::<Vec<_>>().into_par_iter().for_each(cull);
-        } else {
-            stretches.for_each(cull);
-        }
-        self.back = self.stretches.iter().map(|stretch| stretch.back).sum();
-        self.turned_over = self.stretches.iter().map(|stretch| stretch.turned_over).sum();
-        self.gather(triangles, task.want_source);
-    }
-
-    /// Puts the triangles that are left one behind the other.
-    fn gather(&mut self, triangles: &[[u32; 3]], want_source: bool) {
-        let count = self.stretches.iter().map(|stretch| stretch.kept).sum();
-        self.triangles.resize(count, [0; 3]);
-        self.source.resize(if want_source { count } else { 0 }, 0);
-        let (mut left, mut sources) = (&mut self.triangles[..], &mut self.source[..]);
-        let stretches = self.stretches.iter().zip(triangles.chunks(CHUNK)).zip(self.kept.chunks(CHUNK / 8));
-        let stretches = (0..).step_by(CHUNK).zip(stretches).map(|(first, ((stretch, triangles), kept))| {
-            let (out, rest) = std::mem::take(&mut left).split_at_mut(stretch.kept);
-            left = rest;
-            let (source, rest) = std::mem::take(&mut sources).split_at_mut(if want_source { stretch.kept } else { 0 });
-            sources = rest;
-            (first, triangles, kept, out, source)
-        });
-        type ChunkOutput<'a> = (u32, &'a [[u32; 3]], &'a [u8], &'a mut [[u32; 3]], &'a mut [u32]);
-        let gather = |(first, triangles, kept, out, source): ChunkOutput| {
-            let mut next = 0;
-            for (k, &byte) in kept.iter().enumerate() {
-                let mut bits = byte;
-                while bits != 0 {
-                    let k = 8 * k + bits.trailing_zeros() as usize;
-                    out[next] = triangles[k];
-                    if let Some(source) = source.get_mut(next) {
-                        *source = first + to_u32(k);
-                    }
-                    next += 1;
-                    bits &= bits - 1;
+/// Puts the remaining triangles one behind the other: their number in each chunk is known, so each chunk has its place
+/// in the array, and all threads can write.
+fn gather(faces: &mut Faces, triangles: &[[u32; 3]], want_source: bool) {
+    let count = faces.chunks.iter().map(|chunk| chunk.kept).sum();
+    faces.triangles.resize(count, [0; 3]);
+    faces.source.resize(if want_source { count } else { 0 }, 0);
+    let (mut left, mut sources) = (&mut faces.triangles[..], &mut faces.source[..]);
+    let chunks = faces.chunks.iter().zip(triangles.chunks(CHUNK)).zip(faces.kept.chunks(CHUNK / 8));
+    let chunks = (0..).step_by(CHUNK).zip(chunks).map(|(first, ((chunk, triangles), kept))| {
+        let (out, rest) = std::mem::take(&mut left).split_at_mut(chunk.kept);
+        left = rest;
+        let (source, rest) = std::mem::take(&mut sources).split_at_mut(if want_source { chunk.kept } else { 0 });
+        sources = rest;
+        (first, triangles, kept, out, source)
+    });
+    type ChunkOutput<'a> = (u32, &'a [[u32; 3]], &'a [u8], &'a mut [[u32; 3]], &'a mut [u32]);
+    let gather = |(first, triangles, kept, out, source): ChunkOutput| {
+        let mut next = 0;
+        for (k, &byte) in kept.iter().enumerate() {
+            let mut bits = byte;
+            while bits != 0 {
+                let k = 8 * k + bits.trailing_zeros() as usize;
+                out[next] = triangles[k];
+                if let Some(source) = source.get_mut(next) {
+                    *source = first + to_u32(k);
                 }
-            }
-        };
-        if triangles.len() > 2 * CHUNK {
-            stretches.collect::<Vec<_>>().into_par_iter().for_each(gather);
-        } else {
-            stretches.for_each(gather);
-        }
-    }
-
-    /// Cuts the triangles that cross a plane, and adds the rest of each as a fan. With `all_planes`, also against the
-    /// planes that they do not cross.
-    pub(crate) fn clip(&mut self, vertices: &Vertices, screen: &Screen, want_source: bool, all_planes: bool) {
-        self.cuts.clear();
-        for &Crossing { source, triangle, planes } in self.stretches.iter().flat_map(|stretch| &stretch.crossing) {
-            let corners = triangle.map(|i| vertices.clip(i));
-            let planes = if all_planes { ALL_PLANES } else { planes };
-            let mut fan = [0_u32; 2];
-            for (i, corner) in self.clipper.triangle(vertices.projector, corners, planes).iter().enumerate() {
-                let index = match corner.origin(triangle) {
-                    VertexOrigin::Vertex(own) => own,
-                    new @ VertexOrigin::Between { .. } => {
-                        let index = to_u32(self.image.positions.len());
-                        self.image.positions.push(on_grid(screen.project(vertices.projector, corner.point)));
-                        if !self.image.inverse_w.is_empty() {
-                            self.image.inverse_w.push(vertices.projector.depths.relative_inverse_w(corner.point.w));
-                        }
-                        self.cuts.push(new);
-                        index
-                    }
-                };
-                match i {
-                    0 => fan[0] = index,
-                    1 => fan[1] = index,
-                    _ => {
-                        self.triangles.push([fan[0], fan[1], index]);
-                        if want_source {
-                            self.source.push(source);
-                        }
-                        fan[1] = index;
-                    }
-                }
+                next += 1;
+                bits &= bits - 1;
             }
         }
+    };
+    if triangles.len() > 2 * CHUNK {
+        chunks.collect::<Vec<_>>().into_par_iter().for_each(gather);
+    } else {
+        chunks.for_each(gather);
     }
 }
 
-/// The inputs for judging a triangle.
+/// Twice the area of a triangle on the image, positive if its corners run counter-clockwise as they are seen (y is
+/// down).
+///
+/// Exact: corners on the grid of subpixels have few enough digits for every product and sum. So neighbours agree on
+/// which side of a silhouette they lie, and a closed mesh shows no holes.
+#[inline(always)]
+pub(crate) fn area_on_image(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f64 {
+    let edge = |p: [f32; 3]| [f64::from(p[0]) - f64::from(a[0]), f64::from(p[1]) - f64::from(a[1])];
+    let (e1, e2) = (edge(b), edge(c));
+    e1[1] * e2[0] - e1[0] * e2[1]
+}
+
+/// The same sign for a triangle that is still to be clipped: positive if the eye is on the outer side of its plane.
+/// Differences are taken before products, so that thin triangles far away keep their sign.
+pub(crate) fn facing(projector: &Projector, [a, b, c]: [ViewPoint; 3]) -> f64 {
+    let [a, b, c] = [a.0, b.0, c.0];
+    let normal = (b - a).cross(c - a);
+    if projector.perspective { -normal.dot(a) } else { normal.z }
+}
+
+/// All that decides about a triangle.
 struct Culling<'a> {
     image: &'a OnImage,
     vertices: &'a Vertices<'a>,
@@ -214,9 +123,9 @@ struct Culling<'a> {
 
 impl Culling<'_> {
     /// Sets the bits of triangles that are left and cross no plane.
-    fn stretch(&self, stretch: &mut CulledChunk, triangles: &[[u32; 3]], kept: &mut [u8], first: u32) {
-        *stretch = CulledChunk { crossing: std::mem::take(&mut stretch.crossing), ..CulledChunk::default() };
-        stretch.crossing.clear();
+    fn chunk(&self, chunk: &mut CulledChunk, triangles: &[[u32; 3]], kept: &mut [u8], first: u32) {
+        *chunk = CulledChunk { crossing: std::mem::take(&mut chunk.crossing), ..CulledChunk::default() };
+        chunk.crossing.clear();
         for ((k, byte), eight) in (first..).step_by(8).zip(kept).zip(triangles.chunks(8)) {
             let mut bits = 0;
             let [every, any] = self.outcodes(eight);
@@ -224,14 +133,14 @@ impl Culling<'_> {
                 // All of them are outside of the same plane.
             } else if self.task.watch_turning || any != 0 {
                 for (l, &triangle) in eight.iter().enumerate() {
-                    bits |= u8::from(self.judge(stretch, k + to_u32(l), triangle)) << l;
+                    bits |= u8::from(self.classify(chunk, k + to_u32(l), triangle)) << l;
                 }
             } else {
-                bits = self.turned_here(eight);
-                stretch.back += eight.len() - bits.count_ones() as usize;
+                bits = self.facing_bits(eight);
+                chunk.back += eight.len() - bits.count_ones() as usize;
             }
             *byte = bits;
-            stretch.kept += bits.count_ones() as usize;
+            chunk.kept += bits.count_ones() as usize;
             let mut left = if self.used.is_empty() { 0 } else { bits };
             while left != 0 {
                 self.mark(eight[left.trailing_zeros() as usize]);
@@ -240,9 +149,9 @@ impl Culling<'_> {
         }
     }
 
-    /// The bits of those of up to eight triangles, none of which crosses a plane, that are to be drawn.
+    /// Up to eight triangles, none of which crosses a plane: the bits of those to draw.
     #[inline(always)]
-    fn turned_here(&self, eight: &[[u32; 3]]) -> u8 {
+    fn facing_bits(&self, eight: &[[u32; 3]]) -> u8 {
         let positions = &self.image.positions[..];
         // The two products of which the area is the difference, in single precision. Sides of triangles on the grid of
         // subpixels are exact, and rounding keeps the order of the products, but for those that it makes equal.
@@ -297,8 +206,8 @@ impl Culling<'_> {
         }
     }
 
-    /// Judges any triangle: false for one that crosses a plane, which is put aside.
-    fn judge(&self, stretch: &mut CulledChunk, source: u32, triangle: [u32; 3]) -> bool {
+    /// Classifies any triangle: true if it stays whole. One that crosses a plane is put aside.
+    fn classify(&self, chunk: &mut CulledChunk, source: u32, triangle: [u32; 3]) -> bool {
         let Vertices { projector, view_from_object, .. } = *self.vertices;
         let [a, b, c] = [triangle[0] as usize, triangle[1] as usize, triangle[2] as usize];
         if a.max(b).max(c) >= self.image.positions.len() {
@@ -316,23 +225,18 @@ impl Culling<'_> {
         let in_world = || facing(projector, triangle.map(|i| self.vertices.view(i)));
         let area = if planes == 0 { area_on_image(positions[a], positions[b], positions[c]) } else { in_world() };
         if self.task.watch_turning && planes == 0 && area * in_world() < 0.0 {
-            stretch.turned_over += 1;
+            chunk.turned_over += 1;
         }
         if area == 0.0 || (self.task.cull_back && area * view_from_object.outward() < 0.0) {
-            stretch.back += 1;
+            chunk.back += 1;
             return false;
         }
         if planes != 0 {
-            stretch.crossing.push(Crossing { source, triangle, planes });
+            chunk.crossing.push(Crossing { source, triangle, planes });
             self.mark(triangle);
         }
         planes == 0
     }
-}
-
-/// Meshes are indexed with 32 bits.
-fn to_u32(k: usize) -> u32 {
-    u32::try_from(k).unwrap_or(u32::MAX)
 }
 
 #[cfg(test)]
@@ -367,7 +271,7 @@ mod tests {
             let image = OnImage { positions, ..OnImage::default() };
             let culling = Culling { image: &image, vertices: &vertices, used: &[], task };
             let area = (b[1] - a[1]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[1] - a[1]);
-            assert_eq!(culling.turned_here(&[[0, 1, 2], [0, 2, 1]]), u8::from(area > 0) | u8::from(area < 0) << 1);
+            assert_eq!(culling.facing_bits(&[[0, 1, 2], [0, 2, 1]]), u8::from(area > 0) | u8::from(area < 0) << 1);
             seen[usize::from(area > 0)] += 1;
         }
         assert!(seen.iter().all(|&n| n > 500), "{seen:?}");

@@ -1,21 +1,31 @@
-//! Culling: objects outside the volume, and back faces.
+//! **Cull objects**: drop the objects whose bounding box is outside the volume.
+//!
+//! *Notes*: `[3]` §1.2 names the removal of what can't be seen before clipping, without saying how; there each polygon
+//! is tested. *Textbook*: the eight corners of an object's bounding box against the six planes: if all are outside one
+//! plane, so is the object. *Here*: the same, and a ball around the object as well, which is tighter than a box that
+//! stands askew. The test has a third answer, "inside these planes", which spares the object's faces the comparison
+//! with them. The depths of the boxes also say how the depth buffer's range is best spent
+//! ([`DepthScale`](crate::pipeline::space::depths::DepthScale)).
 
-use glam::{DMat4, DVec3};
+use glam::DMat4;
 use rayon::prelude::*;
 
+use super::project::clip_from_view;
+use super::transform::view_point;
 use crate::pipeline::mesh::bounds::{Bounds, KnownBounds};
 use crate::pipeline::plan::{Containment, Extent};
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::space::depths::InView;
 use crate::pipeline::space::planes::{ALL_PLANES, PLANES, PlaneSet, distances};
+use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
 use crate::scene::Object;
 
 /// Objects that one task tests.
 const TASK: usize = 256;
 
-/// The extent of each object, in the order of the scene.
-pub(crate) fn extents(scenes: Scenes, projector: &Projector, known: &mut KnownBounds) -> Vec<Extent> {
+/// Compares each object with the volume, in the order of the scene.
+pub(crate) fn cull_objects(scenes: Scenes, projector: &Projector, known: &mut KnownBounds) -> Vec<Extent> {
     let bounded = |object: &Object| (object.world_from_object, known.of(&object.mesh));
     let objects: Vec<(DMat4, Option<Bounds>)> = scenes.objects().map(bounded).collect();
     known.forget_gone(objects.len());
@@ -45,13 +55,13 @@ pub(crate) fn containment(projector: &Projector, view_from_object: &ViewFromObje
     let widened = |range: (f64, f64), by: f64| (range.0.min(by), range.1.max(by));
     let (mut range, mut depths) = ([nothing; PLANES], nothing);
     for corner in corners {
-        let p = projector.clip(view_from_object.point(corner));
+        let p = clip_from_view(projector, view_point(view_from_object, ObjectPoint(corner)));
         depths = widened(depths, p.depth);
         for (range, d) in range.iter_mut().zip(distances(projector, p)) {
             *range = widened(*range, d);
         }
     }
-    let middle = projector.clip(view_from_object.point(bounds.aabb.center()));
+    let middle = clip_from_view(projector, view_point(view_from_object, ObjectPoint(bounds.aabb.center())));
     let across = bounds.radius * view_from_object.slope(projector.gradient(4));
     let depths = (depths.0.max(middle.depth - across), depths.1.min(middle.depth + across));
     let middle = distances(projector, middle);
@@ -80,25 +90,6 @@ fn slack(projector: &Projector, margin: f64, reach: f64) -> [f64; 3] {
     ]
 }
 
-/// Twice the area of a triangle on the image, positive where its corners run counter-clockwise as they are seen (y is
-/// down).
-///
-/// Exact: corners on the grid of subpixels have few enough digits for every product and sum. So neighbours agree on
-/// which side of a silhouette they lie, and a closed mesh shows no holes.
-#[inline(always)]
-pub(crate) fn area_on_image(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f64 {
-    let edge = |p: [f32; 3]| [f64::from(p[0]) - f64::from(a[0]), f64::from(p[1]) - f64::from(a[1])];
-    let (e1, e2) = (edge(b), edge(c));
-    e1[1] * e2[0] - e1[0] * e2[1]
-}
-
-/// The same sign for a triangle that is still to be clipped: positive where the eye is on the outer side of its plane.
-/// Differences are taken before products, so that thin triangles far away keep their sign.
-pub(crate) fn facing(projector: &Projector, [a, b, c]: [DVec3; 3]) -> f64 {
-    let normal = (b - a).cross(c - a);
-    if projector.perspective { -normal.dot(a) } else { normal.z }
-}
-
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "tests")]
@@ -106,7 +97,7 @@ mod tests {
     use super::*;
     use crate::camera::{Camera, Parameters, Projection, ViewWindow};
     use crate::geometry::Aabb;
-    use glam::DQuat;
+    use glam::{DQuat, DVec3};
 
     /// Looks down −z.
     fn eye(position: DVec3, projection: Projection, window: ViewWindow, [near, far]: [f64; 2]) -> Projector {

@@ -1,13 +1,24 @@
-//! Which face is in front: left to a depth buffer, or to the order in which faces are painted.
+//! **Hidden surfaces**, for an output without a depth buffer: the order in which faces are painted.
+//!
+//! *Notes*: `[3]` §1.1 step 8; `[2]`, *Modelo do Pintor* and z-buffer. *Textbook*: a depth for each pixel, in the
+//! rasterizer, or the painter's algorithm: faces sorted by the depth of their centroids, which fails if they interlock.
+//! *Here*: pixels have their depth buffer in [`raster`](crate::raster), and this function hands the surfaces on as they
+//! are. Vectors have no pixels, so their faces are sorted by a tree of planes and split where they cross
+//! ([`bsp`](crate::pipeline::order::bsp)). That is exact, but may make too many pieces; then a depth buffer has to
+//! decide after all, and the frame says so. The painter is there to be seen failing.
 
-use super::vertices::Screen;
+use super::divide::divide;
+use super::project::clip_from_view;
+use super::viewport::{snap, viewport};
 use crate::appearance::Visibility;
 use crate::drawing::Surface;
 use crate::pipeline::budget::OverBudget;
 use crate::pipeline::order::bsp::{self, TooManyPieces};
 use crate::pipeline::order::painter;
 use crate::pipeline::order::pieces::Layer;
+use crate::pipeline::space::point::ViewPoint;
 use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::screen::Screen;
 use crate::progress::Progress;
 use crate::scene::Object;
 
@@ -37,30 +48,37 @@ impl<'a> Unordered<'a> {
         self.layers.push(layer);
         self.of_object.push(object);
     }
+}
 
-    /// Puts the faces in order, from back to front, where no depth buffer decides.
-    pub(crate) fn ordered(
-        self,
-        order: Visibility,
-        (projector, screen): (&Projector, &Screen),
-        max_pieces: usize,
-        progress: &Progress,
-    ) -> Ordered {
-        let faces = self.layers.iter().map(|layer| layer.surface.triangles.len()).sum();
-        let sorted = match order {
-            Visibility::DepthBuffer => return Ordered { surfaces: self.surfaces, ..Ordered::default() },
-            Visibility::Bsp => bsp::by_splitting(&self.layers, projector, screen, max_pieces, progress),
-            Visibility::Painter => Ok(painter::by_centroid(&self.layers, projector, screen)),
-        };
-        match sorted {
-            Ok((surfaces, pieces)) => Ordered { surfaces, pieces: Some((faces, pieces)), given_up: None },
-            Err(TooManyPieces { pieces, of_layer }) => {
-                let names = self.of_object.iter().map(|object| object.name.as_str());
-                let over_budget = OverBudget::pieces(names.zip(of_layer));
-                let tested = |layer: Layer| Surface { depth_test: true, ..layer.surface };
-                let surfaces = self.layers.into_iter().map(tested).collect();
-                Ordered { surfaces, pieces: None, given_up: Some((pieces, over_budget)) }
-            }
+/// Puts the faces in order, from back to front, unless a depth buffer decides.
+pub(crate) fn hidden_surfaces(
+    unordered: Unordered,
+    order: Visibility,
+    (projector, screen): (&Projector, &Screen),
+    max_pieces: usize,
+    progress: &Progress,
+) -> Ordered {
+    let Unordered { surfaces, layers, of_object } = unordered;
+    let faces = layers.iter().map(|layer| layer.surface.triangles.len()).sum();
+    // Corners that splitting makes go the way of all vertices.
+    let depths = &projector.depths;
+    let image = |p: ViewPoint| {
+        let corner = snap(viewport(screen, divide(depths, clip_from_view(projector, p))));
+        (corner, depths.relative_inverse_w(-p.0.z))
+    };
+    let sorted = match order {
+        Visibility::DepthBuffer => return Ordered { surfaces, ..Ordered::default() },
+        Visibility::Bsp => bsp::by_splitting(&layers, projector, &image, max_pieces, progress),
+        Visibility::Painter => Ok(painter::by_centroid(&layers, &image)),
+    };
+    match sorted {
+        Ok((surfaces, pieces)) => Ordered { surfaces, pieces: Some((faces, pieces)), given_up: None },
+        Err(TooManyPieces { pieces, of_layer }) => {
+            let names = of_object.iter().map(|object| object.name.as_str());
+            let over_budget = OverBudget::pieces(names.zip(of_layer));
+            let tested = |layer: Layer| Surface { depth_test: true, ..layer.surface };
+            let surfaces = layers.into_iter().map(tested).collect();
+            Ordered { surfaces, pieces: None, given_up: Some((pieces, over_budget)) }
         }
     }
 }

@@ -1,8 +1,16 @@
-//! Surfaces of the drawing from the faces that are left: own colours, or light on faces, vertices or (later) pixels.
+//! **Light**: the reflection model on the faces that are left, and their surfaces in the drawing.
+//!
+//! *Notes*: `[3]` §1.1 step 2; `[2]` on flat, Gouraud and Phong shading. *Textbook*: second in the list, right after the
+//! walk through the scene: every face or vertex of every object is lit before anything is dropped. *Here*: last of the
+//! stages of an object, because light costs most and half of all faces were dropped meanwhile. The formula is in
+//! [`reflection`](super::reflection), for eight points at a time; this file decides which points those are
+//! ([`LitAt`]): one for each face (flat), the vertices of the remaining faces (Gouraud), or none, if the pixels are lit
+//! by the rasterizer (Phong), which then needs normals and positions. Light stays apart from the colours under a
+//! texture, and if a shadow may take some of it away; elsewhere it's multiplied in.
 
 use glam::{DMat4, DVec3};
 
-use super::cull_faces::Faces;
+use super::faces::Faces;
 use super::pool::Pool;
 use super::reflection::{Lights, ObjectLight};
 use super::shadow_maps::{SeenByLight, ShadowLight};
@@ -12,8 +20,9 @@ use crate::drawing::{Base, PixelLight, Shadow, Surface, SurfaceLight, TakenLight
 use crate::pipeline::mesh::chunks::each_chunk;
 use crate::pipeline::mesh::resample::{VertexOrigin, base_of, color_at, face_color, found_light, object_paint};
 use crate::pipeline::order::pieces::Layer;
-use crate::pipeline::plan::{LitAt, ObjectPlan};
-use crate::scene::{FoundLight, Object, ObjectPaint, Pictured};
+use crate::pipeline::plan::LitAt;
+use crate::pipeline::space::point::{ObjectPoint, ViewPoint};
+use crate::scene::{Object, ObjectPaint, Pictured};
 
 /// The base colour of light that is kept apart from the colours.
 pub(crate) const WHITE: Rgba = Rgba::rgb(255, 255, 255);
@@ -35,83 +44,82 @@ pub(crate) struct Shaded<'a> {
     pub(crate) depth_test: bool,
 }
 
+/// Lights the faces of an object and makes their surface; takes the arrays of `faces`. `None` if no face is left.
+pub(crate) fn light(shaded: &Shaded, faces: &mut Faces, pool: &mut Pool) -> Option<Surface> {
+    if faces.triangles.is_empty() {
+        return None;
+    }
+    let light = ObjectLight::new(shaded.lights, &shaded.object.mesh, shaded.vertices, shaded.both_sides);
+    let shadows: Vec<Shadow> = shaded.shadows.iter().filter_map(|shadow| shaded.shadow(shadow, faces, pool)).collect();
+    let (base, light) = match (shaded.lit, &shaded.object.paint) {
+        (LitAt::Nowhere, _) => shaded.own_base(faces, pool),
+        (LitAt::Pixels, _) => (shaded.own_base(faces, pool).0, shaded.per_pixel(faces, &light, pool)),
+        (LitAt::Faces, _) if shaded.keeps_light_apart() => shaded.light_apart_at_faces(faces, &light, &shadows, pool),
+        (LitAt::Faces, _) => (shaded.lit_faces(faces, &light, pool.colors()), SurfaceLight::InBase),
+        (LitAt::Vertices, _) if shaded.keeps_light_apart() => {
+            shaded.light_apart_at_vertices(faces, &light, &shadows, pool)
+        }
+        (LitAt::Vertices, ObjectPaint::Faces(colors)) => return Some(shaded.unshared(faces, &light, colors)),
+        (LitAt::Vertices, _) => (shaded.lit_vertices(faces, &light, pool), SurfaceLight::InBase),
+    };
+    shaded.bend(faces);
+    Some(Surface {
+        shadows,
+        positions: std::mem::take(&mut faces.image.positions),
+        inverse_w: std::mem::take(&mut faces.image.inverse_w),
+        triangles: std::mem::take(&mut faces.triangles),
+        ..shaded.bare(base, light)
+    })
+}
+
 impl Shaded<'_> {
-    /// True where a value is interpolated over the faces, so that 1/w is needed.
-    pub(crate) fn interpolates(object: &Object, plan: &ObjectPlan) -> bool {
-        match plan.lit {
-            _ if plan.shadowed => true,
-            LitAt::Vertices | LitAt::Pixels => true,
-            LitAt::Faces => matches!(object.paint, ObjectPaint::Texture(_)),
-            LitAt::Nowhere => matches!(object.paint, ObjectPaint::Vertices(_) | ObjectPaint::Texture(_)),
-        }
-    }
-
-    /// True where the triangles of the mesh have colours, their own or those of their light, so that each face that is
-    /// left must know which one it was.
-    pub(crate) fn colors_faces(object: &Object, plan: &ObjectPlan) -> bool {
-        // A shadow knows the plane of each face.
-        let found = object.in_world.as_ref().map(|in_world| &in_world.light);
-        plan.shadowed
-            || plan.lit == LitAt::Faces
-            || matches!(object.paint, ObjectPaint::Faces(_))
-            || matches!(found, Some(FoundLight::Faces(_)))
-    }
-
-    /// The surface of the object; takes the faces' arrays. `None` where it has no faces left.
-    pub(crate) fn surface(&self, faces: &mut Faces, pool: &mut Pool) -> Option<Surface> {
-        if faces.triangles.is_empty() {
-            return None;
-        }
-        let light = ObjectLight::new(self.lights, &self.object.mesh, self.vertices, self.both_sides);
-        let shadows: Vec<Shadow> = self.shadows.iter().filter_map(|shadow| self.shadow(shadow, faces, pool)).collect();
-        let (base, light) = match (self.lit, &self.object.paint) {
-            (LitAt::Nowhere, _) => self.own_base(faces, pool),
-            (LitAt::Faces, paint) if self.keeps_light_apart() => {
-                let base = match paint {
-                    ObjectPaint::Vertices(_) => self.face_colors(faces),
-                    _ => self.own_base(faces, pool).0,
-                };
-                let shares = match self.of_only_lamp(&shadows) {
-                    Some(TakenLight::Faces(taken)) => with_ambient(pool.shares(), taken, &light),
-                    _ => self.face_shares(faces, &light, pool.shares()),
-                };
-                (base, SurfaceLight::Faces(shares))
-            }
-            (LitAt::Vertices, _) if self.keeps_light_apart() => {
-                let base = self.own_base(faces, pool).0;
-                let shares = match self.of_only_lamp(&shadows) {
-                    Some(TakenLight::Vertices(taken)) => {
-                        let own = taken.get(..self.vertices.len()).unwrap_or_default();
-                        Self::at_cuts(faces, with_ambient(pool.shares(), own, &light))
-                    }
-                    _ => Self::vertex_shares(faces, &light, pool.shares()),
-                };
-                (base, SurfaceLight::Vertices(shares))
-            }
-            (LitAt::Faces, _) => (self.lit_faces(faces, &light, pool.colors()), SurfaceLight::InBase),
-            (LitAt::Vertices, ObjectPaint::Faces(colors)) => return Some(self.unshared(faces, &light, colors)),
-            (LitAt::Vertices, _) => (self.lit_vertices(faces, &light, pool), SurfaceLight::InBase),
-            (LitAt::Pixels, _) => (self.own_base(faces, pool).0, self.per_pixel(faces, &light, pool)),
+    /// The colours of faces, and next to them the light on each face.
+    fn light_apart_at_faces(
+        &self,
+        faces: &Faces,
+        light: &ObjectLight,
+        shadows: &[Shadow],
+        pool: &mut Pool,
+    ) -> (Base, SurfaceLight) {
+        let base = match &self.object.paint {
+            ObjectPaint::Vertices(_) => self.face_colors(faces),
+            _ => self.own_base(faces, pool).0,
         };
-        self.bend(faces);
-        Some(Surface {
-            shadows,
-            positions: std::mem::take(&mut faces.image.positions),
-            inverse_w: std::mem::take(&mut faces.image.inverse_w),
-            triangles: std::mem::take(&mut faces.triangles),
-            ..self.bare(base, light)
-        })
+        let shares = match self.of_only_lamp(shadows) {
+            Some(TakenLight::Faces(taken)) => with_ambient(pool.shares(), taken, light),
+            _ => self.face_shares(faces, light, pool.shares()),
+        };
+        (base, SurfaceLight::Faces(shares))
+    }
+
+    /// The colours of vertices, and next to them the light on each vertex.
+    fn light_apart_at_vertices(
+        &self,
+        faces: &Faces,
+        light: &ObjectLight,
+        shadows: &[Shadow],
+        pool: &mut Pool,
+    ) -> (Base, SurfaceLight) {
+        let base = self.own_base(faces, pool).0;
+        let shares = match self.of_only_lamp(shadows) {
+            Some(TakenLight::Vertices(taken)) => {
+                let own = taken.get(..self.vertices.len()).unwrap_or_default();
+                Self::at_cuts(faces, with_ambient(pool.shares(), own, light))
+            }
+            _ => Self::vertex_shares(faces, light, pool.shares()),
+        };
+        (base, SurfaceLight::Vertices(shares))
     }
 
     /// The surface, with the data for sorting its faces.
     pub(crate) fn layer(&self, faces: &mut Faces, pool: &mut Pool, never_hides_itself: bool) -> Option<Layer> {
-        let own = (0..self.vertex_count()).map(|i| self.vertices.view(i));
-        let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view(i)));
+        let own = (0..self.vertex_count()).map(|i| self.vertices.view(i).0);
+        let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view(i).0));
         let mut view: Vec<DVec3> = own.chain(cuts).collect();
         if self.shares_no_vertex() {
             view = faces.triangles.iter().flatten().map(|&i| view[i as usize]).collect();
         }
-        Some(Layer { surface: self.surface(faces, pool)?, view, never_hides_itself })
+        Some(Layer { surface: light(self, faces, pool)?, view, never_hides_itself })
     }
 
     /// True where [`unshared`](Self::unshared) makes the surface.
@@ -231,7 +239,7 @@ impl Shaded<'_> {
             None => None,
         };
         let seen: SeenByLight = shadow.sees(world_from_object);
-        let place = |i: u32| seen.place(positions[i as usize]);
+        let place = |i: u32| seen.place(ObjectPoint(positions[i as usize]));
         let mut places = pool.vectors.pop().unwrap_or_default();
         // Six faces share a vertex: its exact place, which their planes are made of, is found once.
         let mut exact = std::mem::take(&mut pool.exact);
@@ -304,7 +312,7 @@ impl Shaded<'_> {
         self.at_vertices(&mut positions, |i| self.lights.position(view(i)));
         for cut in &faces.cuts {
             normals.push(cut.of(normal).as_vec3().to_array());
-            positions.push(self.lights.position(cut.of(view)));
+            positions.push(self.lights.position(ViewPoint(cut.of(|i| view(i).0))));
         }
         SurfaceLight::PerPixel(PixelLight { normals, positions, lighting: light.lighting.clone() })
     }

@@ -1,4 +1,12 @@
-//! Edges and lines → strokes: clipped, projected, grouped by style.
+//! **Lines**: edges, outlines, lines, marks and texts over the finished surfaces.
+//!
+//! *Notes*: `[3]` §1.2 has the wireframe model as one way of showing an object; lines, marks and texts of the world are
+//! ours. *Textbook*: clip each segment (Cohen and Sutherland), project its ends, draw it pixel by pixel (Bresenham).
+//! *Here*: clipped by the clipper of the faces, in homogeneous coordinates too, and projected like every vertex, but
+//! not onto the grid of the image: a stroke has a width of its own and no neighbour to agree with. The vertices of a
+//! mesh are projected once for all its edges. Strokes of one style are collected in one set, and whether a face hides
+//! a part of them is decided pixel by pixel, or exactly for vectors
+//! ([`stroke_runs`](crate::pipeline::stroke_runs)).
 
 use std::ops::Range;
 
@@ -6,8 +14,11 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::clip::Clipper;
+use super::divide::divide;
 use super::pool::{Pool, StrokePool};
-use super::vertices::{Screen, Vertices, off_grid};
+use super::project::{clip_from_view, clip_from_world};
+use super::vertices::Vertices;
+use super::viewport::{unsnapped, viewport};
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Anchor, Label, Mark, StrokeSet};
 use crate::pipeline::Target;
@@ -16,12 +27,14 @@ use crate::pipeline::mesh::outline::outline;
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::space::depths::InView;
 use crate::pipeline::space::planes::{NOT_A_NUMBER, outcode};
-use crate::pipeline::space::projector::{ClipPoint, Projector};
+use crate::pipeline::space::point::{ClipPoint, ViewPoint, WorldPoint};
+use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::screen::Screen;
 use crate::scene::{Object, ObjectPaint};
 
 /// Between which distances lines, marks and texts of the scene are in the volume.
 pub(crate) fn in_view(scenes: Scenes, projector: &Projector) -> InView {
-    let clip = |p: DVec3| projector.clip(projector.view(p));
+    let clip = |p: DVec3| clip_from_world(projector, WorldPoint(p));
     let mut clipper = Clipper::default();
     let segments = scenes.lines().flat_map(|line| line.points.windows(2));
     let lines = segments
@@ -32,7 +45,18 @@ pub(crate) fn in_view(scenes: Scenes, projector: &Projector) -> InView {
     lines.chain(points).fold(InView::NOTHING, |all, depth| all.and(InView::between(depth, depth)))
 }
 
-/// Collects strokes. Those that follow each other in the same style become one set; the order of styles is that of the
+/// Draws the edges and the outline of an object. Returns the number of points transformed for them.
+pub(crate) fn object_lines(strokes: &mut Strokes, object: &Object, vertices: &Vertices, style: &Style) -> usize {
+    strokes.edges(object, vertices, style) + strokes.outline(object, vertices, style)
+}
+
+/// Draws the lines of the world. Returns the marks and the texts that are in view.
+pub(crate) fn lines(strokes: &mut Strokes, scenes: Scenes, style: &Style) -> (Vec<Mark>, Vec<Label>) {
+    strokes.lines(scenes, style);
+    (strokes.marks(scenes), strokes.labels(scenes))
+}
+
+/// Collects strokes. Strokes that follow each other in the same style become one set; the order of styles is that of the
 /// lines.
 pub(crate) struct Strokes<'a> {
     projector: &'a Projector,
@@ -71,9 +95,9 @@ impl<'a> Strokes<'a> {
 
     /// A polyline through points of view space, `scale` pixels for one unit of its style. Where it leaves the volume it
     /// ends, and where it comes back another begins; an arrow head stays only at the true end.
-    fn polyline(&mut self, points: impl IntoIterator<Item = DVec3>, style: LineStyle, scale: f32) {
+    fn polyline(&mut self, points: impl IntoIterator<Item = ViewPoint>, style: LineStyle, scale: f32) {
         let style = LineStyle { width: style.width * scale, ..style };
-        let mut points = points.into_iter().map(|p| self.projector.clip(p)).peekable();
+        let mut points = points.into_iter().map(|p| clip_from_view(self.projector, p)).peekable();
         let Some(mut from) = points.next() else { return };
         let mut run: Vec<[f32; 3]> = Vec::new();
         let projector = self.projector;
@@ -95,9 +119,9 @@ impl<'a> Strokes<'a> {
         self.flush(&mut run, style, false);
     }
 
-    /// The edges of an object. Gives how many points were transformed: each vertex once, where edges share them, and
+    /// The edges of an object. Returns the number of points transformed: each vertex once, where edges share them, and
     /// the ends of those that cross a plane once more.
-    pub(crate) fn edges(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
+    fn edges(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
         let Some(line_style) = edge_style(object, style, self.background) else {
             return 0;
         };
@@ -157,8 +181,8 @@ impl<'a> Strokes<'a> {
             }
         };
         if edges.len() > 2 * CHUNK {
-            let stretches = points.par_chunks_mut(2 * CHUNK).zip(polylines.par_chunks_mut(CHUNK));
-            edges.par_chunks(CHUNK).zip(stretches).enumerate().for_each(|(k, (edges, (points, polylines)))| {
+            let chunks = points.par_chunks_mut(2 * CHUNK).zip(polylines.par_chunks_mut(CHUNK));
+            edges.par_chunks(CHUNK).zip(chunks).enumerate().for_each(|(k, (edges, (points, polylines)))| {
                 fill(first_point + 2 * CHUNK * k, edges, points, polylines);
             });
         } else {
@@ -166,8 +190,8 @@ impl<'a> Strokes<'a> {
         }
     }
 
-    /// The outline of an object: silhouette and creases. Gives how many points were transformed.
-    pub(crate) fn outline(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
+    /// The outline of an object: silhouette and creases. Returns the number of points transformed.
+    fn outline(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
         let Some(line_style) = object.outline.filter(|_| style.shading != Shading::Wireframe) else { return 0 };
         let line_style = line_style.in_style(style);
         let polylines = outline(&object.mesh, vertices.view_from_object.seen_from());
@@ -179,12 +203,16 @@ impl<'a> Strokes<'a> {
     }
 
     /// The lines of the world.
-    pub(crate) fn lines(&mut self, scenes: Scenes, style: &Style) {
+    fn lines(&mut self, scenes: Scenes, style: &Style) {
         let projector = self.projector;
         self.asked += scenes.line_count();
         for (i, line) in scenes.lines().enumerate() {
             let scale = if i < scenes.own_line_count() { self.fine } else { self.scale };
-            self.polyline(line.points.iter().map(|&p| projector.view(p)), line.style.in_style(style), scale);
+            self.polyline(
+                line.points.iter().map(|&p| projector.view(WorldPoint(p))),
+                line.style.in_style(style),
+                scale,
+            );
         }
     }
 
@@ -194,14 +222,14 @@ impl<'a> Strokes<'a> {
     }
 
     /// The marks inside the volume.
-    pub(crate) fn marks(&self, scenes: Scenes, background: Rgba) -> Vec<Mark> {
+    fn marks(&self, scenes: Scenes) -> Vec<Mark> {
         let marks = scenes.marks().filter_map(|mark| {
             Some(Mark {
                 position: self.inside(mark.position)?,
                 shape: mark.shape,
                 radius: mark.radius * self.fine,
                 color: mark.color,
-                outline: background,
+                outline: self.background,
                 fade_if_hidden: mark.fade_if_hidden,
             })
         });
@@ -209,7 +237,7 @@ impl<'a> Strokes<'a> {
     }
 
     /// The texts whose point is inside the volume.
-    pub(crate) fn labels(&self, scenes: Scenes, background: Rgba) -> Vec<Label> {
+    fn labels(&self, scenes: Scenes) -> Vec<Label> {
         let labels = scenes.texts().filter_map(|text| {
             Some(Label {
                 name: text.name.clone(),
@@ -219,7 +247,7 @@ impl<'a> Strokes<'a> {
                 text: text.text.clone(),
                 size: text.size * self.scale,
                 color: text.color,
-                halo: background,
+                halo: self.background,
                 anchor: Anchor::Left,
                 fade_if_hidden: text.fade_if_hidden,
             })
@@ -227,14 +255,14 @@ impl<'a> Strokes<'a> {
         labels.collect()
     }
 
-    /// A world point on the image; `None` where it is outside the volume.
+    /// A world point on the image; `None` if it's outside the volume.
     fn inside(&self, p_world: DVec3) -> Option<[f32; 3]> {
-        let p = self.projector.clip(self.projector.view(p_world));
+        let p = clip_from_world(self.projector, WorldPoint(p_world));
         (outcode(self.projector, p) == 0).then(|| self.point(p))
     }
 
     fn point(&self, p: ClipPoint) -> [f32; 3] {
-        off_grid(self.screen.project(self.projector, p))
+        unsnapped(viewport(self.screen, divide(&self.projector.depths, p)))
     }
 
     /// Ends a run; `whole_end` says that its last point is the last of the line.
@@ -276,7 +304,7 @@ impl<'a> Strokes<'a> {
 }
 
 /// The style of the edges of `object`: its own, and in wireframe always one in the object's own colour, made legible
-/// where it is too near the background of the picture.
+/// if it's too near the background of the picture.
 fn edge_style(object: &Object, style: &Style, background: Rgba) -> Option<LineStyle> {
     let edges = object.edges.map(|edges| edges.in_style(style));
     if style.shading != Shading::Wireframe {

@@ -7,7 +7,7 @@ use glam::DVec3;
 use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, Drawing, SurfaceLight, TakenLight};
 
-use super::cull_faces::Faces;
+use super::faces::Faces;
 use super::vertices::OnImage;
 
 /// Points, and polylines.

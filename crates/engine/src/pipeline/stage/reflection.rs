@@ -1,15 +1,19 @@
-//! Light on faces and vertices, by the one formula of [`lighting`](crate::lighting).
+//! The reflection model on faces and vertices, eight at a time, by the one formula of [`lighting`](crate::lighting),
+//! which lights pixels too.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DMat3, DVec3};
 
+use super::faces::LANES;
+use super::normals::{Rows, eight, normals, product, rows, unit_normal};
 use super::vertices::Vertices;
 use crate::appearance::{LightShare, Rgba, Shading};
 use crate::drawing::{Lighting, ViewLight, single};
 use crate::geometry::try_unit;
-use crate::lighting::{Eight, light_eight, packed, shade, unpacked, with_light};
+use crate::lighting::{light_eight, packed, shade, unpacked, with_light};
 use crate::pipeline::mesh::chunks::each_chunk;
+use crate::pipeline::space::point::{ObjectPoint, ViewPoint, WorldPoint};
 use crate::pipeline::space::projector::Projector;
 use crate::scene::{Light, LightKind, Mesh};
 use crate::simd::prelude::*;
@@ -43,7 +47,9 @@ impl Lights {
                 let to_light = try_unit(-projector.view_vector(try_unit(light.vector)?))?;
                 Some(ViewLight::directional(to_light.as_vec3().to_array()))
             }
-            LightKind::Point => Some(ViewLight::point((projector.view(light.vector) * scale).as_vec3().to_array())),
+            LightKind::Point => {
+                Some(ViewLight::point((projector.view(WorldPoint(light.vector)).0 * scale).as_vec3().to_array()))
+            }
         };
         let shiny = matches!(shading, Shading::Gouraud | Shading::Phong);
         let lighting = Lighting {
@@ -82,8 +88,8 @@ impl Lights {
     }
 
     /// A view point in the unit of the lights.
-    pub(crate) fn position(&self, p_view: DVec3) -> [f32; 3] {
-        (p_view * self.scale).as_vec3().to_array()
+    pub(crate) fn position(&self, p: ViewPoint) -> [f32; 3] {
+        (p.0 * self.scale).as_vec3().to_array()
     }
 }
 
@@ -95,16 +101,12 @@ pub(crate) struct ObjectLight<'a> {
     /// Takes normals to view space, and makes them of any length.
     normal_matrix: Rows,
     exact_normal_matrix: DMat3,
-    /// Takes `ViewFromObject::offset`, times `offset_unit`, to view space in the unit of the lights.
+    /// Takes `ViewFromObject::from_eye`, times `offset_unit`, to view space in the unit of the lights.
     position_matrix: Rows,
     /// A power of two that keeps offsets in the range of single precision.
     offset_unit: f64,
     needs_positions: bool,
 }
-
-/// Points that are lit together.
-pub(crate) const LANES: usize = 8;
-type Rows = [[f32; 3]; 3];
 
 /// Points of a surface that are to be lit, coordinate by coordinate.
 #[derive(Clone, Copy, Default)]
@@ -124,7 +126,7 @@ impl<'a> ObjectLight<'a> {
         let needs_positions = lighting.needs_positions();
         let of_normals = vertices.view_from_object.normal_matrix();
         let of_normals = of_normals * power_of_two_below_inverse(largest(of_normals));
-        let of_offsets = vertices.view_from_object.of_offsets() * lights.scale;
+        let of_offsets = vertices.view_from_object.linear * lights.scale;
         let offset_unit = 1.0 / power_of_two_below_inverse(largest(of_offsets));
         Self {
             lighting,
@@ -194,15 +196,12 @@ impl<'a> ObjectLight<'a> {
 
     /// The unit normal of a vertex in view space; zero where there is none.
     pub(crate) fn unit_normal(&self, i: u32) -> DVec3 {
-        /// Squares of shorter vectors are too small, and of longer ones too large.
-        const SAFE: std::ops::Range<f64> = 1e-200..1e200;
-        let normal = self.exact_normal_matrix * self.mesh.normals.get(i as usize).copied().unwrap_or_default();
-        let square = normal.length_squared();
-        if SAFE.contains(&square) { normal / square.sqrt() } else { try_unit(normal).unwrap_or_default() }
+        let normal = self.mesh.normals.get(i as usize).copied().unwrap_or_default();
+        unit_normal(self.exact_normal_matrix, normal)
     }
 
     fn offset(&self, p_object: DVec3) -> DVec3 {
-        self.vertices.view_from_object.offset(p_object) * self.offset_unit
+        self.vertices.view_from_object.from_eye(ObjectPoint(p_object)).0 * self.offset_unit
     }
 
     /// Normals of some vertices, and their offsets where these matter.
@@ -244,8 +243,8 @@ impl<'a> ObjectLight<'a> {
         let mut some = Points::default();
         for (k, lit) in colors.chunks_mut(LANES).enumerate() {
             if points(first + k * LANES, lit.len(), &mut some) {
-                let normals = times(&self.normal_matrix, eight(simd, some.normals));
-                let positions = times(&self.position_matrix, eight(simd, some.offsets));
+                let normals = normals(simd, &self.normal_matrix, some.normals);
+                let positions = product(&self.position_matrix, eight(simd, some.offsets));
                 let shares = light_eight(simd, &self.lighting, normals, positions, |_, _| None);
                 L::store(simd, shares, &some.colors, lit);
             } else {
@@ -257,7 +256,7 @@ impl<'a> ObjectLight<'a> {
 
 /// The result of light on a point.
 pub(crate) trait OfLight: Copy + Send + Sync {
-    /// Of a point that nobody asks for.
+    /// Placeholder for vertices that no visible face uses.
     const UNLIT: Self;
 
     /// The results for up to eight points, from the light on them and from their packed colours.
@@ -298,25 +297,6 @@ impl Points {
     fn set_offset(&mut self, l: usize, d: DVec3) {
         [self.offsets[0][l], self.offsets[1][l], self.offsets[2][l]] = [single(d.x), single(d.y), single(d.z)];
     }
-}
-
-#[inline(always)]
-fn eight<S: Simd>(simd: S, v: [[f32; LANES]; 3]) -> Eight<S> {
-    [f32x8::simd_from(simd, v[0]), f32x8::simd_from(simd, v[1]), f32x8::simd_from(simd, v[2])]
-}
-
-#[inline(always)]
-fn times<S: Simd>(m: &Rows, v: Eight<S>) -> Eight<S> {
-    [row_times(m[0], v), row_times(m[1], v), row_times(m[2], v)]
-}
-
-#[inline(always)]
-fn row_times<S: Simd>(row: [f32; 3], v: Eight<S>) -> f32x8<S> {
-    v[0] * row[0] + v[1] * row[1] + v[2] * row[2]
-}
-
-fn rows(m: DMat3) -> Rows {
-    m.transpose().as_mat3().to_cols_array_2d()
 }
 
 fn largest(m: DMat3) -> f64 {

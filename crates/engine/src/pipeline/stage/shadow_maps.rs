@@ -8,12 +8,15 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use glam::{DMat4, DVec3};
 
+use super::project::clip_from_view;
+use super::transform::view_point;
 use crate::appearance::Rgba;
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::drawing::{Rays, ShadowMap, single};
 use crate::geometry::try_unit;
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::seen_by_light;
+use crate::pipeline::space::point::ObjectPoint;
 use crate::pipeline::space::projector::{Projector, ViewFromObject};
 use crate::scene::{Light, LightKind, Mesh, Object, ObjectPaint, Scene, SceneRevision, Shadows};
 
@@ -310,12 +313,12 @@ impl ShadowLight {
 
 impl SeenByLight<'_> {
     /// The place of a point of the object, as [`Rays`] has it.
-    pub(crate) fn place(&self, p_object: DVec3) -> DVec3 {
-        let (projector, p_view) = (&self.light.projector, self.view_from_object.point(p_object));
+    pub(crate) fn place(&self, p: ObjectPoint) -> DVec3 {
+        let (projector, p_view) = (&self.light.projector, view_point(&self.view_from_object, p));
         if projector.perspective {
-            return p_view / projector.far;
+            return p_view.0 / projector.far;
         }
-        let p = projector.clip(p_view);
+        let p = clip_from_view(projector, p_view);
         let half = 0.5 * f64::from(self.light.map.size);
         DVec3::new((1.0 + p.x) * half, (1.0 - p.y) * half, projector.depths.depth(p.depth))
     }
