@@ -10,9 +10,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::mesh::Mesh;
 use crate::geometry::{Angle, try_unit};
 use crate::limits::{MAX_MERIDIANS, MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::scene::mesh::Mesh;
 
 /// Half axes of the shape `ellipsoid`.
 pub const ELLIPSOID_HALF_AXES: DVec3 = DVec3::new(1.0, 2.0 / 3.0, 0.5);

@@ -1,9 +1,9 @@
 //! Faults of a mesh file.
 
-use super::ReadError;
-use super::TextureError;
 use super::soup::TooLarge;
 use crate::limits::MAX_OBJECTS;
+use crate::scene::ReadError;
+use crate::scene::TextureError;
 
 /// Why a mesh file cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -56,7 +56,7 @@ pub enum MeshError {
 
 impl MeshError {
     /// The text that follows the path of the mesh as it is shown, which is not repeated.
-    pub(super) fn after(&self, path: &str) -> String {
+    pub(crate) fn after(&self, path: &str) -> String {
         match self {
             Self::Unreadable(error) if error.file == path => format!(" {}", error.problem),
             error => format!(": {error}"),

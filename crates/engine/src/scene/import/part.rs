@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use glam::DMat4;
 
-use super::texture::CornerUv;
-use super::{Mesh, MeshNotice};
 use crate::appearance::{Rgba, Sampler, Texture};
+use crate::scene::texture::CornerUv;
+use crate::scene::{Mesh, MeshNotice};
 
 /// A mesh file that has been read.
 #[derive(Clone, Debug, Default, PartialEq)]

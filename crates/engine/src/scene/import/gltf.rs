@@ -17,23 +17,23 @@ use base64::Engine as _;
 use glam::{DMat4, DQuat, DVec3};
 use serde_json::error::Category;
 
-use super::Mesh;
 use super::part::{Imported, Part, PartTexture};
-use super::polygon::Triangulator;
-use super::read_error::Beside;
 use super::soup::Soup;
-use super::texture::{Alpha, CornerUv, Textures};
-use super::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, TextureError};
 use crate::appearance::{Filter, Rgba, Sampler, Texture, Wrap};
 use crate::limits::{MAX_OBJECTS, MAX_SCENE_BYTES, MAX_ZEROS};
 use crate::progress::{Activity, Progress, pause};
 use crate::sanitize::{self, escaped};
+use crate::scene::Mesh;
+use crate::scene::mesh::polygon::Triangulator;
+use crate::scene::read_error::Beside;
+use crate::scene::texture::{Alpha, CornerUv, Textures};
+use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, TextureError};
 
 /// The objects of a glTF or GLB file: one part for each primitive of each node of its scene.
 ///
 /// # Errors
 /// [`MeshError::Json`], [`MeshError::Gltf`] and [`MeshError::Cancelled`].
-pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Imported, MeshError> {
+pub(crate) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Imported, MeshError> {
     progress.begin(Activity::Reading, 0);
     let Gltf { document, blob } = parse(bytes)?;
     let buffers = buffers(&document, blob, read_file)?;

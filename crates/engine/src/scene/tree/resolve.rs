@@ -5,11 +5,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DMat3, DMat4, DVec3};
 
-use super::palette::SceneColors;
-use super::{Light, LightKind, ObjectSpec, SceneError, SceneSpec, Shape, presets};
+use super::presets;
 use crate::appearance::{Rgba, Theme};
 use crate::geometry::{Angle, try_unit};
 use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MAX_SHADOW_TEXELS, MIN_SEGMENTS};
+use crate::scene::palette::SceneColors;
+use crate::scene::{Light, LightKind, ObjectSpec, SceneError, SceneSpec, Shape};
 
 /// Direction of the default light: from above, behind the usual viewer at (3, 4, 5) and a little to his left, so that
 /// the three visible sides of a box differ and none is black.
@@ -30,7 +31,7 @@ pub fn check(spec: &SceneSpec) -> Result<(), SceneError> {
 }
 
 /// The number of segments of an object, where it is allowed.
-pub(super) fn allowed_segments(spec: &ObjectSpec) -> Result<u32, SceneError> {
+pub(crate) fn allowed_segments(spec: &ObjectSpec) -> Result<u32, SceneError> {
     if (MIN_SEGMENTS..=MAX_SEGMENTS).contains(&spec.segments) {
         Ok(spec.segments)
     } else {
@@ -39,17 +40,17 @@ pub(super) fn allowed_segments(spec: &ObjectSpec) -> Result<u32, SceneError> {
 }
 
 /// An object whose ancestors have been found.
-pub(super) struct Placed<'a> {
-    pub(super) spec: &'a ObjectSpec,
-    pub(super) world_from_object: DMat4,
-    pub(super) color: Option<Rgba>,
+pub(crate) struct Placed<'a> {
+    pub(crate) spec: &'a ObjectSpec,
+    pub(crate) world_from_object: DMat4,
+    pub(crate) color: Option<Rgba>,
 }
 
 /// T · R · S of one object.
 ///
 /// # Errors
 /// A value that is not finite, or a scale of 0.
-pub(super) fn parent_from_object(spec: &ObjectSpec) -> Result<DMat4, SceneError> {
+pub(crate) fn parent_from_object(spec: &ObjectSpec) -> Result<DMat4, SceneError> {
     for (key, v) in [("translate", spec.translate), ("rotate", spec.rotate), ("scale", spec.scale)] {
         if !v.is_finite() {
             return Err(SceneError::NotFinite { name: spec.name.clone(), key });
@@ -80,7 +81,7 @@ fn product_of_rotations(degrees: DVec3) -> DMat3 {
 }
 
 /// The index of each object, by its name; the rule that each name is used once.
-pub(super) fn by_name(specs: &[ObjectSpec]) -> Result<BTreeMap<&str, usize>, SceneError> {
+pub(crate) fn by_name(specs: &[ObjectSpec]) -> Result<BTreeMap<&str, usize>, SceneError> {
     let mut by_name = BTreeMap::new();
     for (i, spec) in specs.iter().enumerate() {
         if by_name.insert(spec.name.as_str(), i).is_some() {
@@ -91,7 +92,7 @@ pub(super) fn by_name(specs: &[ObjectSpec]) -> Result<BTreeMap<&str, usize>, Sce
 }
 
 /// Multiplies out the tree of `specs`; parents are looked for among them, then among `others`.
-pub(super) fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Result<Vec<Placed<'a>>, SceneError> {
+pub(crate) fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Result<Vec<Placed<'a>>, SceneError> {
     let by_name = by_name(specs)?;
     let mut done: Vec<Option<(DMat4, Option<Rgba>)>> = vec![None; specs.len()];
     for start in 0..specs.len() {
@@ -138,7 +139,7 @@ pub(super) fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Resul
 }
 
 /// The lights of a scene; the default one where there is none.
-pub(super) fn lights(specs: &[Light]) -> Result<Vec<Light>, SceneError> {
+pub(crate) fn lights(specs: &[Light]) -> Result<Vec<Light>, SceneError> {
     if specs.is_empty() {
         return Ok(vec![Light::directional(DEFAULT_LIGHT)]);
     }

@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
-use super::mesh::{Mesh, index_u32};
-use super::polygon::{self, Triangulator};
-use super::texture::CornerUv;
 use crate::geometry::try_unit;
 use crate::limits::MAX_VERTICES;
+use crate::scene::mesh::polygon::{self, Triangulator};
+use crate::scene::mesh::{Mesh, index_u32};
+use crate::scene::texture::CornerUv;
 
 /// The threshold for missing normals: faces that meet at less than this angle are smoothed together: cos 45°.
 const CREASE: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -20,28 +20,28 @@ const NONE: u32 = u32::MAX;
 
 /// Polygons as a file lists them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Soup {
+pub(crate) struct Soup {
     /// Points.
-    pub(super) positions: Vec<DVec3>,
+    pub(crate) positions: Vec<DVec3>,
     /// The corners of all polygons, one polygon after the other: indices into `positions`, all in range.
-    pub(super) corners: Vec<u32>,
+    pub(crate) corners: Vec<u32>,
     /// The number of corners of each polygon; empty: 3 each.
-    pub(super) arities: Vec<u32>,
+    pub(crate) arities: Vec<u32>,
     /// Normals of any length; empty: to be computed.
-    pub(super) normals: Vec<DVec3>,
+    pub(crate) normals: Vec<DVec3>,
     /// For each corner, its normal: indices into `normals`, all in range. Empty: the same as `corners`.
-    pub(super) corner_normals: Vec<u32>,
+    pub(crate) corner_normals: Vec<u32>,
     /// For each corner, its texture coordinates; empty: there are none.
-    pub(super) corner_uv: Vec<[f32; 2]>,
+    pub(crate) corner_uv: Vec<[f32; 2]>,
 }
 
 /// A soup with more corners than a mesh has indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct TooLarge;
+pub(crate) struct TooLarge;
 
 impl Soup {
     /// Makes points with equal coordinates one: in some formats a point is there once for each of its normals.
-    pub(super) fn weld(&mut self) {
+    pub(crate) fn weld(&mut self) {
         let mut order: Vec<u32> = (0..index_u32(self.positions.len())).collect();
         // + 0.0: −0 and 0 are one place.
         let key = |i: u32| (self.positions[i as usize] + DVec3::ZERO).to_array().map(f64::to_bits);
@@ -67,7 +67,7 @@ impl Soup {
     /// direction.
     ///
     /// With it come the texture coordinates of the corners of each triangle, where there are any.
-    pub(super) fn into_mesh(self, triangulator: &mut Triangulator) -> Result<(Mesh, Vec<CornerUv>), TooLarge> {
+    pub(crate) fn into_mesh(self, triangulator: &mut Triangulator) -> Result<(Mesh, Vec<CornerUv>), TooLarge> {
         if self.corners.len() >= MAX_VERTICES || self.positions.len() >= MAX_VERTICES {
             return Err(TooLarge);
         }
@@ -235,7 +235,7 @@ mod tests {
     use super::*;
 
     fn cube(weld_needed: bool) -> Soup {
-        let mesh = crate::scene::primitives::cube();
+        let mesh = crate::scene::mesh::primitives::cube();
         if weld_needed {
             return Soup { positions: mesh.positions, corners: mesh.triangles.concat(), ..Soup::default() };
         }
@@ -273,7 +273,7 @@ mod tests {
 
     #[test]
     fn smooth_surfaces_share_their_vertices_and_their_normals_are_nearly_the_true_ones() -> Result<(), TooLarge> {
-        let sphere = crate::scene::primitives::sphere(64);
+        let sphere = crate::scene::mesh::primitives::sphere(64);
         let points = sphere.positions.len();
         let (mesh, _) = Soup { positions: sphere.positions, corners: sphere.triangles.concat(), ..Soup::default() }
             .into_mesh(&mut Triangulator::default())?;

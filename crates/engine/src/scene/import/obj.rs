@@ -8,17 +8,17 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use super::mesh::index_u32;
 use super::part::{Imported, Part, PartTexture};
-use super::polygon::Triangulator;
-use super::read_error::Beside;
 use super::soup::Soup;
-use super::texture::{Alpha, Textures};
-use super::{MeshError, MeshNotice, ObjFault};
 use crate::appearance::{Rgba, Sampler, Wrap};
 use crate::limits::MAX_OBJECTS;
 use crate::progress::{Activity, Progress, pause};
 use crate::sanitize::escaped;
+use crate::scene::mesh::index_u32;
+use crate::scene::mesh::polygon::Triangulator;
+use crate::scene::read_error::Beside;
+use crate::scene::texture::{Alpha, Textures};
+use crate::scene::{MeshError, MeshNotice, ObjFault};
 
 /// Bytes read between two checks whether the work was cancelled.
 const STRETCH: usize = 1 << 16;
@@ -28,7 +28,7 @@ const STRETCH: usize = 1 << 16;
 ///
 /// # Errors
 /// [`MeshError::Obj`] with the line, and [`MeshError::Cancelled`].
-pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Imported, MeshError> {
+pub(crate) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Imported, MeshError> {
     let mut file = ObjFile::default();
     let mut lines = Lines { rest: bytes, number: 0 };
     progress.begin(Activity::Reading, bytes.len());

@@ -1,13 +1,20 @@
 //! Mesh files: which reader reads them, and those that have been read.
 
+mod error;
+mod gltf;
+mod obj;
+mod part;
+mod soup;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub use super::part::{Imported, Part, PartTexture};
-use super::texture::{Alpha, Textures, UvMesh};
-use super::{Mesh, MeshError, ReadFile, TextureError, Wanted, gltf, obj};
 use crate::appearance::Texture;
 use crate::progress::{Progress, at_once};
+use crate::scene::texture::{Alpha, Textures, UvMesh};
+use crate::scene::{Mesh, ReadFile, TextureError, Wanted};
+pub use error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
+pub use part::{Imported, Part, PartTexture};
 
 /// Imports the mesh file with this path and these bytes. `read_file` returns the files beside it (MTL, BIN); a material
 /// library that cannot be read is left out, and its materials have no colour then. Pauses after each stretch of the
@@ -47,13 +54,13 @@ fn companion(path: &str, name: &str) -> String {
 pub struct MeshFiles {
     known: BTreeMap<String, Arc<Imported>>,
     /// By the name of the shape and its segments.
-    pub(super) primitives: BTreeMap<(&'static str, u32), Arc<Mesh>>,
+    pub(crate) primitives: BTreeMap<(&'static str, u32), Arc<Mesh>>,
     /// The same with texture coordinates.
-    pub(super) mapped: BTreeMap<(&'static str, u32), UvMesh>,
+    pub(crate) mapped: BTreeMap<(&'static str, u32), UvMesh>,
     /// Parts of mesh files with their texture coordinates, by the file and the place in it.
-    pub(super) textured: BTreeMap<(String, usize), UvMesh>,
+    pub(crate) textured: BTreeMap<(String, usize), UvMesh>,
     /// The pictures that figures name.
-    pub(super) textures: Textures,
+    pub(in crate::scene) textures: Textures,
     progress: Progress,
 }
 
@@ -62,7 +69,7 @@ impl MeshFiles {
     ///
     /// # Errors
     /// [`MeshError`].
-    pub(super) fn get(&mut self, path: &str, read_file: &mut ReadFile<'_>) -> Result<Arc<Imported>, MeshError> {
+    pub(crate) fn get(&mut self, path: &str, read_file: &mut ReadFile<'_>) -> Result<Arc<Imported>, MeshError> {
         if let Some(imported) = self.known.get(path) {
             return Ok(Arc::clone(imported));
         }
@@ -101,7 +108,7 @@ impl MeshFiles {
     }
 
     /// Forgets the files that `is_used` denies.
-    pub(super) fn retain(&mut self, is_used: impl Fn(&str) -> bool) {
+    pub(crate) fn retain(&mut self, is_used: impl Fn(&str) -> bool) {
         self.known.retain(|path, _| is_used(path));
         self.textured.retain(|(path, _), _| is_used(path));
     }

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
 
-use super::marks::{point_mark, point_name};
-use super::palette::{BLUE, NAVY, ORANGE, PURPLE, SKY, SceneColors, TEAL, VERMILION, YELLOW};
-use super::{Line, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, Shape, Text, primitives};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
+use crate::scene::marks::{point_mark, point_name};
+use crate::scene::palette::{BLUE, NAVY, ORANGE, PURPLE, SKY, SceneColors, TEAL, VERMILION, YELLOW};
+use crate::scene::{Line, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, Shape, Text, primitives};
 
 /// A feature of a preset that a list of objects cannot express.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,7 +64,7 @@ pub fn objects(preset: Preset, colors: &SceneColors) -> Vec<ObjectSpec> {
 
 /// Adds the features that objects alone cannot express. `scene` holds the results of [`objects`], in their order, and
 /// nothing else.
-pub(super) fn finish(preset: Preset, colors: &SceneColors, scene: &mut Scene) {
+pub(crate) fn finish(preset: Preset, colors: &SceneColors, scene: &mut Scene) {
     match preset {
         Preset::Cube => number_the_faces(scene, colors),
         Preset::Corridor => scene.objects.insert(0, tiled_floor(colors)),

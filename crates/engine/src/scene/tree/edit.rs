@@ -7,11 +7,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DMat3, DMat4, DVec3, EulerRot};
 
-use super::SceneError;
-use super::palette::SceneColors;
+use super::presets;
 use super::resolve::{by_name, parent_from_object, place};
-use super::{ObjectSpec, Preset, SceneSpec, presets};
 use crate::appearance::Theme;
+use crate::scene::SceneError;
+use crate::scene::palette::SceneColors;
+use crate::scene::{ObjectSpec, Preset, SceneSpec};
 
 /// The fate of the children of an object that is removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -223,7 +224,7 @@ pub fn write_out_preset(
 
 /// Gives an object the translation, rotation and scale that make this matrix parent ← object. False, and nothing done,
 /// where there are none.
-pub(super) fn put(object: &mut ObjectSpec, parent_from_object_wanted: &DMat4) -> bool {
+pub(crate) fn put(object: &mut ObjectSpec, parent_from_object_wanted: &DMat4) -> bool {
     let wanted = DMat3::from_mat4(*parent_from_object_wanted);
     let mut lengths = DVec3::new(wanted.x_axis.length(), wanted.y_axis.length(), wanted.z_axis.length());
     if wanted.determinant() < 0.0 {
@@ -252,7 +253,7 @@ pub(super) fn put(object: &mut ObjectSpec, parent_from_object_wanted: &DMat4) ->
 }
 
 /// Without the last digits that rounding has made: 12 of the largest component's digits stay.
-pub(super) fn tidy(v: DVec3) -> DVec3 {
+pub(crate) fn tidy(v: DVec3) -> DVec3 {
     let unit = 10_f64.powi(12 - magnitude(v.abs().max_element()));
     let rounded = v.map(|x| (x * unit).round() / unit + 0.0);
     if rounded.is_finite() && (rounded - v).abs().max_element() <= 1e-11 * v.abs().max_element() { rounded } else { v }

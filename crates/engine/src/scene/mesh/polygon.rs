@@ -7,7 +7,7 @@ use crate::limits::MAX_EAR_STEPS;
 
 /// The doubled vector area of a polygon, planar or nearly so, by Newell's method about its first corner: along the
 /// normal, twice the area long.
-pub(super) fn doubled_area(corners: impl IntoIterator<Item = DVec3>) -> DVec3 {
+pub(crate) fn doubled_area(corners: impl IntoIterator<Item = DVec3>) -> DVec3 {
     let mut corners = corners.into_iter();
     let mut sum = DVec3::ZERO;
     let (Some(origin), Some(second)) = (corners.next(), corners.next()) else { return sum };
@@ -21,17 +21,17 @@ pub(super) fn doubled_area(corners: impl IntoIterator<Item = DVec3>) -> DVec3 {
 }
 
 /// The unit normal of a polygon; `None` without area.
-pub(super) fn normal(corners: impl IntoIterator<Item = DVec3>) -> Option<DVec3> {
+pub(crate) fn normal(corners: impl IntoIterator<Item = DVec3>) -> Option<DVec3> {
     try_unit(doubled_area(corners))
 }
 
 /// Cuts the polygons of a mesh file into triangles.
 #[derive(Debug)]
-pub(super) struct Triangulator {
+pub(crate) struct Triangulator {
     /// Corners that may still be compared with ears.
     steps: usize,
     /// Number of concave polygons that were cut as if they were convex, because no steps were left.
-    pub(super) cut_as_convex: usize,
+    pub(crate) cut_as_convex: usize,
 }
 
 impl Default for Triangulator {
@@ -44,7 +44,7 @@ impl Triangulator {
     /// Cuts a simple polygon, planar or nearly so, into triangles with its own orientation, by cutting off ears;
     /// appends three indices into `corners` for each. Always n − 2 triangles; if the polygon crosses itself some of
     /// them overlap.
-    pub(super) fn triangulate(&mut self, corners: &[DVec3], triangles: &mut Vec<[usize; 3]>) {
+    pub(crate) fn triangulate(&mut self, corners: &[DVec3], triangles: &mut Vec<[usize; 3]>) {
         let n = corners.len();
         if n == 3 {
             triangles.push([0, 1, 2]);

@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use glam::{DMat4, DQuat, DVec3};
 
 use super::edit::{descendants, free_name, placements, put, tidy};
-use super::{ObjectSpec, SceneError, SceneSpec};
 use crate::geometry::{Angle, try_unit};
+use crate::scene::{ObjectSpec, SceneError, SceneSpec};
 
 /// Number of descendants of these objects that are not among them.
 #[must_use]
@@ -77,7 +77,7 @@ pub fn put_on_chain(spec: &mut SceneSpec, name: &str, chain: &[Trs], group: &str
     }
     let object = ObjectSpec { parent, ..changed.objects[at].clone() };
     changed.objects[at] = placed(object, *own);
-    super::check(&changed)?;
+    crate::scene::check(&changed)?;
     *spec = changed;
     Ok(())
 }
@@ -119,7 +119,7 @@ pub fn transform(spec: &mut SceneSpec, names: &BTreeSet<String>, transform: Tran
             Transform::Scale(factors) => object.scale = tidy(object.scale * factors),
         }
     }
-    super::check(&changed)?;
+    crate::scene::check(&changed)?;
     *spec = changed;
     Ok(all)
 }

@@ -1,13 +1,17 @@
 //! The triangle mesh with its edges.
 
+pub(crate) mod adjacency;
+pub(crate) mod polygon;
+pub mod primitives;
+
 use std::collections::BTreeSet;
 
 use glam::DVec3;
 
-use super::adjacency::Adjacency;
-use super::polygon::{self, Triangulator};
 use crate::geometry::Aabb;
 use crate::limits::MAX_VERTICES;
+pub use adjacency::{Adjacency, SharedEdge};
+use polygon::Triangulator;
 
 /// A mesh in its object's own space. Vertices that lie on a crease are there once for each side, each with its own
 /// normal.
@@ -21,7 +25,7 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
     /// The edges to draw: sides of polygons, not the diagonals that triangulation adds. Indices into `positions`, each
     /// edge once (also where vertices are doubled). Curved shapes name only some of their sides: see
-    /// [`primitives`](super::primitives).
+    /// [`primitives`](primitives).
     pub edges: Vec<[u32; 2]>,
     /// Adjacency of the faces of curved solids, from which their outline is found. Empty for other meshes.
     pub adjacency: Adjacency,
@@ -88,7 +92,7 @@ impl Mesh {
     }
 
     /// Adds a vertex and gives its index.
-    pub(super) fn add_vertex(&mut self, position: DVec3, normal: DVec3) -> u32 {
+    pub(crate) fn add_vertex(&mut self, position: DVec3, normal: DVec3) -> u32 {
         let index = index_u32(self.positions.len());
         self.positions.push(position);
         self.normals.push(normal);
@@ -96,7 +100,7 @@ impl Mesh {
     }
 
     /// Adds a convex polygon as a fan of triangles around its first corner.
-    pub(super) fn add_polygon(&mut self, corners: &[u32]) {
+    pub(crate) fn add_polygon(&mut self, corners: &[u32]) {
         for k in 1..corners.len().saturating_sub(1) {
             self.triangles.push([corners[0], corners[k], corners[k + 1]]);
         }
@@ -108,7 +112,7 @@ impl Mesh {
     clippy::cast_possible_truncation,
     reason = "importers refuse meshes beyond 32-bit indices; primitives are small"
 )]
-pub(super) fn index_u32(index: usize) -> u32 {
+pub(crate) fn index_u32(index: usize) -> u32 {
     debug_assert!(index < MAX_VERTICES);
     index as u32
 }
