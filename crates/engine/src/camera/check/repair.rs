@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Camera, CameraError, Checked, ParameterKey, Parameters};
+use crate::camera::{Camera, CameraError, Checked, ParameterKey, Parameters};
 
 /// A change of [`Parameters`] after which they make a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]

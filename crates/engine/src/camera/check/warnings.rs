@@ -1,6 +1,6 @@
 //! Warnings: a camera that is possible, but probably not meant.
 
-use super::{Camera, ImageSize, Projection};
+use crate::camera::{Camera, ImageSize, Projection};
 
 /// Something about a camera, or about a figure, that a user should know.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -2,8 +2,8 @@
 
 use glam::{DMat4, DVec4};
 
-use super::projection::{Lens, from_rows, lens, rounded};
-use super::{Camera, InfiniteParallel, Ndc, Projection};
+use crate::camera::matrix::projection::{Lens, from_rows, lens, rounded};
+use crate::camera::{Camera, InfiniteParallel, Ndc, Projection};
 use crate::geometry::double_double::Dd;
 
 /// The part of a camera that depends on the convention of NDC. Made by [`Camera::clip_space`].
@@ -14,7 +14,7 @@ use crate::geometry::double_double::Dd;
 pub struct ClipSpace<'a> {
     camera: &'a Camera,
     ndc: Ndc,
-    pub(super) lens: Lens,
+    pub(crate) lens: Lens,
 }
 
 impl Camera {
@@ -191,7 +191,7 @@ impl<'a> ClipSpace<'a> {
     }
 
     /// Whether these clip coordinates are in the volume: |X|, |Y| ≤ W, Z / W between the depths of F and B, and W > 0.
-    pub(super) fn is_inside(&self, clip: DVec4) -> bool {
+    pub(crate) fn is_inside(&self, clip: DVec4) -> bool {
         let [at_near, at_far] = self.ndc.depths();
         let (least, most) = (at_near.min(at_far) * clip.w, at_near.max(at_far) * clip.w);
         clip.w > 0.0 && clip.x.abs() <= clip.w && clip.y.abs() <= clip.w && (least..=most).contains(&clip.z)

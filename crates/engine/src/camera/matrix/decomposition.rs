@@ -10,7 +10,7 @@
 
 use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 
-use super::{Api, Camera, Ndc, Projection};
+use crate::camera::{Api, Camera, Ndc, Projection};
 
 /// Whose steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -6,22 +6,22 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::basis::CameraFrame;
-use super::window::WideWindow;
-use super::{Camera, Ndc, Projection};
+use crate::camera::basis::CameraFrame;
+use crate::camera::window::WideWindow;
+use crate::camera::{Camera, Ndc, Projection};
 use crate::geometry::double_double::{Dd, Dd3};
 
 /// The entries of M_p that are neither 0 nor ±1. With (X, Y, Z, W) = M_p (x, y, z, 1):
 /// perspective: X = `x` x + `skew_x` z, Y = `y` y + `skew_y` z, Z = `z` z + `depth`, W = −z;
 /// parallel: X = `x` x + `skew_x`, Y = `y` y + `skew_y`, Z = `z` z + `depth`, W = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Lens {
-    pub(super) x: Dd,
-    pub(super) y: Dd,
-    pub(super) skew_x: Dd,
-    pub(super) skew_y: Dd,
-    pub(super) z: Dd,
-    pub(super) depth: Dd,
+pub(crate) struct Lens {
+    pub(crate) x: Dd,
+    pub(crate) y: Dd,
+    pub(crate) skew_x: Dd,
+    pub(crate) skew_y: Dd,
+    pub(crate) z: Dd,
+    pub(crate) depth: Dd,
 }
 
 impl Camera {
@@ -98,7 +98,7 @@ impl Camera {
     }
 
     /// The first three rows of M_v in double-double.
-    pub(super) fn view_rows(&self) -> [[Dd; 4]; 3] {
+    pub(crate) fn view_rows(&self) -> [[Dd; 4]; 3] {
         let aside = self.sideways_origin(DVec3::ZERO);
         let CameraFrame { u, v, n, .. } = self.frame;
         [(u, aside), (v, aside), (n, self.pose.position)].map(|(axis, c)| [axis.x, axis.y, axis.z, -axis.dot(c)])
@@ -107,7 +107,7 @@ impl Camera {
 
 impl Lens {
     /// A point of the VRC in clip coordinates, in double-double.
-    pub(super) fn clip(&self, projection: Projection, p: Dd3) -> [Dd; 4] {
+    pub(crate) fn clip(&self, projection: Projection, p: Dd3) -> [Dd; 4] {
         let Self { x, y, skew_x, skew_y, z, depth } = *self;
         match projection {
             Projection::Perspective => {
@@ -126,7 +126,7 @@ impl Lens {
 ///
 /// Differences are exact sums, quotients come before products: (B + F)/(B − F) and 2BF/(B − F) overflow only where they
 /// are not `f64`s themselves.
-pub(super) fn lens(projection: Projection, window: &WideWindow, near: f64, far: f64, ndc: Ndc) -> Lens {
+pub(crate) fn lens(projection: Projection, window: &WideWindow, near: f64, far: f64, ndc: Ndc) -> Lens {
     let (width, height) = (window.width(), window.height());
     let (sum_x, sum_y) = (window.right + window.left, window.top + window.bottom);
     // Half of far and near: their sum and difference cannot overflow, and the quotients stay the same.
@@ -167,10 +167,10 @@ pub(super) fn lens(projection: Projection, window: &WideWindow, near: f64, far: 
     }
 }
 
-pub(super) fn rounded(row: [Dd; 4]) -> DVec4 {
+pub(crate) fn rounded(row: [Dd; 4]) -> DVec4 {
     DVec4::from_array(row.map(Dd::value))
 }
 
-pub(super) fn from_rows(rows: [DVec4; 4]) -> DMat4 {
+pub(crate) fn from_rows(rows: [DVec4; 4]) -> DMat4 {
     DMat4::from_cols_array_2d(&rows.map(|row| row.to_array())).transpose()
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::Operation;
+use crate::camera::Operation;
 use crate::expression::{self, Dimension, ExpressionError};
 use crate::geometry::Angle;
 use crate::numbers::{EXACT_DIGITS, significant};

@@ -5,9 +5,15 @@
 //! guinada (yaw) about x_c and arfagem (pitch) about y_c; the field, and the author's own library, turn yaw about **v**
 //! and pitch about **u**, as is done here.
 
-use super::basis::{CameraFrame, Pose};
-use super::parameters::{Checked, ParameterKey, check_range};
-use super::{Camera, CameraError, Derived, Parameters, Range};
+mod descriptors;
+mod path;
+
+pub use descriptors::{Amount, Descriptor, Freedom, OPERATIONS, OperationError};
+pub use path::CameraPath;
+
+use crate::camera::basis::{CameraFrame, Pose};
+use crate::camera::parameters::{Checked, ParameterKey, check_range};
+use crate::camera::{Camera, CameraError, Derived, Parameters, Range};
 use crate::geometry::double_double::{Dd, Dd3, sin_cos_degrees};
 use crate::geometry::{Angle, Ray};
 

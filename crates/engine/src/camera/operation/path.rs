@@ -7,7 +7,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::{Camera, CameraError, Parameters, Projection, ViewWindow};
+use crate::camera::{Camera, CameraError, Parameters, Projection, ViewWindow};
 
 /// The way from one camera to another.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,9 +4,18 @@
 //! has no length), VUP (only **v** is known), and in parallel projection C along **n** (moving the eye along its line
 //! of sight changes nothing).
 
+mod matrix_text;
+mod pinhole;
+mod reading;
+mod recognition;
+
+pub use matrix_text::{MatrixEntries, MatrixTextError};
+pub use reading::{Axes, MatrixKind, Reading};
+pub use recognition::{Evidence, Recognised, Stated, recognise};
+
 use glam::{DMat4, DVec3, DVec4};
 
-use super::{Api, Axes, Camera, CameraError, MatrixKind, Ndc, Parameters, Projection, Reading, ViewWindow};
+use crate::camera::{Api, Camera, CameraError, Ndc, Parameters, Projection, ViewWindow};
 
 /// A quantity that the matrix leaves open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -197,9 +206,9 @@ fn row(v: DVec4) -> String {
 }
 
 /// Beside 1: a matrix that was copied with three digits still passes.
-pub(super) const SLACK: f64 = 2e-3;
+pub(crate) const SLACK: f64 = 2e-3;
 /// Errors below this are not reported: all digits of an `f64` are there.
-pub(super) const EXACT: f64 = 1e-9;
+pub(crate) const EXACT: f64 = 1e-9;
 
 /// The camera of a matrix that acts on column vectors, as it is read. What the matrix does not hold comes from
 /// `current`.
@@ -242,11 +251,11 @@ pub fn recover(reading: &Reading, matrix: DMat4, current: &Parameters) -> Result
 }
 
 /// A camera on its way from its matrix.
-pub(super) struct Recovery {
-    pub(super) current: Parameters,
-    pub(super) found: Parameters,
-    pub(super) reading: Reading,
-    pub(super) unknown: Vec<Unknown>,
+pub(crate) struct Recovery {
+    pub(crate) current: Parameters,
+    pub(crate) found: Parameters,
+    pub(crate) reading: Reading,
+    pub(crate) unknown: Vec<Unknown>,
 }
 
 impl Recovery {
@@ -321,7 +330,7 @@ impl Recovery {
     }
 
     /// C, and PF and VUP as far as they were right.
-    pub(super) fn pose(&mut self, position: DVec3, v: DVec3, n: DVec3) {
+    pub(crate) fn pose(&mut self, position: DVec3, v: DVec3, n: DVec3) {
         let [position, v, n] = if self.reading.axes == Axes::Blender {
             self.unknown.push(Unknown::WorldTurned);
             [position, v, n].map(with_y_up)
@@ -515,7 +524,7 @@ impl Recovery {
     }
 
     /// A window of a size around a middle; a symmetric one as angle or height and aspect.
-    pub(super) fn window(&mut self, [width, height]: [f64; 2], [middle_x, middle_y]: [f64; 2]) {
+    pub(crate) fn window(&mut self, [width, height]: [f64; 2], [middle_x, middle_y]: [f64; 2]) {
         let symmetric = middle_x.abs() <= EXACT * width && middle_y.abs() <= EXACT * height;
         if symmetric {
             self.found.window = None;

@@ -2,15 +2,15 @@
 
 use glam::{DMat4, DVec4};
 
-use super::Projection;
-use super::recovery::{EXACT, Lines, Recovery, RecoveryError, SLACK, Unknown};
+use crate::camera::Projection;
+use crate::camera::recovery::{EXACT, Lines, Recovery, RecoveryError, SLACK, Unknown};
 
 impl Recovery {
     /// The camera of P = K \[R | t\], which is known up to a factor: an RQ decomposition, whose R has the determinant 1
     /// and whose focal lengths are positive.
     ///
     /// A matrix of four rows is padded: by 0 0 0 1 at its end, or by a row of z before the row of the depth.
-    pub(super) fn pinhole(&mut self, m: DMat4) -> Result<(), RecoveryError> {
+    pub(crate) fn pinhole(&mut self, m: DMat4) -> Result<(), RecoveryError> {
         let last = m.row(3);
         let is_last = last.truncate().length() <= SLACK * last.w.abs();
         let rows = [m.row(0), m.row(1), m.row(if is_last { 2 } else { 3 })];

@@ -1,6 +1,6 @@
 //! How a matrix of another program is read: what it does, and in whose axes.
 
-use super::{ImageSize, Ndc};
+use crate::camera::{ImageSize, Ndc};
 
 /// The kind of a pasted matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

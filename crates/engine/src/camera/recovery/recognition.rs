@@ -2,8 +2,8 @@
 
 use glam::{DMat4, DVec3};
 
-use super::recovery::SLACK;
-use super::{
+use crate::camera::recovery::SLACK;
+use crate::camera::{
     Axes, Camera, ImageSize, MatrixEntries, MatrixKind, Ndc, Parameters, Reading, Recovered, RecoveryError, recover,
 };
 
