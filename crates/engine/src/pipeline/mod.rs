@@ -1,28 +1,26 @@
 //! scene + camera → [`Drawing`]: the stages in the order of the notes `[3]` §1.1.
 //!
-//! | stage | space, from → to | file |
-//! | --- | --- | --- |
-//! | plan: the stages needed | – | [`plan`] |
-//! | objects outside the volume dropped | object → view | `bounds`, `cull` |
-//! | depths spread over those in view | view | [`depths`] |
-//! | each vertex transformed once | object → world → view → clip → ndc → pixels | `projector`, `transform` |
-//! | back faces dropped | pixels | `faces`, `cull` |
-//! | clipping, before the divide | clip | `faces`, `clip` |
-//! | light on the remaining faces | view | `light`, `shade` |
-//! | order of faces, where no depth buffer decides | view | `hidden_surfaces`, `bsp`, `visibility` |
-//! | edges, outlines, lines, marks, texts | world → pixels | `lines`, `outline` |
+//! [`Pipeline::frame`] is the pipeline on one page. Each stage is a function under its own name in `stage`, one file
+//! each, and the head of a file says what the notes have, what the textbook does, and what we do instead. Start with
+//! `stage/vertices.rs`: what happens to a vertex.
 //!
-//! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces,
-//! blending and smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
-//! [`Pipeline::frame`] takes the objects through the stages one by one, each by `object_pass`; `recorder` counts and
-//! times them, and notes in `stage_work` what goes into the stage that a picture shows, and what comes out.
-//! [`clip_parts`], [`cull_result`], [`one_triangle`] and [`divide_before_clip`] are not on the way to a picture: they
-//! show what clipping and culling do, and what would come of dividing first.
+//! | folder | holds |
+//! | --- | --- |
+//! | `stage` | what runs: traverse, cull objects, transform, … light, hidden surfaces, lines |
+//! | `plan` | which stages a picture needs, and the reason for each |
+//! | `order` | the order in which faces and strokes are painted if no depth buffer decides |
+//! | `space` | the spaces of a point as types, the camera between them, the planes of the volume, the scale of depths |
+//! | `mesh` | what stages share: bounds, cutting by a plane, attributes of new vertices, outlines |
+//! | `report` | what a picture did: counts, times, operations, rounding |
+//! | `show` | what reveals the inner work; no picture needs it: the canonical volume ([`project`]), [`clip_parts`], [`cull_result`], [`one_triangle`], [`divide_before_clip`], [`shadow_rays`] |
 //!
-//! A drawing for an output without a depth buffer is completed by [`stroke_runs`], the parts of its strokes that faces
-//! hide, and [`stroke_order`], their order in depth.
+//! A folder uses those that come before it in this order: `space`, `mesh`, `plan`, `order`, `stage`, `show`, `report`.
 //!
-//! All cutting is done by `cut`, and all attributes of vertices are carried over by `resample`.
+//! Light comes last of an object's stages although the notes have it second: only the faces that are left need any.
+//! Filling, hidden surfaces by depth, blending and smoothing are the rasterizer's ([`raster`](crate::raster)).
+//!
+//! A drawing for an output without a depth buffer is completed by [`stroke_runs`], which finds the parts of strokes
+//! that faces hide, and [`stroke_order`], their order in depth.
 
 pub mod budget;
 mod mesh;
@@ -84,8 +82,8 @@ pub struct Target {
     pub background: Rgba,
 }
 
-/// Draws `scene` as `camera` sees it. The view window fills the whole target: who wants no distortion gives a target
-/// with the window's aspect.
+/// Draws `scene` as `camera` sees it. The view window fills the whole target: without distortion only if the target has
+/// the window's aspect.
 #[must_use]
 pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Drawing {
     Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing
@@ -134,12 +132,13 @@ impl Clone for Pipeline {
 }
 
 impl Pipeline {
-    /// Says from now on how far a drawing has come. One that is cancelled ends early, and is not whole.
+    /// Reports from now on how far a drawing has come. A cancelled drawing ends early and isn't whole.
     pub fn watch(&mut self, progress: &Progress) {
         self.progress = progress.clone();
     }
 
-    /// Draws as [`draw`] does, and tells what was done. A scene and the gear of a picture are handed over side by side.
+    /// Draws as [`draw`] does, and reports what each stage did. `scenes`: a scene, or a scene with the gear of a
+    /// picture next to it.
     #[must_use]
     pub fn frame<'a>(
         &mut self,
@@ -152,6 +151,7 @@ impl Pipeline {
         let (scenes, screen, meter) = (scenes.into(), Screen::new(target), Meter::new(options));
         let mut projector = Projector::new(camera);
 
+        // What may be in view, how its depths are stored, and which stages that takes.
         let extents = cull_objects(scenes, &projector, &mut self.bounds);
         let in_view = extents.iter().fold(InView::NOTHING, |all, extent| all.and(extent.in_view));
         if !options.depth_of_volume {
@@ -183,14 +183,14 @@ impl Pipeline {
             }
             let pass = ObjectPass::new(index, object, planned, context);
             if planned.faces {
-                // Transform, oblique window, divide and viewport: one loop takes a vertex through all of them.
+                // Transform, oblique window, divide and viewport, in one loop over the vertices.
                 pass.transform(faces, pool);
                 recorder.transformed(&pass);
                 pass.cull_faces(faces);
                 recorder.culled(&pass, faces);
                 pass.clip(faces);
                 recorder.clipped(&pass, faces, unordered.surfaces.len());
-                // The notes have light and its normals second: only faces that are left need any.
+                // Normals and light. The notes have them second, but only faces that are left need any.
                 pass.light(faces, pool, &mut unordered);
                 recorder.meter.lap(Stage::Light);
             }
@@ -233,17 +233,17 @@ impl Pipeline {
         frame
     }
 
-    /// Takes its shadow maps from these, which other pipelines share.
+    /// Shares these shadow maps with other pipelines.
     pub fn share_shadows(&mut self, shadows: &ShadowMaps) {
         self.shadows = shadows.clone();
     }
 
-    /// Forgets shadow maps: the next picture makes its own.
+    /// Forgets all shadow maps: the next picture makes its own.
     pub fn forget(&mut self) {
         self.shadows.forget();
     }
 
-    /// Takes back a drawing that is no longer needed: the next one is made in its memory.
+    /// Takes back a drawing that is no longer needed, and makes the next one in its memory.
     pub fn recycle(&mut self, drawing: Drawing) {
         self.pool.keep(drawing);
     }

@@ -118,7 +118,7 @@ impl<'a> ObjectPass<'a> {
         if self.plan.shadowed { self.context.shadows } else { &[] }
     }
 
-    /// True if its back faces are dropped: nobody can see one.
+    /// True if its back faces are dropped, because none can be seen.
     fn culls_back(&self, faces: &Faces) -> bool {
         self.plan.cull_back && !self.object.shows_both_sides(faces.cut_open())
     }

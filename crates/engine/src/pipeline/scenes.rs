@@ -43,7 +43,7 @@ impl<'a> Scenes<'a> {
         Self { hiding_revision: Some(revision), ..self }
     }
 
-    /// The same with edges and outlines of objects, lines of the scene, and marks so many times as wide as their
+    /// The same with edges and outlines of objects, lines of the scene, and marks `fineness` times as wide as their
     /// styles say, so that a scene that is small in the picture is not lost in its own strokes.
     #[must_use]
     pub fn with_fineness(self, fineness: f32) -> Self {
@@ -63,12 +63,12 @@ impl<'a> Scenes<'a> {
         self.hiding.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
     }
 
-    /// The number of the scene in which [`Self::hiding`] are, where it is known.
+    /// The number of the scene in which [`Self::hiding`] are, if it's known.
     pub(crate) fn hiding_revision(self) -> Option<SceneRevision> {
         self.hiding_revision
     }
 
-    /// True where a light casts a shadow of anything.
+    /// True if a light casts a shadow of anything.
     pub(crate) fn casts_shadows(self) -> bool {
         self.lights.iter().any(|light| light.shadows.cast) && self.hiding().next().is_some()
     }

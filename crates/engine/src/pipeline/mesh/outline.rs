@@ -33,7 +33,7 @@ pub(crate) fn outline(mesh: &Mesh, eye: DVec4) -> Vec<Vec<u32>> {
     chains
 }
 
-/// True where the eye is before a face. Edge-on is not, whatever rounding says: of a quadrilateral's two faces both are
+/// True if the eye is before a face. Edge-on is not, whatever rounding says: of a quadrilateral's two faces both are
 /// not.
 fn is_seen(plane: DVec4, eye: DVec4) -> bool {
     let size = plane.truncate().length() * eye.truncate().length() + (plane.w * eye.w).abs();

@@ -316,7 +316,7 @@ pub(crate) fn empty_like(old: &Surface) -> Surface {
     Surface { positions, inverse_w, triangles, base, light, shadows, ..*old }
 }
 
-/// True where `last`, which was made by [`empty_like`] for another surface, can take pieces of `old` too.
+/// True if `last`, which was made by [`empty_like`] for another surface, can take pieces of `old` too.
 pub(crate) fn can_append(last: &Surface, old: &Surface) -> bool {
     let alike = match (&last.base, &old.base) {
         (Base::Faces(_), Base::Faces(_) | Base::Solid(_)) | (Base::Vertices(_), Base::Vertices(_)) => true,

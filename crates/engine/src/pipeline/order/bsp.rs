@@ -27,7 +27,7 @@ pub(crate) struct TooManyPieces {
 /// Sorts in an order that is right for each two faces, and gives the number of pieces.
 ///
 /// # Errors
-/// [`TooManyPieces`] where there would be more than `max_pieces`, or they would take more than [`MAX_PIECE_BYTES`].
+/// [`TooManyPieces`] if there would be more than `max_pieces`, or they would take more than [`MAX_PIECE_BYTES`].
 pub(crate) fn by_splitting(
     layers: &[Layer],
     projector: &Projector,

@@ -9,7 +9,7 @@ use crate::drawing::Surface;
 use crate::pipeline::mesh::resample::{VertexOrigin, append, can_append, empty_like};
 use crate::pipeline::space::point::ViewPoint;
 
-/// Sorted by the distance of the centroid, the farthest first. Wrong where faces interlock or differ much in size, and
+/// Sorted by the distance of the centroid, the farthest first. Wrong if faces interlock or differ much in size, and
 /// there to be seen failing.
 pub(crate) fn by_centroid(layers: &[Layer], image: &ToImage) -> (Vec<Surface>, usize) {
     let (all, _) = pieces(layers);

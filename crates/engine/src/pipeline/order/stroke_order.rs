@@ -205,7 +205,7 @@ impl Segment {
         (from < to).then_some([from, to])
     }
 
-    /// True where a segment of a later run is over it.
+    /// True if a segment of a later run is over it.
     fn is_under(&self, later: &Self, [s, t]: [f64; 2]) -> bool {
         later_is_over(later.point(later.at(t)[2]), self.point(self.at(s)[2]))
     }

@@ -297,7 +297,7 @@ impl Faces {
         squares(from, to, self.rows)
     }
 
-    /// True where any face is before a place.
+    /// True if any face is before a place.
     fn hide(&self, place: [f64; 3]) -> bool {
         let [x, y, _] = place;
         self.rows(y, y).any(|row| {
@@ -372,7 +372,7 @@ fn squares(from: f64, to: f64, count: usize) -> Range<usize> {
 const BORDER: f64 = -1e-6;
 
 impl Face {
-    /// The part of a segment that lies behind the face; `None` where no part does.
+    /// The part of a segment that lies behind the face; `None` if no part does.
     fn hides(&self, segment: &Segment) -> Option<Range<f64>> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         // The part of the segment in which a linear function with this start and change is positive.
@@ -402,7 +402,7 @@ impl Face {
         px * x + py * y + c - z - f64::from(on_a_face(single(z), [single(px), single(py)]))
     }
 
-    /// True where it is before a place; also on its border, which two faces may share.
+    /// True if it is before a place; also on its border, which two faces may share.
     fn is_before(&self, place: [f64; 3]) -> bool {
         let [x, y, _] = place;
         let inside = |[a, b, c]: [f64; 3]| a * x + b * y + c >= BORDER * DVec2::new(a, b).length();

@@ -10,7 +10,7 @@ use crate::scene::{Object, ObjectPaint};
 use crate::stage::Stage;
 
 /// The counts for the plan of a frame, or, of finished work, for its report. Of objects in view only, and of their
-/// faces only where there are any.
+/// faces only if there are any.
 pub(crate) struct SceneCounts {
     objects: usize,
     outside: usize,
@@ -139,7 +139,7 @@ impl SceneCounts {
     }
 
     /// The hidden-surface algorithm: the style's choice, or that of the output; the depth buffer, which needs no order,
-    /// where no face hides another.
+    /// if no face hides another.
     pub(crate) fn order(&self, style: &Style, output: Output) -> Visibility {
         match (output, style.visibility) {
             _ if self.no_faces(style).is_some() => Visibility::DepthBuffer,
@@ -184,7 +184,7 @@ impl SceneCounts {
         }
     }
 
-    /// The report of a stage that works on faces, where there are any.
+    /// The report of a stage that works on faces, if there are any.
     fn with_faces(&self, stage: Stage, style: &Style) -> (bool, Reason) {
         match stage {
             Stage::Normals | Stage::Light => self.light(stage),

@@ -28,7 +28,7 @@ pub struct Plan {
     pub objects: Vec<ObjectPlan>,
     /// One entry for each stage, in order.
     pub stages: Vec<StagePlan>,
-    /// The hidden-surface algorithm: the style's choice, or that of the output, where faces may hide each other at all.
+    /// The hidden-surface algorithm: the style's choice, or that of the output, if faces may hide each other at all.
     pub order: Visibility,
     /// The depth of faces is recorded.
     pub depth: bool,
@@ -47,9 +47,9 @@ pub struct Options {
     /// Record the input and output of this stage in [`Frame::work`](crate::pipeline::Frame::work).
     pub shown: Option<Stage>,
     /// Report the place of this triangle (object, index in its mesh) in the drawing in
-    /// [`Frame::followed`](crate::pipeline::Frame::followed). Not where faces are sorted.
+    /// [`Frame::followed`](crate::pipeline::Frame::followed). Not available if faces are sorted.
     pub followed: Option<(usize, u32)>,
-    /// Gives the time since any moment, for the report; without it nothing is timed.
+    /// Returns the time since any moment, for the report; without it nothing is timed.
     pub clock: Option<fn() -> Duration>,
 }
 
@@ -96,7 +96,7 @@ impl Plan {
         self.stages[stage as usize]
     }
 
-    /// True where `stage` runs.
+    /// True if `stage` runs.
     #[must_use]
     pub fn runs(&self, stage: Stage) -> bool {
         self.stage(stage).runs

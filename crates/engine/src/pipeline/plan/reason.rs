@@ -10,7 +10,7 @@ pub enum Output {
     #[default]
     Pixels,
     /// Shapes that are painted one over the other, without a depth buffer: faces are listed from back to front, split
-    /// where they cross each other's planes, or by their centroids where the style asks for the painter.
+    /// where they cross each other's planes, or by their centroids if the style asks for the painter.
     Vectors,
 }
 

@@ -12,8 +12,7 @@ use crate::drawing::{Drawing, Surface};
 use crate::pipeline::budget::OverBudget;
 use crate::pipeline::object_pass::ObjectPass;
 use crate::pipeline::plan::counts::SceneCounts;
-use crate::pipeline::plan::{LitAt, ObjectReport, Reason};
-use crate::pipeline::plan::{Options, Plan};
+use crate::pipeline::plan::{LitAt, ObjectReport, Options, Plan, Reason};
 use crate::pipeline::space::depths::DepthScale;
 use crate::pipeline::stage::faces::Faces;
 use crate::scene::ObjectPaint;
@@ -38,13 +37,13 @@ pub struct Frame {
     pub too_much: Option<OverBudget>,
     /// The scale of the depths of the drawing.
     pub depths: DepthScale,
-    /// Input and output of the stage to show; `None` where it did not run.
+    /// Input and output of the stage to show; `None` if it did not run.
     pub work: Option<StageWork>,
     /// Faces that only show the drops of that stage: painted over the drawing, and counted by no stage.
     pub dropped_faces: Vec<Surface>,
-    /// The picture before that stage, for its left half; `None` where the output is drawn over the input.
+    /// The picture before that stage, for its left half; `None` if the output is drawn over the input.
     pub before: Option<Drawing>,
-    /// The place of the followed triangle in the drawing; `None` where there is none, or its object is not drawn.
+    /// The place of the followed triangle in the drawing; `None` if there is none, or its object is not drawn.
     pub followed: Option<FollowedTriangle>,
 }
 
@@ -75,7 +74,7 @@ pub struct StageReport {
     pub ran: bool,
     /// Why, or why not.
     pub reason: Reason,
-    /// Counts in and out. `None` where the pipeline does not know them (work on pixels).
+    /// Counts in and out. `None` if the pipeline does not know them (work on pixels).
     ///
     /// | stage | in | out |
     /// | --- | --- | --- |

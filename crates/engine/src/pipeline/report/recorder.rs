@@ -69,7 +69,7 @@ impl<'a> Recorder<'a> {
         self.meter.count(pass, faces, done);
     }
 
-    /// An object is drawn, and so many ends of its lines were transformed.
+    /// Records that an object is drawn; `ends`: the number of points transformed for its lines.
     pub(crate) fn drawn(&mut self, pass: &ObjectPass, ends: usize) {
         if !pass.plan.faces {
             self.meter.count_ends(ends);

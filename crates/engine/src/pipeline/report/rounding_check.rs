@@ -2,8 +2,8 @@
 //!
 //! Up to the viewport the pipeline computes in `f64`, behind it in single precision on a grid of subpixels. That is
 //! enough for nearly all cameras, and [`Misplaced::bound`] proves it for an object without looking at a vertex; it is
-//! not where a picture magnifies more than its coordinates have digits, or where the window is far off-axis. There each
-//! vertex is compared with its place in double-double.
+//! not if a picture magnifies more than its coordinates have digits, or if the window is far off-axis. Then each vertex
+//! is compared with its place in double-double.
 
 use rayon::prelude::*;
 
@@ -24,7 +24,7 @@ use crate::scene::Object;
 /// Tolerance in pixels: a quarter cannot be seen.
 const ALLOWED: f64 = 0.25;
 
-/// Looks for vertices that are drawn beside their places.
+/// Looks for vertices that aren't drawn at their places.
 pub(crate) struct Misplaced<'a> {
     camera: &'a Camera,
     screen: &'a Screen,
@@ -70,7 +70,7 @@ impl<'a> Misplaced<'a> {
     ///
     /// A view coordinate has an error e of a few roundings of its summands, and of the rest of C after rounding. So x_n
     /// = (s x_c − shift w)/w has (s + 1 + |shift|) e/w, since |x_n| ≤ 1, and some roundings of 1 + |shift|, once more
-    /// times that where the width of the window is a small difference. Half the picture's size makes pixels of it, and
+    /// times that if the width of the window is a small difference. Half the picture's size makes pixels of it, and
     /// single precision and the grid come on top.
     fn bound(&self, projector: &Projector, summands: f64, w: f64) -> f64 {
         const ROUNDINGS: f64 = 16.0 * f64::EPSILON;

@@ -3,8 +3,7 @@
 use glam::DVec3;
 
 use crate::pipeline::mesh::resample::VertexOrigin;
-use crate::pipeline::plan::Containment;
-use crate::pipeline::plan::Plan;
+use crate::pipeline::plan::{Containment, Plan};
 use crate::pipeline::scenes::Scenes;
 use crate::pipeline::space::planes::ALL_PLANES;
 use crate::pipeline::space::point::{ClipPoint, ViewPoint, WorldPoint};
@@ -20,7 +19,7 @@ use crate::pipeline::stage::viewport::{unsnapped, viewport};
 use crate::scene::Object;
 use crate::stage::{Stage, WorksOn};
 
-/// Greatest number of recorded sides, vertices and faces; nobody could distinguish more.
+/// Greatest number of recorded sides, vertices and faces: an eye can't distinguish more.
 const MOST: usize = 20_000;
 
 /// Input and output of a stage of a picture, as far as they lie in the picture. Points are those of the display list:
@@ -60,12 +59,12 @@ pub struct VertexWork {
     pub image: [f32; 3],
 }
 
-/// An object that was held against the volume.
+/// An object that was compared with the volume.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjectWork {
     /// Its name.
     pub name: String,
-    /// The middle of its box, where that is in the picture.
+    /// The middle of its box, if that is in the picture.
     pub middle: Option<[f32; 3]>,
     /// The place of its box.
     pub containment: Containment,

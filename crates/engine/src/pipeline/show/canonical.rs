@@ -90,7 +90,7 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
     (clipped, in_view)
 }
 
-/// The point at which `p_world` is shown; `None` where it cannot be projected (w ≤ 0).
+/// The point at which `p_world` is shown; `None` if it cannot be projected (w ≤ 0).
 #[must_use]
 pub fn displayed_ndc(camera: &Camera, p_world: DVec3) -> Option<DVec3> {
     let projector = Projector::new(camera);
@@ -201,7 +201,7 @@ fn clipped_object(
     let (paint, in_world) = colored.paint(lights.filter(|_| object.lit));
     let Projected { positions, remake: Remake { triangles, edges, shared, .. }, in_view, whole, borders, .. } =
         projected;
-    // What has edges or an outline has them where it was cut too; of a wireframe only edges are seen.
+    // An object with edges or an outline has them along its cuts too; a wireframe shows only edges.
     let border = object.edges.or(object.outline).filter(|_| shading != Shading::Wireframe && object.faces);
     let cuts = border
         .map_or_else(Vec::new, |style| borders.into_iter().map(|ends| Line { points: ends.to_vec(), style }).collect());

@@ -23,7 +23,7 @@ use crate::pipeline::stage::project::{clip_from_view, clip_from_world};
 use crate::pipeline::stage::transform::view_point;
 use crate::scene::{Adjacency, Line, Mesh, Object, Scene, SharedEdge};
 
-/// The bits of an outcode, `true` where a point is outside: left, right, bottom, top, near, far. `None` for a point
+/// The bits of an outcode, `true` if a point is outside: left, right, bottom, top, near, far. `None` for a point
 /// with a coordinate that is not a number.
 #[must_use]
 pub fn outcode_of(camera: &Camera, p_world: DVec3) -> Option<[bool; 6]> {
@@ -36,7 +36,7 @@ pub fn outcode_of(camera: &Camera, p_world: DVec3) -> Option<[bool; 6]> {
 /// in other conventions of NDC those from the planes left, right, bottom, top, near, far, such as z and w − z for near
 /// and far.
 ///
-/// *Guarantees*: each has the sign that the outcode goes by, also where `z_clip` would round it away. (Without a far
+/// *Guarantees*: each has the sign that the outcode goes by, even if `z_clip` would round it away. (Without a far
 /// plane the last is positive.)
 #[must_use]
 pub fn homogeneous_distances(camera: &Camera, p_world: DVec3, ndc: Ndc) -> [f64; 6] {
@@ -46,7 +46,7 @@ pub fn homogeneous_distances(camera: &Camera, p_world: DVec3, ndc: Ndc) -> [f64;
     let [at_near, at_far] = ndc.depths();
     let range = (at_near - at_far).abs();
     // w + z = 2 B (d − F)/(B − F), w − z = 2 F (B − d)/(B − F); in parallel projection without B and F; half of it
-    // where z_n is in 0 … 1.
+    // if z_n is in 0 … 1.
     let [near, far] = match camera.projection() {
         Projection::Perspective if ndc.infinite => [near, f],
         Projection::Perspective => [b * (near / (b - f)), f * (far / (b - f))],
@@ -69,7 +69,7 @@ pub struct Parts {
 }
 
 /// Cuts `scene` into two at the planes of the volume of `camera`. With `edges_only` the new vertices are those of
-/// edges, else those of triangles where an object has faces.
+/// edges, else those of triangles if an object has faces.
 #[must_use]
 pub fn clip_parts(scene: &Scene, camera: &Camera, edges_only: bool) -> Parts {
     let mut splitter = Splitter { projector: Projector::new(camera), parts: Parts::default(), known: HashSet::new() };

@@ -32,7 +32,7 @@ pub struct DividedFirst {
 }
 
 impl DividedFirst {
-    /// True where nothing of the scene is wrong.
+    /// True if nothing of the scene is wrong.
     #[must_use]
     pub fn is_right(&self) -> bool {
         let Scene { objects, lines, marks, .. } = &self.wrong;

@@ -26,13 +26,13 @@ use crate::scene::Object;
 pub struct TriangleSteps {
     /// Its corners, named a, b, c.
     pub corners: [CornerSteps; 3],
-    /// The normal times the way to the eye, in view space: positive where it is seen from its front.
+    /// The normal times the way to the eye, in view space: positive if it's seen from its front.
     pub facing: f64,
     /// All corners are outside of one plane, or one is not a number: nothing of it is left.
     pub is_outside: bool,
     /// The planes that it crosses, in the order in which they cut.
     pub cuts: Vec<PlaneCut>,
-    /// The corners of the rest, in order; none where nothing remains.
+    /// The corners of the rest, in order; none if nothing remains.
     pub left: Vec<CornerLeft>,
 }
 
@@ -99,7 +99,7 @@ pub struct CornerLeft {
     pub image: [f32; 2],
 }
 
-/// Steps a triangle of an object. `target` is the image. `None` where there is no such triangle.
+/// Steps a triangle of an object. `target` is the image. `None` if there is no such triangle.
 #[must_use]
 pub fn one_triangle(object: &Object, triangle: usize, camera: &Camera, target: Target) -> Option<TriangleSteps> {
     let (projector, screen) = (Projector::new(camera), Screen::new(target));

@@ -120,7 +120,7 @@ impl<'a> Projected<'a> {
         }))
     }
 
-    /// The outcodes of three vertices; `None` where the mesh has no such vertices.
+    /// The outcodes of three vertices; `None` if the mesh has no such vertices.
     fn codes(&self, corners: [u32; 3]) -> Option<[PlaneSet; 3]> {
         let code = |i: u32| self.outcodes.get(i as usize).copied();
         Some([code(corners[0])?, code(corners[1])?, code(corners[2])?])

@@ -1,5 +1,5 @@
 //! Shadows by rays: whether a light sees a point, in `f64`, on the triangles of the scene. The truth that shadow maps
-//! are held against; no picture is made so.
+//! are compared with; no picture is made so.
 
 use glam::DVec3;
 
@@ -74,7 +74,7 @@ impl Solids {
         !self.tree.is_hit(p, ray, touching..until, |other, _| other != triangle)
     }
 
-    /// The point that a camera sees at a place of its image, in pixels from the top left; `None` where there is none.
+    /// The point that a camera sees at a place of its image, in pixels from the top left; `None` if there is none.
     #[must_use]
     pub fn seen(&self, camera: &Camera, image: ImageSize, place: [f64; 2]) -> Option<SeenPoint> {
         let (origin, ray, within) = ray_of(camera, image, place);

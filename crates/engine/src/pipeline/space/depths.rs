@@ -1,10 +1,10 @@
-//! The range of distances resolved by the depths of a picture: F … B, or, where everything in view would get the same
+//! The range of distances resolved by the depths of a picture: F … B, or, if everything in view would get the same
 //! depth then, the distances in view.
 
 use crate::drawing::order::same_depth;
 use crate::drawing::single;
 
-/// Threshold of resolution: depths that differ by less than the tolerance of the display list are the same. Where that
+/// Threshold of resolution: depths that differ by less than the tolerance of the display list are the same. If that
 /// is more than this share of the depths in view, the depths are spread over those alone.
 const ENOUGH: f64 = 0.01;
 
@@ -19,7 +19,7 @@ const UNIT: f64 = 0.01;
 /// Fits in single precision with all that is made of it.
 const GREATEST: f64 = 1e15;
 
-/// From a distance to the depth of the display list, and back: affine in the picture, and greater where it is nearer.
+/// From a distance to the depth of the display list, and back: affine in the picture, and greater if it's nearer.
 ///
 /// In parallel projection (far − d)/(far − near); in perspective the same times unit/d. With F, B and the unit F this
 /// is 1 at F and 0 at B.
@@ -38,7 +38,7 @@ pub struct DepthScale {
 pub struct InView {
     /// The least.
     pub nearest: f64,
-    /// The greatest; less than the least where nothing is in view.
+    /// The greatest; less than the least if nothing is in view.
     pub farthest: f64,
     /// The size of the numbers from which they are computed.
     pub magnitude: f64,
@@ -48,13 +48,13 @@ impl InView {
     /// An empty view.
     pub const NOTHING: Self = Self { nearest: f64::INFINITY, farthest: f64::NEG_INFINITY, magnitude: 0.0 };
 
-    /// One thing.
+    /// The range of depths from `nearest` to `farthest`.
     #[must_use]
     pub const fn between(nearest: f64, farthest: f64) -> Self {
         Self { nearest, farthest, magnitude: farthest }
     }
 
-    /// Both.
+    /// The range that holds both.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self {
@@ -78,7 +78,7 @@ impl DepthScale {
         Self { perspective, near, far, unit: near }
     }
 
-    /// This scale where it resolves the depths in view, else one that does.
+    /// This scale if it resolves the depths in view, else one that does.
     #[must_use]
     pub fn resolving(self, in_view: InView) -> Self {
         let InView { nearest, farthest, magnitude } = in_view;
@@ -113,7 +113,7 @@ impl DepthScale {
         if self.perspective { share * (self.unit / distance) } else { share }
     }
 
-    /// The same, faster, where 1/w is known: nearly as accurate.
+    /// [`depth`](Self::depth), faster, from a known 1/w: nearly as accurate.
     #[inline(always)]
     pub(crate) fn depth_by(&self, distance: f64, inverse_w: f64) -> f64 {
         let share = (self.far - distance) / (self.far - self.near);
@@ -167,7 +167,7 @@ impl Sheet {
     /// So thick at least is a scene shown, in units of NDC.
     const THICKNESS: f64 = 0.01;
 
-    /// `None` where a scene is thicker, or has no thickness in the world either. `volume`: 1 at F, 0 at B.
+    /// `None` if a scene is thicker, or has no thickness in the world either. `volume`: 1 at F, 0 at B.
     pub(crate) fn of(volume: &DepthScale, in_view: InView) -> Option<Self> {
         let InView { nearest, farthest, .. } = in_view;
         let depth = farthest - nearest;

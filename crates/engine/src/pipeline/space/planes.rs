@@ -31,7 +31,7 @@ pub(crate) fn distances(projector: &Projector, p: ClipPoint) -> [f64; PLANES] {
     [p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, p.depth - projector.near, projector.far - p.depth]
 }
 
-/// Bit `i` is set where the point is outside plane `i`; [`NOT_A_NUMBER`] where a coordinate is not a number, or too
+/// Bit `i` is set if the point is outside plane `i`; [`NOT_A_NUMBER`] if a coordinate is not a number, or too
 /// large to be cut.
 #[inline(always)]
 pub(crate) fn outcode(projector: &Projector, p: ClipPoint) -> PlaneSet {
@@ -40,6 +40,6 @@ pub(crate) fn outcode(projector: &Projector, p: ClipPoint) -> PlaneSet {
     for (i, distance) in distances(projector, p).into_iter().enumerate() {
         code |= PlaneSet::from(distance < 0.0) << i;
     }
-    // False where it is not a number.
+    // False if it isn't a number.
     if size <= f64::MAX / 4.0 { code } else { NOT_A_NUMBER }
 }

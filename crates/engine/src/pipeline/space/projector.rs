@@ -84,7 +84,7 @@ impl Projector {
             (inverse * n).extend(0.0)
         };
         // With the eye in object space, one subtraction and one 3×3 product take a vertex to view space, and objects
-        // far from the origin lose nothing. The inverse costs digits where the scales along the axes differ wildly.
+        // far from the origin lose nothing. The inverse costs digits if the scales along the axes differ wildly.
         let condition = norm(linear) * norm(inverse);
         if determinant != 0.0 && condition < 1e3 {
             ViewFromObject {
@@ -122,7 +122,7 @@ pub(crate) struct ViewFromObject {
     through_world: Option<(DMat3, DVec3)>,
     /// See [`rest`](Self::rest).
     rest: f64,
-    /// Of the model matrix: negative where it mirrors.
+    /// Determinant of the model matrix: negative if it mirrors.
     determinant: f64,
     seen_from: DVec4,
 }
@@ -200,12 +200,12 @@ impl ViewFromObject {
         }
     }
 
-    /// True where the object is mirrored, so that its triangles turn the other way round.
+    /// True if the object is mirrored, so that its triangles turn the other way round.
     pub(crate) fn mirrored(&self) -> bool {
         self.determinant < 0.0
     }
 
-    /// −1 where the object is mirrored, else 1: the factor that makes of (b − a) × (c − a) the outer normal of a
+    /// −1 if the object is mirrored, else 1: the factor that makes of (b − a) × (c − a) the outer normal of a
     /// triangle.
     pub(crate) fn outward(&self) -> f64 {
         if self.mirrored() { -1.0 } else { 1.0 }

@@ -14,46 +14,39 @@ use super::vertices::Vertices;
 use super::viewport::{snap, viewport};
 use crate::pipeline::mesh::cut::{Edge, Origin, cut};
 use crate::pipeline::mesh::resample::{OWN_WEIGHTS, VertexOrigin};
-use crate::pipeline::space::planes::ALL_PLANES;
-use crate::pipeline::space::planes::{NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
+use crate::pipeline::space::planes::{ALL_PLANES, NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
 use crate::pipeline::space::point::ClipPoint;
 use crate::pipeline::space::projector::Projector;
 use crate::pipeline::space::screen::Screen;
 
-/// Cuts the triangles that cross a plane, and adds the rest of each as a fan, whose new corners go to the image at once.
-/// With `all_planes`, also against the planes that they don't cross.
+/// Cuts the triangles that cross a plane and adds the rest of each, a convex polygon, as a fan of triangles. With
+/// `all_planes`, also cuts them at the planes that they don't cross.
 pub(crate) fn clip(faces: &mut Faces, vertices: &Vertices, screen: &Screen, want_source: bool, all_planes: bool) {
-    let depths = &vertices.projector.depths;
-    let mut clipper = Clipper::default();
-    faces.cuts.clear();
-    for &Crossing { source, triangle, planes } in faces.chunks.iter().flat_map(|chunk| &chunk.crossing) {
+    let Vertices { projector, .. } = *vertices;
+    let Faces { image, triangles, source: sources, cuts, chunks, .. } = faces;
+    let (mut clipper, mut fan) = (Clipper::default(), Vec::new());
+    cuts.clear();
+    for &Crossing { source, triangle, planes } in chunks.iter().flat_map(|chunk| &chunk.crossing) {
         let corners = triangle.map(|i| vertices.clip(i));
-        let planes = if all_planes { ALL_PLANES } else { planes };
-        let mut fan = [0_u32; 2];
-        for (i, corner) in clipper.triangle(vertices.projector, corners, planes).iter().enumerate() {
-            let index = match corner.origin(triangle) {
-                VertexOrigin::Vertex(own) => own,
-                new @ VertexOrigin::Between { .. } => {
-                    let index = to_u32(faces.image.positions.len());
-                    faces.image.positions.push(snap(viewport(screen, divide(depths, corner.point))));
-                    if !faces.image.inverse_w.is_empty() {
-                        faces.image.inverse_w.push(depths.relative_inverse_w(corner.point.w));
-                    }
-                    faces.cuts.push(new);
-                    index
+        let polygon = clipper.triangle(projector, corners, if all_planes { ALL_PLANES } else { planes });
+        fan.clear();
+        fan.extend(polygon.iter().map(|corner| match corner.origin(triangle) {
+            VertexOrigin::Vertex(own) => own,
+            new @ VertexOrigin::Between { .. } => {
+                // A corner that clipping makes goes the rest of the way on its own: divide, viewport, snap.
+                let index = to_u32(image.positions.len());
+                image.positions.push(snap(viewport(screen, divide(&projector.depths, corner.point))));
+                if !image.inverse_w.is_empty() {
+                    image.inverse_w.push(projector.depths.relative_inverse_w(corner.point.w));
                 }
-            };
-            match i {
-                0 => fan[0] = index,
-                1 => fan[1] = index,
-                _ => {
-                    faces.triangles.push([fan[0], fan[1], index]);
-                    if want_source {
-                        faces.source.push(source);
-                    }
-                    fan[1] = index;
-                }
+                cuts.push(new);
+                index
             }
+        }));
+        let [first, rest @ ..] = &fan[..] else { continue };
+        for side in rest.windows(2) {
+            triangles.push([*first, side[0], side[1]]);
+            sources.extend(want_source.then_some(source));
         }
     }
 }
@@ -77,7 +70,7 @@ impl ClippedCorner {
         own.map(|(&point, weights)| Self { point, weights, distances: distances(projector, point) })
     }
 
-    /// The index in the triangle, where the corner is one of its own.
+    /// The index in the triangle, if the corner is one of its own.
     pub(crate) fn original(&self) -> Option<usize> {
         OWN_WEIGHTS.iter().position(|own| *own == self.weights)
     }
@@ -99,7 +92,7 @@ impl ClippedCorner {
     /// The point where an edge meets `plane`: quantities known from the plane are exact, the others are means.
     ///
     /// A mean is rounded by the greater of the ends, and F may be far below that: then x_c of a corner on the front
-    /// plane is anywhere beside the window there, although both distances from its sides, which are means too, are
+    /// plane is anywhere next to the window there, although both distances from its sides, which are means too, are
     /// positive. The distances decide, so that neighbours agree and planes that both ends are inside of need no test;
     /// and the point is moved to agree with them.
     fn crossing(polygon: &[Self], edge: &Edge, plane: usize, projector: &Projector) -> Self {
@@ -112,6 +105,7 @@ impl ClippedCorner {
             let value = if distances[planes[0]] >= 0.0 { value.max(least) } else { value };
             if distances[planes[1]] >= 0.0 { value.min(most) } else { value }
         };
+        // The planes are left, right, bottom, top, near, far.
         let depth = match plane {
             4 => projector.near,
             5 => projector.far,
@@ -159,8 +153,8 @@ impl Clipper {
         self.polygon(projector, &corners, planes)
     }
 
-    /// The part of a segment inside the volume: its two ends, each with `true` where it is a cut; nothing where no
-    /// point is inside.
+    /// The part of a segment inside the volume: its two ends, each with `true` if it's a cut; `None` if no point
+    /// is inside.
     pub(crate) fn segment(&mut self, projector: &Projector, ends: [ClipPoint; 2]) -> Option<[(ClipPoint, bool); 2]> {
         let codes = ends.map(|p| outcode(projector, p));
         let either = codes[0] | codes[1];
@@ -181,8 +175,8 @@ impl Clipper {
         self.watched(projector, points, planes, |_, _, _| {})
     }
 
-    /// The part of a triangle, or of a segment, inside `planes`; tells of each plane in its turn, with the polygon
-    /// before it, where each corner that it leaves comes from.
+    /// The part of a triangle, or of a segment, inside `planes`. Calls `watch` for each corner that a plane leaves,
+    /// with the plane, the polygon before it, and the origin of the corner.
     #[inline]
     pub(crate) fn watched(
         &mut self,

@@ -1,9 +1,9 @@
 //! **Cull faces**: drop the faces that turn their back.
 //!
 //! *Notes*: `[3]` §1.1 step 4, *back-face culling*; §1.4: the order of a polygon's vertices tells its front from its
-//! back. *Textbook*: the sign of **n** · **v**, the stored normal of the polygon times the direction to the eye, in view
-//! space, before anything is projected. *Here*: the sign of the triangle's area on the image, where its corners are
-//! already known, so that no normal is needed. The corners lie on the grid of the image and the sign is exact:
+//! back. *Textbook*: the sign of **n** · **v**, the stored normal of the polygon times the direction to the eye, in
+//! view space, before anything is projected. *Here*: the sign of the triangle's area on the image, where its corners
+//! are already known, so that no normal is needed. The corners lie on the grid of the image and the sign is exact:
 //! neighbours agree about the silhouette, and a closed mesh shows no holes. Eight triangles are decided at a time. A
 //! triangle that crosses a plane of the volume has no corners on the image yet, so it's decided in view space
 //! ([`facing`]). Faces outside one plane of the volume are dropped in the same pass, because their outcodes are here.

@@ -1,12 +1,12 @@
 //! **Light**: the reflection model on the faces that are left, and their surfaces in the drawing.
 //!
-//! *Notes*: `[3]` §1.1 step 2; `[2]` on flat, Gouraud and Phong shading. *Textbook*: second in the list, right after the
-//! walk through the scene: every face or vertex of every object is lit before anything is dropped. *Here*: last of the
-//! stages of an object, because light costs most and half of all faces were dropped meanwhile. The formula is in
-//! [`reflection`](super::reflection), for eight points at a time; this file decides which points those are
-//! ([`LitAt`]): one for each face (flat), the vertices of the remaining faces (Gouraud), or none, if the pixels are lit
-//! by the rasterizer (Phong), which then needs normals and positions. Light stays apart from the colours under a
-//! texture, and if a shadow may take some of it away; elsewhere it's multiplied in.
+//! *Notes*: `[3]` §1.1 step 2; `[2]` on flat, Gouraud and Phong shading. *Textbook*: second in the list, right after
+//! the walk through the scene: every face or vertex of every object is lit before anything is dropped. *Here*: last of
+//! the stages of an object, because light costs most and half of all faces were dropped meanwhile. The formula is in
+//! [`reflection`](super::reflection), for eight points at a time; this file decides which points those are ([`LitAt`]):
+//! one for each face (flat), the vertices of the remaining faces (Gouraud), or none, if the pixels are lit by the
+//! rasterizer (Phong), which then needs normals and positions. Light stays apart from the colours under a texture, and
+//! if a shadow may take some of it away; elsewhere it's multiplied in.
 
 use glam::{DMat4, DVec3};
 
@@ -122,12 +122,12 @@ impl Shaded<'_> {
         Some(Layer { surface: light(self, faces, pool)?, view, never_hides_itself })
     }
 
-    /// True where [`unshared`](Self::unshared) makes the surface.
+    /// True if [`unshared`](Self::unshared) makes the surface.
     fn shares_no_vertex(&self) -> bool {
         self.shadows.is_empty() && matches!((self.lit, &self.object.paint), (LitAt::Vertices, ObjectPaint::Faces(_)))
     }
 
-    /// True where the light of faces or vertices is not put into the colours: under a picture, and where a shadow may
+    /// True if the light of faces or vertices is not put into the colours: under a picture, and if a shadow may
     /// take some of it away.
     fn keeps_light_apart(&self) -> bool {
         !self.shadows.is_empty() || matches!(self.object.paint, ObjectPaint::Texture(_))
@@ -147,12 +147,13 @@ impl Shaded<'_> {
         }
     }
 
-    /// 1/w of the vertices of the object where it is the image of another one under a perspective; else empty.
+    /// 1/w of the vertices of the object if it's the image of another one under a perspective; else empty.
     fn inverse_w(&self) -> &[f32] {
         self.object.in_world.as_ref().map_or(&[], |in_world| &in_world.inverse_w)
     }
 
-    /// Where the object is the image of another one under a perspective, what is interpolated is bent by that too.
+    /// Multiplies 1/w by that of the other perspective if the object is itself an image under one: what is interpolated
+    /// is bent by both.
     fn bend(&self, faces: &mut Faces) {
         let inverse_w = self.inverse_w();
         if inverse_w.is_empty() {
@@ -212,7 +213,7 @@ impl Shaded<'_> {
         shares
     }
 
-    /// The light of the only lamp of the scene, where its shadow falls here: with the ambient share it is all there is.
+    /// The light of the only lamp of the scene, if its shadow falls here: with the ambient share it is all there is.
     fn of_only_lamp<'s>(&self, shadows: &'s [Shadow]) -> Option<&'s TakenLight> {
         match shadows {
             [only] if self.lights.is_one() => Some(&only.taken),
@@ -227,7 +228,7 @@ impl Shaded<'_> {
         Base::Faces(faces.source.iter().map(color).collect())
     }
 
-    /// The shadows of one light; `None` where the object is lit in the world, and not by this light.
+    /// The shadows of one light; `None` if the object is lit in the world, and not by this light.
     fn shadow(&self, shadow: &ShadowLight, faces: &Faces, pool: &mut Pool) -> Option<Shadow> {
         let mesh = &self.object.mesh;
         let (world_from_object, positions) = match &self.object.in_world {

@@ -56,8 +56,8 @@ pub(crate) fn lines(strokes: &mut Strokes, scenes: Scenes, style: &Style) -> (Ve
     (strokes.marks(scenes), strokes.labels(scenes))
 }
 
-/// Collects strokes. Strokes that follow each other in the same style become one set; the order of styles is that of the
-/// lines.
+/// Collects strokes. Strokes that follow each other in the same style become one set; the order of styles is that of
+/// the lines.
 pub(crate) struct Strokes<'a> {
     projector: &'a Projector,
     screen: &'a Screen,
@@ -119,7 +119,7 @@ impl<'a> Strokes<'a> {
         self.flush(&mut run, style, false);
     }
 
-    /// The edges of an object. Returns the number of points transformed: each vertex once, where edges share them, and
+    /// The edges of an object. Returns the number of points transformed: each vertex once if edges share it, and
     /// the ends of those that cross a plane once more.
     fn edges(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
         let Some(line_style) = edge_style(object, style, self.background) else {

@@ -82,7 +82,7 @@ impl Lights {
         Self { lighting, of_scene: vec![light], scale: self.scale }
     }
 
-    /// True where there is one lamp, and no more.
+    /// True if there is exactly one lamp.
     pub(crate) fn is_one(&self) -> bool {
         self.lighting.lights.len() == 1
     }
@@ -194,7 +194,7 @@ impl<'a> ObjectLight<'a> {
         shade(&self.lighting, at(&self.normal_matrix, &one.normals), at(&self.position_matrix, &one.offsets), color)
     }
 
-    /// The unit normal of a vertex in view space; zero where there is none.
+    /// The unit normal of a vertex in view space; zero if there is none.
     pub(crate) fn unit_normal(&self, i: u32) -> DVec3 {
         let normal = self.mesh.normals.get(i as usize).copied().unwrap_or_default();
         unit_normal(self.exact_normal_matrix, normal)
@@ -204,7 +204,7 @@ impl<'a> ObjectLight<'a> {
         self.vertices.view_from_object.from_eye(ObjectPoint(p_object)).0 * self.offset_unit
     }
 
-    /// Normals of some vertices, and their offsets where these matter.
+    /// Normals of some vertices, and their offsets if these matter.
     #[inline(always)]
     fn gather(&self, first: usize, n: usize, points: &mut Points) {
         for l in 0..n {

@@ -136,7 +136,7 @@ impl Kept {
         made
     }
 
-    /// True where the things that hide light are those of the last picture.
+    /// True if the things that hide light are those of the last picture.
     fn holds(&self, scenes: Scenes) -> bool {
         let same = self.hiding.iter().map(Some).chain(std::iter::repeat(None));
         let mut count = 0;
@@ -149,7 +149,7 @@ impl Kept {
 }
 
 /// The cameras of a light in a scene, whose pictures are its shadow map: one for parallel light, six around a lamp;
-/// `None` where nothing hides its light.
+/// `None` if nothing hides its light.
 #[must_use]
 pub fn light_cameras(scene: &Scene, light: &Light) -> Option<Vec<Camera>> {
     let scenes = Scenes::from(scene);
@@ -160,7 +160,7 @@ pub fn light_cameras(scene: &Scene, light: &Light) -> Option<Vec<Camera>> {
     cameras(light, points.filter(|p| p.is_finite()))
 }
 
-/// The cameras of a light: one that holds all that hides light, or six around a lamp; `None` where there is none.
+/// The cameras of a light: one that holds all that hides light, or six around a lamp; `None` if there is none.
 fn cameras(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Vec<Camera>> {
     match light.kind {
         LightKind::Directional => Some(vec![parallel(light, points)?]),
@@ -323,7 +323,7 @@ impl SeenByLight<'_> {
         DVec3::new((1.0 + p.x) * half, (1.0 - p.y) * half, projector.depths.depth(p.depth))
     }
 
-    /// The plane through three [places](Self::place), as [`Rays`] has it; zero where there is none.
+    /// The plane through three [places](Self::place), as [`Rays`] has it; zero if there is none.
     pub(crate) fn plane(&self, [a, b, c]: [DVec3; 3]) -> [f32; 3] {
         let normal = (b - a).cross(c - a);
         let plane = if self.light.projector.perspective {
