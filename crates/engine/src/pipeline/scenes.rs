@@ -7,9 +7,9 @@ use crate::scene::{Light, Line, Object, PointMark, Scene, SceneRevision, Text};
 pub struct Scenes<'a> {
     scene: &'a Scene,
     gear: &'a Scene,
-    /// Where the things are that hide light.
-    hiding: &'a Scene,
-    hiding_revision: Option<SceneRevision>,
+    /// The scene whose objects cast shadows.
+    occluders: &'a Scene,
+    occluders_revision: Option<SceneRevision>,
     lights: &'a [Light],
     fineness: f32,
 }
@@ -34,56 +34,55 @@ impl<'a> Scenes<'a> {
     /// A scene with gear, which is lit by the lights of the scene.
     #[must_use]
     pub fn new(scene: &'a Scene, gear: &'a Scene) -> Self {
-        Self { scene, gear, hiding: scene, hiding_revision: None, lights: &scene.lights, fineness: 1.0 }
+        Self { scene, gear, occluders: scene, occluders_revision: None, lights: &scene.lights, fineness: 1.0 }
     }
 
-    /// The same, of whose scene (not the gear) this number is known: while it stays, shadow maps stay too.
+    /// Sets the revision of the scene (not of the gear): as long as it stays the same, shadow maps stay too.
     #[must_use]
     pub fn of_revision(self, revision: SceneRevision) -> Self {
-        Self { hiding_revision: Some(revision), ..self }
+        Self { occluders_revision: Some(revision), ..self }
     }
 
-    /// The same with edges and outlines of objects, lines of the scene, and marks `fineness` times as wide as their
-    /// styles say, so that a scene that is small in the picture is not lost in its own strokes.
+    /// Draws edges and outlines of objects, lines of the scene, and marks `fineness` times as wide as their styles say, so that a scene that is small in the picture is not lost in its own strokes.
     #[must_use]
     pub fn with_fineness(self, fineness: f32) -> Self {
         Self { fineness, ..self }
     }
 
-    /// The same in the shadows of another one: what of a scene is not shown casts its shadow all the same.
+    /// Takes the shadows of another scene: objects that aren't shown cast their shadows all the same.
     #[must_use]
     pub fn in_shadows_of(self, other: impl Into<Self>) -> Self {
         let other = other.into();
-        Self { hiding: other.scene, hiding_revision: other.hiding_revision, ..self }
+        Self { occluders: other.scene, occluders_revision: other.occluders_revision, ..self }
     }
 
     /// The objects that hide light: those with opaque faces. Gear hides none.
-    pub(crate) fn hiding(self) -> impl Iterator<Item = &'a Object> {
+    pub(crate) fn occluders(self) -> impl Iterator<Item = &'a Object> {
         let has_faces = |object: &&Object| object.faces && !object.mesh.triangles.is_empty();
-        self.hiding.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
+        self.occluders.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
     }
 
-    /// The number of the scene in which [`Self::hiding`] are, if it's known.
-    pub(crate) fn hiding_revision(self) -> Option<SceneRevision> {
-        self.hiding_revision
+    /// The number of the scene in which [`Self::occluders`] are, if it's known.
+    pub(crate) fn occluders_revision(self) -> Option<SceneRevision> {
+        self.occluders_revision
     }
 
     /// True if a light casts a shadow of anything.
     pub(crate) fn casts_shadows(self) -> bool {
-        self.lights.iter().any(|light| light.shadows.cast) && self.hiding().next().is_some()
+        self.lights.iter().any(|light| light.shadows.cast) && self.occluders().next().is_some()
     }
 
     pub(crate) fn fineness(self) -> f32 {
         self.fineness
     }
 
-    /// The same in the dark: everything shows its own colours.
+    /// Switches all lights off: everything shows its own colours.
     #[must_use]
     pub fn without_lights(self) -> Self {
         Self { lights: &[], ..self }
     }
 
-    /// The same under other lights.
+    /// Replaces the lights.
     #[must_use]
     pub fn lit_by(self, lights: &'a [Light]) -> Self {
         Self { lights, ..self }

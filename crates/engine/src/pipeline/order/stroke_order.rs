@@ -14,7 +14,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::stroke_runs::{KEPT, LISTED, Run, SQUARE, Steps, runs_within};
+use super::stroke_runs::{KEPT, LISTED, Run, SQUARE, WorkBudget, runs_within};
 use crate::appearance::{HiddenLines, LineStyle, Occlusion};
 use crate::drawing::order::{StrokePoint, later_is_over, stroke_reach};
 use crate::drawing::{Drawing, single};
@@ -30,10 +30,10 @@ use crate::pipeline::budget::OverBudget;
 /// # Errors
 /// [`OverBudget::Strokes`].
 pub fn painted_runs(drawing: &Drawing) -> Result<Vec<Run>, OverBudget> {
-    runs_in_order(drawing, &mut Steps::default())
+    runs_in_order(drawing, &mut WorkBudget::default())
 }
 
-fn runs_in_order(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Run>, OverBudget> {
+fn runs_in_order(drawing: &Drawing, steps: &mut WorkBudget) -> Result<Vec<Run>, OverBudget> {
     let painted = runs_within(drawing, steps)?
         .into_iter()
         .filter_map(|run| run.style(drawing).map(|style| Painted { run, style }));
@@ -278,7 +278,7 @@ fn square(v: f64, count: usize) -> usize {
 }
 
 /// The contacts of runs of different layers, each place once.
-fn find_contacts(all: &[Painted], drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Contact>, OverBudget> {
+fn find_contacts(all: &[Painted], drawing: &Drawing, steps: &mut WorkBudget) -> Result<Vec<Contact>, OverBudget> {
     let segments = segments(all, drawing);
     let count = |side: u32| square(f64::from(side), usize::MAX) + 1;
     let (columns, rows) = (count(drawing.width), count(drawing.height));

@@ -49,10 +49,10 @@ impl Run {
 /// # Errors
 /// [`OverBudget::Strokes`].
 pub fn stroke_runs(drawing: &Drawing) -> Result<Vec<Run>, OverBudget> {
-    runs_within(drawing, &mut Steps::default())
+    runs_within(drawing, &mut WorkBudget::default())
 }
 
-pub(crate) fn runs_within(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Run>, OverBudget> {
+pub(crate) fn runs_within(drawing: &Drawing, steps: &mut WorkBudget) -> Result<Vec<Run>, OverBudget> {
     let faces = Occluders::new(drawing, steps)?;
     let mut runs = Vec::new();
     for (set, strokes) in drawing.strokes.iter().enumerate() {
@@ -67,22 +67,22 @@ pub(crate) fn runs_within(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Ru
     Ok(runs)
 }
 
-/// Number of steps left.
-pub(crate) struct Steps(usize);
+/// The number of steps that may still be taken.
+pub(crate) struct WorkBudget(usize);
 
-impl Default for Steps {
+impl Default for WorkBudget {
     fn default() -> Self {
         Self(MAX_STROKE_STEPS)
     }
 }
 
-impl Steps {
+impl WorkBudget {
     pub(crate) fn take(&mut self, steps: usize) -> Result<(), OverBudget> {
         self.0 = self.0.checked_sub(steps).ok_or(OverBudget::Strokes)?;
         Ok(())
     }
 
-    /// For tests, which have no minute to wait.
+    /// A small budget, for tests.
     #[cfg(test)]
     pub(crate) fn few(steps: usize) -> Self {
         Self(steps)
@@ -99,7 +99,7 @@ pub(crate) const KEPT: usize = 64;
 /// # Errors
 /// [`OverBudget::Strokes`].
 pub fn occlusions(drawing: &Drawing, places: impl IntoIterator<Item = [f32; 3]>) -> Result<Vec<Occlusion>, OverBudget> {
-    let faces = Occluders::new(drawing, &mut Steps::default())?;
+    let faces = Occluders::new(drawing, &mut WorkBudget::default())?;
     Ok(places.into_iter().map(|place| faces.before(place.map(f64::from))).collect())
 }
 
@@ -116,7 +116,7 @@ const SHORTEST: f64 = 0.02;
 fn split(
     points: &[[f32; 3]],
     faces: Option<&Occluders>,
-    steps: &mut Steps,
+    steps: &mut WorkBudget,
     mut found: impl FnMut(Run),
 ) -> Result<(), OverBudget> {
     let mut run: Option<Run> = None;
@@ -201,7 +201,7 @@ struct Occluders {
 }
 
 impl Occluders {
-    fn new(drawing: &Drawing, steps: &mut Steps) -> Result<Self, OverBudget> {
+    fn new(drawing: &Drawing, steps: &mut WorkBudget) -> Result<Self, OverBudget> {
         // A surface that leaves no depth hides nothing, as in a depth buffer.
         let hiding = drawing.surfaces.iter().filter(|s| s.depth_test && !s.translucent);
         let opaque = hiding.flat_map(|s| s.triangles.iter().map(move |&triangle| (s, triangle)));
@@ -249,7 +249,7 @@ impl Faces {
     fn new<'a>(
         drawing: &Drawing,
         triangles: impl Iterator<Item = (&'a Surface, [u32; 3])>,
-        steps: &mut Steps,
+        steps: &mut WorkBudget,
     ) -> Result<Self, OverBudget> {
         let (columns, rows) = (square_count(drawing.width), square_count(drawing.height));
         let mut all = Self { faces: Vec::new(), columns, rows, squares: vec![Vec::new(); columns * rows] };
@@ -262,7 +262,7 @@ impl Faces {
         Ok(all)
     }
 
-    fn add(&mut self, [a, b, c]: [[f64; 3]; 3], steps: &mut Steps) -> Result<(), OverBudget> {
+    fn add(&mut self, [a, b, c]: [[f64; 3]; 3], steps: &mut WorkBudget) -> Result<(), OverBudget> {
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
         // Also for NaN.
         if !(area.abs() > 0.0 && area.is_finite()) {
@@ -311,7 +311,7 @@ impl Faces {
     fn hidden_parts(
         &self,
         segment: &Segment,
-        steps: &mut Steps,
+        steps: &mut WorkBudget,
         hidden: &mut Vec<Range<f64>>,
     ) -> Result<(), OverBudget> {
         if self.faces.is_empty() {
@@ -516,7 +516,7 @@ mod tests {
     #[test]
     fn what_takes_too_many_steps_is_given_up() {
         let drawing = drawing(&[[0.0, 30.0, 0.2], [90.0, 30.0, 0.2]], HiddenLines::Hidden);
-        let steps = |few| runs_within(&drawing, &mut Steps::few(few)).map(|runs| runs.len());
+        let steps = |few| runs_within(&drawing, &mut WorkBudget::few(few)).map(|runs| runs.len());
         assert_eq!(steps(2000), Ok(3));
         // For the faces alone, and for the contacts of the stroke.
         assert_eq!([steps(100), steps(300)], [Err(OverBudget::Strokes), Err(OverBudget::Strokes)]);

@@ -45,14 +45,14 @@ impl Solids {
     /// Number of triangles of a scene that [`Solids::of`] puts into a tree.
     #[must_use]
     pub fn count(scene: &Scene) -> usize {
-        Scenes::from(scene).hiding().map(|object| object.mesh.triangles.len()).sum()
+        Scenes::from(scene).occluders().map(|object| object.mesh.triangles.len()).sum()
     }
 
     /// Those of a scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let (mut triangles, mut facts) = (Vec::new(), Vec::new());
-        for object in Scenes::from(scene).hiding() {
+        for object in Scenes::from(scene).occluders() {
             let Object { mesh, world_from_object, .. } = object;
             let at = |i: u32| {
                 let p = mesh.positions.get(i as usize).copied().unwrap_or(DVec3::NAN);

@@ -8,7 +8,7 @@
 
 use glam::DVec3;
 
-/// A point in the space of its object: x_o, y_o, z_o in `[0]` §5.3.1.
+/// A point in the space of its object: the local coordinates of `[0]` §5.3.1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ObjectPoint(pub(crate) DVec3);
 

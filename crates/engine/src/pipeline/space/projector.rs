@@ -116,7 +116,7 @@ fn norm(m: DMat3) -> f64 {
 #[derive(Clone, Debug)]
 pub(crate) struct ViewFromObject {
     eye: DVec3,
-    /// Takes [`from_eye`](Self::from_eye) to view space.
+    /// Takes [`offset_from_eye`](Self::offset_from_eye) to view space.
     pub(crate) linear: DMat3,
     /// Model matrix, if the eye couldn't be taken to object space.
     through_world: Option<(DMat3, DVec3)>,
@@ -132,16 +132,16 @@ impl ViewFromObject {
     ///
     /// [`transform`]: crate::pipeline::stage::transform::transform
     #[inline(always)]
-    pub(crate) fn from_eye(&self, ObjectPoint(p): ObjectPoint) -> FromEye {
+    pub(crate) fn offset_from_eye(&self, ObjectPoint(p): ObjectPoint) -> FromEye {
         FromEye(match self.through_world {
             None => p - self.eye,
             Some((linear, translation)) => linear * p + translation - self.eye,
         })
     }
 
-    /// [`from_eye`](Self::from_eye) for a block of points, coordinate by coordinate.
+    /// [`offset_from_eye`](Self::offset_from_eye) for a block of points, coordinate by coordinate.
     #[inline(always)]
-    pub(crate) fn block_from_eye(&self, given: &[DVec3], [x, y, z]: [&mut [f64; BLOCK]; 3]) {
+    pub(crate) fn offsets_from_eye(&self, given: &[DVec3], [x, y, z]: [&mut [f64; BLOCK]; 3]) {
         // The same loop twice, so that neither asks for each point which of the two it is.
         match self.through_world {
             None => {
@@ -152,7 +152,7 @@ impl ViewFromObject {
             }
             Some(_) => {
                 for (l, &p) in given.iter().enumerate().take(BLOCK) {
-                    let FromEye(d) = self.from_eye(ObjectPoint(p));
+                    let FromEye(d) = self.offset_from_eye(ObjectPoint(p));
                     (x[l], y[l], z[l]) = (d.x, d.y, d.z);
                 }
             }

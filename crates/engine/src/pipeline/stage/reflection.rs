@@ -101,7 +101,7 @@ pub(crate) struct ObjectLight<'a> {
     /// Takes normals to view space, and makes them of any length.
     normal_matrix: Rows,
     exact_normal_matrix: DMat3,
-    /// Takes `ViewFromObject::from_eye`, times `offset_unit`, to view space in the unit of the lights.
+    /// Takes `ViewFromObject::offset_from_eye`, times `offset_unit`, to view space in the unit of the lights.
     position_matrix: Rows,
     /// A power of two that keeps offsets in the range of single precision.
     offset_unit: f64,
@@ -201,7 +201,7 @@ impl<'a> ObjectLight<'a> {
     }
 
     fn offset(&self, p_object: DVec3) -> DVec3 {
-        self.vertices.view_from_object.from_eye(ObjectPoint(p_object)).0 * self.offset_unit
+        self.vertices.view_from_object.offset_from_eye(ObjectPoint(p_object)).0 * self.offset_unit
     }
 
     /// Normals of some vertices, and their offsets if these matter.

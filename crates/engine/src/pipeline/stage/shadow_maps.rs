@@ -45,20 +45,20 @@ pub struct ShadowMaps(Arc<Mutex<Kept>>);
 
 #[derive(Debug, Default)]
 struct Kept {
-    hiding: Arc<[Hiding]>,
-    /// Revision of the scene of those things, if known.
+    occluders: Arc<[Occluder]>,
+    /// Revision of the scene of the occluders, if known.
     revision: Option<SceneRevision>,
     made: Vec<(Light, ShadowLight)>,
 }
 
 /// A thing that hides light.
 #[derive(Clone, Debug)]
-struct Hiding {
+struct Occluder {
     mesh: Arc<Mesh>,
     world_from_object: DMat4,
 }
 
-impl Hiding {
+impl Occluder {
     fn is(&self, object: &Object) -> bool {
         Arc::ptr_eq(&self.mesh, &object.mesh) && self.world_from_object == object.world_from_object
     }
@@ -76,15 +76,15 @@ impl ShadowMaps {
         if !scenes.casts_shadows() {
             return Vec::new();
         }
-        let (hiding, known) = self.kept().known(scenes);
+        let (occluders, known) = self.kept().known(scenes);
         let mut lights = Vec::new();
         for ((index, light), known) in casting(scenes).zip(known) {
             // The pool may begin another picture meanwhile, which asks for maps too: nothing is locked here.
             let found = match known {
                 Some(known) => known,
                 None => {
-                    let Some(made) = made(&light, &hiding) else { continue };
-                    self.kept().keep(light, made, &hiding)
+                    let Some(made) = made(&light, &occluders) else { continue };
+                    self.kept().keep(light, made, &occluders)
                 }
             };
             let bias = single(scenes.lights()[index].shadows.held().bias);
@@ -111,26 +111,29 @@ fn casting(scenes: Scenes<'_>) -> impl Iterator<Item = (usize, Light)> {
 
 impl Kept {
     /// The things that hide light in a scene, and what is known of its lights that cast shadows.
-    fn known(&mut self, scenes: Scenes) -> (Arc<[Hiding]>, Vec<Option<ShadowLight>>) {
-        let (before, now) = (std::mem::replace(&mut self.revision, scenes.hiding_revision()), scenes.hiding_revision());
+    fn known(&mut self, scenes: Scenes) -> (Arc<[Occluder]>, Vec<Option<ShadowLight>>) {
+        let (before, now) =
+            (std::mem::replace(&mut self.revision, scenes.occluders_revision()), scenes.occluders_revision());
         if (now.is_none() || before != now) && !self.holds(scenes) {
             self.made.clear();
-            let all = scenes.hiding();
-            self.hiding = all
-                .map(|object| Hiding { mesh: Arc::clone(&object.mesh), world_from_object: object.world_from_object })
+            let all = scenes.occluders();
+            self.occluders = all
+                .map(|object| Occluder { mesh: Arc::clone(&object.mesh), world_from_object: object.world_from_object })
                 .collect();
         }
         self.made.retain(|(of, _)| casting(scenes).any(|(_, light)| light == *of));
         let found = |light| self.made.iter().find(|(of, _)| *of == light).map(|(_, made)| made.clone());
-        (Arc::clone(&self.hiding), casting(scenes).map(|(_, light)| found(light)).collect())
+        (Arc::clone(&self.occluders), casting(scenes).map(|(_, light)| found(light)).collect())
     }
 
     /// Keeps a map of these things, unless another picture has kept one meanwhile, or one of another scene.
-    fn keep(&mut self, light: Light, made: ShadowLight, hiding: &Arc<[Hiding]>) -> ShadowLight {
-        if let Some((_, known)) = self.made.iter().find(|(of, _)| Arc::ptr_eq(&self.hiding, hiding) && *of == light) {
+    fn keep(&mut self, light: Light, made: ShadowLight, occluders: &Arc<[Occluder]>) -> ShadowLight {
+        if let Some((_, known)) =
+            self.made.iter().find(|(of, _)| Arc::ptr_eq(&self.occluders, occluders) && *of == light)
+        {
             return known.clone();
         }
-        if Arc::ptr_eq(&self.hiding, hiding) {
+        if Arc::ptr_eq(&self.occluders, occluders) {
             self.made.push((light, made.clone()));
         }
         made
@@ -138,13 +141,13 @@ impl Kept {
 
     /// True if the things that hide light are those of the last picture.
     fn holds(&self, scenes: Scenes) -> bool {
-        let same = self.hiding.iter().map(Some).chain(std::iter::repeat(None));
+        let same = self.occluders.iter().map(Some).chain(std::iter::repeat(None));
         let mut count = 0;
-        let unchanged = scenes.hiding().zip(same).all(|(object, old)| {
+        let unchanged = scenes.occluders().zip(same).all(|(object, old)| {
             count += 1;
             old.is_some_and(|old| old.is(object))
         });
-        unchanged && count == self.hiding.len()
+        unchanged && count == self.occluders.len()
     }
 }
 
@@ -153,9 +156,9 @@ impl Kept {
 #[must_use]
 pub fn light_cameras(scene: &Scene, light: &Light) -> Option<Vec<Camera>> {
     let scenes = Scenes::from(scene);
-    scenes.hiding().next()?;
+    scenes.occluders().next()?;
     let points = scenes
-        .hiding()
+        .occluders()
         .flat_map(|object| object.mesh.positions.iter().map(|&p| object.world_from_object.transform_point3(p)));
     cameras(light, points.filter(|p| p.is_finite()))
 }
@@ -236,36 +239,36 @@ fn around(light: &Light, points: impl Iterator<Item = DVec3>) -> Option<Vec<Came
 }
 
 /// The map of a light, to be painted.
-fn made(light: &Light, hiding: &[Hiding]) -> Option<ShadowLight> {
-    let points = hiding
+fn made(light: &Light, occluders: &[Occluder]) -> Option<ShadowLight> {
+    let points = occluders
         .iter()
-        .flat_map(|Hiding { mesh, world_from_object }| {
+        .flat_map(|Occluder { mesh, world_from_object }| {
             mesh.positions.iter().map(|&p| world_from_object.transform_point3(p))
         })
         .filter(|p| p.is_finite());
     let shadows = light.shadows.held();
     let cameras = cameras(light, points)?;
-    let scene = Scene { objects: hiding.iter().map(alone).collect(), ..Scene::default() };
+    let scene = Scene { objects: occluders.iter().map(alone).collect(), ..Scene::default() };
     let size = shadows.map;
     let views = cameras.iter().map(|camera| seen_by_light(&scene, camera, size)).collect();
     let projector = Projector::new(cameras.first()?);
     let rays = rays(&cameras, &projector, size)?;
-    let map = ShadowMap::new(views, size, rays, single(shadows.softness), recipe(light, hiding));
+    let map = ShadowMap::new(views, size, rays, single(shadows.softness), recipe(light, occluders));
     Some(ShadowLight { map: Arc::new(map), light: 0, bias: 0.0, projector })
 }
 
 /// A hash of a light and of the things that hide it.
-fn recipe(light: &Light, hiding: &[Hiding]) -> u64 {
+fn recipe(light: &Light, occluders: &[Occluder]) -> u64 {
     let mut hash = DefaultHasher::new();
     (light.kind == LightKind::Point, light.vector.to_array().map(f64::to_bits)).hash(&mut hash);
-    for Hiding { mesh, world_from_object } in hiding {
+    for Occluder { mesh, world_from_object } in occluders {
         (Arc::as_ptr(mesh), world_from_object.to_cols_array().map(f64::to_bits)).hash(&mut hash);
     }
     hash.finish()
 }
 
 /// Faces and nothing else, without light, seen from both sides.
-fn alone(Hiding { mesh, world_from_object }: &Hiding) -> Object {
+fn alone(Occluder { mesh, world_from_object }: &Occluder) -> Object {
     Object {
         name: String::new(),
         part_of: None,

@@ -123,7 +123,7 @@ impl VertexChunk<'_> {
         for (k, given) in self.given.chunks(BLOCK).enumerate() {
             let here = k * BLOCK..k * BLOCK + given.len();
             // Object → view → clip.
-            view_from_object.block_from_eye(given, [&mut x, &mut y, &mut depth]);
+            view_from_object.offsets_from_eye(given, [&mut x, &mut y, &mut depth]);
             for l in 0..BLOCK {
                 let from_eye = FromEye(DVec3::new(x[l], y[l], depth[l]));
                 let p = oblique(projector, project(projector, transform(view_from_object, from_eye)));

@@ -179,7 +179,7 @@ fn two_that_go_along_each_other_and_change_their_order_are_cut_there() {
 fn strokes_that_touch_too_often_are_given_up() {
     let (one, other) = (level(50.0, 0.8), upright(50.0, 0.3));
     let drawing = drawing(&[(&one, tested(2.0)), (&other, tested(2.0))]);
-    let steps = |few| runs_in_order(&drawing, &mut Steps::few(few)).map(|runs| runs.len());
+    let steps = |few| runs_in_order(&drawing, &mut WorkBudget::few(few)).map(|runs| runs.len());
     assert_eq!(steps(1000), Ok(2));
     assert_eq!([steps(64), steps(200)], [Err(OverBudget::Strokes), Err(OverBudget::Strokes)]);
 }
