@@ -2,7 +2,7 @@
 //!
 //! *Notes*: `[0]` Eq. (5.6), (x_n, y_n, z_n) = (x_r, y_r, z_r) / w_r; `[2]` on why clipping has to come first.
 //! *Textbook*: three divisions. *Here*: one division, 1/w, and products with it. The depth isn't z_n, which is −1 at F
-//! and crowds nearly everything next to 1, but the reversed depth of [`DepthScale`]: also linear in 1/w, so that it's
+//! and crowds nearly everything next to 1, but the reversed depth of [`DepthScale`]: linear in 1/w too, so that it's
 //! linear over a face on the image, but 0 at the far end, where floating-point numbers are densest. Vertices outside
 //! the volume are divided as well, since that is faster than asking; no face uses their results. In parallel projection
 //! w is 1, and the division changes nothing.

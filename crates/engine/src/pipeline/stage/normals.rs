@@ -5,7 +5,7 @@
 //! cofactors of the matrix, which are its inverse transpose times its determinant
 //! ([`normal_matrix`](crate::pipeline::space::projector::ViewFromObject::normal_matrix)): a flattened object, which has
 //! no inverse, has normals all the same. The length is left to the light, which needs a square root there anyway. Only
-//! normals that light asks for are transformed, eight at a time, in the loop of [`light`](super::reflection).
+//! normals that light asks for are transformed, eight at a time, in the loop of [`reflection`](super::reflection).
 
 use glam::{DMat3, DVec3};
 

@@ -154,3 +154,53 @@ impl VertexChunk<'_> {
         outside
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::appearance::Rgba;
+    use crate::camera::{Camera, Parameters};
+    use crate::pipeline::Target;
+    use crate::pipeline::space::point::{NdcPoint, Pixel};
+    use glam::DMat4;
+
+    #[test]
+    fn a_vertex_goes_from_space_to_space() {
+        // The eye is 5 before the origin and sees 90°: the window is ±1 on F = 1.
+        let camera = Camera::new(&Parameters {
+            position: DVec3::new(0.0, 0.0, 5.0),
+            view_angle: 90.0,
+            aspect: 1.0,
+            near: 1.0,
+            far: 3.0,
+            ..Parameters::default()
+        });
+        let projector = Projector::new(&camera.unwrap());
+        let screen = Screen::new(Target { width: 100, height: 100, scale: 1.0, background: Rgba::rgb(0, 0, 0) });
+        // The object lies 2 to the right of the origin.
+        let view_from_object = projector.view_from_object(DMat4::from_translation(2.0 * DVec3::X));
+        let p_object = ObjectPoint(DVec3::new(-1.0, -1.0, 3.0));
+
+        let from_eye = view_from_object.offset_from_eye(p_object);
+        assert_eq!(from_eye, FromEye(DVec3::new(1.0, -1.0, -2.0)), "from C = (−2, 0, 5) in the object's space");
+        let p_view = transform(&view_from_object, from_eye);
+        assert_eq!(p_view, ViewPoint(DVec3::new(1.0, -1.0, -2.0)), "the camera isn't turned");
+        let p_clip = oblique(&projector, project(&projector, p_view));
+        assert_eq!(p_clip, ClipPoint { x: 1.0, y: -1.0, w: 2.0, depth: 2.0 }, "w is the distance");
+        let p_ndc = divide(&projector.depths, p_clip);
+        assert_eq!(p_ndc, NdcPoint { x: 0.5, y: -0.5, depth: 0.25 }, "(B − d)/(B − F) · F/d = ½ · ½");
+        let pixel = viewport(&screen, p_ndc);
+        assert_eq!(pixel, Pixel { x: 75.0, y: 75.0, depth: 0.25 }, "y is down");
+        assert_eq!(snap(pixel), [75.0, 75.0, 0.25]);
+
+        // The loop over the vertices does the same.
+        let positions = vec![p_object.0; 40];
+        let vertices = Vertices { projector: &projector, view_from_object: &view_from_object, positions: &positions };
+        let mut image = OnImage::default();
+        image.fill::<true>(&vertices, &screen, true, true);
+        assert_eq!(image.positions, [[75.0, 75.0, 0.25]; 40]);
+        assert_eq!((image.inverse_w, image.outside), (vec![0.5; 40], 0));
+    }
+}

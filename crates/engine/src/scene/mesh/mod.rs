@@ -25,7 +25,7 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
     /// The edges to draw: sides of polygons, not the diagonals that triangulation adds. Indices into `positions`, each
     /// edge once (also where vertices are doubled). Curved shapes name only some of their sides: see
-    /// [`primitives`](primitives).
+    /// [`primitives`].
     pub edges: Vec<[u32; 2]>,
     /// Adjacency of the faces of curved solids, from which their outline is found. Empty for other meshes.
     pub adjacency: Adjacency,
