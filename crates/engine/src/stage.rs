@@ -98,6 +98,36 @@ impl Stage {
         self.row().0
     }
 
+    /// The file that shows how it works, from the root of the project: it has a function of the stage's name.
+    ///
+    /// The stages of geometry are what pictures are made with. For the stages of the rasterizer it's the textbook, to
+    /// which the fast files are equal to the byte. Hidden surfaces are there too: the order in which faces are painted
+    /// without a depth buffer is in `crates/engine/src/pipeline/stage/hidden_surfaces.rs`.
+    #[must_use]
+    pub const fn source(self) -> &'static str {
+        match self {
+            Self::Traverse => "crates/engine/src/pipeline/stage/traverse.rs",
+            Self::CullObjects => "crates/engine/src/pipeline/stage/cull_objects.rs",
+            Self::Normals => "crates/engine/src/pipeline/stage/normals.rs",
+            Self::Light => "crates/engine/src/pipeline/stage/light.rs",
+            Self::Transform => "crates/engine/src/pipeline/stage/transform.rs",
+            Self::CullFaces => "crates/engine/src/pipeline/stage/cull_faces.rs",
+            Self::Clip => "crates/engine/src/pipeline/stage/clip.rs",
+            Self::Oblique => "crates/engine/src/pipeline/stage/oblique.rs",
+            Self::Divide => "crates/engine/src/pipeline/stage/divide.rs",
+            Self::Viewport => "crates/engine/src/pipeline/stage/viewport.rs",
+            Self::Lines => "crates/engine/src/pipeline/stage/lines.rs",
+            Self::Fill
+            | Self::Interpolate
+            | Self::HiddenSurfaces
+            | Self::Texture
+            | Self::Shadow
+            | Self::Blend
+            | Self::Antialias
+            | Self::Write => "crates/engine/src/raster/textbook.rs",
+        }
+    }
+
     /// False if its operations are not counted: work on whole objects; lines, marks and texts.
     #[must_use]
     pub const fn is_counted(self) -> bool {
@@ -180,5 +210,35 @@ impl Operations {
     #[must_use]
     pub const fn times(self, n: u64) -> Self {
         Self::new(self.float * n, self.integer * n, self.memory * n)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+
+    /// The function that a stage's file has to have.
+    fn function(stage: Stage) -> String {
+        match stage {
+            Stage::Oblique => "oblique".to_owned(),
+            _ => stage.name().replace('-', "_"),
+        }
+    }
+
+    #[test]
+    fn the_source_of_a_stage_has_a_function_of_its_name() {
+        for stage in Stage::ALL {
+            let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../").to_owned() + stage.source();
+            // The textbook comes with the rasterizer.
+            if stage.source().ends_with("textbook.rs") && !std::path::Path::new(&file).exists() {
+                continue;
+            }
+            let text = std::fs::read_to_string(&file).unwrap();
+            let name = function(stage);
+            let is_there = [format!("fn {name}("), format!("fn {name}<")].iter().any(|start| text.contains(start));
+            assert!(is_there, "{file} has no function {name}");
+        }
     }
 }

@@ -18,54 +18,41 @@
 //! function and its test.
 
 mod basis;
-mod clip_space;
-mod decomposition;
-mod descriptors;
+mod check;
 mod image_map;
-mod matrix_text;
-mod ndc;
-mod operations;
+mod matrix;
+mod operation;
 mod parameters;
-mod path;
-mod pinhole;
 mod place;
-mod projection;
 mod ray;
-mod reading;
-mod recognition;
 mod recovery;
-mod repair;
 mod stations;
 mod unproject;
 mod volume;
-mod warnings;
 mod window;
 
 pub use basis::Basis;
-pub use clip_space::ClipSpace;
-pub use decomposition::{Decomposition, Factor, Step};
-pub use descriptors::{Amount, Descriptor, Freedom, OPERATIONS, OperationError};
+pub use check::{CameraRepair, Warning, camera_repairs, thresholds};
 pub use image_map::{ImageSize, Viewport};
-pub use matrix_text::{MatrixEntries, MatrixTextError};
-pub use ndc::{Api, InfiniteParallel, Ndc};
-pub use operations::{Changes, Convention, Operation};
+pub use matrix::{Api, ClipSpace, Decomposition, Factor, InfiniteParallel, Ndc, Step};
+pub use operation::{
+    Amount, CameraPath, Changes, Convention, Descriptor, Freedom, OPERATIONS, Operation, OperationError,
+};
 pub use parameters::{
     CameraError, Checked, Derived, ParameterKey, Parameters, Projection, Range, ViewWindow, is_infinite_far,
 };
-pub use path::CameraPath;
 pub use place::Place;
-pub use reading::{Axes, MatrixKind, Reading};
-pub use recognition::{Evidence, Recognised, Stated, recognise};
-pub use recovery::{Lines, Recovered, RecoveryError, Unknown, recover};
-pub use repair::{CameraRepair, camera_repairs};
+pub use recovery::{
+    Axes, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError, Reading, Recognised, Recovered, RecoveryError,
+    Stated, Unknown, recognise, recover,
+};
 pub use stations::{Projected, Stations};
 pub use unproject::{NotProjectable, WayBack};
-pub use warnings::{Warning, thresholds};
 
 use glam::DVec3;
 
 use basis::{CameraFrame, Pose};
-use projection::{Lens, lens};
+use matrix::projection::{Lens, lens};
 use window::WideWindow;
 
 use crate::geometry::Angle;

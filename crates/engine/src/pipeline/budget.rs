@@ -1,6 +1,5 @@
-//! Budgets of a drawing, and its shortfall where one is exceeded.
+//! Budgets of a drawing, and the shortfall if one is exceeded.
 
-use super::rounding_check::MisplacedVertex;
 use crate::limits::{MAX_PIECES, MAX_STROKE_STEPS};
 use crate::sanitize::escaped;
 
@@ -21,19 +20,30 @@ pub enum OverBudget {
         "strokes meet too many faces or one another too often to be drawn without a depth buffer (more than {MAX_STROKE_STEPS} steps); allowed: fewer edges and lines"
     )]
     Strokes,
-    /// Rounding puts vertices more than a quarter of a pixel beside their places: the picture magnifies more than
+    /// Rounding puts vertices more than a quarter of a pixel off their places: the picture magnifies more than
     /// coordinates have digits.
     #[error(
         "{}: the picture magnifies more than coordinates have digits; allowed: a wider window, or scene and camera nearer to the origin",
-        beside(vertices)
+        vertex_offsets(vertices)
     )]
     Rounding {
-        /// Of each object the vertex that is farthest beside its place, and of these the farthest first; at least one.
+        /// The vertex of each object that is farthest off its place, the farthest of all first; at least one.
         vertices: Vec<MisplacedVertex>,
     },
 }
 
-fn beside(vertices: &[MisplacedVertex]) -> String {
+/// The vertex of an object that is drawn farthest off its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MisplacedVertex {
+    /// The object's name.
+    pub object: String,
+    /// The index of the vertex in the mesh, from 0.
+    pub vertex: usize,
+    /// Distance between its place and its drawn position, pixels; more than a quarter.
+    pub off: f64,
+}
+
+fn vertex_offsets(vertices: &[MisplacedVertex]) -> String {
     let one = |MisplacedVertex { object, vertex, off }: &MisplacedVertex| {
         format!("vertex {vertex} of {:?} is drawn {off:.1} px off", escaped(object))
     };
@@ -46,18 +56,18 @@ fn beside(vertices: &[MisplacedVertex]) -> String {
 
 impl OverBudget {
     /// `shares`: how many pieces each object has, by its name.
-    pub(super) fn pieces<'a>(shares: impl Iterator<Item = (&'a str, usize)>) -> Self {
+    pub(crate) fn pieces<'a>(shares: impl Iterator<Item = (&'a str, usize)>) -> Self {
         let mut shares: Vec<(&str, usize)> = shares.collect();
         shares.sort_by_key(|(_, share)| std::cmp::Reverse(*share));
         Self::Pieces { objects: shares.into_iter().map(|(name, _)| name.to_owned()).collect() }
     }
 
-    /// `None` where no vertex is.
-    pub(super) fn rounding(vertices: Vec<MisplacedVertex>) -> Option<Self> {
+    /// `None` if no vertex is.
+    pub(crate) fn rounding(vertices: Vec<MisplacedVertex>) -> Option<Self> {
         (!vertices.is_empty()).then_some(Self::Rounding { vertices })
     }
 
-    /// Names no others than those that `is_known`: a picture has objects of its own besides the scene's. `None` where
+    /// Names no others than those that `is_known`: a picture has objects of its own besides the scene's. `None` if
     /// that leaves nothing.
     #[must_use]
     pub fn about(self, is_known: impl Fn(&str) -> bool) -> Option<Self> {

@@ -1,70 +1,37 @@
 //! scene + camera → [`Drawing`]: the stages in the order of the notes `[3]` §1.1.
 //!
-//! | stage | space, from → to | file |
-//! | --- | --- | --- |
-//! | plan: the stages needed | – | [`plan`] |
-//! | objects outside the volume dropped | object → view | `bounds`, `cull` |
-//! | depths spread over those in view | view | [`depths`] |
-//! | each vertex transformed once | object → world → view → clip → ndc → pixels | `projector`, `transform` |
-//! | back faces dropped | pixels | `faces`, `cull` |
-//! | clipping, before the divide | clip | `faces`, `clip` |
-//! | light on the remaining faces | view | `light`, `shade` |
-//! | order of faces, where no depth buffer decides | view | `hidden_surfaces`, `bsp`, `visibility` |
-//! | edges, outlines, lines, marks, texts | world → pixels | `lines`, `outline` |
+//! [`Pipeline::frame`] is the pipeline on one page. Each stage is a function under its own name in `stage`, one file
+//! each, and the head of a file says what the notes have, what the textbook does, and what we do instead. Start with
+//! `stage/vertices.rs`: what happens to a vertex.
 //!
-//! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces,
-//! blending and smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
-//! [`Pipeline::frame`] takes the objects through the stages one by one, each by `object_pass`; `recorder` counts and
-//! times them, and notes in `stage_work` what goes into the stage that a picture shows, and what comes out.
-//! [`clip_parts`], [`cull_result`], [`one_triangle`] and [`divide_before_clip`] are not on the way to a picture: they
-//! show what clipping and culling do, and what would come of dividing first.
+//! | folder | holds |
+//! | --- | --- |
+//! | `stage` | what runs: traverse, cull objects, transform, … light, hidden surfaces, lines |
+//! | `plan` | which stages a picture needs, and the reason for each |
+//! | `order` | the order in which faces and strokes are painted if no depth buffer decides |
+//! | `space` | the spaces of a point as types, the camera between them, the planes of the volume, the scale of depths |
+//! | `mesh` | what stages share: bounds, cutting by a plane, attributes of new vertices, outlines |
+//! | `report` | what a picture did: counts, times, operations, rounding |
+//! | `show` | what reveals the inner work; no picture needs it: the canonical volume ([`project`]), [`clip_parts`], [`cull_result`], [`one_triangle`], [`divide_before_clip`], [`shadow_rays`] |
 //!
-//! A drawing for an output without a depth buffer is completed by [`stroke_runs`], the parts of its strokes that faces
-//! hide, and [`stroke_order`], their order in depth.
+//! A folder uses those that come before it in this order: `space`, `mesh`, `plan`, `order`, `stage`, `show`, `report`.
 //!
-//! All cutting is done by `cut`, and all attributes of vertices are carried over by `resample`.
+//! Light comes last of an object's stages although the notes have it second: only the faces that are left need any.
+//! Filling, hidden surfaces by depth, blending and smoothing are the rasterizer's ([`raster`](crate::raster)).
+//!
+//! A drawing for an output without a depth buffer is completed by [`stroke_runs`], which finds the parts of strokes
+//! that faces hide, and [`stroke_order`], their order in depth.
 
-mod bounds;
-mod bsp;
 pub mod budget;
-mod clip;
-pub mod clip_parts;
-mod cull;
-pub mod cull_result;
-mod cut;
-pub mod depths;
-pub mod divide_before_clip;
-mod faces;
-mod hidden_surfaces;
-pub mod light;
-mod lines;
+mod mesh;
 mod object_pass;
-pub mod one_triangle;
-pub mod operations;
-mod outline;
-mod pieces;
+mod order;
 pub mod plan;
-mod plan_counts;
-mod planes;
-mod pool;
-pub mod project;
-mod projected;
-mod projector;
-mod recorder;
 pub mod report;
-mod resample;
-mod rounding_check;
 mod scenes;
-mod shade;
-mod shadow_maps;
-pub mod shadow_rays;
-mod split_plane;
-mod stage_work;
-mod stages;
-pub mod stroke_order;
-pub mod stroke_runs;
-mod transform;
-mod visibility;
+mod show;
+mod space;
+mod stage;
 
 use crate::appearance::{DepthFormat, Rgba, Shading, Style, Visibility};
 use crate::camera::Camera;
@@ -72,30 +39,35 @@ use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
 use crate::progress::Progress;
 use crate::scene::Scene;
-use bounds::KnownBounds;
-pub use budget::OverBudget;
-pub use cull::Containment;
-use depths::InView;
-use faces::Faces;
-use hidden_surfaces::Unordered;
-use light::Lights;
-use lines::Strokes;
+pub use budget::{MisplacedVertex, OverBudget};
+use mesh::bounds::KnownBounds;
+pub use mesh::resample::with_triangles;
 use object_pass::{ObjectPass, PassContext};
-pub use plan::{Options, Output, Plan, Reason, Stage};
-pub use planes::{NEAR, PlaneSet};
-use pool::Pool;
-use projector::Projector;
-use recorder::Recorder;
+pub use order::{stroke_order, stroke_runs};
+pub use plan::{Containment, FacesDone, ObjectReport, Options, Output, Plan, Reason, Stage};
 use report::Meter;
+pub use report::operations;
+use report::recorder::Recorder;
+use report::rounding_check::Misplaced;
+pub use report::work::{ObjectWork, StageWork, VertexWork};
 pub use report::{FollowedTriangle, Frame, StageReport};
-pub use resample::with_triangles;
-use rounding_check::Misplaced;
-pub use rounding_check::MisplacedVertex;
 pub use scenes::Scenes;
-pub use shadow_maps::{ShadowMaps, light_cameras};
-pub use stage_work::{ObjectWork, StageWork, VertexWork};
-pub use stages::{FacesDone, ObjectReport};
-use transform::Screen;
+pub use show::canonical as project;
+pub use show::{clip_parts, cull_result, divide_before_clip, one_triangle, shadow_rays};
+pub use space::depths;
+use space::depths::InView;
+pub use space::planes::{NEAR, PlaneSet};
+use space::projector::Projector;
+use space::screen::Screen;
+use stage::cull_objects::cull_objects;
+use stage::faces::Faces;
+use stage::hidden_surfaces::{Unordered, hidden_surfaces};
+use stage::lines::{self, Strokes, lines};
+use stage::pool::Pool;
+pub use stage::reflection as light;
+use stage::reflection::Lights;
+pub use stage::shadow_maps::{ShadowMaps, light_cameras};
+use stage::traverse::traverse;
 
 /// The picture to make: its size in pixels, and how large a stroke's or letter's unit is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -110,8 +82,8 @@ pub struct Target {
     pub background: Rgba,
 }
 
-/// Draws `scene` as `camera` sees it. The view window fills the whole target: who wants no distortion gives a target
-/// with the window's aspect.
+/// Draws `scene` as `camera` sees it. The view window fills the whole target: without distortion only if the target has
+/// the window's aspect.
 #[must_use]
 pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Drawing {
     Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing
@@ -160,12 +132,13 @@ impl Clone for Pipeline {
 }
 
 impl Pipeline {
-    /// Says from now on how far a drawing has come. One that is cancelled ends early, and is not whole.
+    /// Reports from now on how far a drawing has come. A cancelled drawing ends early and isn't whole.
     pub fn watch(&mut self, progress: &Progress) {
         self.progress = progress.clone();
     }
 
-    /// Draws as [`draw`] does, and tells what was done. A scene and the gear of a picture are handed over side by side.
+    /// Draws as [`draw`] does, and reports what each stage did. `scenes`: a scene, or a scene with the gear of a
+    /// picture next to it.
     #[must_use]
     pub fn frame<'a>(
         &mut self,
@@ -178,7 +151,8 @@ impl Pipeline {
         let (scenes, screen, meter) = (scenes.into(), Screen::new(target), Meter::new(options));
         let mut projector = Projector::new(camera);
 
-        let extents = cull::extents(scenes, &projector, &mut self.bounds);
+        // What may be in view, how its depths are stored, and which stages that takes.
+        let extents = cull_objects(scenes, &projector, &mut self.bounds);
         let in_view = extents.iter().fold(InView::NOTHING, |all, extent| all.and(extent.in_view));
         if !options.depth_of_volume {
             let in_view = in_view.and(lines::in_view(scenes, &projector));
@@ -203,21 +177,20 @@ impl Pipeline {
         let mut strokes = Strokes::new(&projector, &screen, target, scenes.fineness(), pool);
         let mut unordered = Unordered::default();
 
-        for (index, (object, todo)) in scenes.objects().zip(&plan.objects).enumerate() {
-            if !todo.drawn {
-                continue;
-            }
+        for (index, object, planned) in traverse(scenes, &plan) {
             if self.progress.is_cancelled() {
                 break;
             }
-            let pass = ObjectPass::new(index, object, todo, context);
-            if todo.faces {
+            let pass = ObjectPass::new(index, object, planned, context);
+            if planned.faces {
+                // Transform, oblique window, divide and viewport, in one loop over the vertices.
                 pass.transform(faces, pool);
                 recorder.transformed(&pass);
-                pass.cull(faces);
+                pass.cull_faces(faces);
                 recorder.culled(&pass, faces);
                 pass.clip(faces);
                 recorder.clipped(&pass, faces, unordered.surfaces.len());
+                // Normals and light. The notes have them second, but only faces that are left need any.
                 pass.light(faces, pool, &mut unordered);
                 recorder.meter.lap(Stage::Light);
             }
@@ -229,13 +202,11 @@ impl Pipeline {
             // Forced, but only edges were requested.
             unordered = Unordered::default();
         }
-        let ordered = unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress);
+        let ordered = hidden_surfaces(unordered, plan.order, (&projector, &screen), self.max_pieces, &self.progress);
         recorder.meter.pieces = ordered.pieces;
         recorder.meter.lap(Stage::HiddenSurfaces);
 
-        strokes.lines(scenes, style);
-        let marks = strokes.marks(scenes, target.background);
-        let labels = strokes.labels(scenes, target.background);
+        let (marks, labels) = lines(&mut strokes, scenes, style);
         recorder.meter.lines = (strokes.asked, strokes.drawn() + marks.len() + labels.len());
         recorder.meter.lap(Stage::Lines);
 
@@ -262,17 +233,17 @@ impl Pipeline {
         frame
     }
 
-    /// Takes its shadow maps from these, which other pipelines share.
+    /// Shares these shadow maps with other pipelines.
     pub fn share_shadows(&mut self, shadows: &ShadowMaps) {
         self.shadows = shadows.clone();
     }
 
-    /// Forgets shadow maps: the next picture makes its own.
+    /// Forgets all shadow maps: the next picture makes its own.
     pub fn forget(&mut self) {
         self.shadows.forget();
     }
 
-    /// Takes back a drawing that is no longer needed: the next one is made in its memory.
+    /// Takes back a drawing that is no longer needed, and makes the next one in its memory.
     pub fn recycle(&mut self, drawing: Drawing) {
         self.pool.keep(drawing);
     }

@@ -7,9 +7,9 @@ use crate::scene::{Light, Line, Object, PointMark, Scene, SceneRevision, Text};
 pub struct Scenes<'a> {
     scene: &'a Scene,
     gear: &'a Scene,
-    /// Where the things are that hide light.
-    hiding: &'a Scene,
-    hiding_revision: Option<SceneRevision>,
+    /// The scene whose objects cast shadows.
+    occluders: &'a Scene,
+    occluders_revision: Option<SceneRevision>,
     lights: &'a [Light],
     fineness: f32,
 }
@@ -34,93 +34,92 @@ impl<'a> Scenes<'a> {
     /// A scene with gear, which is lit by the lights of the scene.
     #[must_use]
     pub fn new(scene: &'a Scene, gear: &'a Scene) -> Self {
-        Self { scene, gear, hiding: scene, hiding_revision: None, lights: &scene.lights, fineness: 1.0 }
+        Self { scene, gear, occluders: scene, occluders_revision: None, lights: &scene.lights, fineness: 1.0 }
     }
 
-    /// The same, of whose scene (not the gear) this number is known: while it stays, shadow maps stay too.
+    /// Sets the revision of the scene (not of the gear): as long as it stays the same, shadow maps stay too.
     #[must_use]
     pub fn of_revision(self, revision: SceneRevision) -> Self {
-        Self { hiding_revision: Some(revision), ..self }
+        Self { occluders_revision: Some(revision), ..self }
     }
 
-    /// The same with edges and outlines of objects, lines of the scene, and marks so many times as wide as their
-    /// styles say, so that a scene that is small in the picture is not lost in its own strokes.
+    /// Draws edges and outlines of objects, lines of the scene, and marks `fineness` times as wide as their styles say, so that a scene that is small in the picture is not lost in its own strokes.
     #[must_use]
     pub fn with_fineness(self, fineness: f32) -> Self {
         Self { fineness, ..self }
     }
 
-    /// The same in the shadows of another one: what of a scene is not shown casts its shadow all the same.
+    /// Takes the shadows of another scene: objects that aren't shown cast their shadows all the same.
     #[must_use]
     pub fn in_shadows_of(self, other: impl Into<Self>) -> Self {
         let other = other.into();
-        Self { hiding: other.scene, hiding_revision: other.hiding_revision, ..self }
+        Self { occluders: other.scene, occluders_revision: other.occluders_revision, ..self }
     }
 
     /// The objects that hide light: those with opaque faces. Gear hides none.
-    pub(super) fn hiding(self) -> impl Iterator<Item = &'a Object> {
+    pub(crate) fn occluders(self) -> impl Iterator<Item = &'a Object> {
         let has_faces = |object: &&Object| object.faces && !object.mesh.triangles.is_empty();
-        self.hiding.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
+        self.occluders.objects.iter().filter(has_faces).filter(|object| !object.paint.is_translucent())
     }
 
-    /// The number of the scene in which [`Self::hiding`] are, where it is known.
-    pub(super) fn hiding_revision(self) -> Option<SceneRevision> {
-        self.hiding_revision
+    /// The number of the scene in which [`Self::occluders`] are, if it's known.
+    pub(crate) fn occluders_revision(self) -> Option<SceneRevision> {
+        self.occluders_revision
     }
 
-    /// True where a light casts a shadow of anything.
-    pub(super) fn casts_shadows(self) -> bool {
-        self.lights.iter().any(|light| light.shadows.cast) && self.hiding().next().is_some()
+    /// True if a light casts a shadow of anything.
+    pub(crate) fn casts_shadows(self) -> bool {
+        self.lights.iter().any(|light| light.shadows.cast) && self.occluders().next().is_some()
     }
 
-    pub(super) fn fineness(self) -> f32 {
+    pub(crate) fn fineness(self) -> f32 {
         self.fineness
     }
 
-    /// The same in the dark: everything shows its own colours.
+    /// Switches all lights off: everything shows its own colours.
     #[must_use]
     pub fn without_lights(self) -> Self {
         Self { lights: &[], ..self }
     }
 
-    /// The same under other lights.
+    /// Replaces the lights.
     #[must_use]
     pub fn lit_by(self, lights: &'a [Light]) -> Self {
         Self { lights, ..self }
     }
 
-    pub(super) fn lights(self) -> &'a [Light] {
+    pub(crate) fn lights(self) -> &'a [Light] {
         self.lights
     }
 
-    pub(super) fn objects(self) -> impl Iterator<Item = &'a Object> {
+    pub(crate) fn objects(self) -> impl Iterator<Item = &'a Object> {
         self.scene.objects.iter().chain(&self.gear.objects)
     }
 
-    pub(super) fn lines(self) -> impl Iterator<Item = &'a Line> {
+    pub(crate) fn lines(self) -> impl Iterator<Item = &'a Line> {
         self.scene.lines.iter().chain(&self.gear.lines)
     }
 
     /// Number of [`Self::lines`] that are of the scene: they come first.
-    pub(super) fn own_line_count(self) -> usize {
+    pub(crate) fn own_line_count(self) -> usize {
         self.scene.lines.len()
     }
 
-    pub(super) fn marks(self) -> impl Iterator<Item = &'a PointMark> {
+    pub(crate) fn marks(self) -> impl Iterator<Item = &'a PointMark> {
         self.scene.marks.iter().chain(&self.gear.marks)
     }
 
-    pub(super) fn texts(self) -> impl Iterator<Item = &'a Text> {
+    pub(crate) fn texts(self) -> impl Iterator<Item = &'a Text> {
         self.scene.texts.iter().chain(&self.gear.texts)
     }
 
     /// How many objects there are.
-    pub(super) fn object_count(self) -> usize {
+    pub(crate) fn object_count(self) -> usize {
         self.scene.objects.len() + self.gear.objects.len()
     }
 
     /// How many lines, marks and texts there are.
-    pub(super) fn line_count(self) -> usize {
+    pub(crate) fn line_count(self) -> usize {
         let count = |scene: &Scene| scene.lines.len() + scene.marks.len() + scene.texts.len();
         count(self.scene) + count(self.gear)
     }

@@ -8,11 +8,12 @@ use glam::{DVec2, DVec3};
 use super::import::PartTexture;
 use super::marks::{object_name, point_mark};
 use super::palette::{PALETTE, SceneColors};
-use super::resolve::{Placed, allowed_segments, lights, place};
 use super::texture::{Alpha, UvMesh, builtin, mapped, split};
+use super::tree::presets;
+use super::tree::resolve::{Placed, allowed_segments, lights, place};
 use super::{
     Adjacency, Line, Mesh, MeshFiles, MeshNotice, Object, ObjectPaint, Pictured, ReadFile, Scene, SceneError,
-    SceneSpec, Shape, TextureSource, Wanted, presets, primitives,
+    SceneSpec, Shape, TextureSource, Wanted, primitives,
 };
 use crate::appearance::{LineStyle, MarkShape, Rgba, Sampler, Style, Texture};
 use crate::limits::MAX_OBJECTS;

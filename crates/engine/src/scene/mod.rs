@@ -1,29 +1,18 @@
 //! The scene: meshes in world space, lights, and the lines, marks and texts placed in the world.
 
-mod adjacency;
 mod build;
-pub mod edit;
 mod error;
-mod gltf;
 pub mod import;
 mod marks;
 pub mod mesh;
-mod mesh_error;
-mod obj;
 pub mod palette;
-mod part;
-mod polygon;
-mod presets;
-pub mod primitives;
 mod projective;
 mod read_error;
-mod resolve;
 mod revision;
 mod shadows;
-mod soup;
 pub mod spec;
 pub mod texture;
-pub mod transform;
+mod tree;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -32,19 +21,18 @@ use glam::{DMat4, DVec3};
 
 use crate::appearance::{LightShare, LineStyle, MarkShape, Rgba, Sampler, Texture};
 use crate::geometry::Aabb;
-pub use adjacency::{Adjacency, SharedEdge};
 pub use build::{build, build_with};
 pub use error::{SceneError, chain_text};
-pub use import::MeshFiles;
-pub use mesh::Mesh;
-pub use mesh_error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
-pub use presets::{Beyond, objects as preset_objects};
+pub use import::{GlbFault, GltfFault, JsonFault, MeshError, MeshFiles, MeshNotice, ObjFault};
+pub use mesh::{Adjacency, Mesh, SharedEdge, primitives};
 pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, is_loop, no_files, system_kind, system_words};
-pub use resolve::{DEFAULT_LIGHT, check};
 pub use revision::SceneRevision;
 pub use shadows::Shadows;
 pub use spec::{Light, LightKind, ObjectSpec, Preset, SceneSpec, Shape, ShapeData, TextureSource};
 pub use texture::{CornerUv, TextureError, TextureFault};
+pub use tree::presets::{Beyond, objects as preset_objects};
+pub use tree::resolve::{DEFAULT_LIGHT, check};
+pub use tree::{edit, transform};
 
 /// A scene, flat: every transform has been multiplied out.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -155,6 +143,13 @@ pub struct InWorld {
 }
 
 impl Object {
+    /// True if both sides of its faces may be seen, and have to be lit: it's two-sided, or a solid whose inside shows
+    /// because it's translucent or the front plane cuts it open (`is_cut_open`).
+    #[must_use]
+    pub fn shows_both_sides(&self, is_cut_open: bool) -> bool {
+        self.two_sided || (self.mesh.closed && (is_cut_open || self.paint.is_translucent()))
+    }
+
     /// A lit closed solid without lines.
     #[must_use]
     pub fn new(name: impl Into<String>, mesh: Arc<Mesh>, world_from_object: DMat4, paint: ObjectPaint) -> Self {

@@ -1,7 +1,7 @@
 //! Texture coordinates of the primitives, and vertices that are there once for each of theirs.
 //!
-//! u goes to the right and v up, seen from outside; angles are counted as in [`primitives`](crate::scene::primitives),
-//! from +x counter-clockwise seen from above.
+//! u goes to the right and v up, seen from outside; angles are counted as in
+//! [`primitives`](crate::scene::mesh::primitives), from +x counter-clockwise seen from above.
 //!
 //! | shape | u, v |
 //! | --- | --- |
@@ -20,9 +20,9 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::{CornerUv, UvMesh};
-use crate::scene::adjacency::Adjacency;
+use crate::scene::mesh::adjacency::Adjacency;
 use crate::scene::mesh::index_u32;
-use crate::scene::primitives::{ELLIPSOID_HALF_AXES, TORUS_RADIUS};
+use crate::scene::mesh::primitives::{ELLIPSOID_HALF_AXES, TORUS_RADIUS};
 use crate::scene::{Mesh, Shape};
 
 /// A primitive with its texture coordinates.
@@ -141,7 +141,7 @@ fn vertex_of_edge(mesh: &mut Mesh, uv: &mut Vec<[f32; 2]>, first: &mut [Option<u
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::primitives;
+    use crate::scene::mesh::primitives;
 
     fn meshes() -> Vec<(Shape, Mesh)> {
         vec![

@@ -1,0 +1,139 @@
+//! The way from one camera to another: arcs about what stays, never a mixture of matrices.
+//!
+//! The axes **u**, **v**, **n** turn together about one axis at an even speed; D changes by equal factors. Where PF
+//! stays, C goes round it on an arc (azimuth, elevation), or on a spiral where D changes; where C stays, PF goes round
+//! C (yaw, pitch); where both move, PF goes straight and C round PF. tan(θ/2), H, A, F and (B − F)/F change by equal
+//! factors too, so that things grow evenly, and every camera on the way is one.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use crate::camera::{Camera, CameraError, Parameters, Projection, ViewWindow};
+
+/// The way from one camera to another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CameraPath {
+    from: Camera,
+    to: Camera,
+    /// The ends as the other half of the way has them, where the projection changes.
+    seen: [Camera; 2],
+}
+
+impl CameraPath {
+    /// The way between two cameras. Where one is in perspective and the other in parallel projection, this changes
+    /// half-way, where things at the focal point keep their size.
+    ///
+    /// # Errors
+    /// [`CameraError`] where one of them cannot be in the projection of the other.
+    pub fn new(from: &Camera, to: &Camera) -> Result<Self, CameraError> {
+        let seen = [to.with_projection(from.projection())?, from.with_projection(to.projection())?];
+        Ok(Self { from: from.clone(), to: to.clone(), seen })
+    }
+
+    /// The camera after a share of the way, 0 … 1.
+    ///
+    /// *Guarantees*: the ends are the cameras that they were given.
+    ///
+    /// # Errors
+    /// [`CameraError`] where the coordinates are so large or so small that rounding leaves no camera.
+    pub fn at(&self, share: f64) -> Result<Camera, CameraError> {
+        if share <= 0.0 {
+            return Ok(self.from.clone());
+        }
+        if share >= 1.0 {
+            return Ok(self.to.clone());
+        }
+        let (from, to) = if share < 0.5 { (&self.from, &self.seen[0]) } else { (&self.seen[1], &self.to) };
+        let mut parameters = lens(from, to, share);
+        pose(from, to, share, &mut parameters);
+        Camera::new(&parameters)
+    }
+}
+
+/// C, PF and VUP on the way.
+fn pose(from: &Camera, to: &Camera, t: f64, parameters: &mut Parameters) {
+    let turned = |camera: &Camera| {
+        let basis = camera.basis();
+        DQuat::from_mat3(&DMat3::from_cols(basis.u, basis.v, basis.n))
+    };
+    let turn = turned(from).slerp(turned(to), t).normalize();
+    let (v, n) = (turn * DVec3::Y, turn * DVec3::Z);
+    // VUP lies in the plane of v and n, less than a right angle from v.
+    let lean = |camera: &Camera| {
+        let basis = camera.basis();
+        let up = unit(camera.view_up());
+        up.dot(basis.n).atan2(up.dot(basis.v))
+    };
+    let (sin, cos) = between(lean(from), lean(to), t).sin_cos();
+    parameters.view_up = unit(v * cos + n * sin) * evenly(length(from.view_up()), length(to.view_up()), t);
+    let distance = evenly(from.distance(), to.distance(), t);
+    if from.position() == to.position() && from.focal_point() != to.focal_point() {
+        parameters.position = from.position();
+        parameters.focal_point = parameters.position - n * distance;
+    } else {
+        let (a, b) = (from.focal_point(), to.focal_point());
+        parameters.focal_point = if a == b { a } else { a * (1.0 - t) + b * t };
+        parameters.position = parameters.focal_point + n * distance;
+    }
+}
+
+/// The parameters of the projection on the way, with the pose of the first camera.
+fn lens(from: &Camera, to: &Camera, t: f64) -> Parameters {
+    let [a, b] = [from.parameters(), to.parameters()];
+    let near = evenly(a.near, b.near, t);
+    let depth = evenly((a.far - a.near) / a.near, (b.far - b.near) / b.near, t);
+    let far = (near * (1.0 + depth)).max(near.next_up());
+    let far = if a.near == b.near { evenly(a.far, b.far, t) } else { far };
+    let half = |angle: f64| (angle / 2.0).to_radians().tan();
+    let view_angle = if a.view_angle == b.view_angle {
+        a.view_angle
+    } else {
+        let angle = 2.0 * evenly(half(a.view_angle), half(b.view_angle), t).atan().to_degrees();
+        angle.clamp(a.view_angle.min(b.view_angle), a.view_angle.max(b.view_angle))
+    };
+    let window = (a.window.is_some() || b.window.is_some()).then(|| {
+        // In perspective the slopes of the sides are what is seen.
+        let [unit_a, unit_b, unit] = match a.projection {
+            Projection::Perspective => [a.near, b.near, near],
+            Projection::Parallel => [1.0; 3],
+        };
+        let [wa, wb] = [from.window(), to.window()];
+        let side = |sa: f64, sb: f64| {
+            if sa == sb && unit_a == unit_b { sa } else { between(sa / unit_a, sb / unit_b, t) * unit }
+        };
+        ViewWindow {
+            left: side(wa.left, wb.left),
+            right: side(wa.right, wb.right),
+            bottom: side(wa.bottom, wb.bottom),
+            top: side(wa.top, wb.top),
+        }
+    });
+    Parameters {
+        view_angle,
+        height: evenly(a.height, b.height, t),
+        aspect: evenly(a.aspect, b.aspect, t),
+        near,
+        far,
+        window,
+        ..*a
+    }
+}
+
+/// From one number to another by equal steps.
+fn between(a: f64, b: f64, t: f64) -> f64 {
+    if a == b { a } else { a * (1.0 - t) + b * t }
+}
+
+/// From one positive number to another by equal factors, never beyond them.
+fn evenly(a: f64, b: f64, t: f64) -> f64 {
+    if a == b { a } else { between(a.ln(), b.ln(), t).exp().clamp(a.min(b), a.max(b)) }
+}
+
+/// A vector of any length, which its square may not have.
+fn unit(v: DVec3) -> DVec3 {
+    (v / v.abs().max_element()).normalize()
+}
+
+fn length(v: DVec3) -> f64 {
+    let largest = v.abs().max_element();
+    largest * (v / largest).length()
+}

@@ -1,0 +1,183 @@
+//! Detection of vertices that rounding misplaces in the picture, by the code that draws them.
+//!
+//! Up to the viewport the pipeline computes in `f64`, behind it in single precision on a grid of subpixels. That is
+//! enough for nearly all cameras, and [`Misplaced::bound`] proves it for an object without looking at a vertex; it is
+//! not if a picture magnifies more than its coordinates have digits, or if the window is far off-axis. Then each vertex
+//! is compared with its place in double-double.
+
+use rayon::prelude::*;
+
+use crate::camera::Camera;
+use crate::pipeline::budget::MisplacedVertex;
+use crate::pipeline::space::depths::InView;
+use crate::pipeline::space::planes::outcode;
+use crate::pipeline::space::point::ObjectPoint;
+use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::screen::Screen;
+use crate::pipeline::stage::divide::divide;
+use crate::pipeline::stage::project::clip_from_view;
+use crate::pipeline::stage::transform::view_point;
+use crate::pipeline::stage::vertices::Vertices;
+use crate::pipeline::stage::viewport::{snap, viewport};
+use crate::scene::Object;
+
+/// Tolerance in pixels: a quarter cannot be seen.
+const ALLOWED: f64 = 0.25;
+
+/// Looks for vertices that aren't drawn at their places.
+pub(crate) struct Misplaced<'a> {
+    camera: &'a Camera,
+    screen: &'a Screen,
+    /// Of all that is in view.
+    in_view: InView,
+    found: Vec<MisplacedVertex>,
+}
+
+impl<'a> Misplaced<'a> {
+    pub(crate) fn new(camera: &'a Camera, screen: &'a Screen, in_view: InView) -> Self {
+        Self { camera, screen, in_view, found: Vec::new() }
+    }
+
+    /// Looks at an object as it was drawn.
+    pub(crate) fn look_at(&mut self, object: &Object, vertices: &Vertices) {
+        let Vertices { projector, view_from_object, .. } = *vertices;
+        let summands = self.in_view.magnitude + view_from_object.rest();
+        if within(self.bound(projector, summands, self.in_view.nearest)) {
+            return;
+        }
+        let off = |(i, &p): (usize, &glam::DVec3)| {
+            let clip = clip_from_view(projector, view_point(view_from_object, ObjectPoint(p)));
+            let summands = view_from_object.magnitude(p) + view_from_object.rest();
+            // A vertex that is not drawn has no place.
+            if outcode(projector, clip) != 0 || within(self.bound(projector, summands, clip.w)) {
+                return None;
+            }
+            let exact = self.camera.exact_ndc(&object.world_from_object, p)?;
+            let [x, y, _] = snap(viewport(self.screen, divide(&projector.depths, clip)));
+            let off = self.screen.pixels(exact).distance(glam::DVec2::new(x.into(), y.into()));
+            (!within(off)).then_some((off, i))
+        };
+        let farthest = vertices.positions.par_iter().enumerate().filter_map(off);
+        // The first of several, so that the answer does not depend on who looked at which.
+        let farthest = farthest.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+        if let Some((off, vertex)) = farthest {
+            self.found.push(MisplacedVertex { object: object.name.clone(), vertex, off });
+        }
+    }
+
+    /// Greatest distance of a point from its place, pixels: if it is in the volume, its view coordinates are sums of
+    /// numbers up to `summands`, and its w is at least `w`.
+    ///
+    /// A view coordinate has an error e of a few roundings of its summands, and of the rest of C after rounding. So x_n
+    /// = (s x_c − shift w)/w has (s + 1 + |shift|) e/w, since |x_n| ≤ 1, and some roundings of 1 + |shift|, once more
+    /// times that if the width of the window is a small difference. Half the picture's size makes pixels of it, and
+    /// single precision and the grid come on top.
+    fn bound(&self, projector: &Projector, summands: f64, w: f64) -> f64 {
+        const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
+        let w = if projector.perspective { w } else { 1.0 };
+        let error = ROUNDINGS * summands + self.camera.position_rest().length();
+        let aside = |axis: usize| 1.0 + projector.shift[axis].abs();
+        let by = |axis: usize| (projector.scale[axis] + aside(axis)) * (error / w) + ROUNDINGS * aside(axis).powi(2);
+        self.screen.half_size().x * by(0) + self.screen.half_size().y * by(1) + self.screen.snap_distance()
+    }
+
+    /// One of each object, the farthest first.
+    pub(crate) fn found(mut self) -> Vec<MisplacedVertex> {
+        self.found.sort_by(|a, b| b.off.total_cmp(&a.off));
+        self.found
+    }
+}
+
+/// Whether an offset is within the tolerance; false for NaN.
+fn within(off: f64) -> bool {
+    off <= ALLOWED
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::appearance::Rgba;
+    use crate::camera::{Parameters, Projection, ViewWindow};
+    use crate::pipeline::Target;
+    use glam::{DMat4, DQuat, DVec2, DVec3};
+    use proptest::prelude::*;
+
+    /// From 10^from to 10^to, and from minus that.
+    fn decades(from: f64, to: f64) -> impl Strategy<Value = f64> {
+        (from..to, any::<bool>()).prop_map(|(decade, minus)| 10_f64.powf(decade) * if minus { -1.0 } else { 1.0 })
+    }
+
+    fn vector(from: f64, to: f64) -> impl Strategy<Value = DVec3> {
+        [decades(from, to), decades(from, to), decades(from, to)].prop_map(DVec3::from_array)
+    }
+
+    /// A camera anywhere, near to its focal point or not, with a window of any width, also far off-axis.
+    fn camera() -> impl Strategy<Value = Camera> {
+        let window = (decades(-16.0, 2.0), decades(-3.0, 8.0), any::<bool>());
+        let ends = (vector(-2.0, 12.0), vector(-4.0, 6.0));
+        (ends, window, decades(-9.0, 0.0), any::<bool>()).prop_filter_map(
+            "a camera",
+            |(ends, window, near, parallel)| {
+                let (position, way) = ends;
+                let (width, aside, centred) = window;
+                let distance = way.length();
+                let (near, width) = (near.abs() * distance, width.abs() * distance);
+                let left = if centred { -0.5 * width } else { aside * width };
+                let parameters = Parameters {
+                    position,
+                    focal_point: position + way,
+                    near,
+                    far: 2.0 * distance,
+                    projection: if parallel { Projection::Parallel } else { Projection::Perspective },
+                    window: Some(ViewWindow { left, right: left + width, bottom: -0.5 * width, top: 0.5 * width }),
+                    ..Parameters::default()
+                };
+                Camera::new(&parameters).ok()
+            },
+        )
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        #[test]
+        fn no_vertex_is_farther_beside_its_place_than_the_bound(
+            camera in camera(),
+            axis in vector(-1.0, 0.0),
+            (angle, scale, origin) in (0.0..6.0_f64, vector(-2.0, 2.0), vector(-3.0, 12.0)),
+            at in [-1.0..1.0_f64, -1.0..1.0, 0.0..1.0],
+        ) {
+            let world_from_object =
+                DMat4::from_scale_rotation_translation(scale, DQuat::from_axis_angle(axis.normalize(), angle), origin);
+            let projector = Projector::new(&camera);
+            let view_from_object = projector.view_from_object(world_from_object);
+            let target = Target { width: 640, height: 480, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
+            let screen = Screen::new(target);
+            // A point of the volume, and then the vertex that is nearest to it.
+            let depth = camera.near() + at[2] * (camera.far() - camera.near());
+            let (window, to) = (camera.window(), if projector.perspective { depth / camera.near() } else { 1.0 });
+            let across = |t: f64, least: f64, most: f64| to * (least + (most - least) * (0.5 + 0.5 * t));
+            let p_view = DVec3::new(across(at[0], window.left, window.right), across(at[1], window.bottom, window.top), -depth);
+            let p = world_from_object.inverse().transform_point3(camera.world_from_view().transform_point3(p_view));
+            let clip = clip_from_view(&projector, view_point(&view_from_object, ObjectPoint(p)));
+            let misplaced = Misplaced::new(&camera, &screen, InView::NOTHING);
+            let bound = misplaced.bound(&projector, view_from_object.magnitude(p) + view_from_object.rest(), clip.w);
+            if outcode(&projector, clip) == 0 && let Some(exact) = camera.exact_ndc(&world_from_object, p) {
+                let [x, y, _] = snap(viewport(&screen, divide(&projector.depths, clip)));
+                let off = screen.pixels(exact).distance(DVec2::new(x.into(), y.into()));
+                prop_assert!(off <= bound, "{off} > {bound}");
+            }
+        }
+    }
+
+    #[test]
+    fn of_ordinary_cameras_it_is_known_without_looking() {
+        let camera = Camera::new(&Parameters::default()).unwrap();
+        let screen = Screen::new(Target { width: 1920, height: 1080, scale: 1.0, background: Rgba::rgb(0, 0, 0) });
+        let misplaced = Misplaced::new(&camera, &screen, InView::NOTHING);
+        let bound = misplaced.bound(&Projector::new(&camera), 1e3, camera.near());
+        assert!(bound < 0.01, "{bound}");
+    }
+}

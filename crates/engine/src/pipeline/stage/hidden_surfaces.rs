@@ -1,0 +1,84 @@
+//! **Hidden surfaces**, for an output without a depth buffer: the order in which faces are painted.
+//!
+//! *Notes*: `[3]` §1.1 step 8; `[2]`, *Modelo do Pintor* and z-buffer. *Textbook*: a depth for each pixel, in the
+//! rasterizer, or the painter's algorithm: faces sorted by the depth of their centroids, which fails if they interlock.
+//! *Here*: pixels have their depth buffer in [`raster`](crate::raster), and this function hands the surfaces on as they
+//! are. Vectors have no pixels, so their faces are sorted by a tree of planes and split where they cross
+//! ([`bsp`](crate::pipeline::order::bsp)). That is exact, but may make too many pieces; then a depth buffer has to
+//! decide after all, and the frame says so. The painter is there to be seen failing.
+
+use super::divide::divide;
+use super::project::clip_from_view;
+use super::viewport::{snap, viewport};
+use crate::appearance::Visibility;
+use crate::drawing::Surface;
+use crate::pipeline::budget::OverBudget;
+use crate::pipeline::order::bsp::{self, TooManyPieces};
+use crate::pipeline::order::painter;
+use crate::pipeline::order::pieces::Layer;
+use crate::pipeline::space::point::ViewPoint;
+use crate::pipeline::space::projector::Projector;
+use crate::pipeline::space::screen::Screen;
+use crate::progress::Progress;
+use crate::scene::Object;
+
+/// The surfaces of a picture in the order of its objects.
+#[derive(Default)]
+pub(crate) struct Unordered<'a> {
+    /// For a depth buffer.
+    pub(crate) surfaces: Vec<Surface>,
+    /// To be put in order.
+    layers: Vec<Layer>,
+    /// The object of each layer.
+    of_object: Vec<&'a Object>,
+}
+
+/// The surfaces of a picture as they are painted.
+#[derive(Default)]
+pub(crate) struct Ordered {
+    pub(crate) surfaces: Vec<Surface>,
+    /// How many faces were put in order, and into how many pieces they were split.
+    pub(crate) pieces: Option<(usize, usize)>,
+    /// How many pieces had been made when there were too many: a depth buffer decides.
+    pub(crate) given_up: Option<(usize, OverBudget)>,
+}
+
+impl<'a> Unordered<'a> {
+    pub(crate) fn add_layer(&mut self, object: &'a Object, layer: Layer) {
+        self.layers.push(layer);
+        self.of_object.push(object);
+    }
+}
+
+/// Puts the faces in order, from back to front, unless a depth buffer decides.
+pub(crate) fn hidden_surfaces(
+    unordered: Unordered,
+    order: Visibility,
+    (projector, screen): (&Projector, &Screen),
+    max_pieces: usize,
+    progress: &Progress,
+) -> Ordered {
+    let Unordered { surfaces, layers, of_object } = unordered;
+    let faces = layers.iter().map(|layer| layer.surface.triangles.len()).sum();
+    // Corners that splitting makes go the way of all vertices.
+    let depths = &projector.depths;
+    let image = |p: ViewPoint| {
+        let corner = snap(viewport(screen, divide(depths, clip_from_view(projector, p))));
+        (corner, depths.relative_inverse_w(-p.0.z))
+    };
+    let sorted = match order {
+        Visibility::DepthBuffer => return Ordered { surfaces, ..Ordered::default() },
+        Visibility::Bsp => bsp::by_splitting(&layers, projector, &image, max_pieces, progress),
+        Visibility::Painter => Ok(painter::by_centroid(&layers, &image)),
+    };
+    match sorted {
+        Ok((surfaces, pieces)) => Ordered { surfaces, pieces: Some((faces, pieces)), given_up: None },
+        Err(TooManyPieces { pieces, of_layer }) => {
+            let names = of_object.iter().map(|object| object.name.as_str());
+            let over_budget = OverBudget::pieces(names.zip(of_layer));
+            let tested = |layer: Layer| Surface { depth_test: true, ..layer.surface };
+            let surfaces = layers.into_iter().map(tested).collect();
+            Ordered { surfaces, pieces: None, given_up: Some((pieces, over_budget)) }
+        }
+    }
+}

@@ -1,0 +1,364 @@
+//! **Light**: the reflection model on the faces that are left, and their surfaces in the drawing.
+//!
+//! *Notes*: `[3]` §1.1 step 2; `[2]` on flat, Gouraud and Phong shading. *Textbook*: second in the list, right after
+//! the walk through the scene: every face or vertex of every object is lit before anything is dropped. *Here*: last of
+//! the stages of an object, because light costs most and half of all faces were dropped meanwhile. The formula is in
+//! [`reflection`](super::reflection), for eight points at a time; this file decides which points those are ([`LitAt`]):
+//! one for each face (flat), the vertices of the remaining faces (Gouraud), or none, if the pixels are lit by the
+//! rasterizer (Phong), which then needs normals and positions. Light stays apart from the colours under a texture, and
+//! if a shadow may take some of it away; elsewhere it's multiplied in.
+
+use glam::{DMat4, DVec3};
+
+use super::faces::Faces;
+use super::pool::Pool;
+use super::reflection::{Lights, ObjectLight};
+use super::shadow_maps::{SeenByLight, ShadowLight};
+use super::vertices::Vertices;
+use crate::appearance::{LightShare, Rgba};
+use crate::drawing::{Base, PixelLight, Shadow, Surface, SurfaceLight, TakenLight, single};
+use crate::pipeline::mesh::chunks::each_chunk;
+use crate::pipeline::mesh::resample::{VertexOrigin, base_of, color_at, face_color, found_light, object_paint};
+use crate::pipeline::order::pieces::Layer;
+use crate::pipeline::plan::LitAt;
+use crate::pipeline::space::point::{ObjectPoint, ViewPoint};
+use crate::scene::{Object, ObjectPaint, Pictured};
+
+/// The base colour of light that is kept apart from the colours.
+pub(crate) const WHITE: Rgba = Rgba::rgb(255, 255, 255);
+
+/// One object's faces as its surfaces in the picture need them.
+pub(crate) struct Shaded<'a> {
+    pub(crate) object: &'a Object,
+    pub(crate) vertices: Vertices<'a>,
+    pub(crate) lights: &'a Lights,
+    /// The place of the light computation.
+    pub(crate) lit: LitAt,
+    /// The lights whose shadows may fall on it.
+    pub(crate) shadows: &'a [ShadowLight],
+    /// Its picture has more than one colour.
+    pub(crate) textured: bool,
+    /// Both sides of the faces may be seen, and are lit.
+    pub(crate) both_sides: bool,
+    /// The surfaces ask for depth, or write it.
+    pub(crate) depth_test: bool,
+}
+
+/// Lights the faces of an object and makes their surface; takes the arrays of `faces`. `None` if no face is left.
+pub(crate) fn light(shaded: &Shaded, faces: &mut Faces, pool: &mut Pool) -> Option<Surface> {
+    if faces.triangles.is_empty() {
+        return None;
+    }
+    let light = ObjectLight::new(shaded.lights, &shaded.object.mesh, shaded.vertices, shaded.both_sides);
+    let shadows: Vec<Shadow> = shaded.shadows.iter().filter_map(|shadow| shaded.shadow(shadow, faces, pool)).collect();
+    let (base, light) = match (shaded.lit, &shaded.object.paint) {
+        (LitAt::Nowhere, _) => shaded.own_base(faces, pool),
+        (LitAt::Pixels, _) => (shaded.own_base(faces, pool).0, shaded.per_pixel(faces, &light, pool)),
+        (LitAt::Faces, _) if shaded.keeps_light_apart() => shaded.light_apart_at_faces(faces, &light, &shadows, pool),
+        (LitAt::Faces, _) => (shaded.lit_faces(faces, &light, pool.colors()), SurfaceLight::InBase),
+        (LitAt::Vertices, _) if shaded.keeps_light_apart() => {
+            shaded.light_apart_at_vertices(faces, &light, &shadows, pool)
+        }
+        (LitAt::Vertices, ObjectPaint::Faces(colors)) => return Some(shaded.unshared(faces, &light, colors)),
+        (LitAt::Vertices, _) => (shaded.lit_vertices(faces, &light, pool), SurfaceLight::InBase),
+    };
+    shaded.bend(faces);
+    Some(Surface {
+        shadows,
+        positions: std::mem::take(&mut faces.image.positions),
+        inverse_w: std::mem::take(&mut faces.image.inverse_w),
+        triangles: std::mem::take(&mut faces.triangles),
+        ..shaded.bare(base, light)
+    })
+}
+
+impl Shaded<'_> {
+    /// The colours of faces, and next to them the light on each face.
+    fn light_apart_at_faces(
+        &self,
+        faces: &Faces,
+        light: &ObjectLight,
+        shadows: &[Shadow],
+        pool: &mut Pool,
+    ) -> (Base, SurfaceLight) {
+        let base = match &self.object.paint {
+            ObjectPaint::Vertices(_) => self.face_colors(faces),
+            _ => self.own_base(faces, pool).0,
+        };
+        let shares = match self.of_only_lamp(shadows) {
+            Some(TakenLight::Faces(taken)) => with_ambient(pool.shares(), taken, light),
+            _ => self.face_shares(faces, light, pool.shares()),
+        };
+        (base, SurfaceLight::Faces(shares))
+    }
+
+    /// The colours of vertices, and next to them the light on each vertex.
+    fn light_apart_at_vertices(
+        &self,
+        faces: &Faces,
+        light: &ObjectLight,
+        shadows: &[Shadow],
+        pool: &mut Pool,
+    ) -> (Base, SurfaceLight) {
+        let base = self.own_base(faces, pool).0;
+        let shares = match self.of_only_lamp(shadows) {
+            Some(TakenLight::Vertices(taken)) => {
+                let own = taken.get(..self.vertices.len()).unwrap_or_default();
+                Self::at_cuts(faces, with_ambient(pool.shares(), own, light))
+            }
+            _ => Self::vertex_shares(faces, light, pool.shares()),
+        };
+        (base, SurfaceLight::Vertices(shares))
+    }
+
+    /// The surface, with the data for sorting its faces.
+    pub(crate) fn layer(&self, faces: &mut Faces, pool: &mut Pool, never_hides_itself: bool) -> Option<Layer> {
+        let own = (0..self.vertex_count()).map(|i| self.vertices.view(i).0);
+        let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view(i).0));
+        let mut view: Vec<DVec3> = own.chain(cuts).collect();
+        if self.shares_no_vertex() {
+            view = faces.triangles.iter().flatten().map(|&i| view[i as usize]).collect();
+        }
+        Some(Layer { surface: light(self, faces, pool)?, view, never_hides_itself })
+    }
+
+    /// True if [`unshared`](Self::unshared) makes the surface.
+    fn shares_no_vertex(&self) -> bool {
+        self.shadows.is_empty() && matches!((self.lit, &self.object.paint), (LitAt::Vertices, ObjectPaint::Faces(_)))
+    }
+
+    /// True if the light of faces or vertices is not put into the colours: under a picture, and if a shadow may
+    /// take some of it away.
+    fn keeps_light_apart(&self) -> bool {
+        !self.shadows.is_empty() || matches!(self.object.paint, ObjectPaint::Texture(_))
+    }
+
+    /// A surface without faces.
+    fn bare(&self, base: Base, light: SurfaceLight) -> Surface {
+        Surface {
+            positions: Vec::new(),
+            inverse_w: Vec::new(),
+            triangles: Vec::new(),
+            base,
+            light,
+            shadows: Vec::new(),
+            translucent: self.object.paint.is_translucent(),
+            depth_test: self.depth_test,
+        }
+    }
+
+    /// 1/w of the vertices of the object if it's the image of another one under a perspective; else empty.
+    fn inverse_w(&self) -> &[f32] {
+        self.object.in_world.as_ref().map_or(&[], |in_world| &in_world.inverse_w)
+    }
+
+    /// Multiplies 1/w by that of the other perspective if the object is itself an image under one: what is interpolated
+    /// is bent by both.
+    fn bend(&self, faces: &mut Faces) {
+        let inverse_w = self.inverse_w();
+        if inverse_w.is_empty() {
+            return;
+        }
+        let of = |i: u32| f64::from(inverse_w.get(i as usize).copied().unwrap_or(1.0));
+        let own = (0..self.vertex_count()).map(of);
+        let cuts = faces.cuts.iter().map(|cut| cut.of(of));
+        let all = own.chain(cuts).map(single);
+        if faces.image.inverse_w.is_empty() {
+            faces.image.inverse_w = all.collect();
+        } else {
+            faces.image.inverse_w.iter_mut().zip(all).for_each(|(own, q)| *own *= q);
+        }
+    }
+
+    /// The object's colours as they are, with the light that has been found for them.
+    fn own_base(&self, faces: &Faces, pool: &mut Pool) -> (Base, SurfaceLight) {
+        let origins = || (0..self.vertex_count()).map(VertexOrigin::Vertex).chain(faces.cuts.iter().copied());
+        let in_world = self.object.in_world.as_ref();
+        let light =
+            in_world.map_or(SurfaceLight::InBase, |in_world| found_light(&in_world.light, origins(), &faces.source));
+        if let ObjectPaint::Texture(pictured) = &self.object.paint
+            && let Some(color) = pictured.one_color().filter(|_| !self.textured)
+        {
+            // The light is kept apart from it as from a picture, so that it comes out the same.
+            return (Base::Solid(color), light);
+        }
+        if let ObjectPaint::Texture(Pictured { image, sampler, uv: own, tint, .. }) = &self.object.paint
+            && faces.cuts.is_empty()
+        {
+            // Nothing is new: the coordinates go into memory that is there.
+            let mut uv = pool.shares();
+            uv.clone_from(own);
+            uv.resize(self.vertices.len(), [0.0; 2]);
+            return (Base::Texture { image: image.clone(), sampler: *sampler, uv, tint: *tint }, light);
+        }
+        (base_of(object_paint(self.object, origins(), &faces.source)), light)
+    }
+
+    /// Light at each face, whatever its colours.
+    fn face_shares(&self, faces: &Faces, light: &ObjectLight, shares: Vec<LightShare>) -> Vec<LightShare> {
+        let triangles = &self.object.mesh.triangles;
+        light.faces(shares, faces.source.len(), |k| (triangles[faces.source[k] as usize], WHITE))
+    }
+
+    /// Light at each vertex, whatever its colour; cuts interpolate between their neighbours.
+    fn vertex_shares(faces: &Faces, light: &ObjectLight, shares: Vec<LightShare>) -> Vec<LightShare> {
+        Self::at_cuts(faces, light.vertices(shares, &faces.used, |_| WHITE))
+    }
+
+    /// The light at the vertices of the mesh, and at the cuts between them.
+    fn at_cuts(faces: &Faces, mut shares: Vec<LightShare>) -> Vec<LightShare> {
+        for cut in &faces.cuts {
+            shares.push(cut.of(|i| shares[i as usize]));
+        }
+        shares
+    }
+
+    /// The light of the only lamp of the scene, if its shadow falls here: with the ambient share it is all there is.
+    fn of_only_lamp<'s>(&self, shadows: &'s [Shadow]) -> Option<&'s TakenLight> {
+        match shadows {
+            [only] if self.lights.is_one() => Some(&only.taken),
+            _ => None,
+        }
+    }
+
+    /// The one colour of each face.
+    fn face_colors(&self, faces: &Faces) -> Base {
+        let (triangles, paint) = (&self.object.mesh.triangles, &self.object.paint);
+        let color = |&face: &u32| face_color(paint, face, triangles[face as usize]);
+        Base::Faces(faces.source.iter().map(color).collect())
+    }
+
+    /// The shadows of one light; `None` if the object is lit in the world, and not by this light.
+    fn shadow(&self, shadow: &ShadowLight, faces: &Faces, pool: &mut Pool) -> Option<Shadow> {
+        let mesh = &self.object.mesh;
+        let (world_from_object, positions) = match &self.object.in_world {
+            Some(in_world) => (DMat4::IDENTITY, &in_world.positions),
+            None => (self.object.world_from_object, &mesh.positions),
+        };
+        let found = match &self.object.in_world {
+            Some(in_world) => Some(&in_world.taken.iter().find(|(light, _)| *light == shadow.light)?.1),
+            None => None,
+        };
+        let seen: SeenByLight = shadow.sees(world_from_object);
+        let place = |i: u32| seen.place(ObjectPoint(positions[i as usize]));
+        let mut places = pool.vectors.pop().unwrap_or_default();
+        // Six faces share a vertex: its exact place, which their planes are made of, is found once.
+        let mut exact = std::mem::take(&mut pool.exact);
+        self.at_vertices(&mut exact, place);
+        self.at_vertices(&mut places, |i| exact[i as usize].as_vec3().to_array());
+        let inverse_w = self.inverse_w();
+        let of_cut = |cut: &VertexOrigin| {
+            if inverse_w.is_empty() {
+                return cut.of(place);
+            }
+            // What is affine between the vertices is divided by w.
+            let q = |i: u32| f64::from(inverse_w.get(i as usize).copied().unwrap_or(1.0));
+            cut.of(|i| place(i) * q(i)) / cut.of(q)
+        };
+        places.extend(faces.cuts.iter().map(|cut| of_cut(cut).as_vec3().to_array()));
+        let mut planes = pool.vectors.pop().unwrap_or_default();
+        planes.resize(faces.triangles.len(), [0.0; 3]);
+        each_chunk(&mut planes, |planes, first| {
+            for (plane, &source) in planes.iter_mut().zip(&faces.source[first..]) {
+                *plane = seen.plane(mesh.triangles[source as usize].map(|i| exact[i as usize]));
+            }
+        });
+        pool.exact = exact;
+        let alone = || {
+            let lights = self.lights.only(shadow.light);
+            ObjectLight::new(&lights, mesh, self.vertices, self.both_sides)
+        };
+        let origins = (0..self.vertex_count()).map(VertexOrigin::Vertex).chain(faces.cuts.iter().copied());
+        let taken = match (found.map(|found| found_light(found, origins, &faces.source)), self.lit) {
+            (Some(SurfaceLight::Faces(shares)), _) => TakenLight::Faces(shares),
+            (Some(SurfaceLight::Vertices(shares)), _) => TakenLight::Vertices(shares),
+            (_, LitAt::Faces) => TakenLight::Faces(self.face_shares(faces, &alone(), pool.shares())),
+            (_, LitAt::Vertices) => TakenLight::Vertices(Self::vertex_shares(faces, &alone(), pool.shares())),
+            // Without light there is no shadow.
+            (_, LitAt::Pixels | LitAt::Nowhere) => TakenLight::Light(self.lights.place_of(shadow.light)),
+        };
+        Some(Shadow { map: std::sync::Arc::clone(&shadow.map), bias: shadow.bias, places, planes, taken })
+    }
+
+    /// Light at each face.
+    fn lit_faces(&self, faces: &Faces, light: &ObjectLight, colors: Vec<Rgba>) -> Base {
+        let (triangles, paint) = (&self.object.mesh.triangles, &self.object.paint);
+        Base::Faces(light.faces(colors, faces.source.len(), |k| {
+            let (face, triangle) = (faces.source[k], triangles[faces.source[k] as usize]);
+            (triangle, face_color(paint, face, triangle))
+        }))
+    }
+
+    /// Light at each vertex; cuts interpolate between their neighbours.
+    fn lit_vertices(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool) -> Base {
+        let colors = pool.colors();
+        let mut colors = match &self.object.paint {
+            ObjectPaint::Solid(color) => light.vertices(colors, &faces.used, |_| *color),
+            ObjectPaint::Vertices(own) => light.vertices(colors, &faces.used, |i| color_at(own, i)),
+            // Faces go through `unshared`, and light on a picture is kept apart from it.
+            ObjectPaint::Faces(_) | ObjectPaint::Texture(_) => return self.own_base(faces, pool).0,
+        };
+        for cut in &faces.cuts {
+            colors.push(cut.of(|i| colors[i as usize]));
+        }
+        Base::Vertices(colors)
+    }
+
+    /// Light at each pixel, from what is interpolated between the vertices.
+    fn per_pixel(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool) -> SurfaceLight {
+        let (normal, view) = (|i| light.unit_normal(i), |i| self.vertices.view(i));
+        let mut normals = pool.vectors.pop().unwrap_or_default();
+        let mut positions = pool.vectors.pop().unwrap_or_default();
+        self.at_vertices(&mut normals, |i| normal(i).as_vec3().to_array());
+        self.at_vertices(&mut positions, |i| self.lights.position(view(i)));
+        for cut in &faces.cuts {
+            normals.push(cut.of(normal).as_vec3().to_array());
+            positions.push(self.lights.position(ViewPoint(cut.of(|i| view(i).0))));
+        }
+        SurfaceLight::PerPixel(PixelLight { normals, positions, lighting: light.lighting.clone() })
+    }
+
+    /// Fills an array, whatever was in it, with an attribute of every vertex of the mesh.
+    fn at_vertices<T: Default + Clone + Send>(&self, values: &mut Vec<T>, attribute: impl Fn(u32) -> T + Sync + Send) {
+        values.resize(self.vertices.len(), T::default());
+        each_chunk(values, |values, first| {
+            for (value, i) in values.iter_mut().zip(u32::try_from(first).unwrap_or(u32::MAX)..) {
+                *value = attribute(i);
+            }
+        });
+    }
+
+    /// Gouraud shading of faces that have colours of their own: no vertex is shared any more, so that each has one
+    /// colour.
+    fn unshared(&self, faces: &Faces, light: &ObjectLight, colors: &[Rgba]) -> Surface {
+        let own = self.vertices.len();
+        let mut paint = Vec::with_capacity(3 * faces.triangles.len());
+        for (triangle, &face) in faces.triangles.iter().zip(&faces.source) {
+            let color = color_at(colors, face);
+            paint.extend(triangle.map(|i| match (i as usize).checked_sub(own) {
+                None => light.vertex(i, color),
+                Some(cut) => faces.cuts[cut].of(|i| light.vertex(i, color)),
+            }));
+        }
+        let corners = || faces.triangles.iter().flatten().map(|&i| i as usize);
+        let count = u32::try_from(faces.triangles.len()).unwrap_or(u32::MAX);
+        Surface {
+            positions: corners().map(|i| faces.image.positions[i]).collect(),
+            inverse_w: corners().filter_map(|i| faces.image.inverse_w.get(i).copied()).collect(),
+            triangles: (0..count).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect(),
+            ..self.bare(Base::Vertices(paint), SurfaceLight::InBase)
+        }
+    }
+
+    fn vertex_count(&self) -> u32 {
+        u32::try_from(self.vertices.len()).unwrap_or(u32::MAX)
+    }
+}
+
+/// The light of a lamp, and the ambient share with it: to the bit what is found for both together.
+fn with_ambient(mut shares: Vec<LightShare>, of_lamp: &[LightShare], light: &ObjectLight) -> Vec<LightShare> {
+    let ambient = light.lighting.ambient;
+    shares.clear();
+    shares.extend(of_lamp.iter().map(|[share, white]| [share + ambient, *white]));
+    shares
+}

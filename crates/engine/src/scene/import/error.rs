@@ -1,0 +1,275 @@
+//! Faults of a mesh file.
+
+use super::soup::TooLarge;
+use crate::limits::MAX_OBJECTS;
+use crate::scene::ReadError;
+use crate::scene::TextureError;
+
+/// Why a mesh file cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum MeshError {
+    /// The file could not be read.
+    #[error(transparent)]
+    Unreadable(Box<ReadError>),
+    /// The extension of its name is unknown.
+    #[error("the format is not known; allowed: a name that ends in .obj, .gltf or .glb")]
+    Format,
+    /// Reading was cancelled.
+    #[error("reading was cancelled")]
+    Cancelled,
+    /// The file has no faces.
+    #[error("it has no faces")]
+    Empty,
+    /// The mesh has more than 2³¹ corners.
+    #[error("it has too many vertices")]
+    TooLarge,
+    /// The mesh has more objects than a scene may.
+    #[error("it has too many objects; allowed: at most {MAX_OBJECTS}")]
+    TooManyObjects,
+    /// A line of an OBJ file.
+    #[error("line {line}: {fault}")]
+    Obj {
+        /// From 1.
+        line: usize,
+        /// The fault.
+        fault: ObjFault,
+    },
+    /// The JSON of a glTF file does not parse.
+    #[error("line {line}, column {column}: {fault}")]
+    Json {
+        /// From 1; within the JSON part of a GLB file.
+        line: usize,
+        /// From 1.
+        column: usize,
+        /// The fault.
+        fault: JsonFault,
+    },
+    /// A glTF file is not as it should be.
+    #[error("{place}{}{fault}", if place.is_empty() { "" } else { ": " })]
+    Gltf {
+        /// Such as `accessors[3]`; empty when it is the file as a whole.
+        place: String,
+        /// The fault.
+        fault: GltfFault,
+    },
+}
+
+impl MeshError {
+    /// The text that follows the path of the mesh as it is shown, which is not repeated.
+    pub(crate) fn after(&self, path: &str) -> String {
+        match self {
+            Self::Unreadable(error) if error.file == path => format!(" {}", error.problem),
+            error => format!(": {error}"),
+        }
+    }
+
+    /// Whether a file lies outside the folder that the figure may read from: the user can allow it.
+    #[must_use]
+    pub fn is_outside(&self) -> bool {
+        match self {
+            Self::Unreadable(error) | Self::Gltf { fault: GltfFault::File { error, .. }, .. } => error.is_outside(),
+            Self::Format
+            | Self::Cancelled
+            | Self::Empty
+            | Self::TooLarge
+            | Self::TooManyObjects
+            | Self::Obj { .. }
+            | Self::Json { .. }
+            | Self::Gltf { .. } => false,
+        }
+    }
+}
+
+impl From<TooLarge> for MeshError {
+    fn from(_: TooLarge) -> Self {
+        Self::TooLarge
+    }
+}
+
+/// A fault in a line of an OBJ file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ObjFault {
+    /// Not a finite number.
+    #[error("\"{found}\" is not a finite number")]
+    Number {
+        /// The text found.
+        found: String,
+    },
+    /// A point or normal has fewer than three coordinates.
+    #[error("there are {found} coordinates; 3 are needed")]
+    Coordinates {
+        /// The number found.
+        found: usize,
+    },
+    /// A corner is not written as `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    #[error("\"{found}\" is not a corner of a face; it is written v, v/vt, v//vn or v/vt/vn with whole numbers")]
+    Corner {
+        /// The text found.
+        found: String,
+    },
+    /// A corner names a point that is not there.
+    #[error("\"{found}\" names a point that does not exist; there are {points} points")]
+    Index {
+        /// The corner.
+        found: String,
+        /// Points in the file (for a relative index: so far).
+        points: usize,
+    },
+}
+
+/// A part of a mesh file that was left out, or read otherwise than written, because other programs write it so; the
+/// surface is the same.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum MeshNotice {
+    /// Corners of faces name normals or texture coordinates that do not exist; one of them is reported.
+    #[error(
+        "line {line}: \"{found}\" names a normal or texture coordinate that does not exist; such indices are ignored"
+    )]
+    IndexIgnored {
+        /// From 1.
+        line: usize,
+        /// The corner.
+        found: String,
+    },
+    /// Faces have fewer than three corners.
+    #[error("line {line}: a face with {found} corners; {}", if *count == 1 { "it is left out".to_owned() } else { format!("it and {} others are left out", count - 1) })]
+    FacesSkipped {
+        /// The first one's, from 1.
+        line: usize,
+        /// Number of corners of the first one.
+        found: usize,
+        /// Number of such faces.
+        count: usize,
+    },
+    /// Concave faces have so many corners that it would take too long to cut them right.
+    #[error(
+        "concave faces with too many corners: {count}; they are filled as if they were convex, which shows wrong areas"
+    )]
+    CutAsConvex {
+        /// Number of such faces.
+        count: usize,
+    },
+    /// A texture cannot be used; the object's colour is shown in its place.
+    #[error("the texture {0}; the object's colour is shown instead")]
+    Texture(TextureError),
+    /// A texture was asked for, and the mesh has no texture coordinates.
+    #[error("the mesh has no texture coordinates; its colour is shown instead of the texture")]
+    NoCoordinates,
+    /// A material would make its faces fully invisible.
+    #[error("the material \"{material}\" is fully transparent (Tr 1 or d 0); it is drawn opaque")]
+    Invisible {
+        /// Its name.
+        material: String,
+    },
+}
+
+/// A fault in the JSON of a glTF file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum JsonFault {
+    /// No JSON from here on.
+    #[error("this is not JSON")]
+    Syntax,
+    /// The text ends before it is complete.
+    #[error("the JSON ends early")]
+    End,
+    /// A key that must be there is not.
+    #[error("the key \"{key}\" is missing in the object that ends here")]
+    MissingKey {
+        /// The key.
+        key: String,
+    },
+    /// A value of another type than glTF wants.
+    #[error("a value that glTF does not allow")]
+    Value,
+}
+
+/// A fault in the frame of a GLB file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum GlbFault {
+    /// The twelve bytes at its start.
+    #[error("its header is truncated or gives a wrong length")]
+    Header,
+    /// A version of the frame that is not 2.
+    #[error("its version is not 2")]
+    Version,
+    /// A chunk goes beyond the end.
+    #[error("it ends early")]
+    End,
+    /// The JSON does not come first, or a part is of an unknown kind.
+    #[error("its parts are not those of a GLB file")]
+    Parts,
+}
+
+/// A fault in a glTF file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum GltfFault {
+    /// The frame of a GLB file is broken.
+    #[error("not a valid GLB file: {fault}")]
+    Container {
+        /// The fault.
+        fault: GlbFault,
+    },
+    /// Another version of glTF.
+    #[error("this is glTF {found}; allowed: 2.0")]
+    Version {
+        /// The version.
+        found: String,
+    },
+    /// A value breaks a rule of glTF.
+    #[error("a value that glTF does not allow")]
+    Value,
+    /// A value that must be there is not.
+    #[error("it is missing")]
+    Missing,
+    /// A reference to something that does not exist.
+    #[error("it names something that does not exist")]
+    Reference,
+    /// Something that this program does not read.
+    #[error("{what} cannot be read by this program")]
+    Unsupported {
+        /// The feature, in the words of glTF.
+        what: String,
+    },
+    /// A buffer's bytes are not there.
+    #[error("the buffer's bytes are missing")]
+    NoBytes,
+    /// A buffer's data URI is broken.
+    #[error("the data URI is not valid base64")]
+    DataUri,
+    /// A file beside the glTF file cannot be read.
+    #[error("\"{uri}\": {error}")]
+    File {
+        /// As the file names it.
+        uri: String,
+        /// Why.
+        error: Box<ReadError>,
+    },
+    /// An accessor goes beyond its buffer.
+    #[error("the data lies beyond the end of its buffer")]
+    OutOfBuffer,
+    /// An index names a vertex that is not there.
+    #[error("index {found} names a vertex that does not exist; there are {vertices}")]
+    Index {
+        /// The index.
+        found: u32,
+        /// The number of vertices.
+        vertices: usize,
+    },
+    /// A sparse accessor names an item that is not there, or not in rising order.
+    #[error("a sparse accessor's index {found} is not among its {count} items, or does not rise")]
+    SparseIndex {
+        /// The index.
+        found: u32,
+        /// The number of items.
+        count: usize,
+    },
+    /// Accessors that make far more of the bytes than there are.
+    #[error("its accessors hold more than any mesh")]
+    OverBudget,
+    /// A coordinate or matrix is infinite or not a number.
+    #[error("a number is not finite")]
+    NotFinite,
+    /// A node has two parents, or is its own descendant.
+    #[error("a node has two parents")]
+    Tree,
+}

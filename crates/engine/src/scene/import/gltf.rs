@@ -1,0 +1,519 @@
+//! glTF 2.0 and GLB, through the crate `gltf`: it reads and checks the JSON; the bytes behind the accessors are read
+//! here, with every address checked.
+
+use std::borrow::Cow;
+use std::cell::Cell;
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
+use std::sync::Arc;
+
+use ::gltf::accessor::{DataType, Dimensions};
+use ::gltf::buffer::View;
+use ::gltf::json::validation::{Checked, Error as Rule};
+use ::gltf::material::AlphaMode;
+use ::gltf::mesh::Mode;
+use ::gltf::{Accessor, Document, Gltf, Primitive, Semantic};
+use base64::Engine as _;
+use glam::{DMat4, DQuat, DVec3};
+use serde_json::error::Category;
+
+use super::part::{Imported, Part, PartTexture};
+use super::soup::Soup;
+use crate::appearance::{Filter, Rgba, Sampler, Texture, Wrap};
+use crate::limits::{MAX_OBJECTS, MAX_SCENE_BYTES, MAX_ZEROS};
+use crate::progress::{Activity, Progress, pause};
+use crate::sanitize::{self, escaped};
+use crate::scene::Mesh;
+use crate::scene::mesh::polygon::Triangulator;
+use crate::scene::read_error::Beside;
+use crate::scene::texture::{Alpha, CornerUv, Textures};
+use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, TextureError};
+
+/// The objects of a glTF or GLB file: one part for each primitive of each node of its scene.
+///
+/// # Errors
+/// [`MeshError::Json`], [`MeshError::Gltf`] and [`MeshError::Cancelled`].
+pub(crate) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Imported, MeshError> {
+    progress.begin(Activity::Reading, 0);
+    let Gltf { document, blob } = parse(bytes)?;
+    let buffers = buffers(&document, blob, read_file)?;
+    let reader = Reader { buffers, left: Cell::new(MAX_SCENE_BYTES), zeros_left: Cell::new(MAX_ZEROS) };
+    let mut meshes: BTreeMap<(usize, usize), Option<Surface>> = BTreeMap::new();
+    let mut materials = Materials { reader: &reader, textures: Textures::default(), notices: Vec::new() };
+    let mut parts = Vec::new();
+    for (node, world) in nodes(&document)? {
+        let Some(mesh) = node.mesh() else { continue };
+        let name = node.name().or(mesh.name()).unwrap_or_default();
+        for primitive in mesh.primitives() {
+            pause().await;
+            if progress.is_cancelled() {
+                return Err(MeshError::Cancelled);
+            }
+            let key = (mesh.index(), primitive.index());
+            let surface = match meshes.get(&key) {
+                Some(known) => known.clone(),
+                None => {
+                    let made = reader.surface(&primitive, &place("meshes", mesh.index()))?;
+                    meshes.entry(key).or_insert(made).clone()
+                }
+            };
+            if parts.len() >= MAX_OBJECTS {
+                return Err(MeshError::TooManyObjects);
+            }
+            if let Some((mesh, uv)) = surface {
+                let material = primitive.material();
+                let texture = if uv.is_empty() { None } else { materials.texture(&material, read_file) };
+                parts.push(Part {
+                    name: name.to_owned(),
+                    two_sided: material.double_sided() || !mesh.closed,
+                    mesh,
+                    file_from_part: world,
+                    color: material.index().map(|_| color(&material)),
+                    uv,
+                    texture,
+                });
+            }
+        }
+    }
+    Ok(Imported { parts, notices: materials.notices })
+}
+
+/// The triangles of a primitive, and the texture coordinates of their corners.
+type Surface = (Arc<Mesh>, Arc<Vec<CornerUv>>);
+
+/// The textures of materials.
+struct Materials<'a> {
+    reader: &'a Reader,
+    textures: Textures,
+    notices: Vec<MeshNotice>,
+}
+
+impl Materials<'_> {
+    /// The texture of a material's base colour; where it cannot be used, a notice says so.
+    fn texture(&mut self, material: &::gltf::Material<'_>, read_file: &mut Beside<'_>) -> Option<PartTexture> {
+        let texture = material.pbr_metallic_roughness().base_color_texture()?.texture();
+        let alpha = match material.alpha_mode() {
+            AlphaMode::Opaque => Alpha::Ignored,
+            AlphaMode::Mask => Alpha::Mask(material.alpha_cutoff().unwrap_or(0.5)),
+            AlphaMode::Blend => Alpha::Kept,
+        };
+        match self.image(&texture, alpha, read_file) {
+            Ok(image) => Some(PartTexture { image, sampler: sampler(&texture.sampler()) }),
+            Err(error) => {
+                let is_told = error.is_unread();
+                let notice = MeshNotice::Texture(error);
+                // Whoever reads the files says which were missing.
+                if !is_told && !self.notices.contains(&notice) {
+                    self.notices.push(notice);
+                }
+                None
+            }
+        }
+    }
+
+    fn image(
+        &mut self,
+        texture: &::gltf::Texture<'_>,
+        alpha: Alpha,
+        read_file: &mut Beside<'_>,
+    ) -> Result<Arc<Texture>, TextureError> {
+        let image = texture.source();
+        let name = place("images", image.index());
+        match image.source() {
+            ::gltf::image::Source::View { view, .. } => {
+                let bytes = self
+                    .reader
+                    .buffers
+                    .get(view.buffer().index())
+                    .and_then(|bytes| bytes.get(view.offset()..view.offset().checked_add(view.length())?));
+                self.textures.of_bytes(&name, alpha, bytes.unwrap_or_default())
+            }
+            ::gltf::image::Source::Uri { uri, .. } => match uri.strip_prefix("data:") {
+                Some(data) => {
+                    let text = data.split_once(";base64,").map(|(_, text)| text);
+                    let bytes = text.and_then(|t| base64::engine::general_purpose::STANDARD.decode(t).ok());
+                    self.textures.of_bytes(&name, alpha, &bytes.unwrap_or_default())
+                }
+                None => {
+                    let file = percent_encoding::percent_decode_str(uri).decode_utf8_lossy();
+                    self.textures.get(&file, alpha, read_file)
+                }
+            },
+        }
+    }
+}
+
+/// Wrapping and filter; glTF's filter for smaller pictures that asks for levels of detail is ours with levels.
+fn sampler(sampler: &::gltf::texture::Sampler<'_>) -> Sampler {
+    use ::gltf::texture::{MagFilter, MinFilter, WrappingMode};
+    let wrap = |mode| match mode {
+        WrappingMode::ClampToEdge => Wrap::Clamp,
+        WrappingMode::MirroredRepeat => Wrap::Mirror,
+        WrappingMode::Repeat => Wrap::Repeat,
+    };
+    let filter = match (sampler.min_filter(), sampler.mag_filter()) {
+        (Some(MinFilter::Nearest), _) | (None, Some(MagFilter::Nearest)) => Filter::Nearest,
+        (Some(MinFilter::Linear), _) => Filter::Bilinear,
+        _ => Filter::Trilinear,
+    };
+    Sampler { wrap_u: wrap(sampler.wrap_s()), wrap_v: wrap(sampler.wrap_t()), filter, reveal: None }
+}
+
+fn fault(place: impl Into<String>, fault: GltfFault) -> MeshError {
+    MeshError::Gltf { place: place.into(), fault }
+}
+
+fn place(list: &str, index: usize) -> String {
+    format!("{list}[{index}]")
+}
+
+fn parse(bytes: &[u8]) -> Result<Gltf, MeshError> {
+    let container = |broken: GlbFault| fault("", GltfFault::Container { fault: broken });
+    if bytes.starts_with(b"glTF") {
+        // The crate subtracts the header from this length without looking.
+        let length = bytes.get(8..12).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
+        if length.is_none_or(|length| length < 12) {
+            return Err(container(GlbFault::Header));
+        }
+    }
+    // The crate's check of positions indexes the list of accessors without looking.
+    if let Ok(unchecked) = Gltf::from_slice_without_validation(bytes) {
+        let root = unchecked.document.as_json();
+        let asset = &root.asset;
+        let is_second = |version: &str| version == "2" || version.starts_with("2.");
+        if let Some(version) =
+            [Some(&asset.version), asset.min_version.as_ref()].into_iter().flatten().find(|v| !is_second(v))
+        {
+            return Err(fault("asset", GltfFault::Version { found: escaped(version) }));
+        }
+        for (i, mesh) in root.meshes.iter().enumerate() {
+            for (j, primitive) in mesh.primitives.iter().enumerate() {
+                let positions = primitive.attributes.get(&Checked::Valid(Semantic::Positions));
+                if positions.is_some_and(|accessor| accessor.value() >= root.accessors.len()) {
+                    let place = format!("meshes[{i}].primitives[{j}].attributes[\"POSITION\"]");
+                    return Err(fault(place, GltfFault::Reference));
+                }
+            }
+        }
+    }
+    Gltf::from_slice(bytes).map_err(|error| match error {
+        ::gltf::Error::Deserialize(e) => MeshError::Json { line: e.line(), column: e.column(), fault: json_fault(&e) },
+        ::gltf::Error::Validation(all) => match all.into_iter().next() {
+            Some((path, error)) => fault(sanitize::within(&path.to_string(), 80), broken_rule(error)),
+            None => fault("", GltfFault::Value),
+        },
+        ::gltf::Error::Binary(::gltf::binary::Error::Version(_)) => container(GlbFault::Version),
+        ::gltf::Error::Binary(::gltf::binary::Error::Magic(_)) => container(GlbFault::Header),
+        ::gltf::Error::Binary(::gltf::binary::Error::ChunkType(_) | ::gltf::binary::Error::UnknownChunkType(_)) => {
+            container(GlbFault::Parts)
+        }
+        _ => container(GlbFault::End),
+    })
+}
+
+/// The fault found by the JSON parser, without its words: they repeat the place, and the contents of the file, at any
+/// length.
+fn json_fault(error: &serde_json::Error) -> JsonFault {
+    match error.classify() {
+        Category::Eof => JsonFault::End,
+        Category::Syntax | Category::Io => JsonFault::Syntax,
+        Category::Data => {
+            let words = error.to_string();
+            let key = words.strip_prefix("missing field `").and_then(|rest| rest.split('`').next());
+            key.map_or(JsonFault::Value, |key| JsonFault::MissingKey { key: escaped(key) })
+        }
+    }
+}
+
+fn broken_rule(error: Rule) -> GltfFault {
+    match error {
+        Rule::IndexOutOfBounds => GltfFault::Reference,
+        Rule::Missing => GltfFault::Missing,
+        Rule::Unsupported => GltfFault::Unsupported { what: "extension".to_owned() },
+        Rule::Invalid | Rule::Oversize => GltfFault::Value,
+    }
+}
+
+/// The bytes of every buffer.
+fn buffers(
+    document: &Document,
+    blob: Option<Vec<u8>>,
+    read_file: &mut Beside<'_>,
+) -> Result<Vec<Rc<Vec<u8>>>, MeshError> {
+    let mut blob = blob;
+    let mut all = Vec::new();
+    let mut files: HashMap<String, Rc<Vec<u8>>> = HashMap::new();
+    for buffer in document.buffers() {
+        let fault = |f| fault(place("buffers", buffer.index()), f);
+        let bytes = match buffer.source() {
+            ::gltf::buffer::Source::Bin => Rc::new(blob.take().ok_or_else(|| fault(GltfFault::NoBytes))?),
+            ::gltf::buffer::Source::Uri(uri) => match uri.strip_prefix("data:") {
+                Some(data) => {
+                    let text = data.split_once(";base64,").map(|(_, text)| text);
+                    let decoded = text.and_then(|t| base64::engine::general_purpose::STANDARD.decode(t).ok());
+                    Rc::new(decoded.ok_or_else(|| fault(GltfFault::DataUri))?)
+                }
+                None => {
+                    let name = percent_encoding::percent_decode_str(uri).decode_utf8_lossy();
+                    let failed = |error| fault(GltfFault::File { uri: escaped(uri), error: Box::new(error) });
+                    match files.get(&*name) {
+                        Some(known) => Rc::clone(known),
+                        None => {
+                            let read = Rc::new(read_file(&name).map_err(failed)?);
+                            Rc::clone(files.entry(name.into_owned()).or_insert(read))
+                        }
+                    }
+                }
+            },
+        };
+        if bytes.len() < buffer.length() {
+            return Err(fault(GltfFault::NoBytes));
+        }
+        all.push(bytes);
+    }
+    Ok(all)
+}
+
+/// The nodes of the scene (the default one, else the first, else every node), with their matrices multiplied out. Nodes
+/// scaled to nothing are hidden, together with their descendants.
+fn nodes(document: &Document) -> Result<Vec<(::gltf::Node<'_>, DMat4)>, MeshError> {
+    let roots: Vec<_> = match document.default_scene().or_else(|| document.scenes().next()) {
+        Some(scene) => scene.nodes().collect(),
+        None => {
+            let mut has_parent = vec![false; document.nodes().len()];
+            document.nodes().flat_map(|n| n.children()).for_each(|child| has_parent[child.index()] = true);
+            document.nodes().filter(|n| !has_parent[n.index()]).collect()
+        }
+    };
+    let mut seen = vec![false; document.nodes().len()];
+    let mut stack: Vec<_> = roots.into_iter().rev().map(|n| (n, DMat4::IDENTITY)).collect();
+    let mut all = Vec::new();
+    while let Some((node, parent)) = stack.pop() {
+        let index = node.index();
+        if std::mem::replace(&mut seen[index], true) {
+            return Err(fault(place("nodes", index), GltfFault::Tree));
+        }
+        let world = parent * matrix(&node);
+        if !world.is_finite() {
+            return Err(fault(place("nodes", index), GltfFault::NotFinite));
+        }
+        if world.determinant() == 0.0 {
+            continue;
+        }
+        let children: Vec<_> = node.children().collect();
+        stack.extend(children.into_iter().rev().map(|child| (child, world)));
+        all.push((node, world));
+    }
+    Ok(all)
+}
+
+/// A node's matrix in double precision.
+fn matrix(node: &::gltf::Node<'_>) -> DMat4 {
+    match node.transform() {
+        ::gltf::scene::Transform::Matrix { matrix } => {
+            DMat4::from_cols_array_2d(&matrix.map(|column| column.map(f64::from)))
+        }
+        ::gltf::scene::Transform::Decomposed { translation, rotation, scale } => {
+            let [x, y, z, w] = rotation.map(f64::from);
+            let turn = DQuat::from_xyzw(x, y, z, w);
+            let turn = if turn.length_squared() > 0.0 { turn.normalize() } else { DQuat::IDENTITY };
+            DMat4::from_scale_rotation_translation(
+                DVec3::from(scale.map(f64::from)),
+                turn,
+                DVec3::from(translation.map(f64::from)),
+            )
+        }
+    }
+}
+
+/// The base colour; glTF's factors are linear light.
+fn color(material: &::gltf::Material<'_>) -> Rgba {
+    let [r, g, b, a] = material.pbr_metallic_roughness().base_color_factor().map(|c| f64::from(c).clamp(0.0, 1.0));
+    let byte = |share: f64| {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+        let byte = (share * 255.0).round() as u8;
+        byte
+    };
+    let [r, g, b] =
+        [r, g, b].map(|c| byte(if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 }));
+    Rgba::rgba(r, g, b, if material.alpha_mode() == AlphaMode::Opaque { 255 } else { byte(a) })
+}
+
+struct Reader {
+    buffers: Vec<Rc<Vec<u8>>>,
+    /// Bytes that accessors may still hold in all: many can name the same bytes.
+    left: Cell<usize>,
+    /// Items that may still be 0 because no bytes are behind them.
+    zeros_left: Cell<usize>,
+}
+
+/// Items of equal length.
+struct Items<'a> {
+    bytes: Cow<'a, [u8]>,
+    /// From the start of one to the start of the next.
+    stride: usize,
+    item: usize,
+}
+
+impl Items<'_> {
+    fn iter(&self) -> impl Iterator<Item = &[u8]> {
+        self.bytes.chunks(self.stride).map(|padded| &padded[..self.item])
+    }
+}
+
+impl Reader {
+    /// The triangles of a primitive; `None` for points and lines.
+    fn surface(&self, primitive: &Primitive<'_>, mesh: &str) -> Result<Option<Surface>, MeshError> {
+        let mesh = format!("{mesh}.primitives[{}]", primitive.index());
+        if !matches!(primitive.mode(), Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
+            return Ok(None);
+        }
+        let Some(positions) = primitive.get(&Semantic::Positions) else { return Ok(None) };
+        let positions = self.vectors(&positions)?;
+        let normals = match primitive.get(&Semantic::Normals) {
+            Some(accessor) if accessor.count() == positions.len() => self.vectors(&accessor)?,
+            _ => Vec::new(),
+        };
+        let order = match primitive.indices() {
+            Some(accessor) => self.indices(&accessor)?,
+            None => (0..u32::try_from(positions.len()).map_err(|_| MeshError::TooLarge)?).collect(),
+        };
+        if let Some(&found) = order.iter().find(|&&i| i as usize >= positions.len()) {
+            return Err(fault(mesh, GltfFault::Index { found, vertices: positions.len() }));
+        }
+        let corners = match primitive.mode() {
+            Mode::TriangleStrip => strip(&order),
+            Mode::TriangleFan => order.windows(2).skip(1).flat_map(|w| [order[0], w[0], w[1]]).collect(),
+            _ => order,
+        };
+        let uv = self.texture_coordinates(primitive, positions.len())?;
+        let corner_uv = if uv.is_empty() { Vec::new() } else { corners.iter().map(|&i| uv[i as usize]).collect() };
+        let mut soup = Soup { positions, normals, corners, corner_uv, ..Soup::default() };
+        soup.weld();
+        let (mesh, uv) = soup.into_mesh(&mut Triangulator::default())?;
+        Ok(Some((Arc::new(mesh), Arc::new(uv))))
+    }
+
+    /// The texture coordinates of the vertices, as the material's texture turns and moves them; none where it has none.
+    fn texture_coordinates(&self, primitive: &Primitive<'_>, count: usize) -> Result<Vec<[f32; 2]>, MeshError> {
+        let info = primitive.material().pbr_metallic_roughness().base_color_texture();
+        let transform = info.as_ref().and_then(::gltf::texture::Info::texture_transform);
+        let own = info.as_ref().map_or(0, ::gltf::texture::Info::tex_coord);
+        let set = transform.as_ref().and_then(::gltf::texture::TextureTransform::tex_coord).unwrap_or(own);
+        let Some(accessor) = primitive.get(&Semantic::TexCoords(set)).filter(|accessor| accessor.count() == count)
+        else {
+            return Ok(Vec::new());
+        };
+        let mut uv = self.pairs(&accessor)?;
+        if let Some(transform) = transform {
+            // Offset · rotation · scale, as the extension defines them.
+            let ([x, y], [wide, high]) = (transform.offset(), transform.scale());
+            let (sin, cos) = f64::from(transform.rotation()).sin_cos();
+            #[expect(clippy::cast_possible_truncation, reason = "texture coordinates are single precision")]
+            let (sin, cos) = (sin as f32, cos as f32);
+            for [u, v] in &mut uv {
+                let (s, t) = (*u * wide, *v * high);
+                (*u, *v) = (cos * s + sin * t + x, cos * t - sin * s + y);
+            }
+        }
+        uv.iter_mut().flatten().filter(|v| !v.is_finite()).for_each(|v| *v = 0.0);
+        Ok(uv)
+    }
+
+    /// Pairs of numbers, whole ones as shares of the greatest.
+    fn pairs(&self, accessor: &Accessor<'_>) -> Result<Vec<[f32; 2]>, MeshError> {
+        let read: fn(&[u8]) -> f32 = match (accessor.data_type(), accessor.dimensions()) {
+            (DataType::F32, Dimensions::Vec2) => |b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]),
+            (DataType::U8, Dimensions::Vec2) => |b| f32::from(b[0]) / 255.0,
+            (DataType::U16, Dimensions::Vec2) => |b| f32::from(u16::from_le_bytes([b[0], b[1]])) / 65_535.0,
+            (data_type, dimensions) => {
+                let what = format!("{dimensions:?} {data_type:?}");
+                return Err(fault(place("accessors", accessor.index()), GltfFault::Unsupported { what }));
+            }
+        };
+        let width = accessor.data_type().size();
+        Ok(self.items::<2>(accessor)?.iter().map(|b| [read(&b[..width]), read(&b[width..])]).collect())
+    }
+
+    /// The bytes of the items of an accessor with `N` components, each as long as the other.
+    fn items<const N: usize>(&self, accessor: &Accessor<'_>) -> Result<Items<'_>, MeshError> {
+        let fault = |f| fault(place("accessors", accessor.index()), f);
+        let item = N * accessor.data_type().size();
+        let held = accessor.count().checked_mul(item).and_then(|bytes| self.left.get().checked_sub(bytes));
+        self.left.set(held.ok_or_else(|| fault(GltfFault::OverBudget))?);
+        let base = match accessor.view() {
+            Some(view) => Some(self.strided(&view, accessor.offset(), accessor.count(), item).map_err(fault)?),
+            None => None,
+        };
+        let Some(sparse) = accessor.sparse() else { return base.ok_or_else(|| fault(GltfFault::NoBytes)) };
+        let mut bytes = match base {
+            Some(base) => base.iter().flatten().copied().collect(),
+            None => {
+                let left = self.zeros_left.get().checked_sub(accessor.count());
+                self.zeros_left.set(left.ok_or_else(|| fault(GltfFault::OverBudget))?);
+                vec![0; accessor.count() * item]
+            }
+        };
+        let (indices, values) = (sparse.indices(), sparse.values());
+        let width = indices.index_type().size();
+        let places = self.strided(&indices.view(), indices.offset(), sparse.count(), width).map_err(fault)?;
+        let values = self.strided(&values.view(), values.offset(), sparse.count(), item).map_err(fault)?;
+        let mut next = 0;
+        for (place, value) in places.iter().zip(values.iter()) {
+            let index = place.iter().rev().fold(0_u32, |index, byte| index << 8 | u32::from(*byte));
+            let at = index as usize;
+            if at < next || at >= accessor.count() {
+                return Err(fault(GltfFault::SparseIndex { found: index, count: accessor.count() }));
+            }
+            bytes[at * item..][..item].copy_from_slice(value);
+            next = at + 1;
+        }
+        Ok(Items { bytes: Cow::Owned(bytes), stride: item, item })
+    }
+
+    /// The bytes of `count` items of `item` bytes in a view, from `offset` on.
+    fn strided(&self, view: &View<'_>, offset: usize, count: usize, item: usize) -> Result<Items<'_>, GltfFault> {
+        let stride = view.stride().unwrap_or(item).max(item);
+        let data = self.buffers.get(view.buffer().index()).and_then(|bytes| {
+            let end = view.offset().checked_add(view.length())?;
+            let data = bytes.get(view.offset()..end)?.get(offset..)?;
+            // The last item need not be padded to the stride.
+            let before_last = count.saturating_sub(1).checked_mul(stride)?;
+            data.get(..if count == 0 { 0 } else { before_last.checked_add(item)? })
+        });
+        let bytes = Cow::Borrowed(data.ok_or(GltfFault::OutOfBuffer)?);
+        Ok(Items { bytes, stride, item })
+    }
+
+    /// Points or normals.
+    fn vectors(&self, accessor: &Accessor<'_>) -> Result<Vec<DVec3>, MeshError> {
+        let fault = |f| fault(place("accessors", accessor.index()), f);
+        if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, Dimensions::Vec3) {
+            let what = format!("{:?} {:?}", accessor.dimensions(), accessor.data_type());
+            return Err(fault(GltfFault::Unsupported { what }));
+        }
+        let number = |b: &[u8]| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
+        let vector = |b: &[u8]| DVec3::new(number(&b[..4]), number(&b[4..8]), number(&b[8..]));
+        let vectors: Vec<DVec3> = self.items::<3>(accessor)?.iter().map(vector).collect();
+        if vectors.iter().all(|v| v.is_finite()) { Ok(vectors) } else { Err(fault(GltfFault::NotFinite)) }
+    }
+
+    fn indices(&self, accessor: &Accessor<'_>) -> Result<Vec<u32>, MeshError> {
+        let read: fn(&[u8]) -> u32 = match (accessor.data_type(), accessor.dimensions()) {
+            (DataType::U8, Dimensions::Scalar) => |b| u32::from(b[0]),
+            (DataType::U16, Dimensions::Scalar) => |b| u32::from(u16::from_le_bytes([b[0], b[1]])),
+            (DataType::U32, Dimensions::Scalar) => |b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]),
+            (data_type, dimensions) => {
+                let what = format!("{dimensions:?} {data_type:?}");
+                return Err(fault(place("accessors", accessor.index()), GltfFault::Unsupported { what }));
+            }
+        };
+        Ok(self.items::<1>(accessor)?.iter().map(read).collect())
+    }
+}
+
+/// The triangles of a strip, all turned the same way.
+fn strip(order: &[u32]) -> Vec<u32> {
+    let turned = |(k, w): (usize, &[u32])| if k % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] };
+    order.windows(3).enumerate().flat_map(turned).collect()
+}

@@ -1,0 +1,162 @@
+//! Mesh files: which reader reads them, and those that have been read.
+
+mod error;
+mod gltf;
+mod obj;
+mod part;
+mod soup;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::appearance::Texture;
+use crate::progress::{Progress, at_once};
+use crate::scene::texture::{Alpha, Textures, UvMesh};
+use crate::scene::{Mesh, ReadFile, TextureError, Wanted};
+pub use error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
+pub use part::{Imported, Part, PartTexture};
+
+/// Imports the mesh file with this path and these bytes. `read_file` returns the files beside it (MTL, BIN); a material
+/// library that cannot be read is left out, and its materials have no colour then. Pauses after each stretch of the
+/// file.
+///
+/// # Errors
+/// [`MeshError`].
+pub async fn import(
+    path: &str,
+    bytes: &[u8],
+    read_file: &mut ReadFile<'_>,
+    progress: &Progress,
+) -> Result<Imported, MeshError> {
+    let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
+    let mut beside = |name: &str| read_file(Wanted { path: &companion(path, name), named_by: Some(path) });
+    let imported = match ending.as_deref() {
+        Some("obj") => obj::read(bytes, &mut beside, progress).await?,
+        Some("gltf" | "glb") => gltf::read(bytes, &mut beside, progress).await?,
+        _ => return Err(MeshError::Format),
+    };
+    let is_empty = imported.parts.iter().all(|p| p.mesh.triangles.is_empty());
+    if is_empty { Err(MeshError::Empty) } else { Ok(imported) }
+}
+
+/// The path of a file that another one names: relative to the other one's folder.
+fn companion(path: &str, name: &str) -> String {
+    let name = name.replace('\\', "/");
+    match path.rfind(['/', '\\']) {
+        Some(slash) if !name.starts_with('/') => format!("{}{name}", &path[..=slash]),
+        _ => name,
+    }
+}
+
+/// Mesh files that have been read, and primitives that have been made, so that a scene that is built again and again
+/// does each of this once. Whoever wants a file to be read anew starts with a new one.
+#[derive(Clone, Debug, Default)]
+pub struct MeshFiles {
+    known: BTreeMap<String, Arc<Imported>>,
+    /// By the name of the shape and its segments.
+    pub(crate) primitives: BTreeMap<(&'static str, u32), Arc<Mesh>>,
+    /// The same with texture coordinates.
+    pub(crate) mapped: BTreeMap<(&'static str, u32), UvMesh>,
+    /// Parts of mesh files with their texture coordinates, by the file and the place in it.
+    pub(crate) textured: BTreeMap<(String, usize), UvMesh>,
+    /// The pictures that figures name.
+    pub(in crate::scene) textures: Textures,
+    progress: Progress,
+}
+
+impl MeshFiles {
+    /// The contents of a file. A file that could not be read is tried again each time.
+    ///
+    /// # Errors
+    /// [`MeshError`].
+    pub(crate) fn get(&mut self, path: &str, read_file: &mut ReadFile<'_>) -> Result<Arc<Imported>, MeshError> {
+        if let Some(imported) = self.known.get(path) {
+            return Ok(Arc::clone(imported));
+        }
+        let imported = at_once(read(path, read_file, &self.progress))?;
+        self.insert(path, Arc::clone(&imported));
+        Ok(imported)
+    }
+
+    /// True for a file that has been read as a texture of a figure, whatever came of it.
+    #[must_use]
+    pub fn knows_texture(&self, path: &str) -> bool {
+        self.textures.knows(path)
+    }
+
+    /// Takes over a texture of a figure that [`read_texture`] has read elsewhere.
+    pub fn insert_texture(&mut self, path: &str, read: Result<Arc<Texture>, TextureError>) {
+        self.textures.insert(path, read);
+    }
+
+    /// None yet; `progress` follows the reading.
+    #[must_use]
+    pub fn watched(progress: &Progress) -> Self {
+        Self { progress: progress.clone(), ..Self::default() }
+    }
+
+    /// True for a file that has been read.
+    #[must_use]
+    pub fn knows(&self, path: &str) -> bool {
+        self.known.contains_key(path)
+    }
+
+    /// Takes a file over that [`read`] has read elsewhere.
+    pub fn insert(&mut self, path: &str, imported: Arc<Imported>) {
+        self.textured.retain(|(known, _), _| known != path);
+        self.known.insert(path.to_owned(), imported);
+    }
+
+    /// Forgets the files that `is_used` denies.
+    pub(crate) fn retain(&mut self, is_used: impl Fn(&str) -> bool) {
+        self.known.retain(|path, _| is_used(path));
+        self.textured.retain(|(path, _), _| is_used(path));
+    }
+}
+
+/// Reads a mesh file: the part of building a scene that takes long, for those who want to do it beside other things. It
+/// pauses where [`import`] does.
+///
+/// # Errors
+/// [`MeshError`].
+pub async fn read(path: &str, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Arc<Imported>, MeshError> {
+    let bytes = read_file(Wanted { path, named_by: None }).map_err(|error| MeshError::Unreadable(Box::new(error)))?;
+    Ok(Arc::new(import(path, &bytes, read_file, progress).await?))
+}
+
+/// Reads a texture that a figure names: the other part of building a scene that takes long.
+///
+/// # Errors
+/// [`TextureError`].
+pub fn read_texture(path: &str, read_file: &mut ReadFile<'_>) -> Result<Arc<Texture>, TextureError> {
+    let mut beside = |path: &str| read_file(Wanted { path, named_by: None });
+    Textures::default().get(path, Alpha::Kept, &mut beside)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn companions_are_looked_for_beside_the_file_that_names_them() {
+        assert_eq!(companion("meshes/cow.obj", "cow.mtl"), "meshes/cow.mtl");
+        assert_eq!(companion("cow.obj", "mtl\\cow.mtl"), "mtl/cow.mtl");
+        assert_eq!(companion("C:\\x\\cow.obj", "cow.mtl"), "C:\\x\\cow.mtl");
+        assert_eq!(companion("meshes/cow.obj", "/abs/cow.mtl"), "/abs/cow.mtl");
+    }
+
+    #[test]
+    fn reading_that_is_cancelled_ends_early() {
+        let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        let text = triangle.repeat(40_000);
+        let progress = Progress::default();
+        let read =
+            |progress: &Progress| at_once(import("m.obj", text.as_bytes(), &mut crate::scene::no_files, progress));
+        progress.cancel();
+        assert_eq!(read(&progress).err(), Some(MeshError::Cancelled));
+        let (_, share) = progress.now().unwrap_or((crate::progress::Activity::Encoding, None));
+        assert!(share.is_some_and(|share| share > 0.0 && share < 0.2), "{share:?}");
+        progress.begin_anew();
+        assert!(read(&progress).is_ok());
+    }
+}

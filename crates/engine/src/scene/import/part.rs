@@ -1,0 +1,46 @@
+//! The result of importing a mesh file.
+
+use std::sync::Arc;
+
+use glam::DMat4;
+
+use crate::appearance::{Rgba, Sampler, Texture};
+use crate::scene::texture::CornerUv;
+use crate::scene::{Mesh, MeshNotice};
+
+/// A mesh file that has been read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Imported {
+    /// Its objects.
+    pub parts: Vec<Part>,
+    /// Parts that were left out, or read otherwise than written.
+    pub notices: Vec<MeshNotice>,
+}
+
+/// The texture of a material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartTexture {
+    /// The picture.
+    pub image: Arc<Texture>,
+    /// How it is asked for a colour.
+    pub sampler: Sampler,
+}
+
+/// One object of a mesh file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Its name in the file; may be empty, need not be unique.
+    pub name: String,
+    /// Its surface.
+    pub mesh: Arc<Mesh>,
+    /// The placement of the part in the file.
+    pub file_from_part: DMat4,
+    /// The base colour of its material.
+    pub color: Option<Rgba>,
+    /// Texture coordinates of the corners of each triangle; empty: it has none.
+    pub uv: Arc<Vec<CornerUv>>,
+    /// The texture of its material.
+    pub texture: Option<PartTexture>,
+    /// The file wants both sides to be seen.
+    pub two_sided: bool,
+}
