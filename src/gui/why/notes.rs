@@ -4,6 +4,7 @@
 use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, TextStyle, Ui, WidgetInfo, vec2};
 
 use super::answer::{self, Writing};
+use super::stages;
 use super::subject::ExplainedSetting;
 use crate::explain::{Axis, Component, Symbol};
 use crate::gui::kit::mathematics;
@@ -16,7 +17,9 @@ use crate::i18n::why::explain::Texts;
 use crate::i18n::why::notes;
 use crate::i18n::why::notes::{Note, Piece};
 use crate::i18n::why::sources::with_titles;
+use crate::i18n::why::stages as stages_words;
 use crate::limits::MAX_TYPED_NAME;
+use crate::pipeline::Stage;
 
 /// The type size of equations, in points.
 const SIZE: f32 = 14.0;
@@ -51,6 +54,9 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     links(ui, t, note, &mut state.explain.notes);
     if !note.source.is_empty() {
         ui.label(RichText::new(note.source).small().weak()).explained(with_titles(note.source));
+    }
+    if let Some(stage) = Stage::ALL.into_iter().find(|stage| notes::of_stage(*stage) == note.id) {
+        stages::source(ui, stages_words::texts(t.lang), stage);
     }
 }
 

@@ -33,6 +33,13 @@ fn shown(ui: &mut Ui, t: &stages::Texts, state: &State) {
             ui.label(RichText::new(stages::in_and_out(t, stage)).weak());
         }
     }
+    source(ui, t, stage);
+}
+
+/// The source file of a stage, for those who want to read how it works.
+pub(super) fn source(ui: &mut Ui, t: &stages::Texts, stage: Stage) {
+    let text = RichText::new(format!("{}: {}", t.in_the_code, stage.source())).small().weak();
+    ui.label(text).explained(t.in_the_code_hint);
 }
 
 /// All stages; a click shows one in the picture of the strip.

@@ -3,6 +3,8 @@
 use crate::stage::{Stage, WorksOn};
 
 texts! {
+    in_the_code: "In the code", "No código";
+    in_the_code_hint: "The source file of this stage, in the project's folder: its head explains the algorithm", "O arquivo-fonte desta etapa, na pasta do projeto: o começo dele explica o algoritmo";
     hint: "The image as painted so far: triangle by triangle, in the order of painting.", "A imagem pintada até aqui: triângulo por triângulo, na ordem de pintura.";
     hidden: "The image is hidden: Ctrl+3 shows it.", "A imagem está escondida: Ctrl+3 a mostra.";
     painter: "Painter", "Pintor";
