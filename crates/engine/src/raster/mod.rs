@@ -28,6 +28,7 @@ mod shadow;
 mod strokes;
 mod surfaces;
 mod texel;
+pub mod textbook;
 
 use std::time::Duration;
 

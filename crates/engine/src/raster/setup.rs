@@ -58,10 +58,14 @@ const fn lattice<const N: usize>(side: i32) -> [[i32; 2]; N] {
 /// Greatest distance of samples from the centre, in steps: with one sample, and with several.
 pub(super) const REACH: [i32; 2] = [0, HALF - STEPS / 32];
 
-/// A position on the grid; one that is out of reach becomes some other.
-fn grid(p: [f32; 3]) -> [i32; 2] {
-    let grid = |v: f32| (round_bits_of_one(v * STEPS as f32, GRID_ZERO) & FRACTION) as i32 - OFFSET;
-    [grid(p[0]), grid(p[1])]
+/// A position on the grid. `None` if it's out of reach, or not a number.
+pub(super) fn snapped([x, y, _]: [f32; 3]) -> Option<[i32; 2]> {
+    let snapped = |v: f32| {
+        let bits = round_bits_of_one(v * STEPS as f32, GRID_ZERO);
+        let is_in_reach = bits & !FRACTION == GRID_ZERO.to_bits() & !FRACTION;
+        is_in_reach.then_some((bits & FRACTION).cast_signed() - OFFSET)
+    };
+    Some([snapped(x)?, snapped(y)?])
 }
 
 /// A triangle of any size, ready to be filled.
@@ -79,9 +83,9 @@ pub(super) struct Triangle {
 }
 
 impl Triangle {
-    /// `None` for a triangle without area on the grid.
+    /// `None` for a triangle without area on the grid, or out of its reach.
     pub(super) fn new(p: &[[f32; 3]; 3]) -> Option<Self> {
-        let v = [grid(p[0]), grid(p[1]), grid(p[2])];
+        let v = [snapped(p[0])?, snapped(p[1])?, snapped(p[2])?];
         // Differences are below 2²⁴ and products below 2⁴⁸: exact in f64.
         let side = |a: [i32; 2], b: [i32; 2]| [f64::from(b[0] - a[0]), f64::from(b[1] - a[1])];
         let (p, q) = (side(v[0], v[1]), side(v[0], v[2]));

@@ -154,7 +154,7 @@ impl Surfaces {
 }
 
 /// The number of samples in a pixel.
-fn samples_in(drawing: &Drawing) -> usize {
+pub(super) fn samples_in(drawing: &Drawing) -> usize {
     match drawing.antialias {
         0..=1 => 1,
         2..=4 => 4,
