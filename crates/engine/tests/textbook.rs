@@ -364,7 +364,7 @@ fn scenes() -> impl Strategy<Value = Scene> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(600))]
+    #![proptest_config(ProptestConfig::with_cases(256))]
 
     #[test]
     fn the_fast_path_paints_the_bytes_of_the_textbook(scene in scenes(), counts in any::<bool>()) {

@@ -3,7 +3,7 @@
 //! A [`Base`] and a [`SurfaceLight`] are independent, and any two go together. What the rest of the program asks of
 //! either is answered here, so that a new base or a new light is an arm in each method of [`Surface`], in the one
 //! function of the pipeline that makes it (`pipeline/shade.rs`), in `pipeline/resample.rs`, which cuts it, and in
-//! `raster/per_pixel.rs`, which paints it.
+//! `raster/surfaces/per_pixel.rs`, which paints it.
 
 use std::sync::Arc;
 

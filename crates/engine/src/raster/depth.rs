@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::setup::STEPS;
+use super::grid::STEPS;
 use crate::appearance::Occlusion;
 use crate::drawing::order::{on_a_face, same_depth};
 use crate::simd::prelude::*;

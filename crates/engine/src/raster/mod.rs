@@ -5,29 +5,12 @@
 //! with their depth, come strokes (`strokes`), areas, marks and texts (`label`). The bytes do not depend on the number
 //! of threads.
 
-mod band;
-mod batch;
-mod bins;
-mod counts;
-mod coverage;
 mod depth;
-mod eights;
-mod few;
-mod fill;
-mod filter;
-mod fragments;
+mod grid;
 mod label;
-mod line;
-mod per_pixel;
-mod pieces;
 mod pixel;
-mod segment;
-mod setup;
-mod shade;
-mod shadow;
 mod strokes;
 mod surfaces;
-mod texel;
 pub mod textbook;
 
 use std::time::Duration;

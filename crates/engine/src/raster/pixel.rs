@@ -3,6 +3,9 @@
 use crate::appearance::Rgba;
 use crate::simd::{Simd, u32x8};
 
+/// Pixels that are worked on together.
+pub(super) const LANES: usize = 8;
+
 /// Premultiplied colour: `r | g << 8 | b << 16 | a << 24`.
 pub(super) type Pixel = u32;
 

@@ -28,10 +28,9 @@ use std::array::from_fn;
 
 use tiny_skia::Pixmap;
 
+use super::grid::{HALF, STEPS, in_pixels, samples, samples_in};
 use super::new_pixmap;
 use super::pixel::premultiply;
-use super::setup::{HALF, STEPS, in_pixels, samples};
-use super::surfaces::samples_in;
 use crate::appearance::{DepthFormat, Filter, Level};
 use crate::drawing::{Base, Drawing, Shadow, Surface};
 use colors::color_at;

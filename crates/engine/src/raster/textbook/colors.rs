@@ -4,10 +4,10 @@ use std::array::from_fn;
 
 use glam::Vec3;
 
-use super::super::pixel::premultiply;
 use super::{Color, Triangle, interpolate, mix, shadow, texture};
 use crate::appearance::{LightShare, Rgba};
 use crate::drawing::{Base, Lighting, Surface, SurfaceLight, TakenLight};
+use crate::raster::pixel::premultiply;
 
 /// The colour of a triangle at a point relative to its first vertex. `None` if an attribute is missing.
 pub(super) fn color_at(triangle: &Triangle, center: [f32; 2]) -> Option<Color> {

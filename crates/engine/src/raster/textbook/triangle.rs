@@ -1,9 +1,8 @@
 //! A triangle of the textbook's rasterizer: its edges, and the planes of its attributes.
 
-use super::super::setup::{HALF, HIGHEST, REACH, STEPS, WIDEST, in_pixels, pick, snapped};
-use super::super::shade::STEEPEST;
 use super::colors::{is_flat, perspective_matters, spread, vertex_colors};
 use crate::drawing::Surface;
+use crate::raster::grid::{HALF, HIGHEST, REACH, STEEPEST, STEPS, WIDEST, in_pixels, snapped};
 
 /// A triangle, set up for painting.
 pub(super) struct Triangle<'a> {
@@ -53,9 +52,9 @@ impl<'a> Triangle<'a> {
     /// Returns `None` if it has no area on the grid, is out of the grid's reach, or lacks an attribute.
     pub(super) fn new(surface: &'a Surface, number: usize, samples: usize) -> Option<Self> {
         let corners = surface.triangles.get(number)?.map(|corner| corner as usize);
-        let [a, b, c] = pick(&surface.positions, corners)?;
+        let [a, b, c] = at_corners(&surface.positions, corners)?;
         let v = [snapped(a)?, snapped(b)?, snapped(c)?];
-        let inverse_w = if surface.inverse_w.is_empty() { [1.0; 3] } else { pick(&surface.inverse_w, corners)? };
+        let inverse_w = if surface.inverse_w.is_empty() { [1.0; 3] } else { at_corners(&surface.inverse_w, corners)? };
         let depths = [a[2], b[2], c[2]];
         let mut triangle = Self { surface, number, corners, depths, inverse_w, v, turned: false, single: false };
         if triangle.area() == 0 {
@@ -93,7 +92,7 @@ impl<'a> Triangle<'a> {
 
     /// The values of an attribute at the vertices. `None` if one is missing.
     pub(super) fn of<T: Copy>(&self, values: &[T]) -> Option<[T; 3]> {
-        pick(values, self.corners)
+        at_corners(values, self.corners)
     }
 
     /// The edges, each from a vertex to the next, in steps.
@@ -149,4 +148,8 @@ impl<'a> Triangle<'a> {
         let [o, a, b] = self.v;
         [a[0] - o[0], a[1] - o[1], b[0] - o[0], b[1] - o[1]]
     }
+}
+
+fn at_corners<T: Copy>(values: &[T], [a, b, c]: [usize; 3]) -> Option<[T; 3]> {
+    Some([*values.get(a)?, *values.get(b)?, *values.get(c)?])
 }

@@ -1,6 +1,13 @@
 //! All strokes of a picture: pieces of them, then bands of rows, each painted on its own, by as many threads as there
 //! are.
 
+mod coverage;
+mod eights;
+mod fragments;
+mod line;
+mod pieces;
+mod segment;
+
 use std::ops::Range;
 use std::sync::Mutex;
 
@@ -12,11 +19,11 @@ use crate::drawing::{Drawing, StrokeSet};
 use crate::progress::{Progress, pause};
 use crate::simd::{Simd, with_vectors};
 
-use super::coverage::Coverage;
-use super::depth::Occluders;
-use super::fragments::Rank;
-use super::line::Lines;
-use super::pieces::{Bands, Bin, Pieces};
+use crate::raster::depth::Occluders;
+use coverage::Coverage;
+use fragments::Rank;
+use line::Lines;
+use pieces::{Bands, Bin, Pieces};
 
 /// Polylines that are made into pieces as one piece of work: so many at least, and a share of all, so that no thread
 /// waits long for the last.

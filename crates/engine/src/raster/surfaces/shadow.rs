@@ -8,7 +8,7 @@ use crate::drawing::{Rays, Shadow};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8};
 
-use super::shade::LANES;
+use crate::raster::pixel::LANES;
 
 /// The part of a texel's length that a bias of 1 allows beside the plane: what meets in a corner, or is round, lies
 /// over the plane of its neighbour within a texel.

@@ -1,6 +1,6 @@
 //! Sets of places in a mask, eight columns each, so that only what was touched is gone through and emptied.
 
-use super::shade::LANES;
+use crate::raster::pixel::LANES;
 
 /// A set of eights of columns: a bit for each in each row.
 #[derive(Clone, Debug, Default)]

@@ -5,8 +5,8 @@ use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
 use super::band::Band;
 use super::batch::{BATCH, Batch, Planes, SetUp};
-use super::pixel::Pixel;
 use super::shade::Colors;
+use crate::raster::pixel::Pixel;
 
 /// Largest number of columns and rows of triangles that are filled together.
 pub(super) const FEW: u32 = 4;

@@ -6,11 +6,9 @@ use crate::simd::prelude::*;
 use crate::simd::{ROUND_F32, Simd, f32x8, mask32x8, round_bits, u32x8};
 
 use super::batch::{BATCH, Corners, Planes, SetUp, gather};
-use super::pixel::{Pixel, premultiply};
 use super::setup::{AffineValue, Triangle, greater, pick};
-
-/// Pixels that are worked on together.
-pub(super) const LANES: usize = 8;
+use crate::raster::grid::STEEPEST;
+use crate::raster::pixel::{Pixel, premultiply};
 
 /// A shader of one triangle.
 pub(super) trait Shader<K: Simd> {
@@ -229,10 +227,6 @@ fn round<K: Simd>(v: f32x8<K>) -> u32x8<K> {
 fn pack<K: Simd>(r: u32x8<K>, g: u32x8<K>, b: u32x8<K>) -> u32x8<K> {
     (r | (g << 8)) | ((b << 16) | 0xff00_0000)
 }
-
-/// Threshold for the terms of a gradient (steps of 255 per pixel): above it the triangle is a sliver, and the gradient
-/// mostly rounding. Below it, and less than a hundred pixels away, the error of a channel is far below half a step.
-pub(super) const STEEPEST: f32 = 4096.0;
 
 /// The colours of vertices.
 pub(super) struct GouraudColors<K: Simd> {

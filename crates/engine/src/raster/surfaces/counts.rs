@@ -3,7 +3,7 @@
 use crate::simd::prelude::*;
 use crate::simd::{Simd, i32x8, mask32x8};
 
-use super::shade::LANES;
+use crate::raster::pixel::LANES;
 
 /// Counts of processed samples.
 #[derive(Clone, Copy, Debug, Default)]

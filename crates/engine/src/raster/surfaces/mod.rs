@@ -1,5 +1,18 @@
 //! All surfaces of a picture: bands of rows, each painted on its own, by as many threads as there are.
 
+mod band;
+mod batch;
+mod bins;
+mod counts;
+mod few;
+mod fill;
+mod filter;
+mod per_pixel;
+mod setup;
+mod shade;
+mod shadow;
+mod texel;
+
 use std::ops::Range;
 use std::sync::Mutex;
 
@@ -9,15 +22,15 @@ use crate::drawing::Drawing;
 use crate::progress::Progress;
 use crate::simd::with_vectors;
 
-use super::band::Band;
-use super::bins::Bins;
-use super::counts::Counts;
-use super::depth::{BandDepth, DepthBuffer};
-use super::few::Few;
-use super::fill::fill;
-use super::pixel::{Pixel, mean, premultiply};
-use super::setup::{Size, samples};
-use super::shade::LANES;
+use crate::raster::depth::{BandDepth, DepthBuffer};
+use crate::raster::grid::{samples, samples_in};
+use crate::raster::pixel::{LANES, Pixel, mean, premultiply};
+use band::Band;
+use bins::Bins;
+use counts::Counts;
+use few::Few;
+use fill::fill;
+use setup::Size;
 
 /// The samples of a band should stay in a processor's own cache: this many, each with colour and depth (8 bytes).
 const BAND_SAMPLES: usize = 1 << 16;
@@ -150,15 +163,6 @@ impl Surfaces {
     pub(super) fn work(&self) -> (usize, u64, u64) {
         let sum = |count: fn(&Scratch) -> u64| self.scratch.iter().map(count).sum();
         (self.bins.kept(), sum(|scratch| scratch.counts.covered), sum(|scratch| scratch.counts.written))
-    }
-}
-
-/// The number of samples in a pixel.
-pub(super) fn samples_in(drawing: &Drawing) -> usize {
-    match drawing.antialias {
-        0..=1 => 1,
-        2..=4 => 4,
-        _ => 16,
     }
 }
 

@@ -13,11 +13,12 @@ use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
 use super::batch::{BATCH, Corners, Planes, SetUp, gather, gather_points};
 use super::filter::channel;
-use super::pixel::premultiply;
 use super::setup::Triangle;
-use super::shade::{Colors, STEEPEST, Shader, gather_colors};
+use super::shade::{Colors, Shader, gather_colors};
 use super::shadow::arriving;
 use super::texel::{Textured, all};
+use crate::raster::grid::STEEPEST;
+use crate::raster::pixel::premultiply;
 
 /// An attribute of the vertices of eight triangles, component by component.
 type Attribute<K, const N: usize> = [[f32x8<K>; 3]; N];

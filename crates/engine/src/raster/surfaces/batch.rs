@@ -20,9 +20,8 @@ use crate::drawing::Surface;
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, round_bits};
 
-use super::setup::{
-    AffineValue, FRACTION, GRID_ZERO, HALF, HIGHEST, OFFSET, REACH, STEPS, Size, Triangle, WIDEST, pick,
-};
+use super::setup::{AffineValue, Size, Triangle, pick};
+use crate::raster::grid::{FRACTION, GRID_ZERO, HALF, HIGHEST, OFFSET, REACH, STEPS, WIDEST};
 
 /// Triangles in a batch.
 pub(super) const BATCH: usize = 8;

@@ -3,8 +3,7 @@
 use crate::drawing::order::{StrokePoint, later_is_over};
 
 use super::eights::{Eights, next_column};
-use super::pixel::{Pixel, over, scale};
-use super::shade::LANES;
+use crate::raster::pixel::{LANES, Pixel, over, scale};
 
 /// The pixels of some rows of a picture with all that layers of strokes cover of them; empty once it is painted.
 #[derive(Clone, Debug, Default)]

@@ -16,12 +16,13 @@ use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, u32x4, u32x8};
 use super::band::{Band, TileStart};
 use super::batch::{BATCH, Batch, corners, corners_at, gather_points};
 use super::counts::Kind;
-use super::depth::pack_slope;
 use super::few::{FEW, FEW_COSTLY, Few};
 use super::per_pixel::PerPixel;
-use super::pixel::over_eight;
-use super::setup::{AffineValue, Borders, ROWS, any, in_pixels, stored};
-use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader};
+use super::setup::{AffineValue, Borders, ROWS, any, stored};
+use super::shade::{Colors, FlatColors, GouraudColors, Shader};
+use crate::raster::depth::pack_slope;
+use crate::raster::grid::in_pixels;
+use crate::raster::pixel::{LANES, over_eight};
 
 /// Fills some triangles of a surface, in the order of the list.
 #[inline(always)]

@@ -14,9 +14,8 @@ use crate::simd::{Simd, f32x8, i32x8, u32x8};
 
 use super::eights::{Eights, next_column};
 use super::fragments::{Fragments, Rank};
-use super::pixel::{Pixel, over_eight, premultiply, scale_eight};
 use super::segment::{Columns, Point, Segment, Segments, TOGETHER, center, length, pixels};
-use super::shade::LANES;
+use crate::raster::pixel::{LANES, Pixel, over_eight, premultiply, scale_eight};
 
 /// The strokes over some rows of a picture, empty once they are painted.
 #[derive(Clone, Debug, Default)]

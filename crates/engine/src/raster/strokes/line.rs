@@ -8,9 +8,9 @@ use std::ops::Range;
 use crate::appearance::{LineStyle, Occlusion, head_corners};
 use crate::drawing::StrokeSet;
 
-use super::depth::{EACH, Occluders};
 use super::pieces::{Head, Pieces};
 use super::segment::{Point, length};
+use crate::raster::depth::{EACH, Occluders};
 
 /// Distance of the points of a stroke that are held against the depth buffer, in pixels.
 const STEP: f32 = 0.5;

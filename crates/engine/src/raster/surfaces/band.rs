@@ -7,10 +7,9 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8};
 
 use super::counts::Counts;
-use super::depth::pack_slope;
-use super::pixel::{self, Pixel};
 use super::setup::{Size, stored, stored_alone};
-use super::shade::LANES;
+use crate::raster::depth::pack_slope;
+use crate::raster::pixel::{self, LANES, Pixel};
 
 /// Some rows of a picture: colour and depth of each sample, in one plane for each place of a sample.
 pub(super) struct Band<'a> {
