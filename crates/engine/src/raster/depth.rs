@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::grid::STEPS;
 use crate::appearance::Occlusion;
-use crate::drawing::order::{on_a_face, same_depth};
+use crate::drawing::order::{ON_A_FACE, same_depth};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x4, u32x4, with_vectors};
 
@@ -52,14 +52,13 @@ impl DepthBuffer {
         &mut self.bands
     }
 
-    /// The depth at a pixel and the slope of the face there.
+    /// The depth at a pixel and the packed slope of the face there.
     #[inline]
-    fn value(&self, x: usize, y: usize) -> Option<(f32, [f32; 2])> {
+    fn value(&self, x: usize, y: usize) -> Option<(f32, u32)> {
         let band = self.bands.get(y >> self.rows_log).filter(|band| band.columns.contains(&x))?;
         let index = (y - (y >> self.rows_log << self.rows_log)) * self.pitch + x;
         let depth = *band.values.get(index)?;
-        let slope = band.slopes.get(index).map_or([0.0; 2], |&packed| unpack_slope(packed));
-        (depth > f32::NEG_INFINITY).then_some((depth, slope))
+        (depth > f32::NEG_INFINITY).then(|| (depth, band.slopes.get(index).copied().unwrap_or_default()))
     }
 
     /// Takes all depths, row by row; −∞ where no surface was drawn. Each band gives its memory back when its depths are
@@ -108,42 +107,33 @@ impl DepthBuffer {
     /// taken, so that a steep face does not hide the lines on it, in the corner of a room as little as on an edge.
     /// Depths in whole numbers are known to a step.
     pub(super) fn shows(&self, p: [f32; 3]) -> bool {
-        let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
-        let (i, j) = (floor(x), floor(y));
-        let mut inside = false;
-        for (i, j) in [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)] {
-            let (Ok(column), Ok(row)) = (usize::try_from(i), usize::try_from(j)) else { continue };
-            if column >= self.width || row >= self.height {
-                continue;
-            }
-            let Some((depth, [dx, dy])) = self.value(column, row) else { return true };
-            if depth + dx * (x - i as f32) + dy * (y - j as f32) <= p[2] + on_a_face(p[2], [dx, dy]) + self.step {
-                return true;
-            }
-            inside = true;
-        }
-        !inside
+        with_vectors!(simd => self.around(p).show(simd, p, self.step))
     }
-}
 
-impl DepthBuffer {
     /// [`shows`](Self::shows) for some points.
     fn shows_each(&self, points: &[[f32; 3]], shown: &mut [bool]) {
         with_vectors!(simd => {
             for (shown, &p) in shown.iter_mut().zip(points) {
-                *shown = match self.around(p) {
-                    Some(around) => around.show(simd, p, self.step),
-                    None => self.shows(p),
-                };
+                *shown = self.around(p).show(simd, p, self.step);
             }
         });
     }
 
-    /// The four pixels around a point; `None` where they are not all in one band of the picture, where surfaces may be.
+    /// The four pixels around a point.
     #[inline(always)]
-    fn around(&self, p: [f32; 3]) -> Option<Around> {
+    fn around(&self, p: [f32; 3]) -> Around {
         let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
         let (i, j) = (floor(x), floor(y));
+        let (depths, slopes) = self.four(i, j).unwrap_or_else(|| self.four_at_border(i, j));
+        let (left, top) = (x - i as f32, y - j as f32);
+        let (right, bottom) = (x - (i + 1) as f32, y - (j + 1) as f32);
+        Around { depths, slopes, across: [left, right, left, right], down: [top, top, bottom, bottom] }
+    }
+
+    /// Depths and packed slopes of a pixel, the one to its right, and the two below; `None` where they are not all in
+    /// one band of the picture, where surfaces may be.
+    #[inline(always)]
+    fn four(&self, i: i32, j: i32) -> Option<([f32; 4], [u32; 4])> {
         let (column, row) = (usize::try_from(i).ok()?, usize::try_from(j).ok()?);
         let band = row >> self.rows_log;
         if row + 1 >= self.height || (row + 1) >> self.rows_log != band {
@@ -155,24 +145,32 @@ impl DepthBuffer {
             return None;
         }
         let (above, below) = (band.values.get(start..start + 2)?, band.values.get(start + self.pitch..)?.get(..2)?);
-        let (left, top) = (x - i as f32, y - j as f32);
-        let (right, bottom) = (x - (i + 1) as f32, y - (j + 1) as f32);
         let mut slopes = [0; 4];
         if !band.slopes.is_empty() {
             let (above, below) = (band.slopes.get(start..start + 2)?, band.slopes.get(start + self.pitch..)?.get(..2)?);
             slopes = [above[0], above[1], below[0], below[1]];
         }
-        Some(Around {
-            depths: [above[0], above[1], below[0], below[1]],
-            slopes,
-            across: [left, right, left, right],
-            down: [top, top, bottom, bottom],
-        })
+        Some(([above[0], above[1], below[0], below[1]], slopes))
+    }
+
+    /// The same anywhere. A pixel outside the picture shows nothing; if all four are, nothing hides the point.
+    #[cold]
+    fn four_at_border(&self, i: i32, j: i32) -> ([f32; 4], [u32; 4]) {
+        let (mut depths, mut slopes) = ([f32::INFINITY; 4], [0; 4]);
+        for (k, (i, j)) in [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].into_iter().enumerate() {
+            let (Ok(column), Ok(row)) = (usize::try_from(i), usize::try_from(j)) else { continue };
+            if column < self.width && row < self.height {
+                (depths[k], slopes[k]) = self.value(column, row).unwrap_or((f32::NEG_INFINITY, 0));
+            }
+        }
+        let is_outside = depths.iter().all(|depth| *depth == f32::INFINITY);
+        (if is_outside { [f32::NEG_INFINITY; 4] } else { depths }, slopes)
     }
 }
 
 /// Four pixels around a point.
 struct Around {
+    /// ∞ outside the picture.
     depths: [f32; 4],
     /// Packed.
     slopes: [u32; 4],
@@ -182,7 +180,8 @@ struct Around {
 }
 
 impl Around {
-    /// True where any has nothing in front of the point, by the formula of [`DepthBuffer::shows`].
+    /// True where any has nothing in front of the point: the plane of its face is no nearer there than
+    /// [`on_a_face`](crate::drawing::order::on_a_face) allows.
     #[inline(always)]
     fn show<K: Simd>(&self, simd: K, p: [f32; 3], step: f32) -> bool {
         let (depth, packed) = (f32x4::from_slice(simd, &self.depths), u32x4::from_slice(simd, &self.slopes));
@@ -190,7 +189,7 @@ impl Around {
         let dy = (packed << 16).bitcast::<f32x4<K>>();
         let (across, down) = (f32x4::from_slice(simd, &self.across), f32x4::from_slice(simd, &self.down));
         let plane = depth + dx * across + dy * down;
-        let on_the_face = (dx.abs() + dy.abs()) * 0.02 + same_depth(p[2]);
+        let on_the_face = (dx.abs() + dy.abs()) * ON_A_FACE + same_depth(p[2]);
         let shown = plane.simd_le(on_the_face + p[2] + step);
         (shown | !depth.simd_gt(f32::NEG_INFINITY)).any_true()
     }
@@ -249,14 +248,9 @@ fn floor(v: f32) -> i32 {
     whole - i32::from(whole as f32 > v)
 }
 
-/// Two slopes as the upper halves of two `f32`: 8 bits of each are enough.
+/// Two slopes as the upper halves of two `f32`: 8 bits of each are enough; towards 0 by 1/128 at most.
 pub(super) fn pack_slope(dx: f32, dy: f32) -> u32 {
     (dx.to_bits() & 0xffff_0000) | dy.to_bits() >> 16
-}
-
-/// The slopes that [`pack_slope`] packed, towards 0 by 1/128 at most.
-fn unpack_slope(packed: u32) -> [f32; 2] {
-    [f32::from_bits(packed & 0xffff_0000), f32::from_bits(packed << 16)]
 }
 
 #[cfg(test)]
@@ -264,10 +258,31 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::drawing::order::on_a_face;
+
+    /// [`DepthBuffer::shows`], pixel by pixel.
+    fn is_shown(buffer: &DepthBuffer, p: [f32; 3]) -> bool {
+        let [x, y] = [p[0] - buffer.offset[0] - 0.5, p[1] - buffer.offset[1] - 0.5];
+        let (i, j) = (floor(x), floor(y));
+        let mut inside = false;
+        for (i, j) in [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)] {
+            let (Ok(column), Ok(row)) = (usize::try_from(i), usize::try_from(j)) else { continue };
+            if column >= buffer.width || row >= buffer.height {
+                continue;
+            }
+            let Some((depth, packed)) = buffer.value(column, row) else { return true };
+            let [dx, dy] = [f32::from_bits(packed & 0xffff_0000), f32::from_bits(packed << 16)];
+            if depth + dx * (x - i as f32) + dy * (y - j as f32) <= p[2] + on_a_face(p[2], [dx, dy]) + buffer.step {
+                return true;
+            }
+            inside = true;
+        }
+        !inside
+    }
 
     proptest! {
         #[test]
-        fn points_together_are_shown_as_each_alone(
+        fn four_pixels_at_once_show_what_each_shows(
             values in prop::collection::vec(prop_oneof![Just(f32::NEG_INFINITY), 0.0..1.0_f32], 7 * 6),
             slopes in prop::collection::vec([-0.3..0.3_f32, -0.3..0.3], 7 * 6),
             points in prop::collection::vec([-2.0..8.0_f32, -2.0..9.0, 0.0..1.0], 1..EACH),
@@ -292,6 +307,7 @@ mod tests {
             let mut shown = [false; EACH];
             buffer.shows_each(&points, &mut shown);
             for (&point, shown) in points.iter().zip(shown) {
+                prop_assert_eq!(shown, is_shown(&buffer, point), "{:?}", point);
                 prop_assert_eq!(shown, buffer.shows(point), "{:?}", point);
             }
         }

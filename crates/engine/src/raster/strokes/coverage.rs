@@ -15,7 +15,7 @@ use crate::simd::{Simd, f32x8, i32x8, u32x8};
 use super::eights::{Eights, next_column};
 use super::fragments::{Fragments, Rank};
 use super::segment::{Columns, Point, Segment, Segments, TOGETHER, center, length, pixels};
-use crate::raster::pixel::{LANES, Pixel, over_eight, premultiply, scale_eight};
+use crate::raster::pixel::{LANES, Pixel, over, premultiply, scale};
 
 /// The strokes over some rows of a picture, empty once they are painted.
 #[derive(Clone, Debug, Default)]
@@ -223,9 +223,9 @@ impl Coverage {
         for (old, pixel) in old.iter_mut().zip(&*pixels) {
             *old = u32::from_le_bytes(*pixel);
         }
-        let source = scale_eight(u32x8::splat(simd, self.color), share);
+        let source = scale(u32x8::splat(simd, self.color), share);
         let mut new = [0; LANES];
-        over_eight(source, u32x8::from_slice(simd, &old)).store_slice(&mut new);
+        over(source, u32x8::from_slice(simd, &old)).store_slice(&mut new);
         for (new, pixel) in new.iter().zip(pixels) {
             *pixel = new.to_le_bytes();
         }

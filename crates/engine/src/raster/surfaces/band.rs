@@ -7,7 +7,7 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8};
 
 use super::counts::Counts;
-use super::setup::{Size, stored, stored_alone};
+use super::setup::Size;
 use crate::raster::depth::pack_slope;
 use crate::raster::pixel::{self, LANES, Pixel};
 
@@ -43,7 +43,7 @@ impl Band<'_> {
         TileStart { start: (row - self.rows.start) as u32 * self.pitch + column as u32, pitch: self.pitch }
     }
 
-    /// The pixels, one for each lane, at which these depths are nearer than what is there.
+    /// The pixels, one for each lane, at which these depths, as they are stored, are nearer than what is there.
     #[inline(always)]
     pub(super) fn nearer<K: Simd>(
         &self,
@@ -60,11 +60,10 @@ impl Band<'_> {
                 old[l] = depth;
             }
         }
-        let z = if self.greatest > 0.0 { stored(z, self.greatest) } else { z };
         asked & z.simd_gt(f32x8::from_slice(z.witness(), &old))
     }
 
-    /// Sets pixels of a triangle: each by its distance from `start`, its depth and its colour.
+    /// Sets pixels of a triangle: each by its distance from `start`, its depth as it is stored, and its colour.
     #[inline(always)]
     pub(super) fn set_each(
         &mut self,
@@ -74,7 +73,7 @@ impl Band<'_> {
         pixels: impl Iterator<Item = (u32, f32, Pixel)>,
     ) {
         let (colors, depths) = (&mut *self.colors, &mut *self.depths);
-        let plain = !self.in_order && !surface.translucent && self.greatest <= 0.0;
+        let plain = !self.in_order && !surface.translucent;
         if plain && surface.depth_test && self.slopes.is_empty() && self.counts.is_none() && !depths.is_empty() {
             // The same as below, for what is asked most often.
             for (offset, depth, color) in pixels {
@@ -103,7 +102,6 @@ impl Band<'_> {
         if surface.depth_test
             && let Some(old) = self.depths.get_mut(start)
         {
-            let depth = stored_alone(depth, self.greatest);
             // Not `<=`: a depth that is not a number is behind everything, as it does in `Painter`.
             if !(depth > *old || self.in_order) {
                 return;

@@ -5,6 +5,7 @@ use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
 use super::band::Band;
 use super::batch::{BATCH, Batch, Planes, SetUp};
+use super::setup::stored;
 use super::shade::Colors;
 use crate::raster::pixel::Pixel;
 
@@ -90,7 +91,7 @@ impl Few {
                     owned[k as usize / 32] |= own.select(zero + (1 << (k % 32)), zero);
                     if !C::COSTLY {
                         let (x, y) = (x + i as f32, y + j as f32);
-                        let z = depths.hold(depths.at(x, y));
+                        let z = stored(depths.hold(depths.at(x, y)), band.greatest);
                         z.store_slice(&mut self.depths[k as usize]);
                         colors.at(own, x, y).store_slice(&mut self.colors[k as usize]);
                     }
@@ -153,7 +154,7 @@ impl Few {
             let down = ((k.to_float::<f32x8<K>>() + 0.5) * (1.0 / SIDE as f32)).to_int::<i32x8<K>>();
             let across = k - down * SIDE.cast_signed();
             let (x, y) = (x + across.to_float::<f32x8<K>>(), y + down.to_float::<f32x8<K>>());
-            let z = depths.hold(depths.at(x, y));
+            let z = stored(depths.hold(depths.at(x, y)), band.greatest);
             let mut wanted = own;
             if band.hides {
                 wanted &= band.nearer(z, own, batch.left + across, set_up.top + down);

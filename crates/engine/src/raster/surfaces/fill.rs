@@ -22,7 +22,7 @@ use super::setup::{AffineValue, Borders, ROWS, any, stored};
 use super::shade::{Colors, FlatColors, GouraudColors, Shader};
 use crate::raster::depth::pack_slope;
 use crate::raster::grid::in_pixels;
-use crate::raster::pixel::{LANES, over_eight};
+use crate::raster::pixel::{LANES, over};
 
 /// Fills some triangles of a surface, in the order of the list.
 #[inline(always)]
@@ -330,10 +330,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         if self.depth_test {
             for (s, (covered, &step)) in (0..).zip(covered.iter_mut().zip(&self.depth_steps)) {
                 let z = if S == 1 { center } else { center + step };
-                let mut z = z.max(self.z.low).min(self.z.high);
-                if self.greatest > 0.0 {
-                    z = stored(z, self.greatest);
-                }
+                let z = stored(z.max(self.z.low).min(self.z.high), self.greatest);
                 let place = place.plane(s * band.plane);
                 let Some(old) = place.load::<K, f32x4<K>, SQUARE>(self.simd, band.depths) else { return };
                 if !self.in_order {
@@ -368,7 +365,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         for (s, covered) in (0..).zip(&*covered) {
             let place = place.plane(s * band.plane);
             let Some(old) = place.load::<K, u32x4<K>, SQUARE>(self.simd, band.colors) else { return };
-            let colors = if self.translucent { over_eight(colors, old) } else { colors };
+            let colors = if self.translucent { over(colors, old) } else { colors };
             place.store::<K, u32x8<K>, SQUARE>(covered.select(colors, old), band.colors);
         }
     }

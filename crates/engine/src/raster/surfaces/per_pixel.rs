@@ -18,7 +18,7 @@ use super::shade::{Colors, Shader, gather_colors};
 use super::shadow::arriving;
 use super::texel::{Textured, all};
 use crate::raster::grid::STEEPEST;
-use crate::raster::pixel::premultiply;
+use crate::raster::pixel::{premultiply, premultiply_packed};
 
 /// An attribute of the vertices of eight triangles, component by component.
 type Attribute<K, const N: usize> = [[f32x8<K>; 3]; N];
@@ -293,7 +293,7 @@ impl<'a, K: Simd> PerPixel<'a, K> {
         match &self.base {
             // The alpha of opaque surfaces does not count.
             _ if !self.surface.translucent => lit | 0xff00_0000,
-            BaseColors::One(_) => premultiply_eight(lit),
+            BaseColors::One(_) => premultiply_packed(lit),
             BaseColors::Vertices(_) | BaseColors::Texture(_) => lit,
         }
     }
@@ -465,38 +465,4 @@ fn bytes<K: Simd>([r, g, b, a]: [f32x8<K>; 4]) -> u32x8<K> {
 #[inline(always)]
 fn byte<K: Simd>(v: f32x8<K>) -> u32x8<K> {
     (v + 0.5).max(0.0).min(255.0).to_int::<i32x8<K>>().bitcast()
-}
-
-/// [`premultiply`] for eight colours.
-#[inline(always)]
-fn premultiply_eight<K: Simd>(colors: u32x8<K>) -> u32x8<K> {
-    let alpha = colors >> 24;
-    let (r, g, b) = (scaled(colors, alpha), scaled(colors >> 8, alpha), scaled(colors >> 16, alpha));
-    (r | (g << 8)) | ((b << 16) | (alpha << 24))
-}
-
-/// The lowest channel times alpha / 255, rounded.
-#[inline(always)]
-fn scaled<K: Simd>(colors: u32x8<K>, alpha: u32x8<K>) -> u32x8<K> {
-    let t = (colors & 0xff) * alpha + 127;
-    // t / 255 for t < 2¹⁶, without a division.
-    (t + 1 + (t >> 8)) >> 8
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::appearance::Rgba;
-    use crate::simd::with_vectors;
-
-    #[test]
-    fn eight_colours_are_premultiplied_as_one_is() {
-        for v in 0..=255_u8 {
-            for a in 0..=255_u8 {
-                let color = Rgba::rgba(v, 255 - v, v / 2, a);
-                let eight = with_vectors!(simd => premultiply_eight(u32x8::splat(simd, packed(color)))[5]);
-                assert_eq!(eight, premultiply(color), "{color:?}");
-            }
-        }
-    }
 }

@@ -175,24 +175,15 @@ pub(super) struct AffineValue {
 /// numbers below.
 const WHOLE: f32 = 8_388_608.0;
 
-/// Depths as a format whose greatest number is `greatest` stores them.
+/// Depths as a format stores them, whose greatest number is `greatest`; 0: as they are.
 #[inline(always)]
 pub(super) fn stored<K: Simd>(z: f32x8<K>, greatest: f32) -> f32x8<K> {
+    if greatest <= 0.0 {
+        return z;
+    }
     let steps = z * greatest;
     let whole = steps.simd_lt(WHOLE).select((steps + WHOLE) - WHOLE, steps);
     whole * (1.0 / greatest)
-}
-
-/// One depth, as [`stored`] stores it; 0: as it is.
-#[inline(always)]
-pub(super) fn stored_alone(z: f32, greatest: f32) -> f32 {
-    if greatest > 0.0 {
-        let steps = z * greatest;
-        let whole = if steps < WHOLE { (steps + WHOLE) - WHOLE } else { steps };
-        whole * (1.0 / greatest)
-    } else {
-        z
-    }
 }
 
 /// True where a pixel of any of the masks is set.

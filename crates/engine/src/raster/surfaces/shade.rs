@@ -297,7 +297,7 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
         _index: u32,
         corners: [usize; 3],
     ) -> Option<Gouraud<K>> {
-        let (planes, perspective, inverse_w) = gouraud_alone(surface, triangle, corners)?;
+        let (planes, perspective, inverse_w) = gouraud_alone(simd, surface, triangle, corners)?;
         let zero = f32x8::splat(simd, 0.0);
         let affine = Affine { planes, across: [zero; RGB], down: [zero; RGB], outside: true };
         Some(Gouraud { affine, perspective, inverse_w, inverse_w_across: zero, inverse_w_down: zero })
@@ -315,7 +315,8 @@ fn perspective_matters<K: Simd>(spread: f32x8<K>, far: f32x8<K>, near: f32x8<K>)
 }
 
 /// Planes of red, green, blue, whether they are divided by w, and the plane of 1/w.
-fn gouraud_alone(
+fn gouraud_alone<K: Simd>(
+    simd: K,
     surface: &Surface,
     triangle: &Triangle,
     corners: [usize; 3],
@@ -326,8 +327,8 @@ fn gouraud_alone(
     let inverse_w = triangle.plane(w);
     let planes = colors.map(|c| triangle.plane(c));
     let spread = planes.iter().map(|p| p.high - p.low).fold(0.0, greater);
-    // As `perspective_matters`.
-    if spread * (inverse_w.high - inverse_w.low) <= 2.0 * inverse_w.low {
+    let [spread, far, near] = [spread, inverse_w.low, inverse_w.high].map(|v| f32x8::splat(simd, v));
+    if !perspective_matters(spread, far, near).any_true() {
         return Some((planes, false, inverse_w));
     }
     let divided = |k: usize| {
