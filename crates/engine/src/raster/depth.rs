@@ -1,4 +1,8 @@
 //! The depth of the visible surface at each pixel.
+//!
+//! A z-buffer keeps the depth of a pixel. Strokes lie on faces, so they'd be hidden and visible by turns where rounding
+//! decides. Here the slope of the visible face is kept too, and a point is compared with the face's plane in the four
+//! pixels around it, at once.
 
 use std::ops::Range;
 
@@ -44,6 +48,25 @@ impl DepthBuffer {
         self.bands.resize_with(height.div_ceil(rows), BandDepth::default);
         for band in &mut self.bands {
             band.columns = 0..0;
+        }
+    }
+
+    /// Takes the depths of a whole picture, row by row, and the slopes if they're wanted.
+    pub(super) fn store(&mut self, depths: &[f32], slopes: Option<&[[f32; 2]]>) {
+        let (width, pitch) = (self.width, self.pitch);
+        let rows = width << self.rows_log;
+        for (k, (band, depths)) in self.bands.iter_mut().zip(depths.chunks(rows)).enumerate() {
+            let count = depths.len() / width;
+            let is_empty = depths.iter().all(|depth| *depth == f32::NEG_INFINITY);
+            band.columns = if is_empty { 0..0 } else { 0..width };
+            band.values.resize(band.values.len().max((count + 1) * pitch), f32::NEG_INFINITY);
+            for (row, depths) in depths.chunks(width).enumerate() {
+                band.values[row * pitch..][..width].copy_from_slice(depths);
+            }
+            band.slopes.resize(if slopes.is_some() { (count + 1) * pitch } else { 0 }, 0);
+            for (n, &[dx, dy]) in slopes.unwrap_or_default().iter().skip(k * rows).take(count * width).enumerate() {
+                band.slopes[n / width * pitch + n % width] = pack_slope(dx, dy);
+            }
         }
     }
 

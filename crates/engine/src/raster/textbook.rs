@@ -45,10 +45,21 @@ pub struct Painted {
     pub image: Pixmap,
     /// The depth at the first sample of each pixel, row by row; −∞ if there is no surface.
     pub depths: Vec<f32>,
+    /// The change of that depth per pixel, to the right and down, on the face that is visible there. Strokes on a face
+    /// are compared with its plane.
+    pub slopes: Vec<[f32; 2]>,
 }
 
 /// A premultiplied colour: red, green, blue, alpha.
 type Color = [u8; 4];
+
+/// What is stored for a sample of a pixel.
+#[derive(Clone, Copy)]
+struct Sample {
+    color: Color,
+    depth: f32,
+    slope: [f32; 2],
+}
 
 /// Paints the surfaces of `drawing`, and the shadow maps that they need. Returns `None` if a side is 0 or the picture is
 /// too large.
@@ -56,33 +67,35 @@ type Color = [u8; 4];
 pub fn paint(drawing: &Drawing) -> Option<Painted> {
     let mut image = new_pixmap(drawing)?;
     paint_shadow_maps(drawing);
-    let samples = samples(samples_in(drawing));
-    let count = samples.len();
+    let places = samples(samples_in(drawing));
+    let count = places.len();
     let pixels = drawing.width as usize * drawing.height as usize;
-    let mut colors: Vec<Color> = vec![premultiply(drawing.background).to_le_bytes(); pixels * count];
-    let mut depths = vec![f32::NEG_INFINITY; pixels * count];
+    let color = premultiply(drawing.background).to_le_bytes();
+    let mut samples = vec![Sample { color, depth: f32::NEG_INFINITY, slope: [0.0; 2] }; pixels * count];
     for (surface, number) in painting_order(drawing) {
         let Some(triangle) = Triangle::new(surface, number, count) else { continue };
         for [x, y] in triangle.pixels([drawing.width, drawing.height]) {
             let first = (y as usize * drawing.width as usize + x as usize) * count;
-            let (colors, depths) = (&mut colors[first..first + count], &mut depths[first..first + count]);
-            let mut covered = fill(&triangle, [x, y], samples);
+            let pixel = &mut samples[first..first + count];
             let center = triangle.to_center([x, y]);
-            hidden_surfaces(&mut covered, depths, &triangle, center, samples, drawing);
+            let mut covered = fill(&triangle, [x, y], places);
+            hidden_surfaces(&mut covered, pixel, &triangle, center, places, drawing);
             // A sample has its own coverage and its own depth, but all samples of a pixel have the colour at the centre.
             if !covered.is_empty()
                 && let Some(color) = color_at(&triangle, center)
             {
                 for s in covered {
-                    colors[s] = if surface.translucent { blend(color, colors[s]) } else { color };
+                    pixel[s].color = if surface.translucent { blend(color, pixel[s].color) } else { color };
                 }
             }
         }
     }
-    for (k, pixel) in colors.chunks(count).enumerate() {
+    for (k, pixel) in samples.chunks(count).enumerate() {
         write(&mut image, k, antialias(pixel));
     }
-    Some(Painted { image, depths: depths.into_iter().step_by(count).collect() })
+    let first = || samples.iter().step_by(count);
+    let (depths, slopes) = (first().map(|sample| sample.depth).collect(), first().map(|sample| sample.slope).collect());
+    Some(Painted { image, depths, slopes })
 }
 
 /// Paints what each light sees, unless that has been done: a drawing of its own, of which only the depths stay.
@@ -117,26 +130,26 @@ fn painting_order(drawing: &Drawing) -> Vec<(&Surface, usize)> {
 /// a → b is positive on its inner side (Pineda 1988). If E = 0, the sample lies on the edge. The top-left rule then gives
 /// it to one of the two triangles at this edge: the one for which the edge is on the left, or level with the triangle
 /// below. All numbers are whole, so no sample is lost or painted twice. `[3]` §1.1, step 6
-fn fill(triangle: &Triangle, pixel: [i32; 2], samples: &[[i32; 2]]) -> Vec<usize> {
-    let is_inside = |sample: [i32; 2]| {
-        let p = [0, 1].map(|k| i64::from(pixel[k] * STEPS + HALF + sample[k]));
+fn fill(triangle: &Triangle, pixel: [i32; 2], places: &[[i32; 2]]) -> Vec<usize> {
+    let is_inside = |place: [i32; 2]| {
+        let p = [0, 1].map(|k| i64::from(pixel[k] * STEPS + HALF + place[k]));
         triangle.edges().into_iter().all(|[a, b]| {
             let (right, down) = (b[0] - a[0], b[1] - a[1]);
             let e = right * (p[1] - a[1]) - down * (p[0] - a[0]);
             e > 0 || e == 0 && (down < 0 || down == 0 && right > 0)
         })
     };
-    (0..samples.len()).filter(|&s| is_inside(samples[s])).collect()
+    (0..places.len()).filter(|&s| is_inside(places[s])).collect()
 }
 
 /// **Hidden surfaces**: the z-buffer of `[2]`. Keeps the samples at which the triangle is nearer than everything painted
 /// before, and stores its depth there. Of equal depths the first one stays. `[3]` §1.1, step 8
 fn hidden_surfaces(
     covered: &mut Vec<usize>,
-    depths: &mut [f32],
+    pixel: &mut [Sample],
     triangle: &Triangle,
     center: [f32; 2],
-    samples: &[[i32; 2]],
+    places: &[[i32; 2]],
     drawing: &Drawing,
 ) {
     let surface = triangle.surface;
@@ -145,11 +158,11 @@ fn hidden_surfaces(
     }
     let plane = triangle.plane(triangle.depths);
     covered.retain(|&s| {
-        let step = plane.dx * in_pixels(samples[s][0]) + plane.dy * in_pixels(samples[s][1]);
+        let step = plane.dx * in_pixels(places[s][0]) + plane.dy * in_pixels(places[s][1]);
         let z = stored(plane.hold(plane.at(center) + step), drawing.depth_format);
-        let is_visible = z > depths[s] || drawing.painted_in_order;
+        let is_visible = z > pixel[s].depth || drawing.painted_in_order;
         if is_visible && !surface.translucent {
-            depths[s] = z;
+            (pixel[s].depth, pixel[s].slope) = (z, [plane.dx, plane.dy]);
         }
         is_visible
     });
@@ -243,9 +256,9 @@ fn blend(source: Color, target: Color) -> Color {
 }
 
 /// **Antialias**: averages the samples of a pixel. `[3]` §1.1, step 10
-fn antialias(samples: &[Color]) -> Color {
-    let count: u32 = samples.iter().map(|_| 1).sum();
-    from_fn(|k| byte((samples.iter().map(|sample| u32::from(sample[k])).sum::<u32>() + count / 2) / count))
+fn antialias(pixel: &[Sample]) -> Color {
+    let count: u32 = pixel.iter().map(|_| 1).sum();
+    from_fn(|k| byte((pixel.iter().map(|sample| u32::from(sample.color[k])).sum::<u32>() + count / 2) / count))
 }
 
 /// **Write**: stores the colour of a pixel in the memory of the image. `[3]` §1.1, step 11
