@@ -63,13 +63,19 @@ impl Coverage {
     }
 
     /// Covers the points within `radius` of each segment: strokes with round ends.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn segments<K: Simd>(&mut self, simd: K, segments: &[[Point; 2]], radius: f32) {
-        if self.rank.is_some() {
-            self.segments_of::<K, true>(simd, segments, radius);
-        } else {
-            self.segments_of::<K, false>(simd, segments, radius);
-        }
+        // One copy for the four places that call it.
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                if self.rank.is_some() {
+                    self.segments_of::<K, true>(simd, segments, radius);
+                } else {
+                    self.segments_of::<K, false>(simd, segments, radius);
+                }
+            },
+        );
     }
 
     #[inline(always)]
@@ -190,8 +196,16 @@ impl Coverage {
     }
 
     /// Ends a layer: paints it on `pixels` (the rows of the mask), or, with a rank, keeps what it covers.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn end<K: Simd>(&mut self, simd: K, pixels: &mut [[u8; 4]]) {
+        simd.vectorize(
+            #[inline(always)]
+            || self.end_with(simd, pixels),
+        );
+    }
+
+    #[inline(always)]
+    fn end_with<K: Simd>(&mut self, simd: K, pixels: &mut [[u8; 4]]) {
         if let Some(rank) = self.rank {
             self.fragments.begin(self.color, rank);
         }

@@ -51,7 +51,7 @@ pub(super) fn fill<K: Simd, const S: usize>(
 }
 
 /// Fills triangles in batches of eight, of which the small ones are set up together.
-#[inline(always)]
+#[inline(never)]
 fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
@@ -60,9 +60,14 @@ fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     triangles: &[u32],
 ) {
     band.hides = surface.depth_test && !band.in_order && !band.depths.is_empty();
-    for triangles in triangles.chunks(BATCH) {
-        eight::<K, S, SIDE, C>(simd, band, few, surface, triangles);
-    }
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            for triangles in triangles.chunks(BATCH) {
+                eight::<K, S, SIDE, C>(simd, band, few, surface, triangles);
+            }
+        },
+    );
 }
 
 /// Fills the eight triangles of a batch.
