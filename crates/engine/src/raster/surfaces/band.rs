@@ -1,4 +1,8 @@
-//! Some rows of a picture while they are painted, and the places of pixels and tiles in them.
+//! The samples of a band while it is painted, and tiles of eight pixels in it.
+//!
+//! The usual layout stores the samples of a pixel next to one another. Here each sample has a plane of its own, so that
+//! eight pixels of a row are eight numbers in a row of memory, which one instruction reads or writes. Behind each row
+//! there is room for eight more, and a tile at the border needs no special case.
 
 use std::ops::Range;
 
@@ -72,20 +76,6 @@ impl Band<'_> {
         slope: [f32; 2],
         pixels: impl Iterator<Item = (u32, f32, Pixel)>,
     ) {
-        let (colors, depths) = (&mut *self.colors, &mut *self.depths);
-        let plain = !self.in_order && !surface.translucent;
-        if plain && surface.depth_test && self.slopes.is_empty() && self.counts.is_none() && !depths.is_empty() {
-            // The same as below, for what is asked most often.
-            for (offset, depth, color) in pixels {
-                let place = (start + offset) as usize;
-                if let (Some(pixel), Some(old)) = (colors.get_mut(place), depths.get_mut(place))
-                    && depth > *old
-                {
-                    (*pixel, *old) = (color, depth);
-                }
-            }
-            return;
-        }
         for (offset, depth, color) in pixels {
             self.set(surface, start + offset, depth, slope, color);
         }
