@@ -1,5 +1,5 @@
-//! The rules of coverage and precision that the textbook's rasterizer and the fast one share: the grid on which vertices
-//! lie, the samples of a pixel, and when single precision is enough.
+//! The rules of coverage and precision that the textbook's rasterizer and the fast one share: the grid on which
+//! vertices lie, the samples of a pixel, and when single precision is enough.
 
 use crate::drawing::Drawing;
 use crate::simd::round_bits_of_one;

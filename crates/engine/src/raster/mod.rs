@@ -1,9 +1,9 @@
 //! [`Drawing`] → pixels.
 //!
-//! Surfaces come first: `bins` sorts their triangles into bands of rows, and `fill` paints the bands, on as many
-//! threads as there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and
-//! with their depth, come strokes (`strokes`), areas, marks and texts (`label`). The bytes do not depend on the number
-//! of threads.
+//! Start with [`textbook`], a complete rasterizer without tricks. The rest of this folder paints the same bytes fast.
+//! `surfaces` are painted first, in bands of rows, on as many threads as there are. Over them, and compared with their
+//! `depth`, come `strokes`, then areas, marks and texts (`label`). `grid` and `pixel` hold the rules that all share:
+//! the grid of vertices, the samples of a pixel, and the arithmetic of colours. The number of threads changes no byte.
 
 mod depth;
 mod grid;

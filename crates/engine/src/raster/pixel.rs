@@ -1,4 +1,6 @@
 //! Colours as pixels: premultiplied bytes in one `u32`, red lowest.
+//!
+//! Blending works on two channels in one number, and on one pixel or eight by the same formula.
 
 use std::ops::{Add, BitAnd, BitOr, Mul, Not, Shl, Shr};
 

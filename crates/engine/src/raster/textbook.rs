@@ -5,18 +5,19 @@
 //! `interpolate` finds the share of each vertex in a pixel, `texture` and `shadow` add the effects, `blend` lays a
 //! translucent colour over what is there, `antialias` averages the samples of a pixel, and `write` stores the result.
 //! [`paint`] calls them: for each triangle, for each pixel of its box. Nothing is kept from one pixel to the next.
-//! `triangle` holds the edge and plane equations, `colors` the shading, `texels` the filters, `lamp` the view of a lamp.
+//! `triangle` holds the edge and plane equations, `colors` the shading, `texels` the filters, `lamp` the view of a
+//! lamp.
 //!
 //! The program paints with [`Rasterizer`](super::Rasterizer), which gives the same bytes a few hundred times faster. It
-//! cuts the picture into bands of rows, one at a time for each thread, and looks at a triangle only in the bands that it
-//! touches. One instruction works on eight triangles, or on eight pixels. Edge functions aren't evaluated but grow by a
-//! constant from pixel to pixel, and no colour is computed that a depth test discards. None of this may change a
+//! cuts the picture into bands of rows, one at a time for each thread, and looks at a triangle only in the bands that
+//! it touches. One instruction works on eight triangles, or on eight pixels. Edge functions aren't evaluated but grow
+//! by a constant from pixel to pixel, and no colour is computed that a depth test discards. None of this may change a
 //! picture: `tests/textbook.rs` paints random drawings both ways and demands the same bytes.
 //!
 //! So the order of operations is part of what this file says, because `a·x + (b·y + c)` isn't `(a·x + b·y) + c` in
 //! floating point. Two choices of the fast path show: small triangles take their gradients in single precision
-//! (`Triangle::new`), and the colours of vertices are divided by w only if that makes a difference (`gouraud`). Strokes,
-//! marks and labels aren't painted here, nor what a texture can reveal of its own work
+//! (`Triangle::new`), and the colours of vertices are divided by w only if that makes a difference (`gouraud`).
+//! Strokes, marks and labels aren't painted here, nor what a texture can reveal of its own work
 //! ([`TextureReveal`](crate::appearance::TextureReveal)).
 
 mod colors;

@@ -1,10 +1,11 @@
 //! Coverage of pixels by strokes.
 //!
-//! All pieces of a layer (the visible or the hidden parts of a set of strokes) meet in one mask, each pixel keeping the
-//! greatest share: pieces may overlap (joints, crossings, arrow heads) without a translucent colour growing darker
-//! there. A layer that no depth can put behind another is painted as soon as its mask is complete. Of the others each
-//! pixel keeps share and depth, as in an A-buffer (Carpenter 1984); only when all are known are they painted, from back
-//! to front. So strokes are as smooth where one passes in front of another as anywhere else.
+//! The standard way blends each piece of a stroke over the picture, and a translucent colour grows darker wherever two
+//! pieces overlap: at joints, crossings, arrow heads. Here all pieces of a layer (the visible or the hidden parts of a
+//! set of strokes) meet in one mask, in which a pixel keeps the greatest share, and the colour is blended once at the
+//! end, eight pixels at a time. A layer that no depth can put behind another is painted as soon as its mask is
+//! complete. Of the others each pixel keeps share and depth, as in an A-buffer (Carpenter 1984); they are painted from
+//! back to front when all are known. So strokes are as smooth where one passes in front of another as anywhere else.
 
 use std::ops::Range;
 

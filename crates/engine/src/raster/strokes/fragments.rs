@@ -1,4 +1,8 @@
 //! The order of strokes in depth: what layers cover of each pixel, painted from back to front when all are known.
+//!
+//! An A-buffer (Carpenter 1984) keeps a list for each pixel. Here all fragments of a band are in one array, in which
+//! each points to the one before it in the same pixel, so that a fragment costs no allocation. Most pixels have one
+//! fragment and aren't sorted.
 
 use crate::drawing::order::{StrokePoint, later_is_over};
 

@@ -1,4 +1,6 @@
-//! The pieces of strokes that touch each band of rows, by what is in front of them.
+//! The pieces of strokes that touch each band of rows, by the kind of face in front of them.
+//!
+//! Without this each thread would go through all pieces of the picture for each of its bands.
 
 use std::ops::Range;
 

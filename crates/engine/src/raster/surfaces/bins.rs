@@ -1,4 +1,9 @@
-//! The triangles that touch each band of rows, in the order of drawing.
+//! The triangles that touch each band of rows, in the order of painting.
+//!
+//! The standard algorithm sets a triangle up once and paints it. With bands, a triangle would be set up in each of
+//! them, and most triangles of a fine mesh own no sample at all. So the boxes of eight triangles are computed at once,
+//! and a triangle whose only pixel has its centre outside is dropped here, once for all bands. The columns that
+//! triangles touch are kept for each band, so that the rest of a band isn't cleared.
 
 use std::ops::Range;
 

@@ -1,4 +1,11 @@
-//! The pixels of tiny triangles: found for eight triangles at once, and set one by one afterwards.
+//! Tiny triangles, eight at a time.
+//!
+//! The standard algorithm goes through the pixels of one triangle. In a triangle of three pixels, five of eight lanes
+//! of a vector would be idle. Here each lane has a triangle of its own, and all eight go through their boxes in step:
+//! pixel (0, 0) of eight boxes, then pixel (1, 0), and so on. Pixels are written afterwards, one triangle after the
+//! other, because of two triangles that own the same pixel the first one in the list has to come first. If colours cost
+//! much (light at each pixel, textures), coverage comes first for the whole box, and each lane then goes on to its next
+//! pixel inside, wherever it lies. So few lanes wait, and boxes of 11 × 11 pixels count as tiny.
 
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};

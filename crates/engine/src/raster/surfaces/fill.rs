@@ -1,11 +1,39 @@
 //! A band of rows: its triangles → its samples.
 //!
-//! Eight pixels of a row are worked on together. What a pixel gets depends on its triangles alone, never on the band or
-//! the eight that it is in, nor on the machine's vectors: values are computed from the triangle's origin, not added up
-//! along the way, and no operation is fused with another.
+//! The standard algorithm decides for each pixel: covered, nearer, which colour, blended or not. Here the unit is a
+//! tile of eight pixels, eight of a row or two rows of four, and each step is one instruction for all of them, with a
+//! mask of the pixels for which it counts. Edge functions grow by a constant from tile to tile. No colour is computed
+//! if the mask is empty after the depth test. A pixel depends on its triangles alone, never on the band, the tile or
+//! the machine's vectors: values are computed from the triangle's origin, not added up along the way, and no operation
+//! is fused with another.
 //!
-//! All of it must become one function for each set of vector instructions, hence the many `#[inline(always)]`; but
-//! where nothing is optimised that function would ask for megabytes of stack, and the longest stay on their own.
+//! ## Which path takes which surface
+//!
+//! | surface | colours | tiny, 1 sample | small | any other |
+//! | --- | --- | --- | --- | --- |
+//! | one colour for a face, light in it | [`FlatColors`] | ≤ 4 × 4 pixels: [`Few`] | ≤ 32 × 128 pixels: [`Painter::small`] | [`Painter::wide`] |
+//! | opaque colours of vertices, light in them | [`GouraudColors`] | ≤ 4 × 4, if simple | if simple | and if not simple |
+//! | textures, light apart, translucent vertices | [`PerPixel`] | ≤ 11 × 11, if simple | if simple | and if not simple |
+//!
+//! *Simple* means that single precision is enough and perspective can be ignored ([`Colors::simple`]): no sliver with
+//! colours that vary, no colours of vertices that perspective bends. Small triangles of at most four columns are
+//! painted in square tiles, others in tiles of a row. Sixteen samples are painted as four times four.
+//!
+//! ## Which copies exist
+//!
+//! Each copy of a kernel costs compile time, so it has to pay. On x86 the library has for AVX2 and for SSE 4.2:
+//!
+//! | parameter | values | why |
+//! | --- | --- | --- |
+//! | vectors | AVX2, SSE 4.2 | plain numbers took 12 times as long to compile as SSE 4.2; such machines paint as the textbook does |
+//! | samples `S` | 1, 4 | the loop over samples vanishes with one; sixteen use four |
+//! | colours `C` | flat, Gouraud, per pixel | flat and Gouraud stay in registers; per pixel calls one function for each tile |
+//! | tile `SQUARE` | yes, no | small triangles only: half of the lanes of a row would be idle |
+//!
+//! These are twelve copies of [`all`], each a function of its own, called once for a surface in a band. In it
+//! everything is inlined, since vectors pass through memory from one function to another: without that, frames take 20
+//! times as long. What isn't optimised keeps its longest functions apart, because one function would ask for megabytes
+//! of stack.
 
 use std::ops::Range;
 

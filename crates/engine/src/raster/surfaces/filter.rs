@@ -1,7 +1,8 @@
 //! Texels → colours: the nearest, the four around a point, and those of two levels of detail, for eight points at once.
 //!
-//! Texels lie anywhere in memory, so each of the eight points asks for its own; one that wants none asks for the first,
-//! so that no branch is guessed wrong.
+//! A trilinear colour reads eight texels, and they lie anywhere in memory. Here levels are stored in
+//! [pairs](crate::appearance), so that the four texels around a point are sixteen bytes in a row: two reads instead of
+//! eight. A lane that wants no texel reads the first one, so that no branch is guessed wrong.
 
 use crate::appearance::{Level, LevelPairs, Sampler, Wrap};
 use crate::simd::prelude::*;

@@ -1,9 +1,10 @@
-//! Coverage of a triangle, and values that are affine over it.
+//! The set-up of one triangle of any size.
 //!
-//! Positions are snapped to 1/256 pixel and everything about coverage is exact from there on, so that two triangles
-//! with a common edge never both own a pixel of it and never both leave it. With p a sample point and a → b an edge,
-//! E(p) = (b − a) × (p − a) is positive inside; where E = 0 the **top-left rule** decides: a top edge (horizontal, with
-//! the triangle below it) or a left edge owns its points, the others do not.
+//! The standard algorithm evaluates three edge functions at each pixel of the box, and in a large triangle half of the
+//! box is outside. Here a row's first and last pixel inside are computed from the edges, for four rows (or the four
+//! samples of a row) at once, and the pixels between them need no test. Double precision makes them exact, see
+//! [`Borders`]. The gradients of attributes are computed in double precision too, because those of slivers are
+//! differences of large numbers. The textbook's `triangle` has the same formulas in plain numbers.
 
 use std::ops::Range;
 

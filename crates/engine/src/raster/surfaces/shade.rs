@@ -1,4 +1,9 @@
-//! The colours of triangles' pixels, eight at a time.
+//! Colours of flat and of Gouraud's shading, eight pixels at a time.
+//!
+//! The standard way divides by w at each pixel. Between two vertices that makes no difference of half a step in a byte
+//! unless their w differ enough for their colours, and in a fine mesh they hardly ever do. So colours are affine on the
+//! picture if that gives the same within half a step, which saves a division and three products for a pixel. Of large
+//! triangles that perspective bends, the channels divided by w are interpolated, and w once for all three.
 
 use crate::appearance::Rgba;
 use crate::drawing::{Base, Surface};

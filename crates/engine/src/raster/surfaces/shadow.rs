@@ -1,8 +1,10 @@
-//! The share of a light that arrives at a pixel: its place held against the depths that the light sees.
+//! The share of a light that arrives at a pixel: its place compared with the depths that the light sees.
 //!
-//! A texel of the map stands for all points in it, but the surface rises and falls within. So the depth of a pixel is
-//! taken along the plane of its triangle to the middle of each texel that it is held against, and the bias says how
-//! much deeper it must lie there. The shares of the texels under the soft edge, a square around the place, are added.
+//! The standard way adds one constant to the depth, the bias, and either surfaces shadow themselves or shadows come off
+//! their objects. A texel of the map stands for all points in it, but the surface rises and falls within. So here the
+//! depth of a pixel is taken along the plane of its triangle to the middle of each texel it is compared with, and the
+//! bias only says how much deeper it must lie there. The shares of the texels under the soft edge, a square around the
+//! place, are added, for eight places at once.
 
 use crate::drawing::{Rays, Shadow};
 use crate::simd::prelude::*;
