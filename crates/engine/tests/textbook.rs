@@ -82,7 +82,7 @@ struct Scene {
     slopes: bool,
 }
 
-/// Numbers without a pattern (SplitMix64).
+/// Numbers without a pattern (`SplitMix64`).
 struct Random(u64);
 
 impl Random {
