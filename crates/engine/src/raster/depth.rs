@@ -34,7 +34,7 @@ pub struct DepthBuffer {
 pub(super) struct BandDepth {
     /// The columns that may have a surface; elsewhere the arrays hold an older picture.
     pub(super) columns: Range<usize>,
-    /// −∞ where there is no surface.
+    /// −∞ if there is no surface.
     pub(super) values: Vec<f32>,
     /// Change of the depth per pixel to the right and down on the visible face, packed; empty unless requested.
     pub(super) slopes: Vec<u32>,
@@ -84,7 +84,7 @@ impl DepthBuffer {
         (depth > f32::NEG_INFINITY).then(|| (depth, band.slopes.get(index).copied().unwrap_or_default()))
     }
 
-    /// Takes all depths, row by row; −∞ where no surface was drawn. Each band gives its memory back when its depths are
+    /// Takes all depths, row by row; −∞ if no surface was drawn. Each band gives its memory back when its depths are
     /// copied.
     pub(super) fn take_values(&mut self) -> Vec<f32> {
         let mut values = Vec::with_capacity(self.width * self.height);
@@ -102,7 +102,7 @@ impl DepthBuffer {
         values
     }
 
-    /// True where no surface was drawn.
+    /// True if no surface was drawn.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.bands.iter().all(|band| band.columns.is_empty())
@@ -115,7 +115,7 @@ impl DepthBuffer {
         self.offset
     }
 
-    /// Depth of the surface at a pixel, as in the drawing. `None` where no surface was drawn, or outside.
+    /// Depth of the surface at a pixel, as in the drawing. `None` if no surface was drawn, or outside.
     #[must_use]
     pub fn at(&self, x: u32, y: u32) -> Option<f32> {
         let (x, y) = (x as usize, y as usize);
@@ -125,9 +125,9 @@ impl DepthBuffer {
     /// Whether a point (pixels and depth) can be seen: no face hides it. A point **on** a face can be seen.
     ///
     /// The four pixels around the point are tested, and one that has nothing in front of the point is enough: an edge
-    /// belongs to the faces on both of its sides, and the border of a face between two pixels is not known. So anything
+    /// belongs to the faces on both of its sides, and the border of a face between two pixels isn't known. So anything
     /// hidden by less than two pixels is seen. Faces' planes are followed from the points where their depths were
-    /// taken, so that a steep face does not hide the lines on it, in the corner of a room as little as on an edge.
+    /// taken, so that a steep face doesn't hide the lines on it, in the corner of a room as little as on an edge.
     /// Depths in whole numbers are known to a step.
     pub(super) fn shows(&self, p: [f32; 3]) -> bool {
         with_vectors!(simd => self.around(p).show(simd, p, self.step))
@@ -153,7 +153,7 @@ impl DepthBuffer {
         Around { depths, slopes, across: [left, right, left, right], down: [top, top, bottom, bottom] }
     }
 
-    /// Depths and packed slopes of a pixel, the one to its right, and the two below; `None` where they are not all in
+    /// Depths and packed slopes of a pixel, the one to its right, and the two below; `None` if they aren't all in
     /// one band of the picture, where surfaces may be.
     #[inline(always)]
     fn four(&self, i: i32, j: i32) -> Option<([f32; 4], [u32; 4])> {
@@ -203,7 +203,7 @@ struct Around {
 }
 
 impl Around {
-    /// True where any has nothing in front of the point: the plane of its face is no nearer there than
+    /// True if any has nothing in front of the point: the plane of its face is no nearer there than
     /// [`on_a_face`](crate::drawing::order::on_a_face) allows.
     #[inline(always)]
     fn show<K: Simd>(&self, simd: K, p: [f32; 3], step: f32) -> bool {
@@ -218,7 +218,7 @@ impl Around {
     }
 }
 
-/// The depths that are held against strokes and marks.
+/// The depths that are compared with strokes and marks.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Occluders<'a> {
     /// Of opaque surfaces.
@@ -228,7 +228,7 @@ pub(super) struct Occluders<'a> {
 }
 
 impl Occluders<'_> {
-    /// True where they hide nothing.
+    /// True if they hide nothing.
     pub(super) fn is_empty(&self) -> bool {
         self.opaque.is_empty() && self.tints.is_none()
     }
@@ -261,7 +261,7 @@ impl Occluders<'_> {
     }
 }
 
-/// Points that are held against the faces before them together.
+/// Points that are compared with the faces before them together.
 pub(super) const EACH: usize = 32;
 
 /// The whole number below; the library's function is slow on processors for which no instruction may be assumed.

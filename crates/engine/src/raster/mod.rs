@@ -58,7 +58,7 @@ pub struct Work {
 }
 
 impl Rasterizer {
-    /// Paints `drawing` on a fresh pixmap. `None` where a side is 0 or above [`MAX_SIDE`], or there are more than
+    /// Paints `drawing` on a fresh pixmap. `None` if a side is 0 or above [`MAX_SIDE`], or there are more than
     /// [`MAX_PIXELS`].
     pub fn paint(&mut self, drawing: &Drawing) -> Option<Pixmap> {
         let mut pixmap = new_pixmap(drawing)?;
@@ -90,12 +90,12 @@ impl Rasterizer {
         self.clock = clock;
     }
 
-    /// Says from now on how far a picture has come. One that is cancelled ends early, and is not whole.
+    /// Says from now on how far a picture has come. One that is cancelled ends early, and isn't whole.
     pub fn watch(&mut self, progress: &Progress) {
         self.progress = progress.clone();
     }
 
-    /// Statistics of the last picture: the counts do not depend on the number of threads.
+    /// Statistics of the last picture: the counts don't depend on the number of threads.
     #[must_use]
     pub fn work(&self) -> Work {
         self.work
@@ -204,12 +204,12 @@ fn new_pixmap(drawing: &Drawing) -> Option<Pixmap> {
     if fits { Pixmap::new(width, height) } else { None }
 }
 
-/// True where nothing is held against the depths of surfaces.
+/// True if nothing is compared with the depths of surfaces.
 fn is_bare(drawing: &Drawing) -> bool {
     drawing.strokes.is_empty() && drawing.marks.is_empty() && drawing.labels.is_empty()
 }
 
-/// The tints of a drawing as opaque surfaces; `None` where there are none, or nothing to dim.
+/// The tints of a drawing as opaque surfaces; `None` if there are none, or nothing to dim.
 fn tints(drawing: &Drawing) -> Option<Drawing> {
     if is_bare(drawing) {
         return None;

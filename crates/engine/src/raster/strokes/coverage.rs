@@ -81,7 +81,7 @@ impl Coverage {
 
     #[inline(always)]
     fn segments_of<K: Simd, const DEPTH: bool>(&mut self, simd: K, segments: &[[Point; 2]], radius: f32) {
-        // Nothing of its width is left beside half a pixel, or it is not a number.
+        // Nothing of its width is left beside half a pixel, or it isn't a number.
         let is_wide = radius + 0.5 > 0.5;
         if !is_wide {
             return;
@@ -458,7 +458,7 @@ mod tests {
         assert_eq!(pixels[MIDDLE], [0, 0, 255, 255]);
         // Beside its middle line the near stroke covers half a pixel; the rest is the far one's.
         assert_eq!(pixels[MIDDLE + 1], [127, 0, 128, 255]);
-        // Where they do not meet, each is the same as alone.
+        // Where they don't meet, each is the same as alone.
         assert_eq!(pixels[5 * 20 + 10], painted(&[near])[5 * 20 + 10]);
         assert_eq!(pixels[10 * 20 + 5], painted(&[far])[10 * 20 + 5]);
     }

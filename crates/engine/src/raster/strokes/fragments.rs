@@ -128,7 +128,7 @@ impl Fragments {
 }
 
 /// Sorts the fragments of a pixel, which come in the order of the drawing, from back to front: each goes below those
-/// that it is behind. ("Of the same depth" is not an order, since it is within bounds; so each is held against one
+/// that it is behind. ("Of the same depth" isn't an order, since it is within bounds; so each is compared with one
 /// after the other.)
 fn sort(fragments: &mut [Fragment], layers: &[Layer]) {
     for k in 1..fragments.len() {
@@ -140,7 +140,7 @@ fn sort(fragments: &mut [Fragment], layers: &[Layer]) {
     }
 }
 
-/// True where a fragment is behind one that came before it in the drawing.
+/// True if a fragment is behind one that came before it in the drawing.
 fn is_behind(later: &Fragment, earlier: &Fragment, layers: &[Layer]) -> bool {
     let point = |&Fragment { layer, depth, reach, .. }: &Fragment| {
         let Rank { visible, width } = layers[layer as usize].rank;

@@ -33,7 +33,7 @@ use pieces::{Bands, Bin, Pieces};
 /// waits long for the last.
 const CHUNK: usize = 16;
 const CHUNKS_OF_A_THREAD: usize = 8;
-/// Fewer polylines than this are not worth a second thread.
+/// Fewer polylines than this aren't worth a second thread.
 const FEW: usize = 64;
 /// The masks of a band should stay in a processor's own cache: this many pixels, with twelve bytes each.
 const BAND_PIXELS: usize = 1 << 16;
@@ -209,7 +209,7 @@ impl<'a> SharedByBands<'a> {
         }
     }
 
-    /// True where a layer has pieces in a band.
+    /// True if a layer has pieces in a band.
     fn is_in(self, layer: &Layer, band: usize) -> bool {
         self.bins(layer, band).any(|bin| !bin.is_empty())
     }

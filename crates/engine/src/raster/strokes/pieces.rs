@@ -56,7 +56,7 @@ impl Bands {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to the picture")]
     fn touched(self, [left, right]: [f32; 2], [top, bottom]: [f32; 2]) -> Range<usize> {
         let (width, height) = (self.width as f32, self.height as f32);
-        // False where anything is not a number.
+        // False if anything isn't a number.
         if !(right > 0.0 && left < width && bottom > 0.0 && top < height) {
             return 0..0;
         }

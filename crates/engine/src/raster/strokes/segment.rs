@@ -20,7 +20,7 @@ pub(super) type Point = [f32; 3];
 /// Segments whose boxes are found together.
 pub(super) const TOGETHER: usize = 8;
 
-/// Eight segments of one half width, ready to be held against pixels.
+/// Eight segments of one half width, ready to be compared with pixels.
 pub(super) struct Segments {
     from: [[f32; TOGETHER]; 3],
     /// The unit vector along each.
@@ -96,7 +96,7 @@ impl Segments {
             (rise / whole.max(1e-6)).store_slice(&mut result.rise);
         }
         let [first, mut end] = pixels_of_eight(top, bottom, rows);
-        // What is not a number, or too long, has no rows; nor has what is not there.
+        // What isn't a number, or too long, has no rows; nor has what isn't there.
         let mut some = whole.simd_lt(f32::INFINITY);
         if list.len() < TOGETHER {
             some &= f32x8::from_slice(simd, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]).simd_lt(list.len() as f32);

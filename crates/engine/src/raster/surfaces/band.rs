@@ -28,7 +28,7 @@ pub(super) struct Band<'a> {
     pub(super) colors: &'a mut [Pixel],
     /// Empty where nothing writes depths: then no test can fail.
     pub(super) depths: &'a mut [f32],
-    /// The slope of the face whose depth was written at the first sample (packed); empty where nobody wants to know.
+    /// The slope of the face whose depth was written at the first sample (packed); empty if nobody wants to know.
     pub(super) slopes: &'a mut [u32],
     /// Each triangle is painted over those before it, whatever their depths.
     pub(super) in_order: bool,
@@ -92,7 +92,7 @@ impl Band<'_> {
         if surface.depth_test
             && let Some(old) = self.depths.get_mut(start)
         {
-            // Not `<=`: a depth that is not a number is behind everything, as it does in `Painter`.
+            // Not `<=`: a depth that isn't a number is behind everything, as in `Painter`.
             if !(depth > *old || self.in_order) {
                 return;
             }
@@ -113,7 +113,7 @@ impl Band<'_> {
 /// The start of a tile in the arrays of a band, and the distance from there to the next row.
 #[derive(Clone, Copy)]
 pub(super) struct TileStart {
-    // 32 bits: then the compiler knows that a sum in 64 does not overflow.
+    // 32 bits: then the compiler knows that a sum in 64 doesn't overflow.
     pub(super) start: u32,
     pub(super) pitch: u32,
 }

@@ -38,7 +38,7 @@ pub(super) struct Batch<K: Simd> {
     pub(super) one: mask32x8<K>,
 }
 
-/// The indices of the vertices of up to eight triangles; [`NOWHERE`] for those that are not there.
+/// The indices of the vertices of up to eight triangles; [`NOWHERE`] for those that aren't there.
 pub(super) type Corners = [[u32; BATCH]; 3];
 
 /// An index beyond the vertices of any surface.
@@ -74,7 +74,7 @@ pub(super) fn corners_at(corners: &Corners, lane: usize) -> [usize; 3] {
     [corners[0][lane] as usize, corners[1][lane] as usize, corners[2][lane] as usize]
 }
 
-/// The value at each corner; NaN where there is none.
+/// The value at each corner; NaN if there is none.
 #[inline(always)]
 pub(super) fn gather<K: Simd>(simd: K, values: &[f32], corners: &Corners) -> [f32x8<K>; 3] {
     let mut result = [f32x8::splat(simd, f32::NAN); 3];
@@ -88,7 +88,7 @@ pub(super) fn gather<K: Simd>(simd: K, values: &[f32], corners: &Corners) -> [f3
     result
 }
 
-/// The points at each corner, by component; NaN where there is none.
+/// The points at each corner, by component; NaN if there is none.
 #[inline(always)]
 pub(super) fn gather_points<K: Simd>(simd: K, points: &[[f32; 3]], corners: &Corners) -> [[f32x8<K>; 3]; 3] {
     let mut result = [[f32x8::splat(simd, f32::NAN); 3]; 3];
@@ -154,7 +154,7 @@ impl<K: Simd> Batch<K> {
         Self { simd, x: grid_x, y: grid_y, left, top, bottom, some, small, one, right }
     }
 
-    /// The rows of one that lie in a band; none where it owns no sample.
+    /// The rows of one that lie in a band; none if it owns no sample.
     #[inline(always)]
     pub(super) fn rows(&self, lane: usize, band: &Range<i32>) -> Range<i32> {
         let end = if self.some[lane] != 0 { self.bottom[lane].min(band.end) } else { 0 };

@@ -241,7 +241,7 @@ fn eight_boxes<K: Simd>(
     let batch = Batch::new(simd, &x, &y, many, size);
     let mut some = batch.some;
     if !many && (batch.one & some).any_true() {
-        // Of the triangles of a fine mesh most have one pixel in their box and do not own it: dropped here, once for
+        // Of the triangles of a fine mesh most have one pixel in their box and don't own it: dropped here, once for
         // all.
         some &= !batch.one | batch.set_up(0).own_first();
     }

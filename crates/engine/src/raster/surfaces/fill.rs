@@ -159,7 +159,7 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     }
 }
 
-/// Columns of a tile that is not `SQUARE`.
+/// Columns of a tile that isn't `SQUARE`.
 const WIDTH: i32 = 8;
 
 /// Eight pixels that are worked on together: eight of a row, or, in a `SQUARE` tile, four of a row and the four below.
@@ -261,7 +261,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
             while j < rows.end {
                 let mut covered = [mask32x8::splat(self.simd, 0); S];
                 for s in 0..S {
-                    // Not negative inside, for all three: then their common sign bit is not set.
+                    // Not negative inside, for all three: then their common sign bit isn't set.
                     let outside = if s == 0 {
                         edges[0] | edges[1] | edges[2]
                     } else {
@@ -388,7 +388,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         if !any(covered) {
             return;
         }
-        // One colour for all samples of a pixel (only coverage and depth are sampled), and none where nothing is left
+        // One colour for all samples of a pixel (only coverage and depth are sampled), and none if nothing is left
         // to paint: light and textures cost more than all tests before.
         let mut wanted = covered[0];
         for covered in &covered[1..] {

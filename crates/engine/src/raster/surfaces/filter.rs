@@ -22,7 +22,7 @@ pub(super) fn nearest<K: Simd>(level: &Level, sampler: Sampler, wanted: mask32x8
     channels(texels(level, wanted, x, y))
 }
 
-/// Between the four nearest texels. Beyond a border that is not repeated the border goes on.
+/// Between the four nearest texels. Beyond a border that isn't repeated the border goes on.
 #[inline(always)]
 pub(super) fn bilinear<K: Simd>(
     level: &Level,
@@ -173,7 +173,7 @@ fn mixed_channel<K: Simd>([a, c, b, d]: [u32x8<K>; 4], shift: u32, s: f32x8<K>, 
 #[inline(always)]
 fn nearest_along<K: Simd>(t: f32x8<K>, size: i32x8<K>, wrap: Wrap) -> i32x8<K> {
     let index = (folded(t, wrap) * size.to_float::<f32x8<K>>()).to_int::<i32x8<K>>();
-    // What is not a number, or too large for one, is at either end.
+    // What isn't a number, or too large for one, is at either end.
     index.max(0).min(size - 1)
 }
 

@@ -69,7 +69,7 @@ enum Light<'a, K: Simd> {
 struct ShadowOn<K: Simd> {
     places: Attribute<K, 3>,
     planes: [f32x8<K>; 3],
-    /// The light at the vertices that is missing in the shadow; none where light is found at pixels.
+    /// The light at the vertices that is missing in the shadow; none if light is found at pixels.
     taken: Option<Attribute<K, 2>>,
 }
 
@@ -292,7 +292,7 @@ impl<'a, K: Simd> PerPixel<'a, K> {
             }
         };
         match &self.base {
-            // The alpha of opaque surfaces does not count.
+            // The alpha of opaque surfaces doesn't count.
             _ if !self.surface.translucent => lit | 0xff00_0000,
             BaseColors::One(_) => premultiply_packed(lit),
             BaseColors::Vertices(_) | BaseColors::Texture(_) => lit,
@@ -400,7 +400,7 @@ fn present<K: Simd>(simd: K, surface: &Surface, triangles: &[u32], corners: &Cor
 }
 
 impl<K: Simd> ShadowOn<K> {
-    /// Where nothing is known of a triangle it is lit, as what is not a number is.
+    /// Where nothing is known of a triangle it is lit, as what isn't a number is.
     #[inline(always)]
     fn new(simd: K, shadow: &Shadow, triangles: &[u32; BATCH], corners: &Corners) -> Self {
         let taken = match &shadow.taken {
@@ -423,7 +423,7 @@ fn all_of<K: Simd, const N: usize>(attribute: &Attribute<K, N>, lane: usize) -> 
     one
 }
 
-/// Pairs at each corner, by component; NaN where there are none.
+/// Pairs at each corner, by component; NaN if there are none.
 #[inline(always)]
 fn gather_pairs<K: Simd>(simd: K, pairs: &[[f32; 2]], corners: &Corners) -> Attribute<K, 2> {
     let mut result = [[f32x8::splat(simd, f32::NAN); 3]; 2];

@@ -67,9 +67,9 @@ impl Triangle {
 /// The starts and ends of the rows of a triangle: two lines at the left, two at the right. Four at a time: the rows of
 /// the four samples of a pixel, or with one sample per pixel, four rows that follow one another.
 ///
-/// The edge function of a → b at a sample of pixel (i, j), divided by [`STEPS`] and rounded down, is not negative
-/// inside. It is a·i + b·j + c in whole numbers. Row j of that edge begins after x = −(b·j + c + ½)/a where a > 0, and
-/// ends before that x + 1 where a < 0: in both cases at ⌊x⌋ + 1. x is at least ½/|a| ≥ 2⁻²⁵ away from whole numbers,
+/// The edge function of a → b at a sample of pixel (i, j), divided by [`STEPS`] and rounded down, isn't negative
+/// inside. It is a·i + b·j + c in whole numbers. Row j of that edge begins after x = −(b·j + c + ½)/a if a > 0, and
+/// ends before that x + 1 if a < 0: in both cases at ⌊x⌋ + 1. x is at least ½/|a| ≥ 2⁻²⁵ away from whole numbers,
 /// while its three roundings together are below 2⁻¹²/|a|: the result is that of exact arithmetic.
 #[derive(Clone, Copy)]
 pub(super) struct Borders<K: Simd> {
@@ -129,7 +129,7 @@ impl<K: Simd> Borders<K> {
         Self { lines, first, end, width: f64x4::splat(simd, f64::from(width)), down }
     }
 
-    /// True where no row has a pixel inside. `together`: rows that [`rows`](Self::rows) finds, one or four.
+    /// True if no row has a pixel inside. `together`: rows that [`rows`](Self::rows) finds, one or four.
     #[inline(always)]
     pub(super) fn are_empty(&self, rows: Range<i32>, together: usize) -> bool {
         for first in rows.step_by(together) {
@@ -149,11 +149,11 @@ impl<K: Simd> Borders<K> {
     pub(super) fn rows(&self, first: i32) -> ([i32; ROWS], [i32; ROWS]) {
         let j = self.down + f64::from(first);
         let x = |k: usize| self.lines[k].0 + self.lines[k].1 * j;
-        // ⌊x⌋ + 1 is x + ½ rounded to nearest, as x is not a whole number.
+        // ⌊x⌋ + 1 is x + ½ rounded to nearest, as x isn't a whole number.
         let after = |x: f64x4<K>| round_bits_f64(x + 0.5);
         let zero = f64x4::splat(self.width.witness(), -0.75);
         let from = x(0).max(x(1)).max(zero).min(self.width);
-        // A row that there is not ends at 0.
+        // A row outside the triangle ends at 0.
         let own = j.simd_ge(self.first) & j.simd_lt(self.end);
         let to = own.select(x(2).min(x(3)).max(zero).min(self.width - 0.75), zero);
         (after(from), after(to))
@@ -187,7 +187,7 @@ pub(super) fn stored<K: Simd>(z: f32x8<K>, greatest: f32) -> f32x8<K> {
     whole * (1.0 / greatest)
 }
 
-/// True where a pixel of any of the masks is set.
+/// True if a pixel of any of the masks is set.
 #[inline(always)]
 pub(super) fn any<K: Simd>(masks: &[mask32x8<K>]) -> bool {
     let mut all = masks[0];
@@ -216,7 +216,7 @@ pub(super) struct Size {
     pub(super) height: i32,
 }
 
-/// The values at three indices; `None` where one is missing.
+/// The values at three indices; `None` if one is missing.
 #[inline(always)]
 pub(super) fn pick<T: Copy>(values: &[T], at: [usize; 3]) -> Option<[T; 3]> {
     Some([*values.get(at[0])?, *values.get(at[1])?, *values.get(at[2])?])

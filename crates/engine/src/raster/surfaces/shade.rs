@@ -49,7 +49,7 @@ pub(super) trait Colors<'a, K: Simd>: Sized {
     fn at(&self, wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K>;
     /// The shader of one.
     fn of(&self, lane: usize) -> Self::Simple;
-    /// The shader of a triangle of any kind; `None` where the surface has no colours for it.
+    /// The shader of a triangle of any kind; `None` if the surface has no colours for it.
     fn alone(
         simd: K,
         surface: &'a Surface,
@@ -81,7 +81,7 @@ pub(super) struct FlatColors<K: Simd> {
     present: mask32x8<K>,
 }
 
-/// The colour of a face; the alpha of opaque surfaces does not count.
+/// The colour of a face; the alpha of opaque surfaces doesn't count.
 #[inline(always)]
 fn face_color(surface: &Surface, triangle: u32) -> Option<Pixel> {
     let color = surface.face_color(triangle as usize)?;
@@ -175,7 +175,7 @@ impl<K: Simd> Shader<K> for Affine<K> {
 /// Opaque colours between those of the vertices. With regard to perspective c/w and 1/w are affine on the picture;
 /// without, or where it makes no difference, the colours are.
 pub(super) struct Gouraud<K: Simd> {
-    /// Red, green, blue, divided by w if `perspective`; their ranges are not.
+    /// Red, green, blue, divided by w if `perspective`; their ranges aren't.
     affine: Affine<K>,
     perspective: bool,
     inverse_w: AffineValue,
@@ -309,7 +309,7 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
     }
 }
 
-/// True where it makes a difference of half a step or more whether the colours of a triangle, which differ by up to
+/// True if it makes a difference of half a step or more whether the colours of a triangle, which differ by up to
 /// `spread` (steps of 255), are interpolated with regard to perspective; 1/w goes from `far` to `near`.
 ///
 /// Between two vertices whose w have the ratio r, the perspective share of one differs from the affine share by at most
@@ -372,7 +372,7 @@ pub(super) fn gather_colors<K: Simd>(
     (packed, mask32x8::from_slice(simd, &present))
 }
 
-/// 1/w at the vertices of a triangle: 1 where the surface has none.
+/// 1/w at the vertices of a triangle: 1 if the surface has none.
 #[inline(always)]
 fn inverse_w(surface: &Surface, corners: [usize; 3]) -> Option<[f32; 3]> {
     if surface.inverse_w.is_empty() { Some([1.0; 3]) } else { pick(&surface.inverse_w, corners) }

@@ -33,8 +33,8 @@ struct OnMap<K: Simd> {
     view: i32x8<K>,
 }
 
-/// The share of a light that arrives at eight places, 0 … 1, each on a plane of its own; 1 where it is not wanted, and
-/// where a place is not a number. `None` before the map is painted.
+/// The share of a light that arrives at eight places, 0 … 1, each on a plane of its own; 1 if it isn't wanted, and
+/// if a place isn't a number. `None` before the map is painted.
 #[inline(always)]
 pub(super) fn arriving<K: Simd>(
     shadow: &Shadow,
