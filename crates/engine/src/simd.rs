@@ -20,13 +20,13 @@ pub(crate) fn level() -> Level {
     *LEVEL
 }
 
-/// Runs an expression with `$simd`, the best set of vector instructions that the machine has. With `else`, an x86 machine
-/// without any runs that instead.
+/// Runs an expression with `$simd`, the best set of vector instructions that the machine has. With `else`, an x86
+/// machine without any runs that instead.
 ///
-/// Each set is a copy of all code in the expression, so sets have to pay. On x86 there are three: AVX2 (Intel since 2013,
-/// AMD since 2015), SSE 4.2 (Celeron and Pentium until 2020), and plain numbers (Intel before 2008, AMD before 2011). The
-/// compiler takes 12 times as long for eight plain numbers as for a vector of eight: all kernels in plain numbers took
-/// 207 of the 256 seconds of this crate. So large kernels have an `else`.
+/// Each set is a copy of all code in the expression, so sets have to pay. On x86 there are three: AVX2 (Intel since
+/// 2013, AMD since 2015), SSE 4.2 (Celeron and Pentium until 2020), and plain numbers (Intel before 2008, AMD before
+/// 2011). The compiler takes 12 times as long for eight plain numbers as for a vector of eight: all kernels in plain
+/// numbers took 207 of the 256 seconds of this crate. So large kernels have an `else`.
 macro_rules! with_vectors {
     ($simd:ident => $run:expr) => {
         $crate::simd::with_vectors!($simd => $run, else {

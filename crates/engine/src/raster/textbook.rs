@@ -54,7 +54,7 @@ pub struct Painted {
 /// A premultiplied colour: red, green, blue, alpha.
 type Color = [u8; 4];
 
-/// What is stored for a sample of a pixel.
+/// A sample of a pixel: its colour, its depth, and the slope of the face there.
 #[derive(Clone, Copy)]
 struct Sample {
     color: Color,
@@ -62,8 +62,8 @@ struct Sample {
     slope: [f32; 2],
 }
 
-/// Paints the surfaces of `drawing`, and the shadow maps that they need. Returns `None` if a side is 0 or the picture is
-/// too large.
+/// Paints the surfaces of `drawing`, and the shadow maps that they need. Returns `None` if a side is 0 or the picture
+/// is too large.
 #[must_use]
 pub fn paint(drawing: &Drawing) -> Option<Painted> {
     let mut image = new_pixmap(drawing)?;
@@ -81,7 +81,8 @@ pub fn paint(drawing: &Drawing) -> Option<Painted> {
             let center = triangle.to_center([x, y]);
             let mut covered = fill(&triangle, [x, y], places);
             hidden_surfaces(&mut covered, pixel, &triangle, center, places, drawing);
-            // A sample has its own coverage and its own depth, but all samples of a pixel have the colour at the centre.
+            // A sample has its own coverage and its own depth, but all samples of a pixel have the colour at the
+            // centre.
             if !covered.is_empty()
                 && let Some(color) = color_at(&triangle, center)
             {
@@ -127,8 +128,8 @@ fn painting_order(drawing: &Drawing) -> Vec<(&Surface, usize)> {
     order
 }
 
-/// **Fill**: finds the samples of a pixel inside a triangle. The edge function E(p) = (b − a) × (p − a) of an edge
-/// a → b is positive on its inner side (Pineda 1988). If E = 0, the sample lies on the edge. The top-left rule then gives
+/// **Fill**: finds the samples of a pixel inside a triangle. The edge function E(p) = (b − a) × (p − a) of an edge a →
+/// b is positive on its inner side (Pineda 1988). If E = 0, the sample lies on the edge. The top-left rule then gives
 /// it to one of the two triangles at this edge: the one for which the edge is on the left, or level with the triangle
 /// below. All numbers are whole, so no sample is lost or painted twice. `[3]` §1.1, step 6
 fn fill(triangle: &Triangle, pixel: [i32; 2], places: &[[i32; 2]]) -> Vec<usize> {
@@ -143,8 +144,8 @@ fn fill(triangle: &Triangle, pixel: [i32; 2], places: &[[i32; 2]]) -> Vec<usize>
     (0..places.len()).filter(|&s| is_inside(places[s])).collect()
 }
 
-/// **Hidden surfaces**: the z-buffer of `[2]`. Keeps the samples at which the triangle is nearer than everything painted
-/// before, and stores its depth there. Of equal depths the first one stays. `[3]` §1.1, step 8
+/// **Hidden surfaces**: the z-buffer of `[2]`. Keeps the samples at which the triangle is nearer than everything
+/// painted before, and stores its depth there. Of equal depths the first one stays. `[3]` §1.1, step 8
 fn hidden_surfaces(
     covered: &mut Vec<usize>,
     pixel: &mut [Sample],
@@ -174,9 +175,9 @@ fn stored(z: f32, format: DepthFormat) -> f32 {
     format.greatest().map_or(z, |greatest| (z * greatest).round_ties_even() * (1.0 / greatest))
 }
 
-/// **Interpolate**: finds the share of each vertex at a point, and w there. On the picture not an attribute is affine, but
-/// the attribute divided by w, and 1/w itself: so each vertex counts with its affine share times its own 1/w, and the
-/// sum of the three is 1/w of the point. `[3]` §1.1, step 7
+/// **Interpolate**: finds the share of each vertex at a point, and w there. On the picture not an attribute is affine,
+/// but the attribute divided by w, and 1/w itself: so each vertex counts with its affine share times its own 1/w, and
+/// the sum of the three is 1/w of the point. `[3]` §1.1, step 7
 fn interpolate(triangle: &Triangle, center: [f32; 2]) -> ([f32; 3], f32) {
     let planes = triangle.share_planes();
     let shares: [f32; 3] = from_fn(|k| triangle.inverse_w[k] * planes[k].hold(planes[k].at(center)));

@@ -4,9 +4,10 @@ use std::array::from_fn;
 
 use glam::Vec3;
 
+use super::triangle::{has_face_colors, is_flat, perspective_matters, spread, vertex_colors};
 use super::{Color, Triangle, interpolate, mix, shadow, texture};
 use crate::appearance::{LightShare, Rgba};
-use crate::drawing::{Base, Lighting, Surface, SurfaceLight, TakenLight};
+use crate::drawing::{Base, Lighting, SurfaceLight, TakenLight};
 use crate::raster::pixel::premultiply;
 
 /// The colour of a triangle at a point relative to its first vertex. `None` if an attribute is missing.
@@ -20,23 +21,6 @@ pub(super) fn color_at(triangle: &Triangle, center: [f32; 2]) -> Option<Color> {
         Some(colors) => Some(gouraud(triangle, triangle.of(colors)?, center)),
         None => per_pixel(triangle, center),
     }
-}
-
-/// True if a triangle has one colour.
-pub(super) fn is_flat(surface: &Surface) -> bool {
-    has_face_colors(surface) && surface.light == SurfaceLight::InBase
-}
-
-/// The colours of vertices, if nothing else is between the vertices and a pixel's colour.
-pub(super) fn vertex_colors(surface: &Surface) -> Option<&[Rgba]> {
-    match (&surface.base, &surface.light) {
-        (Base::Vertices(colors), SurfaceLight::InBase) if !surface.translucent => Some(colors),
-        _ => None,
-    }
-}
-
-fn has_face_colors(surface: &Surface) -> bool {
-    matches!(surface.base, Base::Solid(_) | Base::Faces(_))
 }
 
 /// Opaque colours between those of the vertices, channel by channel. With perspective, the channel divided by w is
@@ -55,19 +39,6 @@ fn gouraud(triangle: &Triangle, colors: [Rgba; 3], center: [f32; 2]) -> Color {
         }))
     };
     [channel(|c| c.r), channel(|c| c.g), channel(|c| c.b), 255]
-}
-
-/// The greatest difference between the channels of three colours.
-pub(super) fn spread(colors: [Rgba; 3]) -> f32 {
-    let range = |[a, b, c]: [u8; 3]| a.max(b).max(c) - a.min(b).min(c);
-    f32::from(range(colors.map(|c| c.r)).max(range(colors.map(|c| c.g))).max(range(colors.map(|c| c.b))))
-}
-
-/// True if perspective can move a channel by half a step. If the w of two vertices have the ratio r, their perspective
-/// shares differ from their affine ones by at most (√r − 1)/(√r + 1) ≤ (r − 1)/4.
-pub(super) fn perspective_matters(spread: f32, [a, b, c]: [f32; 3]) -> bool {
-    let (far, near) = (a.min(b).min(c), a.max(b).max(c));
-    spread * (near - far) > 2.0 * far
 }
 
 /// A colour from interpolated attributes: the base, in light, less what shadows take away.
@@ -124,8 +95,8 @@ fn shadowed(triangle: &Triangle, shares: [f32; 3], lights: [LightShare; 3]) -> L
     light
 }
 
-/// The reflection model of [`lighting`](crate::lighting), for one point: the share of its own colour that it sends back,
-/// and the white added to that. `arriving`: the share of each lamp's light. `[2]`, `[3]` §1.8
+/// The reflection model of [`lighting`](crate::lighting), for one point: the share of its own colour that it sends
+/// back, and the white added to that. `arriving`: the share of each lamp's light. `[2]`, `[3]` §1.8
 fn reflected(lighting: &Lighting, normal: Vec3, position: Vec3, arriving: impl Fn(usize) -> f32) -> LightShare {
     let unit = |v: Vec3| if v.dot(v) > 0.0 { v * (1.0 / v.dot(v).sqrt()) } else { Vec3::ZERO };
     let to_viewer = if lighting.distant_viewer { Vec3::Z } else { unit(-position) };

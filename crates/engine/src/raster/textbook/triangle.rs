@@ -1,7 +1,7 @@
 //! A triangle of the textbook's rasterizer: its edges, and the planes of its attributes.
 
-use super::colors::{is_flat, perspective_matters, spread, vertex_colors};
-use crate::drawing::Surface;
+use crate::appearance::Rgba;
+use crate::drawing::{Base, Surface, SurfaceLight};
 use crate::raster::grid::{HALF, HIGHEST, REACH, STEEPEST, STEPS, WIDEST, in_pixels, snapped};
 
 /// A triangle, set up for painting.
@@ -67,9 +67,9 @@ impl<'a> Triangle<'a> {
         Some(triangle)
     }
 
-    /// True if single precision is enough for gradients. It is for small triangles, of which the fast path sets up eight
-    /// at once. It isn't for slivers, whose gradients are differences of large numbers, nor for colours that have to be
-    /// divided by w.
+    /// True if single precision is enough for gradients. It is for small triangles, of which the fast path sets up
+    /// eight at once. It isn't for slivers, whose gradients are differences of large numbers, nor for colours that have
+    /// to be divided by w.
     fn allows_single(&self, samples: usize) -> Option<bool> {
         let [wide, high] = [0, 1].map(|k| {
             let [p, q, r] = self.v.map(|v| v[k]);
@@ -152,4 +152,35 @@ impl<'a> Triangle<'a> {
 
 fn at_corners<T: Copy>(values: &[T], [a, b, c]: [usize; 3]) -> Option<[T; 3]> {
     Some([*values.get(a)?, *values.get(b)?, *values.get(c)?])
+}
+
+/// True if a triangle has one colour, with its light.
+pub(super) fn is_flat(surface: &Surface) -> bool {
+    has_face_colors(surface) && surface.light == SurfaceLight::InBase
+}
+
+/// The colours of vertices, if nothing else is between the vertices and a pixel's colour.
+pub(super) fn vertex_colors(surface: &Surface) -> Option<&[Rgba]> {
+    match (&surface.base, &surface.light) {
+        (Base::Vertices(colors), SurfaceLight::InBase) if !surface.translucent => Some(colors),
+        _ => None,
+    }
+}
+
+/// True if a triangle has one base colour, whatever its light.
+pub(super) fn has_face_colors(surface: &Surface) -> bool {
+    matches!(surface.base, Base::Solid(_) | Base::Faces(_))
+}
+
+/// The greatest difference between the channels of three colours.
+pub(super) fn spread(colors: [Rgba; 3]) -> f32 {
+    let range = |[a, b, c]: [u8; 3]| a.max(b).max(c) - a.min(b).min(c);
+    f32::from(range(colors.map(|c| c.r)).max(range(colors.map(|c| c.g))).max(range(colors.map(|c| c.b))))
+}
+
+/// True if perspective can move a channel by half a step. If the w of two vertices have the ratio r, their perspective
+/// shares differ from their affine ones by at most (√r − 1)/(√r + 1) ≤ (r − 1)/4.
+pub(super) fn perspective_matters(spread: f32, [a, b, c]: [f32; 3]) -> bool {
+    let (far, near) = (a.min(b).min(c), a.max(b).max(c));
+    spread * (near - far) > 2.0 * far
 }
