@@ -130,27 +130,31 @@ impl DepthBuffer {
     /// taken, so that a steep face doesn't hide the lines on it, in the corner of a room as little as on an edge.
     /// Depths in whole numbers are known to a step.
     pub(super) fn shows(&self, p: [f32; 3]) -> bool {
-        with_vectors!(simd => self.around(p).show(simd, p, self.step))
+        with_vectors!(simd => self.show(simd, p))
     }
 
     /// [`shows`](Self::shows) for some points.
     fn shows_each(&self, points: &[[f32; 3]], shown: &mut [bool]) {
         with_vectors!(simd => {
             for (shown, &p) in shown.iter_mut().zip(points) {
-                *shown = self.around(p).show(simd, p, self.step);
+                *shown = self.show(simd, p);
             }
         });
     }
 
-    /// The four pixels around a point.
+    /// [`shows`](Self::shows) with vectors.
     #[inline(always)]
-    fn around(&self, p: [f32; 3]) -> Around {
+    fn show<K: Simd>(&self, simd: K, p: [f32; 3]) -> bool {
         let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
         let (i, j) = (floor(x), floor(y));
-        let (depths, slopes) = self.four(i, j).unwrap_or_else(|| self.four_at_border(i, j));
         let (left, top) = (x - i as f32, y - j as f32);
         let (right, bottom) = (x - (i + 1) as f32, y - (j + 1) as f32);
-        Around { depths, slopes, across: [left, right, left, right], down: [top, top, bottom, bottom] }
+        let (across, down) = ([left, right, left, right], [top, top, bottom, bottom]);
+        let around = |(depths, slopes)| Around { depths, slopes, across, down };
+        match self.four(i, j).or_else(|| self.four_at_border(i, j)) {
+            Some(four) => around(four).show(simd, p, self.step),
+            None => true,
+        }
     }
 
     /// Depths and packed slopes of a pixel, the one to its right, and the two below; `None` if they aren't all in
@@ -176,18 +180,18 @@ impl DepthBuffer {
         Some(([above[0], above[1], below[0], below[1]], slopes))
     }
 
-    /// The same anywhere. A pixel outside the picture shows nothing; if all four are, nothing hides the point.
-    #[cold]
-    fn four_at_border(&self, i: i32, j: i32) -> ([f32; 4], [u32; 4]) {
-        let (mut depths, mut slopes) = ([f32::INFINITY; 4], [0; 4]);
+    /// The same at a border: a pixel outside the picture shows nothing. `None` if a pixel has no surface, or all are
+    /// outside: then nothing hides the point.
+    fn four_at_border(&self, i: i32, j: i32) -> Option<([f32; 4], [u32; 4])> {
+        let (mut depths, mut slopes, mut is_inside) = ([f32::INFINITY; 4], [0; 4], false);
         for (k, (i, j)) in [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].into_iter().enumerate() {
             let (Ok(column), Ok(row)) = (usize::try_from(i), usize::try_from(j)) else { continue };
             if column < self.width && row < self.height {
-                (depths[k], slopes[k]) = self.value(column, row).unwrap_or((f32::NEG_INFINITY, 0));
+                (depths[k], slopes[k]) = self.value(column, row)?;
+                is_inside = true;
             }
         }
-        let is_outside = depths.iter().all(|depth| *depth == f32::INFINITY);
-        (if is_outside { [f32::NEG_INFINITY; 4] } else { depths }, slopes)
+        is_inside.then_some((depths, slopes))
     }
 }
 
