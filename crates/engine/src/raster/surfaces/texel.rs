@@ -9,7 +9,7 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
 use super::filter::{Channels, bilinear, nearest, trilinear};
-use super::shade::LANES;
+use crate::raster::pixel::LANES;
 
 /// A triangle with a picture on it in each lane.
 #[derive(Clone)]

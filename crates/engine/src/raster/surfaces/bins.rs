@@ -1,4 +1,9 @@
-//! The triangles that touch each band of rows, in the order of drawing.
+//! The triangles that touch each band of rows, in the order of painting.
+//!
+//! The standard algorithm sets a triangle up once and paints it. With bands, a triangle would be set up in each of
+//! them, and most triangles of a fine mesh own no sample at all. So the boxes of eight triangles are computed at once,
+//! and a triangle whose only pixel has its centre outside is dropped here, once for all bands. The columns that
+//! triangles touch are kept for each band, so that the rest of a band isn't cleared.
 
 use std::ops::Range;
 
@@ -236,7 +241,7 @@ fn eight_boxes<K: Simd>(
     let batch = Batch::new(simd, &x, &y, many, size);
     let mut some = batch.some;
     if !many && (batch.one & some).any_true() {
-        // Of the triangles of a fine mesh most have one pixel in their box and do not own it: dropped here, once for
+        // Of the triangles of a fine mesh most have one pixel in their box and don't own it: dropped here, once for
         // all.
         some &= !batch.one | batch.set_up(0).own_first();
     }

@@ -1,22 +1,25 @@
 //! Polylines of strokes → pieces: the visible parts, their dashes, the arrow head.
 //!
-//! Everything along a polyline is measured by arc length in pixels from its first point, so that dashes do not start
-//! anew where it bends or goes behind a face.
+//! A z-buffer tests a stroke pixel by pixel, and a dash that begins behind a face begins anew. Here a stroke is cut
+//! where it goes behind a face before it is painted, by points half a pixel apart that are compared with the depths
+//! below. Everything along a polyline is measured by arc length in pixels from its first point, so that dashes don't
+//! start anew where it bends or goes behind a face. Four pixels around a point are compared at once (hidden lines of
+//! 100,000 triangles: 91 → 53 ms).
 
 use std::ops::Range;
 
 use crate::appearance::{LineStyle, Occlusion, head_corners};
 use crate::drawing::StrokeSet;
 
-use super::depth::{EACH, Occluders};
 use super::pieces::{Head, Pieces};
 use super::segment::{Point, length};
+use crate::raster::depth::{EACH, Occluders};
 
-/// Distance of the points of a stroke that are held against the depth buffer, in pixels.
+/// Distance of the points of a stroke that are compared with the depth buffer, in pixels.
 const STEP: f32 = 0.5;
 /// A run shorter than this (pixels) between two of another kind is taken for rounding.
 const SHORTEST: f32 = 1.25;
-/// Polylines longer than this (pixels) are not part of a picture.
+/// Polylines longer than this (pixels) aren't part of a picture.
 const LONGEST: f32 = 1e6;
 /// The most points that are tried on one segment: enough for the longest diagonal.
 const MOST_STEPS: f32 = 60_000.0;
@@ -86,11 +89,11 @@ impl Lines {
     }
 }
 
-/// The whole of a polyline of two points, as [`Polyline::pieces`] would have it; `None` where that would have nothing.
+/// The whole of a polyline of two points, as [`Polyline::pieces`] would have it; `None` if that would have nothing.
 #[inline(always)]
 fn whole_segment(a: Point, b: Point) -> Option<[Point; 2]> {
     let way = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-    // Of zero length, it is its first point; false where anything is not a number.
+    // Of zero length, it is its first point; false if anything isn't a number.
     let is_near = way[0].abs() + way[1].abs() < 0.9 * LONGEST;
     let is_short = (is_near || length(way[0], way[1]) < LONGEST) && a[2].is_finite() && b[2].is_finite();
     let end = if way[0] == 0.0 && way[1] == 0.0 { a } else { [a[0] + way[0], a[1] + way[1], a[2] + way[2]] };
@@ -213,7 +216,7 @@ fn smooth(runs: &mut Vec<ArcRun>) {
     }
 }
 
-/// True where a style has no gaps.
+/// True if a style has no gaps.
 fn is_unbroken(style: LineStyle) -> bool {
     let period = style.dash.pattern().iter().sum::<f32>() * style.width;
     // A pattern finer than a fifth of a pixel is seen as a plain line.

@@ -1,4 +1,6 @@
-//! The pieces of strokes that touch each band of rows, by what is in front of them.
+//! The pieces of strokes that touch each band of rows, by the kind of face in front of them.
+//!
+//! Without this each thread would go through all pieces of the picture for each of its bands.
 
 use std::ops::Range;
 
@@ -54,7 +56,7 @@ impl Bands {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to the picture")]
     fn touched(self, [left, right]: [f32; 2], [top, bottom]: [f32; 2]) -> Range<usize> {
         let (width, height) = (self.width as f32, self.height as f32);
-        // False where anything is not a number.
+        // False if anything isn't a number.
         if !(right > 0.0 && left < width && bottom > 0.0 && top < height) {
             return 0..0;
         }

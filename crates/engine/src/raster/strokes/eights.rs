@@ -1,6 +1,9 @@
-//! Sets of places in a mask, eight columns each, so that only what was touched is gone through and emptied.
+//! Sets of places in a mask, eight columns each.
+//!
+//! A thin stroke touches few pixels of its band, so going through the whole mask to paint and empty it would cost more
+//! than the stroke. Here a bit for each eight columns says what was touched, and 64 of them are one number.
 
-use super::shade::LANES;
+use crate::raster::pixel::LANES;
 
 /// A set of eights of columns: a bit for each in each row.
 #[derive(Clone, Debug, Default)]

@@ -1,13 +1,14 @@
 //! Texels → colours: the nearest, the four around a point, and those of two levels of detail, for eight points at once.
 //!
-//! Texels lie anywhere in memory, so each of the eight points asks for its own; one that wants none asks for the first,
-//! so that no branch is guessed wrong.
+//! A trilinear colour reads eight texels, and they lie anywhere in memory. Here levels are stored in
+//! [pairs](crate::appearance), so that the four texels around a point are sixteen bytes in a row: two reads instead of
+//! eight. A lane that wants no texel reads the first one, so that no branch is guessed wrong.
 
 use crate::appearance::{Level, LevelPairs, Sampler, Wrap};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x4, i32x8, mask32x8, u32x4, u32x8};
 
-use super::shade::LANES;
+use crate::raster::pixel::LANES;
 
 /// The channels of eight colours.
 pub(super) type Channels<K> = [f32x8<K>; 4];
@@ -21,7 +22,7 @@ pub(super) fn nearest<K: Simd>(level: &Level, sampler: Sampler, wanted: mask32x8
     channels(texels(level, wanted, x, y))
 }
 
-/// Between the four nearest texels. Beyond a border that is not repeated the border goes on.
+/// Between the four nearest texels. Beyond a border that isn't repeated the border goes on.
 #[inline(always)]
 pub(super) fn bilinear<K: Simd>(
     level: &Level,
@@ -172,7 +173,7 @@ fn mixed_channel<K: Simd>([a, c, b, d]: [u32x8<K>; 4], shift: u32, s: f32x8<K>, 
 #[inline(always)]
 fn nearest_along<K: Simd>(t: f32x8<K>, size: i32x8<K>, wrap: Wrap) -> i32x8<K> {
     let index = (folded(t, wrap) * size.to_float::<f32x8<K>>()).to_int::<i32x8<K>>();
-    // What is not a number, or too large for one, is at either end.
+    // What isn't a number, or too large for one, is at either end.
     index.max(0).min(size - 1)
 }
 

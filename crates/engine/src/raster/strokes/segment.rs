@@ -1,8 +1,10 @@
 //! Segments of strokes, eight at a time: the pixels around each, and their shares of these.
 //!
-//! A stroke with round ends is all points within its half width of its middle line. The share of a pixel is that of a
-//! band of the stroke's width, at the pixel's distance from the middle line: exact along level and upright strokes, and
-//! within a few hundredths at any other angle. A stroke thinner than a pixel covers it in part.
+//! The standard way fills the outline of a stroke, a polygon with arcs. Here the share of a pixel is a function of its
+//! distance from the middle line: a stroke with round ends is all points within its half width of that line, and the
+//! share is that of a band of the stroke's width. It's exact along level and upright strokes, and within a few
+//! hundredths at any other angle. A stroke thinner than a pixel covers it in part. Eight segments are set up at once,
+//! and each is compared with eight pixels of a row at once.
 
 use std::ops::Range;
 
@@ -18,7 +20,7 @@ pub(super) type Point = [f32; 3];
 /// Segments whose boxes are found together.
 pub(super) const TOGETHER: usize = 8;
 
-/// Eight segments of one half width, ready to be held against pixels.
+/// Eight segments of one half width, ready to be compared with pixels.
 pub(super) struct Segments {
     from: [[f32; TOGETHER]; 3],
     /// The unit vector along each.
@@ -94,7 +96,7 @@ impl Segments {
             (rise / whole.max(1e-6)).store_slice(&mut result.rise);
         }
         let [first, mut end] = pixels_of_eight(top, bottom, rows);
-        // What is not a number, or too long, has no rows; nor has what is not there.
+        // What isn't a number, or too long, has no rows; nor has what isn't there.
         let mut some = whole.simd_lt(f32::INFINITY);
         if list.len() < TOGETHER {
             some &= f32x8::from_slice(simd, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]).simd_lt(list.len() as f32);

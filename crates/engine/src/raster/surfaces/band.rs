@@ -1,4 +1,8 @@
-//! Some rows of a picture while they are painted, and the places of pixels and tiles in them.
+//! The samples of a band while it is painted, and tiles of eight pixels in it.
+//!
+//! The usual layout stores the samples of a pixel next to one another. Here each sample has a plane of its own, so that
+//! eight pixels of a row are eight numbers in a row of memory, which one instruction reads or writes. Behind each row
+//! there is room for eight more, and a tile at the border needs no special case.
 
 use std::ops::Range;
 
@@ -7,10 +11,9 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8};
 
 use super::counts::Counts;
-use super::depth::pack_slope;
-use super::pixel::{self, Pixel};
-use super::setup::{Size, stored, stored_alone};
-use super::shade::LANES;
+use super::setup::Size;
+use crate::raster::depth::pack_slope;
+use crate::raster::pixel::{self, LANES, Pixel};
 
 /// Some rows of a picture: colour and depth of each sample, in one plane for each place of a sample.
 pub(super) struct Band<'a> {
@@ -25,7 +28,7 @@ pub(super) struct Band<'a> {
     pub(super) colors: &'a mut [Pixel],
     /// Empty where nothing writes depths: then no test can fail.
     pub(super) depths: &'a mut [f32],
-    /// The slope of the face whose depth was written at the first sample (packed); empty where nobody wants to know.
+    /// The slope of the face whose depth was written at the first sample (packed); empty if nobody wants to know.
     pub(super) slopes: &'a mut [u32],
     /// Each triangle is painted over those before it, whatever their depths.
     pub(super) in_order: bool,
@@ -44,7 +47,7 @@ impl Band<'_> {
         TileStart { start: (row - self.rows.start) as u32 * self.pitch + column as u32, pitch: self.pitch }
     }
 
-    /// The pixels, one for each lane, at which these depths are nearer than what is there.
+    /// The pixels, one for each lane, at which these depths, as they are stored, are nearer than what is there.
     #[inline(always)]
     pub(super) fn nearer<K: Simd>(
         &self,
@@ -61,11 +64,10 @@ impl Band<'_> {
                 old[l] = depth;
             }
         }
-        let z = if self.greatest > 0.0 { stored(z, self.greatest) } else { z };
         asked & z.simd_gt(f32x8::from_slice(z.witness(), &old))
     }
 
-    /// Sets pixels of a triangle: each by its distance from `start`, its depth and its colour.
+    /// Sets pixels of a triangle: each by its distance from `start`, its depth as it is stored, and its colour.
     #[inline(always)]
     pub(super) fn set_each(
         &mut self,
@@ -74,20 +76,6 @@ impl Band<'_> {
         slope: [f32; 2],
         pixels: impl Iterator<Item = (u32, f32, Pixel)>,
     ) {
-        let (colors, depths) = (&mut *self.colors, &mut *self.depths);
-        let plain = !self.in_order && !surface.translucent && self.greatest <= 0.0;
-        if plain && surface.depth_test && self.slopes.is_empty() && self.counts.is_none() && !depths.is_empty() {
-            // The same as below, for what is asked most often.
-            for (offset, depth, color) in pixels {
-                let place = (start + offset) as usize;
-                if let (Some(pixel), Some(old)) = (colors.get_mut(place), depths.get_mut(place))
-                    && depth > *old
-                {
-                    (*pixel, *old) = (color, depth);
-                }
-            }
-            return;
-        }
         for (offset, depth, color) in pixels {
             self.set(surface, start + offset, depth, slope, color);
         }
@@ -104,8 +92,7 @@ impl Band<'_> {
         if surface.depth_test
             && let Some(old) = self.depths.get_mut(start)
         {
-            let depth = stored_alone(depth, self.greatest);
-            // Not `<=`: a depth that is not a number is behind everything, as it does in `Painter`.
+            // Not `<=`: a depth that isn't a number is behind everything, as in `Painter`.
             if !(depth > *old || self.in_order) {
                 return;
             }
@@ -126,7 +113,7 @@ impl Band<'_> {
 /// The start of a tile in the arrays of a band, and the distance from there to the next row.
 #[derive(Clone, Copy)]
 pub(super) struct TileStart {
-    // 32 bits: then the compiler knows that a sum in 64 does not overflow.
+    // 32 bits: then the compiler knows that a sum in 64 doesn't overflow.
     pub(super) start: u32,
     pub(super) pitch: u32,
 }

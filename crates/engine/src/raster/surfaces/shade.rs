@@ -1,4 +1,9 @@
-//! The colours of triangles' pixels, eight at a time.
+//! Colours of flat and of Gouraud's shading, eight pixels at a time.
+//!
+//! The standard way divides by w at each pixel. Between two vertices that makes no difference of half a step in a byte
+//! unless their w differ enough for their colours, and in a fine mesh they hardly ever do. So colours are affine on the
+//! picture if that gives the same within half a step, which saves a division and three products for a pixel. Of large
+//! triangles that perspective bends, the channels divided by w are interpolated, and w once for all three.
 
 use crate::appearance::Rgba;
 use crate::drawing::{Base, Surface};
@@ -6,11 +11,9 @@ use crate::simd::prelude::*;
 use crate::simd::{ROUND_F32, Simd, f32x8, mask32x8, round_bits, u32x8};
 
 use super::batch::{BATCH, Corners, Planes, SetUp, gather};
-use super::pixel::{Pixel, premultiply};
 use super::setup::{AffineValue, Triangle, greater, pick};
-
-/// Pixels that are worked on together.
-pub(super) const LANES: usize = 8;
+use crate::raster::grid::STEEPEST;
+use crate::raster::pixel::{Pixel, premultiply};
 
 /// A shader of one triangle.
 pub(super) trait Shader<K: Simd> {
@@ -46,7 +49,7 @@ pub(super) trait Colors<'a, K: Simd>: Sized {
     fn at(&self, wanted: mask32x8<K>, x: f32x8<K>, y: f32x8<K>) -> u32x8<K>;
     /// The shader of one.
     fn of(&self, lane: usize) -> Self::Simple;
-    /// The shader of a triangle of any kind; `None` where the surface has no colours for it.
+    /// The shader of a triangle of any kind; `None` if the surface has no colours for it.
     fn alone(
         simd: K,
         surface: &'a Surface,
@@ -78,7 +81,7 @@ pub(super) struct FlatColors<K: Simd> {
     present: mask32x8<K>,
 }
 
-/// The colour of a face; the alpha of opaque surfaces does not count.
+/// The colour of a face; the alpha of opaque surfaces doesn't count.
 #[inline(always)]
 fn face_color(surface: &Surface, triangle: u32) -> Option<Pixel> {
     let color = surface.face_color(triangle as usize)?;
@@ -172,7 +175,7 @@ impl<K: Simd> Shader<K> for Affine<K> {
 /// Opaque colours between those of the vertices. With regard to perspective c/w and 1/w are affine on the picture;
 /// without, or where it makes no difference, the colours are.
 pub(super) struct Gouraud<K: Simd> {
-    /// Red, green, blue, divided by w if `perspective`; their ranges are not.
+    /// Red, green, blue, divided by w if `perspective`; their ranges aren't.
     affine: Affine<K>,
     perspective: bool,
     inverse_w: AffineValue,
@@ -229,10 +232,6 @@ fn round<K: Simd>(v: f32x8<K>) -> u32x8<K> {
 fn pack<K: Simd>(r: u32x8<K>, g: u32x8<K>, b: u32x8<K>) -> u32x8<K> {
     (r | (g << 8)) | ((b << 16) | 0xff00_0000)
 }
-
-/// Threshold for the terms of a gradient (steps of 255 per pixel): above it the triangle is a sliver, and the gradient
-/// mostly rounding. Below it, and less than a hundred pixels away, the error of a channel is far below half a step.
-pub(super) const STEEPEST: f32 = 4096.0;
 
 /// The colours of vertices.
 pub(super) struct GouraudColors<K: Simd> {
@@ -303,14 +302,14 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
         _index: u32,
         corners: [usize; 3],
     ) -> Option<Gouraud<K>> {
-        let (planes, perspective, inverse_w) = gouraud_alone(surface, triangle, corners)?;
+        let (planes, perspective, inverse_w) = gouraud_alone(simd, surface, triangle, corners)?;
         let zero = f32x8::splat(simd, 0.0);
         let affine = Affine { planes, across: [zero; RGB], down: [zero; RGB], outside: true };
         Some(Gouraud { affine, perspective, inverse_w, inverse_w_across: zero, inverse_w_down: zero })
     }
 }
 
-/// True where it makes a difference of half a step or more whether the colours of a triangle, which differ by up to
+/// True if it makes a difference of half a step or more whether the colours of a triangle, which differ by up to
 /// `spread` (steps of 255), are interpolated with regard to perspective; 1/w goes from `far` to `near`.
 ///
 /// Between two vertices whose w have the ratio r, the perspective share of one differs from the affine share by at most
@@ -321,7 +320,8 @@ fn perspective_matters<K: Simd>(spread: f32x8<K>, far: f32x8<K>, near: f32x8<K>)
 }
 
 /// Planes of red, green, blue, whether they are divided by w, and the plane of 1/w.
-fn gouraud_alone(
+fn gouraud_alone<K: Simd>(
+    simd: K,
     surface: &Surface,
     triangle: &Triangle,
     corners: [usize; 3],
@@ -332,8 +332,8 @@ fn gouraud_alone(
     let inverse_w = triangle.plane(w);
     let planes = colors.map(|c| triangle.plane(c));
     let spread = planes.iter().map(|p| p.high - p.low).fold(0.0, greater);
-    // As `perspective_matters`.
-    if spread * (inverse_w.high - inverse_w.low) <= 2.0 * inverse_w.low {
+    let [spread, far, near] = [spread, inverse_w.low, inverse_w.high].map(|v| f32x8::splat(simd, v));
+    if !perspective_matters(spread, far, near).any_true() {
         return Some((planes, false, inverse_w));
     }
     let divided = |k: usize| {
@@ -372,7 +372,7 @@ pub(super) fn gather_colors<K: Simd>(
     (packed, mask32x8::from_slice(simd, &present))
 }
 
-/// 1/w at the vertices of a triangle: 1 where the surface has none.
+/// 1/w at the vertices of a triangle: 1 if the surface has none.
 #[inline(always)]
 fn inverse_w(surface: &Surface, corners: [usize; 3]) -> Option<[f32; 3]> {
     if surface.inverse_w.is_empty() { Some([1.0; 3]) } else { pick(&surface.inverse_w, corners) }

@@ -1,68 +1,16 @@
-//! Coverage of a triangle, and values that are affine over it.
+//! The set-up of one triangle of any size.
 //!
-//! Positions are snapped to 1/256 pixel and everything about coverage is exact from there on, so that two triangles
-//! with a common edge never both own a pixel of it and never both leave it. With p a sample point and a → b an edge,
-//! E(p) = (b − a) × (p − a) is positive inside; where E = 0 the **top-left rule** decides: a top edge (horizontal, with
-//! the triangle below it) or a left edge owns its points, the others do not.
+//! The standard algorithm evaluates three edge functions at each pixel of the box, and in a large triangle half of the
+//! box is outside. Here a row's first and last pixel inside are computed from the edges, for four rows (or the four
+//! samples of a row) at once, and the pixels between them need no test. Double precision makes them exact, see
+//! [`Borders`]. The gradients of attributes are computed in double precision too, because those of slivers are
+//! differences of large numbers. The textbook's `triangle` has the same formulas in plain numbers.
 
 use std::ops::Range;
 
+use crate::raster::grid::{HALF, STEPS, snapped};
 use crate::simd::prelude::*;
-use crate::simd::{Simd, f32x8, f64x4, mask32x8, round_bits_f64, round_bits_of_one};
-
-/// Steps of the snapping grid per pixel.
-pub(super) const STEPS: i32 = 256;
-/// Half a pixel in steps: the place of a centre.
-pub(super) const HALF: i32 = STEPS / 2;
-/// Triangles less wide and less high than this, in steps, have edge functions (in steps²) that 32 bits hold.
-pub(super) const WIDEST: i32 = 32 * STEPS;
-pub(super) const HIGHEST: i32 = 128 * STEPS;
-
-/// A position (pixels) becomes one on the grid by [`round_bits`](crate::simd::round_bits) of v · STEPS with this zero,
-/// which is not in the middle of the range: positions are hardly ever negative, and pictures are large. The lower bits
-/// are the integer, greater by `OFFSET`. If the upper bits are not those of `GRID_ZERO`, the position is not a number
-/// or out of reach: −4096 … 28671 pixels, of which a picture has 0 … 16384.
-pub(super) const GRID_ZERO: f32 = 8_388_608.0 + 1_048_576.0;
-pub(super) const OFFSET: i32 = 1 << 20;
-/// The lower bits.
-pub(super) const FRACTION: u32 = (1 << 23) - 1;
-
-/// Places of a pixel's samples relative to its centre, in steps. 4 and 16 lie on a turned lattice: no two share a row
-/// or a column, so upright and level edges get as many shades as there are samples.
-pub(super) fn samples(count: usize) -> &'static [[i32; 2]] {
-    match count {
-        1 => &[[0, 0]],
-        4 => &LATTICE_4,
-        _ => &LATTICE_16,
-    }
-}
-
-static LATTICE_4: [[i32; 2]; 4] = lattice(2);
-static LATTICE_16: [[i32; 2]; 16] = lattice(4);
-
-const fn lattice<const N: usize>(side: i32) -> [[i32; 2]; N] {
-    let mut result = [[0, 0]; N];
-    let unit = STEPS / (side * side);
-    let (mut k, mut i, mut j) = (0, 0, 0);
-    while k < N {
-        result[k] = [unit * (side * i + j) + unit / 2 - HALF, unit * (side * j + side - 1 - i) + unit / 2 - HALF];
-        i += 1;
-        if i == side {
-            (i, j) = (0, j + 1);
-        }
-        k += 1;
-    }
-    result
-}
-
-/// Greatest distance of samples from the centre, in steps: with one sample, and with several.
-pub(super) const REACH: [i32; 2] = [0, HALF - STEPS / 32];
-
-/// A position on the grid; one that is out of reach becomes some other.
-fn grid(p: [f32; 3]) -> [i32; 2] {
-    let grid = |v: f32| (round_bits_of_one(v * STEPS as f32, GRID_ZERO) & FRACTION) as i32 - OFFSET;
-    [grid(p[0]), grid(p[1])]
-}
+use crate::simd::{Simd, f32x8, f64x4, mask32x8, round_bits_f64};
 
 /// A triangle of any size, ready to be filled.
 #[derive(Clone, Debug)]
@@ -79,9 +27,9 @@ pub(super) struct Triangle {
 }
 
 impl Triangle {
-    /// `None` for a triangle without area on the grid.
+    /// `None` for a triangle without area on the grid, or out of its reach.
     pub(super) fn new(p: &[[f32; 3]; 3]) -> Option<Self> {
-        let v = [grid(p[0]), grid(p[1]), grid(p[2])];
+        let v = [snapped(p[0])?, snapped(p[1])?, snapped(p[2])?];
         // Differences are below 2²⁴ and products below 2⁴⁸: exact in f64.
         let side = |a: [i32; 2], b: [i32; 2]| [f64::from(b[0] - a[0]), f64::from(b[1] - a[1])];
         let (p, q) = (side(v[0], v[1]), side(v[0], v[2]));
@@ -119,9 +67,9 @@ impl Triangle {
 /// The starts and ends of the rows of a triangle: two lines at the left, two at the right. Four at a time: the rows of
 /// the four samples of a pixel, or with one sample per pixel, four rows that follow one another.
 ///
-/// The edge function of a → b at a sample of pixel (i, j), divided by [`STEPS`] and rounded down, is not negative
-/// inside. It is a·i + b·j + c in whole numbers. Row j of that edge begins after x = −(b·j + c + ½)/a where a > 0, and
-/// ends before that x + 1 where a < 0: in both cases at ⌊x⌋ + 1. x is at least ½/|a| ≥ 2⁻²⁵ away from whole numbers,
+/// The edge function of a → b at a sample of pixel (i, j), divided by [`STEPS`] and rounded down, isn't negative
+/// inside. It is a·i + b·j + c in whole numbers. Row j of that edge begins after x = −(b·j + c + ½)/a if a > 0, and
+/// ends before that x + 1 if a < 0: in both cases at ⌊x⌋ + 1. x is at least ½/|a| ≥ 2⁻²⁵ away from whole numbers,
 /// while its three roundings together are below 2⁻¹²/|a|: the result is that of exact arithmetic.
 #[derive(Clone, Copy)]
 pub(super) struct Borders<K: Simd> {
@@ -181,7 +129,7 @@ impl<K: Simd> Borders<K> {
         Self { lines, first, end, width: f64x4::splat(simd, f64::from(width)), down }
     }
 
-    /// True where no row has a pixel inside. `together`: rows that [`rows`](Self::rows) finds, one or four.
+    /// True if no row has a pixel inside. `together`: rows that [`rows`](Self::rows) finds, one or four.
     #[inline(always)]
     pub(super) fn are_empty(&self, rows: Range<i32>, together: usize) -> bool {
         for first in rows.step_by(together) {
@@ -201,11 +149,11 @@ impl<K: Simd> Borders<K> {
     pub(super) fn rows(&self, first: i32) -> ([i32; ROWS], [i32; ROWS]) {
         let j = self.down + f64::from(first);
         let x = |k: usize| self.lines[k].0 + self.lines[k].1 * j;
-        // ⌊x⌋ + 1 is x + ½ rounded to nearest, as x is not a whole number.
+        // ⌊x⌋ + 1 is x + ½ rounded to nearest, as x isn't a whole number.
         let after = |x: f64x4<K>| round_bits_f64(x + 0.5);
         let zero = f64x4::splat(self.width.witness(), -0.75);
         let from = x(0).max(x(1)).max(zero).min(self.width);
-        // A row that there is not ends at 0.
+        // A row outside the triangle ends at 0.
         let own = j.simd_ge(self.first) & j.simd_lt(self.end);
         let to = own.select(x(2).min(x(3)).max(zero).min(self.width - 0.75), zero);
         (after(from), after(to))
@@ -228,27 +176,18 @@ pub(super) struct AffineValue {
 /// numbers below.
 const WHOLE: f32 = 8_388_608.0;
 
-/// Depths as a format whose greatest number is `greatest` stores them.
+/// Depths as a format stores them, whose greatest number is `greatest`; 0: as they are.
 #[inline(always)]
 pub(super) fn stored<K: Simd>(z: f32x8<K>, greatest: f32) -> f32x8<K> {
+    if greatest <= 0.0 {
+        return z;
+    }
     let steps = z * greatest;
     let whole = steps.simd_lt(WHOLE).select((steps + WHOLE) - WHOLE, steps);
     whole * (1.0 / greatest)
 }
 
-/// One depth, as [`stored`] stores it; 0: as it is.
-#[inline(always)]
-pub(super) fn stored_alone(z: f32, greatest: f32) -> f32 {
-    if greatest > 0.0 {
-        let steps = z * greatest;
-        let whole = if steps < WHOLE { (steps + WHOLE) - WHOLE } else { steps };
-        whole * (1.0 / greatest)
-    } else {
-        z
-    }
-}
-
-/// True where a pixel of any of the masks is set.
+/// True if a pixel of any of the masks is set.
 #[inline(always)]
 pub(super) fn any<K: Simd>(masks: &[mask32x8<K>]) -> bool {
     let mut all = masks[0];
@@ -256,11 +195,6 @@ pub(super) fn any<K: Simd>(masks: &[mask32x8<K>]) -> bool {
         all |= *mask;
     }
     all.any_true()
-}
-
-/// Steps between places of samples in pixels.
-pub(super) fn in_pixels(steps: i32) -> f32 {
-    steps as f32 / STEPS as f32
 }
 
 /// The greater of two numbers; one machine instruction, where `f64::max` takes four for the sake of NaN.
@@ -282,7 +216,7 @@ pub(super) struct Size {
     pub(super) height: i32,
 }
 
-/// The values at three indices; `None` where one is missing.
+/// The values at three indices; `None` if one is missing.
 #[inline(always)]
 pub(super) fn pick<T: Copy>(values: &[T], at: [usize; 3]) -> Option<[T; 3]> {
     Some([*values.get(at[0])?, *values.get(at[1])?, *values.get(at[2])?])

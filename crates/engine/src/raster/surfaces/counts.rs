@@ -1,9 +1,12 @@
-//! Counts of processed samples, eight at a time along with painting.
+//! Counts of covered and of written samples, for the report.
+//!
+//! A count for each pixel would cost as much as painting it. Here eight counters, one for each pixel of a tile, grow
+//! with one instruction, and are added up when a surface is done. Without a clock there are no counts at all.
 
 use crate::simd::prelude::*;
 use crate::simd::{Simd, i32x8, mask32x8};
 
-use super::shade::LANES;
+use crate::raster::pixel::LANES;
 
 /// Counts of processed samples.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,18 +1,11 @@
-//! Eight triangles at a time: their boxes, and their setup for filling.
+//! The set-up of eight triangles at a time.
 //!
-//! Fine meshes are made of small triangles, for which most of the work is to set them up: this is done for eight at
-//! once, in 32 bits. The others go alone, through [`Triangle`](super::setup::Triangle). A triangle is treated by its
-//! box, the pixels whose samples it may own:
-//!
-//! | grade | its box | how it is filled |
-//! | --- | --- | --- |
-//! | one | a single pixel | dropped while triangles are sorted into bands, if it does not own the centre |
-//! | tiny | [`few`](Batch::few): 4 × 4 pixels (11 × 11 where colours cost much), one sample each | all pixels of eight triangles at once, then set one by one |
-//! | small | [`small`](Batch::small): 32 × 128 pixels | by edge functions in 32 bits, tile by tile |
-//! | wide | any | between its borders in 64 bits, row by row |
-//!
-//! Tiny and small ones must also have an area, and be simple to colour
-//! ([`Colors::simple`](super::shade::Colors::simple)): no sliver, and no colours of vertices that perspective bends.
+//! The standard algorithm sets up one triangle after the other. In a fine mesh a triangle has one or two pixels, so the
+//! set-up is most of the work. Here eight triangles are set up at once, one in each lane of a vector, in whole numbers
+//! of 32 bits and in single precision. The others go alone, through [`Triangle`](super::setup::Triangle). With a
+//! million triangles, gathering and set-up are half of the rasterizer's time even so. The table in
+//! [`fill`](super::fill) shows which triangle takes which path; the box of a triangle, the pixels whose samples it may
+//! own, decides: [`one`](Batch::one), [`few`](Batch::few), [`small`](Batch::small), or none of them.
 
 use std::ops::Range;
 
@@ -20,9 +13,8 @@ use crate::drawing::Surface;
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, round_bits};
 
-use super::setup::{
-    AffineValue, FRACTION, GRID_ZERO, HALF, HIGHEST, OFFSET, REACH, STEPS, Size, Triangle, WIDEST, pick,
-};
+use super::setup::{AffineValue, Size, Triangle, pick};
+use crate::raster::grid::{FRACTION, GRID_ZERO, HALF, HIGHEST, OFFSET, REACH, STEPS, WIDEST};
 
 /// Triangles in a batch.
 pub(super) const BATCH: usize = 8;
@@ -46,7 +38,7 @@ pub(super) struct Batch<K: Simd> {
     pub(super) one: mask32x8<K>,
 }
 
-/// The indices of the vertices of up to eight triangles; [`NOWHERE`] for those that are not there.
+/// The indices of the vertices of up to eight triangles; [`NOWHERE`] for those that aren't there.
 pub(super) type Corners = [[u32; BATCH]; 3];
 
 /// An index beyond the vertices of any surface.
@@ -82,7 +74,7 @@ pub(super) fn corners_at(corners: &Corners, lane: usize) -> [usize; 3] {
     [corners[0][lane] as usize, corners[1][lane] as usize, corners[2][lane] as usize]
 }
 
-/// The value at each corner; NaN where there is none.
+/// The value at each corner; NaN if there is none.
 #[inline(always)]
 pub(super) fn gather<K: Simd>(simd: K, values: &[f32], corners: &Corners) -> [f32x8<K>; 3] {
     let mut result = [f32x8::splat(simd, f32::NAN); 3];
@@ -96,7 +88,7 @@ pub(super) fn gather<K: Simd>(simd: K, values: &[f32], corners: &Corners) -> [f3
     result
 }
 
-/// The points at each corner, by component; NaN where there is none.
+/// The points at each corner, by component; NaN if there is none.
 #[inline(always)]
 pub(super) fn gather_points<K: Simd>(simd: K, points: &[[f32; 3]], corners: &Corners) -> [[f32x8<K>; 3]; 3] {
     let mut result = [[f32x8::splat(simd, f32::NAN); 3]; 3];
@@ -162,7 +154,7 @@ impl<K: Simd> Batch<K> {
         Self { simd, x: grid_x, y: grid_y, left, top, bottom, some, small, one, right }
     }
 
-    /// The rows of one that lie in a band; none where it owns no sample.
+    /// The rows of one that lie in a band; none if it owns no sample.
     #[inline(always)]
     pub(super) fn rows(&self, lane: usize, band: &Range<i32>) -> Range<i32> {
         let end = if self.some[lane] != 0 { self.bottom[lane].min(band.end) } else { 0 };

@@ -1,10 +1,11 @@
 //! Coverage of pixels by strokes.
 //!
-//! All pieces of a layer (the visible or the hidden parts of a set of strokes) meet in one mask, each pixel keeping the
-//! greatest share: pieces may overlap (joints, crossings, arrow heads) without a translucent colour growing darker
-//! there. A layer that no depth can put behind another is painted as soon as its mask is complete. Of the others each
-//! pixel keeps share and depth, as in an A-buffer (Carpenter 1984); only when all are known are they painted, from back
-//! to front. So strokes are as smooth where one passes in front of another as anywhere else.
+//! The standard way blends each piece of a stroke over the picture, and a translucent colour grows darker wherever two
+//! pieces overlap: at joints, crossings, arrow heads. Here all pieces of a layer (the visible or the hidden parts of a
+//! set of strokes) meet in one mask, in which a pixel keeps the greatest share, and the colour is blended once at the
+//! end, eight pixels at a time. A layer that no depth can put behind another is painted as soon as its mask is
+//! complete. Of the others each pixel keeps share and depth, as in an A-buffer (Carpenter 1984); they are painted from
+//! back to front when all are known. So strokes are as smooth where one passes in front of another as anywhere else.
 
 use std::ops::Range;
 
@@ -14,9 +15,8 @@ use crate::simd::{Simd, f32x8, i32x8, u32x8};
 
 use super::eights::{Eights, next_column};
 use super::fragments::{Fragments, Rank};
-use super::pixel::{Pixel, over_eight, premultiply, scale_eight};
 use super::segment::{Columns, Point, Segment, Segments, TOGETHER, center, length, pixels};
-use super::shade::LANES;
+use crate::raster::pixel::{LANES, Pixel, over, premultiply, scale};
 
 /// The strokes over some rows of a picture, empty once they are painted.
 #[derive(Clone, Debug, Default)]
@@ -64,18 +64,24 @@ impl Coverage {
     }
 
     /// Covers the points within `radius` of each segment: strokes with round ends.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn segments<K: Simd>(&mut self, simd: K, segments: &[[Point; 2]], radius: f32) {
-        if self.rank.is_some() {
-            self.segments_of::<K, true>(simd, segments, radius);
-        } else {
-            self.segments_of::<K, false>(simd, segments, radius);
-        }
+        // One copy for the four places that call it.
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                if self.rank.is_some() {
+                    self.segments_of::<K, true>(simd, segments, radius);
+                } else {
+                    self.segments_of::<K, false>(simd, segments, radius);
+                }
+            },
+        );
     }
 
     #[inline(always)]
     fn segments_of<K: Simd, const DEPTH: bool>(&mut self, simd: K, segments: &[[Point; 2]], radius: f32) {
-        // Nothing of its width is left beside half a pixel, or it is not a number.
+        // Nothing of its width is left beside half a pixel, or it isn't a number.
         let is_wide = radius + 0.5 > 0.5;
         if !is_wide {
             return;
@@ -191,8 +197,16 @@ impl Coverage {
     }
 
     /// Ends a layer: paints it on `pixels` (the rows of the mask), or, with a rank, keeps what it covers.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn end<K: Simd>(&mut self, simd: K, pixels: &mut [[u8; 4]]) {
+        simd.vectorize(
+            #[inline(always)]
+            || self.end_with(simd, pixels),
+        );
+    }
+
+    #[inline(always)]
+    fn end_with<K: Simd>(&mut self, simd: K, pixels: &mut [[u8; 4]]) {
         if let Some(rank) = self.rank {
             self.fragments.begin(self.color, rank);
         }
@@ -224,9 +238,9 @@ impl Coverage {
         for (old, pixel) in old.iter_mut().zip(&*pixels) {
             *old = u32::from_le_bytes(*pixel);
         }
-        let source = scale_eight(u32x8::splat(simd, self.color), share);
+        let source = scale(u32x8::splat(simd, self.color), share);
         let mut new = [0; LANES];
-        over_eight(source, u32x8::from_slice(simd, &old)).store_slice(&mut new);
+        over(source, u32x8::from_slice(simd, &old)).store_slice(&mut new);
         for (new, pixel) in new.iter().zip(pixels) {
             *pixel = new.to_le_bytes();
         }
@@ -444,7 +458,7 @@ mod tests {
         assert_eq!(pixels[MIDDLE], [0, 0, 255, 255]);
         // Beside its middle line the near stroke covers half a pixel; the rest is the far one's.
         assert_eq!(pixels[MIDDLE + 1], [127, 0, 128, 255]);
-        // Where they do not meet, each is the same as alone.
+        // Where they don't meet, each is the same as alone.
         assert_eq!(pixels[5 * 20 + 10], painted(&[near])[5 * 20 + 10]);
         assert_eq!(pixels[10 * 20 + 5], painted(&[far])[10 * 20 + 5]);
     }

@@ -1,14 +1,16 @@
-//! The share of a light that arrives at a pixel: its place held against the depths that the light sees.
+//! The share of a light that arrives at a pixel: its place compared with the depths that the light sees.
 //!
-//! A texel of the map stands for all points in it, but the surface rises and falls within. So the depth of a pixel is
-//! taken along the plane of its triangle to the middle of each texel that it is held against, and the bias says how
-//! much deeper it must lie there. The shares of the texels under the soft edge, a square around the place, are added.
+//! The standard way adds one constant to the depth, the bias, and either surfaces shadow themselves or shadows come off
+//! their objects. A texel of the map stands for all points in it, but the surface rises and falls within. So here the
+//! depth of a pixel is taken along the plane of its triangle to the middle of each texel it is compared with, and the
+//! bias only says how much deeper it must lie there. The shares of the texels under the soft edge, a square around the
+//! place, are added, for eight places at once.
 
 use crate::drawing::{Rays, Shadow};
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8};
 
-use super::shade::LANES;
+use crate::raster::pixel::LANES;
 
 /// The part of a texel's length that a bias of 1 allows beside the plane: what meets in a corner, or is round, lies
 /// over the plane of its neighbour within a texel.
@@ -31,8 +33,8 @@ struct OnMap<K: Simd> {
     view: i32x8<K>,
 }
 
-/// The share of a light that arrives at eight places, 0 … 1, each on a plane of its own; 1 where it is not wanted, and
-/// where a place is not a number. `None` before the map is painted.
+/// The share of a light that arrives at eight places, 0 … 1, each on a plane of its own; 1 if it isn't wanted, and
+/// if a place isn't a number. `None` before the map is painted.
 #[inline(always)]
 pub(super) fn arriving<K: Simd>(
     shadow: &Shadow,

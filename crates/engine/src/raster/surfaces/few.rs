@@ -1,12 +1,20 @@
-//! The pixels of tiny triangles: found for eight triangles at once, and set one by one afterwards.
+//! Tiny triangles, eight at a time.
+//!
+//! The standard algorithm goes through the pixels of one triangle. In a triangle of three pixels, five of eight lanes
+//! of a vector would be idle. Here each lane has a triangle of its own, and all eight go through their boxes in step:
+//! pixel (0, 0) of eight boxes, then pixel (1, 0), and so on. Pixels are written afterwards, one triangle after the
+//! other, because of two triangles that own the same pixel the first one in the list has to come first. If colours cost
+//! much (light at each pixel, textures), coverage comes first for the whole box, and each lane then goes on to its next
+//! pixel inside, wherever it lies. So few lanes wait, and boxes of 11 × 11 pixels count as tiny.
 
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
 use super::band::Band;
 use super::batch::{BATCH, Batch, Planes, SetUp};
-use super::pixel::Pixel;
+use super::setup::stored;
 use super::shade::Colors;
+use crate::raster::pixel::Pixel;
 
 /// Largest number of columns and rows of triangles that are filled together.
 pub(super) const FEW: u32 = 4;
@@ -90,7 +98,7 @@ impl Few {
                     owned[k as usize / 32] |= own.select(zero + (1 << (k % 32)), zero);
                     if !C::COSTLY {
                         let (x, y) = (x + i as f32, y + j as f32);
-                        let z = depths.hold(depths.at(x, y));
+                        let z = stored(depths.hold(depths.at(x, y)), band.greatest);
                         z.store_slice(&mut self.depths[k as usize]);
                         colors.at(own, x, y).store_slice(&mut self.colors[k as usize]);
                     }
@@ -153,7 +161,7 @@ impl Few {
             let down = ((k.to_float::<f32x8<K>>() + 0.5) * (1.0 / SIDE as f32)).to_int::<i32x8<K>>();
             let across = k - down * SIDE.cast_signed();
             let (x, y) = (x + across.to_float::<f32x8<K>>(), y + down.to_float::<f32x8<K>>());
-            let z = depths.hold(depths.at(x, y));
+            let z = stored(depths.hold(depths.at(x, y)), band.greatest);
             let mut wanted = own;
             if band.hides {
                 wanted &= band.nearer(z, own, batch.left + across, set_up.top + down);

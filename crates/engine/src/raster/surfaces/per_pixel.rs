@@ -1,9 +1,10 @@
 //! Light, textures and translucent colours between vertices: computed at each pixel, eight at a time.
 //!
-//! Attributes are interpolated with regard to perspective: a / w and 1 / w are affine on the picture, so the share of
-//! each vertex in a pixel is found first, and every attribute is the sum of the three values with these shares. Each of
-//! the eight pixels has attributes of its own: of eight tiny triangles one pixel each, or eight of one triangle, whose
-//! attributes are then the same in all lanes.
+//! The standard way interpolates each attribute divided by w. There are up to sixteen: normal, position, coordinates,
+//! colour, light, place in a shadow map. Here the share of each vertex in a pixel is computed once, with one division,
+//! and every attribute is the sum of its three values with these shares. Each lane has attributes of its own: one pixel
+//! each of eight tiny triangles, or eight pixels of one triangle, whose attributes are then the same in all lanes. That
+//! took the instructions for eight textured pixels from 1490 to 806.
 
 use crate::appearance::{LightShare, TextureReveal};
 use crate::drawing::{Base, Lighting, Shadow, Surface, SurfaceLight, TakenLight};
@@ -13,11 +14,12 @@ use crate::simd::{Simd, f32x8, i32x8, mask32x8, u32x8};
 
 use super::batch::{BATCH, Corners, Planes, SetUp, gather, gather_points};
 use super::filter::channel;
-use super::pixel::premultiply;
 use super::setup::Triangle;
-use super::shade::{Colors, STEEPEST, Shader, gather_colors};
+use super::shade::{Colors, Shader, gather_colors};
 use super::shadow::arriving;
 use super::texel::{Textured, all};
+use crate::raster::grid::STEEPEST;
+use crate::raster::pixel::{premultiply, premultiply_packed};
 
 /// An attribute of the vertices of eight triangles, component by component.
 type Attribute<K, const N: usize> = [[f32x8<K>; 3]; N];
@@ -67,7 +69,7 @@ enum Light<'a, K: Simd> {
 struct ShadowOn<K: Simd> {
     places: Attribute<K, 3>,
     planes: [f32x8<K>; 3],
-    /// The light at the vertices that is missing in the shadow; none where light is found at pixels.
+    /// The light at the vertices that is missing in the shadow; none if light is found at pixels.
     taken: Option<Attribute<K, 2>>,
 }
 
@@ -290,9 +292,9 @@ impl<'a, K: Simd> PerPixel<'a, K> {
             }
         };
         match &self.base {
-            // The alpha of opaque surfaces does not count.
+            // The alpha of opaque surfaces doesn't count.
             _ if !self.surface.translucent => lit | 0xff00_0000,
-            BaseColors::One(_) => premultiply_eight(lit),
+            BaseColors::One(_) => premultiply_packed(lit),
             BaseColors::Vertices(_) | BaseColors::Texture(_) => lit,
         }
     }
@@ -398,7 +400,7 @@ fn present<K: Simd>(simd: K, surface: &Surface, triangles: &[u32], corners: &Cor
 }
 
 impl<K: Simd> ShadowOn<K> {
-    /// Where nothing is known of a triangle it is lit, as what is not a number is.
+    /// Where nothing is known of a triangle it is lit, as what isn't a number is.
     #[inline(always)]
     fn new(simd: K, shadow: &Shadow, triangles: &[u32; BATCH], corners: &Corners) -> Self {
         let taken = match &shadow.taken {
@@ -421,7 +423,7 @@ fn all_of<K: Simd, const N: usize>(attribute: &Attribute<K, N>, lane: usize) -> 
     one
 }
 
-/// Pairs at each corner, by component; NaN where there are none.
+/// Pairs at each corner, by component; NaN if there are none.
 #[inline(always)]
 fn gather_pairs<K: Simd>(simd: K, pairs: &[[f32; 2]], corners: &Corners) -> Attribute<K, 2> {
     let mut result = [[f32x8::splat(simd, f32::NAN); 3]; 2];
@@ -464,38 +466,4 @@ fn bytes<K: Simd>([r, g, b, a]: [f32x8<K>; 4]) -> u32x8<K> {
 #[inline(always)]
 fn byte<K: Simd>(v: f32x8<K>) -> u32x8<K> {
     (v + 0.5).max(0.0).min(255.0).to_int::<i32x8<K>>().bitcast()
-}
-
-/// [`premultiply`] for eight colours.
-#[inline(always)]
-fn premultiply_eight<K: Simd>(colors: u32x8<K>) -> u32x8<K> {
-    let alpha = colors >> 24;
-    let (r, g, b) = (scaled(colors, alpha), scaled(colors >> 8, alpha), scaled(colors >> 16, alpha));
-    (r | (g << 8)) | ((b << 16) | (alpha << 24))
-}
-
-/// The lowest channel times alpha / 255, rounded.
-#[inline(always)]
-fn scaled<K: Simd>(colors: u32x8<K>, alpha: u32x8<K>) -> u32x8<K> {
-    let t = (colors & 0xff) * alpha + 127;
-    // t / 255 for t < 2¹⁶, without a division.
-    (t + 1 + (t >> 8)) >> 8
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::appearance::Rgba;
-    use crate::simd::with_vectors;
-
-    #[test]
-    fn eight_colours_are_premultiplied_as_one_is() {
-        for v in 0..=255_u8 {
-            for a in 0..=255_u8 {
-                let color = Rgba::rgba(v, 255 - v, v / 2, a);
-                let eight = with_vectors!(simd => premultiply_eight(u32x8::splat(simd, packed(color)))[5]);
-                assert_eq!(eight, premultiply(color), "{color:?}");
-            }
-        }
-    }
 }

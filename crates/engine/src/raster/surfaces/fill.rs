@@ -1,11 +1,39 @@
 //! A band of rows: its triangles → its samples.
 //!
-//! Eight pixels of a row are worked on together. What a pixel gets depends on its triangles alone, never on the band or
-//! the eight that it is in, nor on the machine's vectors: values are computed from the triangle's origin, not added up
-//! along the way, and no operation is fused with another.
+//! The standard algorithm decides for each pixel: covered, nearer, which colour, blended or not. Here the unit is a
+//! tile of eight pixels, eight of a row or two rows of four, and each step is one instruction for all of them, with a
+//! mask of the pixels for which it counts. Edge functions grow by a constant from tile to tile. No colour is computed
+//! if the mask is empty after the depth test. A pixel depends on its triangles alone, never on the band, the tile or
+//! the machine's vectors: values are computed from the triangle's origin, not added up along the way, and no operation
+//! is fused with another.
 //!
-//! All of it must become one function for each set of vector instructions, hence the many `#[inline(always)]`; but
-//! where nothing is optimised that function would ask for megabytes of stack, and the longest stay on their own.
+//! ## Which path takes which surface
+//!
+//! | surface | colours | tiny, 1 sample | small | any other |
+//! | --- | --- | --- | --- | --- |
+//! | one colour for a face, light in it | [`FlatColors`] | ≤ 4 × 4 pixels: [`Few`] | ≤ 32 × 128 pixels: [`Painter::small`] | [`Painter::wide`] |
+//! | opaque colours of vertices, light in them | [`GouraudColors`] | ≤ 4 × 4, if simple | if simple | and if not simple |
+//! | textures, light apart, translucent vertices | [`PerPixel`] | ≤ 11 × 11, if simple | if simple | and if not simple |
+//!
+//! *Simple* means that single precision is enough and perspective can be ignored ([`Colors::simple`]): no sliver with
+//! colours that vary, no colours of vertices that perspective bends. Small triangles of at most four columns are
+//! painted in square tiles, others in tiles of a row. Sixteen samples are painted as four times four.
+//!
+//! ## Which copies exist
+//!
+//! Each copy of a kernel costs compile time, so it has to pay. On x86 the library has for AVX2 and for SSE 4.2:
+//!
+//! | parameter | values | why |
+//! | --- | --- | --- |
+//! | vectors | AVX2, SSE 4.2 | plain numbers took 12 times as long to compile as SSE 4.2; such machines paint as the textbook does |
+//! | samples `S` | 1, 4 | the loop over samples vanishes with one; sixteen use four |
+//! | colours `C` | flat, Gouraud, per pixel | flat and Gouraud stay in registers; per pixel calls one function for each tile |
+//! | tile `SQUARE` | yes, no | small triangles only: half of the lanes of a row would be idle |
+//!
+//! These are twelve copies of [`all`], each a function of its own, called once for a surface in a band. In it
+//! everything is inlined, since vectors pass through memory from one function to another: without that, frames take 20
+//! times as long. What isn't optimised keeps its longest functions apart, because one function would ask for megabytes
+//! of stack.
 
 use std::ops::Range;
 
@@ -16,12 +44,13 @@ use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, u32x4, u32x8};
 use super::band::{Band, TileStart};
 use super::batch::{BATCH, Batch, corners, corners_at, gather_points};
 use super::counts::Kind;
-use super::depth::pack_slope;
 use super::few::{FEW, FEW_COSTLY, Few};
 use super::per_pixel::PerPixel;
-use super::pixel::over_eight;
-use super::setup::{AffineValue, Borders, ROWS, any, in_pixels, stored};
-use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader};
+use super::setup::{AffineValue, Borders, ROWS, any, stored};
+use super::shade::{Colors, FlatColors, GouraudColors, Shader};
+use crate::raster::depth::pack_slope;
+use crate::raster::grid::in_pixels;
+use crate::raster::pixel::{LANES, over};
 
 /// Fills some triangles of a surface, in the order of the list.
 #[inline(always)]
@@ -50,7 +79,7 @@ pub(super) fn fill<K: Simd, const S: usize>(
 }
 
 /// Fills triangles in batches of eight, of which the small ones are set up together.
-#[inline(always)]
+#[inline(never)]
 fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
@@ -59,9 +88,14 @@ fn all<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     triangles: &[u32],
 ) {
     band.hides = surface.depth_test && !band.in_order && !band.depths.is_empty();
-    for triangles in triangles.chunks(BATCH) {
-        eight::<K, S, SIDE, C>(simd, band, few, surface, triangles);
-    }
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            for triangles in triangles.chunks(BATCH) {
+                eight::<K, S, SIDE, C>(simd, band, few, surface, triangles);
+            }
+        },
+    );
 }
 
 /// Fills the eight triangles of a batch.
@@ -125,7 +159,7 @@ fn eight<'a, K: Simd, const S: usize, const SIDE: u32, C: Colors<'a, K>>(
     }
 }
 
-/// Columns of a tile that is not `SQUARE`.
+/// Columns of a tile that isn't `SQUARE`.
 const WIDTH: i32 = 8;
 
 /// Eight pixels that are worked on together: eight of a row, or, in a `SQUARE` tile, four of a row and the four below.
@@ -227,7 +261,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
             while j < rows.end {
                 let mut covered = [mask32x8::splat(self.simd, 0); S];
                 for s in 0..S {
-                    // Not negative inside, for all three: then their common sign bit is not set.
+                    // Not negative inside, for all three: then their common sign bit isn't set.
                     let outside = if s == 0 {
                         edges[0] | edges[1] | edges[2]
                     } else {
@@ -329,10 +363,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         if self.depth_test {
             for (s, (covered, &step)) in (0..).zip(covered.iter_mut().zip(&self.depth_steps)) {
                 let z = if S == 1 { center } else { center + step };
-                let mut z = z.max(self.z.low).min(self.z.high);
-                if self.greatest > 0.0 {
-                    z = stored(z, self.greatest);
-                }
+                let z = stored(z.max(self.z.low).min(self.z.high), self.greatest);
                 let place = place.plane(s * band.plane);
                 let Some(old) = place.load::<K, f32x4<K>, SQUARE>(self.simd, band.depths) else { return };
                 if !self.in_order {
@@ -357,7 +388,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         if !any(covered) {
             return;
         }
-        // One colour for all samples of a pixel (only coverage and depth are sampled), and none where nothing is left
+        // One colour for all samples of a pixel (only coverage and depth are sampled), and none if nothing is left
         // to paint: light and textures cost more than all tests before.
         let mut wanted = covered[0];
         for covered in &covered[1..] {
@@ -367,7 +398,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         for (s, covered) in (0..).zip(&*covered) {
             let place = place.plane(s * band.plane);
             let Some(old) = place.load::<K, u32x4<K>, SQUARE>(self.simd, band.colors) else { return };
-            let colors = if self.translucent { over_eight(colors, old) } else { colors };
+            let colors = if self.translucent { over(colors, old) } else { colors };
             place.store::<K, u32x8<K>, SQUARE>(covered.select(colors, old), band.colors);
         }
     }

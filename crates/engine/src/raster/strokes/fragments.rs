@@ -1,10 +1,13 @@
 //! The order of strokes in depth: what layers cover of each pixel, painted from back to front when all are known.
+//!
+//! An A-buffer (Carpenter 1984) keeps a list for each pixel. Here all fragments of a band are in one array, in which
+//! each points to the one before it in the same pixel, so that a fragment costs no allocation. Most pixels have one
+//! fragment and aren't sorted.
 
 use crate::drawing::order::{StrokePoint, later_is_over};
 
 use super::eights::{Eights, next_column};
-use super::pixel::{Pixel, over, scale};
-use super::shade::LANES;
+use crate::raster::pixel::{LANES, Pixel, over, scale};
 
 /// The pixels of some rows of a picture with all that layers of strokes cover of them; empty once it is painted.
 #[derive(Clone, Debug, Default)]
@@ -125,7 +128,7 @@ impl Fragments {
 }
 
 /// Sorts the fragments of a pixel, which come in the order of the drawing, from back to front: each goes below those
-/// that it is behind. ("Of the same depth" is not an order, since it is within bounds; so each is held against one
+/// that it is behind. ("Of the same depth" isn't an order, since it is within bounds; so each is compared with one
 /// after the other.)
 fn sort(fragments: &mut [Fragment], layers: &[Layer]) {
     for k in 1..fragments.len() {
@@ -137,7 +140,7 @@ fn sort(fragments: &mut [Fragment], layers: &[Layer]) {
     }
 }
 
-/// True where a fragment is behind one that came before it in the drawing.
+/// True if a fragment is behind one that came before it in the drawing.
 fn is_behind(later: &Fragment, earlier: &Fragment, layers: &[Layer]) -> bool {
     let point = |&Fragment { layer, depth, reach, .. }: &Fragment| {
         let Rank { visible, width } = layers[layer as usize].rank;
