@@ -103,8 +103,6 @@ pub struct Settings {
     pub reduce_motion: bool,
     /// The first lesson and the gallery have been offered.
     pub welcomed: bool,
-    /// Save explanations with the figure.
-    pub saves_explained: bool,
     /// The pictures alone, without menus: a figure in somebody's page.
     pub bare: bool,
 }
@@ -265,7 +263,6 @@ impl State {
                 theme: Theme::default(),
                 reduce_motion: false,
                 welcomed: false,
-                saves_explained: true,
                 bare: false,
             },
             in_browser: cfg!(target_arch = "wasm32"),

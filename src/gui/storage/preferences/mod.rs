@@ -24,7 +24,7 @@ use crate::gui::state::{Side, State};
 use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
-use crate::views::{View, Views};
+use crate::views::Views;
 pub use store::Preferences;
 
 /// Whose signs the rotations have, by the names that `--convention` has for them.
@@ -69,7 +69,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 42] = [
+const KEYS: [Key; 40] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -117,18 +117,6 @@ const KEYS: [Key; 42] = [
         of: |state| words::name(ARRANGEMENTS, state.preferred_layout().arrangement).into(),
         apply: |state, value| put(&mut state.layout.arrangement, word(ARRANGEMENTS, value)),
     },
-    Key {
-        name: "pictures",
-        of: |state| {
-            let shown = state.preferred_layout().pictures;
-            View::ALL.into_iter().filter(|view| shown[view.index()]).map(View::name).collect()
-        },
-        apply: |state, value| {
-            let names: Vec<&str> = value.as_array().into_iter().flatten().filter_map(Value::as_str).collect();
-            let shown = View::ALL.map(|view| names.contains(&view.name()));
-            put(&mut state.layout.shown, Some(shown).filter(|shown| *shown != [false; View::COUNT]));
-        },
-    },
     key!("pipeline", switch, layout.strip),
     Key {
         name: "digits",
@@ -145,7 +133,6 @@ const KEYS: [Key; 42] = [
         of: |state| lessons_value(&state.lessons_taken),
         apply: |state, value| state.lessons_taken = lessons_taken(value),
     },
-    key!("save_explained", switch, settings.saves_explained),
     key!("convention", one of CONVENTIONS, operations.convention),
     Key {
         name: "ndc",
@@ -372,7 +359,7 @@ mod tests {
     use crate::gui::export::{Export, Paper};
     use crate::gui::state::Conventions;
     use crate::i18n::Lang;
-    use crate::views::Arrangement;
+    use crate::views::{Arrangement, View};
 
     fn state() -> State {
         State::new(Start::default()).unwrap()
@@ -390,10 +377,10 @@ mod tests {
         let settings = &mut changed.settings;
         (settings.lang, settings.theme, settings.zoom, settings.digits) = (Lang::PtBr, Theme::Dark, 1.3, 9);
         (settings.panels.wanted, settings.reduce_motion) = ([false, false, true], true);
-        (settings.saves_explained, settings.welcomed) = (false, true);
+        settings.welcomed = true;
         changed.lessons_taken.insert("basis".to_owned(), 2);
         changed.layout.arrangement = Some(Arrangement::Beside);
-        (changed.layout.shown, changed.layout.strip) = ([true, false, true], true);
+        changed.layout.strip = true;
         changed.operations.convention = Convention::Vtk;
         let [ndc, compared] = [Ndc::ALL[9], Ndc::ALL[3]];
         changed.settings.conventions =
@@ -434,7 +421,7 @@ mod tests {
 
     #[test]
     fn values_that_make_no_sense_count_as_none() {
-        let text = "language = \"fr\"\ntheme = 3\nzoom = 99\npictures = []\ndigits = -1\nelevation_step = 0\nzoom_step = 1\n\
+        let text = "language = \"fr\"\ntheme = 3\nzoom = 99\ndigits = -1\nelevation_step = 0\nzoom_step = 1\n\
                     roll_step = nan\npan_u_step = 2\nlayout = [1]\nrecent = [\"relative\", 3]\n";
         let mut state = state();
         let mut expected = values(&state);
