@@ -78,6 +78,17 @@ impl Layout {
     }
 }
 
+/// The place of a window on its screen, in points of an interface that is neither enlarged nor reduced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WindowPlace {
+    /// The upper left corner; `None` if the system doesn't tell.
+    pub at: Option<[i32; 2]>,
+    /// Width and height of its content when it isn't maximized.
+    pub size: [u32; 2],
+    /// It fills the screen.
+    pub maximized: bool,
+}
+
 /// A panel at a side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Side {

@@ -20,7 +20,7 @@ use crate::export::format::PictureFormat;
 use crate::figure::words::{self, ARRANGEMENTS, EXPLANATIONS, THEMES, Words};
 use crate::gui::app::launch_options::LANGUAGES;
 use crate::gui::export::family_choice::{Subject, Varied};
-use crate::gui::state::{Side, State};
+use crate::gui::state::{Side, State, WindowPlace};
 use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
@@ -69,7 +69,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 40] = [
+const KEYS: [Key; 41] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -124,6 +124,15 @@ const KEYS: [Key; 40] = [
         apply: |state, value| {
             let digits = value.as_integer().and_then(|digits| usize::try_from(digits).ok());
             put(&mut state.settings.digits, digits.filter(|digits| (2..=EXACT_DIGITS).contains(digits)));
+        },
+    },
+    // Width and height, whether it's maximized, and its corner, if that is known; empty: not known.
+    Key {
+        name: "window",
+        of: |state| state.settings.window.map(window_numbers).unwrap_or_default().into_iter().collect(),
+        apply: |state, value| {
+            let numbers: Vec<i64> = value.as_array().into_iter().flatten().filter_map(Value::as_integer).collect();
+            put(&mut state.settings.window, window_of(&numbers).map(Some));
         },
     },
     key!("reduce_motion", switch, settings.reduce_motion),
@@ -236,6 +245,18 @@ const KEYS: [Key; 40] = [
         },
     },
 ];
+
+fn window_numbers(WindowPlace { at, size, maximized }: WindowPlace) -> Vec<i64> {
+    let numbers = size.map(i64::from).into_iter().chain([i64::from(maximized)]);
+    numbers.chain(at.into_iter().flatten().map(i64::from)).collect()
+}
+
+fn window_of(numbers: &[i64]) -> Option<WindowPlace> {
+    let (&[width, height, maximized], at) = numbers.split_first_chunk::<3>()?;
+    let side = |side: i64| u32::try_from(side).ok().filter(|side| (200..=20_000).contains(side));
+    let at = if let [x, y] = at { Some([i32::try_from(*x).ok()?, i32::try_from(*y).ok()?]) } else { None };
+    Some(WindowPlace { at, size: [side(width)?, side(height)?], maximized: maximized != 0 })
+}
 
 /// A key of the last family: its word, then its values.
 fn family_of(state: &State, place: usize) -> Value {
@@ -378,6 +399,7 @@ mod tests {
         (settings.lang, settings.theme, settings.zoom, settings.digits) = (Lang::PtBr, Theme::Dark, 1.3, 9);
         (settings.panels.wanted, settings.reduce_motion) = ([false, false, true], true);
         settings.welcomed = true;
+        settings.window = Some(WindowPlace { at: Some([-8, 30]), size: [1000, 700], maximized: true });
         changed.lessons_taken.insert("basis".to_owned(), 2);
         changed.layout.arrangement = Some(Arrangement::Beside);
         changed.layout.strip = true;
