@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use camera_lab::export::png;
-use camera_lab::figure::Explanation;
+use camera_lab::figure::{Explanation, View};
 use camera_lab::gui::state::Dialog;
 use camera_lab::i18n::Lang;
 use camera_lab::progress::{Progress, at_once};
@@ -280,7 +280,7 @@ fn a_dropped_file_is_opened_after_the_question_about_changes() {
 }
 
 #[test]
-fn the_layout_is_saved_where_that_is_wanted_and_comes_back() {
+fn the_layout_is_saved_with_its_figure_and_comes_back() {
     let folder = Folder::new("layout");
     let path = folder.file("house.toml");
     fs::write(&path, "# Ours.\n[scene]\npreset = \"house\"\n").expect("written");
@@ -289,18 +289,18 @@ fn the_layout_is_saved_where_that_is_wanted_and_comes_back() {
     window.enter("B", "75");
     window.command_key(Key::S);
     assert!(!text().contains("[screen]"), "{}", text());
-    window.menu(en::WINDOW.menu_file, "Save the layout");
     window.explain(Explanation::Depth);
     window.command_key(Key::Num2);
     window.command_key(Key::S);
-    let screen = "[screen]\npictures = [\"canonical\", \"image\"]\narrangement = \"auto\"\npanel = \"depth\"\n";
+    let screen = "[screen]\npictures = [\"canonical\", \"image\"]\npanel = \"depth\"\n";
     assert!(text().starts_with("# Ours.\n") && text().ends_with(screen), "{}", text());
+    assert!(!window.state().has_unsaved());
     // Another window shows it so, and saves it as it is then.
     let mut window = Window::opened(&path);
     window.app_mut().state.layout.maximized = None;
     window.run();
     assert_eq!(window.state().layout.shown, [false, true, true]);
-    assert!(window.state().shows_explanation(Explanation::Depth) && !window.state().document.is_changed());
+    assert!(window.state().shows_explanation(Explanation::Depth) && !window.state().has_unsaved());
     window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
     window.run();
     window.command_key(Key::S);
@@ -312,10 +312,37 @@ fn the_layout_is_saved_where_that_is_wanted_and_comes_back() {
     window.command_key(Key::S);
     let entry = "panel = \"matrices\"\nentry = { matrix = \"projection\", row = 3, column = 4 }\n";
     assert!(text().ends_with(entry), "{}", text());
-    let mut window = Window::opened(&path);
+    let window = Window::opened(&path);
     assert_eq!(window.state().explain.matrices.entry, [2, 3]);
-    window.menu(en::WINDOW.menu_file, "Save the layout");
-    assert!(window.state().document.is_changed());
-    window.command_key(Key::S);
-    assert!(!text().contains("[screen]"), "{}", text());
+}
+
+#[test]
+fn a_view_is_hidden_in_its_figure_and_leaving_asks() {
+    let folder = Folder::new("layout-of-one");
+    let path = folder.file("house.toml");
+    fs::write(&path, "[scene]\npreset = \"house\"\n").expect("written");
+    let mut window = Window::opened(&path);
+    window.app_mut().state.layout.toggle(View::Canonical);
+    window.run();
+    assert!(window.state().has_unsaved(), "a file says otherwise");
+    window.command_key(Key::N);
+    assert!(window.says(en::WINDOW.unsaved_title));
+    window.click(en::WINDOW.save);
+    assert_eq!(window.state().document.name(), None);
+    assert_eq!(window.state().layout.shown, [true; 3], "a new figure has all views");
+    let saved = fs::read_to_string(&path).expect("there");
+    assert!(saved.contains("pictures = [\"world\", \"image\"]"), "{saved}");
+    // Without a file it's a way of looking: nothing asks.
+    window.app_mut().state.layout.toggle(View::World);
+    window.run();
+    assert!(!window.state().has_unsaved());
+    // A presentation hides for its audience only.
+    let mut window = Window::opened(&path);
+    window.key(Key::F11);
+    window.app_mut().state.layout.toggle(View::World);
+    window.run();
+    assert_eq!(window.state().layout.shown, [false, false, true]);
+    window.key(Key::F11);
+    assert_eq!(window.state().layout.shown, [true, false, true]);
+    assert!(!window.state().has_unsaved());
 }

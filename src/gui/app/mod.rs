@@ -39,7 +39,7 @@ use crate::gui::learn::lesson;
 use crate::gui::pictures::Canvas;
 use crate::gui::pictures::motion;
 #[cfg(not(target_arch = "wasm32"))]
-use crate::gui::platform::window_size::Opening;
+use crate::gui::platform::window_size::{Opening, Whereabouts};
 use crate::gui::storage::preferences::Preferences;
 use crate::gui::storage::recovery::Decision;
 use crate::gui::storage::session::{Keeping, Kept, Restored, Sessions};
@@ -64,6 +64,8 @@ pub struct App {
     title: String,
     #[cfg(not(target_arch = "wasm32"))]
     opening: Opening,
+    #[cfg(not(target_arch = "wasm32"))]
+    whereabouts: Whereabouts,
 }
 
 /// The enlargement of a presentation.
@@ -90,6 +92,8 @@ impl App {
             title: String::new(),
             #[cfg(not(target_arch = "wasm32"))]
             opening: Opening::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            whereabouts: Whereabouts::default(),
         };
         app.apply_first_settings(ctx);
         app
@@ -466,7 +470,11 @@ fn drop_hint(ctx: &egui::Context, state: &State) {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         #[cfg(not(target_arch = "wasm32"))]
-        self.opening.go_on(ui.ctx());
+        {
+            let window = &mut self.state.settings.window;
+            self.opening.go_on(ui.ctx(), *window);
+            *window = self.whereabouts.settled(ui.ctx(), *window).or(*window);
+        }
         self.show(ui);
         file_flow::open_dialog(ui.ctx(), &mut self.state, frame);
     }

@@ -31,6 +31,7 @@ use crate::share;
 /// changes of the figure. Whatever replaces or closes a document comes through here.
 pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     state.end_move();
+    state.settle_layout();
     state.document.commit();
     if !state.save_text() {
         // The dialog says why.
@@ -394,7 +395,7 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<After
             if figure.scene != state.document.figure().scene {
                 state.document.edit(|own| own.scene = figure.scene);
             }
-            state.document.mark_saved(path.to_owned(), text);
+            state.document.mark_saved(path.to_owned(), text, figure.screen);
             state.recent.add(path);
             state.file_flow.theirs = None;
             state.file_flow.decided = None;

@@ -51,6 +51,7 @@ fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Bo
 }
 
 fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) {
+    state.settle_layout();
     let mut left = state.document.clone();
     state.annotations.turn_page(source.clone(), Source::of(&document).as_ref());
     state.take_over(document);

@@ -7,8 +7,6 @@ use crate::gui::state::{Matrices, Side, State};
 /// The parts of the window's layout that a figure can ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::gui) struct Placed {
-    /// The pictures that are shown.
-    pub(in crate::gui) pictures: [bool; View::COUNT],
     /// `None`: automatic.
     pub(in crate::gui) arrangement: Option<Arrangement>,
     /// The side of explanations is open.
@@ -24,7 +22,6 @@ impl Placed {
             if now == *asked { own } else { now }
         }
         Self {
-            pictures: back(self.pictures, own.pictures, &asked.pictures),
             arrangement: back(self.arrangement, own.arrangement, &asked.arrangement),
             is_open: back(self.is_open, own.is_open, &asked.is_open),
             explanation: back(self.explanation, own.explanation, &asked.explanation),
@@ -45,7 +42,6 @@ pub(in crate::gui) struct AskedLayout {
 impl State {
     fn placed(&self) -> Placed {
         Placed {
-            pictures: self.layout.shown,
             arrangement: self.layout.arrangement,
             is_open: self.settings.panels().wanted[Side::Explain as usize],
             explanation: self.explain.shown(),
@@ -64,8 +60,8 @@ impl State {
     /// Gives back the layout that was there before a figure asked for its own. What the user has changed since stays.
     pub(in crate::gui) fn give_back_layout(&mut self) {
         let Some(AskedLayout { own, asked, presentation }) = self.asked_layout.take() else { return };
-        let Placed { pictures, arrangement, is_open, explanation } = self.placed().given_back(&own, &asked);
-        (self.layout.shown, self.layout.arrangement) = (pictures, arrangement);
+        let Placed { arrangement, is_open, explanation } = self.placed().given_back(&own, &asked);
+        self.layout.arrangement = arrangement;
         if presentation == self.settings.presentation {
             self.settings.panels_mut().wanted[Side::Explain as usize] = is_open;
         }
@@ -79,11 +75,17 @@ impl State {
         self.give_back_layout();
         let own = self.placed();
         let Screen { pictures, arrangement, panel, entry } = screen;
-        if let Some(pictures) = pictures {
-            (self.layout.shown, self.layout.maximized) = (pictures, None);
+        // Views are hidden in a figure, not in the window: the next figure begins with all of them. In a presentation the
+        // one that has all the room keeps it.
+        self.layout.shown = pictures.unwrap_or([true; View::COUNT]);
+        if pictures.is_some() || !self.settings.presentation {
+            self.layout.maximized = None;
         }
         if let Some(arrangement) = arrangement {
             self.layout.arrangement = arrangement;
+        }
+        if self.settings.presentation {
+            self.layout.turn_presentation(true);
         }
         // A page that shows the pictures alone has no room for a side.
         match panel.filter(|_| !self.settings.bare) {
@@ -130,7 +132,7 @@ mod tests {
     #[test]
     fn the_layout_of_a_figure_is_no_preference_and_ends_with_it() {
         let mut state = State::new(Start::default()).expect("nothing is opened");
-        state.layout.shown = [true, false, true];
+        state.layout.arrangement = Some(Arrangement::Row);
         let own = state.preferred_layout();
         let asked = Screen {
             pictures: Some([false, true, true]),
@@ -142,15 +144,15 @@ mod tests {
         assert_eq!((state.layout.shown, state.layout.arrangement), ([false, true, true], Some(Arrangement::Column)));
         assert!(state.shows_explanation(Explanation::Depth));
         assert_eq!(state.preferred_layout(), own);
-        // The next figure asks for less, and has the rest from the user.
+        // The next figure asks for less: all views, and the rest from the user.
         state.show_screen(Screen { panel: Some(None), ..Screen::default() });
         assert_eq!(state.preferred_layout(), own);
-        assert_eq!(state.layout.shown, own.pictures);
+        assert_eq!(state.layout.shown, [true; View::COUNT]);
         // A change by the user is one of the user's layout.
         state.show_screen(asked);
-        state.layout.shown = [false, false, true];
-        assert_eq!(state.preferred_layout(), Placed { pictures: [false, false, true], ..own });
+        state.layout.arrangement = Some(Arrangement::Above);
+        assert_eq!(state.preferred_layout(), Placed { arrangement: Some(Arrangement::Above), ..own });
         state.show_screen(Screen::default());
-        assert_eq!(state.placed(), Placed { pictures: [false, false, true], ..own });
+        assert_eq!(state.placed(), Placed { arrangement: Some(Arrangement::Above), ..own });
     }
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, Operation, Parameters, camera_repairs};
-use crate::figure::{Figure, Labels, Observers, Show};
+use crate::figure::{Figure, Labels, Observers, Screen, Show};
 use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
 use crate::share;
 
@@ -42,20 +42,22 @@ pub struct Document {
     stands_in: bool,
 }
 
-/// From where a figure is seen, and what is explained in it.
+/// From where a figure is seen, what is explained in it, and how the window shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Seen {
     /// From where.
     pub observers: Observers,
     /// The explanations.
     pub show: Show,
+    /// The layout.
+    pub screen: Screen,
 }
 
 impl Seen {
     /// As a figure itself says.
     #[must_use]
     pub fn of(figure: &Figure) -> Self {
-        Self { observers: figure.observers, show: figure.show.clone() }
+        Self { observers: figure.observers, show: figure.show.clone(), screen: figure.screen }
     }
 }
 
@@ -461,8 +463,9 @@ impl Document {
         &self.source
     }
 
-    /// Records that the figure is now in a file with this text.
-    pub fn mark_saved(&mut self, path: PathBuf, source: String) {
+    /// Records that the figure is now in a file with this text, which shows it in this layout.
+    pub fn mark_saved(&mut self, path: PathBuf, source: String, screen: Screen) {
+        self.figure.screen = screen;
         self.folder = path.parent().map(Path::to_owned);
         self.path = Some(path);
         self.source = source;
@@ -582,7 +585,7 @@ mod tests {
         assert!(!document.is_changed() && document.revision() == first);
         document.redo();
         assert!(document.is_changed());
-        document.mark_saved(PathBuf::from("/a.toml"), String::new());
+        document.mark_saved(PathBuf::from("/a.toml"), String::new(), Screen::default());
         assert!(!document.is_changed());
         document.replace(Figure::default()).unwrap();
         assert!(document.is_changed());
@@ -600,7 +603,7 @@ mod tests {
             &|document| document.undo(),
             &|document| document.redo(),
             &|document| document.replace(other.clone()).unwrap(),
-            &|document| document.mark_saved(PathBuf::from("/a.toml"), "a".to_owned()),
+            &|document| document.mark_saved(PathBuf::from("/a.toml"), "a".to_owned(), Screen::default()),
             &|document| document.show_in_front(shown.clone()).unwrap(),
             &|document| document.operate(azimuth(1.0), Convention::RightHand).unwrap(),
             &|document| document.allow_files(),

@@ -27,6 +27,8 @@ pub struct Layout {
     pub strip: bool,
     /// Whose stages.
     pub strip_of: View,
+    /// The views and their arrangement as they were when the presentation began.
+    before_presentation: Option<([bool; View::COUNT], Option<Arrangement>)>,
 }
 
 impl Default for Layout {
@@ -38,6 +40,7 @@ impl Default for Layout {
             linked: false,
             strip: false,
             strip_of: View::Image,
+            before_presentation: None,
         }
     }
 }
@@ -49,6 +52,15 @@ impl Layout {
         match self.maximized {
             Some(only) => only == view,
             None => self.shown[view.index()],
+        }
+    }
+
+    /// Begins or ends a presentation. What it hides, and how it arranges the rest, ends with it.
+    pub(in crate::gui) fn turn_presentation(&mut self, begins: bool) {
+        if begins {
+            self.before_presentation = Some((self.shown, self.arrangement));
+        } else if let Some((shown, arrangement)) = self.before_presentation.take() {
+            (self.shown, self.arrangement, self.maximized) = (shown, arrangement, None);
         }
     }
 
@@ -64,6 +76,17 @@ impl Layout {
             self.shown[view.index()] = true;
         }
     }
+}
+
+/// The place of a window on its screen, in points of an interface that is neither enlarged nor reduced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WindowPlace {
+    /// The upper left corner; `None` if the system doesn't tell.
+    pub at: Option<[i32; 2]>,
+    /// Width and height of its content when it isn't maximized.
+    pub size: [u32; 2],
+    /// It fills the screen.
+    pub maximized: bool,
 }
 
 /// A panel at a side.

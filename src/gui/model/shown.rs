@@ -81,43 +81,51 @@ impl State {
     /// The figure that shows in any program the present screen: with explanations, and with the observers.
     #[must_use]
     pub fn figure_as_shown(&self) -> Figure {
-        let (observers, show) = (self.observers_as_shown(), self.show_as_saved());
-        Figure { observers, show, screen: self.screen_to_save(), ..self.document.figure().clone() }
+        Figure { observers: self.observers_as_shown(), ..self.figure_to_save() }
     }
 
-    /// The figure that is saved. From where nobody has turned a picture, nothing is written: whoever opens the file
-    /// looks from where it suits.
+    /// The figure as *Save* writes it: with its layout and with what it explains. If you haven't turned a view, its
+    /// observer isn't written: whoever opens the file gets one that fits.
     #[must_use]
     pub fn figure_to_save(&self) -> Figure {
-        let show = if self.settings.saves_explained { self.show_as_saved() } else { Show::default() };
-        Figure { show, screen: self.screen_to_save(), ..self.document.figure().clone() }
+        Figure { show: self.show_as_saved(), screen: self.screen(), ..self.document.figure().clone() }
     }
 
-    /// The layout of the window, where it is to be saved.
-    fn screen_to_save(&self) -> Screen {
-        if self.saves_layout() { self.screen() } else { Screen::default() }
-    }
-
-    /// True where the layout of the window is saved with the figure: where its file, or the user, wants that.
-    pub(in crate::gui) fn saves_layout(&self) -> bool {
-        self.document.figure().screen != Screen::default()
-    }
-
-    /// Saves the layout of the window with the figure from now on, or no longer.
-    pub(in crate::gui) fn toggle_saved_layout(&mut self) {
-        let screen = if self.saves_layout() { Screen::default() } else { self.screen() };
-        self.document.edit(|figure| figure.screen = screen);
-    }
-
-    /// The layout of the window.
-    fn screen(&self) -> Screen {
+    /// The layout of the window, as far as it isn't the one in which a new window opens. In a presentation it's the one
+    /// that the figure had before: a lecture hides and opens things for its audience.
+    pub(in crate::gui) fn screen(&self) -> Screen {
+        let saved = self.document.figure().screen;
+        if self.settings.presentation {
+            return saved;
+        }
         let is_open = self.settings.panels().wanted[Side::Explain as usize];
+        let shown = View::ALL.map(|view| self.layout.is_shown(view));
+        // If the file names a layout, it goes on to name it.
+        let keep = |was: bool, is_usual: bool| was || !is_usual;
         Screen {
-            pictures: Some(View::ALL.map(|view| self.layout.is_shown(view))),
-            arrangement: Some(self.layout.arrangement),
-            panel: Some(is_open.then(|| self.explain.shown())),
+            pictures: Some(shown).filter(|shown| keep(saved.pictures.is_some(), *shown == [true; View::COUNT])),
+            arrangement: Some(self.layout.arrangement).filter(|own| keep(saved.arrangement.is_some(), own.is_none())),
+            panel: Some(is_open.then(|| self.explain.shown())).filter(|own| keep(saved.panel.is_some(), own.is_none())),
             entry: shown_entry(&self.explain.matrices)
                 .filter(|_| is_open && self.explain.shown() == Explanation::Matrices),
+        }
+    }
+
+    /// Whether the views of a figure with a file are other ones, or arranged otherwise, than the file says.
+    pub(in crate::gui) fn is_rearranged(&self) -> bool {
+        let saved = self.document.figure().screen;
+        let is_other = self.layout.shown != saved.pictures.unwrap_or([true; View::COUNT])
+            || saved.arrangement.is_some_and(|saved| saved != self.layout.arrangement);
+        // A view with all the room, and what a presentation or a lesson does, is for the moment.
+        let is_lasting = self.document.path().is_some() && self.lesson.is_none() && !self.settings.presentation;
+        is_lasting && is_other
+    }
+
+    /// Gives the figure its layout before another one takes its place.
+    pub(in crate::gui) fn settle_layout(&mut self) {
+        if self.is_rearranged() {
+            let screen = self.screen();
+            self.document.edit(|figure| figure.screen = screen);
         }
     }
 
@@ -169,7 +177,7 @@ impl State {
         let mut kept = std::mem::take(&mut self.observers_shown);
         let observers = *kept.of((key, self.settings.conventions.ndc), |_| self.observers_as_shown());
         self.observers_shown = kept;
-        Seen { observers, show: self.show_as_saved() }
+        Seen { observers, show: self.show_as_saved(), screen: self.screen() }
     }
 
     /// The step that is shown. Where motion is to be reduced, one after the other is played, and nothing between.

@@ -26,7 +26,7 @@ use eframe::egui::{
     Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
 
-use self::arrange::{Automatic, Axis, Framed, Shares, arrange};
+use self::arrange::{Axis, Framed, Shares, arrange, automatic};
 use self::card::CardPlace;
 use self::long_work::LongWork;
 use self::rendering::{Missing, RenderJob, Rendering};
@@ -74,7 +74,6 @@ pub struct Canvas {
     /// The pictures of the shot, as they are on the screen.
     pictures: Vec<ScreenPicture>,
     shares: Shares,
-    automatic: Automatic,
     /// The request of a title's button, and its picture.
     asked: Option<(usize, ObserverChange)>,
     /// The shot of this frame, and the additions of the pointer.
@@ -133,7 +132,6 @@ impl Default for Canvas {
             rendering: Rendering::default(),
             pictures: Vec::new(),
             shares: Shares::default(),
-            automatic: Automatic::default(),
             asked: None,
             shot: Shot::default(),
             hover: Hover::default(),
@@ -336,8 +334,9 @@ impl Canvas {
             framed.sort_by_key(|framed| self.shot.pictures[framed.picture].kind != View::Canonical);
         }
         let presenting = state.settings.presentation;
+        let panels = if presenting { 0 } else { 2 - usize::from(state.settings.panels.narrow) };
         let arrangement = state.layout.arrangement;
-        let arrangement = arrangement.unwrap_or_else(|| self.automatic.of(room, &framed, presenting));
+        let arrangement = arrangement.unwrap_or_else(|| automatic(ui.ctx().content_rect().size(), panels, &framed));
         let (rects, bars) = arrange(room, &framed, arrangement, &self.shares);
         for (i, bar) in bars.iter().enumerate() {
             let response = ui.interact(bar.rect, Id::unique(("between pictures", i)), Sense::CLICK | Sense::DRAG);

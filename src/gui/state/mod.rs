@@ -34,7 +34,7 @@ pub use crate::gui::learn::lesson::state::{Moving, Playing};
 pub(in crate::gui) use crate::gui::learn::lesson::writing::FIELDS_OF_STEP;
 pub use crate::gui::learn::lesson::writing::{StepChange, Writing};
 use crate::gui::model::asked_layout::AskedLayout;
-pub use crate::gui::model::layout::{Layout, ObserverChange, Panels, Side, Tab};
+pub use crate::gui::model::layout::{Layout, ObserverChange, Panels, Side, Tab, WindowPlace};
 pub(in crate::gui) use crate::gui::model::message::about_session;
 pub use crate::gui::model::message::{Message, NotExported};
 pub use crate::gui::model::shown::PanelHover;
@@ -103,10 +103,10 @@ pub struct Settings {
     pub reduce_motion: bool,
     /// The first lesson and the gallery have been offered.
     pub welcomed: bool,
-    /// Save explanations with the figure.
-    pub saves_explained: bool,
     /// The pictures alone, without menus: a figure in somebody's page.
     pub bare: bool,
+    /// The place of the window, once it's known; at first, that of the last one.
+    pub window: Option<WindowPlace>,
 }
 
 impl Settings {
@@ -265,8 +265,8 @@ impl State {
                 theme: Theme::default(),
                 reduce_motion: false,
                 welcomed: false,
-                saves_explained: true,
                 bare: false,
+                window: None,
             },
             in_browser: cfg!(target_arch = "wasm32"),
             own_address: None,

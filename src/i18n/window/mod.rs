@@ -51,10 +51,6 @@ texts! {
     language_hint: "Mudar para português", "Switch to English";
     theme: "Dark theme", "Tema escuro";
     theme_hint: "Light or dark background of the window; the figure does not change", "Fundo claro ou escuro da janela; a figura não muda";
-    save_explained: "Save explanations", "Salvar explicações";
-    save_explained_hint: "Includes the stage, the steps, the triangle, the measures and the pinned probe in the saved figure", "Inclui na figura salva a etapa, os passos, o triângulo, as medidas e a sonda fixada";
-    save_layout: "Save the layout", "Salvar a disposição";
-    save_layout_hint: "Includes in the saved figure which pictures are shown, their arrangement and the open explanation: opening it shows them so", "Inclui na figura salva as imagens visíveis, sua disposição e a explicação aberta: abri-la as mostra assim";
     reduce_motion: "Reduce motion", "Reduzir movimento";
     reduce_motion_hint: "Skips animations", "Pula as animações";
     presentation: "Presentation", "Apresentação";

@@ -1,15 +1,20 @@
 //! The observer of a three-dimensional picture, and the camera equivalent to it.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, CameraError, Parameters, Projection};
 use crate::geometry::{Aabb, Angle};
 
-/// The observer's vertical view angle: narrow, so that the picture's own perspective does not compete with the one it
-/// shows.
-pub const VIEW_ANGLE: Angle = Angle::from_degrees(28.0);
-/// Half of [`VIEW_ANGLE`].
-pub const HALF_VIEW_ANGLE: Angle = Angle::from_degrees(VIEW_ANGLE.degrees() / 2.0);
+/// Half the observer's view angle across the smaller side of the picture: narrow, so that the picture's own perspective
+/// does not compete with the one it shows.
+pub const HALF_VIEW_ANGLE: Angle = Angle::from_degrees(14.0);
+
+/// The tangents of half the view angles, across and up, of a picture of this aspect. The smaller side has the angle of
+/// the observer. So an upright picture shows what a square one shows, and nothing is cut off at its sides.
+#[must_use]
+pub fn half_tangents(aspect: f64) -> DVec2 {
+    HALF_VIEW_ANGLE.tan() * DVec2::new(aspect.max(1.0), (1.0 / aspect).max(1.0))
+}
 
 /// Greatest depth range over the observer's distance in parallel projection, where depth is linear and stored in `f32`:
 /// beyond it, faces that touch would flicker.
@@ -49,10 +54,10 @@ impl Observer {
     }
 
     /// Moves the target so that points at its depth follow the pointer by (`dx_px`, `dy_px`), y down, in a picture
-    /// `height_px` high.
+    /// whose smaller side has `side_px` pixels.
     #[must_use]
-    pub fn pan(self, dx_px: f64, dy_px: f64, height_px: f64) -> Self {
-        let unit = self.height_at_target() / height_px.max(1.0);
+    pub fn pan(self, dx_px: f64, dy_px: f64, side_px: f64) -> Self {
+        let unit = 2.0 * self.distance * HALF_VIEW_ANGLE.tan() / side_px.max(1.0);
         let [right, up, _] = self.axes();
         Self { target: self.target - right * (dx_px * unit) + up * (dy_px * unit), ..self }
     }
@@ -91,17 +96,15 @@ impl Observer {
         Self { roll: if roll.abs() < 1e-9 { 0.0 } else { roll }, ..upright }
     }
 
-    /// The height of the picture in scene units at the target.
-    fn height_at_target(&self) -> f64 {
-        2.0 * self.distance * HALF_VIEW_ANGLE.tan()
-    }
-
     /// The camera of this observer. Its clipping planes enclose `bounds` as far as a depth buffer in `f32` bears it.
     ///
     /// # Errors
     /// [`CameraError`] for an observer that is not a camera, such as one at distance 0.
     pub fn camera(&self, bounds: Option<Aabb>, aspect: f64) -> Result<Camera, CameraError> {
         let [_, up, back] = self.axes();
+        let tangents = half_tangents(aspect);
+        // The angle itself, and not that of its tangent, if it's the observer's own.
+        let view_angle = 2.0 * if aspect < 1.0 { tangents.y.atan().to_degrees() } else { HALF_VIEW_ANGLE.degrees() };
         let reach = bounds.map_or(0.0, |b| {
             b.corners().iter().map(|&p| back.dot(p - self.target).abs()).filter(|d| d.is_finite()).fold(0.0, f64::max)
         });
@@ -118,8 +121,8 @@ impl Observer {
             focal_point: self.target,
             view_up: up,
             projection: if self.parallel { Projection::Parallel } else { Projection::Perspective },
-            view_angle: VIEW_ANGLE.degrees(),
-            height: self.height_at_target(),
+            view_angle,
+            height: 2.0 * self.distance * tangents.y,
             aspect,
             near,
             far,
@@ -146,6 +149,18 @@ mod tests {
             let after = before.pan(30.0, -20.0, 400.0);
             let seen = ndc(&after.camera(None, 1.5).unwrap(), before.target);
             assert!((seen.x * 300.0 - 30.0).abs() < 1e-9 && (-seen.y * 200.0 + 20.0).abs() < 1e-9, "{seen}");
+        }
+    }
+
+    #[test]
+    fn an_upright_picture_shows_what_a_square_one_shows() {
+        for parallel in [false, true] {
+            let observer =
+                Observer { target: DVec3::ONE, distance: 7.0, azimuth: 30.0, elevation: 40.0, roll: 0.0, parallel };
+            let p = observer.target + observer.axes()[0] - observer.axes()[1];
+            let [upright, square, flat] = [0.5, 1.0, 2.0].map(|aspect| ndc(&observer.camera(None, aspect).unwrap(), p));
+            assert!((upright.x - square.x).abs() < 1e-12 && (upright.y - 0.5 * square.y).abs() < 1e-12, "{upright}");
+            assert!((flat.x - 0.5 * square.x).abs() < 1e-12 && (flat.y - square.y).abs() < 1e-12, "{flat}");
         }
     }
 

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::Basis;
 use crate::figure::Observer;
-use crate::figure::observer::HALF_VIEW_ANGLE;
+use crate::figure::observer::half_tangents;
 use crate::geometry::Aabb;
 
 use super::Size;
@@ -137,8 +137,6 @@ pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> O
     let least = if least > 0.0 { least } else { 1e-9 };
     let target = bounds.center();
     let [right, up, back] = Observer { target, distance: 1.0, azimuth, elevation, roll, parallel }.axes();
-    let tan = HALF_VIEW_ANGLE.tan();
-    let filled = fill(size);
     // Each side of the view volume is pushed out until it touches the outermost point: a maximum of (across + t ·
     // depth), after `[0]` Eq. (5.9); opposite sides then meet in the eye.
     let support = |axis: DVec3, t: f64| {
@@ -150,7 +148,7 @@ pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> O
             .map(|d| axis.dot(d) + slope * back.dot(d))
             .fold(f64::NEG_INFINITY, f64::max)
     };
-    let (tan_x, tan_y) = (tan * size.aspect() * filled.x, tan * filled.y);
+    let DVec2 { x: tan_x, y: tan_y } = half_tangents(size.aspect()) * fill(size);
     let (r, l) = (support(right, tan_x), support(-right, tan_x));
     let (t, b) = (support(up, tan_y), support(-up, tan_y));
     let distance = ((r + l) / (2.0 * tan_x)).max((t + b) / (2.0 * tan_y)).max(least);
@@ -161,10 +159,10 @@ pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> O
 /// Whether an observer has all `points` in its picture, to the very border. Points that are not finite do not count.
 pub(super) fn holds(observer: &Observer, points: &[DVec3], size: Size) -> bool {
     let [right, up, back] = observer.axes();
-    let tan = HALF_VIEW_ANGLE.tan();
+    let tangents = half_tangents(size.aspect());
     points.iter().filter(|p| p.is_finite()).map(|&p| p - observer.target).all(|d| {
         let depth = observer.distance - if observer.parallel { 0.0 } else { back.dot(d) };
-        right.dot(d).abs() <= tan * size.aspect() * depth && up.dot(d).abs() <= tan * depth
+        right.dot(d).abs() <= tangents.x * depth && up.dot(d).abs() <= tangents.y * depth
     })
 }
 

@@ -79,6 +79,12 @@ impl Size {
         if self.width == 0 || self.height == 0 { 1.0 } else { f64::from(self.width) / f64::from(self.height) }
     }
 
+    /// The smaller one of width and height, in pixels: across it an observer has its view angle.
+    #[must_use]
+    pub fn smaller_side(&self) -> f64 {
+        f64::from(self.width.min(self.height))
+    }
+
     /// Letters and strokes grow a little with the picture, so that a large one is not full of threads and a small one
     /// not full of letters.
     pub(super) fn target(self, background: Rgba) -> Target {

@@ -73,9 +73,6 @@ pub const MENUS: &[Menu] = &[
             &[
                 row!(Save, ctrl(Key::S), save, save_hint, |s, ctx| file_flow::save(ctx, s, None)),
                 row!(SaveAs, ctrl_shift(Key::S), save_as, save_as_hint, save_as),
-                row!(SaveExplained, alt(Key::Q), save_explained, save_explained_hint, switch settings.saves_explained),
-                row!(SaveLayout, alt(Key::D), save_layout, save_layout_hint, |s, _| s.toggle_saved_layout())
-                    .on(State::saves_layout),
             ],
             &[
                 row!(Export, ctrl(Key::E), export, export_hint, |s, _| show_export(s)),
@@ -497,6 +494,7 @@ fn toggle_language(state: &mut State) {
 fn toggle_presentation(state: &mut State, ctx: &Context) {
     // What the figure wants to be explained is open in the presentation too, where it is open now.
     let explained = state.document.figure().screen.panel.flatten().filter(|panel| state.shows_explanation(*panel));
+    state.layout.turn_presentation(!state.settings.presentation);
     state.settings.presentation ^= true;
     if let Some(playing) = &mut state.lesson {
         playing.shows_question = !state.settings.presentation;

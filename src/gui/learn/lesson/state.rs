@@ -127,7 +127,7 @@ impl State {
     /// `Playing::is_work`.
     #[must_use]
     pub fn has_unsaved(&self) -> bool {
-        self.is_work(&self.document)
+        self.is_work(&self.document) || self.is_rearranged()
     }
 
     fn is_work(&self, document: &Document) -> bool {

@@ -21,9 +21,8 @@ const REMEMBERED: usize = 64;
 pub(in crate::gui::pictures) struct Moment {
     /// Time in seconds.
     pub(in crate::gui::pictures) now: f64,
-    /// The pointer holds something in a picture, which has to stay below it.
-    pub(in crate::gui::pictures) in_hand: bool,
-    /// Some button of the pointer is down: the camera is on its way.
+    /// Some button of the pointer is down: the camera is on its way. What is dragged stays below the pointer, and while
+    /// a value is dragged the scale stays, so that the window is seen growing and not the rest shrinking.
     pub(in crate::gui::pictures) on_the_way: bool,
     /// Nothing glides.
     pub(in crate::gui::pictures) still: bool,
@@ -134,7 +133,7 @@ impl Auto {
         let mut goes_back = false;
         if let Some((_, observer)) = then {
             (kept.observer, kept.glide) = (*observer, None);
-        } else if is_new && (resized || !moment.in_hand) {
+        } else if is_new && (resized || !moment.on_the_way) {
             if resized {
                 (kept.observer, kept.glide) = (request.fitted(&kept.observer)?, None);
             } else if !request.holds(&kept.observer) {
@@ -145,7 +144,7 @@ impl Auto {
                 goes_back = true;
             }
         }
-        if !moment.in_hand {
+        if !moment.on_the_way {
             (kept.size, kept.framed) = (request.size, framed);
             kept.scene = request.scene.clone();
         }
@@ -210,9 +209,8 @@ mod tests {
         }
     }
 
-    const FREE: Moment = Moment { now: 0.0, in_hand: false, on_the_way: false, still: true, loading: false };
-    const SLIDER: Moment = Moment { on_the_way: true, ..FREE };
-    const HANDLE: Moment = Moment { in_hand: true, on_the_way: true, ..FREE };
+    const FREE: Moment = Moment { now: 0.0, on_the_way: false, still: true, loading: false };
+    const HELD: Moment = Moment { on_the_way: true, ..FREE };
 
     fn at(position: DVec3) -> Camera {
         Camera::new(&Parameters { position, far: 12.0, ..Figure::default().camera }).unwrap()
@@ -228,7 +226,7 @@ mod tests {
         };
         let first = seen.of(&camera, 400, FREE).observer;
         for degrees in [0.0, 20.0, 45.0, 65.0] {
-            assert_eq!(seen.of(&turned(degrees), 400, HANDLE).observer, first, "nothing moves in the hand");
+            assert_eq!(seen.of(&turned(degrees), 400, HELD).observer, first, "nothing moves in the hand");
         }
         let moved = seen.of(&turned(65.0), 400, FREE).observer;
         assert_eq!((moved.azimuth, moved.elevation), (first.azimuth, first.elevation), "nor when it is let go");
@@ -242,45 +240,45 @@ mod tests {
         let near = DVec3::new(3.0, 4.0, 5.0);
         let first = seen.of(&at(near), 400, FREE).observer;
         assert_eq!(seen.of(&at(near * 1.02), 400, FREE).observer, first);
-        assert_eq!(seen.of(&at(near * 9.0), 400, HANDLE).observer, first, "it is in the hand");
+        assert_eq!(seen.of(&at(near * 9.0), 400, HELD).observer, first, "it is in the hand");
         let later = seen.of(&at(near * 9.0), 400, FREE);
         assert!(later.goes_back && later.observer.distance > 2.0 * first.distance);
         assert_eq!((later.observer.azimuth, later.observer.elevation), (first.azimuth, first.elevation));
         let again = seen.of(&at(near * 9.0), 400, FREE);
         assert!(!again.goes_back && again.observer == later.observer);
         assert_eq!(seen.of(&at(near * 2.0), 400, FREE).observer, later.observer, "it does not come nearer by itself");
-        let narrow = seen.of(&at(near * 2.0), 150, HANDLE).observer;
+        let narrow = seen.of(&at(near * 2.0), 150, HELD).observer;
         assert_ne!(narrow, later.observer, "another shape is fitted at once");
         assert_eq!(narrow.azimuth, first.azimuth);
     }
 
     #[test]
     fn what_was_seen_before_a_button_was_pressed_comes_back_with_its_camera() {
-        for held in [SLIDER, HANDLE] {
-            let mut seen = Seen::new();
-            let near = DVec3::new(3.0, 4.0, 5.0);
-            let first = seen.of(&at(near), 400, FREE).observer;
-            // Pressed, and nothing has moved yet.
-            for factor in [1.0, 1.0, 4.0, 9.0, 8.0] {
-                seen.of(&at(near * factor), 400, held);
-            }
-            let later = seen.of(&at(near * 8.0), 400, FREE).observer;
-            assert_ne!(later, first);
-            assert_eq!(seen.of(&at(near), 400, FREE).observer, first, "undone");
-            assert_eq!(seen.of(&at(near * 8.0), 400, FREE).observer, later, "done again");
+        let mut seen = Seen::new();
+        let near = DVec3::new(3.0, 4.0, 5.0);
+        let first = seen.of(&at(near), 400, FREE).observer;
+        // Pressed, and nothing has moved yet.
+        for factor in [1.0, 1.0, 4.0, 9.0, 8.0] {
+            seen.of(&at(near * factor), 400, HELD);
         }
+        let later = seen.of(&at(near * 8.0), 400, FREE).observer;
+        assert_ne!(later, first);
+        assert_eq!(seen.of(&at(near), 400, FREE).observer, first, "undone");
+        assert_eq!(seen.of(&at(near * 8.0), 400, FREE).observer, later, "done again");
     }
 
     #[test]
-    fn a_slider_is_followed_while_it_is_held_and_gliding_takes_its_time() {
+    fn the_scale_stays_while_a_value_is_dragged_and_the_view_is_fitted_on_release() {
         let mut seen = Seen::new();
         let near = DVec3::new(3.0, 4.0, 5.0);
-        let moving = Moment { still: false, ..SLIDER };
-        let first = seen.of(&at(near), 400, FREE).observer;
-        let begins = seen.of(&at(near * 4.0), 400, moving);
+        let free = Moment { still: false, ..FREE };
+        let first = seen.of(&at(near), 400, free).observer;
+        let held = seen.of(&at(near * 4.0), 400, Moment { still: false, ..HELD });
+        assert!(!held.goes_back && held.observer == first);
+        let begins = seen.of(&at(near * 4.0), 400, free);
         assert!(begins.goes_back && begins.glides && begins.observer == first);
-        let half = seen.of(&at(near * 4.0), 400, Moment { now: GLIDE / 2.0, ..moving });
-        let end = seen.of(&at(near * 4.0), 400, Moment { now: GLIDE, ..moving });
+        let half = seen.of(&at(near * 4.0), 400, Moment { now: GLIDE / 2.0, ..free });
+        let end = seen.of(&at(near * 4.0), 400, Moment { now: GLIDE, ..free });
         assert!(half.glides && !half.goes_back && !end.glides);
         assert!(first.distance < half.observer.distance && half.observer.distance < end.observer.distance);
     }

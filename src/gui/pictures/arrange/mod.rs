@@ -91,36 +91,18 @@ pub(super) struct Framed {
     pub(super) aspect: f32,
 }
 
-/// The automatic arrangement of the frame before: it stays until another one is clearly better.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Found {
-    arrangement: Arrangement,
-    count: usize,
+/// The arrangement of `pictures` in a window of this size, in points: the one in which they use most of the room that
+/// as many panels leave as a window of this size has at first. It depends on nothing else. So a panel that opens, a bar or a strip below doesn't
+/// move the pictures to other places, and a window that is made small and large again looks as before.
+pub(super) fn automatic(window: Vec2, panels: usize, pictures: &[Framed]) -> Arrangement {
+    /// The width of a panel, and the height of the lines above and below, as they are at first.
+    const PANEL: f32 = 280.0;
+    const LINES: f32 = 70.0;
+    #[expect(clippy::cast_precision_loss, reason = "at most two")]
+    let panels = panels as f32 * PANEL;
+    let room = (window - vec2(panels, LINES)).max(Vec2::splat(1.0));
+    best(Rect::from_min_size(Pos2::ZERO, room), pictures)
 }
-
-/// The automatic arrangement from frame to frame, in the window and in a presentation.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Automatic([Option<Found>; 2]);
-
-impl Automatic {
-    /// The arrangement for a room. In a presentation, and while a panel comes or a window is drawn larger, pictures
-    /// keep their places.
-    pub(super) fn of(&mut self, room: Rect, pictures: &[Framed], presenting: bool) -> Arrangement {
-        let count = pictures.len();
-        let kept = &mut self.0[usize::from(presenting)];
-        let before = kept.filter(|found| found.count == count);
-        let best = best(room, pictures);
-        let stays = before.is_some_and(|found| {
-            presenting || used(room, pictures, best) <= MUCH_BETTER * used(room, pictures, found.arrangement)
-        });
-        let arrangement = before.filter(|_| stays).map_or(best, |found| found.arrangement);
-        *kept = Some(Found { arrangement, count });
-        arrangement
-    }
-}
-
-/// The area of pictures in terms of that in the arrangement before, from which on they are rearranged.
-const MUCH_BETTER: f32 = 1.4;
 
 /// The pictures' places and the bars between them.
 pub(super) fn arrange(
@@ -230,18 +212,15 @@ mod tests {
     }
 
     #[test]
-    fn pictures_keep_their_places_until_others_are_clearly_better_and_always_in_a_presentation() {
-        let mut automatic = Automatic::default();
-        let mut of = |width, height, presenting| automatic.of(room(width, height), &framed(3), presenting);
-        let wide = (1364.0, 330.0);
-        assert_eq!(of(684.0, 555.0, false), Arrangement::Above);
-        // A panel goes.
-        assert_ne!(best(room(900.0, 620.0), &framed(3)), Arrangement::Above);
-        assert_eq!(of(900.0, 620.0, false), Arrangement::Above);
-        assert_eq!(of(wide.0, wide.1, false), Arrangement::Row, "clearly better");
-        assert_eq!(of(684.0, 555.0, true), Arrangement::Above, "a presentation begins");
-        assert_eq!(of(wide.0, wide.1, true), Arrangement::Above);
-        assert_eq!(automatic.of(room(wide.0, wide.1), &framed(2), true), Arrangement::Row, "of two pictures");
+    fn the_window_alone_decides_on_the_arrangement() {
+        let of = |width, height, panels, count| automatic(vec2(width, height), panels, &framed(count));
+        assert_eq!(of(1920.0, 1061.0, 2, 3), Arrangement::Beside);
+        assert_eq!(of(1240.0, 650.0, 2, 3), Arrangement::Above);
+        assert_eq!(of(1280.0, 720.0, 2, 3), Arrangement::Above);
+        assert_eq!(of(1024.0, 560.0, 2, 2), Arrangement::Column);
+        assert_eq!(of(1920.0, 1061.0, 2, 2), Arrangement::Row);
+        // A presentation has no panels.
+        assert_eq!(of(1280.0, 720.0, 0, 2), Arrangement::Row);
     }
 
     #[test]

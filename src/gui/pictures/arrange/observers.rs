@@ -16,7 +16,6 @@ impl Canvas {
         let asked = self.asked.take();
         let moment = Moment {
             now: ui.input(|input| input.time),
-            in_hand: self.drag.is_some(),
             on_the_way: ui.input(|input| input.pointer.any_down()),
             still: state.settings.reduce_motion,
             loading: !state.scene_cache.loading().is_empty(),

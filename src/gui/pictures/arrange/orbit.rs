@@ -29,10 +29,9 @@ pub(in crate::gui::pictures) fn orbited(pressed: Observer, motion: Vec2) -> Obse
 
 /// Moves nearer by `factor` so that the point at `pointer` (pixels) stays there.
 pub(in crate::gui::pictures) fn zoomed_at(observer: Observer, factor: f64, pointer: DVec2, size: Size) -> Observer {
-    let height = f64::from(size.height);
-    let from_center = pointer - DVec2::new(f64::from(size.width), height) / 2.0;
+    let from_center = pointer - DVec2::new(f64::from(size.width), f64::from(size.height)) / 2.0;
     let shift = from_center * (1.0 - factor);
-    observer.zoom(factor).pan(shift.x, shift.y, height)
+    observer.zoom(factor).pan(shift.x, shift.y, size.smaller_side())
 }
 
 /// Writes the observer of a picture into a figure; the image has none.

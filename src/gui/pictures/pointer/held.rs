@@ -145,8 +145,7 @@ impl Canvas {
             Some(Drag::Pan { picture, pressed }) => {
                 let (picture, pressed) = (*picture, *pressed);
                 let motion = pane.rect.pixel(pointer) - pane.rect.pixel(origin);
-                let height = f64::from(pane.rect.size.height);
-                self.turn(state, picture, pressed.pan(motion.x, motion.y, height));
+                self.turn(state, picture, pressed.pan(motion.x, motion.y, pane.rect.size.smaller_side()));
             }
             Some(Drag::Handle(_, held)) => {
                 let modifiers = ui.input(|i| i.modifiers);

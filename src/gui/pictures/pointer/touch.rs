@@ -16,13 +16,12 @@ impl Canvas {
         if self.drag.is_some() {
             self.give_up(state);
         }
-        let height = f64::from(pane.rect.size.height);
         let moved = pane.rect.pixel(touch.center_pos) - pane.rect.pixel(touch.center_pos - touch.translation_delta);
         if pane.view != View::Image
             && let Some(seen) = self.seen(pane.picture)
         {
             let at = pane.rect.pixel(touch.center_pos);
-            let moved = seen.pan(moved.x, moved.y, height);
+            let moved = seen.pan(moved.x, moved.y, pane.rect.size.smaller_side());
             let observer = orbit::zoomed_at(moved, f64::from(touch.zoom_delta), at, pane.rect.size);
             if observer != seen {
                 self.turn(state, pane.picture, observer);

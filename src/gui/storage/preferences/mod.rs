@@ -20,11 +20,11 @@ use crate::export::format::PictureFormat;
 use crate::figure::words::{self, ARRANGEMENTS, EXPLANATIONS, THEMES, Words};
 use crate::gui::app::launch_options::LANGUAGES;
 use crate::gui::export::family_choice::{Subject, Varied};
-use crate::gui::state::{Side, State};
+use crate::gui::state::{Side, State, WindowPlace};
 use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
-use crate::views::{View, Views};
+use crate::views::Views;
 pub use store::Preferences;
 
 /// Whose signs the rotations have, by the names that `--convention` has for them.
@@ -69,7 +69,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 42] = [
+const KEYS: [Key; 41] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -117,18 +117,6 @@ const KEYS: [Key; 42] = [
         of: |state| words::name(ARRANGEMENTS, state.preferred_layout().arrangement).into(),
         apply: |state, value| put(&mut state.layout.arrangement, word(ARRANGEMENTS, value)),
     },
-    Key {
-        name: "pictures",
-        of: |state| {
-            let shown = state.preferred_layout().pictures;
-            View::ALL.into_iter().filter(|view| shown[view.index()]).map(View::name).collect()
-        },
-        apply: |state, value| {
-            let names: Vec<&str> = value.as_array().into_iter().flatten().filter_map(Value::as_str).collect();
-            let shown = View::ALL.map(|view| names.contains(&view.name()));
-            put(&mut state.layout.shown, Some(shown).filter(|shown| *shown != [false; View::COUNT]));
-        },
-    },
     key!("pipeline", switch, layout.strip),
     Key {
         name: "digits",
@@ -138,6 +126,15 @@ const KEYS: [Key; 42] = [
             put(&mut state.settings.digits, digits.filter(|digits| (2..=EXACT_DIGITS).contains(digits)));
         },
     },
+    // Width and height, whether it's maximized, and its corner, if that is known; empty: not known.
+    Key {
+        name: "window",
+        of: |state| state.settings.window.map(window_numbers).unwrap_or_default().into_iter().collect(),
+        apply: |state, value| {
+            let numbers: Vec<i64> = value.as_array().into_iter().flatten().filter_map(Value::as_integer).collect();
+            put(&mut state.settings.window, window_of(&numbers).map(Some));
+        },
+    },
     key!("reduce_motion", switch, settings.reduce_motion),
     key!("welcomed", switch, settings.welcomed),
     Key {
@@ -145,7 +142,6 @@ const KEYS: [Key; 42] = [
         of: |state| lessons_value(&state.lessons_taken),
         apply: |state, value| state.lessons_taken = lessons_taken(value),
     },
-    key!("save_explained", switch, settings.saves_explained),
     key!("convention", one of CONVENTIONS, operations.convention),
     Key {
         name: "ndc",
@@ -249,6 +245,18 @@ const KEYS: [Key; 42] = [
         },
     },
 ];
+
+fn window_numbers(WindowPlace { at, size, maximized }: WindowPlace) -> Vec<i64> {
+    let numbers = size.map(i64::from).into_iter().chain([i64::from(maximized)]);
+    numbers.chain(at.into_iter().flatten().map(i64::from)).collect()
+}
+
+fn window_of(numbers: &[i64]) -> Option<WindowPlace> {
+    let (&[width, height, maximized], at) = numbers.split_first_chunk::<3>()?;
+    let side = |side: i64| u32::try_from(side).ok().filter(|side| (200..=20_000).contains(side));
+    let at = if let [x, y] = at { Some([i32::try_from(*x).ok()?, i32::try_from(*y).ok()?]) } else { None };
+    Some(WindowPlace { at, size: [side(width)?, side(height)?], maximized: maximized != 0 })
+}
 
 /// A key of the last family: its word, then its values.
 fn family_of(state: &State, place: usize) -> Value {
@@ -372,7 +380,7 @@ mod tests {
     use crate::gui::export::{Export, Paper};
     use crate::gui::state::Conventions;
     use crate::i18n::Lang;
-    use crate::views::Arrangement;
+    use crate::views::{Arrangement, View};
 
     fn state() -> State {
         State::new(Start::default()).unwrap()
@@ -390,10 +398,11 @@ mod tests {
         let settings = &mut changed.settings;
         (settings.lang, settings.theme, settings.zoom, settings.digits) = (Lang::PtBr, Theme::Dark, 1.3, 9);
         (settings.panels.wanted, settings.reduce_motion) = ([false, false, true], true);
-        (settings.saves_explained, settings.welcomed) = (false, true);
+        settings.welcomed = true;
+        settings.window = Some(WindowPlace { at: Some([-8, 30]), size: [1000, 700], maximized: true });
         changed.lessons_taken.insert("basis".to_owned(), 2);
         changed.layout.arrangement = Some(Arrangement::Beside);
-        (changed.layout.shown, changed.layout.strip) = ([true, false, true], true);
+        changed.layout.strip = true;
         changed.operations.convention = Convention::Vtk;
         let [ndc, compared] = [Ndc::ALL[9], Ndc::ALL[3]];
         changed.settings.conventions =
@@ -434,7 +443,7 @@ mod tests {
 
     #[test]
     fn values_that_make_no_sense_count_as_none() {
-        let text = "language = \"fr\"\ntheme = 3\nzoom = 99\npictures = []\ndigits = -1\nelevation_step = 0\nzoom_step = 1\n\
+        let text = "language = \"fr\"\ntheme = 3\nzoom = 99\ndigits = -1\nelevation_step = 0\nzoom_step = 1\n\
                     roll_step = nan\npan_u_step = 2\nlayout = [1]\nrecent = [\"relative\", 3]\n";
         let mut state = state();
         let mut expected = values(&state);

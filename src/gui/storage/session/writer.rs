@@ -67,7 +67,8 @@ impl Note {
 
     /// Whether it has these observers, and what is shown.
     fn is_seen_as(&self, seen: &Seen) -> bool {
-        (self.figure.observers, &self.figure.show) == (seen.observers, &seen.show)
+        let Figure { observers, show, screen, .. } = &self.figure;
+        (*observers, show, *screen) == (seen.observers, &seen.show, seen.screen)
     }
 }
 
@@ -145,11 +146,11 @@ impl Writer {
     pub(super) fn ask(&mut self, ctx: &egui::Context, kept: Kept<'_>, restoring: bool) {
         let Kept { document, seen, text, .. } = kept;
         let note = kept.is_worth_keeping().then(|| {
-            let Seen { observers, show } = seen.clone();
+            let Seen { observers, show, screen } = seen.clone();
             Arc::new(Note {
                 place: SessionPlace::of(document),
                 source: document.source().to_owned(),
-                figure: Figure { observers, show, ..document.figure().clone() },
+                figure: Figure { observers, show, screen, ..document.figure().clone() },
                 text: text.cloned(),
                 revision: document.revision(),
                 restoring,
