@@ -14,7 +14,7 @@ use camera_lab::i18n::Lang;
 use camera_lab::i18n::pictures::labels;
 use camera_lab::scene::Preset;
 use camera_lab::views::handles::handles;
-use camera_lab::views::{Handle, Request, Size, View};
+use camera_lab::views::{Arrangement, Handle, Request, Size, View};
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchDeviceId, TouchId,
     TouchPhase, Vec2, vec2,
@@ -254,7 +254,7 @@ fn escape_gives_a_handle_back() {
 
 #[test]
 fn a_picture_can_be_hidden_and_shown_again() {
-    let mut h = stage(|_| ());
+    let mut h = stage(|state| state.layout.arrangement = Some(Arrangement::Row));
     let width = place(&h, IMAGE).width();
     h.get_all_by_label(en::CANVAS.hide).next().unwrap().click();
     h.run();
@@ -346,8 +346,8 @@ fn two_bars_divide_the_pictures() {
 
 #[test]
 fn pictures_are_arranged_as_asked() {
-    let mut h = stage(|_| ());
-    assert!(place(&h, IMAGE).left() > place(&h, CANONICAL).right(), "side by side where there is room");
+    let mut h = stage(|state| state.layout.arrangement = Some(Arrangement::Row));
+    assert!(place(&h, IMAGE).left() > place(&h, CANONICAL).right(), "side by side");
     h.get_by_label(en::CANVAS.arrange).click();
     h.run_steps(4);
     h.get_by_label(en::CANVAS.arrange_above).click();

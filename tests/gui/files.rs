@@ -294,7 +294,14 @@ fn the_layout_is_saved_with_its_figure_and_comes_back() {
     window.command_key(Key::S);
     let screen = "[screen]\npictures = [\"canonical\", \"image\"]\npanel = \"depth\"\n";
     assert!(text().starts_with("# Ours.\n") && text().ends_with(screen), "{}", text());
-    assert!(!window.state().has_unsaved());
+    assert!(!window.state().has_unsaved() && !window.state().document.can_redo());
+    // The layout is no step to be undone.
+    window.command_key(Key::Z);
+    assert_eq!(window.state().layout.shown, [false, true, true]);
+    assert_eq!(window.state().document.draft().far, 100.0, "the last edit");
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    window.run();
+    window.command_key(Key::S);
     // Another window shows it so, and saves it as it is then.
     let mut window = Window::opened(&path);
     window.app_mut().state.layout.maximized = None;

@@ -294,7 +294,7 @@ impl Document {
             self.in_front = Some(Box::new(in_front));
             return;
         }
-        let moment = self.history.undo(self.figure.observers, &self.figure.show);
+        let moment = self.history.undo(&self.figure);
         self.restore(moment);
     }
 
@@ -308,7 +308,7 @@ impl Document {
             self.behind = Some(Box::new(behind));
             return;
         }
-        let moment = self.history.redo(self.figure.observers, &self.figure.show);
+        let moment = self.history.redo(&self.figure);
         self.restore(moment);
     }
 

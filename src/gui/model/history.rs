@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::camera::{Camera, Parameters};
-use crate::figure::{Figure, Observers, Show, ShownTriangle};
+use crate::figure::{Figure, Screen, Show, ShownTriangle};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{Light, ObjectSpec, SceneSpec, Shape, ShapeData};
 
@@ -58,7 +58,7 @@ impl Snapshot {
         Self {
             scene: shared.map_or_else(|| Arc::new(figure.scene.clone()), Arc::clone),
             revision,
-            rest: figure.without_scene(),
+            rest: edited(figure),
             camera: camera.clone(),
             draft: *draft,
             show: figure.show.clone(),
@@ -72,19 +72,25 @@ impl Snapshot {
 
     fn is_of(&self, (figure, revision): (&Figure, Revision), camera: &Camera, draft: &Parameters) -> bool {
         (&self.camera, &self.draft) == (camera, draft)
-            && self.rest == figure.without_scene()
+            && self.rest == edited(figure)
             && chosen(&self.show) == chosen(&figure.show)
             && self.has_scene(&figure.scene, revision)
     }
 
-    /// `show`: what is explained now; `all`: what was explained then takes its place as a whole.
-    fn moment(&self, observers: Observers, show: &Show, all: bool) -> Moment {
+    /// The figure then, seen and laid out as `now`; `all`: what was explained then takes its place as a whole.
+    fn moment(&self, now: &Figure, all: bool) -> Moment {
         let Self { scene, revision, rest, camera, draft, show: then, replaces: _ } = self.clone();
         let scene = Arc::unwrap_or_clone(scene);
-        let show = if all { then } else { with_chosen(show, &then) };
-        let figure = Figure { camera: *camera.parameters(), scene, observers, show, ..rest };
+        let show = if all { then } else { with_chosen(&now.show, &then) };
+        let (observers, screen) = (now.observers, now.screen);
+        let figure = Figure { camera: *camera.parameters(), scene, observers, screen, show, ..rest };
         Moment { figure, revision, camera, draft }
     }
+}
+
+/// All that is edited but the scene, which snapshots share: the layout is stored in the file and is no step.
+fn edited(figure: &Figure) -> Figure {
+    Figure { screen: Screen::default(), ..figure.without_scene() }
 }
 
 /// The parts of `[show]` that are choices: not pointed at, played, or made by a panel.
@@ -181,22 +187,22 @@ impl History {
         !self.future.is_empty()
     }
 
-    /// Undoes a step; returns the state then, seen by these observers.
-    pub(in crate::gui) fn undo(&mut self, observers: Observers, show: &Show) -> Option<Moment> {
+    /// Undoes a step; returns the state then, seen and laid out as `now`.
+    pub(in crate::gui) fn undo(&mut self, now: &Figure) -> Option<Moment> {
         let earlier = self.past.pop()?;
-        self.now.show = show.clone();
+        self.now.show = now.show.clone();
         let later = std::mem::replace(&mut self.now, earlier);
         let all = later.replaces;
         self.future.push(later);
-        Some(self.now.moment(observers, show, all))
+        Some(self.now.moment(now, all))
     }
 
     /// One step forward.
-    pub(in crate::gui) fn redo(&mut self, observers: Observers, show: &Show) -> Option<Moment> {
+    pub(in crate::gui) fn redo(&mut self, now: &Figure) -> Option<Moment> {
         let later = self.future.pop()?;
-        self.now.show = show.clone();
+        self.now.show = now.show.clone();
         self.past.push(std::mem::replace(&mut self.now, later));
-        Some(self.now.moment(observers, show, self.now.replaces))
+        Some(self.now.moment(now, self.now.replaces))
     }
 }
 
@@ -255,7 +261,7 @@ mod tests {
         history.commit((&figure, renumbered), &camera, &figure.camera);
         assert!(!history.can_undo() && history.now.revision == renumbered);
         history.commit((&other, Revision::new()), &camera, &figure.camera);
-        assert_eq!(history.undo(Observers::default(), &Show::default()).unwrap().revision, renumbered);
+        assert_eq!(history.undo(&Figure::default()).unwrap().revision, renumbered);
     }
 
     #[test]
@@ -269,7 +275,7 @@ mod tests {
         }
         assert_eq!(history.past.len(), MAX_UNDO_BYTES / scene);
         assert!(history.past.len() < 60 && history.past.len() >= 5);
-        let last = history.undo(Observers::default(), &Show::default()).unwrap().figure;
+        let last = history.undo(&Figure::default()).unwrap().figure;
         assert_eq!(last.scene.objects[7].translate.x, 59.0);
         // One step is always there, however large the scene.
         let (mut history, mut figure, camera) = self::history(1);
@@ -279,9 +285,6 @@ mod tests {
         figure.scene.objects[0].name.push('!');
         history.commit((&figure, Revision::new()), &camera, &figure.camera);
         assert_eq!(history.past.len(), 1);
-        assert_eq!(
-            history.undo(Observers::default(), &Show::default()).unwrap().figure.scene.objects[0].name,
-            "object 0"
-        );
+        assert_eq!(history.undo(&Figure::default()).unwrap().figure.scene.objects[0].name, "object 0");
     }
 }
