@@ -6,7 +6,7 @@
 #   tar      the program for Linux, with its manual, icon and completions
 #   macos    Camera Lab.app (on a Mac)
 #   all      windows, web, deb and tar, with SHA256SUMS
-# QUICK=1 makes windows and web of what is built in half the time, as tests are: to be tried, not to be handed out.
+# QUICK=1 makes windows and web with the profile `quick`, in half the time: to be tried, not to be handed out.
 # On Debian it installs what it needs (as root, or by sudo); elsewhere it names what is missing. The same sources give the same bytes
 # (camera-lab.exe: from the same folder, by whose name the linker orders the imports).
 set -euo pipefail
@@ -31,7 +31,7 @@ export CARGO_ENCODED_RUSTFLAGS="--remap-path-prefix=$PWD=camera-lab"$'\x1f'"--re
 
 # Profile of the program, and the folder that Cargo gives it.
 profile=release web_profile=web built=release web_built=web
-[ -z "${QUICK:-}" ] || profile=dev web_profile=dev built=debug web_built=debug
+[ -z "${QUICK:-}" ] || profile=quick web_profile=quick built=quick web_built=quick
 
 make_windows() {
     install_packages gcc gcc-mingw-w64-x86-64 binutils-mingw-w64-x86-64

@@ -7,7 +7,7 @@
 #[cfg(target_arch = "wasm32")]
 fn main() {
     #[cfg(feature = "gui")]
-    camera_lab::gui::web::run();
+    camera_lab::gui::platform::web::run();
 }
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -52,7 +52,7 @@ mod system {
     fn no_window(status: u8, message: &str) -> ExitCode {
         #[cfg(all(windows, feature = "gui"))]
         if std::env::var_os("CAMERA_LAB_CONSOLE").is_none() {
-            camera_lab::gui::native::message_box(message);
+            camera_lab::gui::platform::native::message_box(message);
         }
         cli::fail(status, message)
     }
