@@ -329,6 +329,7 @@ fn a_view_is_hidden_in_its_figure_and_leaving_asks() {
     let path = folder.file("house.toml");
     fs::write(&path, "[scene]\npreset = \"house\"\n").expect("written");
     let mut window = Window::opened(&path);
+    window.app_mut().state.layout.maximized = None;
     window.app_mut().state.layout.toggle(View::Canonical);
     window.run();
     assert!(window.state().has_unsaved(), "a file says otherwise");
@@ -345,6 +346,7 @@ fn a_view_is_hidden_in_its_figure_and_leaving_asks() {
     assert!(!window.state().has_unsaved());
     // A presentation hides for its audience only.
     let mut window = Window::opened(&path);
+    window.app_mut().state.layout.maximized = None;
     window.key(Key::F11);
     window.app_mut().state.layout.toggle(View::World);
     window.run();

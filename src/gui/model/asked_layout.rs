@@ -75,10 +75,9 @@ impl State {
         self.give_back_layout();
         let own = self.placed();
         let Screen { pictures, arrangement, panel, entry } = screen;
-        // Views are hidden in a figure, not in the window: the next figure begins with all of them. In a presentation the
-        // one that has all the room keeps it.
+        // Views are hidden in a figure, not in the window: the next figure begins with all of them.
         self.layout.shown = pictures.unwrap_or([true; View::COUNT]);
-        if pictures.is_some() || !self.settings.presentation {
+        if pictures.is_some() {
             self.layout.maximized = None;
         }
         if let Some(arrangement) = arrangement {

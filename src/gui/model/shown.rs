@@ -99,7 +99,8 @@ impl State {
             return saved;
         }
         let is_open = self.settings.panels().wanted[Side::Explain as usize];
-        let shown = View::ALL.map(|view| self.layout.is_shown(view));
+        // A view with all the room has it for the moment.
+        let shown = self.layout.shown;
         // If the file names a layout, it goes on to name it.
         let keep = |was: bool, is_usual: bool| was || !is_usual;
         Screen {
@@ -116,7 +117,7 @@ impl State {
         let saved = self.document.figure().screen;
         let is_other = self.layout.shown != saved.pictures.unwrap_or([true; View::COUNT])
             || saved.arrangement.is_some_and(|saved| saved != self.layout.arrangement);
-        // A view with all the room, and what a presentation or a lesson does, is for the moment.
+        // What a presentation or a lesson does is for the moment.
         let is_lasting = self.document.path().is_some() && self.lesson.is_none() && !self.settings.presentation;
         is_lasting && is_other
     }
