@@ -9,8 +9,11 @@ use std::path::{Path, PathBuf};
 /// Modules of the engine that anybody may use.
 const LEAVES: &[&str] = &["appearance", "sanitize", "limits", "progress", "stage"];
 
-/// The modules of each crate, each with the modules of its own crate that it may use, besides [`LEAVES`].
-const CRATES: [(&str, &[(&str, &[&str])]); 4] = [
+/// A module, and the modules of its own crate that it may use, besides [`LEAVES`].
+type Row = (&'static str, &'static [&'static str]);
+
+/// The folder of each crate, with its modules.
+const CRATES: [(&str, &[Row]); 4] = [
     (
         "crates/engine/src",
         &[
