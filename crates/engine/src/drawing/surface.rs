@@ -2,8 +2,8 @@
 //!
 //! A [`Base`] and a [`SurfaceLight`] are independent, and any two go together. What the rest of the program asks of
 //! either is answered here, so that a new base or a new light is an arm in each method of [`Surface`], in the one
-//! function of the pipeline that makes it (`pipeline/stage/light.rs`), in `pipeline/mesh/resample.rs`, which cuts it, and
-//! in `raster/surfaces/per_pixel.rs`, which paints it.
+//! function of the pipeline that makes it (`pipeline/stage/light.rs`), in `pipeline/mesh/resample.rs`, which cuts it,
+//! and in `raster/surfaces/per_pixel.rs`, which paints it.
 
 use std::sync::Arc;
 

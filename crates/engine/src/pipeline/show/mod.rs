@@ -1,4 +1,4 @@
-//! What reveals the inner work of the pipeline. No picture of a scene needs any of it.
+//! Reveals the inner work of the pipeline. No picture of a scene needs any of it.
 
 pub mod canonical;
 pub mod clip_parts;
