@@ -92,8 +92,9 @@ pub(super) struct Framed {
 }
 
 /// The arrangement of `pictures` in a window of this size, in points: the one in which they use most of the room that
-/// as many panels leave as a window of this size has at first. It depends on nothing else. So a panel that opens, a bar or a strip below doesn't
-/// move the pictures to other places, and a window that is made small and large again looks as before.
+/// as many panels leave as a window of this size has at first. It depends on nothing else. So a panel that opens, a
+/// bar or a strip below doesn't move the pictures to other places, and a window that is made small and large again
+/// looks as before.
 pub(super) fn automatic(window: Vec2, panels: usize, pictures: &[Framed]) -> Arrangement {
     /// The width of a panel, and the height of the lines above and below, as they are at first.
     const PANEL: f32 = 280.0;
