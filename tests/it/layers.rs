@@ -203,7 +203,7 @@ fn sources(folder: &str) -> Vec<(String, String)> {
     sources
 }
 
-/// What a permission is for is found in the code: one that nobody uses is a fault too.
+/// An unused permission is a fault too.
 #[test]
 fn modules_use_what_the_table_allows_and_nothing_else() {
     let mut faults = Vec::new();

@@ -31,11 +31,11 @@ struct Recipe {
 
 #[derive(Clone, Copy, Debug)]
 enum Shape {
-    /// Triangles that lie anywhere, with sides up to so many pixels.
+    /// Triangles that lie anywhere, with sides up to this length in pixels.
     Loose(f32),
     /// Long ones, and less than a pixel wide.
     Slivers,
-    /// A mesh with common edges, whose vertices lie on half pixels, with cells of so many pixels.
+    /// A mesh with common edges, whose vertices lie on half pixels, with cells of this size in pixels.
     Mesh(f32),
 }
 

@@ -85,7 +85,7 @@ impl State {
     }
 
     /// The figure as *Save* writes it: with its layout and with what it explains. If you haven't turned a view, its
-    /// observer isn't written: whoever opens the file gets one that fits.
+    /// observer isn't written, so the file opens with one that fits.
     #[must_use]
     pub fn figure_to_save(&self) -> Figure {
         Figure { show: self.show_as_saved(), screen: self.screen(), ..self.document.figure().clone() }

@@ -170,7 +170,7 @@ fn hidden_surfaces(
     });
 }
 
-/// A depth as a format stores it: as it is, or as the nearest whole number out of so many.
+/// A depth as a format stores it: as it is, or as the nearest integer of the format.
 fn stored(z: f32, format: DepthFormat) -> f32 {
     format.greatest().map_or(z, |greatest| (z * greatest).round_ties_even() * (1.0 / greatest))
 }

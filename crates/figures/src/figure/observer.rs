@@ -10,7 +10,7 @@ use crate::geometry::{Aabb, Angle};
 pub const HALF_VIEW_ANGLE: Angle = Angle::from_degrees(14.0);
 
 /// The tangents of half the view angles, across and up, of a picture of this aspect. The smaller side has the angle of
-/// the observer. So an upright picture shows what a square one shows, and nothing is cut off at its sides.
+/// the observer. So an upright view has all of a square one, and nothing is cut off at its sides.
 #[must_use]
 pub fn half_tangents(aspect: f64) -> DVec2 {
     HALF_VIEW_ANGLE.tan() * DVec2::new(aspect.max(1.0), (1.0 / aspect).max(1.0))

@@ -1,7 +1,7 @@
 //! The cost of a stage by the textbook: the operations of its usual algorithm for one element, times the elements.
 //!
 //! The rows count the formulas of the lecture, not our code, which works on eight numbers at a time and leaves out what
-//! a picture doesn't need. A comment next to each row gives its arithmetic, and [`Operations`] says what counts.
+//! a picture doesn't need. A comment next to each row gives its arithmetic, and [`Operations`] lists the kinds.
 
 use crate::stage::{Operations, Stage};
 

@@ -1,7 +1,7 @@
 //! Sets of places in a mask, eight columns each.
 //!
 //! A thin stroke touches few pixels of its band, so going through the whole mask to paint and empty it would cost more
-//! than the stroke. Here a bit for each eight columns says what was touched, and 64 of them are one number.
+//! than the stroke. Here a bit for each eight columns marks touched pixels, and 64 of them are one number.
 
 use crate::raster::pixel::LANES;
 

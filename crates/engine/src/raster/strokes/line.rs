@@ -1,9 +1,9 @@
 //! Polylines of strokes → pieces: the visible parts, their dashes, the arrow head.
 //!
-//! A z-buffer tests a stroke pixel by pixel, and a dash that begins behind a face begins anew. Here a stroke is cut
+//! A z-buffer tests a stroke pixel by pixel, and a dash that begins behind a face starts again. Here a stroke is cut
 //! where it goes behind a face before it is painted, by points half a pixel apart that are compared with the depths
 //! below. Everything along a polyline is measured by arc length in pixels from its first point, so that dashes don't
-//! start anew where it bends or goes behind a face. Four pixels around a point are compared at once (hidden lines of
+//! start again where it bends or goes behind a face. Four pixels around a point are compared at once (hidden lines of
 //! 100,000 triangles: 91 → 53 ms).
 
 use std::ops::Range;

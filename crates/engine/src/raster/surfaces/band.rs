@@ -28,7 +28,7 @@ pub(super) struct Band<'a> {
     pub(super) colors: &'a mut [Pixel],
     /// Empty where nothing writes depths: then no test can fail.
     pub(super) depths: &'a mut [f32],
-    /// The slope of the face whose depth was written at the first sample (packed); empty if nobody wants to know.
+    /// The slope of the face whose depth was written at the first sample (packed); empty if not requested.
     pub(super) slopes: &'a mut [u32],
     /// Each triangle is painted over those before it, whatever their depths.
     pub(super) in_order: bool,
