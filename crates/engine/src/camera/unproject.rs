@@ -67,11 +67,14 @@ impl ClipSpace<'_> {
     /// use camera_lab_engine::camera::{Camera, ImageSize, Parameters, Viewport};
     /// use glam::DVec3;
     ///
-    /// let position = DVec3::new(0.0, 0.0, 5.0); let p = Parameters { position, view_angle: 90.0, near: 1.0, far: 3.0,
-    /// aspect: 1.0, ..Parameters::default() }; let camera = Camera::new(&p)?; let image = ImageSize { width: 100,
-    /// height: 100 }; let way = camera.notes_clip_space().way_back(image, &Viewport::whole(image), [75, 75], 0.75)?;
-    /// assert_eq!(way.view, DVec3::new(1.02, -1.02, -2.0)); // The centre of the pixel of (1, −1, 3), half a pixel from
-    /// it. # Ok::<(), Box<dyn std::error::Error>>(())
+    /// let position = DVec3::new(0.0, 0.0, 5.0);
+    /// let p = Parameters { position, view_angle: 90.0, near: 1.0, far: 3.0, aspect: 1.0, ..Parameters::default() };
+    /// let camera = Camera::new(&p)?;
+    /// let image = ImageSize { width: 100, height: 100 };
+    /// let way = camera.notes_clip_space().way_back(image, &Viewport::whole(image), [75, 75], 0.75)?;
+    /// // The centre of the pixel of (1, −1, 3), half a pixel from it.
+    /// assert_eq!(way.view, DVec3::new(1.02, -1.02, -2.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors

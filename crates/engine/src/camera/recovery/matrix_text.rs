@@ -26,10 +26,10 @@ impl MatrixEntries {
     /// MATLAB, JSON, YAML and GLSL write them; each may be an expression.
     ///
     /// ```
-    /// # use camera_lab_engine::camera::MatrixEntries; let blender = "<Matrix 4x4 (1.0, 0.0, 0.0, 7.0)\n(0.0, 1.0, 0.0,
-    /// 8.0)\n(0.0, 0.0, 1.0, 9.0)\n(0.0, 0.0, 0.0, 1.0)>";
-    /// assert_eq!(MatrixEntries::read(blender)?.matrix(false).w_axis.z, 9.0); # Ok::<(),
-    /// camera_lab_engine::camera::MatrixTextError>(())
+    /// # use camera_lab_engine::camera::MatrixEntries;
+    /// let blender = "<Matrix 4x4 (1.0, 0.0, 0.0, 7.0)\n(0.0, 1.0, 0.0, 8.0)\n(0.0, 0.0, 1.0, 9.0)\n(0.0, 0.0, 0.0, 1.0)>";
+    /// assert_eq!(MatrixEntries::read(blender)?.matrix(false).w_axis.z, 9.0);
+    /// # Ok::<(), camera_lab_engine::camera::MatrixTextError>(())
     /// ```
     ///
     /// # Errors

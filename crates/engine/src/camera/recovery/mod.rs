@@ -217,11 +217,14 @@ pub(crate) const EXACT: f64 = 1e-9;
 /// use camera_lab_engine::camera::{MatrixKind, Parameters, Projection, Reading, recover};
 /// use glam::DMat4;
 ///
-/// // [0] Exercise 5.3: the camera whose view volume is the cube of NDC. The identity keeps z, which a camera turns
-/// around. let found = recover(&Reading::of(MatrixKind::ViewProjection), DMat4::IDENTITY, &Parameters::default())?; let
-/// p = found.parameters; assert_eq!((p.projection, p.height, p.aspect), (Projection::Parallel, 2.0, 1.0));
-/// assert_eq!(p.far - p.near, 2.0); assert_eq!(p.position.z, 1.0 + p.near); # Ok::<(),
-/// camera_lab_engine::camera::RecoveryError>(())
+/// // [0] Exercise 5.3: the camera whose view volume is the cube of NDC. The identity keeps z, which a camera
+/// // turns around.
+/// let found = recover(&Reading::of(MatrixKind::ViewProjection), DMat4::IDENTITY, &Parameters::default())?;
+/// let p = found.parameters;
+/// assert_eq!((p.projection, p.height, p.aspect), (Projection::Parallel, 2.0, 1.0));
+/// assert_eq!(p.far - p.near, 2.0);
+/// assert_eq!(p.position.z, 1.0 + p.near);
+/// # Ok::<(), camera_lab_engine::camera::RecoveryError>(())
 /// ```
 ///
 /// # Errors
