@@ -16,6 +16,11 @@ subset() {
     pyftsubset "$1.ttf" --output-file="page/$1.ttf" --unicodes="$2" --layout-features=kern,mark,mkmk --no-glyph-names --notdef-outline \
         --name-IDs='' --drop-tables+=FFTM,MATH
 }
+# For titles and the heads of sections, in the window and in the page alike. Debian's package fonts-dejavu-core has the whole font.
+heads=U+0020-017F,U+0370-03CF,U+2010-2027,U+2030-203A,U+2070-209F,U+2190-2199,U+2200-2265
+pyftsubset /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf --output-file=DejaVuSans-Bold.ttf --unicodes="$heads" \
+    --layout-features=kern,mark,mkmk --no-glyph-names --notdef-outline --name-IDs='' --drop-tables+=FFTM,MATH
+
 mkdir -p page
 subset DejaVuSans "$letters"
 subset DejaVuSansMono "$columns"

@@ -121,13 +121,12 @@ fn a_figure_with_an_impossible_camera_opens_and_is_repaired() {
     assert_eq!(window.state().document.figure().camera.position.y, 9.0);
 }
 
-/// While the coach looks at what has changed, a click on its button is the coach's all the same, and its neighbours
-/// stay where they are.
+/// While the coach looks at what has changed, a click on its button is the coach's all the same.
 #[test]
 fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
     let mut window = window(Lang::En);
     let place = |window: &Window, label: &str| window.harness.get_by_label(label).rect();
-    let (coach, stages) = (place(&window, "Camera check: good").center(), place(&window, "Stages"));
+    let coach = place(&window, "Camera check: good").center();
     let button = |window: &Window, pressed| {
         let modifiers = Modifiers::NONE;
         window.harness.event(Event::PointerButton { pos: coach, button: PointerButton::Primary, pressed, modifiers });
@@ -145,7 +144,6 @@ fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
     assert!(window.state().file_flow.dialog == Some(Dialog::Coach) && !window.state().layout.strip);
     window.key(Key::Escape);
     assert!(window.harness.query_by_label("⚠ Camera check: poor").is_some());
-    assert_eq!(place(&window, "Stages"), stages);
 }
 
 /// Once it has said what there is to say, the coach does nothing until the figure changes.

@@ -354,8 +354,7 @@ fn the_fields_of_image_and_viewport_mark_what_depends_on_them() {
     window.run();
     window.harness.get_by_label("M_vp").focus();
     window.run();
-    window.harness.get_by_label(en::WINDOW.viewport).click();
-    window.run();
+    window.more(en::WINDOW.viewport);
     window.field("W_v").focus();
     window.run();
     assert_eq!(marked(&window), [true, true, false]);

@@ -30,7 +30,7 @@ fn is_international(word: &str, both: &BTreeSet<&str>) -> bool {
 fn switching_leaves_no_word_of_the_other_language() {
     let mut window = Window::new(Lang::En);
     window.enter("F", "20");
-    window.click(en::WINDOW.viewport);
+    window.more(en::WINDOW.viewport);
     window.click(en::WINDOW.menu_edit);
     let english = words(&window);
     assert!(english.iter().any(|word| word.contains("must be less than")));

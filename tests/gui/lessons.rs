@@ -2,11 +2,12 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use camera_lab::exercises::{Exercise, ExpectedAnswer, Kind};
 use camera_lab::figure::NamedPoint;
 use camera_lab::gui::state::Side;
 use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::learn::exercises::choice_of;
-use camera_lab::i18n::learn::{exercise_sheet, lessons as words};
+use camera_lab::i18n::learn::{exercise_sheet, exercise_window, exercises, lessons as words};
 use camera_lab::i18n::{Lang, told};
 use camera_lab::lessons::{OpenLesson, Task, shipped};
 use eframe::egui::accesskit::Role;
@@ -83,17 +84,17 @@ fn a_wrong_answer_is_told_why_in_both_languages() {
         let exercise = entry.exercise(0, &Default::default());
         let ask = &exercise.asks[0];
         let mistake = &ask.own_mistakes[0];
-        let camera_lab::exercises::ExpectedAnswer::Choice(wrong) = mistake.answer else { panic!("a choice") };
-        let camera_lab::exercises::Kind::Choice(choices) = &ask.kind else { panic!("a choice") };
+        let ExpectedAnswer::Choice(wrong) = mistake.answer else { panic!("a choice") };
+        let Kind::Choice(choices) = &ask.kind else { panic!("a choice") };
         window.harness.get_by_label(choice_of(lang, ask, &choices[wrong])).click();
         window.run();
-        let check = camera_lab::i18n::learn::exercise_window::texts(lang).check;
+        let check = exercise_window::texts(lang).check;
         window.harness.get_by_label_contains(check).click();
         window.run();
         let checked = &window.state().exercises.checked[&ask.name];
         assert!(!checked.judged.right);
         assert!(!window.state().lesson.as_ref().unwrap().is_done());
-        let said = camera_lab::i18n::learn::exercises::diagnosis(lang, ask, &checked.judged).unwrap();
+        let said = exercises::diagnosis(lang, ask, &checked.judged).unwrap();
         assert!(said.contains(told(lang, &mistake.message).trim()), "{said}");
     }
 }
@@ -204,7 +205,8 @@ fn every_step_has_room_for_its_text() {
                     window.app_mut().state.go_to_step(k);
                     window.run();
                     // The bar is below the pictures, and not behind them.
-                    let below = window.harness.query_all_by_label("Stages").map(|node| node.rect().bottom());
+                    let below =
+                        window.harness.query_all_by_label_contains("Camera check").map(|node| node.rect().bottom());
                     let below = below.fold(0.0, f32::max);
                     let bar = window.harness.query_by_label("◀ Back").map_or(f32::INFINITY, |back| back.rect().top());
                     let hidden = bar < below;
@@ -217,6 +219,70 @@ fn every_step_has_room_for_its_text() {
         }
     }
     assert!(cut.is_empty(), "{cut:#?}");
+}
+
+/// Gives wrong answers to all that an exercise asks.
+fn answer_wrongly(window: &mut Window, exercise: &Exercise) {
+    for ask in &exercise.asks {
+        if let Kind::Choice(choices) = &ask.kind {
+            let right = exercise_sheet::answer(Lang::En, ask);
+            let wrong = choices.iter().map(|choice| choice_of(Lang::En, ask, choice)).find(|name| *name != right);
+            window.harness.get_by_label(wrong.unwrap()).click();
+        } else {
+            let shape @ [rows, columns] = ask.shape();
+            let name = exercises::ask(Lang::En, exercise, ask).replace("**", "");
+            for place in (0..rows * columns).map(|k| [k / columns, k % columns]) {
+                let field = exercise_window::field(Lang::En, &name, shape, place);
+                window.harness.get_by_role_and_label(Role::TextInput, &field).focus();
+                window.run();
+                window.harness.get_by_role_and_label(Role::TextInput, &field).type_text("12345");
+                window.run();
+            }
+        }
+        window.run();
+        window
+            .harness
+            .get_by_label(&exercise_window::of_ask(
+                en::EXERCISE_WINDOW.check,
+                &exercises::ask(Lang::En, exercise, ask).replace("**", ""),
+            ))
+            .click();
+        window.run();
+        assert!(!window.state().exercises.checked[&ask.name].judged.right);
+    }
+}
+
+/// The bar stays where it is from step to step, and when a wrong answer gets its verdict.
+#[test]
+fn the_panel_of_a_lesson_keeps_its_height() {
+    let mut moved = Vec::new();
+    for size in [[1280.0, 720.0], [1920.0, 1080.0]] {
+        for (place, shipped) in shipped().iter().enumerate() {
+            let mut window = playing(place, 0, Lang::En);
+            window.app_mut().state.settings.reduce_motion = true;
+            window.harness.set_size(vec2(size[0], size[1]));
+            window.run();
+            let mut first = None;
+            for (k, step) in shipped.lesson.steps.iter().enumerate() {
+                window.app_mut().state.go_to_step(k);
+                window.run();
+                if let Some(Task::Question(entry)) = &step.task {
+                    answer_wrongly(&mut window, &entry.exercise(0, &Default::default()));
+                }
+                let top = window.harness.get_by_label("◀ Back").rect().top();
+                let first = *first.get_or_insert(top);
+                if (top - first).abs() > 0.5 {
+                    moved.push(format!(
+                        "{} {} at {size:?}: {} from {first} to {top}",
+                        shipped.lesson.id,
+                        k + 1,
+                        top - first
+                    ));
+                }
+            }
+        }
+    }
+    assert!(moved.is_empty(), "{moved:#?}");
 }
 
 /// On a projector of 1280 × 720 pixels, whoever shows a question sees the button that checks its answer.
@@ -238,7 +304,7 @@ fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
                 window.run();
                 window.key(Key::Q);
                 window.run();
-                let check = camera_lab::i18n::learn::exercise_window::texts(lang).check;
+                let check = exercise_window::texts(lang).check;
                 let check = By::new().role(Role::Button).label_contains(check);
                 let bottom = window.harness.get(check).rect().bottom();
                 let screen = window.harness.ctx.content_rect();

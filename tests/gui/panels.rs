@@ -1,6 +1,7 @@
 //! The panels at the sides: fields, repairs, operations, numbers, undo.
 
 use camera_lab::camera::{Camera, Convention, Operation, Projection, ViewWindow};
+use camera_lab::figure::Explanation;
 use camera_lab::geometry::Angle;
 use camera_lab::gui::state::Message;
 use camera_lab::i18n::Lang;
@@ -288,10 +289,44 @@ fn a_slider_scrubs_from_where_the_camera_is_and_springs_back() {
 }
 
 #[test]
+fn one_operation_is_open_with_its_slider() {
+    let mut window = Window::new(Lang::En);
+    let t = texts(Lang::En);
+    let sliders = |window: &Window| {
+        let names = [t.elevation, t.azimuth, t.roll, t.yaw, t.pitch, t.zoom, t.dolly, t.pan_u, t.pan_v];
+        names.into_iter().filter(|name| window.says(&format!("{name}: {}", t.scrub))).collect::<Vec<_>>()
+    };
+    assert_eq!(sliders(&window), [t.elevation]);
+    window.click(t.azimuth);
+    assert_eq!(sliders(&window), [t.azimuth]);
+    assert!(window.says(t.azimuth_effect));
+}
+
+/// The numbers are folded at first, and stay as they were left.
+#[test]
+fn the_numbers_fold() {
+    let mut window = Window::new(Lang::En);
+    assert!(!camera_lab::gui::State::new(Default::default()).unwrap().settings.numbers_open);
+    assert!(window.says(en::WINDOW.digits));
+    window.click(en::WINDOW.numbers);
+    assert!(!window.says(en::WINDOW.digits) && !window.state().settings.numbers_open);
+}
+
+/// A symbol is a link to its reference page.
+#[test]
+fn a_click_on_a_symbol_opens_its_page() {
+    let mut window = Window::new(Lang::En);
+    window.harness.get_by_label("VUP").click();
+    window.run();
+    assert!(window.state().shows_explanation(Explanation::Notes));
+}
+
+#[test]
 fn the_signs_of_vtk_turn_elevation_the_other_way() {
     let mut one = Window::new(Lang::En);
     one.click("Elevation −");
     let mut other = Window::new(Lang::En);
+    other.more(en::WINDOW.vtk);
     other.harness.get_by_label(en::WINDOW.vtk).click_accesskit();
     other.run();
     other.click("Elevation +");
@@ -500,6 +535,7 @@ fn the_scale_stays_while_a_slider_is_held_and_release_fits_once_and_is_said_and_
         let seen = |window: &Window| window.state().seen.world.expect("an observer");
         let first = seen(&window);
         let t = texts(lang);
+        window.click(t.dolly);
         let slider = window.harness.get_by_label(&format!("{}: {}", t.dolly, t.scrub)).rect();
         let said = |window: &Window| matches!(window.state().message, Some(Message::WentBack(View::World)));
         window.drag(slider.center(), vec2(-0.4 * slider.width(), 0.0), |window| {

@@ -81,7 +81,7 @@ fn nothing_in_the_strip_lies_over_another_text() {
 #[test]
 fn the_strip_is_of_the_picture_that_is_chosen_and_a_hidden_one_costs_nothing() {
     let mut window = Window::new(Lang::PtBr);
-    window.click("Etapas");
+    window.click(pt::WINDOW.pipeline);
     assert!(window.state().layout.strip);
     assert!(window.stage("escrita"));
     let drawn = window.app_mut().canvas.drawn();

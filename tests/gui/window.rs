@@ -95,6 +95,9 @@ impl Window {
 
     /// A window with a state, on a screen with so many pixels to a point.
     pub(crate) fn at_scale(state: State, size: [f32; 2], pixels_per_point: f32) -> Self {
+        let mut state = state;
+        // At the first start they're folded.
+        state.settings.numbers_open = true;
         let mut start = Some(state);
         let painter = Painter::default();
         let textures = painter.textures();
@@ -195,6 +198,12 @@ impl Window {
     /// The number field with this name.
     pub(crate) fn field<'a>(&'a self, name: &'a str) -> Node<'a> {
         self.harness.get_by_role_and_label(Role::SpinButton, name)
+    }
+
+    /// Unfolds what is behind *More*, by its name.
+    pub(crate) fn more(&mut self, what: &str) {
+        let more = camera_lab::i18n::window::texts(self.state().settings.lang).more;
+        self.click(&format!("{more}: {what}"));
     }
 
     /// Clicks a field and types into it; does not leave it.

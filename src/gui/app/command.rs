@@ -61,6 +61,8 @@ struct Row {
     /// Label and hint.
     words: fn(&Texts) -> (&'static str, &'static str),
     enabled: fn(&State) -> bool,
+    /// Its menu lists it only while it is enabled.
+    only_if_enabled: bool,
     /// The reason why it is disabled, where that is not plain.
     hint_disabled: Option<fn(&Texts) -> &'static str>,
     on: Option<fn(&State) -> bool>,
@@ -151,6 +153,12 @@ impl Command {
     #[must_use]
     pub fn is_enabled(self, state: &State) -> bool {
         (self.row().enabled)(state)
+    }
+
+    /// Whether its menu lists it now.
+    #[must_use]
+    pub fn is_listed(self, state: &State) -> bool {
+        !self.row().only_if_enabled || self.is_enabled(state)
     }
 
     /// On or off, for a switch.

@@ -22,6 +22,7 @@ use crate::gui::inspector::compare_dialog;
 use crate::gui::inspector::{complaint, scene};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
 use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::learn::lesson;
 use crate::gui::platform::native::Wanted;
@@ -369,7 +370,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
     area.show(ui, |ui| {
         let title = |ui: &mut egui::Ui, text: &str| {
             ui.add_space(6.0);
-            ui.label(RichText::new(text).strong().color(ui.visuals().hyperlink_color));
+            ui.label(RichText::new(text).font(theme::bold(12.5)));
         };
         title(ui, t.help_pictures);
         ui.label(t.help_pictures_text);

@@ -1,10 +1,11 @@
 //! The bar at the top: menus, the name of the figure, and the switches that a lecture needs at once.
 
-use eframe::egui::{self, Button, RichText};
+use eframe::egui::{self, Button, RichText, TextStyle};
 
 use super::command::{Command, MENUS};
 use super::focus::with_room_before;
 use crate::gui::app::status;
+use crate::gui::kit::elide;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::i18n::window::{self, Texts};
@@ -36,7 +37,7 @@ struct Sign {
 const SWITCHES: &[Switch] = &[
     Switch { command: Command::Language, sign: None, word: |t| t.language },
     Switch { command: Command::ParametersPanel, sign: Some(Sign::panel("◧")), word: |t| t.parameters_panel },
-    Switch { command: Command::Pipeline, sign: Some(Sign::panel("⬓")), word: |t| t.stages_word },
+    Switch { command: Command::Pipeline, sign: Some(Sign::in_small("⬓")), word: |t| t.stages_word },
     Switch { command: Command::NumbersPanel, sign: Some(Sign::panel("◨")), word: |t| t.operations_word },
     Switch { command: Command::Explain, sign: Some(Sign::in_small("?")), word: |t| t.explain_word },
     Switch { command: Command::Exercises, sign: Some(Sign::in_small("✎")), word: |t| t.exercises },
@@ -114,7 +115,7 @@ fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
             ui.set_min_width(220.0);
             let mut is_first = true;
             for group in menu.groups(state) {
-                for (place, command) in group.enumerate() {
+                for (place, command) in group.filter(|command| command.is_listed(state)).enumerate() {
                     if place == 0 && !std::mem::take(&mut is_first) {
                         ui.separator();
                     }
@@ -164,7 +165,13 @@ fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Comman
     let text = if state.document.is_changed() { format!("{name} •") } else { name };
     for command in [Command::Gallery, Command::Search] {
         let keys = keys(ui, state, command).map(|keys| format!(" ({keys})")).unwrap_or_default();
-        let link = ui.link(command.label(t).trim_end_matches('…'));
+        let name = command.label(t).trim_end_matches('…');
+        let font = TextStyle::Body.resolve(ui.style());
+        if elide::width(ui, &font, name) > ui.available_width() {
+            // A small window has them in its menus alone.
+            continue;
+        }
+        let link = ui.link(name);
         if link.explained(format!("{}{keys}", command.hint(t))).clicked() {
             *chosen = Some(command);
         }

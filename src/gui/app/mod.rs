@@ -251,7 +251,7 @@ impl App {
             name_handle(ui, "parameters", t.panel_width);
         }
         if sides.is_shown(Side::Right) {
-            egui::Panel::right("numbers").default_size(300.0).size_range(260.0..=520.0).show(ui, |ui| {
+            egui::Panel::right("numbers").default_size(316.0).size_range(260.0..=520.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numbers, t.numbers_panel);
                 tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
                 self.right(ui);
@@ -270,6 +270,9 @@ impl App {
             name_handle(ui, id, t.panel_width);
         }
         tooltip::beside_nothing(&ctx);
+        if let Some(note) = context_help::called(&ctx) {
+            self.state.explain_by_note(note);
+        }
         motion::show_done(&ctx, &mut self.state);
         self.state.follow_panels();
         let pictures = egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.ui(ui, &mut self.state));
@@ -316,9 +319,10 @@ impl App {
         }
     }
 
-    /// Operations above, as high as they are but not more than about half; numbers below.
+    /// Operations above, as high as they are but not more than about half if the numbers below are unfolded.
     fn right(&mut self, ui: &mut egui::Ui) {
-        let half = ui.available_height() * 0.56;
+        let share = if self.state.settings.numbers_open { 0.56 } else { 0.8 };
+        let half = ui.available_height() * share;
         egui::ScrollArea::vertical().id_salt("operations").max_height(half).auto_shrink([false, true]).show(ui, |ui| {
             operations::ui(ui, &mut self.state);
             focus::keep_in_sight(ui);

@@ -7,15 +7,9 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Message, State};
 use crate::i18n::window;
 
-/// The news, as much of it as there is room for, and how many warnings there are.
+/// The news, as much of it as there is room for.
 pub fn news(ui: &mut egui::Ui, state: &State) {
-    let t = window::texts(state.settings.lang);
-    let warnings = state.warnings();
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        if !warnings.is_empty() {
-            let text = RichText::new(format!("⚠ {}", warnings.len())).color(ui.visuals().warn_fg_color);
-            ui.label(text).explained(format!("{}:\n{}", t.warnings, warnings.join("\n")));
-        }
         if let Some(message) = state.message.as_ref().filter(|message| !message.is_error()) {
             let text = message.text(state.settings.lang);
             let (font, room) = (TextStyle::Body.resolve(ui.style()), ui.available_width());

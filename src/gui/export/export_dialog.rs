@@ -27,6 +27,9 @@ const PICTURE: Vec2 = vec2(360.0, 240.0);
 const BETWEEN: f32 = 20.0;
 pub(in crate::gui) const WIDTH: f32 = SETTINGS + BETWEEN + PICTURE.x;
 
+/// The height of the settings without a family and without paper, in points.
+const SETTINGS_HIGH: f32 = 290.0;
+
 /// The height of what stands above and below the settings, in points.
 const AROUND: f32 = 130.0;
 
@@ -41,7 +44,8 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
     let room = (ui.available_width() - SETTINGS - BETWEEN).min(PICTURE.x);
     // In a low window the settings scroll, and the buttons stay in sight.
     let height = (ui.ctx().content_rect().height() - AROUND).max(LEAST_PICTURE);
-    let area = egui::ScrollArea::vertical().max_height(height).auto_shrink([false, true]);
+    let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height.min(SETTINGS_HIGH));
+    let area = area.auto_shrink([false, true]);
     let row = |ui: &mut egui::Ui| {
         ui.spacing_mut().item_spacing.x = BETWEEN;
         let width = SETTINGS.min(ui.available_width());
@@ -222,24 +226,20 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mu
     });
     (export.times, export.on_paper) = size;
     let crowded = state.file_flow.preview.as_ref().and_then(|preview| preview.crowded);
-    // Always there, so that nothing moves under the pointer.
-    let on_paper = export.on_paper;
-    let mut errors = ui.add_enabled_ui(on_paper, |ui| paper(ui, t, export, crowded)).inner;
-    errors.retain(|_| on_paper);
+    let mut errors = if export.on_paper { paper(ui, t, export, crowded) } else { Vec::new() };
     export.fit_screen(state.picture_sizes, state.screen_scale);
     // A family in multiples of the screen is larger than its figure.
     let of_family = state.file_flow.preview.as_ref().and_then(Preview::size);
     let of_family = of_family.filter(|_| size.0.is_some() && state.family.variations().is_some());
     errors.extend(row(ui, "", t.export_pixels, "", |ui| {
-        ui.add_enabled_ui(size == (None, false), |ui| match of_family {
-            Some([width, height]) => {
-                pixels(ui, t, &mut Export { width, height, ..*export });
-                // Its faults are said in place of the preview.
-                Vec::new()
-            }
-            None => pixels(ui, t, export),
-        })
-        .inner
+        if size == (None, false) {
+            return pixels(ui, t, export);
+        }
+        let [width, height] = of_family.unwrap_or([export.width, export.height]);
+        ui.label(format!("{width} × {height}"));
+        // The faults of a family are said in place of the preview.
+        let fault = if of_family.is_some() { None } else { too_large([width, height]) };
+        fault.map(|fault| (t.export_pixels, fault)).into_iter().collect()
     }));
     for (field, error) in &errors {
         complaint(ui, &format!("{field}: {}", error.text(t.lang)));
@@ -257,13 +257,12 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mu
         (Faces::Areas, t.export_faces_areas),
         (Faces::Picture, t.export_faces_picture),
     ];
-    // Always there, so that nothing moves under the pointer.
-    ui.add_enabled_ui(export.format.is_vector(), |ui| {
+    if export.format.is_vector() {
         row(ui, "", t.export_faces, t.export_faces_hint, |ui| {
             choice(ui, t.export_faces, t.export_faces_hint, &mut export.faces, &faces);
             checkbox(ui, &mut export.outlines, t.export_outlines, t.export_outlines_hint);
         });
-    });
+    }
     ui.add_space(4.0);
     let able = export.format.has_transparency();
     ui.add_enabled_ui(able, |ui| {
@@ -361,8 +360,12 @@ fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Faul
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers that fit")]
     let side = |v: f64| v as u32;
     (export.width, export.height) = (side(width), side(height));
-    let fits = |side: u32| sides.contains(&f64::from(side));
-    let too_large = (!fits(export.width) || !fits(export.height)).then(|| FieldError::Outside(sides.clone()));
-    let faults = [(t.export_width, of_width.error), (t.export_height, of_height.error), (t.export_pixels, too_large)];
+    let beyond = too_large([export.width, export.height]);
+    let faults = [(t.export_width, of_width.error), (t.export_height, of_height.error), (t.export_pixels, beyond)];
     faults.into_iter().filter_map(|(field, error)| Some((field, error?))).collect()
+}
+
+fn too_large(size: [u32; 2]) -> Option<FieldError> {
+    let sides = 1.0..=f64::from(MAX_SIDE);
+    size.into_iter().any(|side| !sides.contains(&f64::from(side))).then_some(FieldError::Outside(sides))
 }

@@ -10,7 +10,7 @@ use crate::i18n::families;
 use crate::i18n::window::Texts;
 use crate::limits::MAX_TYPED_NAME;
 
-/// The rows of the dialog; they are always there, so that nothing moves under the pointer.
+/// The rows of the dialog: those of the values once something varies.
 pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut FamilyChoice) {
     let words = families::texts(t.lang);
     let mut subject = family.first.subject;
@@ -20,16 +20,16 @@ pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut Fa
     if subject != family.first.subject {
         family.choose(subject);
     }
-    ui.add_enabled_ui(subject != Subject::Nothing, |ui| {
+    if subject != Subject::Nothing {
         row(ui, "", words.values, words.values_hint, |ui| {
             line(ui, t, &mut family.first.values, (words.values, words.values_hint));
         });
         let mut second = family.second.subject;
         row(ui, "", words.second, words.second_hint, |ui| {
             choice(ui, words.second, words.second_hint, &mut second, &subjects(t, words.nothing));
-            ui.add_enabled_ui(second != Subject::Nothing, |ui| {
+            if second != Subject::Nothing {
                 line(ui, t, &mut family.second.values, (words.second_values, words.values_hint));
-            });
+            }
         });
         if second != family.second.subject {
             family.second.choose(second);
@@ -47,7 +47,7 @@ pub(in crate::gui) fn rows(ui: &mut egui::Ui, t: &'static Texts, family: &mut Fa
         row(ui, "", words.captions, words.captions_hint, |ui| {
             line(ui, t, &mut family.captions, (words.captions, words.captions_hint));
         });
-    });
+    }
 }
 
 /// The keys and operations that may vary.

@@ -50,6 +50,8 @@ pub struct Gallery {
     chosen: [Option<Source>; 3],
     /// The words that cards are searched for.
     wanted: String,
+    /// The figures at the limits of numbers are unfolded.
+    shows_limits: bool,
     /// The chosen card gets the keyboard once there are cards.
     wants_focus: bool,
     /// The files that were used last, and which of them are gone.
@@ -90,6 +92,7 @@ impl Default for Gallery {
             examples_alone: cfg!(target_arch = "wasm32"),
             chosen: [None, None, None],
             wanted: String::new(),
+            shows_limits: false,
             wants_focus: false,
             recent: Vec::new(),
             gone: HashSet::new(),

@@ -81,12 +81,24 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
     ui.add_space(6.0);
     let top = ui.cursor().top();
     let goes_to = headings(ui, t.lang, &sources);
+    gallery.shows_limits |= goes_to == Some(Topic::Limits);
+    // They're many, and few look for them.
+    let is_limit = |source: &Source| topic(source) == Some(Topic::Limits);
+    let limits = sources.iter().filter(|source| is_limit(source)).count();
+    let is_here = gallery.chosen[gallery.part as usize].as_ref().is_some_and(is_limit);
+    let folds = limits > 0 && !is_searched && !gallery.shows_limits && !is_here;
+    if folds {
+        sources.retain(|source| !is_limit(source));
+    }
     let height = (ui.ctx().content_rect().height() - 130.0 - (ui.cursor().top() - top)).max(120.0);
     let area = ScrollArea::vertical().id_salt(gallery.part).max_height(height).min_scrolled_height(height);
     gallery.wants_focus |= first || before != gallery.part;
     area.auto_shrink(false).show(ui, |ui| {
         if let Some(source) = cards(ui, t, gallery, &sources, goes_to) {
             asked = Some(Chosen::Open(source));
+        }
+        if folds && ui.button(format!("▸ {} ({limits})", words::heading(t.lang, Topic::Limits))).clicked() {
+            gallery.shows_limits = true;
         }
         if more > 0 && !is_searched {
             ui.label(format!("{} {more}", t.more));

@@ -9,6 +9,7 @@ use crate::camera::ImageSize;
 use crate::figure::{Explanation, Figure};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
 use crate::gui::kit::elide;
+use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Advice, Dialog, State};
 use crate::i18n::Lang;
@@ -168,7 +169,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: boo
 
 fn title(ui: &mut Ui, text: &str) {
     ui.add_space(6.0);
-    ui.label(RichText::new(text).strong().color(ui.visuals().hyperlink_color));
+    ui.label(RichText::new(text).font(theme::bold(12.5)));
 }
 
 fn findings(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) {

@@ -17,6 +17,7 @@ use crate::gui::app::focus::at_right;
 use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
+use crate::gui::why::context_help;
 use crate::i18n::window::Texts;
 
 /// A group of controls under a title that opens and closes it; gives the title.
@@ -29,7 +30,7 @@ pub(super) fn section(
 ) -> egui::Response {
     let style = ui.style().clone();
     theme::tint_header(ui);
-    let title = RichText::new(title).strong().size(13.0);
+    let title = RichText::new(title).font(theme::bold(12.5));
     let shown = CollapsingHeader::new(title).id_salt(id).default_open(open).show_unindented(ui, |ui| {
         ui.set_style(style.clone());
         ui.add_space(1.0);
@@ -40,6 +41,31 @@ pub(super) fn section(
     shown.header_response
 }
 
+/// A group that stays open or closed as its user left it.
+pub(super) fn kept_section(
+    ui: &mut egui::Ui,
+    title: &str,
+    id: &str,
+    open: &mut bool,
+    body: impl FnOnce(&mut egui::Ui),
+) {
+    let style = ui.style().clone();
+    theme::tint_header(ui);
+    let header = CollapsingHeader::new(RichText::new(title).font(theme::bold(12.5))).id_salt(id).open(Some(*open));
+    let shown = header.show_unindented(ui, |ui| {
+        ui.set_style(style.clone());
+        body(ui);
+    });
+    ui.set_style(style);
+    *open ^= shown.header_response.clicked();
+}
+
+/// What few people look for, folded under *More* and its name.
+pub(super) fn more(ui: &mut egui::Ui, t: &Texts, what: &str, body: impl FnOnce(&mut egui::Ui)) {
+    let title = RichText::new(format!("{}: {what}", t.more)).weak();
+    CollapsingHeader::new(title).id_salt(what).default_open(false).show_unindented(ui, body);
+}
+
 /// Height of a line that has no control in it.
 pub(super) const TEXT_LINE: f32 = 16.0;
 
@@ -48,7 +74,10 @@ pub(super) fn caption(ui: &mut egui::Ui, symbol: &str, name: &str, hint: &str) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
         if !symbol.is_empty() {
-            ui.label(theme::symbol(ui, symbol)).explained(hint).explained_disabled(hint);
+            let symbol = theme::linked_symbol(ui, symbol).explained(hint).explained_disabled(hint);
+            if symbol.clicked() {
+                context_help::call(ui.ctx());
+            }
         }
         ui.label(RichText::new(name)).explained(hint).explained_disabled(hint);
     });

@@ -8,7 +8,7 @@ use crate::gui::state::{Conventions, State};
 use crate::i18n::why::conventions;
 use crate::i18n::window::{self, Texts};
 use crate::inspect::Report;
-use crate::numbers::{self, without_rests};
+use crate::numbers::{self, DecimalMark, without_rests};
 
 /// The numbers of the figure in a convention of NDC.
 pub(in crate::gui) fn report(state: &State, ndc: Ndc) -> Option<Report> {
@@ -98,11 +98,39 @@ impl Table {
         self.rows.iter().all(|(name, _)| name.is_empty())
     }
 
-    /// The rows as they are shown with so many digits.
-    pub(in crate::gui) fn shown(&self, digits: usize) -> Vec<(String, Vec<f64>)> {
+    /// The rows as aligned cells. All numbers that aren't whole have the same decimals, so that neither they nor their
+    /// columns hop while they change.
+    pub(in crate::gui) fn written(&self, digits: usize, mark: DecimalMark) -> Vec<Vec<String>> {
         let clean = |values: &[f64]| if self.rests { without_rests(values, digits) } else { values.to_vec() };
-        self.rows.iter().map(|(name, values)| (name.clone(), clean(values))).collect()
+        let rows: Vec<_> = self.rows.iter().map(|(name, values)| (name.clone(), clean(values))).collect();
+        let values = || rows.iter().flat_map(|(_, values)| values).copied();
+        let decimals = decimals(values().fold(0.0, |most: f64, v| most.max(v.abs())), digits);
+        let Some(decimals) = decimals.filter(|_| !values().all(is_whole)) else {
+            return cells(&rows, |value| mark.number(value, digits), [0, 0]);
+        };
+        // Room for a sign and a digit, and for the decimals, also where a number happens to have none.
+        cells(&rows, |value| mark.printed(&fixed(value, decimals)), [2, decimals + 1])
     }
+}
+
+/// The decimals of numbers of which the greatest is `most`, one fewer than the digits; `None`: each has its own digits,
+/// since all are wanted or the numbers are too great.
+fn decimals(most: f64, digits: usize) -> Option<usize> {
+    let beyond = [1e3, 1e4, 1e5, 1e6].iter().filter(|power| most >= **power).count();
+    if digits >= numbers::EXACT_DIGITS || beyond == 4 { None } else { Some((digits - 1).saturating_sub(beyond)) }
+}
+
+fn is_whole(value: f64) -> bool {
+    value == value.trunc()
+}
+
+/// With so many decimals. A whole number has none, and one that would look like 0 has an exponent.
+fn fixed(value: f64, decimals: usize) -> String {
+    if is_whole(value) {
+        return format!("{:.0}", value + 0.0);
+    }
+    let text = format!("{value:.decimals$}");
+    if text.contains(|c: char| ('1'..='9').contains(&c)) { text } else { format!("{value:.1e}") }
 }
 
 /// The part of a matrix that changes sign where z_c grows along DOP.
@@ -190,9 +218,9 @@ pub(in crate::gui) fn ndc_of(report: &Report) -> Ndc {
     Ndc::ALL.into_iter().find(|ndc| ndc.name() == report.ndc).unwrap_or_default()
 }
 
-/// The rows as aligned cells: in each column the decimal points stand below each other. Names come first, where there
-/// are any.
-pub(in crate::gui) fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) -> Vec<Vec<String>> {
+/// The rows as aligned cells: in each column the decimal points stand below each other, with at least so many
+/// characters before and from them. Names come first, if there are any.
+fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String, [before, from]: [usize; 2]) -> Vec<Vec<String>> {
     let names = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     let columns = rows.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
     let halves = |v: &f64| {
@@ -204,7 +232,7 @@ pub(in crate::gui) fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> 
         rows.iter().map(|(_, values)| values.iter().map(halves).collect()).collect();
     let width = |column: usize| {
         let cells = halved.iter().filter_map(|row| row.get(column));
-        cells.fold((0, 0), |(left, right), (a, b)| (left.max(a.chars().count()), right.max(b.chars().count())))
+        cells.fold((before, from), |(left, right), (a, b)| (left.max(a.chars().count()), right.max(b.chars().count())))
     };
     let widths: Vec<(usize, usize)> = (0..columns).map(width).collect();
     rows.iter()
@@ -219,7 +247,7 @@ pub(in crate::gui) fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> 
 
 /// The rows as aligned text.
 pub(in crate::gui) fn lines(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) -> Vec<String> {
-    cells(rows, write).iter().map(|cells| cells.join(GAP).trim_end().to_owned()).collect()
+    cells(rows, write, [0, 0]).iter().map(|cells| cells.join(GAP).trim_end().to_owned()).collect()
 }
 
 /// Between two columns.
@@ -229,7 +257,6 @@ pub(in crate::gui) const GAP: &str = "  ";
 mod tests {
     #![expect(clippy::unwrap_used, reason = "tests")]
     use super::*;
-    use crate::numbers::DecimalMark;
 
     #[test]
     fn decimal_points_stand_below_each_other() {
@@ -239,6 +266,23 @@ mod tests {
         assert_eq!(lines(&rows, write(DecimalMark::Comma)), ["u    1     −0,5  2e−9", "n  −10,25   0    3"]);
         let rows = [1.0, 20.0].map(|x| (String::new(), vec![x; 4]));
         assert_eq!(lines(&rows, write(DecimalMark::Point))[1], "20  20  20  20");
+    }
+
+    #[test]
+    fn a_matrix_has_one_number_of_decimals() {
+        let written = |values: [[f64; 2]; 2], digits| {
+            let rows = values.map(|row| (String::new(), row.to_vec())).to_vec();
+            let cells = Table::new("M", "", rows).written(digits, DecimalMark::Point);
+            cells.iter().map(|row| row.join(GAP)).collect::<Vec<_>>()
+        };
+        assert_eq!(written([[0.5, -1.6094], [0.0, 12.25]], 5), [" 0.5000  −1.6094", " 0       12.2500"]);
+        // A number that passes through 1 moves nothing.
+        let widths = [0.9999, 1.0, 1.0001].map(|x| written([[x, 0.25], [0.0, 1.0]], 5)[0].chars().count());
+        assert_eq!(widths, [widths[0]; 3]);
+        assert_eq!(written([[1.0, 0.0], [0.0, 1.0]], 5), ["1  0", "0  1"]);
+        assert_eq!(written([[2e-7, 0.5], [0.0, 1.0]], 5)[0], " 2.0e−7   0.5000");
+        assert_eq!(written([[12345.678, 0.5], [0.0, 1.0]], 5)[0], "12345.68   0.50");
+        assert_eq!(written([[0.1 + 0.2, 0.0], [0.0, 1.0]], 17)[0], "0.30000000000000004  0");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, Align, Layout, RichText, Slider};
 
-use super::{TEXT_LINE, complaint, erratum, section};
+use super::{TEXT_LINE, complaint, erratum, more, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
@@ -68,46 +68,25 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
                 ui.push_id(freedom, |ui| operation(ui, t, state, *freedom));
             }
         });
-        let mut vtk = state.operations.convention == Convention::Vtk;
-        ui.checkbox(&mut vtk, t.vtk).explained(t.vtk_hint);
-        state.operations.convention = if vtk { Convention::Vtk } else { Convention::RightHand };
+        more(ui, t, t.vtk, |ui| {
+            let mut vtk = state.operations.convention == Convention::Vtk;
+            ui.checkbox(&mut vtk, t.vtk).explained(t.vtk_hint);
+            state.operations.convention = if vtk { Convention::Vtk } else { Convention::RightHand };
+        });
     });
     if !ui.input(|input| input.pointer.any_down()) {
         state.operations.scrub = None;
     }
 }
 
+/// One row with its buttons; below the open one are its effect and its slider.
 fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
-    let amount = state.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map(|scrub| scrub.amount);
     let row = ui.scope(|ui| {
-        ui.spacing_mut().item_spacing.y = 1.0;
-        let height = std::mem::replace(&mut ui.spacing_mut().interact_size.y, TEXT_LINE);
-        ui.horizontal(|ui| {
-            let explained = explained(freedom, t, state.operations.convention);
-            ui.label(RichText::new(name(freedom, t)).strong()).explained(explained);
-            match freedom {
-                Freedom::Yaw => erratum(ui, t, t.erratum_yaw),
-                Freedom::Pitch => erratum(ui, t, t.erratum_pitch),
-                Freedom::Elevation
-                | Freedom::Azimuth
-                | Freedom::Roll
-                | Freedom::Zoom
-                | Freedom::Dolly
-                | Freedom::PanU
-                | Freedom::PanV => {}
-            }
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let small = match amount {
-                    Some(amount) => RichText::new(describe(freedom, amount, t.lang.mark())).small().strong(),
-                    None => RichText::new(effect(freedom, t)).small().weak(),
-                };
-                ui.add(egui::Label::new(small).truncate());
-            });
-        });
-        ui.spacing_mut().interact_size.y = height;
         controls(ui, t, state, freedom);
+        if state.operations.open == freedom {
+            detail(ui, t, state, freedom);
+        }
     });
-    ui.add_space(1.0);
     help_topic_row(ui, row.response.rect, notes::of_operation(freedom));
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
     if state.hover.ghost.is_none() && hovered && !ui.input(|input| input.pointer.any_down()) {
@@ -115,6 +94,21 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
         let operation = stepped(freedom, state.operations.steps[freedom as usize], true);
         state.hover.ghost = Some(Ghost { before, operation, convention: state.operations.convention });
     }
+}
+
+/// The effect of the open operation, or how far it has been pulled, and its slider.
+fn detail(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
+    let amount = state.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map(|scrub| scrub.amount);
+    ui.scope(|ui| {
+        ui.spacing_mut().interact_size.y = TEXT_LINE;
+        let small = match amount {
+            Some(amount) => RichText::new(describe(freedom, amount, t.lang.mark())).small().strong(),
+            None => RichText::new(effect(freedom, t)).small().weak(),
+        };
+        ui.add(egui::Label::new(small).truncate());
+    });
+    slider(ui, t, state, freedom);
+    ui.add_space(3.0);
 }
 
 /// The amount of a slider.
@@ -127,11 +121,39 @@ fn describe(freedom: Freedom, amount: f64, mark: DecimalMark) -> String {
     }
 }
 
-/// − step + and the slider.
+/// The name, which opens the operation, and − step +.
 fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
     let name = name(freedom, t);
     let error = ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
+        let is_open = state.operations.open == freedom;
+        let explained = explained(freedom, t, state.operations.convention);
+        let sign = if is_open { "▾" } else { "▸" };
+        let title = egui::Button::new(format!("{sign} {name}")).frame(false).truncate();
+        let rest = 2.0 * BUTTON + STEP + 3.0 * ui.spacing().item_spacing.x;
+        let place = egui::vec2((ui.available_width() - rest).max(0.0), ui.spacing().interact_size.y);
+        let left = Layout::left_to_right(Align::Center);
+        let title = ui.allocate_ui_with_layout(place, left, |ui| {
+            ui.set_min_size(place);
+            let title = ui.add(title);
+            match freedom {
+                Freedom::Yaw => erratum(ui, t, t.erratum_yaw),
+                Freedom::Pitch => erratum(ui, t, t.erratum_pitch),
+                Freedom::Elevation
+                | Freedom::Azimuth
+                | Freedom::Roll
+                | Freedom::Zoom
+                | Freedom::Dolly
+                | Freedom::PanU
+                | Freedom::PanV => {}
+            }
+            title
+        });
+        let title = title.inner.explained(explained).accessible_name(name);
+        title.widget_info(|| egui::WidgetInfo::selected(egui::Role::DisclosureTriangle, true, is_open, name));
+        if title.clicked() {
+            state.operations.open = freedom;
+        }
         button(ui, t, state, freedom, false);
         let step = &mut state.operations.steps[freedom as usize];
         let title = format!("{name}: {}", t.step);
@@ -140,9 +162,8 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
             Amount::Length => NumberField::new(title, Step::Multiply(1.1)),
             Amount::Angle => NumberField::angle(title, 5.0),
         };
-        let error = field.positive().width(58.0).hint(t.step_hint).show(ui, t, step).error;
+        let error = field.positive().width(STEP).hint(t.step_hint).show(ui, t, step).error;
         button(ui, t, state, freedom, true);
-        slider(ui, t, state, freedom);
         error
     });
     if let Some(error) = error.inner {
@@ -150,11 +171,15 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
     }
 }
 
+/// The widths of a button and of the field of its step, in points.
+const BUTTON: f32 = 38.0;
+const STEP: f32 = 58.0;
+
 fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, forwards: bool) {
     let sign = if forwards { "+" } else { "−" };
     let arrow = motion::arrow(state.document.camera(), freedom, forwards, state.operations.convention);
     let text = arrow.map_or_else(|| sign.to_owned(), |arrow| format!("{sign} {arrow}"));
-    let button = egui::Button::new(text).min_size(egui::vec2(34.0, 0.0));
+    let button = egui::Button::new(text).min_size(egui::vec2(BUTTON, 0.0));
     let name = format!("{} {sign}", name(freedom, t));
     if ui.add(button).accessible_name(name).explained(explained(freedom, t, state.operations.convention)).clicked() {
         let step = state.operations.steps[freedom as usize];

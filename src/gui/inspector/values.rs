@@ -4,16 +4,16 @@ use std::sync::Arc;
 
 use eframe::egui::{self, RichText, TextFormat, text::LayoutJob};
 
-use super::{TEXT_LINE, complaint, erratum, section};
+use super::{TEXT_LINE, complaint, erratum, kept_section, section};
 use crate::camera::Ndc;
 use crate::explain::Matrix;
 use crate::gui::inspector::number_tables;
-use crate::gui::inspector::number_tables::{GAP, Table, cells, ndc_of, report, tables};
+use crate::gui::inspector::number_tables::{GAP, Table, ndc_of, report, tables};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
-use crate::gui::why::context_help::help_topic;
+use crate::gui::why::context_help::{self, help_topic, help_topic_row};
 use crate::i18n::why::conventions::differences;
 use crate::i18n::why::{explain, notes};
 use crate::i18n::window::{self, Texts};
@@ -21,11 +21,13 @@ use crate::i18n::window::{self, Texts};
 /// Shows the numbers.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.settings.lang);
-    section(ui, t.numbers, "numbers", true, |ui| {
+    let mut open = state.settings.numbers_open;
+    kept_section(ui, t.numbers, "numbers", &mut open, |ui| {
         toolbar(ui, t, state);
         let inverse = state.settings.inverse;
         list(ui, state, inverse, None, |_| true);
     });
+    state.settings.numbers_open = open;
     let warnings = state.warnings();
     if !warnings.is_empty() {
         section(ui, t.warnings, "warnings", true, |ui| {
@@ -104,37 +106,42 @@ fn show(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Tabl
 
 /// Symbol, name and rows; marked where they differ from those of another table. Gives the entry that was clicked.
 fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) -> Option<Entry> {
+    let written = |digits: usize| table.written(digits, t.lang.mark());
+    let marked = |row: usize, column: usize| {
+        let value = |table: &Table| table.rows.get(row).and_then(|(_, values)| values.get(column).copied());
+        table.is_matrix() && other.is_some_and(|other| value(other) != value(table))
+    };
+    // Few digits are rounded to fit, which is said; many can be scrolled.
+    let room = ui.available_width() - 18.0;
+    let mut fitting = digits;
+    while (3..=MOST_TO_FIT).contains(&fitting) && width(ui, job(ui, &written(fitting), marked)) > room {
+        fitting -= 1;
+    }
     let heading = ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = TEXT_LINE;
         ui.spacing_mut().item_spacing.x = 5.0;
-        if !table.symbol.is_empty() {
+        if table.entry(0, 0).is_some() {
+            if theme::linked_symbol(ui, &table.symbol).clicked() {
+                context_help::call(ui.ctx());
+            }
+        } else if !table.symbol.is_empty() {
             ui.label(theme::symbol(ui, &table.symbol));
         }
         ui.label(RichText::new(&table.name).small().weak());
         if let Some(text) = table.erratum {
             erratum(ui, t, text);
         }
+        if fitting < digits {
+            let said = RichText::new(format!("{fitting} / {digits}")).small().color(ui.visuals().warn_fg_color);
+            ui.label(said).explained(t.digits_that_fit);
+        }
     });
     if let Some((matrix, _)) = table.entry(0, 0) {
-        help_topic(&heading.response, notes::of_matrix(matrix));
+        help_topic_row(ui, heading.response.rect, notes::of_matrix(matrix));
     }
-    let room = ui.available_width() - 18.0;
     egui::ScrollArea::horizontal()
         .id_salt(&table.name)
         .show(ui, |ui| {
-            let written = |digits: usize| {
-                let write = |value: f64| t.lang.mark().number(value, digits);
-                cells(&table.shown(digits), write)
-            };
-            let marked = |row: usize, column: usize| {
-                let value = |table: &Table| table.rows.get(row).and_then(|(_, values)| values.get(column).copied());
-                table.is_matrix() && other.is_some_and(|other| value(other) != value(table))
-            };
-            // Few digits are rounded to fit; whoever wants many scrolls.
-            let mut fitting = digits;
-            while (3..=MOST_TO_FIT).contains(&fitting) && width(ui, job(ui, &written(fitting), marked)) > room {
-                fitting -= 1;
-            }
             let rows = written(fitting);
             let galley = ui.painter().layout_job(job(ui, &rows, marked));
             let label = egui::Label::new(Arc::clone(&galley)).extend();

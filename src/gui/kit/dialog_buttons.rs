@@ -30,11 +30,14 @@ pub(in crate::gui) fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str],
             pressed = Pressed::Cancel;
         }
         for (index, action) in actions.iter().enumerate() {
-            let mut button = egui::Button::new(*action).min_size(size);
-            if index + 1 == actions.len() {
-                button = button.fill(ui.visuals().selection.bg_fill);
-            }
-            let response = ui.add(button);
+            // Full colour: what is only on is pale.
+            let button = if index + 1 == actions.len() {
+                let text = egui::RichText::new(*action).color(ui.visuals().panel_fill);
+                egui::Button::new(text).fill(ui.visuals().hyperlink_color)
+            } else {
+                egui::Button::new(*action)
+            };
+            let response = ui.add(button.min_size(size));
             if focus == Some(index) {
                 response.request_focus();
             }

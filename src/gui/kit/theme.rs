@@ -9,10 +9,24 @@ use eframe::egui::{
 
 use crate::text::{self, runs};
 
+/// Letters for titles and the heads of sections: Latin, Greek and the signs of mathematics.
+const BOLD_BYTES: &[u8] = include_bytes!("../../../assets/fonts/DejaVuSans-Bold.ttf");
+
+fn bold_family() -> FontFamily {
+    FontFamily::Name("bold".into())
+}
+
+/// Bold letters of a size, for the head of a section.
+#[must_use]
+pub fn bold(size: f32) -> FontId {
+    FontId::new(size, bold_family())
+}
+
 /// `DejaVu` first: it has the Portuguese accents, the Greek letters and the mathematical signs of the notes.
 pub fn install_fonts(ctx: &egui::Context) {
     let mut fonts = FontDefinitions::default();
-    let faces: [(&str, &'static [u8], FontFamily); 2] = [
+    let faces: [(&str, &'static [u8], FontFamily); 3] = [
+        ("DejaVu Sans Bold", BOLD_BYTES, bold_family()),
         ("DejaVu Sans", text::FONT_BYTES, FontFamily::Proportional),
         ("DejaVu Sans Mono", text::MONOSPACED_FONT_BYTES, FontFamily::Monospace),
     ];
@@ -20,15 +34,28 @@ pub fn install_fonts(ctx: &egui::Context) {
         fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
         fonts.families.entry(family).or_default().insert(0, name.to_owned());
     }
-    fonts.families.entry(FontFamily::Monospace).or_default().push("DejaVu Sans".to_owned());
+    for family in [FontFamily::Monospace, bold_family()] {
+        fonts.families.entry(family).or_default().push("DejaVu Sans".to_owned());
+    }
     super::mathematics::add_fonts(&mut fonts);
     ctx.set_fonts(fonts);
 }
 
-/// A symbol in the colour of symbols, with subscripts as in the pictures.
+/// A symbol with subscripts as in the pictures.
 #[must_use]
 pub fn symbol(ui: &egui::Ui, text: &str) -> LayoutJob {
-    lowered(ui, text, &TextStyle::Body, ui.visuals().hyperlink_color)
+    lowered(ui, text, &TextStyle::Body, ui.visuals().strong_text_color())
+}
+
+/// A symbol that a click leads from, in the colour of links. The keyboard passes it by: F1 on its field does the same.
+pub fn linked_symbol(ui: &mut egui::Ui, text: &str) -> egui::Response {
+    let job = lowered(ui, text, &TextStyle::Body, ui.visuals().hyperlink_color);
+    let response = ui.add(egui::Label::new(job).selectable(false).sense(egui::Sense::CLICK | egui::Sense::HOVER));
+    if response.hovered() {
+        let under = Stroke::new(1.0, ui.visuals().hyperlink_color);
+        ui.painter().hline(response.rect.x_range(), response.rect.bottom() - 1.0, under);
+    }
+    response.on_hover_cursor(egui::CursorIcon::PointingHand)
 }
 
 /// A text with subscripts as in the pictures.
@@ -90,7 +117,7 @@ fn sizes(style: &mut Style) {
         (TextStyle::Small, FontId::proportional(10.5)),
         (TextStyle::Body, FontId::proportional(12.5)),
         (TextStyle::Button, FontId::proportional(12.5)),
-        (TextStyle::Heading, FontId::proportional(15.0)),
+        (TextStyle::Heading, bold(15.0)),
         (TextStyle::Monospace, FontId::monospace(11.5)),
     ]
     .into();

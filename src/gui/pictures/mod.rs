@@ -266,7 +266,6 @@ impl Canvas {
         self.describe_probe((ui, room), &panes, state, &mut status, texts);
         self.say_why_empty(ui, state, &panes);
         status.coach = Brief::of(state);
-        status.strip = state.layout.strip;
         status.presenting = state.settings.presentation;
         status.keys = presentation::keys(&ctx, state);
         let loading = loading(state);
@@ -287,7 +286,6 @@ impl Canvas {
             None => {}
             Some(StatusAction::ShowAgain(view)) => state.layout.shown[view.index()] = true,
             Some(StatusAction::Arrange(arrangement)) => state.layout.arrangement = arrangement,
-            Some(StatusAction::Strip) => state.layout.strip = !state.layout.strip,
             Some(StatusAction::Coach) => state.file_flow.dialog = Some(Dialog::Coach),
         }
     }

@@ -27,8 +27,6 @@ pub(super) enum StatusAction {
     ShowAgain(View),
     /// Share the room in another way; `None`: as suits the room.
     Arrange(Option<Arrangement>),
-    /// Show the stages of the pipeline, or hide them.
-    Strip,
     /// Show the coach.
     Coach,
 }
@@ -50,8 +48,6 @@ pub(super) struct Status {
     pub(super) aside: String,
     /// The arrangement of the pictures, where there is a choice.
     pub(super) arrangement: Option<Option<Arrangement>>,
-    /// The stages of the pipeline are shown.
-    pub(super) strip: bool,
     /// The summary of the coach.
     pub(super) coach: Option<Brief>,
     /// The pictures that can be shown again.
@@ -134,11 +130,6 @@ impl Status {
                         && named(ui, "coach", |ui| brief.button(ui)).clicked()
                     {
                         action = Some(StatusAction::Coach);
-                    }
-                    let stages = egui::Button::selectable(self.strip, RichText::new(texts.strip).small());
-                    let stages = stages.frame_when_inactive(true);
-                    if named(ui, "stages", |ui| ui.add(stages)).explained(texts.strip_show).clicked() {
-                        action = Some(StatusAction::Strip);
                     }
                     if let Some(now) = self.arrangement {
                         action = named(ui, "arrangement", |ui| arrangement_menu(ui, now, texts)).or(action);

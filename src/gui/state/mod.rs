@@ -101,6 +101,8 @@ pub struct Settings {
     pub theme: Theme,
     /// Skip animations.
     pub reduce_motion: bool,
+    /// The numbers below the operations are unfolded.
+    pub numbers_open: bool,
     /// The first lesson and the gallery have been offered.
     pub welcomed: bool,
     /// The pictures alone, without menus: a figure in somebody's page.
@@ -264,6 +266,7 @@ impl State {
                 digits: 5,
                 theme: Theme::default(),
                 reduce_motion: false,
+                numbers_open: false,
                 welcomed: false,
                 bare: false,
                 window: None,

@@ -1,4 +1,4 @@
-//! Context help: widgets report the note on them in each frame, and F1 opens it.
+//! Context help: widgets report the note on them in each frame, and F1, or a click on a symbol, opens it.
 
 use eframe::egui::{self, Id, Rect, Response, Ui};
 
@@ -7,6 +7,8 @@ use eframe::egui::{self, Id, Rect, Response, Ui};
 struct Noted {
     pointed: Option<&'static str>,
     focused: Option<&'static str>,
+    /// A symbol was clicked: the note under the pointer is wanted.
+    called: bool,
 }
 
 fn key() -> Id {
@@ -22,6 +24,16 @@ pub(in crate::gui) fn begin(ctx: &egui::Context) {
 pub(in crate::gui) fn asked(ctx: &egui::Context) -> Option<&'static str> {
     let noted = ctx.data(|data| data.get_temp::<Noted>(key()))?;
     noted.pointed.or(noted.focused)
+}
+
+/// Asks for the note on what is under the pointer.
+pub(in crate::gui) fn call(ctx: &egui::Context) {
+    ctx.data_mut(|data| data.get_temp_mut_or_default::<Noted>(key()).called = true);
+}
+
+/// The note that a click asked for in this frame.
+pub(in crate::gui) fn called(ctx: &egui::Context) -> Option<&'static str> {
+    ctx.data(|data| data.get_temp::<Noted>(key())).filter(|noted| noted.called)?.pointed
 }
 
 /// Says that F1 on this control opens the note `id`.

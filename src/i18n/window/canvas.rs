@@ -67,7 +67,6 @@ texts! {
     // Title of the strip of stages, and the button that shows it.
     strip: "Stages", "Etapas";
     // Tooltip of that button.
-    strip_show: "Every stage of the pipeline: what went in and came out, how long it took, or why it was skipped (F10)", "Cada etapa do pipeline: o que entrou e o que saiu, quanto durou, ou por que foi omitida (F10)";
     // Name of the chooser whose stages are shown.
     strip_of: "Stages of the picture", "Etapas da imagem";
     // Tooltip of a button.

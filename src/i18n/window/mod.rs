@@ -416,6 +416,7 @@ texts! {
     step_hint: "The step of the buttons − and +", "O passo dos botões − e +";
     scrub: "slider", "controle";
     scrub_hint: "Pull: the camera moves from where it is, by 5° (Ctrl: freely); release: it stays there, and the knob springs back", "Puxe: a câmera se move de onde está, de 5° em 5° (Ctrl: livre); solte: ela fica lá, e o botão volta ao meio";
+    more: "More", "Mais";
     vtk: "Signs of VTK", "Sinais do VTK";
     vtk_hint: "VTK turns elevation and roll the other way. Here a positive angle is counter-clockwise seen from the tip of the axis", "O VTK gira elevação e rolagem ao contrário. Aqui um ângulo positivo é anti-horário visto da ponta do eixo";
 
@@ -431,7 +432,8 @@ texts! {
     // Numbers.
     numbers: "Numbers", "Números";
     digits: "digits", "dígitos";
-    digits_hint: "Significant digits, 2 to 17; 17 shows every number exactly", "Dígitos significativos, 2 a 17; 17 mostra cada número exatamente";
+    digits_hint: "2 to 17. A table has one decimal fewer; 17 shows every number exactly", "2 a 17. Uma tabela tem uma casa decimal a menos; 17 mostra cada número exatamente";
+    digits_that_fit: "The panel is too narrow for all digits: drag its border", "O painel é estreito demais para todos os dígitos: arraste a borda";
     inverse: "inverses", "inversas";
     inverse_hint: "The inverse matrices", "As matrizes inversas";
     copy: "Copy", "Copiar";

@@ -76,16 +76,23 @@ pub const MENUS: &[Menu] = &[
             ],
             &[
                 row!(Export, ctrl(Key::E), export, export_hint, |s, _| show_export(s)),
-                row!(ExportFamily, ctrl_shift(Key::E), export_family, export_family_hint, |s, _| {
-                    s.family = std::mem::take(&mut s.family).or_last();
-                    show_export(s);
-                }),
-                Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| s.ask_for_code()),
                 Row::new(CopyLink, ctrl(Key::K), link_words, |s, _| show_dialog(s, Dialog::Link)),
             ],
             &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::Quit))
                 .not_in_browser()],
         ],
+    },
+    // By their keys and the search: in the menu, they're in the dialogs of the entries above.
+    Menu {
+        title: |t| t.menu_file,
+        in_bar: false,
+        groups: &[&[
+            row!(ExportFamily, ctrl_shift(Key::E), export_family, export_family_hint, |s, _| {
+                s.family = std::mem::take(&mut s.family).or_last();
+                show_export(s);
+            }),
+            Row::new(QrCode, ctrl_shift(Key::K), code_words, |s, _| s.ask_for_code()),
+        ]],
     },
     Menu {
         title: |t| t.menu_edit,
@@ -163,7 +170,8 @@ pub const MENUS: &[Menu] = &[
                 row!(tab Drawing, plain(Key::F7), drawing_tab, drawing_tab_hint),
                 row!(panel ParametersPanel, Left, plain(Key::F8), parameters_panel, parameters_panel_hint),
                 row!(panel NumbersPanel, Right, plain(Key::F9), numbers_panel, numbers_panel_hint),
-                row!(panel Explain, Explain, alt(Key::E), explain_panel, explain_panel_hint),
+                row!(Explain, alt(Key::E), explain_panel, explain_panel_hint, |s, _| toggle_explain(s))
+                    .on(|s| s.settings.panels().is_shown(Side::Explain) && !s.shows_exercises()),
                 row!(Exercises, alt(Key::X), exercises, exercises_hint, |s, _| toggle_exercises(s))
                     .on(State::shows_exercises),
                 row!(Pipeline, plain(Key::F10), pipeline, pipeline_hint, switch layout.strip),
@@ -217,7 +225,7 @@ pub const MENUS: &[Menu] = &[
                     |t| lesson_words(t, |t| (t.again, t.again_hint)),
                     |s, _| s.step_again(),
                 )
-                .enabled(|s| s.lesson.is_some()),
+                .in_lesson(|s| s.lesson.is_some()),
                 Row::new(
                     StepText,
                     alt(Key::C),
@@ -226,7 +234,7 @@ pub const MENUS: &[Menu] = &[
                         change_lesson(s, |playing| playing.shows_text ^= true);
                     },
                 )
-                .enabled(|s| s.lesson.is_some())
+                .in_lesson(|s| s.lesson.is_some())
                 .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_text)),
                 Row::new(
                     StepQuestion,
@@ -234,7 +242,7 @@ pub const MENUS: &[Menu] = &[
                     |t| lesson_words(t, |t| (t.question_command, t.question_hint)),
                     |s, _| change_lesson(s, |playing| playing.shows_question ^= true),
                 )
-                .enabled(|s| s.lesson.is_some())
+                .in_lesson(|s| s.lesson.is_some())
                 .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_question)),
                 Row::new(
                     StepNotes,
@@ -244,7 +252,7 @@ pub const MENUS: &[Menu] = &[
                         change_lesson(s, |playing| playing.shows_notes ^= true);
                     },
                 )
-                .enabled(|s| s.lesson.is_some())
+                .in_lesson(|s| s.lesson.is_some())
                 .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_notes)),
                 Row::new(
                     WriteLesson,
@@ -253,7 +261,7 @@ pub const MENUS: &[Menu] = &[
                     write_lesson,
                 )
                 .not_in_browser()
-                .enabled(|s| s.lesson.is_some() || s.lesson_file.is_some())
+                .in_lesson(|s| s.lesson.is_some() || s.lesson_file.is_some())
                 .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.writing.is_some())),
                 Row::new(
                     LeaveLesson,
@@ -261,7 +269,7 @@ pub const MENUS: &[Menu] = &[
                     |t| lesson_words(t, |t| (t.leave, t.leave_hint)),
                     |s, ctx| file_flow::begin(ctx, s, AfterSave::LeaveLesson),
                 )
-                .enabled(|s| s.lesson.is_some()),
+                .in_lesson(|s| s.lesson.is_some()),
             ],
             &[row!(ClearAnnotations, alt(Key::Backspace), clear_annotations, clear_annotations_hint, |s, _| s
                 .annotations
@@ -320,6 +328,7 @@ impl Row {
             in_browser: InBrowser::All,
             words,
             enabled: |_| true,
+            only_if_enabled: false,
             hint_disabled: None,
             on: None,
             run: Run::Change(run),
@@ -348,6 +357,11 @@ impl Row {
 
     const fn enabled(self, enabled: fn(&State) -> bool) -> Self {
         Self { enabled, ..self }
+    }
+
+    /// Its menu lists it only while it can be done.
+    const fn in_lesson(self, enabled: fn(&State) -> bool) -> Self {
+        Self { enabled, only_if_enabled: true, ..self }
     }
 
     const fn disabled_because(self, hint: fn(&Texts) -> &'static str) -> Self {
@@ -472,6 +486,16 @@ fn toggle_exercises(state: &mut State) {
     } else {
         state.show_explanation(Explanation::Exercises);
         state.exercises.call();
+    }
+}
+
+/// The explanations and the exercises share a panel: one of them is on.
+fn toggle_explain(state: &mut State) {
+    if state.shows_exercises() {
+        let [last, ..] = state.explain.last();
+        state.explain.show(last);
+    } else {
+        state.settings.panels_mut().toggle(Side::Explain);
     }
 }
 

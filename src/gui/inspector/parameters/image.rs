@@ -7,7 +7,7 @@ use eframe::egui;
 use super::{complaint, row};
 use crate::camera::{ImageSize, Viewport};
 use crate::explain::Symbol;
-use crate::gui::inspector::section;
+use crate::gui::inspector::{more, section};
 use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
@@ -66,7 +66,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
             }
         }
     });
-    section(ui, t.viewport, "viewport", false, |ui| viewport(ui, state, t));
+    more(ui, t, t.viewport, |ui| viewport(ui, state, t));
 }
 
 /// The note on a row; while it is under the pointer, or has the focus, the explanations mark the entries that depend on

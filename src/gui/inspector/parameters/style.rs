@@ -5,7 +5,7 @@ use eframe::egui;
 use super::row;
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::figure::Explanation;
-use crate::gui::inspector::{choice, section};
+use crate::gui::inspector::{choice, more, section};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::i18n::window;
@@ -42,13 +42,15 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         row(ui, "", t.hidden_lines, t.hidden_lines_hint, |ui| {
             choice(ui, t.hidden_lines, t.hidden_lines_hint, &mut style.hidden_lines, &lines)
         });
-        let samples = [(1, "1"), (4, "4"), (16, "16")];
-        row(ui, "", t.antialias, t.antialias_hint, |ui| {
-            choice(ui, t.antialias, t.antialias_hint, &mut style.antialias, &samples)
-        });
-        let themes = [(Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark), (Theme::Print, t.theme_print)];
-        row(ui, "", t.file_theme, t.file_theme_hint, |ui| {
-            choice(ui, t.file_theme, t.file_theme_hint, &mut style.theme, &themes)
+        more(ui, t, &format!("{}, {}", t.antialias, t.file_theme), |ui| {
+            let samples = [(1, "1"), (4, "4"), (16, "16")];
+            row(ui, "", t.antialias, t.antialias_hint, |ui| {
+                choice(ui, t.antialias, t.antialias_hint, &mut style.antialias, &samples)
+            });
+            let themes = [(Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark), (Theme::Print, t.theme_print)];
+            row(ui, "", t.file_theme, t.file_theme_hint, |ui| {
+                choice(ui, t.file_theme, t.file_theme_hint, &mut style.theme, &themes)
+            });
         });
     });
     if style != old {

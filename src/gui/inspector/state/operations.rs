@@ -8,6 +8,8 @@ use crate::views::Ghost;
 pub struct Operations {
     /// The step of each button: degrees, factor or scene units, in the order of [`OPERATIONS`].
     pub steps: [f64; OPERATIONS.len()],
+    /// The one whose slider is shown.
+    pub(in crate::gui) open: Freedom,
     /// Whose signs.
     pub convention: Convention,
     pub(in crate::gui) scrub: Option<Scrub>,
@@ -61,6 +63,7 @@ impl Default for Operations {
     fn default() -> Self {
         Self {
             steps: OPERATIONS.map(|descriptor| descriptor.step),
+            open: Freedom::Elevation,
             convention: Convention::default(),
             scrub: None,
             motion: None,

@@ -11,7 +11,7 @@ pub(in crate::gui) mod writing;
 use std::sync::Arc;
 use std::time::Duration;
 
-use eframe::egui::{self, Button, Id, Key, Modifiers, RichText, ScrollArea, Ui};
+use eframe::egui::{self, Button, Key, Modifiers, RichText, ScrollArea, Ui};
 
 use crate::figure::{Bilingual, Explanation};
 use crate::gui::app::command::Command;
@@ -45,6 +45,10 @@ const BESIDE: f32 = 1.4;
 const BESIDE_PRESENTED: f32 = 0.8;
 /// Between a text and its task beside it.
 const GUTTER: f32 = 24.0;
+/// Lines of text for a question, its field, what is understood and the verdict.
+const LINES_OF_ANSWER: f32 = 12.0;
+/// The share of a tall window that they take, so that a long verdict has room.
+const ANSWER: f32 = 0.23;
 /// Seconds after which a typed number is one.
 const TYPED: f64 = 0.9;
 
@@ -129,57 +133,104 @@ const DIGITS: [Key; 10] =
     [Key::Num0, Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];
 
 /// The bar of the lesson, and the text and the task of its step, below the pictures; gives a command that is to be
-/// done.
+/// done. All steps have one height, so that nothing moves under the pointer.
 pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
     let playing = state.lesson.as_ref()?;
     let key = (playing.lesson.id.clone(), playing.step);
     let t = words::texts(state.settings.lang);
     let ctx = ui.ctx().clone();
     let asks = playing.shows_question && playing.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))));
-    let share = match (state.writes_lesson(), state.settings.presentation && asks) {
+    let (writes, presents) = (state.writes_lesson(), state.settings.presentation);
+    let share = match (writes, presents && asks) {
         (true, _) => SHARE_WRITTEN,
         (false, true) => SHARE_ASKED,
         (false, false) => SHARE,
     };
     let most = share * ctx.content_rect().height();
-    // As high as what it showed in the last frame; a panel does not grow with what scrolls in it.
-    let id = Id::unique("height of the lesson");
-    let height = ctx.data(|data| data.get_temp(id)).unwrap_or(0.5 * most);
+    let notes = playing.shows_notes && !speaker::has_window(&ctx);
+    let shows = writes || playing.shows_text || notes || playing.shows_question && !playing.is_done();
+    let size = egui::vec2(ui.available_width(), ctx.content_rect().height());
+    let fits = Fits { size, lang: t.lang, writes, presents, asks: presents && asks, shows };
+    let height = match &playing.height {
+        Some((kept, height)) if *kept == fits => *height,
+        _ if writes || fits.asks => most,
+        _ => first_height(ui, t, state, &fits).min(most),
+    };
     let panel = egui::Panel::bottom("lesson").resizable(false).exact_size(height).show(ui, |ui| {
         focus::region(ui, ui.max_rect(), Region::Lesson, t.region);
-        let top = ui.max_rect().top();
         let command = bar(ui, t, state);
-        let writes = state.writes_lesson();
         if writes {
             editor::tools(ui, t, state);
         }
-        let shows = state.lesson.as_ref().is_some_and(|playing| {
-            let notes = playing.shows_notes && !speaker::has_window(&ctx);
-            writes || playing.shows_text || notes || playing.shows_question && !playing.is_done()
-        });
-        let mut wanted = ui.cursor().top() - top;
+        let mut is_cut = false;
         if shows {
             ui.add_space(2.0);
             // As low as its text: taller than its panel, it would push the bar out of sight.
             let area = ScrollArea::vertical().id_salt(key).min_scrolled_height(0.0).auto_shrink(false);
-            let shown = area.show(ui, |ui| {
-                let shown = ui.scope(|ui| if writes { written(ui, t, state) } else { content(ui, t, state) });
-                shown.response.rect.height()
-            });
-            wanted += ui.spacing().item_spacing.y + 2.0 + shown.inner;
+            let shown = area.show(ui, |ui| if writes { written(ui, t, state) } else { content(ui, t, state) });
+            is_cut = shown.content_size.y > shown.inner_rect.height();
         }
-        let margin = egui::Frame::side_top_panel(ui.style()).total_margin().sum().y;
-        (command, wanted, wanted.min(most) + margin + 2.0)
+        (command, is_cut)
     });
-    let (command, whole, wanted) = panel.inner;
+    let (command, is_cut) = panel.inner;
     if let Some(playing) = &mut state.lesson {
-        playing.is_cut = whole > most;
-    }
-    if (wanted - height).abs() > 0.5 {
-        ctx.data_mut(|data| data.insert_temp(id, wanted));
-        ctx.request_repaint();
+        playing.is_cut = is_cut;
+        playing.height = Some((fits, height));
     }
     command
+}
+
+/// What the height of the panel depends on.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::gui) struct Fits {
+    size: egui::Vec2,
+    lang: Lang,
+    writes: bool,
+    presents: bool,
+    /// In a presentation a question is shown when it's asked for.
+    asks: bool,
+    /// There is more than the bar.
+    shows: bool,
+}
+
+/// The height for the tallest text of all steps, and with a question for its answer and the verdict.
+fn first_height(ui: &mut Ui, t: &Texts, state: &State, fits: &Fits) -> f32 {
+    let margin = egui::Frame::side_top_panel(ui.style()).total_margin().sum();
+    let bar = ui.spacing().interact_size.y + 2.0 * ui.spacing().item_spacing.y + margin.y + 4.0;
+    let Some(playing) = state.lesson.as_ref().filter(|_| fits.shows) else { return bar };
+    let line = ui.text_style_height(&egui::TextStyle::Body);
+    let width = ui.available_width() - margin.x;
+    let tallest = playing.lesson.steps.iter().enumerate().map(|(k, step)| {
+        let asks = step.task.is_some() && !fits.presents;
+        let column = egui::vec2(column(ui, width, fits.presents, asks), f32::INFINITY);
+        let place = egui::Rect::from_min_size(ui.max_rect().min, column);
+        let hidden = egui::UiBuilder::new().id_salt(("height of a step", k)).max_rect(place).invisible();
+        let mut hidden = ui.new_child(hidden);
+        if !fits.presents {
+            hidden.add(egui::Label::new(RichText::new(told(t.lang, &step.title)).heading()).wrap());
+        }
+        // A matrix of numbers is as tall as four lines.
+        let text = match lessons::numbers_of(&step.figure) {
+            Ok(report) => words::filled_from(t.lang, &step.text, &report),
+            Err(_) => told(t.lang, &step.text).to_owned(),
+        };
+        prose::show(&mut hidden, text.trim());
+        if !step.links.is_empty() && !fits.presents {
+            hidden.add_space(line);
+        }
+        hidden.min_rect().height()
+    });
+    let text = tallest.fold(0.0, f32::max);
+    // In a presentation one line says that there is a question.
+    let asked = (LINES_OF_ANSWER * line).max(ANSWER * fits.size.y);
+    bar + if fits.presents { text + 1.5 * line } else { text.max(asked) }
+}
+
+/// The width of a text: half of the panel, if the task is beside it.
+fn column(ui: &Ui, available: f32, presents: bool, asks: bool) -> f32 {
+    let line = LINE * ui.text_style_height(&egui::TextStyle::Body);
+    let least = if presents { BESIDE_PRESENTED } else { BESIDE };
+    if asks && available > least * line { 0.5 * (available - GUTTER) } else { available.min(1.4 * line) }
 }
 
 /// One line: title, number of the step, the ways on.
@@ -306,12 +357,10 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
         prose::show(ui, text(&step.text).trim());
     };
     let asks = step.task.is_some() && state.lesson.as_ref().is_some_and(|playing| playing.shows_question);
-    let line = LINE * ui.text_style_height(&egui::TextStyle::Body);
-    let least = if presents { BESIDE_PRESENTED } else { BESIDE };
-    if shows_text && asks && ui.available_width() > least * line {
+    let half = column(ui, ui.available_width(), presents, asks);
+    if shows_text && asks && half < 0.5 * ui.available_width() {
         // Side by side they leave the pictures more room.
         ui.horizontal_top(|ui| {
-            let half = 0.5 * (ui.available_width() - GUTTER);
             ui.vertical(|ui| {
                 ui.set_width(half);
                 say(ui);
@@ -324,7 +373,7 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
             });
         });
     } else {
-        ui.set_max_width(ui.available_width().min(1.4 * line));
+        ui.set_max_width(half);
         if shows_text {
             say(ui);
         }

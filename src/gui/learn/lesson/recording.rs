@@ -81,7 +81,8 @@ fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, File
     Ok(lesson)
 }
 
-/// The figure with all that the window shows of it, and how it shows it.
+/// The figure with all that the window shows of it, and how it shows it. A view that nobody turned is fitted when the
+/// step is played.
 pub(in crate::gui) fn as_shown(state: &mut State) -> Figure {
     let seen = state.as_seen();
     let panel = state.settings.panels().is_shown(Side::Explain).then(|| state.explain.shown());
@@ -93,5 +94,5 @@ pub(in crate::gui) fn as_shown(state: &mut State) -> Figure {
         arrangement: Some(state.layout.arrangement),
         ..figure.screen
     };
-    Figure { observers: seen.observers, show: seen.show, screen, ..figure.clone() }
+    Figure { show: seen.show, screen, ..figure.clone() }
 }

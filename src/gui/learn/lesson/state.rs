@@ -44,6 +44,8 @@ pub struct Playing {
     pub(in crate::gui) fades: u64,
     /// Not all of text and task is in sight; written by the panel.
     pub is_cut: bool,
+    /// The height of the panel, and what it depends on; written by the panel.
+    pub(in crate::gui) height: Option<(super::Fits, f32)>,
     /// The documents of other steps in which there is work; each is shown again when its step is.
     pub(in crate::gui) worked_on: BTreeMap<usize, Document>,
     /// The steps whose task is done.
@@ -227,6 +229,7 @@ impl State {
             links_whole: true,
             fades: 0,
             is_cut: false,
+            height: None,
             worked_on: BTreeMap::new(),
             done: BTreeSet::new(),
             passed: BTreeSet::new(),

@@ -69,7 +69,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 41] = [
+const KEYS: [Key; 42] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -136,6 +136,7 @@ const KEYS: [Key; 41] = [
         },
     },
     key!("reduce_motion", switch, settings.reduce_motion),
+    key!("numbers", switch, settings.numbers_open),
     key!("welcomed", switch, settings.welcomed),
     Key {
         name: LESSONS,
@@ -398,7 +399,7 @@ mod tests {
         let settings = &mut changed.settings;
         (settings.lang, settings.theme, settings.zoom, settings.digits) = (Lang::PtBr, Theme::Dark, 1.3, 9);
         (settings.panels.wanted, settings.reduce_motion) = ([false, false, true], true);
-        settings.welcomed = true;
+        (settings.welcomed, settings.numbers_open) = (true, true);
         settings.window = Some(WindowPlace { at: Some([-8, 30]), size: [1000, 700], maximized: true });
         changed.lessons_taken.insert("basis".to_owned(), 2);
         changed.layout.arrangement = Some(Arrangement::Beside);
