@@ -52,10 +52,10 @@ pub(crate) fn shows() -> impl Strategy<Value = Show> {
         (vec(select(measures), 0..3), option::of(select(names.clone()))),
         option::of(probe),
         vec(preview(names), 0..3),
-        (option::of(select(&Ndc::ALL[..])), option::of(point(1.0))),
+        (option::of(select(&Ndc::ALL[..])), option::of(point(1.0)), operations()),
     )
-        .prop_map(|((stage, of), painted, step, triangle, (measure, measure_of), probe, moved, (ndc, answer))| {
-            Show {
+        .prop_map(
+            |((stage, of), painted, step, triangle, (measure, measure_of), probe, moved, (ndc, answer, ops))| Show {
                 stage,
                 stage_of: if stage.is_some() { StagePicture(of) } else { StagePicture::default() },
                 painted: painted.filter(|_| stage.is_none()),
@@ -73,8 +73,9 @@ pub(crate) fn shows() -> impl Strategy<Value = Show> {
                     position: DVec3::new(4.0, 3.0, 2.0) + aside,
                     ..Figure::default().camera
                 }),
-            }
-        })
+                operations: ops.into_iter().take(Show::MOST_OPERATIONS).collect(),
+            },
+        )
 }
 
 /// A list of transforms that is tried on some of the objects, or on none.

@@ -302,6 +302,35 @@ fn one_operation_is_open_with_its_slider() {
     assert!(window.says(t.azimuth_effect));
 }
 
+/// An operation that was done is kept, a next one goes on from it, and one that doesn't is kept alone.
+#[test]
+fn operations_are_kept_in_the_figure() {
+    let mut window = Window::new(Lang::En);
+    window.app_mut().state.settings.reduce_motion = true;
+    let t = texts(Lang::En);
+    let shown = |window: &mut Window| {
+        let figure = window.app_mut().state.figure_as_shown();
+        figure.show.operations.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    window.click(t.azimuth);
+    assert!(window.harness.get_by_label(t.keep_operation).accesskit_node().is_disabled());
+    for name in [t.azimuth, t.zoom] {
+        window.click(name);
+        window.click(&format!("{name} +"));
+        window.click(t.keep_operation);
+    }
+    assert_eq!(shown(&mut window), ["azimuth=15", "zoom=1.25"]);
+    assert!(window.says("Azimuth 15° · Zoom × 1.25"));
+    window.enter("C x", "7");
+    window.click(t.roll);
+    window.click("Roll −");
+    window.click(t.keep_operation);
+    assert_eq!(shown(&mut window), ["roll=-15"]);
+    window.harness.get_by_label(t.take_out).click();
+    window.run();
+    assert!(shown(&mut window).is_empty());
+}
+
 /// The numbers are folded at first, and stay as they were left.
 #[test]
 fn the_numbers_fold() {

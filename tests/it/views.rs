@@ -405,3 +405,27 @@ fn a_picture_at_twice_the_scale_is_the_same_picture_with_twice_the_pixels() {
         assert!(apart.fold(0.0, f32::max) < 0.1, "{}", a.text);
     }
 }
+
+/// `[show] operation` names the operation with its value in all three pictures; of several each has its number, and the
+/// world names the camera before them.
+#[test]
+fn the_operations_of_a_figure_are_drawn_in_every_picture() {
+    let texts = |drawing: &Drawing| drawing.labels.iter().map(|label| label.text.clone()).collect::<Vec<_>>();
+    let mut shown = figure(|_| {});
+    shown.show.operations = vec!["azimuth=40".parse().unwrap()];
+    let plain = Pictured::of(figure(|_| {})).sized(900, 600);
+    let one = Pictured::of(shown.clone()).sized(900, 600);
+    let draw = |of: &Pictured| [of.world(Viewpoint::Iso), of.canonical(Viewpoint::Iso), of.image()];
+    for (with, without) in draw(&one).iter().zip(&draw(&plain)) {
+        assert!(texts(with).iter().any(|text| text == "Azimuth 40°"), "{:?}", texts(with));
+        assert!(!texts(without).iter().any(|text| text.contains("40°")));
+        assert!(with.strokes.len() > without.strokes.len());
+    }
+    assert!(texts(&draw(&one)[0]).iter().any(|text| text == "before"));
+    shown.show.operations.push("zoom=2".parse().unwrap());
+    for drawing in draw(&Pictured::of(shown).sized(900, 600)) {
+        for text in ["1. Azimuth 40°", "2. Zoom × 2"] {
+            assert!(texts(&drawing).iter().any(|found| found == text), "{text}: {:?}", texts(&drawing));
+        }
+    }
+}

@@ -60,7 +60,7 @@ pub(super) fn kept_section(
     *open ^= shown.header_response.clicked();
 }
 
-/// What few people look for, folded under *More* and its name.
+/// Controls for few people, folded under *More* and their name.
 pub(super) fn more(ui: &mut egui::Ui, t: &Texts, what: &str, body: impl FnOnce(&mut egui::Ui)) {
     let title = RichText::new(format!("{}: {what}", t.more)).weak();
     CollapsingHeader::new(title).id_salt(what).default_open(false).show_unindented(ui, body);

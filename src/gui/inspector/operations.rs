@@ -68,6 +68,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
                 ui.push_id(freedom, |ui| operation(ui, t, state, *freedom));
             }
         });
+        kept(ui, t, state);
         more(ui, t, t.vtk, |ui| {
             let mut vtk = state.operations.convention == Convention::Vtk;
             ui.checkbox(&mut vtk, t.vtk).explained(t.vtk_hint);
@@ -108,7 +109,42 @@ fn detail(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Free
         ui.add(egui::Label::new(small).truncate());
     });
     slider(ui, t, state, freedom);
+    let is_last = state.operations.last.as_ref().is_some_and(|last| last.operation.name() == freedom.descriptor().word);
+    let keeps = is_last && state.operations.led_to(state.document.camera()).is_some();
+    let button = ui.add_enabled(keeps, egui::Button::new(t.keep_operation));
+    if button.explained(t.keep_operation_hint).explained_disabled(t.keep_operation_disabled).clicked() {
+        let camera = state.document.camera().clone();
+        state.operations.keep(&camera, &mut state.document.show_mut().operations);
+    }
     ui.add_space(3.0);
+}
+
+/// The operations that the figure shows, and the button that takes them out.
+fn kept(ui: &mut egui::Ui, t: &'static Texts, state: &mut State) {
+    let shown = &state.document.figure().show.operations;
+    if shown.is_empty() {
+        return;
+    }
+    let names: Vec<String> = shown.iter().map(|operation| written(*operation, t)).collect();
+    ui.horizontal(|ui| {
+        let taken_out = ui.button("✕").explained(t.take_out).accessible_name(t.take_out).clicked();
+        ui.add(egui::Label::new(format!("{} {}", t.kept_operations, names.join(" · "))).wrap());
+        if taken_out {
+            state.document.show_mut().operations.clear();
+        }
+    });
+}
+
+/// An operation with its value: Azimuth +30°.
+fn written(operation: Operation, t: &Texts) -> String {
+    let mark = t.lang.mark();
+    let amount = match operation {
+        Operation::Zoom(factor) | Operation::Dolly(factor) => format!("× {}", mark.number(factor, 4)),
+        Operation::Pan { dx, dy } => mark.tuple(&[dx, dy], 4),
+        _ => operation.angle().map(|angle| format!("{}°", mark.number(angle.degrees(), 5))).unwrap_or_default(),
+    };
+    let name = if matches!(operation, Operation::Pan { .. }) { "Pan" } else { name(operation.freedom(), t) };
+    format!("{name} {amount}")
 }
 
 /// The amount of a slider.
@@ -272,7 +308,12 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
                 state.say_camera_error(done);
             }
         }
+        if response.drag_stopped() && amount != 0.0 {
+            state.operations.last = state.hover.ghost.clone();
+        }
     } else if response.changed() {
-        state.operate(pulled(freedom, amount));
+        let (before, operation) = (state.document.camera().clone(), pulled(freedom, amount));
+        state.operations.last = Some(Ghost { before, operation, convention: state.operations.convention });
+        state.operate(operation);
     }
 }

@@ -19,6 +19,7 @@ pub(in crate::gui) fn begin(state: &mut State, freedom: Freedom, amount: f64) {
     let (start, convention) = (state.document.camera().clone(), state.operations.convention);
     let operation = freedom.by(amount);
     let ghost = Ghost { before: start.clone(), operation, convention };
+    state.operations.last = Some(ghost.clone());
     state.operations.done = Some(DoneStep { ghost, since: None });
     if state.settings.reduce_motion || operation.apply(&start, convention).is_err() {
         state.operate(operation);

@@ -416,6 +416,11 @@ texts! {
     step_hint: "The step of the buttons − and +", "O passo dos botões − e +";
     scrub: "slider", "controle";
     scrub_hint: "Pull: the camera moves from where it is, by 5° (Ctrl: freely); release: it stays there, and the knob springs back", "Puxe: a câmera se move de onde está, de 5° em 5° (Ctrl: livre); solte: ela fica lá, e o botão volta ao meio";
+    keep_operation: "Keep in the figure", "Guardar na figura";
+    keep_operation_hint: "The figure shows this operation: the camera before, the axis and the arc with its value. So do files, exports and lessons", "A figura mostra esta operação: a câmera de antes, o eixo e o arco com o valor. Arquivos, exportações e lições também";
+    keep_operation_disabled: "First do this operation", "Faça primeiro esta operação";
+    kept_operations: "In the figure:", "Na figura:";
+    take_out: "Take the operations out of the figure", "Tirar as operações da figura";
     more: "More", "Mais";
     vtk: "Signs of VTK", "Sinais do VTK";
     vtk_hint: "VTK turns elevation and roll the other way. Here a positive angle is counter-clockwise seen from the tip of the axis", "O VTK gira elevação e rolagem ao contrário. Aqui um ângulo positivo é anti-horário visto da ponta do eixo";

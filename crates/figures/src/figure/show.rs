@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use glam::{DMat4, DVec2, DVec3};
 
 use super::View;
-use crate::camera::{Decomposition, Ndc, Parameters};
+use crate::camera::{Decomposition, Ndc, Operation, Parameters};
 use crate::geometry::Ray;
 use crate::stage::Stage;
 
@@ -36,9 +36,15 @@ pub struct Show {
     pub ndc: Option<Ndc>,
     /// A second camera, such as the one that a wrong answer describes, in the world.
     pub answer: Option<Parameters>,
+    /// The operations that led to the figure's camera, in order, at most [`MOST_OPERATIONS`](Self::MOST_OPERATIONS):
+    /// each is drawn with the camera before it.
+    pub operations: Vec<Operation>,
 }
 
 impl Show {
+    /// The most operations that a figure shows.
+    pub const MOST_OPERATIONS: usize = 8;
+
     /// Follows an object, or its parts, to another name.
     pub fn rename_object(&mut self, from: &str, to: &str) {
         let renamed = |name: &str| match name.strip_prefix(from) {

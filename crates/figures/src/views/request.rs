@@ -4,8 +4,11 @@ use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
 use super::pixels::image_frame;
-use super::{Hover, Labels, Look, ObjectTransform, Picture, Probe, ShadowTruth, Shot, Size, TriangleOverlay, View};
-use crate::camera::{Camera, Decomposition};
+use super::words::values::done;
+use super::{
+    Ghost, Hover, Labels, Look, ObjectTransform, Picture, Probe, ShadowTruth, Shot, Size, TriangleOverlay, View,
+};
+use crate::camera::{Camera, Decomposition, Operation};
 use crate::figure::{Figure, Measured, Observer, ShownStep};
 use crate::geometry::Aabb;
 use crate::pipeline::{Output, Scenes};
@@ -109,6 +112,18 @@ impl Request {
             triangle: None,
             shadow_truth: None,
         }
+    }
+
+    /// The operations that the figure shows, each with the camera before it and the one after it.
+    #[must_use]
+    pub fn operations(&self) -> Vec<(Ghost, Camera)> {
+        Ghost::leading_to(&self.camera, &self.shot.show.operations)
+    }
+
+    /// An operation in the words of the picture, numbered from 1 if there are several.
+    pub(in crate::views) fn operation_text(&self, place: usize, count: usize, operation: Operation) -> String {
+        let text = done(operation, self.labels);
+        if count > 1 { format!("{}. {text}", place + 1) } else { text }
     }
 
     /// The same picture with another shot, of which the part seen in it counts; where it is compared, on both sides.

@@ -139,6 +139,7 @@ impl Shot {
             stage_of: stage.map_or_else(StagePicture::default, |_| show.stage_of),
             triangle: show.triangle.clone(),
             probe: show.probe,
+            operations: show.operations.clone(),
             ..Show::default()
         };
         let mut look = Look { reveal: self.revealed_in(view), ..self.look };

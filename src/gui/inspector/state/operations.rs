@@ -1,6 +1,8 @@
 //! Steps, signs and the slider that is held.
 
 use crate::camera::{Amount, Camera, Convention, Freedom, OPERATIONS, Operation};
+use crate::figure::Show;
+use crate::geometry::Angle;
 use crate::views::Ghost;
 
 /// The state of the panel of operations.
@@ -17,6 +19,38 @@ pub struct Operations {
     pub(in crate::gui) motion: Option<Motion>,
     /// The step that was done last, while the world shows it.
     pub(in crate::gui) done: Option<DoneStep>,
+    /// The operation that was done last, by a button or a slider.
+    pub(in crate::gui) last: Option<Ghost>,
+    /// The camera after the last operation that was kept in the figure: another one goes on from there.
+    kept_at: Option<Camera>,
+}
+
+impl Operations {
+    /// The operation that led to this camera, by the notes' signs; `None` if something else did.
+    pub(in crate::gui) fn led_to(&self, camera: &Camera) -> Option<(Operation, &Camera)> {
+        let Ghost { before, operation, convention } = self.last.as_ref()?;
+        let after = operation.apply(before, *convention).ok()?;
+        let turned = |turn: fn(Angle) -> Operation| operation.right_hand_angle(*convention).map(turn);
+        let operation = match operation {
+            Operation::Elevation(_) => turned(Operation::Elevation)?,
+            Operation::Roll(_) => turned(Operation::Roll)?,
+            other => *other,
+        };
+        (after.parameters() == camera.parameters()).then_some((operation, before))
+    }
+
+    /// Adds the operation that led to a camera to those that its figure shows, if it goes on from them; else it is
+    /// alone there.
+    pub(in crate::gui) fn keep(&mut self, camera: &Camera, shown: &mut Vec<Operation>) {
+        let Some((operation, before)) = self.led_to(camera) else { return };
+        if self.kept_at.as_ref().is_none_or(|kept| kept.parameters() != before.parameters()) {
+            shown.clear();
+        } else if shown.len() == Show::MOST_OPERATIONS {
+            shown.remove(0);
+        }
+        shown.push(operation);
+        self.kept_at = Some(camera.clone());
+    }
 }
 
 /// A step of a button that the world goes on showing: its axis, its arc, its angle.
@@ -68,6 +102,8 @@ impl Default for Operations {
             scrub: None,
             motion: None,
             done: None,
+            last: None,
+            kept_at: None,
         }
     }
 }

@@ -182,6 +182,22 @@ impl Operation {
         Camera::derive(parameters, pose, frame, window)
     }
 
+    /// The operation that leads back, for a camera after this one. A factor that has no inverse among the `f64`s comes
+    /// back to within a rounding.
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        match self {
+            Self::Elevation(angle) => Self::Elevation(-angle),
+            Self::Azimuth(angle) => Self::Azimuth(-angle),
+            Self::Roll(angle) => Self::Roll(-angle),
+            Self::Yaw(angle) => Self::Yaw(-angle),
+            Self::Pitch(angle) => Self::Pitch(-angle),
+            Self::Zoom(factor) => Self::Zoom(1.0 / factor),
+            Self::Dolly(factor) => Self::Dolly(1.0 / factor),
+            Self::Pan { dx, dy } => Self::Pan { dx: -dx, dy: -dy },
+        }
+    }
+
     fn check(&self) -> Result<(), CameraError> {
         let name = Checked::Operation(self.name());
         match *self {

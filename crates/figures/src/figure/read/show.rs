@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::camera;
 use super::section::{Fault, Section};
+use crate::camera::Operation;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::words::{MEASURES, NDCS, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
 use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep};
@@ -20,6 +21,7 @@ pub(super) fn show(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Show {
         (section.choice("stage", STAGES), section.word("stage_of", STAGE_PICTURES, StagePicture::default()));
     let (measure, measure_of) = (section.words("measure", MEASURES), section.text("measure_of"));
     let ndc = section.choice("ndc", NDCS);
+    let operations = operations(&mut section);
     let moved = section.sections("moved", "[[show.moved]]");
     faults.extend(section.finish());
     Show {
@@ -34,7 +36,28 @@ pub(super) fn show(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Show {
         moved: previews(moved, faults),
         ndc,
         answer: answer_section.is_table().then(|| camera(answer_section, faults)),
+        operations,
     }
+}
+
+/// One operation, or several in a list.
+fn operations(section: &mut Section<'_>) -> Vec<Operation> {
+    let key = "operation";
+    if !section.is_list(key) {
+        let Some(text) = section.text(key) else { return Vec::new() };
+        let operation = text.parse().ok();
+        if operation.is_none() {
+            section.refuse(key, Allowed::Operations);
+        }
+        return operation.into_iter().collect();
+    }
+    let operations: Vec<Operation> = section.list(key, Allowed::Operations, |text| text.parse().ok());
+    let (count, limit) = (operations.len(), Show::MOST_OPERATIONS);
+    if count > limit {
+        section.fault(key, Problem::TooMany { count, limit });
+        return Vec::new();
+    }
+    operations
 }
 
 /// The result of a section without faults.

@@ -9,7 +9,8 @@ use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, Tr
 
 /// The section; empty where nothing is shown.
 pub(super) fn show(show: &Show) -> Table {
-    let Show { stage, stage_of, painted, step, triangle, measure, measure_of, probe, moved, ndc, answer } = show;
+    let Show { stage, stage_of, painted, step, triangle, measure, measure_of, probe, moved, ndc, answer, operations } =
+        show;
     let mut keys: Vec<(&str, Value)> = Vec::new();
     keys.extend(stage.map(|stage| ("stage", words::name(STAGES, stage).into())));
     if *stage_of != StagePicture::default() {
@@ -25,6 +26,14 @@ pub(super) fn show(show: &Show) -> Table {
     keys.extend(measure_of.as_ref().map(|object| ("measure_of", quoted(object))));
     keys.extend(probe.map(|probe| ("probe", of_probe(probe))));
     keys.extend(ndc.map(|ndc| ("ndc", words::name(NDCS, ndc).into())));
+    match operations.as_slice() {
+        [] => {}
+        [one] => keys.push(("operation", one.to_string().into())),
+        several => {
+            let several: Array = several.iter().map(ToString::to_string).collect();
+            keys.push(("operation", several.into()));
+        }
+    }
     let mut section = table(keys);
     let previews: ArrayOfTables = moved.iter().map(preview).collect();
     if !previews.is_empty() {

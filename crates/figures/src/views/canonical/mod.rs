@@ -24,7 +24,7 @@ use super::{Labels, Palette, Request};
 use crate::views::canonical::canonical_box::CanonicalBox;
 use crate::views::image::light_view;
 use crate::views::reveal::revealed_scene;
-use crate::views::reveal::{probe, triangle_overlay};
+use crate::views::reveal::{operation_path, probe, triangle_overlay};
 use crate::views::words::author_labels;
 use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
@@ -121,6 +121,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     revealed.mark(&mut builder, palette);
     probe::in_canonical(&mut builder, request, palette);
     triangle_overlay::in_canonical(&mut builder, request, palette);
+    revealed.rows.extend(operation_path::in_canonical(&mut builder, request, palette));
     cube(&mut builder, &canonical, request.labels, palette);
     let fineness = screen.fineness(request, |p| screen.place(shown(request, &canonical, p)?));
     let lights = light_view::lights(request, &request.scene);

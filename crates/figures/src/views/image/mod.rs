@@ -21,7 +21,7 @@ use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
 use super::{Palette, Request};
 use crate::views::image::depth::Greys;
-use crate::views::reveal::{probe, revealed_scene, triangle_overlay};
+use crate::views::reveal::{operation_path, probe, revealed_scene, triangle_overlay};
 use crate::views::words::author_labels;
 use crate::views::words::label_layout;
 use crate::views::words::label_layout::{Author, Rules};
@@ -81,6 +81,7 @@ fn headed(request: &Request, linear: &str, pipeline: &mut TimedPipeline) -> Fram
     revealed.mark(&mut builder, palette);
     probe::in_image(&mut builder, request, palette);
     triangle_overlay::in_image(&mut builder, request, palette);
+    revealed.rows.extend(operation_path::in_image(&mut builder, request, palette));
     let lights = light_view::lights(request, &scene);
     let scenes = scene
         .with(&builder.gear)

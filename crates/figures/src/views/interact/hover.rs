@@ -122,6 +122,23 @@ pub struct Ghost {
     pub convention: Convention,
 }
 
+impl Ghost {
+    /// The operations that led to a camera, in order, each with the camera before it and the one after it. The signs
+    /// are those of the notes. None from the first on that no camera can come before.
+    #[must_use]
+    pub fn leading_to(camera: &Camera, operations: &[Operation]) -> Vec<(Self, Camera)> {
+        let convention = Convention::RightHand;
+        let mut after = camera.clone();
+        let mut led = Vec::with_capacity(operations.len());
+        for &operation in operations.iter().rev() {
+            let Ok(before) = operation.inverse().apply(&after, convention) else { break };
+            led.push((Self { before: before.clone(), operation, convention }, std::mem::replace(&mut after, before)));
+        }
+        led.reverse();
+        led
+    }
+}
+
 /// Something that can be dragged in the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Handle {

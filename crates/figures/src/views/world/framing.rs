@@ -28,6 +28,7 @@ impl Content {
         let scene = request.scene.bounds();
         let mut points = vec![camera.position()];
         points.extend(request.hover.ghost.iter().map(|g| g.before.position()));
+        points.extend(request.operations().iter().map(|(ghost, _)| ghost.before.position()));
         points.extend(request.shot.answered.iter().map(Camera::position));
         points.extend(scene.iter().flat_map(Aabb::corners));
         let boxed = |points: &[DVec3]| {

@@ -1,5 +1,5 @@
-//! An operation while it is being tried: its axis and pivot, the way that the moved points go, and the camera before
-//! it.
+//! Operations that a figure shows, and the one that is being tried: axis and pivot, the way that the moved points go,
+//! and the camera before.
 
 use std::sync::Arc;
 
@@ -14,34 +14,56 @@ use super::camera_gizmo::Gear;
 use super::gizmos::{self, GearBuilder, SMALL_TYPE, TYPE};
 use crate::views::{Ghost, Palette, Request};
 
-/// Adds the operation that is being tried, and the camera that an answer describes, where there are any.
+/// Adds the operations that the figure shows, the one that is being tried, and the camera that an answer describes.
 pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette, gear: Gear) {
     if let Some(answered) = &request.shot.answered {
         camera_answered(builder, request, palette, gear, answered);
     }
-    let Some(ghost) = &request.hover.ghost else { return };
-    camera_before(builder, request, palette, gear, &ghost.before);
-    let after = &request.camera;
-    match ghost.operation.axis(&ghost.before) {
-        Some(axis) => turn(builder, palette, gear, ghost, axis),
-        None => {
-            let moved = |a: DVec3, b: DVec3| (a != b).then(|| vec![a, b]);
-            let before = &ghost.before;
-            for way in [moved(before.position(), after.position()), moved(before.focal_point(), after.focal_point())] {
-                builder.arrows(way, palette.probe);
-            }
-        }
+    let led = request.operations();
+    for (k, (ghost, after)) in led.iter().enumerate() {
+        // The one before the first operation has a name, those between have numbers.
+        let name = if k == 0 { request.labels.before.to_owned() } else { k.to_string() };
+        camera_before(builder, palette, gear, (&ghost.before, after), &name);
+        let middle = path(builder, palette, gear, ghost, after);
+        let text = request.operation_text(k, led.len(), ghost.operation);
+        let outwards = builder.screen.heading(after.focal_point(), middle - after.focal_point());
+        builder.named(ghost.operation.name(), middle, &text, outwards, SMALL_TYPE, palette.probe);
+    }
+    if let Some(ghost) = &request.hover.ghost {
+        camera_before(builder, palette, gear, (&ghost.before, &request.camera), request.labels.before);
+        path(builder, palette, gear, ghost, &request.camera);
     }
 }
 
-/// The camera before, faintly, with its name where it has moved.
-fn camera_before(builder: &mut GearBuilder, request: &Request, palette: Palette, gear: Gear, before: &Camera) {
+/// The way of an operation to the camera after it: axis, pivot and arc of a rotation, the arrows of a move, the former
+/// window of a zoom. Gives a place in its middle.
+fn path(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, after: &Camera) -> DVec3 {
+    let before = &ghost.before;
+    if let Some(axis) = ghost.operation.axis(before) {
+        return turn(builder, palette, gear, ghost, axis);
+    }
+    let moved = |a: DVec3, b: DVec3| (a != b).then(|| vec![a, b]);
+    for way in [moved(before.position(), after.position()), moved(before.focal_point(), after.focal_point())] {
+        builder.arrows(way, palette.probe);
+    }
+    let [.., corner, _, _, _, _] = before.volume_corners();
+    if before.position() == after.position() { corner } else { before.position().midpoint(after.position()) }
+}
+
+/// The camera before, faintly, with its name if it has moved.
+fn camera_before(
+    builder: &mut GearBuilder,
+    palette: Palette,
+    gear: Gear,
+    (before, after): (&Camera, &Camera),
+    name: &str,
+) {
     let (c, color) = (before.position(), palette.ghost);
     camera(builder, gear, before, "camera before", color);
-    let moved = c.distance(request.camera.position()) > 0.5 * gear.axis;
+    let moved = c.distance(after.position()) > 0.5 * gear.axis;
     if moved {
         builder.mark(c, MarkShape::Ring, 3.0, color);
-        builder.named("before", c, request.labels.before, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
+        builder.named("before", c, name, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
     }
 }
 
@@ -75,8 +97,8 @@ fn camera(builder: &mut GearBuilder, gear: Gear, camera: &Camera, name: &str, co
     builder.closed(&corners[..4], color, 1.2, Dash::Dotted);
 }
 
-/// The axis through the pivot, and the arc in the sense of the rotation.
-fn turn(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, axis: Ray) {
+/// The axis through the pivot, and the arc in the sense of the rotation; gives its middle.
+fn turn(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, axis: Ray) -> DVec3 {
     let (before, pivot) = (&ghost.before, axis.origin);
     let [u, v, n] = palette.axes;
     let (moved, color, name) = match ghost.operation {
@@ -85,9 +107,9 @@ fn turn(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, 
         Operation::Roll(_) => (gear.view_up_tip(before), n, "n"),
         Operation::Yaw(_) => (before.focal_point(), v, "v"),
         Operation::Pitch(_) => (before.focal_point(), u, "u"),
-        Operation::Zoom(_) | Operation::Dolly(_) | Operation::Pan { .. } => return,
+        Operation::Zoom(_) | Operation::Dolly(_) | Operation::Pan { .. } => return pivot,
     };
-    let Some(angle) = ghost.operation.right_hand_angle(ghost.convention) else { return };
+    let Some(angle) = ghost.operation.right_hand_angle(ghost.convention) else { return pivot };
     let reach = builder.screen.units_per_pixel(pivot) * 0.2 * builder.screen.extent().min_element();
     let tip = pivot + axis.direction * reach;
     builder.arrow(vec![pivot - axis.direction * reach, tip], color, 1.6, Dash::DashDot);
@@ -99,11 +121,13 @@ fn turn(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, 
     for end in ends.into_iter().flatten() {
         builder.line(vec![pivot, end], palette.probe, 0.9, Dash::Dotted);
     }
+    let middle = arc.get(arc.len() / 2).copied().unwrap_or(pivot);
     builder.arrows(Some(arc), palette.probe);
+    middle
 }
 
 /// The path of a point that turns about an axis; more than two full turns are not distinguished.
-fn arc(axis: Ray, from: DVec3, radians: f64) -> Vec<DVec3> {
+pub(in crate::views) fn arc(axis: Ray, from: DVec3, radians: f64) -> Vec<DVec3> {
     const STEPS: u32 = 96;
     let angle = radians.clamp(-2.0 * std::f64::consts::TAU, 2.0 * std::f64::consts::TAU);
     let arm = from - axis.origin;
