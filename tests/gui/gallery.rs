@@ -32,7 +32,7 @@ impl Window {
 
 impl Window {
     /// Types words of cards in the place of others.
-    fn search_cards(&mut self, wanted: &str) {
+    pub(crate) fn search_cards(&mut self, wanted: &str) {
         self.harness.get_by_role_and_label(Role::TextInput, "Search the cards").focus();
         self.run();
         self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);

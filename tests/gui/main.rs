@@ -50,6 +50,7 @@ mod shot;
 mod stages;
 mod strip;
 mod text_fields;
+mod titles;
 mod tooltips;
 mod triangle;
 mod window;

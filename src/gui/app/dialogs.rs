@@ -15,7 +15,7 @@ use crate::gui::files::comparison::{Comparison, Whose};
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::FileKind;
 use crate::gui::files::link_dialog;
-use crate::gui::files::qr;
+use crate::gui::files::{qr, title_dialog};
 use crate::gui::gallery::{self, Chosen, Source};
 use crate::gui::inspector::coach;
 use crate::gui::inspector::compare_dialog;
@@ -64,7 +64,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     }
     let modal = Modal::new(id).frame(frame).show(ctx, |ui| {
         let width = match &dialog {
-            Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress | Dialog::Link => 520.0,
+            Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress | Dialog::Link | Dialog::Title(_) => 520.0,
             Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,
             Dialog::Gallery => 1110.0,
             Dialog::Lessons => lesson::LIST_WIDTH,
@@ -118,6 +118,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 }
             }
             Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
+            Dialog::Title(form) => title_dialog::show(ui, t, state, form, first),
             Dialog::Export(export) => export_dialog::show(ui, t, state, export, first),
             // It has no frame.
             Dialog::Qr => {}

@@ -96,7 +96,8 @@ const CAPTION_ROWS: usize = 2;
 /// The title and the caption of the figure, large, above the pictures; nothing where it has none.
 pub(in crate::gui) fn caption(ui: &mut Ui, state: &State) {
     let figure = state.document.figure();
-    if figure.title.is_none() && figure.caption.is_none() {
+    let has_none = figure.title.is_none() && figure.caption.is_none();
+    if has_none || state.document.has_words_of_card() {
         return;
     }
     let lang = state.settings.lang;

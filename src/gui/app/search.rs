@@ -5,10 +5,12 @@ use std::borrow::Cow;
 use eframe::egui::{self, Align, Button, Key, Modifiers, RichText, Role, Ui, WidgetInfo};
 
 use super::command::Command;
+use crate::camera::{Descriptor, Freedom, OPERATIONS};
 use crate::explain::Matrix;
 use crate::figure::Explanation;
 use crate::files::SHIPPED_FIGURES;
 use crate::gui::files::file_flow;
+use crate::gui::inspector::operations;
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
@@ -20,6 +22,7 @@ use crate::i18n::learn::exercises as exercise_words;
 use crate::i18n::told;
 use crate::i18n::why::{explain as explain_words, notes};
 use crate::i18n::window;
+use crate::i18n::window::coach as coach_words;
 use crate::i18n::window::search as words;
 use crate::i18n::window::search::{also_called, folded, has_words};
 use crate::lessons::{OpenLesson, shipped};
@@ -35,6 +38,10 @@ const MOST: usize = 60;
 #[derive(Clone, Debug, PartialEq)]
 enum Target {
     Command(Command),
+    /// The row of an operation, opened.
+    Operation(Freedom),
+    /// The camera check.
+    CameraCheck,
     /// The number field of a parameter, by its name.
     Parameter(Tab, &'static str),
     Explanation(Explanation),
@@ -87,6 +94,22 @@ fn entries(state: &State) -> Vec<Entry> {
     let lang = state.settings.lang;
     let (t, t_window) = (words::texts(lang), window::texts(lang));
     let mut all = Vec::new();
+    for Descriptor { freedom, .. } in &OPERATIONS {
+        let [title, about] = operations::words(*freedom, t_window);
+        all.push(Entry {
+            target: Target::Operation(*freedom),
+            kind: t.operation,
+            title: title.into(),
+            about: about.into(),
+        });
+    }
+    let coach = coach_words::texts(lang);
+    all.push(Entry {
+        target: Target::CameraCheck,
+        kind: t.command,
+        title: coach.coach.into(),
+        about: coach.coach_hint.into(),
+    });
     for (explanation, question, (title, about)) in why::all(explain_words::texts(lang)) {
         all.push(Entry {
             target: Target::Explanation(explanation),
@@ -275,6 +298,12 @@ fn go_to(ctx: &egui::Context, state: &mut State, target: Target) {
                 number_field::take_keyboard(ctx, field);
             }
         }
+        Target::Operation(freedom) => {
+            state.operations.open = freedom;
+            state.settings.panels_mut().show(Side::Right);
+            number_field::take_keyboard(ctx, &operations::step_name(freedom, window::texts(state.settings.lang)));
+        }
+        Target::CameraCheck => state.file_flow.dialog = Some(Dialog::Coach),
         Target::Explanation(explanation) => {
             state.show_explanation(explanation);
             if explanation == Explanation::Exercises {
@@ -322,6 +351,14 @@ mod tests {
             (Lang::En, "painter", "Hidden surfaces"),
             (Lang::En, "view matrix", "M_v view matrix (5.7)"),
             (Lang::En, "direct3d", "Conventions"),
+            (Lang::En, "azimuth", "Azimuth"),
+            (Lang::En, "empty image", "Camera check"),
+            (Lang::En, "title", "Title and caption…"),
+            (Lang::En, "pdf", "Export pictures…"),
+            (Lang::En, "run time", "Numerics"),
+            (Lang::PtBr, "legenda", "Título e legenda…"),
+            (Lang::PtBr, "imagem vazia", "Exame da câmera"),
+            (Lang::PtBr, "guinada", "Guinada"),
             (Lang::PtBr, "abertura", "θ ângulo de vista"),
             (Lang::PtBr, "angulo de vista", "θ ângulo de vista"),
             (Lang::PtBr, "recorte", "Recorte"),

@@ -11,6 +11,7 @@ use std::sync::Arc;
 use eframe::egui::{self, ViewportCommand};
 
 use super::file_kind::FileKind;
+use super::title_dialog::TitleForm;
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
@@ -109,6 +110,13 @@ pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
 /// Asks for a file: with the dialog of the system, or with a field where it has none. A page in a browser has no
 /// folders to choose: it asks only for the name of a figure.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
+    // A figure that was made of a card has words of its own.
+    let asks_title = matches!(purpose, Purpose::Save(_)) && state.document.shipped_name().is_some();
+    if asks_title && state.file_flow.titled != Some(state.document.id()) {
+        let form = TitleForm::of(state, Some(purpose));
+        state.file_flow.dialog = Some(Dialog::Title(form));
+        return;
+    }
     let kind = FileKind::of(state, &purpose);
     let hands_out = state.in_browser && kind.wanted == Wanted::NewFile;
     if hands_out && !matches!(purpose, Purpose::Save(_)) {

@@ -8,4 +8,5 @@ pub(super) mod link_dialog;
 pub(super) mod qr;
 pub(super) mod questions;
 pub(super) mod sequence;
+pub mod title_dialog;
 pub(super) mod watch;

@@ -10,6 +10,7 @@ use crate::gui::background::worker::Running;
 use crate::gui::export::preview::Preview;
 use crate::gui::export::{Export, Exported, Exporting};
 use crate::gui::files::comparison::Comparison;
+use crate::gui::files::title_dialog::TitleForm;
 use crate::gui::files::watch::Watch;
 use crate::gui::model::history::Revision;
 use crate::gui::platform::native::{FileQuestion, OpenFileDialog};
@@ -154,6 +155,8 @@ pub enum Dialog {
     Changed(Changed),
     /// The file is read-only: replace it all the same?
     ReadOnly(Purpose, PathBuf, Agreed),
+    /// The title and the caption of the figure.
+    Title(TitleForm),
     /// The export dialog.
     Export(Export),
     /// Pictures are still being written: the window closes when they are there.
@@ -215,6 +218,8 @@ pub struct FileFlow {
     /// The dialog of a document that a question because of closing the window has covered.
     pub(in crate::gui) covered: Option<(Revision, Dialog)>,
     pub(in crate::gui) exporting: Vec<Exporting>,
+    /// The document of the gallery whose title has been asked for, before its file is.
+    pub(in crate::gui) titled: Option<Revision>,
     /// The content of the export dialog while it is open.
     pub preview: Option<Preview>,
 }
@@ -244,6 +249,7 @@ impl Dialog {
             | Self::Changed(_)
             | Self::ReadOnly(..)
             | Self::Export(_)
+            | Self::Title(_)
             | Self::Closing
             | Self::Delete { .. }
             | Self::DeleteProgress => true,

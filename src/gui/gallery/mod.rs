@@ -160,12 +160,18 @@ impl Gallery {
         }
     }
 
-    /// Whether a figure has the words that are wanted, or their other names, in its title or its sentence.
-    fn is_wanted(&self, source: &Source, called: &[String]) -> bool {
+    /// How well a figure fits the words that are wanted, first the typed ones, then their other names: 0 if they are in
+    /// its title, more if only in its sentence; `None`: not at all.
+    fn rank(&self, source: &Source, called: &[String]) -> Option<usize> {
         let told = self.cards.get(source).and_then(|card| card.told.as_ref());
-        let text =
-            told.map_or_else(|| folded(&source.name()), |told| folded(&format!("{} {}", told.title, told.sentence)));
-        called.iter().any(|name| has_words(&text, name))
+        let (title, sentence) = told.map_or_else(
+            || (folded(&source.name()), String::new()),
+            |told| (folded(&told.title), folded(&told.sentence)),
+        );
+        let whole = format!("{title} {sentence}");
+        let has = |text: &str, names: &[String]| names.iter().any(|name| has_words(text, name));
+        let (typed, others) = called.split_at(called.len().min(1));
+        [has(&title, typed), has(&title, others), has(&whole, typed), has(&whole, others)].into_iter().position(|is| is)
     }
 
     /// Takes the results, and starts the next request.

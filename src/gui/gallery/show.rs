@@ -76,11 +76,12 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
     let is_searched = !gallery.wanted.trim().is_empty();
     if is_searched {
         let called = also_called(&gallery.wanted);
-        sources.retain(|source| gallery.is_wanted(source, &called));
+        sources.retain(|source| gallery.rank(source, &called).is_some());
+        sources.sort_by_key(|source| gallery.rank(source, &called));
     }
     ui.add_space(6.0);
     let top = ui.cursor().top();
-    let goes_to = headings(ui, t.lang, &sources);
+    let goes_to = if is_searched { None } else { headings(ui, t.lang, &sources) };
     gallery.shows_limits |= goes_to == Some(Topic::Limits);
     // They're many, and few look for them.
     let is_limit = |source: &Source| topic(source) == Some(Topic::Limits);
@@ -169,8 +170,12 @@ fn search(ui: &mut Ui, t: &Texts, gallery: &mut Gallery) -> Option<Chosen> {
     gallery.wants_focus |= goes_down;
     let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     let called = also_called(&gallery.wanted);
-    let first = || gallery.sources().0.into_iter().find(|source| gallery.is_wanted(source, &called));
-    if entered { first().map(Chosen::Open) } else { None }
+    let best = || {
+        let ranked =
+            gallery.sources().0.into_iter().filter_map(|source| Some((gallery.rank(&source, &called)?, source)));
+        ranked.min_by_key(|(rank, _)| *rank).map(|(_, source)| source)
+    };
+    if entered { best().map(Chosen::Open) } else { None }
 }
 
 /// The cards in rows, under their headings; the figure of the one that was pressed.
@@ -191,7 +196,9 @@ fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], goes
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful of columns")]
     let columns = (((ui.available_width() + GAP) / (card.x + GAP)) as usize).max(1);
     let part = gallery.part;
-    let rows = rows(sources, columns);
+    // What was searched for is in the order in which it fits, without headings.
+    let topic = if gallery.wanted.trim().is_empty() { topic } else { |_: &Source| None };
+    let rows = rows(sources, columns, topic);
     let is_chosen = |source: &Source| gallery.chosen[part as usize].as_ref() == Some(source);
     let chosen = sources.iter().position(is_chosen).unwrap_or(0);
     let id = |source: &Source| Id::unique(("gallery card", part, source));
@@ -253,7 +260,7 @@ fn topic(source: &Source) -> Option<Topic> {
 }
 
 /// The rows of cards; each topic begins one.
-fn rows(sources: &[Source], columns: usize) -> Vec<Range<usize>> {
+fn rows(sources: &[Source], columns: usize, topic: fn(&Source) -> Option<Topic>) -> Vec<Range<usize>> {
     let mut rows = Vec::new();
     let mut start = 0;
     for group in sources.chunk_by(|a, b| topic(a) == topic(b)) {

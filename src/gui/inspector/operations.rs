@@ -57,6 +57,16 @@ fn effect(freedom: Freedom, t: &Texts) -> &'static str {
     }
 }
 
+/// The name of an operation and its effect.
+pub(in crate::gui) fn words(freedom: Freedom, t: &Texts) -> [&'static str; 2] {
+    [name(freedom, t), effect(freedom, t)]
+}
+
+/// The name of the field of an operation's step.
+pub(in crate::gui) fn step_name(freedom: Freedom, t: &Texts) -> String {
+    format!("{}: {}", name(freedom, t), t.step)
+}
+
 /// Shows the operations.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.settings.lang);
@@ -192,7 +202,7 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
         }
         button(ui, t, state, freedom, false);
         let step = &mut state.operations.steps[freedom as usize];
-        let title = format!("{name}: {}", t.step);
+        let title = step_name(freedom, t);
         let field = match freedom.descriptor().amount {
             Amount::Factor => NumberField::new(title, Step::Multiply(1.1)).prefix("×"),
             Amount::Length => NumberField::new(title, Step::Multiply(1.1)),

@@ -433,6 +433,14 @@ impl Document {
         self.shipped
     }
 
+    /// Whether title and caption are those of the gallery's card that the figure was made of, and the figure is another
+    /// one by now: they don't speak of it.
+    #[must_use]
+    pub fn has_words_of_card(&self) -> bool {
+        let words = |figure: &Figure| (figure.title.clone(), figure.caption.clone());
+        self.shipped.is_some() && self.is_changed && words(&self.figure) == words(&self.saved)
+    }
+
     /// The file, once there is one.
     #[must_use]
     pub fn path(&self) -> Option<&PathBuf> {

@@ -81,7 +81,8 @@ impl State {
     /// The figure that shows in any program the present screen: with explanations, and with the observers.
     #[must_use]
     pub fn figure_as_shown(&self) -> Figure {
-        Figure { observers: self.observers_as_shown(), ..self.figure_to_save() }
+        let figure = Figure { observers: self.observers_as_shown(), ..self.figure_to_save() };
+        if self.document.has_words_of_card() { Figure { title: None, caption: None, ..figure } } else { figure }
     }
 
     /// The figure as *Save* writes it: with its layout and with what it explains. If you haven't turned a view, its

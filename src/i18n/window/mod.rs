@@ -421,6 +421,16 @@ texts! {
     keep_operation_disabled: "First do this operation", "Faça primeiro esta operação";
     kept_operations: "In the figure:", "Na figura:";
     take_out: "Take the operations out of the figure", "Tirar as operações da figura";
+    title_command: "Title and caption…", "Título e legenda…";
+    title_hint: "The words above the figure in a presentation, in exports and on its card", "As palavras acima da figura na apresentação, nas exportações e no seu cartão";
+    title_heading: "Title and caption", "Título e legenda";
+    title_text: "They stand above the figure in a presentation, in exports and on its card in the gallery.", "Aparecem acima da figura na apresentação, nas exportações e no seu cartão da galeria.";
+    title_name: "Title", "Título";
+    caption_name: "Caption", "Legenda";
+    in_english: "in English", "em inglês";
+    in_portuguese: "in Portuguese", "em português";
+    title_note: "If you leave one language empty, the other one is used for both.", "Se você deixar um idioma vazio, vale o outro para os dois.";
+    title_action: "Apply", "Aplicar";
     more: "More", "Mais";
     vtk: "Signs of VTK", "Sinais do VTK";
     vtk_hint: "VTK turns elevation and roll the other way. Here a positive angle is counter-clockwise seen from the tip of the axis", "O VTK gira elevação e rolagem ao contrário. Aqui um ângulo positivo é anti-horário visto da ponta do eixo";

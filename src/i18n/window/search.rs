@@ -7,6 +7,7 @@ texts! {
     keys: "↑ ↓: choose · Enter: go there · Esc: close", "↑ ↓: escolher · Enter: ir · Esc: fechar";
     nothing: "Nothing has these words. Try fewer letters, or another name for it.", "Nada tem estas palavras. Tente menos letras, ou outro nome.";
     command: "command", "comando";
+    operation: "operation", "operação";
     parameter: "parameter", "parâmetro";
     note: "note", "nota";
     exercise: "exercise", "exercício";
@@ -89,6 +90,12 @@ const SYNONYMS: &[&[&str]] = &[
     &["rasterization", "rasterizacao", "scanline", "stages", "etapas", "pipeline"],
     &["aspect ratio", "razao de aspecto", "aspect", "aspecto"],
     &["dark mode", "modo escuro", "dark theme", "tema escuro"],
+    &["title", "titulo", "caption", "legenda", "heading", "cabecalho"],
+    &["pdf", "svg", "tex", "webp", "export", "exportar"],
+    &["run time", "runtime", "tempo de execucao", "benchmark", "numerics", "error against run time", "erro por tempo"],
+    &["empty image", "empty", "black image", "imagem vazia", "imagem preta", "camera check", "exame da camera"],
+    &["rotate", "orbit", "girar", "orbitar", "azimuth", "azimute"],
+    &["tilt", "inclinar", "roll", "rolagem"],
     &["screenshot", "print", "imprimir", "export", "exportar", "png"],
     &["share", "compartilhar", "link", "copy link"],
     &["shortcut", "shortcuts", "atalho", "atalhos", "keyboard", "teclado", "keys"],

@@ -7,6 +7,7 @@ use super::{InBrowser, Menu, Row, Run};
 use crate::appearance;
 use crate::figure::{Explanation, Observers};
 use crate::gui::files::file_flow;
+use crate::gui::files::title_dialog::TitleForm;
 use crate::gui::gallery::Part;
 use crate::gui::inspector::number_tables;
 use crate::gui::state::{
@@ -73,6 +74,7 @@ pub const MENUS: &[Menu] = &[
             &[
                 row!(Save, ctrl(Key::S), save, save_hint, |s, ctx| file_flow::save(ctx, s, None)),
                 row!(SaveAs, ctrl_shift(Key::S), save_as, save_as_hint, save_as),
+                row!(Title, ctrl(Key::I), title_command, title_hint, show_title),
             ],
             &[
                 row!(Export, ctrl(Key::E), export, export_hint, |s, _| show_export(s)),
@@ -448,6 +450,11 @@ fn show_recent(state: &mut State) {
 
 fn save_as(state: &mut State, ctx: &Context) {
     file_flow::ask(ctx, state, Purpose::Save(None));
+}
+
+fn show_title(state: &mut State, _: &Context) {
+    let form = TitleForm::of(state, None);
+    show_dialog(state, Dialog::Title(form));
 }
 
 fn show_export(state: &mut State) {

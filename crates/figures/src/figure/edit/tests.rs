@@ -292,8 +292,11 @@ fn show() -> impl Strategy<Value = Show> {
     let painted = proptest::option::of(0.0..=1.0_f64);
     let answer = proptest::option::of(parameters());
     let ndc = proptest::option::of(proptest::sample::select(&Ndc::ALL[..]));
-    (stage, painted, step, proptest::option::of(triangle), measure, proptest::option::of(probe), moved, (ndc, answer))
-        .prop_map(|((stage, of), painted, step, triangle, (measure, measure_of), probe, moved, (ndc, answer))| Show {
+    let operation = select(&["azimuth=30", "elevation=-12.5", "zoom=0.1", "pan=1,-0.5"]);
+    let operations = vec(operation.prop_map(|text| text.parse().unwrap()), 0..=Show::MOST_OPERATIONS);
+    let of_camera = (ndc, answer, operations);
+    (stage, painted, step, proptest::option::of(triangle), measure, proptest::option::of(probe), moved, of_camera)
+        .prop_map(|((stage, of), painted, step, triangle, (measure, measure_of), probe, moved, of_camera)| Show {
             stage,
             stage_of: StagePicture(of),
             painted,
@@ -303,8 +306,9 @@ fn show() -> impl Strategy<Value = Show> {
             measure_of,
             probe,
             moved,
-            ndc,
-            answer,
+            ndc: of_camera.0,
+            answer: of_camera.1,
+            operations: of_camera.2,
         })
 }
 

@@ -166,7 +166,7 @@ mod tests {
     #[test]
     fn only_parts_in_the_volume_are_drawn() {
         let camera = Camera::new(&Parameters::default()).unwrap();
-        let beyond = camera.position() - camera.dop() * 3.0;
+        let beyond = camera.position() - camera.direction_of_projection() * 3.0;
         let line = divided(&[beyond, camera.focal_point()]);
         let [run] = seen(&camera, &line, Some).try_into().unwrap();
         assert!(run.iter().all(|p| -camera.view_point(*p).z >= camera.near() * 0.999));

@@ -1,0 +1,121 @@
+//! The question for the title and the caption of a figure, in both languages.
+
+use eframe::egui::{self, Key, Modifiers, RichText};
+
+use super::file_flow;
+use crate::figure::{Bilingual, Figure};
+use crate::gui::kit::dialog_buttons::{Pressed, buttons};
+use crate::gui::kit::text_field::TextField;
+use crate::gui::state::{Dialog, Purpose, State};
+use crate::i18n::window::Texts;
+use crate::i18n::{Lang, told};
+use crate::limits::{MAX_CAPTION, MAX_TITLE};
+use crate::sanitize;
+
+/// The words of a figure as they are typed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TitleForm {
+    title: Bilingual,
+    caption: Bilingual,
+    /// The words of the gallery's card, of which the figure was made.
+    of_card: [Option<Bilingual>; 2],
+    /// The file that is asked for next.
+    then: Option<Purpose>,
+}
+
+impl TitleForm {
+    /// The words of the figure, or none if they are those of a card and the figure is another one by now. `then` is the
+    /// file that is asked for next.
+    pub(in crate::gui) fn of(state: &State, then: Option<Purpose>) -> Self {
+        let Figure { title, caption, .. } = state.document.figure();
+        if state.document.has_words_of_card() {
+            return Self { of_card: [title.clone(), caption.clone()], then, ..Self::default() };
+        }
+        let text = |text: &Option<Bilingual>| text.clone().unwrap_or_default();
+        Self { title: text(title), caption: text(caption), of_card: [None, None], then }
+    }
+}
+
+/// Shows the dialog; `first`: it has just been opened.
+pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut form: TitleForm, first: bool) {
+    ui.heading(t.title_heading);
+    ui.add_space(6.0);
+    ui.label(t.title_text);
+    ui.add_space(6.0);
+    let entered = ui.input(|input| input.key_pressed(Key::Enter) && input.modifiers == Modifiers::NONE);
+    let mut done = false;
+    let [card_title, card_caption] = &form.of_card;
+    let rows = [
+        (t.title_name, &mut form.title, card_title, MAX_TITLE, 1),
+        (t.caption_name, &mut form.caption, card_caption, MAX_CAPTION, 3),
+    ];
+    for (name, text, of_card, most, lines) in rows {
+        for lang in [t.lang, other(t.lang)] {
+            let label = ui.label(format!("{name}, {}", language(t, lang)));
+            let hint = of_card.as_ref().map(|text| told(lang, text)).unwrap_or_default();
+            let typed = if lang == Lang::En { &mut text.en } else { &mut text.pt_br };
+            let field = if lines == 1 { TextField::line(typed, most) } else { TextField::lines(typed, most) };
+            let field = field
+                .with(|edit| edit.desired_width(f32::INFINITY).desired_rows(lines).hint_text(hint).return_key(None));
+            let response = field.show(ui, t.lang).labelled_by(label.id);
+            if first && lines == 1 && lang == t.lang {
+                response.request_focus();
+            }
+            done |= response.has_focus() && entered;
+        }
+    }
+    ui.label(RichText::new(t.title_note).small().weak());
+    ui.add_space(10.0);
+    let action = if form.then.is_some() { t.save_as } else { t.title_action };
+    let pressed = match buttons(ui, t.cancel, &[action], None) {
+        Pressed::Nothing if done => Pressed::Action(0),
+        pressed => pressed,
+    };
+    match pressed {
+        Pressed::Action(_) => accept(ui.ctx(), state, form),
+        Pressed::Cancel => {}
+        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Title(form)),
+    }
+}
+
+fn accept(ctx: &egui::Context, state: &mut State, form: TitleForm) {
+    let [title, caption] = [form.title, form.caption].map(written);
+    let figure = state.document.figure();
+    if (&figure.title, &figure.caption) != (&title, &caption) {
+        state.document.edit(|figure| (figure.title, figure.caption) = (title, caption));
+        state.document.commit();
+    }
+    if let Some(purpose) = form.then {
+        state.file_flow.titled = Some(state.document.id());
+        file_flow::ask(ctx, state, purpose);
+    }
+}
+
+/// A text of one line in both languages; if one is empty, it is the other one.
+fn written(text: Bilingual) -> Option<Bilingual> {
+    let line = |text: String| {
+        let words = text.split(|c: char| c.is_whitespace() || sanitize::is_obeyed(c)).filter(|word| !word.is_empty());
+        words.collect::<Vec<_>>().join(" ")
+    };
+    let (en, pt_br) = (line(text.en), line(text.pt_br));
+    match (en.is_empty(), pt_br.is_empty()) {
+        (true, true) => None,
+        (true, false) => Some(Bilingual { en: pt_br.clone(), pt_br }),
+        (false, true) => Some(Bilingual { pt_br: en.clone(), en }),
+        (false, false) => Some(Bilingual { en, pt_br }),
+    }
+}
+
+const fn other(lang: Lang) -> Lang {
+    match lang {
+        Lang::En => Lang::PtBr,
+        Lang::PtBr => Lang::En,
+    }
+}
+
+const fn language(t: &Texts, lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => t.in_english,
+        Lang::PtBr => t.in_portuguese,
+    }
+}

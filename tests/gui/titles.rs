@@ -1,0 +1,79 @@
+//! Title and caption, typed in the window.
+
+use std::fs;
+
+use camera_lab::figure::Bilingual;
+use camera_lab::i18n::Lang;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+
+use super::files::Folder;
+use super::window::Window;
+use crate::words::en;
+
+fn type_into(window: &mut Window, name: &str, text: &str) {
+    window.harness.get_by_role_and_label(Role::TextInput, name).click();
+    window.run();
+    window.harness.event(Event::Text(text.to_owned()));
+    window.run();
+}
+
+#[test]
+fn title_and_caption_are_typed_in_one_language_or_in_both_and_undone() {
+    let t = en::WINDOW;
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::I);
+    type_into(&mut window, &format!("{}, {}", t.title_name, t.in_english), "My camera");
+    let caption = format!("{}, {}", t.caption_name, t.in_english);
+    let field = window.harness.get_by_role_and_label(Role::MultilineTextInput, &caption);
+    field.click();
+    window.run();
+    window.harness.event(Event::Text("What it sees".to_owned()));
+    window.run();
+    window.click(t.title_action);
+    let figure = window.state().document.figure();
+    let both = |text: &str| Some(Bilingual { en: text.to_owned(), pt_br: text.to_owned() });
+    assert_eq!((figure.title.clone(), figure.caption.clone()), (both("My camera"), both("What it sees")));
+    window.command_key(Key::Z);
+    assert_eq!(window.state().document.figure().title, None);
+    window.command_key(Key::Y);
+    // The other language of its own.
+    window.command_key(Key::I);
+    let portuguese = format!("{}, {}", t.title_name, t.in_portuguese);
+    window.harness.get_by_role_and_label(Role::TextInput, &portuguese).click();
+    window.run();
+    window.command_key(Key::A);
+    window.harness.event(Event::Text("Minha câmera".to_owned()));
+    window.run();
+    window.key(Key::Enter);
+    let title = window.state().document.figure().title.clone();
+    assert_eq!(title, Some(Bilingual { en: "My camera".to_owned(), pt_br: "Minha câmera".to_owned() }));
+}
+
+/// A figure that was made of a card doesn't keep the card's words: saving it asks for its own.
+#[test]
+fn a_figure_made_of_a_card_has_words_of_its_own() {
+    let t = en::WINDOW;
+    let folder = Folder::new("titles");
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::G);
+    window.wait_for("House: ");
+    window.search_cards("mirror image");
+    window.run();
+    window.key(Key::ArrowDown);
+    window.key(Key::Enter);
+    assert_eq!(window.state().document.shipped_name(), Some("house"));
+    assert!(window.state().document.figure().title.is_some());
+    window.enter("C x", "7");
+    assert_eq!(window.state().figure_as_shown().title, None, "the card speaks of another figure");
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    window.run();
+    type_into(&mut window, &format!("{}, {}", t.title_name, t.in_english), "Azimuth");
+    window.key(Key::Enter);
+    let file = folder.file("azimuth.toml");
+    window.choose(&file);
+    window.wait(|_| file.exists());
+    let text = fs::read_to_string(&file).expect("a figure");
+    assert!(text.starts_with("title   = \"Azimuth\"") && !text.contains("caption"), "{text}");
+}
