@@ -416,3 +416,39 @@ fn one_finger_turns_a_picture_and_two_move_and_zoom_it() {
     finger(&harness, 0, TouchPhase::End, center + vec2(80.0, 1.0));
     harness.step();
 }
+
+/// In the image the hand moves the camera: a drag turns it about PF and keeps it level, with Shift what is at PF stays
+/// below the pointer, and the wheel goes nearer. Esc gives a drag up, and each drag is one step back.
+#[test]
+fn the_hand_on_the_image_moves_the_camera() {
+    let mut h = stage(|_| ());
+    let before = parameters(&h);
+    let from = place(&h, IMAGE).center() + vec2(-60.0, 30.0);
+    drag_primary(&mut h, from, vec2(50.0, 10.0));
+    let turned = parameters(&h);
+    assert_eq!((turned.focal_point, turned.view_up), (before.focal_point, before.view_up));
+    assert!(turned.position.distance(before.position) > 0.5, "{:?} {:?}", turned.position, before.position);
+    let [near, far] = [before, turned].map(|p| p.position.distance(p.focal_point));
+    assert!((near - far).abs() < 1e-9 && turned.position.y > before.position.y, "downwards it rises");
+    h.state_mut().state.undo();
+    h.run();
+    assert_eq!(parameters(&h), before);
+    let shift = Modifiers::SHIFT;
+    drag(&mut h, from, vec2(40.0, 0.0), PointerButton::Primary, shift);
+    let panned = parameters(&h);
+    let moved = panned.focal_point - before.focal_point;
+    assert!(moved.length() > 0.1 && (panned.position - before.position - moved).length() < 1e-9);
+    h.state_mut().state.undo();
+    h.hover_at(from);
+    h.run();
+    h.event(Event::MouseWheel {
+        unit: MouseWheelUnit::Point,
+        delta: vec2(0.0, 100.0),
+        phase: TouchPhase::Move,
+        source: MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    h.run_steps(40);
+    let nearer = parameters(&h);
+    assert!(nearer.position.distance(nearer.focal_point) < 0.9 * near);
+}

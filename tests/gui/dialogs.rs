@@ -228,6 +228,7 @@ fn a_format_without_transparency_greys_it_and_a_name_that_says_so_is_refused() {
 fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
+    window.quick_choice("pictures", en::WINDOW.export_all);
     window.quick_choice("size", "on paper");
     window.wait_for("the smallest picture is 3.5 × 2.9 cm");
     let lines = |window: &Window| window.export().paper.lines;
@@ -294,9 +295,10 @@ fn a_family_is_chosen_typed_and_written_from_the_menu() {
     for caption in ["(a) Azimuth 0°", "(b) Azimuth 30°", "(c) Azimuth 60°", "(d) Azimuth 90°"] {
         assert!(svg.contains(caption), "{caption}");
     }
-    // A family that is given up is offered again.
+    // Without a wish for a family there is none; it's remembered.
     window.command_key(Key::E);
-    window.quick_choice("family", "none");
+    assert!(family(&window).variations().is_none());
+    assert_eq!(window.export().what, Views::One(View::Image), "as on the screen");
     window.key(Key::Escape);
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
     window.run();
@@ -350,6 +352,7 @@ fn the_export_dialog_has_the_rows_that_its_choices_need() {
 fn vectors_have_settings_of_their_own_and_are_copied_as_text() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);
+    window.quick_choice("pictures", "World");
     assert!(!window.says(en::WINDOW.export_outlines), "a PNG has none");
     window.quick_choice("format", "SVG");
     window.click(en::WINDOW.export_outlines);

@@ -451,7 +451,7 @@ fn look_at_path(window: &mut Window, name: &str) -> Option<&'static str> {
         press(window, Modifiers::NONE, Key::Escape);
     }
     // These keys are the field's own: they close the dialog, or delete in the field.
-    let is_left = ["Escape", "Escape in a presentation", "Undo", "ClearAnnotations"].contains(&name);
+    let is_left = ["Escape", "Escape in a presentation", "Undo", "the way back", "ClearAnnotations"].contains(&name);
     (!has_path(window) && !is_left).then_some("the typed path is gone")
 }
 

@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
+use eframe::egui::text::{CCursor, CCursorRange};
+use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{self, Id, Key, Modal, RichText};
 
 use super::about;
@@ -331,6 +333,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     let response = field.show(ui, state.settings.lang).accessible_name(t.path_name);
     if first {
         response.request_focus();
+        select_stem(ui, &response, &path);
     }
     let enter = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if let Some(error) = &state.file_flow.refused {
@@ -354,6 +357,16 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         state.file_flow.dialog = Some(Dialog::Path(purpose, path));
         response.request_focus();
     }
+}
+
+/// Selects the name in a proposed path, without its folder and its ending: typing replaces it.
+fn select_stem(ui: &egui::Ui, response: &egui::Response, path: &str) {
+    let begin = path.rfind(['/', '\\']).map_or(0, |at| at + 1);
+    let end = path[begin..].rfind('.').map_or(path.len(), |at| begin + at);
+    let [begin, end] = [begin, end].map(|at| CCursor::new(path[..at].chars().count()));
+    let mut field = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
+    field.cursor.set_char_range(Some(CCursorRange::two(begin, end)));
+    field.store(ui.ctx(), response.id);
 }
 
 fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {

@@ -26,6 +26,7 @@ use crate::gui::app::command::{Command, Run};
 use crate::gui::app::focus::{Focus, Region};
 use crate::gui::app::key_repeat::HeldKey;
 use crate::gui::app::launch_options::LaunchOptions;
+use crate::gui::app::presentation::RestingPointer;
 use crate::gui::app::tab_order::KeyOrder;
 use crate::gui::files::changed_file;
 use crate::gui::files::file_flow;
@@ -62,6 +63,7 @@ pub struct App {
     focus: Focus,
     key_order: KeyOrder,
     title: String,
+    resting: RestingPointer,
     #[cfg(not(target_arch = "wasm32"))]
     opening: Opening,
     #[cfg(not(target_arch = "wasm32"))]
@@ -90,6 +92,7 @@ impl App {
             focus: Focus::default(),
             key_order: KeyOrder::default(),
             title: String::new(),
+            resting: RestingPointer::default(),
             #[cfg(not(target_arch = "wasm32"))]
             opening: Opening::default(),
             #[cfg(not(target_arch = "wasm32"))]
@@ -293,6 +296,7 @@ impl App {
             ctx.request_repaint();
         }
         drop_hint(&ctx, &self.state);
+        self.resting.show(&ctx, presenting);
         self.focus.end(&ctx);
         self.apply_settings(&ctx);
         self.refuse_links(&ctx);
@@ -377,8 +381,15 @@ impl App {
     fn perform(&mut self, ctx: &egui::Context, command: Command) {
         match command.run() {
             Run::Change(change) => change(&mut self.state, ctx),
-            Run::Step { forwards } if self.state.lesson.is_some() => self.state.step_lesson(forwards),
-            Run::Step { forwards } => drop(sequence::step(&mut self.state, forwards)),
+            Run::Step { forwards } => {
+                // A frozen picture would be under another title.
+                self.state.annotations.frozen = false;
+                if self.state.lesson.is_some() {
+                    self.state.step_lesson(forwards);
+                } else {
+                    sequence::step(&mut self.state, forwards);
+                }
+            }
         }
     }
 
@@ -458,6 +469,16 @@ fn name_handle(ui: &egui::Ui, panel: &str, name: &str) {
     ui.ctx().accesskit_node_builder(handle, |node| node.set_label(name));
 }
 
+/// The corner of a screen besides the one that the window is on, in points of the window's; `None`: there is none.
+#[cfg(not(target_arch = "wasm32"))]
+fn other_screen(frame: &eframe::Frame) -> Option<egui::Pos2> {
+    let window = frame.winit_window()?;
+    let here = window.current_monitor()?;
+    let other = window.available_monitors().find(|screen| *screen != here)?;
+    let corner = other.position().to_logical::<f32>(window.scale_factor());
+    Some(egui::pos2(corner.x, corner.y))
+}
+
 /// Tells the effect of dropping a file that is held over the window.
 fn drop_hint(ctx: &egui::Context, state: &State) {
     if ctx.input(|input| input.raw.hovered_files.is_empty()) {
@@ -478,6 +499,12 @@ impl eframe::App for App {
             let window = &mut self.state.settings.window;
             self.opening.go_on(ui.ctx(), *window);
             *window = self.whereabouts.settled(ui.ctx(), *window).or(*window);
+            let wants_notes = self.state.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
+            if !wants_notes {
+                self.state.other_screen = None;
+            } else if self.state.other_screen.is_none() {
+                self.state.other_screen = Some(other_screen(frame));
+            }
         }
         self.show(ui);
         file_flow::open_dialog(ui.ctx(), &mut self.state, frame);
@@ -492,6 +519,11 @@ impl eframe::App for App {
         if self.key_order.hold(&mut input.events) {
             ctx.request_repaint();
         }
+        let held = ctx.input(|input| input.pointer.any_down());
+        let asks = self.state.file_flow.is_asking() || ctx.any_popup_open();
+        let is_free = self.state.settings.presentation && !held && !asks;
+        let now = input.time.unwrap_or_else(|| ctx.input(|input| input.time));
+        self.resting.follow(input, now, is_free);
     }
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {

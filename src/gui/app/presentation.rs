@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use eframe::egui::{
-    self, Area, Color32, Context, CursorIcon, FontId, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Pos2, Rect,
-    Sense, Shape, Stroke, TextStyle, Ui, text::LayoutJob, vec2,
+    self, Area, Color32, Context, CursorIcon, Event, FontId, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order,
+    Pos2, RawInput, Rect, Sense, Shape, Stroke, TextStyle, Ui, text::LayoutJob, vec2,
 };
 
 use super::command::Command;
@@ -53,6 +53,45 @@ pub(in crate::gui) fn escape(ctx: &Context, state: &mut State) -> Option<Command
         return None;
     }
     Some(if state.annotations.any() { Command::ClearAnnotations } else { Command::Presentation })
+}
+
+/// Seconds after which a pointer that rests is as good as gone.
+const REST: f64 = 3.0;
+
+/// The pointer of a presentation: if it rests, nothing of it remains, no bar, no hint, no cross hairs. With a remote
+/// control nobody moves it away.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::gui) struct RestingPointer {
+    moved: f64,
+    gone: bool,
+}
+
+impl RestingPointer {
+    /// Takes the pointer out of the input once it has rested. `is_free`: nothing is held, asked or open.
+    pub(in crate::gui) fn follow(&mut self, input: &mut RawInput, now: f64, is_free: bool) {
+        let is_of_pointer = |event: &Event| {
+            matches!(
+                event,
+                Event::PointerMoved(_) | Event::PointerButton { .. } | Event::MouseWheel { .. } | Event::Touch { .. }
+            )
+        };
+        if !is_free || input.events.iter().any(is_of_pointer) {
+            *self = Self { moved: now, gone: false };
+        } else if !self.gone && now - self.moved >= REST {
+            self.gone = true;
+            input.events.push(Event::PointerGone);
+        }
+    }
+
+    /// Hides the arrow too, or looks again when it has rested.
+    pub(in crate::gui) fn show(self, ctx: &Context, presents: bool) {
+        if self.gone {
+            ctx.set_cursor_icon(CursorIcon::None);
+        } else if presents {
+            let left = self.moved + REST - ctx.input(|input| input.time);
+            ctx.request_repaint_after(Duration::from_secs_f64(left.max(0.05)));
+        }
+    }
 }
 
 /// The height at the upper border in which the pointer calls the bar, in points.
@@ -196,4 +235,26 @@ fn label(ctx: &Context, painter: &egui::Painter, text: &str, (center, width): (P
     let rect = Rect::from_center_size(center, galley.size());
     painter.rect_filled(rect.expand2(vec2(10.0, 6.0)), 5.0, style.visuals.window_fill.gamma_multiply(0.94));
     painter.galley(rect.min, galley, color);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pointer_that_rests_is_gone_until_it_moves() {
+        let mut pointer = RestingPointer::default();
+        let mut after = |events: Vec<Event>, now, is_free| {
+            let mut input = RawInput { events, ..RawInput::default() };
+            pointer.follow(&mut input, now, is_free);
+            input.events.contains(&Event::PointerGone)
+        };
+        let moved = || vec![Event::PointerMoved(egui::pos2(5.0, 5.0))];
+        assert!(!after(moved(), 10.0, true) && !after(vec![], 12.9, true));
+        assert!(after(vec![], 13.0, true), "it has rested for three seconds");
+        assert!(!after(vec![], 14.0, true), "once");
+        assert!(!after(moved(), 20.0, true) && !after(vec![], 22.0, true) && after(vec![], 23.1, true));
+        // While something is held or asked, it stays.
+        assert!(!after(vec![], 30.0, false) && !after(vec![], 32.0, true) && after(vec![], 33.0, true));
+    }
 }

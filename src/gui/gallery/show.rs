@@ -5,7 +5,7 @@ use std::ops::Range;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, Align2, Color32, Event, EventFilter, FontSelection, Id, Key, Layout, Modifiers, Rect, Response, RichText,
-    ScrollArea, Sense, Stroke, StrokeKind, TextWrapMode, Ui, Vec2, WidgetInfo, WidgetText, pos2, vec2,
+    ScrollArea, Sense, Stroke, StrokeKind, TextStyle, TextWrapMode, Ui, Vec2, WidgetInfo, WidgetText, pos2, vec2,
 };
 
 use super::card::SIZE;
@@ -13,6 +13,7 @@ use super::{Gallery, Part, Source};
 use crate::appearance::Theme;
 use crate::files::{ShippedFigure, Topic};
 use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::Lang;
 use crate::i18n::window::gallery as words;
@@ -334,7 +335,8 @@ fn paint(ui: &Ui, t: &Texts, gallery: &Gallery, source: &Source, (rect, response
     let below = picture.left_bottom() + vec2(0.0, 3.0);
     let lower = below + vec2(0.0, name.size().y);
     painter.galley(below, name, visuals.text_color());
-    let words = line(RichText::new(sanitize::within(&sentence, 120)).small(), width, TextWrapMode::Wrap);
+    let words = theme::sentence(ui, &sanitize::within(&sentence, 120), &TextStyle::Small, visuals.text_color());
+    let words = WidgetText::from(words).into_galley(ui, Some(TextWrapMode::Wrap), width, FontSelection::Default);
     let painter = painter.with_clip_rect(rect.shrink(1.0).intersect(ui.clip_rect()));
     painter.galley(lower, words, visuals.text_color());
     if !sentence.is_empty() {

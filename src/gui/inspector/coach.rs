@@ -1,9 +1,7 @@
 //! The coach: in an empty image why it is empty, under the pictures a few words, and in a dialog all there is to say,
 //! with repairs.
 
-use eframe::egui::{
-    self, Align, Button, Color32, Label, Layout, Rect, Response, RichText, TextStyle, Ui, UiBuilder, vec2,
-};
+use eframe::egui::{self, Align, Button, Color32, Layout, Rect, Response, RichText, TextStyle, Ui, UiBuilder, vec2};
 
 use crate::camera::ImageSize;
 use crate::figure::{Explanation, Figure};
@@ -105,7 +103,7 @@ pub(in crate::gui) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
     ui.scope_builder(builder, |ui| {
         let frame = egui::Frame::popup(ui.style());
         frame.show(ui, |ui| {
-            ui.add(Label::new(text).wrap().selectable(false));
+            theme::sentence_label(ui, &text);
             if let Some(change) = change {
                 pressed = ui.button(t.show_it).explained(change).clicked();
             }
@@ -220,7 +218,7 @@ fn health(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) 
 fn line(ui: &mut Ui, text: &str, button: Option<(&str, String)>) -> bool {
     let mut pressed = false;
     ui.indent(text, |ui| {
-        ui.add(Label::new(text).wrap());
+        theme::sentence_label(ui, text);
         if let Some((name, change)) = button {
             ui.horizontal_wrapped(|ui| {
                 pressed = ui.button(name).explained(&change).clicked();

@@ -72,6 +72,32 @@ pub fn lowered(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) -> 
     job
 }
 
+/// A sentence in which symbols have subscripts, M_v and z_n; the names of keys and files stay as they are.
+#[must_use]
+pub fn sentence(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) -> LayoutJob {
+    let is_of_word = |c: char| c.is_alphanumeric() || c == '_';
+    let mut marked = String::with_capacity(text.len() + 8);
+    for part in text.split_inclusive(|c| !is_of_word(c)) {
+        let (word, end) = part.split_at(part.find(|c| !is_of_word(c)).unwrap_or(part.len()));
+        match word.split_once('_') {
+            Some((letter, below)) if letter.chars().count() == 1 && (1..=3).contains(&below.len()) => {
+                marked.push_str(&format!("{letter}_{{{below}}}"));
+            }
+            _ => marked.push_str(&word.replace('_', "\\_")),
+        }
+        marked.push_str(end);
+    }
+    lowered(ui, &marked, style, color)
+}
+
+/// A label with such a sentence, which wraps; screen readers say it as it is written.
+pub fn sentence_label(ui: &mut egui::Ui, text: &str) -> egui::Response {
+    let job = sentence(ui, text, &TextStyle::Body, ui.visuals().text_color());
+    let response = ui.add(egui::Label::new(job).wrap().selectable(false));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, text));
+    response
+}
+
 /// A label that wraps, with subscripts as in the pictures; screen readers say it as it is written.
 pub fn wrapped(ui: &mut egui::Ui, text: &str, style: &TextStyle, color: Color32) -> egui::Response {
     let job = lowered(ui, text, style, color);

@@ -2,6 +2,8 @@
 
 use eframe::egui::{self, Id, LayerId, Rect, RectAlign, Response, Tooltip, Ui};
 
+use super::theme;
+
 use crate::i18n::why::sources::with_titles;
 
 /// The place of the tooltips of a panel.
@@ -47,11 +49,11 @@ impl Explained for Response {
     fn explained(self, text: impl AsRef<str>) -> Self {
         let text = with_titles(text.as_ref());
         describe(&self, &text);
-        self.explained_by(|ui| drop(ui.label(text)))
+        self.explained_by(|ui| drop(theme::sentence_label(ui, &text)))
     }
 
     fn explained_disabled(self, text: impl AsRef<str>) -> Self {
-        show(&self, Tooltip::for_disabled(&self), |ui| drop(ui.label(with_titles(text.as_ref()))));
+        show(&self, Tooltip::for_disabled(&self), |ui| drop(theme::sentence_label(ui, &with_titles(text.as_ref()))));
         self
     }
 

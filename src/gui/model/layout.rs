@@ -1,7 +1,7 @@
 //! The layout of the window, and requests to the pictures.
 
 use crate::views::observer::Viewpoint;
-use crate::views::{Arrangement, View};
+use crate::views::{Arrangement, View, Views};
 
 /// A change of the observer of a three-dimensional picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -61,6 +61,18 @@ impl Layout {
             self.before_presentation = Some((self.shown, self.arrangement));
         } else if let Some((shown, arrangement)) = self.before_presentation.take() {
             (self.shown, self.arrangement, self.maximized) = (shown, arrangement, None);
+        }
+    }
+
+    /// The pictures on the screen.
+    #[must_use]
+    pub fn views(&self) -> Views {
+        let is_shown = |view: &View| self.is_shown(*view);
+        let shown: Vec<View> = View::ALL.into_iter().filter(is_shown).collect();
+        match (shown.as_slice(), View::ALL.into_iter().find(|view| !is_shown(view))) {
+            ([one], _) => Views::One(*one),
+            (_, Some(hidden)) => Views::Without(hidden),
+            (_, None) => Views::All,
         }
     }
 

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use eframe::egui;
 use glam::DVec3;
 
 use crate::appearance::{Style, Theme};
@@ -156,6 +157,8 @@ pub struct State {
     pub screen_scale: f32,
     /// The window is a page in a browser: there are no folders, and no window to be closed.
     pub in_browser: bool,
+    /// The corner of a second screen, in points, for the speaker's notes; `None`: not looked for, inside: there is none.
+    pub(in crate::gui) other_screen: Option<Option<egui::Pos2>>,
     /// The address of that page, where others can open it too.
     pub own_address: Option<String>,
     /// The address of a page with this program, for links, as entered by the user.
@@ -272,6 +275,7 @@ impl State {
                 window: None,
             },
             in_browser: cfg!(target_arch = "wasm32"),
+            other_screen: None,
             own_address: None,
             page_address: String::new(),
             layout: Layout::default(),

@@ -53,7 +53,7 @@ texts! {
     // What pointer and wheel do in the world and in the canonical volume.
     pointer_in_space: "Drag: orbit · Shift or right button: pan · wheel: zoom", "Arrastar: girar · Shift ou botão direito: mover · roda: zoom";
     // What the pointer does in the image.
-    pointer_in_image: "Click: pin the probe", "Clique: fixar a sonda";
+    pointer_in_image: "Drag: orbit the camera · Shift or right button: pan · wheel: dolly · click: pin the probe", "Arrastar: girar a câmera · Shift ou botão direito: mover · roda: aproximar · clique: fixar a sonda";
     // Where nothing is pointed at: what can be done.
     idle: "Drag C, PF, VUP and the planes in the world; elsewhere: orbit", "Arraste C, PF, VUP e os planos no mundo; fora deles: girar";
     // The same where the world is hidden.

@@ -30,7 +30,7 @@ texts! {
     image_empty: "Image empty: why?", "Imagem vazia: por quê?";
     one_finding: "1 finding", "1 achado";
     many_findings: "findings", "achados";
-    show_it: "Show it", "Mostrar";
+    show_it: "Fix it", "Corrigir";
     improve: "Improve", "Melhorar";
     looking: "Looking…", "Examinando…";
     too_large: "The image is too large to be drawn.", "A imagem é grande demais para ser desenhada.";

@@ -88,7 +88,7 @@ texts! {
     texture_scale: "times", "vezes";
     texture_scale_hint: "Repetitions along u and v; a negative number mirrors", "Repetições ao longo de u e v; um número negativo espelha";
     browse: "Choose…", "Escolher…";
-    read_again: "Read again", "Ler de novo";
+    read_again: "Reload", "Recarregar";
     read_again_hint: "The file may have changed since it was read", "O arquivo pode ter mudado desde que foi lido";
     allow_files: "Let this figure read any file", "Deixar esta figura ler qualquer arquivo";
     allow_files_hint: "Until it is closed, the figure may name any file of this computer; files on other machines are never read", "Até ser fechada, a figura pode indicar qualquer arquivo deste computador; arquivos de outras máquinas nunca são lidos";

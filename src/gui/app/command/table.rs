@@ -6,6 +6,7 @@ use super::Command::{self, *};
 use super::{InBrowser, Menu, Row, Run};
 use crate::appearance;
 use crate::figure::{Explanation, Observers};
+use crate::gui::export::family_choice::Subject;
 use crate::gui::files::file_flow;
 use crate::gui::files::title_dialog::TitleForm;
 use crate::gui::gallery::Part;
@@ -77,7 +78,10 @@ pub const MENUS: &[Menu] = &[
                 row!(Title, ctrl(Key::I), title_command, title_hint, show_title),
             ],
             &[
-                row!(Export, ctrl(Key::E), export, export_hint, |s, _| show_export(s)),
+                row!(Export, ctrl(Key::E), export, export_hint, |s, _| {
+                    s.family.choose(Subject::Nothing);
+                    show_export(s);
+                }),
                 Row::new(CopyLink, ctrl(Key::K), link_words, |s, _| show_dialog(s, Dialog::Link)),
             ],
             &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::Quit))
@@ -457,7 +461,9 @@ fn show_title(state: &mut State, _: &Context) {
     show_dialog(state, Dialog::Title(form));
 }
 
+/// What is shown is what is exported.
 fn show_export(state: &mut State) {
+    state.export.what = state.layout.views();
     state.export.fit_screen(state.picture_sizes, state.screen_scale);
     show_dialog(state, Dialog::Export(state.export));
 }

@@ -147,7 +147,7 @@ pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
         (false, false) => SHARE,
     };
     let most = share * ctx.content_rect().height();
-    let notes = playing.shows_notes && !speaker::has_window(&ctx);
+    let notes = playing.shows_notes && !speaker::has_window(&ctx, state);
     let shows = writes || playing.shows_text || notes || playing.shows_question && !playing.is_done();
     let size = egui::vec2(ui.available_width(), ctx.content_rect().height());
     let fits = Fits { size, lang: t.lang, writes, presents, asks: presents && asks, shows };
@@ -340,7 +340,7 @@ fn content(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     let Some(step) = playing.now().cloned() else { return };
     let writing = playing.writing.as_ref().filter(|_| state.writes_lesson());
     let shows_text = playing.shows_text || writing.is_some();
-    let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx()) || writing.is_some();
+    let shows_notes = playing.shows_notes && !speaker::has_window(ui.ctx(), state) || writing.is_some();
     // What is written is shown in the language of its fields.
     let lang = writing.map_or(t.lang, |writing| writing.lang);
     // The numbers are those of what is on the screen.

@@ -1,31 +1,37 @@
 //! The notes of the speaker, in a window of their own: the class sees the pictures, the speaker reads the notes.
 
-use eframe::egui::{self, Button, Context, Key, Modifiers, RichText, ScrollArea, ViewportBuilder, ViewportId};
+use eframe::egui::{self, Button, Context, Key, Modifiers, RichText, ScrollArea, ViewportBuilder, ViewportId, vec2};
 
 use crate::gui::app::command::Command;
+use crate::gui::app::focus::at_right;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
-use crate::i18n::learn::lessons as words;
+use crate::i18n::learn::{exercise_sheet, exercises, lessons as words};
 use crate::i18n::told;
-use crate::lessons;
+use crate::lessons::{self, Task};
 
 /// The size of the window at first, in points.
 const SIZE: [f32; 2] = [520.0, 460.0];
 
-/// True where there can be a second window; in a page of a browser the notes are below the pictures.
-pub(super) fn has_window(ctx: &Context) -> bool {
-    !ctx.embed_viewports()
+/// True if the notes have a window of their own. In a page of a browser they're below the pictures, and so they are if
+/// the only screen is the projection.
+pub(super) fn has_window(ctx: &Context, state: &State) -> bool {
+    let is_alone = state.settings.presentation && state.other_screen.is_none_or(|screen| screen.is_none());
+    !ctx.embed_viewports() && !is_alone
 }
 
 /// Shows the notes of the step, where they are wanted; gives a command that is to be done.
 pub(in crate::gui) fn window(ctx: &Context, state: &mut State) -> Option<Command> {
     let is_wanted = state.lesson.as_ref().is_some_and(|playing| playing.shows_notes);
-    if !is_wanted || !has_window(ctx) {
+    if !is_wanted || !has_window(ctx, state) {
         return None;
     }
     let t = words::texts(state.settings.lang);
-    let builder = ViewportBuilder::default().with_title(t.notes_command).with_inner_size(SIZE);
+    let mut builder = ViewportBuilder::default().with_title(t.notes_command).with_inner_size(SIZE);
+    if let Some(Some(corner)) = state.other_screen {
+        builder = builder.with_position(corner + vec2(60.0, 60.0));
+    }
     let id = ViewportId::from_hash_of("notes of the speaker");
     ctx.show_viewport_immediate(id, builder, |ui, _| {
         let mut command = keys(ui.ctx());
@@ -51,7 +57,8 @@ fn keys(ctx: &Context) -> Option<Command> {
     }
 }
 
-/// Number and title of the step, its notes, its text, and the title of the next one.
+/// Number and title of the step, a clock, its notes, its question with the answer, its text, and the title of the next
+/// one.
 fn shown(ui: &mut egui::Ui, t: &words::Texts, state: &State) -> Option<Command> {
     let lang = t.lang;
     let playing = state.lesson.as_ref()?;
@@ -72,12 +79,22 @@ fn shown(ui: &mut egui::Ui, t: &words::Texts, state: &State) -> Option<Command> 
         }
         let place = words::place(lang, playing.step + 1, playing.lesson.steps.len());
         ui.label(RichText::new(format!("{place}: {}", told(lang, &step.title))).strong());
+        at_right(ui, |ui| clock(ui, t));
     });
     ui.separator();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         match &step.notes {
             Some(notes) => prose::show(ui, filled(notes).trim()),
             None => drop(ui.weak(t.no_notes)),
+        }
+        if let Some(Task::Question(entry)) = &step.task {
+            ui.separator();
+            ui.weak(t.question_command);
+            let exercise = entry.exercise(0, &Default::default());
+            for ask in &exercise.asks {
+                prose::show(ui, &exercises::ask(lang, &exercise, ask));
+                ui.label(format!("→ {}", exercise_sheet::answer(lang, ask)));
+            }
         }
         ui.separator();
         ui.weak(t.text_command);
@@ -88,4 +105,14 @@ fn shown(ui: &mut egui::Ui, t: &words::Texts, state: &State) -> Option<Command> 
         }
     });
     command
+}
+
+/// The minutes and seconds since the notes were opened.
+fn clock(ui: &mut egui::Ui, t: &words::Texts) {
+    let (now, id) = (ui.input(|input| input.time), egui::Id::unique("clock of the speaker"));
+    let since = ui.data_mut(|data| *data.get_temp_mut_or_insert_with(id, || now));
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "seconds of a lecture")]
+    let seconds = (now - since).max(0.0) as u64;
+    ui.monospace(format!("{}:{:02}", seconds / 60, seconds % 60)).explained(t.clock_hint);
+    ui.ctx().request_repaint_after_secs(1.0);
 }

@@ -4,6 +4,7 @@
 use eframe::egui::{CursorIcon, Key, PointerButton, PopupAnchor, Pos2, RichText, TextWrapMode, Tooltip, Ui};
 use glam::DVec2;
 
+use super::camera_drag::CameraDrag;
 use super::followed::PointDrag;
 use crate::figure::Observer;
 use crate::gui::pictures::arrange::orbit;
@@ -21,7 +22,7 @@ use crate::numbers::power_of_ten;
 use crate::scene::SceneSpec;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::{part_at, pull};
-use crate::views::{GizmoPart, Picture, Transforming, View};
+use crate::views::{GizmoPart, Handle, Picture, Transforming, View};
 
 /// Distance within which the pointer catches a part of the gizmo, in points.
 pub(in crate::gui::pictures) const GIZMO_REACH: f32 = 7.0;
@@ -40,6 +41,8 @@ pub(in crate::gui::pictures) enum Drag {
     Point(usize, Box<PointDrag>),
     /// A label is moved.
     Label(usize, Box<LabelDrag>),
+    /// The camera is moved by its image.
+    Camera(usize, Box<CameraDrag>),
 }
 
 /// A part of the gizmo that is held.
@@ -59,9 +62,11 @@ impl Drag {
     pub(in crate::gui::pictures) fn picture(&self) -> usize {
         match self {
             Self::Orbit { picture, .. } | Self::Pan { picture, .. } => *picture,
-            Self::Handle(picture, _) | Self::Gizmo(picture, _) | Self::Point(picture, _) | Self::Label(picture, _) => {
-                *picture
-            }
+            Self::Handle(picture, _)
+            | Self::Gizmo(picture, _)
+            | Self::Point(picture, _)
+            | Self::Label(picture, _)
+            | Self::Camera(picture, _) => *picture,
         }
     }
 }
@@ -104,7 +109,12 @@ impl Canvas {
         }
         let is_own = pane.is_own(origin) && !state.label_mode.on;
         if *view == View::Image {
-            return (primary && is_own).then(point)?.map(|held| Drag::Point(picture, Box::new(held)));
+            if let Some(held) = (primary && is_own).then(point).flatten() {
+                return Some(Drag::Point(picture, Box::new(held)));
+            }
+            let pans = !primary || modifiers.shift;
+            let held = is_own.then(|| CameraDrag::taken(request, state.document.camera(), from, pans));
+            return held.flatten().map(|held| Drag::Camera(picture, Box::new(held)));
         }
         if *view == View::World && primary && is_own {
             if let Some(handle) = handle_at(request, from, pane.rect.pixels(handle_drag::REACH)) {
@@ -157,6 +167,12 @@ impl Canvas {
             }
             Some(Drag::Point(_, held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
             Some(Drag::Label(_, held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
+            Some(Drag::Camera(_, held)) => {
+                let points = DVec2::new(f64::from(motion.x), f64::from(motion.y));
+                if held.follow(state, points, pane.rect.pixel(pointer) - pane.rect.pixel(origin)) {
+                    ui.request_repaint();
+                }
+            }
             Some(Drag::Gizmo(_, held)) => {
                 let GizmoDrag { movable, before, part, observer, from, is_sheared } = held.as_mut();
                 let request = request.clone().seen_by(*observer);
@@ -198,6 +214,7 @@ impl Canvas {
             Some(Drag::Gizmo(_, held)) => state.document.edit(|figure| figure.scene = held.before),
             Some(Drag::Point(_, held)) => held.give_up(state),
             Some(Drag::Label(_, held)) => held.give_up(state),
+            Some(Drag::Camera(_, held)) => state.document.set_camera(held.before()),
         }
     }
 
@@ -246,6 +263,12 @@ impl Canvas {
             Some(Drag::Label(_, held)) => {
                 status.message = held.line(state);
                 ui.set_cursor_icon(CursorIcon::Grabbing);
+            }
+            Some(Drag::Camera(_, held)) => {
+                let camera = state.document.camera();
+                let moved = if held.is_pan() { Handle::FocalPoint } else { Handle::Position };
+                status.message = handle_drag::readout(moved, camera, digits, texts);
+                ui.set_cursor_icon(if held.is_pan() { CursorIcon::Move } else { CursorIcon::Grabbing });
             }
             Some(Drag::Gizmo(_, held)) => {
                 if let Some(gizmo) = &mut self.hover.gizmo {

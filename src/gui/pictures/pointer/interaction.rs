@@ -3,6 +3,7 @@
 use eframe::egui::{Event, EventFilter, Key, Modifiers, PointerButton, Ui, Vec2};
 use glam::DVec2;
 
+use super::camera_drag;
 use super::followed;
 use super::held::{GIZMO_REACH, gizmo_lines, tooltip};
 use super::keyboard_probe::{ProbeStep, Probing};
@@ -127,11 +128,18 @@ impl Canvas {
     }
 
     fn wheel(&mut self, ui: &Ui, state: &mut State, pane: &Pane) {
-        if pane.view == View::Image || !pane.response.hovered() {
+        if !pane.response.hovered() {
             return;
         }
         let (wheel, pinch) = ui.input(|i| (f64::from(i.smooth_scroll_delta().y), f64::from(i.zoom_delta())));
         let factor = (wheel * ZOOM_PER_POINT).exp() * pinch;
+        if pane.view == View::Image {
+            let is_own = pane.response.hover_pos().is_some_and(|place| pane.is_own(place));
+            if factor != 1.0 && is_own {
+                state.operate(camera_drag::dollied(state.document.camera(), factor));
+            }
+            return;
+        }
         if factor != 1.0
             && let Some(pointer) = pane.response.hover_pos()
             && let Some(seen) = self.seen(pane.picture)

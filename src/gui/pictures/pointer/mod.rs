@@ -1,5 +1,6 @@
 //! The pointer and the keys in the pictures: probes, picking, drags.
 
+pub(super) mod camera_drag;
 pub(super) mod followed;
 pub(in crate::gui) mod handle_drag;
 pub(super) mod held;

@@ -24,7 +24,6 @@ use crate::gui::state::{Side, State, WindowPlace};
 use crate::limits::{MAX_TYPED_NAME, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
 use crate::picture::Faces;
-use crate::views::Views;
 pub use store::Preferences;
 
 /// Whose signs the rotations have, by the names that `--convention` has for them.
@@ -69,7 +68,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 42] = [
+const KEYS: [Key; 41] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -182,14 +181,6 @@ const KEYS: [Key; 42] = [
         },
     },
     key!("export_theme", one of THEMES, export.theme),
-    Key {
-        name: "export_pictures",
-        of: |state| state.export.what.name().into(),
-        apply: |state, value| {
-            let what = value.as_str().and_then(|name| Views::CHOICES.into_iter().find(|views| views.name() == name));
-            put(&mut state.export.what, what);
-        },
-    },
     Key {
         name: "export_times",
         of: |state| i64::from(state.export.times.unwrap_or_default()).into(),
@@ -381,7 +372,7 @@ mod tests {
     use crate::gui::export::{Export, Paper};
     use crate::gui::state::Conventions;
     use crate::i18n::Lang;
-    use crate::views::{Arrangement, View};
+    use crate::views::Arrangement;
 
     fn state() -> State {
         State::new(Start::default()).unwrap()
@@ -412,10 +403,9 @@ mod tests {
         changed.page_address = "https://example.org/lab/".to_owned();
         changed.exercises.look_into(Some(PathBuf::from("/exercises")));
         let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0, lines: Some(0.75) };
-        let (theme, what, times, format) = (Theme::Light, Views::One(View::Image), Some(3), PictureFormat::WebP);
+        let (theme, times, format) = (Theme::Light, Some(3), PictureFormat::WebP);
         changed.export = Export {
             theme,
-            what,
             times,
             format,
             on_paper: true,
