@@ -335,7 +335,7 @@ fn operations_are_kept_in_the_figure() {
 #[test]
 fn the_numbers_fold() {
     let mut window = Window::new(Lang::En);
-    assert!(!camera_lab::gui::State::new(Default::default()).unwrap().settings.numbers_open);
+    assert!(!camera_lab::gui::State::new(Default::default()).expect("a possible camera").settings.numbers_open);
     assert!(window.says(en::WINDOW.digits));
     window.click(en::WINDOW.numbers);
     assert!(!window.says(en::WINDOW.digits) && !window.state().settings.numbers_open);

@@ -1,4 +1,4 @@
-//! The hand on the image: it moves the camera, as in Blender and GeoGebra.
+//! The hand on the image: it moves the camera, as in Blender and `GeoGebra`.
 
 use glam::{DQuat, DVec2, DVec3};
 
