@@ -279,6 +279,7 @@ impl Camera {
     /// The vertical angle that the window spans seen from C: θ, `[0]` Eq. (5.4), when the window is symmetric.
     #[must_use]
     pub fn view_angle(&self) -> Angle {
-        Angle::from_degrees(self.wide_window.vertical_angle(self.near()))
+        // In parallel projection F may be 0 or behind C; the angle is then that at its distance.
+        Angle::from_degrees(self.wide_window.vertical_angle(self.near().abs().max(f64::MIN_POSITIVE)))
     }
 }
