@@ -65,10 +65,10 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
     let camera = window.state().document.camera();
     let corners = camera.volume_corners();
     assert!(corners.iter().all(|p| p.abs().abs_diff_eq(DVec3::ONE, 1e-12)), "[0] exercise 5.3: {corners:?}");
-    // A mirror has no camera; a transposed matrix is recognised.
+    // A mirror is that of a left-handed world; a transposed matrix is recognised.
     window.app_mut().state.explain.pasted.text = "-1 0 0 0 0 1 0 0 0 0 -2 -3 0 0 -1 0".to_owned();
     window.run();
-    assert!(window.says("espelha"));
+    assert!(window.says("de mão esquerda"));
     window.app_mut().state.explain.pasted.text = "1 0 0 0 0 1 0 0 0 0 -1 0 0 0 -3 1".to_owned();
     window.run();
     assert!(window.says(pt::CONVENTIONS.row_vectors));
@@ -92,7 +92,7 @@ fn a_rigid_matrix_is_recognised_and_its_other_reading_is_one_click_away() {
         window.click(take);
         let position = window.state().document.camera().position();
         assert!(position.abs_diff_eq(DVec3::new(7.3589, 4.9583, 6.9258), 1e-9), "z was up: {position}");
-        window.app_mut().state.explain.pasted.axes = Some(Axes::OpenGl);
+        window.app_mut().state.explain.pasted.axes = Some(Axes::OPENGL);
         window.click(other);
         assert_eq!(window.state().explain.pasted.kind, Some(MatrixKind::View));
         window.click(take);

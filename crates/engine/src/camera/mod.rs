@@ -43,8 +43,9 @@ pub use parameters::{
 };
 pub use place::Place;
 pub use recovery::{
-    Axes, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError, Reading, Recognised, Recovered, RecoveryError,
-    Stated, Unknown, recognise, recover,
+    Assumed, Axes, Candidate, Certainty, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError, NdcRange, Order,
+    Pasted, Reading, Reason, Recognised, Recovered, RecoveryError, Stated, Toward, Unknown, WorldUp, read_cameras,
+    recognise, recover,
 };
 pub use stations::{Projected, Stations};
 pub use unproject::{NotProjectable, WayBack};
