@@ -337,6 +337,39 @@ fn files_of_other_programs_are_read() {
     assert!((k.found.parameters.view_angle - 2.0 * 0.48_f64.atan().to_degrees()).abs() < 1e-9);
 }
 
+/// The depths of a product: F = 0.1 in −1 … 1, 0.1998 in 0 … 1. The short number is the one that someone typed.
+#[test]
+fn the_range_of_ndc_is_the_one_in_which_f_is_short() {
+    let position = DVec3::new(4.0, 3.0, 5.0);
+    let camera = Camera::new(&Parameters { position, near: 0.1, far: 50.0, ..Parameters::default() }).unwrap();
+    for (ndc, name) in [(NDC[0], "opengl"), (NDC[1], "direct3d"), (NDC[4], "vulkan")] {
+        let best = best(&text(projection(&camera, ndc) * camera.view_from_world(), false, true, Some(9)));
+        assert_eq!((best.reading.kind, best.reading.ndc.name().as_str()), (MatrixKind::ViewProjection, name));
+        assert!((best.found.parameters.near - 0.1).abs() < 1e-6, "{name}: {:?}", best.found.parameters);
+    }
+}
+
+/// A word of the text decides where numbers can't: a level camera in a world whose y points down.
+#[test]
+fn words_of_the_text_decide() {
+    let camera = camera_of([1.0, 2.0, 4.0]);
+    // OpenCV, turned by half a turn about x: y points down in its world.
+    let flip = DMat4::from_scale(DVec3::new(1.0, -1.0, -1.0));
+    let view = flip * camera.view_from_world() * flip;
+    let numbers = text(view, false, true, None);
+    let of = |text: &str| {
+        let best = best(text);
+        (best.reading.kind, best.reading.axes.name, best.certainty)
+    };
+    assert_eq!(of(&format!("extrinsic\n{numbers}")), (MatrixKind::View, "opencv", Certainty::Only));
+    assert_eq!(of(&format!("matrix_world = {numbers}")), (MatrixKind::CameraToWorld, "blender", Certainty::Only));
+    assert_ne!(of(&numbers).2, Certainty::Only);
+}
+
+fn camera_of(position: [f64; 3]) -> Camera {
+    Camera::new(&Parameters { position: DVec3::from_array(position), ..Parameters::default() }).unwrap()
+}
+
 /// glOrtho(−2, 2, −1.5, 1.5, −1, 1).
 #[test]
 fn a_parallel_volume_may_lie_around_the_eye() {

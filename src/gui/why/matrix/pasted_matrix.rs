@@ -3,8 +3,8 @@
 use eframe::egui::{self, RichText};
 
 use crate::camera::{
-    Axes, Camera, Evidence, ImageSize, MatrixKind, Ndc, Parameters, Pasted, Reading, Recognised, RecoveryError, Stated,
-    read_cameras, recognise,
+    Assumed, Axes, Camera, Evidence, ImageSize, MatrixKind, Ndc, Parameters, Pasted, Reading, Recognised,
+    RecoveryError, Stated, read_cameras, recognise,
 };
 use crate::explain::vocabulary::Vocabulary;
 use crate::gui::inspector::{choice, complaint, row};
@@ -123,7 +123,8 @@ fn recognised(ui: &mut egui::Ui, state: &mut State, t: &Texts, found: &Recognise
         let reasons: Vec<String> = best.reasons.iter().map(|reason| dialects::reason(lang, *reason)).collect();
         ui.label(RichText::new(reasons.join(", ")).small());
     }
-    for assumed in &found.assumed {
+    // The buttons below offer the other kinds.
+    for assumed in found.assumed.iter().filter(|assumed| !matches!(assumed, Assumed::Kind(_))) {
         ui.label(RichText::new(format!("• {}", dialects::assumed(lang, found, *assumed))).small());
     }
     read_as(ui, state, &found.others);

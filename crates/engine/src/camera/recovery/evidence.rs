@@ -150,7 +150,7 @@ impl Weight {
             self.score -= 25.0;
         }
         if found.unknown.contains(&Unknown::DepthDirection) {
-            self.score -= 2.5;
+            self.score -= 1.5;
         }
         let window = camera.window();
         let (width, height) = (window.right - window.left, window.top - window.bottom);
@@ -177,7 +177,10 @@ impl Weight {
         if unusual > 0.0 {
             self.add(-unusual, Reason::Unusual);
         }
-        self.round_planes(reading, errors, found, camera);
+        // In a parallel M_p M_v, F is the present one.
+        if !found.unknown.contains(&Unknown::PositionAlongNormal) {
+            self.round_planes(reading, errors, found, camera);
+        }
     }
 
     /// F and B that someone typed are short; in a wrong range of NDC they are not.
@@ -250,10 +253,12 @@ fn prior(reading: &Reading, order: Order, is_flat: bool) -> f64 {
         points -= f64::from(axes.rarity) / 10.0;
     }
     if reading.kind.has_ndc() {
-        let is_forward = axes.signs()[1] < 0.0;
+        // M_p M_v tells nothing of the camera's z, but OpenCV's z goes with its y.
+        let tells_z = reading.kind == MatrixKind::Projection || axes == Axes::DIRECT3D || reading.ndc.y_down;
+        let is_forward = tells_z && axes.signs()[1] < 0.0;
         points -= rarity_of(reading.ndc, is_forward);
         // OpenCV's y points down, in the image as in the camera; else it's Vulkan, whose depths are 0 … 1.
-        if reading.ndc.y_down != (reading.kind == MatrixKind::Projection && axes == Axes::OPENCV) {
+        if reading.ndc.y_down != (axes == Axes::OPENCV) {
             points -= if [reading.ndc.at_near, reading.ndc.at_far] == [-1, 1] { 2.5 } else { 0.5 };
         }
     }
@@ -280,11 +285,9 @@ fn unusual_order(reading: &Reading, order: Order, is_flat: bool) -> f64 {
             (Order::Columns, _) if axes == Axes::BLENDER && is_flat => 6.0,
             (Order::Columns, _) if rows_of_vectors || axes == Axes::DIRECT3D => 0.0,
             (Order::Columns, _) => 1.0,
-            (Order::Rows, MatrixKind::View | MatrixKind::CameraToWorld)
-                if rows_of_vectors || axes == Axes::DIRECT3D =>
-            {
-                1.0
-            }
+            (Order::Rows, MatrixKind::View | MatrixKind::CameraToWorld) if rows_of_vectors => 1.0,
+            // Unity prints the rows of a Transform.
+            (Order::Rows, MatrixKind::View) if axes == Axes::DIRECT3D => 1.0,
             // COLMAP, and TUM or glTF; Unity has such a pose too.
             (Order::WxyzThenT, MatrixKind::View) if axes == Axes::OPENCV => 0.0,
             (Order::TThenXyzw, MatrixKind::CameraToWorld) if axes == Axes::DIRECT3D => 1.0,

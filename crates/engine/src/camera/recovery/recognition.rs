@@ -185,7 +185,7 @@ fn hypotheses(entries: &MatrixEntries, stated: &Stated) -> Vec<(Reading, Order)>
                 (Some(axes), _) => vec![axes],
                 (None, View | CameraToWorld) => Axes::ALL.to_vec(),
                 (None, Projection) => vec![Axes::OPENGL, Axes::DIRECT3D, Axes::OPENCV],
-                (None, ViewProjection) => vec![Axes::OPENGL, Axes::DIRECT3D],
+                (None, ViewProjection) => vec![Axes::OPENGL, Axes::OPENCV, Axes::DIRECT3D],
                 (None, Pinhole | Intrinsics) => vec![Axes::OPENCV],
                 (None, LookAt) => vec![Axes::OPENGL],
             };

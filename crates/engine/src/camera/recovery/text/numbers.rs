@@ -195,10 +195,12 @@ impl Reader {
 fn written(part: &str) -> Option<Written> {
     let lower = part.to_lowercase();
     let unsigned = lower.trim_start_matches(['+', '-', '−']).trim_start_matches("np.").trim_start_matches("math.");
-    if ["nan", "1.#ind", "1.#qnan", "1.#snan"].contains(&unsigned) {
+    // `-1.#IND00` of C on Windows has digits behind it.
+    let is_msvc = ["1.#ind", "1.#qnan", "1.#snan"].iter().any(|spelling| unsigned.starts_with(spelling));
+    if unsigned == "nan" || is_msvc {
         return Some(Written { value: f64::NAN, error: 0.0 });
     }
-    if ["inf", "infinity", "∞", "1.#inf"].contains(&unsigned) {
+    if ["inf", "infinity", "∞"].contains(&unsigned) || unsigned.starts_with("1.#inf") {
         let value = if lower.starts_with(['-', '−']) { f64::NEG_INFINITY } else { f64::INFINITY };
         return Some(Written { value, error: 0.0 });
     }

@@ -2,9 +2,9 @@
 
 use serde_json::Value;
 
-/// A number of JSON.
+/// A number of JSON; `null` is the NaN of JavaScript.
 pub(crate) fn number(value: &Value) -> Option<f64> {
-    value.as_f64()
+    if value.is_null() { Some(f64::NAN) } else { value.as_f64() }
 }
 
 /// A list of numbers, of one level or more.

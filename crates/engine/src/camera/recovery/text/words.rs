@@ -35,7 +35,7 @@ const WORDS: [Word; 33] = [
     row("worldviewproj", MatrixKind::ViewProjection),
     row("modelviewproj", MatrixKind::ViewProjection),
     row("viewproj", MatrixKind::ViewProjection),
-    row("fullprojtransform", MatrixKind::ViewProjection),
+    with_axes("fullprojtransform", MatrixKind::ViewProjection, Axes::OPENCV),
     with_axes("matrixworldinverse", MatrixKind::View, Axes::OPENGL),
     with_axes("worldtocameramatrix", MatrixKind::View, Axes::UNITY),
     with_axes("cameratoworldmatrix", MatrixKind::CameraToWorld, Axes::UNITY),
