@@ -289,6 +289,49 @@ fn the_command_line_reads_them_too() {
     assert!(bench.run(&["matrix", "f.toml", "--numbers", WITH_SKEW]).refused(2).contains("skew of 91.2"));
 }
 
+#[test]
+fn files_and_their_cameras_are_chosen_on_the_command_line() {
+    let bench = Bench::new("files of other programs");
+    bench.write("f.toml", "");
+    // Half a turn about x: OpenCV's axes become those of the notes. t = (0, 0, 4) is C there.
+    bench.write("cameras.txt", "# Camera list\n1 PINHOLE 640 480 500 500 320 240\n");
+    bench.write("images.txt", "1 0 1 0 0 0 0 4 1 a.png\n1.5 2.5 -1\n2 0 1 0 0 0.5 0 4 1 b.png\n\n");
+    let json = |args: &[&str]| {
+        let run = bench.run(&[&["matrix", "f.toml", "--format", "json"], args].concat());
+        serde_json::from_slice::<serde_json::Value>(run.done()).unwrap()
+    };
+    let first = json(&["--from", "images.txt"]);
+    assert_eq!(first["cameras"], serde_json::json!(["a.png", "b.png"]));
+    assert_eq!(first["camera"]["position"][2], 4.0);
+    assert_eq!(first["image"], serde_json::json!([640, 480]));
+    // The lens of `cameras.txt`: tan(θ/2) = 240/500.
+    let angle = first["camera"]["view_angle"].as_f64().unwrap();
+    assert!((angle - 2.0 * 0.48_f64.atan().to_degrees()).abs() < 1e-9, "{angle}");
+    for choice in ["2", "b.png"] {
+        assert_eq!(json(&["--from", "images.txt", "--camera", choice])["camera"]["position"][0], -0.5);
+    }
+    let run = bench.run(&["matrix", "f.toml", "--from", "images.txt", "--camera", "c.png"]);
+    let refused = run.refused(2);
+    assert!(refused.contains("c.png") && refused.contains("b.png"), "{refused}");
+    assert!(bench.run(&["matrix", "f.toml"]).refused(2).contains("--numbers"));
+    assert!(bench.run(&["matrix", "f.toml", "--from", "none.txt"]).refused(2).contains("none.txt"));
+    // 90°, F 1, B 3: other ranges of NDC fit, so F is no certainty.
+    let projection = json(&["--numbers", "1 0 0 0\n0 1 0 0\n0 0 -2 -3\n0 0 -1 0"]);
+    let readings = projection["readings"].as_array().unwrap();
+    let first = &readings[0];
+    assert_eq!(
+        (&first["kind"], &first["order"], &first["ndc"], &first["handedness"], &first["certainty"]),
+        (&"projection".into(), &"rows".into(), &"opengl".into(), &"right".into(), &"likely".into())
+    );
+    assert_eq!(first["camera"], projection["camera"]);
+    assert!(!first["reasons"].as_array().unwrap().is_empty() && readings.len() > 1);
+    let assumed = projection["assumed"].to_string();
+    assert!(assumed.contains("direct3d") && assumed.contains("F = 1.5"), "{assumed}");
+    // Stated, it is the one.
+    let stated = json(&["--numbers", "1 0 0 0\n0 1 0 0\n0 0 -2 -3\n0 0 -1 0", "--ndc", "direct3d"]);
+    assert_eq!(stated["camera"]["near"], 1.5);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
 

@@ -4,7 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab_engine::camera::{
-    Camera, Candidate, Certainty, ImageSize, MatrixKind, Parameters, Projection, RecoveryError, Stated, Unknown,
+    Axes, Camera, Candidate, Certainty, ImageSize, MatrixKind, Parameters, Projection, RecoveryError, Stated, Unknown,
     ViewWindow, read_cameras, recognise,
 };
 use glam::{DMat3, DMat4, DVec3};
@@ -34,7 +34,7 @@ fn programs() -> Vec<Program> {
         program("Blender", [X, Y, Z], z_up),
         program("OpenCV", [X, -Y, -Z], same),
         program("Direct3D", [X, Y, -Z], left),
-        program("Unity", [X, Y, Z], left),
+        program("worldToCameraMatrix", [X, Y, Z], left),
         program("Unreal", [-Z, X, Y], left),
         program("PyTorch3D", [-X, Y, -Z], same),
         program("ROS", [-Z, -X, Y], z_up),
@@ -152,6 +152,18 @@ fn check(text: &str, kind: MatrixKind, right: &Camera, image: ImageSize, toleran
         prop_assert!(is_right(best), "certain and wrong: {best:#?}\n{text}");
     }
     Ok(())
+}
+
+/// The table of axes writes M_v and its inverse as the programs define them.
+#[test]
+fn the_table_of_axes_is_that_of_the_programs() {
+    let right = camera_of([2.0, 3.0, 7.0]);
+    for program in programs() {
+        let axes = Axes::ALL.into_iter().find(|axes| axes.title.contains(program.name)).unwrap();
+        let (view, inverse) = (axes.view_from_world(&right), axes.world_from_view(&right));
+        assert!(view.abs_diff_eq(program.view(&right), 1e-14), "{}: {view}", program.name);
+        assert!((view * inverse).abs_diff_eq(DMat4::IDENTITY, 1e-13), "{}: {inverse}", program.name);
+    }
 }
 
 proptest! {

@@ -1,5 +1,9 @@
 //! The axes of other programs, one row each: how their cameras and their worlds lie.
 
+use glam::{DMat4, DVec3, DVec4};
+
+use crate::camera::Camera;
+
 /// A direction, as the viewer of the image sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Toward {
@@ -131,6 +135,63 @@ impl Axes {
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.name
+    }
+
+    /// A vector of our world in the world of these axes: z is up there, or the other way if it's left-handed.
+    #[must_use]
+    pub fn foreign_from_world(self, p: DVec3) -> DVec3 {
+        match (self.up, self.left_handed) {
+            (_, true) => DVec3::new(p.x, p.y, -p.z),
+            (WorldUp::Z, false) => DVec3::new(p.x, -p.z, p.y),
+            (WorldUp::Y | WorldUp::Open, false) => p,
+        }
+    }
+
+    /// A vector of the world of these axes in ours: the inverse of [`Self::foreign_from_world`].
+    pub(crate) fn world_from_foreign(self, p: DVec3) -> DVec3 {
+        match (self.up, self.left_handed) {
+            // So the image isn't mirrored.
+            (_, true) => DVec3::new(p.x, p.y, -p.z),
+            // As exporters of glTF turn it.
+            (WorldUp::Z, false) => DVec3::new(p.x, p.z, -p.y),
+            (WorldUp::Y | WorldUp::Open, false) => p,
+        }
+    }
+
+    /// M_v in these axes, from their world to their camera; for column vectors.
+    ///
+    /// ```
+    /// # use camera_lab_engine::camera::{Axes, Camera, Parameters};
+    /// # use glam::{DVec3, DVec4};
+    /// let camera = Camera::new(&Parameters { position: DVec3::new(0.0, 0.0, 5.0), ..Parameters::default() })?;
+    /// // OpenCV: y down, z into the scene.
+    /// assert_eq!(Axes::OPENCV.view_from_world(&camera).row(2), DVec4::new(0.0, 0.0, -1.0, 5.0));
+    /// # Ok::<(), camera_lab_engine::camera::CameraError>(())
+    /// ```
+    #[must_use]
+    pub fn view_from_world(self, camera: &Camera) -> DMat4 {
+        let [x, y, z] = self.view_rows(camera).map(|row| self.foreign_from_world(row.truncate()).extend(row.w));
+        DMat4::from_cols(x, y, z, DVec4::W).transpose()
+    }
+
+    /// The inverse of M_v in these axes: its columns are the axes of the camera and C.
+    #[must_use]
+    pub fn world_from_view(self, camera: &Camera) -> DMat4 {
+        let [x, y, z] = self.view_rows(camera).map(|row| self.foreign_from_world(row.truncate()).extend(0.0));
+        DMat4::from_cols(x, y, z, self.foreign_from_world(camera.position()).extend(1.0))
+    }
+
+    /// The rows of our M_v that are x, y and z of the camera: their constants are rounded once, so a zero is a zero.
+    fn view_rows(self, camera: &Camera) -> [DVec4; 3] {
+        let view_from_world = camera.view_from_world();
+        self.camera.map(|toward| match toward {
+            Toward::Right => view_from_world.row(0),
+            Toward::Left => -view_from_world.row(0),
+            Toward::Up => view_from_world.row(1),
+            Toward::Down => -view_from_world.row(1),
+            Toward::Viewer => view_from_world.row(2),
+            Toward::Scene => -view_from_world.row(2),
+        })
     }
 
     /// The signs that turn z of a camera of these axes to look along −z, and y to point up: for M_p, which holds no

@@ -101,15 +101,12 @@ impl Recovery {
     /// C, and PF and VUP as far as they were right, in a right-handed world.
     pub(crate) fn pose(&mut self, position: DVec3, v: DVec3, n: DVec3) {
         let axes = self.reading.axes;
-        let [position, v, n] = if axes.left_handed {
+        if axes.left_handed {
             self.unknown.push(Unknown::WorldMirrored);
-            [position, v, n].map(with_z_reversed)
         } else if axes.up == WorldUp::Z {
             self.unknown.push(Unknown::WorldTurned);
-            [position, v, n].map(with_y_up)
-        } else {
-            [position, v, n]
-        };
+        }
+        let [position, v, n] = [position, v, n].map(|vector| axes.world_from_foreign(vector));
         let distance = (self.current.focal_point - self.current.position).length();
         let up = self.current.view_up;
         let above = up - n * up.dot(n);
@@ -329,16 +326,6 @@ fn affine_rows(m: DMat4) -> Result<[DVec4; 3], RecoveryError> {
         return Err(RecoveryError::LastRow { last });
     }
     Ok([0, 1, 2].map(|i| m.row(i) / last.w))
-}
-
-/// A vector of a world whose z is up, in one whose y is: as exporters of glTF turn it.
-fn with_y_up(p: DVec3) -> DVec3 {
-    DVec3::new(p.x, p.z, -p.y)
-}
-
-/// A vector of a left-handed world in a right-handed one: so the image isn't mirrored.
-fn with_z_reversed(p: DVec3) -> DVec3 {
-    DVec3::new(p.x, p.y, -p.z)
 }
 
 /// The conventions that a matrix may be in, those of the libraries themselves first.
