@@ -4,11 +4,15 @@ use super::args::CodeArgs;
 use super::{Failure, open, print};
 use crate::explain::Setting;
 use crate::i18n::Lang;
-use crate::i18n::why::code as texts;
+use crate::i18n::why::{code as texts, dialects};
 
 pub(super) fn run(args: &CodeArgs, lang: Lang) -> Result<(), Failure> {
     let (opened, camera) = open(&args.figure, &args.common, lang)?;
     let setting = Setting::new(camera.notes_clip_space(), opened.figure.image, opened.figure.viewport);
+    if let Some(limitation) = args.target.limitation(&camera) {
+        let why = dialects::limitation(lang, limitation);
+        return Err(Failure::BadInput(format!("--for {}: {why}", args.target.word())));
+    }
     let written = args.common.lang.map_or(Lang::En, crate::cli::args::words::LangArg::lang);
     let comments = texts::comments(written, args.target, &args.target.conventions(&camera));
     print(args.target.code(&setting, &comments).as_bytes(), lang)

@@ -1,16 +1,18 @@
-//! `camera-lab matrix`: the camera of a matrix from another program.
+//! `camera-lab matrix`: the camera of a matrix or a file from another program.
 
 use std::fmt::Write as _;
+use std::path::Path;
 
 use serde::Serialize;
 
 use super::{Failure, open, print};
-use crate::camera::{MatrixEntries, MatrixKind, Recognised, Stated, Unknown, recognise};
+use crate::camera::{Candidate, Order, Pasted, Recognised, Stated, Unknown, read_cameras, recognise};
 use crate::cli::args::matrix::MatrixArgs;
 use crate::cli::args::words::{LangArg, TableFormat};
 use crate::figure::update;
-use crate::i18n::Lang;
+use crate::files::{self, FileError};
 use crate::i18n::why::dialects;
+use crate::i18n::{Lang, messages};
 use crate::inspect::CameraReport;
 
 /// The JSON output.
@@ -25,6 +27,11 @@ struct Answer {
     camera: CameraReport,
     image: [u32; 2],
     unknown: Vec<Open>,
+    readings: Vec<OneReading>,
+    assumed: Vec<String>,
+    /// The names of the cameras of the file, if there are several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    cameras: Vec<String>,
 }
 
 /// A quantity that the matrix leaves open, or another notice.
@@ -34,9 +41,37 @@ struct Open {
     message: &'static str,
 }
 
+/// A reading that fits, with its camera.
+#[derive(Serialize)]
+struct OneReading {
+    kind: &'static str,
+    order: &'static str,
+    axes: &'static str,
+    ndc: Option<String>,
+    handedness: &'static str,
+    certainty: &'static str,
+    reasons: Vec<String>,
+    camera: CameraReport,
+}
+
 pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
-    let refused = |why: String| Failure::BadInput(format!("--numbers: {why}"));
-    let entries = MatrixEntries::read(&args.numbers).map_err(|fault| refused(dialects::unreadable(lang, &fault)))?;
+    // clap asks for one of the two.
+    let source = match &args.from {
+        Some(path) => crate::sanitize::path(path).to_string(),
+        None => "--numbers".to_owned(),
+    };
+    let refused = |why: String| Failure::BadInput(format!("{source}: {why}"));
+    let bytes = match &args.from {
+        Some(path) => {
+            let name = crate::sanitize::path(path).to_string();
+            read(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?
+        }
+        None => args.numbers.clone().unwrap_or_default().into_bytes(),
+    };
+    let cameras = read_cameras(&bytes).map_err(|fault| refused(dialects::unreadable(lang, &fault)))?;
+    let chosen = chosen(&cameras, args.camera.as_deref()).ok_or_else(|| {
+        refused(dialects::no_such_camera(lang, args.camera.as_deref().unwrap_or_default(), &names(&cameras)))
+    })?;
     let size = args.size(lang)?;
     let (opened, camera) = open(&args.figure, &args.common, lang)?;
     let mut figure = opened.figure;
@@ -44,52 +79,114 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
         kind: args.kind,
         axes: args.axes,
         by_columns: args.columns,
-        ndc: args.ndc,
-        image: size.unwrap_or(figure.image),
+        ndc: args.ndc.map(Into::into),
+        image: size.or(chosen.image).unwrap_or(figure.image),
     };
-    let found = recognise(&entries, &stated, camera.parameters())
+    let found = recognise(chosen, &stated, camera.parameters())
         .map_err(|error| refused(dialects::recovery_error(lang, &error)))?;
-    figure.camera = found.found.parameters;
-    if found.reading.kind == MatrixKind::Pinhole {
-        figure.image = found.reading.image;
+    let best = found.best();
+    figure.camera = best.found.parameters;
+    if best.reading.kind.has_pixels() || chosen.image.is_some() {
+        figure.image = best.reading.image;
     }
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
     let text = match args.format {
         TableFormat::Json => {
-            let answer = Answer::new(&found, written);
+            let answer = Answer::new(&found, names(&cameras), written);
             serde_json::to_string_pretty(&answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n"
         }
-        TableFormat::Text => comments(&found, written) + &update(&opened.text, &figure),
+        TableFormat::Text => comments(&found, &names(&cameras), written) + &update(&opened.text, &figure),
     };
     print(text.as_bytes(), lang)
 }
 
+/// A file; `images.txt` of COLMAP with the lenses of `cameras.txt` beside it.
+fn read(path: &Path) -> Result<Vec<u8>, FileError> {
+    let bytes = files::read_file(path)?;
+    if path.file_name().is_some_and(|name| name == "images.txt")
+        && let Ok(mut lenses) = files::read_file(&path.with_file_name("cameras.txt"))
+    {
+        lenses.push(b'\n');
+        lenses.extend(bytes);
+        return Ok(lenses);
+    }
+    Ok(bytes)
+}
+
+/// The camera of a number from 1 or of a name.
+fn chosen<'a>(cameras: &'a [Pasted], wanted: Option<&str>) -> Option<&'a Pasted> {
+    let Some(wanted) = wanted else { return cameras.first() };
+    let by_name = cameras.iter().find(|camera| camera.name == wanted);
+    by_name.or_else(|| cameras.get(wanted.parse::<usize>().ok()?.checked_sub(1)?))
+}
+
+/// The names of several cameras; a number stands for a missing one.
+fn names(cameras: &[Pasted]) -> Vec<String> {
+    if cameras.len() < 2 {
+        return Vec::new();
+    }
+    let name = |(k, camera): (usize, &Pasted)| {
+        if camera.name.is_empty() { (k + 1).to_string() } else { camera.name.clone() }
+    };
+    cameras.iter().enumerate().map(name).collect()
+}
+
 impl Answer {
-    fn new(found: &Recognised, lang: Lang) -> Self {
-        let Recognised { reading, by_columns, evidence, found, others } = found;
+    fn new(found: &Recognised, cameras: Vec<String>, lang: Lang) -> Self {
+        let best = found.best();
+        let reading = best.reading;
         let open = |unknown: &Unknown| Open { code: unknown.code(), message: dialects::unknown(lang, *unknown) };
         Self {
             kind: reading.kind.name(),
             axes: reading.axes.name(),
-            by_columns: *by_columns,
-            evidence: evidence.name(),
-            others: others.iter().map(|kind| kind.name()).collect(),
-            camera: CameraReport::new(&found.parameters),
+            by_columns: best.order == Order::Columns,
+            evidence: found.evidence.name(),
+            others: found.others.iter().map(|kind| kind.name()).collect(),
+            camera: CameraReport::new(&best.found.parameters),
             image: [reading.image.width, reading.image.height],
-            unknown: found.unknown.iter().map(open).collect(),
+            unknown: best.found.unknown.iter().map(open).collect(),
+            readings: found.readings.iter().map(|candidate| OneReading::new(candidate, lang)).collect(),
+            assumed: found.assumed.iter().map(|assumed| dialects::assumed(lang, found, *assumed)).collect(),
+            cameras,
+        }
+    }
+}
+
+impl OneReading {
+    fn new(candidate: &Candidate, lang: Lang) -> Self {
+        let reading = candidate.reading;
+        Self {
+            kind: reading.kind.name(),
+            order: candidate.order.name(),
+            axes: reading.axes.name(),
+            ndc: reading.kind.has_ndc().then(|| reading.ndc.name()),
+            handedness: if reading.is_left_handed() { "left" } else { "right" },
+            certainty: candidate.certainty.name(),
+            reasons: candidate.reasons.iter().map(|reason| dialects::reason(lang, *reason)).collect(),
+            camera: CameraReport::new(&candidate.found.parameters),
         }
     }
 }
 
 /// How the matrix was read, and what it leaves open, as comments of a figure file.
-fn comments(found: &Recognised, lang: Lang) -> String {
-    let mut text = format!("# {}\n", dialects::reading(lang, &found.reading, found.by_columns, found.evidence));
-    for kind in &found.others {
+fn comments(found: &Recognised, cameras: &[String], lang: Lang) -> String {
+    let best = found.best();
+    let mut text = format!("# {}\n", dialects::reading(lang, best, found.evidence));
+    for reason in &best.reasons {
         // Writing to a String cannot fail.
+        let _ = writeln!(text, "# - {}", dialects::reason(lang, *reason));
+    }
+    for assumed in &found.assumed {
+        let _ = writeln!(text, "# {}", dialects::assumed(lang, found, *assumed));
+    }
+    for kind in &found.others {
         let _ = writeln!(text, "# --as {}: {}", kind.name(), dialects::kind(lang, *kind));
     }
-    for unknown in &found.found.unknown {
+    for unknown in &best.found.unknown {
         let _ = writeln!(text, "# {}", dialects::unknown(lang, *unknown));
+    }
+    if !cameras.is_empty() {
+        let _ = writeln!(text, "# --camera: {}", crate::sanitize::escaped(&cameras.join(", ")));
     }
     text + "\n"
 }

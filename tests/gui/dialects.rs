@@ -65,10 +65,10 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
     let camera = window.state().document.camera();
     let corners = camera.volume_corners();
     assert!(corners.iter().all(|p| p.abs().abs_diff_eq(DVec3::ONE, 1e-12)), "[0] exercise 5.3: {corners:?}");
-    // A mirror has no camera; a transposed matrix is recognised.
+    // A mirror is that of a left-handed world; a transposed matrix is recognised.
     window.app_mut().state.explain.pasted.text = "-1 0 0 0 0 1 0 0 0 0 -2 -3 0 0 -1 0".to_owned();
     window.run();
-    assert!(window.says("espelha"));
+    assert!(window.says("de mão esquerda"));
     window.app_mut().state.explain.pasted.text = "1 0 0 0 0 1 0 0 0 0 -1 0 0 0 -3 1".to_owned();
     window.run();
     assert!(window.says(pt::CONVENTIONS.row_vectors));
@@ -82,8 +82,20 @@ const BLENDER: &str = "<Matrix 4x4 (0.6859, -0.3240,  0.6516,  7.3589)\n        
 #[test]
 fn a_rigid_matrix_is_recognised_and_its_other_reading_is_one_click_away() {
     for (lang, said, instead, other, take) in [
-        (Lang::En, "camera → world in the axes of Blender: only so", "Read it as", "M_v: view", "Take this camera"),
-        (Lang::PtBr, "câmera → mundo nos eixos de Blender: só assim", "Ler como", "M_v: vista", "Usar esta câmera"),
+        (
+            Lang::En,
+            "camera → world in the axes of Blender, nerfstudio: only so",
+            "Read it as",
+            "M_v: view",
+            "Take this camera",
+        ),
+        (
+            Lang::PtBr,
+            "câmera → mundo nos eixos de Blender, nerfstudio: só assim",
+            "Ler como",
+            "M_v: vista",
+            "Usar esta câmera",
+        ),
     ] {
         let mut window = window(lang, Explanation::Dialects);
         window.app_mut().state.explain.pasted.text = BLENDER.to_owned();
@@ -92,7 +104,8 @@ fn a_rigid_matrix_is_recognised_and_its_other_reading_is_one_click_away() {
         window.click(take);
         let position = window.state().document.camera().position();
         assert!(position.abs_diff_eq(DVec3::new(7.3589, 4.9583, 6.9258), 1e-9), "z was up: {position}");
-        window.app_mut().state.explain.pasted.axes = Some(Axes::OpenGl);
+        window.app_mut().state.explain.pasted.axes = Some(Axes::OPENGL);
+        window.run();
         window.click(other);
         assert_eq!(window.state().explain.pasted.kind, Some(MatrixKind::View));
         window.click(take);

@@ -8,7 +8,7 @@ use camera_lab::inspect::{InspectError, Report};
 use glam::DVec3;
 use serde_json::Value;
 
-const KEYS: [&str; 15] = [
+const KEYS: [&str; 16] = [
     "camera",
     "dop",
     "distance",
@@ -21,6 +21,7 @@ const KEYS: [&str; 15] = [
     "inverse_view_matrix",
     "inverse_projection_matrix",
     "volume_corners",
+    "planes",
     "points",
     "rays",
     "warnings",

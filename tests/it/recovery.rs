@@ -13,7 +13,7 @@ use crate::common::camera::camera;
 
 /// The camera of a matrix in the axes of [0].
 fn recover(kind: MatrixKind, m: DMat4, ndc: Ndc, current: &Parameters) -> Result<Recovered, RecoveryError> {
-    camera_lab::camera::recover(&Reading { ndc, ..Reading::of(kind) }, m, current)
+    camera_lab::camera::recover(&Reading { ndc: ndc.into(), ..Reading::of(kind) }, m, current)
 }
 
 fn assert_same(found: DMat4, expected: DMat4, slack: f64, what: &str) {
@@ -118,7 +118,7 @@ fn what_no_camera_has_is_named() {
     assert!(matches!(fault(MatrixKind::Projection, DMat4::ZERO), RecoveryError::LastRow { .. }));
     let mut broken = view;
     broken.w_axis = DVec4::new(f64::NAN, 0.0, 0.0, 1.0);
-    assert_eq!(fault(MatrixKind::View, broken), RecoveryError::NotFinite { row: 1, column: 4 });
+    assert!(matches!(fault(MatrixKind::View, broken), RecoveryError::NotFinite { row: 1, column: 4, .. }));
     // Another convention is recognised.
     let reversed = Ndc::ALL.into_iter().find(|ndc| ndc.name() == "direct3d-reversed").unwrap();
     let matrix = camera.clip_space(reversed).unwrap().clip_from_view();

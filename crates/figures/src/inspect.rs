@@ -11,6 +11,8 @@ use crate::camera::{
     Projection, Stations, ViewWindow, Viewport, Warning,
 };
 use crate::figure::Figure;
+use crate::geometry::Plane;
+use crate::inspect::quantity::VolumePlane;
 
 /// The output of `camera-lab inspect`; the order of the fields is the order of the keys.
 ///
@@ -42,6 +44,8 @@ pub struct Report {
     pub inverse_projection_matrix: [[f64; 4]; 4],
     /// Near (l,b) (r,b) (r,t) (l,t), then far in the same order.
     pub volume_corners: [[f64; 3]; 8],
+    /// The planes of the view volume.
+    pub planes: PlanesReport,
     /// The requested points.
     pub points: Vec<PointReport>,
     /// The rays through the requested pixels.
@@ -117,6 +121,44 @@ pub struct WindowReport {
     pub height: f64,
     /// A
     pub aspect: f64,
+}
+
+/// The planes of the view volume in the world: \[a, b, c, d\] with a x + b y + c z + d ≥ 0 inside, and (a, b, c) of
+/// length 1.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PlanesReport {
+    /// Through C and l.
+    pub left: [f64; 4],
+    /// Through C and r.
+    pub right: [f64; 4],
+    /// Through C and b.
+    pub bottom: [f64; 4],
+    /// Through C and t.
+    pub top: [f64; 4],
+    /// At F.
+    pub near: [f64; 4],
+    /// At B.
+    pub far: [f64; 4],
+}
+
+impl PlanesReport {
+    fn new(camera: &Camera) -> Self {
+        // As the report promises: zero has no sign.
+        let four = |plane: Plane| plane.normal.extend(plane.offset).to_array().map(|x| x + 0.0);
+        let [left, right, bottom, top, near, far] = camera.volume_planes().map(four);
+        Self { left, right, bottom, top, near, far }
+    }
+
+    fn of(&self, plane: VolumePlane) -> [f64; 4] {
+        match plane {
+            VolumePlane::Left => self.left,
+            VolumePlane::Right => self.right,
+            VolumePlane::Bottom => self.bottom,
+            VolumePlane::Top => self.top,
+            VolumePlane::Near => self.near,
+            VolumePlane::Far => self.far,
+        }
+    }
 }
 
 /// One point in every space; the values after the division are `null` where W = 0.
@@ -286,6 +328,7 @@ impl Report {
             inverse_view_matrix: rows(camera.world_from_view()),
             inverse_projection_matrix: rows(clip_space.view_from_clip()),
             volume_corners: camera.volume_corners().map(three),
+            planes: PlanesReport::new(camera),
             points: points
                 .iter()
                 .map(|point| PointReport::new(&clip_space.stations(*point, image, &viewport)))

@@ -16,23 +16,31 @@ pub(in crate::cli) struct MatrixArgs {
     pub(in crate::cli) figure: PathBuf,
     #[command(flatten)]
     pub(in crate::cli) common: FigureArgs,
-    /// The sixteen numbers of the matrix, or the twelve of K [R | t], row by row, as any program writes them
-    #[arg(long, allow_hyphen_values = true)]
-    pub(in crate::cli) numbers: String,
-    /// Kind of the matrix; without it, that is recognised. camera-to-world: `matrix_world` of Blender, a node of glTF,
-    /// `matrixWorld` of three.js; pinhole: K [R | t]
+    /// A matrix, K, a quaternion and t, or C, PF and VUP, as any program prints them
+    #[arg(long, allow_hyphen_values = true, required_unless_present = "from", conflicts_with = "from")]
+    pub(in crate::cli) numbers: Option<String>,
+    /// A file of another program: JSON of `Open3D`, nerfstudio or three.js, glTF, GLB, YAML of `OpenCV`, `cameras.txt`
+    /// and `images.txt` of COLMAP, KITTI, TUM, or any text with a matrix
+    #[arg(long, value_name = "FILE")]
+    pub(in crate::cli) from: Option<PathBuf>,
+    /// Which of several cameras: its number from 1, or its name; the first without it
+    #[arg(long, value_name = "N")]
+    pub(in crate::cli) camera: Option<String>,
+    /// Kind of the matrix; without it, the program recognises it. camera-to-world: `matrix_world` of Blender, a node of
+    /// glTF, `matrixWorld` of three.js; pinhole: K [R | t]; intrinsics: K alone; look-at: C, PF and VUP
     #[arg(long = "as", value_parser = one_of(MatrixKind::ALL, MatrixKind::name), value_name = "KIND")]
     pub(in crate::cli) kind: Option<MatrixKind>,
-    /// Whose axes; without it, they are recognised. opengl: x right, y up, z towards the viewer, y up in the world
-    /// (glTF and three.js too); blender: z up in the world, which is turned; opencv: x right, y down, z into the scene
+    /// Whose axes; without it, the program recognises them. opengl: x right, y up, z towards the viewer, y up in the
+    /// world (glTF and three.js too); blender: z up in the world, which is turned; opencv: x right, y down, z into the
+    /// scene; direct3d, unity and unreal: left-handed worlds, whose z is reversed
     #[arg(long, value_parser = one_of(Axes::ALL, Axes::name), value_name = "NAME")]
     pub(in crate::cli) axes: Option<Axes>,
     /// The numbers go down the columns first, or the matrix is for row vectors
     #[arg(long)]
     pub(in crate::cli) columns: bool,
-    /// Whose normalised device coordinates a projection leads to
-    #[arg(long, value_parser = one_of(Ndc::ALL, Ndc::name), value_name = "NAME", default_value = Ndc::default().name())]
-    pub(in crate::cli) ndc: Ndc,
+    /// Whose normalised device coordinates a projection leads to; without it, the program recognises them
+    #[arg(long, value_parser = one_of(Ndc::ALL, Ndc::name), value_name = "NAME")]
+    pub(in crate::cli) ndc: Option<Ndc>,
     /// The size in pixels of the image that K belongs to; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,

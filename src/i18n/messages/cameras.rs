@@ -38,7 +38,7 @@ pub(in crate::i18n) fn camera_wording(lang: Lang, error: &CameraError) -> Wordin
         (Lang::En, CameraError::FarNotBeyondNear { .. }) => english("F must be less than B"),
         (Lang::PtBr, CameraError::FarNotBeyondNear { near, far }) => Wording::new(
             format!(
-                "near é {near:?} e far é {far:?}; permitido: 0 < near < far; para profundidades invertidas, mantenha essa ordem e use --ndc NOME-reversed"
+                "near é {near:?} e far é {far:?}; permitido: near < far, e na perspectiva 0 < near; para profundidades invertidas, mantenha essa ordem e use --ndc NOME-reversed"
             ),
             "F tem de ser menor que B",
         ),

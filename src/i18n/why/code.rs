@@ -1,5 +1,6 @@
 //! Texts in and about code that sets up a camera.
 
+use crate::camera::{Toward, WorldUp};
 use crate::explain::code::{CodeConvention, CodeTarget};
 use crate::i18n::Lang;
 
@@ -21,6 +22,34 @@ pub fn convention(lang: Lang, target: CodeTarget, convention: CodeConvention) ->
         CodeConvention::ByMatrix => both!(lang;
             "the window is not symmetric: {name} has no call for it, so the matrix is set; updateProjectionMatrix would undo it",
             "a janela não é simétrica: {name} não tem chamada para ela, e a matriz é definida; updateProjectionMatrix a desfaria"),
+        CodeConvention::Axes(axes) => {
+            let [x, y, z] = axes.camera.map(|toward| direction(lang, toward));
+            let world = match (axes.left_handed, axes.up) {
+                (true, WorldUp::Z) => pick!(lang; "left-handed, z up", "mão esquerda, z para cima"),
+                (true, _) => pick!(lang; "left-handed, so z is reversed", "mão esquerda, então z é invertido"),
+                (false, WorldUp::Z) => {
+                    pick!(lang; "z up: (x, y, z) -> (x, -z, y)", "z para cima: (x, y, z) -> (x, -z, y)")
+                }
+                (false, _) => pick!(lang; "as here", "como aqui"),
+            };
+            both!(lang; "{name}: the camera has x {x}, y {y}, z {z}; the world is {world}",
+                "{name}: a câmera tem x {x}, y {y}, z {z}; o mundo é {world}")
+        }
+        CodeConvention::Centimetres => {
+            both!(lang; "(x, y, z) -> (x, z, y), in centimetres", "(x, y, z) -> (x, z, y), em centímetros")
+        }
+    }
+}
+
+/// The direction of an axis of a camera.
+fn direction(lang: Lang, toward: Toward) -> &'static str {
+    match toward {
+        Toward::Right => pick!(lang; "right", "à direita"),
+        Toward::Left => pick!(lang; "left", "à esquerda"),
+        Toward::Up => pick!(lang; "up", "para cima"),
+        Toward::Down => pick!(lang; "down", "para baixo"),
+        Toward::Viewer => pick!(lang; "towards the viewer", "rumo ao observador"),
+        Toward::Scene => pick!(lang; "into the scene", "para dentro da cena"),
     }
 }
 

@@ -1,6 +1,9 @@
 //! The camera in other vocabularies, and a matrix that is pasted.
 
-use crate::camera::{Axes, Evidence, Lines, MatrixKind, MatrixTextError, Reading, RecoveryError, Unknown};
+use crate::camera::{
+    Assumed, Axes, Candidate, Certainty, Evidence, Lines, MatrixKind, MatrixTextError, NdcRange, Order, Reading,
+    Reason, Recognised, RecoveryError, Unknown,
+};
 use crate::explain::vocabulary::{Limitation, Vocabulary};
 use crate::i18n::{Lang, messages};
 use crate::sanitize::escaped;
@@ -9,8 +12,8 @@ texts! {
     number_hint: "Sets the camera", "Define a câmera";
     fixed_hint: "Follows from the others and cannot be set by itself", "Decorre dos outros e não pode ser definido sozinho";
     pasted: "A matrix → its camera", "Uma matriz → sua câmera";
-    pasted_hint: "Paste sixteen numbers, or the twelve of K [R | t], as any program writes them. What the matrix is, and in whose axes, is recognised where its numbers tell; NDC are those chosen under Conventions.",
-        "Cole dezesseis números, ou os doze de K [R | t], como qualquer programa os escreve. O que a matriz é, e em que eixos, se reconhece onde os números o dizem; as NDC são as escolhidas em Convenções.";
+    pasted_hint: "Paste a matrix, K, a quaternion and t, or a file of another program, as it prints it. The program recognises the matrix, its axes and its NDC as far as the numbers tell; other NDC than those of OpenGL are those you chose under Conventions.",
+        "Cole uma matriz, K, um quatérnio e t, ou um arquivo de outro programa, como ele os escreve. O programa reconhece a matriz, os eixos e as NDC até onde os números dizem; NDC diferentes das de OpenGL são as que você escolheu em Convenções.";
     recognise: "recognise", "reconhecer";
     kind: "The matrix is", "A matriz é";
     kind_hint: "What the matrix does. Camera → world is the inverse of M_v: matrix_world of Blender, a node of glTF, matrixWorld of three.js. K [R | t] leads to pixels.",
@@ -82,39 +85,142 @@ pub fn kind(lang: Lang, kind: MatrixKind) -> &'static str {
         MatrixKind::ViewProjection => pick!(lang; "M_p M_v: both", "M_p M_v: as duas"),
         MatrixKind::CameraToWorld => pick!(lang; "camera → world", "câmera → mundo"),
         MatrixKind::Pinhole => "K [R | t]",
+        MatrixKind::Intrinsics => pick!(lang; "K alone", "só K"),
+        MatrixKind::LookAt => "C, PF, VUP",
     }
 }
 
-/// Whose axes.
+/// The programs that have some axes.
 #[must_use]
 pub const fn axes(axes: Axes) -> &'static str {
-    match axes {
-        Axes::OpenGl => "OpenGL, glTF, three.js",
-        Axes::Blender => "Blender",
-        Axes::OpenCv => "OpenCV",
+    axes.title
+}
+
+/// The order of the numbers.
+#[must_use]
+pub fn order(lang: Lang, order: Order) -> &'static str {
+    match order {
+        Order::Rows => pick!(lang; "by rows", "por linhas"),
+        Order::Columns => pick!(lang; "by columns", "por colunas"),
+        Order::RotationThenTranslation => pick!(lang; "R by rows, then t", "R por linhas, depois t"),
+        Order::WxyzThenT => pick!(lang; "a quaternion w x y z, then t", "um quatérnio w x y z, depois t"),
+        Order::XyzwThenT => pick!(lang; "a quaternion x y z w, then t", "um quatérnio x y z w, depois t"),
+        Order::TThenXyzw => pick!(lang; "t, then a quaternion x y z w", "t, depois um quatérnio x y z w"),
+        Order::TThenWxyz => pick!(lang; "t, then a quaternion w x y z", "t, depois um quatérnio w x y z"),
     }
 }
 
 /// How a matrix was read, and why.
 #[must_use]
-pub fn reading(lang: Lang, reading: &Reading, by_columns: bool, evidence: Evidence) -> String {
-    let (kind, axes) = (kind(lang, reading.kind), axes(reading.axes));
+pub fn reading(lang: Lang, candidate: &Candidate, evidence: Evidence) -> String {
+    let Reading { kind: of, axes: whose, ndc, .. } = candidate.reading;
+    let (kind, axes) = (kind(lang, of), axes(whose));
     let mut said = both!(lang; "Read as {kind}", "Lida como {kind}");
-    if reading.kind.has_camera_axes() {
+    if of.has_camera_axes() {
         said += &both!(lang; " in the axes of {axes}", " nos eixos de {axes}");
     }
-    if by_columns {
-        said += pick!(lang; ", by columns", ", por colunas");
+    if of.has_ndc() {
+        let ndc = ndc.name();
+        said += &both!(lang; " for the NDC {ndc}", " para as NDC {ndc}");
     }
-    said + match evidence {
-        Evidence::Only => ".",
-        Evidence::Level => pick!(lang; ": only so is the camera level and upright.",
+    if candidate.order != Order::Rows {
+        said += ", ";
+        said += order(lang, candidate.order);
+    }
+    said + match (evidence, candidate.certainty) {
+        (Evidence::Level, _) => pick!(lang; ": only so is the camera level and upright.",
             ": só assim a câmera fica nivelada e de pé."),
-        Evidence::OriginAhead => pick!(lang; ": only so does it have the origin before it.",
+        (Evidence::OriginAhead, _) => pick!(lang; ": only so does it have the origin before it.",
             ": só assim a origem fica diante dela."),
-        Evidence::Nothing => pick!(lang; ". Its numbers fit other readings as well.",
+        (_, Certainty::Only) => ".",
+        (_, Certainty::Likely) => pick!(lang; ". This is likely, not certain.", ". É provável, não certo."),
+        (_, Certainty::Open) => pick!(lang; ". Its numbers fit other readings as well.",
             ". Os números servem também a outras leituras."),
     }
+}
+
+/// Evidence for a reading, or against it.
+#[must_use]
+pub fn reason(lang: Lang, reason: Reason) -> String {
+    let text = match reason {
+        Reason::Word(word) => return both!(lang; "the text says {word}", "o texto diz {word}"),
+        Reason::Level => pick!(lang; "the camera is level", "a câmera está nivelada"),
+        Reason::Upright => pick!(lang; "the camera is upright", "a câmera está de pé"),
+        Reason::UpsideDown => {
+            pick!(lang; "against it: the camera is upside down", "contra: a câmera está de cabeça para baixo")
+        }
+        Reason::OriginAhead => pick!(lang; "the camera looks towards the origin", "a câmera olha para a origem"),
+        Reason::OriginBehind => pick!(lang; "against it: the camera looks away from the origin",
+            "contra: a câmera dá as costas à origem"),
+        Reason::RoundPosition => pick!(lang; "C has short coordinates", "C tem coordenadas curtas"),
+        Reason::RoundPlanes => pick!(lang; "F or B is a short number", "F ou B é um número curto"),
+        Reason::ProjectionPattern => pick!(lang; "the zeros and ±1 are those of a projection",
+            "os zeros e o ±1 são os de uma projeção"),
+        Reason::Pixels => pick!(lang; "f and the principal point are those of an image",
+            "f e o ponto principal são os de uma imagem"),
+        Reason::Unusual => pick!(lang; "against it: θ, A, the middle of the window or B/F is unusual",
+            "contra: θ, A, o meio da janela ou B/F é incomum"),
+    };
+    text.to_owned()
+}
+
+/// A part of the first reading that was assumed, and the camera otherwise.
+#[must_use]
+pub fn assumed(lang: Lang, found: &Recognised, assumed: Assumed) -> String {
+    let best = found.best();
+    let other = |at: usize| found.readings.get(at).unwrap_or(best);
+    match assumed {
+        Assumed::Kind(at) => {
+            let (name, camera) = (kind(lang, other(at).reading.kind), camera(lang, other(at)));
+            both!(lang; "As {name} it has {camera}.", "Como {name}, tem {camera}.")
+        }
+        Assumed::Axes(at) => {
+            let (taken, name) = (axes(best.reading.axes), axes(other(at).reading.axes));
+            let camera = camera(lang, other(at));
+            both!(lang; "The axes are those of {taken}. In those of {name} it has {camera}.",
+                "Os eixos são os de {taken}. Nos de {name}, tem {camera}.")
+        }
+        Assumed::Order(at) => {
+            let (taken, name) = (order(lang, best.order), order(lang, other(at).order));
+            let camera = camera(lang, other(at));
+            both!(lang; "The order is: {taken}. If it's {name}, it has {camera}.",
+                "A ordem é: {taken}. Se for {name}, tem {camera}.")
+        }
+        Assumed::Ndc(at) => {
+            let [taken, name] = [best, other(at)].map(|c| ndc(c.reading.ndc));
+            let camera = camera(lang, other(at));
+            both!(lang; "The NDC are {taken}. In {name} it has {camera}.", "As NDC são {taken}. Em {name}, tem {camera}.")
+        }
+        Assumed::Image(size) => {
+            let [m, n] = [size.width, size.height];
+            both!(lang; "The image has {m} × {n} pixels, which K doesn't say.", "A imagem tem {m} × {n} pixels, o que K não diz.")
+        }
+    }
+}
+
+/// A range of NDC with its depths.
+fn ndc(ndc: NdcRange) -> String {
+    let NdcRange { at_near, at_far, .. } = ndc;
+    let depths = format!("z_n {at_near} … {at_far}").replace('-', "−");
+    format!("{} ({depths})", ndc.name())
+}
+
+/// The numbers of another reading's camera.
+fn camera(lang: Lang, candidate: &Candidate) -> String {
+    let p = &candidate.found.parameters;
+    let mark = lang.mark();
+    if candidate.reading.kind == MatrixKind::Projection {
+        let [near, far] = [p.near, p.far].map(|x| mark.number(x, 4));
+        return format!("F = {near}, B = {far}");
+    }
+    let tuple = |v: glam::DVec3| mark.tuple(&v.to_array(), 4);
+    let dop = (p.focal_point - p.position).normalize_or_zero();
+    let mut said = format!("C = {}, DOP = {}", tuple(p.position), tuple(dop));
+    if candidate.reading.kind == MatrixKind::ViewProjection {
+        let [near, far] = [p.near, p.far].map(|x| mark.number(x, 4));
+        said += &format!(", F = {near}, B = {far}");
+    }
+    said
 }
 
 /// A quantity that a matrix leaves open.
@@ -151,6 +257,9 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
         Unknown::WorldTurned => pick!(lang;
             "z is up in that world: it was turned, (x, y, z) → (x, z, −y), so that y is up, as exporters of glTF do.",
             "Nesse mundo z é para cima: ele foi girado, (x, y, z) → (x, z, −y), para que y o seja, como fazem os exportadores de glTF."),
+        Unknown::WorldMirrored => pick!(lang;
+            "That world is left-handed: its z was reversed, (x, y, z) → (x, y, −z), so that the image is not mirrored.",
+            "Esse mundo é de mão esquerda: seu z foi invertido, (x, y, z) → (x, y, −z), para que a imagem não fique espelhada."),
         Unknown::ClippingPlanes => pick!(lang; "F and B are unknown: K [R | t] has none. They stay as they were.",
             "F e B são desconhecidos: K [R | t] não os tem. Ficam como estavam."),
         Unknown::ImageSize => pick!(lang;
@@ -163,6 +272,16 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
         Unknown::SignReversed => pick!(lang;
             "Its determinant is negative: all signs were reversed, because K [R | t] is known up to a factor. If its factor counts, the image is mirrored.",
             "Seu determinante é negativo: todos os sinais foram trocados, pois K [R | t] só se conhece a menos de um fator. Se o fator conta, a imagem é espelhada."),
+        Unknown::PrincipalPoint => pick!(lang;
+            "The principal point lies far from the middle of the image, which is unlikely: is K that of another image size?",
+            "O ponto principal fica longe do meio da imagem, o que é improvável: K é de outro tamanho de imagem?"),
+        Unknown::ImageTurned => pick!(lang;
+            "The principal point is the middle of the image with its sides exchanged: is K that of n × m pixels?",
+            "O ponto principal é o meio da imagem de lados trocados: K é de n × m pixels?"),
+        Unknown::WideAngle => pick!(lang; "The angle of the image is greater than 150°, which is unlikely.",
+            "O ângulo da imagem é maior que 150°, o que é improvável."),
+        Unknown::NormalisedPixels => pick!(lang; "K is normalised: its numbers are shares of the sides of the image.",
+            "K é normalizada: seus números são frações dos lados da imagem."),
     }
 }
 
@@ -171,9 +290,13 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
 pub fn unreadable(lang: Lang, fault: &MatrixTextError) -> String {
     match (lang, fault) {
         (Lang::En, fault) => fault.to_string(),
-        (Lang::PtBr, MatrixTextError::Count(count)) => {
-            format!("{count} números; uma matriz tem 16, quatro linhas de quatro, ou 12: K [R | t]")
+        (Lang::PtBr, MatrixTextError::Count(count)) => format!(
+            "{count} números; uma matriz tem 16, quatro linhas de quatro, ou 12: K [R | t], ou 9: K, ou 7: um quatérnio e t"
+        ),
+        (Lang::PtBr, MatrixTextError::NoCamera(format)) => {
+            format!("não há câmera nele; {format} não tem nenhuma das chaves de uma câmera")
         }
+        (Lang::PtBr, MatrixTextError::NotText) => "não é texto nem GLB".to_owned(),
         (Lang::PtBr, MatrixTextError::Part(part)) => format!("“{}” não é um número", escaped(part)),
     }
 }
@@ -196,8 +319,37 @@ pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
             format!("row {row} has length {}; the rows of a view matrix are unit vectors", number(*length))
         }
         (Lang::En, error) => error.to_string(),
-        (Lang::PtBr, RecoveryError::NotFinite { row, column }) => {
-            format!("o elemento {row},{column} não é um número finito")
+        (Lang::PtBr, RecoveryError::NotFinite { row, column, value }) => {
+            format!("o elemento {row},{column} é {value}, que não é um número finito")
+        }
+        (Lang::PtBr, RecoveryError::ViewUpAlongView { lines, a, b }) => format!(
+            "{} {a} e {} {b} são zero: u e v não têm comprimento, como num look-at cujo VUP está ao longo da vista; a matriz é singular",
+            line(*lines),
+            line(*lines)
+        ),
+        (Lang::PtBr, RecoveryError::Determinant) => {
+            "o determinante é 0: a matriz é singular, e pontos diferentes teriam a mesma imagem e profundidade".to_owned()
+        }
+        (Lang::PtBr, RecoveryError::NoPixels { focal_length, x, y }) => format!(
+            "como K [R | t], f seria {} e o ponto principal ({}, {}): não são pixels de uma imagem",
+            number(*focal_length),
+            number(*x),
+            number(*y)
+        ),
+        (Lang::PtBr, RecoveryError::RotationAlone) => {
+            "nove números são K, de linhas f_x s c_x, 0 f_y c_y e 0 0 1, ou C, PF e VUP; estes são uma rotação, à qual falta t"
+                .to_owned()
+        }
+        (Lang::PtBr, RecoveryError::NotIntrinsics { row, column, value, expected }) => {
+            format!("o elemento {row},{column} é {}; em K ele é {expected}", number(*value))
+        }
+        (Lang::PtBr, RecoveryError::Hand { left, title }) => {
+            let hand = if *left { "esquerda" } else { "direita" };
+            format!("ali os eixos são de mão {hand}, e os de {title} não são")
+        }
+        (Lang::PtBr, RecoveryError::Quaternion) => {
+            "sete números são um quatérnio e t, ou t e um quatérnio; nem os quatro primeiros nem os quatro últimos têm comprimento 1"
+                .to_owned()
         }
         (Lang::PtBr, RecoveryError::LastRow { last }) => format!(
             "a última linha é {}; a de uma câmera é 0 0 0 1 (vista, paralela) ou, a menos de um fator, −n e n·c (perspectiva: 0 0 −1 0)",
@@ -231,7 +383,17 @@ pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
         }
         (Lang::PtBr, RecoveryError::Depths { near, far, fits }) => {
             let fits = fits.map_or_else(String::new, |ndc| format!("; lida como {}, é uma câmera", ndc.name()));
-            format!("F e B seriam {} e {}, e é preciso 0 < F < B{fits}", number(*near), number(*far))
+            format!("F e B seriam {} e {}, e é preciso 0 < F < B (na projeção paralela, F < B){fits}", number(*near), number(*far))
         }
     }
+}
+
+/// A camera that a file doesn't have, and those that it has.
+#[must_use]
+pub fn no_such_camera(lang: Lang, wanted: &str, names: &[String]) -> String {
+    let (wanted, names) = (escaped(wanted), escaped(&names.join(", ")).to_string());
+    if names.is_empty() {
+        return both!(lang; "there is one camera, so “{wanted}” is none of them", "há uma só câmera, e “{wanted}” não é ela");
+    }
+    both!(lang; "no camera “{wanted}”; there are {names}", "não há câmera “{wanted}”; há {names}")
 }

@@ -43,8 +43,9 @@ pub use parameters::{
 };
 pub use place::Place;
 pub use recovery::{
-    Axes, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError, Reading, Recognised, Recovered, RecoveryError,
-    Stated, Unknown, recognise, recover,
+    Assumed, Axes, Candidate, Certainty, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError, NdcRange, Order,
+    Pasted, Reading, Reason, Recognised, Recovered, RecoveryError, Stated, Toward, Unknown, WorldUp, read_cameras,
+    recognise, recover,
 };
 pub use stations::{Projected, Stations};
 pub use unproject::{NotProjectable, WayBack};
@@ -279,6 +280,7 @@ impl Camera {
     /// The vertical angle that the window spans seen from C: θ, `[0]` Eq. (5.4), when the window is symmetric.
     #[must_use]
     pub fn view_angle(&self) -> Angle {
-        Angle::from_degrees(self.wide_window.vertical_angle(self.near()))
+        // In parallel projection F may be 0 or behind C; the angle is then that at its distance.
+        Angle::from_degrees(self.wide_window.vertical_angle(self.near().abs().max(f64::MIN_POSITIVE)))
     }
 }

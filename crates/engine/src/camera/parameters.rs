@@ -241,17 +241,9 @@ impl Parameters {
             }
         }
         check_range(ParameterKey::ViewAngle.into(), self.view_angle, Range::HalfTurn)?;
-        for (key, value) in [
-            (ParameterKey::Height, self.height),
-            (ParameterKey::Aspect, self.aspect),
-            (ParameterKey::Near, self.near),
-            (ParameterKey::Far, self.far),
-        ] {
-            check_range(key.into(), value, Range::Positive)?;
-        }
-        if self.near >= self.far {
-            return Err(CameraError::FarNotBeyondNear { near: self.near, far: self.far });
-        }
+        check_range(ParameterKey::Height.into(), self.height, Range::Positive)?;
+        check_range(ParameterKey::Aspect.into(), self.aspect, Range::Positive)?;
+        self.check_planes()?;
         if let Some(ViewWindow { left, right, bottom, top }) = self.window {
             for value in [left, right, bottom, top] {
                 check_range(ParameterKey::Window.into(), value, Range::Finite)?;
@@ -265,6 +257,21 @@ impl Parameters {
         }
         if self.view_up == DVec3::ZERO {
             return Err(CameraError::ViewUpZero);
+        }
+        Ok(())
+    }
+
+    /// Checks F and B. A parallel volume has no eye in it, so it may lie anywhere along **n**, as in
+    /// `glOrtho(…, −1, 1)`.
+    pub(super) fn check_planes(&self) -> Result<(), CameraError> {
+        let allowed = match self.projection {
+            Projection::Perspective => Range::Positive,
+            Projection::Parallel => Range::Finite,
+        };
+        check_range(ParameterKey::Near.into(), self.near, allowed)?;
+        check_range(ParameterKey::Far.into(), self.far, allowed)?;
+        if self.near >= self.far {
+            return Err(CameraError::FarNotBeyondNear { near: self.near, far: self.far });
         }
         Ok(())
     }
@@ -369,7 +376,7 @@ pub enum CameraError {
     },
     /// F ≥ B.
     #[error(
-        "near is {near:?} and far is {far:?}; allowed: 0 < near < far; for reversed depths keep that and use --ndc NAME-reversed"
+        "near is {near:?} and far is {far:?}; allowed: near < far, and in perspective 0 < near; for reversed depths keep that and use --ndc NAME-reversed"
     )]
     FarNotBeyondNear {
         /// F.

@@ -97,6 +97,7 @@ impl Camera {
         if projection == self.projection() {
             return Ok(self.clone());
         }
+        Parameters { projection, ..*self.parameters() }.check_planes()?;
         let near = Dd::new(self.near());
         let ratio = match projection {
             Projection::Parallel => self.frame.distance / near,

@@ -25,6 +25,8 @@ pub enum Quantity {
     Matrix(ReportMatrix),
     /// A corner of the view volume: near (l,b) (r,b) (r,t) (l,t), then far in the same order.
     Corner(usize),
+    /// A plane of the view volume.
+    Plane(VolumePlane),
     /// A point in a space.
     Point(usize, PointNumber),
     /// The ray through a pixel.
@@ -65,6 +67,24 @@ named! {
         Bottom = "bottom",
         /// t
         Top = "top",
+    }
+}
+
+named! {
+    /// A plane of the view volume, in the order of `Camera::volume_planes`.
+    VolumePlane {
+        /// Through C and l.
+        Left = "left",
+        /// Through C and r.
+        Right = "right",
+        /// Through C and b.
+        Bottom = "bottom",
+        /// Through C and t.
+        Top = "top",
+        /// At F.
+        Near = "near",
+        /// At B.
+        Far = "far",
     }
 }
 
@@ -214,6 +234,7 @@ impl Quantity {
                 Numbers { columns: 4, entries: rows.concat() }
             }
             Self::Corner(index) => column(*report.volume_corners.get(index)?),
+            Self::Plane(plane) => column(report.planes.of(plane)),
             Self::Point(index, number) => point(report.points.get(index)?, number)?,
             Self::Ray(index, number) => ray(report.rays.get(index)?, number),
         })
@@ -233,6 +254,7 @@ impl Quantity {
             ["basis", axis, rest @ ..] => (Self::Axis(BasisAxis::of_name(axis)?), rest),
             ["window", number, rest @ ..] => (Self::Window(WindowNumber::of_name(number)?), rest),
             ["volume_corners", k, rest @ ..] => (Self::Corner(index(k)?), rest),
+            ["planes", plane, rest @ ..] => (Self::Plane(VolumePlane::of_name(plane)?), rest),
             ["points", k, number, rest @ ..] => (Self::Point(index(k)?, PointNumber::of_name(number)?), rest),
             ["rays", k, number, rest @ ..] => (Self::Ray(index(k)?, RayNumber::of_name(number)?), rest),
             [matrix, rest @ ..] => (Self::Matrix(ReportMatrix::of_name(matrix)?), rest),
@@ -278,6 +300,7 @@ impl fmt::Display for Quantity {
             Self::Window(number) => write!(f, "window.{}", number.name()),
             Self::Matrix(matrix) => f.write_str(matrix.name()),
             Self::Corner(index) => write!(f, "volume_corners.{index}"),
+            Self::Plane(plane) => write!(f, "planes.{}", plane.name()),
             Self::Point(index, number) => write!(f, "points.{index}.{}", number.name()),
             Self::Ray(index, number) => write!(f, "rays.{index}.{}", number.name()),
         }

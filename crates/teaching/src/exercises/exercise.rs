@@ -314,6 +314,7 @@ impl Ask {
                 | ParameterKey::Window,
             )
             | Quantity::Direction
+            | Quantity::Plane(_)
             | Quantity::Axis(_)
             | Quantity::Window(_)
             | Quantity::Matrix(_)

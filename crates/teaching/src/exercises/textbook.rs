@@ -80,7 +80,8 @@ impl<'a> Textbook<'a> {
             }
             Quantity::Camera(ParameterKey::Height) => self.window.height().into(),
             Quantity::Camera(ParameterKey::Aspect | ParameterKey::Near | ParameterKey::Far | ParameterKey::Window)
-            | Quantity::CameraSide(_) => return None,
+            | Quantity::CameraSide(_)
+            | Quantity::Plane(_) => return None,
             Quantity::Corner(k) => self.corner(k)?.into(),
             Quantity::Point(k, number) => self.point(*self.subject.points.get(k)?, number)?,
             Quantity::Ray(k, number) => self.ray(*self.subject.pixels.get(k)?, number)?,

@@ -24,6 +24,18 @@ impl Range {
         Self { projection: camera.projection(), far: camera.far() / camera.near(), ndc: space.ndc() }
     }
 
+    /// The range of a clip space, the unit of its depths, and a depth in it. In parallel projection F may be 0 or less,
+    /// and no unit; only differences count there, so the volume is moved to 1 … 2.
+    fn with_unit(space: &ClipSpace<'_>, depth: f64) -> (Self, f64, f64) {
+        let camera = space.camera();
+        let (near, far) = (camera.near(), camera.far());
+        if near > 0.0 {
+            return (Self::of(space), near, depth / near);
+        }
+        let unit = far - near;
+        (Self { projection: camera.projection(), far: 2.0, ndc: space.ndc() }, unit, (depth - near) / unit + 1.0)
+    }
+
     /// The value of a depth, 0 … 1, before it is put into a format; `reversed`: 1 at F, 0 at B. The transformation is
     /// done in single precision, as graphics cards do: z_n = (z_c entries of M_p) / w, and (z_n + 1)/2 where z_n goes
     /// from −1 to 1.
@@ -230,12 +242,11 @@ pub struct Resolution {
 /// are `gap` apart there. The reversed ones are included even where the convention is not reversed.
 #[must_use]
 pub fn resolutions(space: &ClipSpace<'_>, depth: f64, gap: f64) -> Vec<Resolution> {
-    let near = space.camera().near();
-    let range = Range::of(space);
-    let (z, gap) = (depth / near, gap / near);
+    let (range, unit, z) = Range::with_unit(space, depth);
+    let gap = gap / unit;
     let of = |format: Format| Resolution {
         format: format.name(),
-        step: format.step_in_range(&range, z) * near,
+        step: format.step_in_range(&range, z) * unit,
         planes: TwoPlanes::drawn(format, &range, z, gap),
     };
     // In a reversed convention every float is.

@@ -8,7 +8,7 @@ use crate::gui::inspector::choice;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
-use crate::i18n::why::{code, explain};
+use crate::i18n::why::{code, dialects, explain};
 
 /// Shows the tab.
 pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
@@ -36,6 +36,9 @@ fn written(state: &State) -> String {
     let camera = state.document.camera();
     let figure = state.document.figure();
     let target = state.explain.code;
+    if let Some(limitation) = target.limitation(camera) {
+        return dialects::limitation(state.settings.lang, limitation).to_owned();
+    }
     let setting = Setting::new(camera.notes_clip_space(), figure.image, figure.viewport);
     target.code(&setting, &code::comments(state.settings.lang, target, &target.conventions(camera)))
 }

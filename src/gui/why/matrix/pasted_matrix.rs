@@ -3,8 +3,8 @@
 use eframe::egui::{self, RichText};
 
 use crate::camera::{
-    Axes, Camera, ImageSize, MatrixEntries, MatrixKind, Ndc, Parameters, Reading, Recognised, RecoveryError, Stated,
-    recognise,
+    Assumed, Axes, Camera, Evidence, ImageSize, MatrixKind, Ndc, Parameters, Pasted, Reading, Recognised,
+    RecoveryError, Stated, read_cameras, recognise,
 };
 use crate::explain::vocabulary::Vocabulary;
 use crate::gui::inspector::{choice, complaint, row};
@@ -25,7 +25,8 @@ pub(in crate::gui::why) const fn note_on_matrix(kind: Option<MatrixKind>) -> &'s
         Some(MatrixKind::CameraToWorld) | None => "inverse",
         Some(MatrixKind::Projection) => "M_p",
         Some(MatrixKind::ViewProjection) => "M_pM_v",
-        Some(MatrixKind::Pinhole) => "K",
+        Some(MatrixKind::Pinhole | MatrixKind::Intrinsics) => "K",
+        Some(MatrixKind::LookAt) => "M_v",
     }
 }
 
@@ -53,13 +54,15 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
     if pasted.text.trim().is_empty() {
         return;
     }
-    let entries = match MatrixEntries::read(&pasted.text) {
-        Ok(entries) => entries,
+    let cameras = match read_cameras(pasted.text.as_bytes()) {
+        Ok(cameras) => cameras,
         Err(fault) => return complaint(ui, &dialects::unreadable(lang, &fault)),
     };
-    let stated = stated(state);
-    match recognise(&entries, &stated, state.document.draft()) {
-        Err(error) => refused(ui, state, &entries, &stated, &error),
+    let Some(camera) = cameras.first() else { return };
+    let mut stated = stated(state);
+    stated.image = state.explain.pasted.image.or(camera.image).unwrap_or(stated.image);
+    match recognise(camera, &stated, state.document.draft()) {
+        Err(error) => refused(ui, state, camera, &stated, &error),
         Ok(found) => recognised(ui, state, t, &found),
     }
 }
@@ -67,11 +70,13 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
 /// The part of the reading that is chosen.
 fn stated(state: &State) -> Stated {
     let pasted = &state.explain.pasted;
+    let ndc = state.settings.conventions.ndc;
     Stated {
         kind: pasted.kind,
-        axes: pasted.axes,
+        axes: pasted.axes.filter(|_| pasted.kind.is_none_or(MatrixKind::has_pose)),
         by_columns: pasted.transposed,
-        ndc: state.settings.conventions.ndc,
+        // That of OpenGL is the one you have if you chose none.
+        ndc: (ndc != Ndc::default()).then(|| ndc.into()),
         image: pasted.image.unwrap_or(state.document.figure().image),
     }
 }
@@ -91,7 +96,7 @@ fn choices(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
 }
 
 /// Why it is not the matrix of a camera, and as what it would be.
-fn refused(ui: &mut egui::Ui, state: &mut State, entries: &MatrixEntries, stated: &Stated, error: &RecoveryError) {
+fn refused(ui: &mut egui::Ui, state: &mut State, camera: &Pasted, stated: &Stated, error: &RecoveryError) {
     let lang = state.settings.lang;
     complaint(ui, &dialects::recovery_error(lang, error));
     if matches!(error, RecoveryError::Depths { .. }) || stated.kind.is_none() {
@@ -99,42 +104,44 @@ fn refused(ui: &mut egui::Ui, state: &mut State, entries: &MatrixEntries, stated
     }
     // The other way of writing matrices is the usual reason, the kind the next one.
     let turned = Stated { by_columns: !stated.by_columns, ..*stated };
-    if recognise(entries, &turned, state.document.draft()).is_ok() {
+    if recognise(camera, &turned, state.document.draft()).is_ok() {
         ui.label(dialects::texts(lang).try_transposed);
         return;
     }
     let open = Stated { kind: None, axes: None, by_columns: false, ..*stated };
-    if let Ok(found) = recognise(entries, &open, state.document.draft()) {
-        read_as(ui, state, &[found.reading.kind]);
+    if let Ok(found) = recognise(camera, &open, state.document.draft()) {
+        read_as(ui, state, &[found.best().reading.kind]);
     }
 }
 
 /// How it was read, what it leaves open, and its camera.
 fn recognised(ui: &mut egui::Ui, state: &mut State, t: &Texts, found: &Recognised) {
-    let (lang, reading) = (t.lang, found.reading);
-    let pasted = &state.explain.pasted;
-    if pasted.kind.is_none() || pasted.axes.is_none() && reading.kind.has_camera_axes() {
-        ui.label(dialects::reading(lang, &reading, found.by_columns && !pasted.transposed, found.evidence));
+    let (lang, best) = (t.lang, found.best());
+    let reading = best.reading;
+    ui.label(dialects::reading(lang, best, found.evidence));
+    if found.evidence == Evidence::Nothing {
+        let reasons: Vec<String> = best.reasons.iter().map(|reason| dialects::reason(lang, *reason)).collect();
+        ui.label(RichText::new(reasons.join(", ")).small());
+    }
+    // The buttons below offer the other kinds.
+    for assumed in found.assumed.iter().filter(|assumed| !matches!(assumed, Assumed::Kind(_))) {
+        ui.label(RichText::new(format!("• {}", dialects::assumed(lang, found, *assumed))).small());
     }
     read_as(ui, state, &found.others);
-    if reading.kind == MatrixKind::Pinhole {
+    if reading.kind.has_pixels() {
         image(ui, state, t);
-    } else if reading.ndc != Ndc::default()
-        && matches!(reading.kind, MatrixKind::Projection | MatrixKind::ViewProjection)
-    {
-        ui.label(RichText::new(format!("{} {}", t.read_as, reading.ndc.name())).small());
     }
-    for unknown in &found.found.unknown {
+    for unknown in &best.found.unknown {
         ui.label(RichText::new(format!("• {}", dialects::unknown(lang, *unknown))).small());
     }
-    if let Ok(camera) = Camera::new(&found.found.parameters) {
-        camera_found(ui, state, &camera, &found.reading);
+    if let Ok(camera) = Camera::new(&best.found.parameters) {
+        camera_found(ui, state, &camera, &reading);
     }
     if ui.button(t.take).explained(t.take_hint).clicked() {
-        if reading.kind == MatrixKind::Pinhole && reading.image != state.document.figure().image {
+        if reading.kind.has_pixels() && reading.image != state.document.figure().image {
             state.document.edit(|figure| figure.image = reading.image);
         }
-        take(state, found.found.parameters);
+        take(state, best.found.parameters);
     }
 }
 
@@ -189,7 +196,7 @@ fn camera_found(ui: &mut egui::Ui, state: &State, camera: &Camera, reading: &Rea
             lines.push(format!("{name} = {}", mark.tuple(&vector.to_array(), digits)));
         }
     }
-    if reading.kind == MatrixKind::Pinhole
+    if reading.kind.has_pixels()
         && let Ok(vocabulary) = Vocabulary::Pinhole.lines(camera, reading.image)
     {
         let numbers = vocabulary.iter().filter(|line| line.name == "K").flat_map(|line| &line.arguments);

@@ -76,13 +76,23 @@ fn pose(from: &Camera, to: &Camera, t: f64, parameters: &mut Parameters) {
     }
 }
 
-/// The parameters of the projection on the way, with the pose of the first camera.
-fn lens(from: &Camera, to: &Camera, t: f64) -> Parameters {
-    let [a, b] = [from.parameters(), to.parameters()];
+/// F and B on the way: in even ratios if they're distances in front of the eye. In parallel projection they need not
+/// be, and then go straight.
+fn planes(a: &Parameters, b: &Parameters, t: f64) -> [f64; 2] {
+    if a.near <= 0.0 || b.near <= 0.0 {
+        let near = between(a.near, b.near, t);
+        return [near, between(a.far, b.far, t).max(near.next_up())];
+    }
     let near = evenly(a.near, b.near, t);
     let depth = evenly((a.far - a.near) / a.near, (b.far - b.near) / b.near, t);
     let far = (near * (1.0 + depth)).max(near.next_up());
-    let far = if a.near == b.near { evenly(a.far, b.far, t) } else { far };
+    [near, if a.near == b.near { evenly(a.far, b.far, t) } else { far }]
+}
+
+/// The parameters of the projection on the way, with the pose of the first camera.
+fn lens(from: &Camera, to: &Camera, t: f64) -> Parameters {
+    let [a, b] = [from.parameters(), to.parameters()];
+    let [near, far] = planes(a, b, t);
     let half = |angle: f64| (angle / 2.0).to_radians().tan();
     let view_angle = if a.view_angle == b.view_angle {
         a.view_angle

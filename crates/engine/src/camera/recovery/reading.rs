@@ -1,5 +1,6 @@
-//! How a matrix of another program is read: what it does, and in whose axes.
+//! How a matrix of another program is read: its task, its axes and its normalised device coordinates.
 
+use crate::camera::recovery::Axes;
 use crate::camera::{ImageSize, Ndc};
 
 /// The kind of a pasted matrix.
@@ -15,11 +16,23 @@ pub enum MatrixKind {
     ViewProjection,
     /// K \[R | t\] of computer vision, from the world to pixels; it may be padded to four rows.
     Pinhole,
+    /// K alone: focal lengths and principal point in pixels.
+    Intrinsics,
+    /// Three points and vectors: C, PF and VUP.
+    LookAt,
 }
 
 impl MatrixKind {
     /// All, in the order in which they are listed.
-    pub const ALL: [Self; 5] = [Self::View, Self::CameraToWorld, Self::Projection, Self::ViewProjection, Self::Pinhole];
+    pub const ALL: [Self; 7] = [
+        Self::View,
+        Self::CameraToWorld,
+        Self::Projection,
+        Self::ViewProjection,
+        Self::Pinhole,
+        Self::Intrinsics,
+        Self::LookAt,
+    ];
 
     /// The name on the command line.
     #[must_use]
@@ -30,6 +43,8 @@ impl MatrixKind {
             Self::Projection => "projection",
             Self::ViewProjection => "view-projection",
             Self::Pinhole => "pinhole",
+            Self::Intrinsics => "intrinsics",
+            Self::LookAt => "look-at",
         }
     }
 
@@ -42,34 +57,112 @@ impl MatrixKind {
     /// Whether it holds C and the axes of the camera, and so is written in axes of a world.
     #[must_use]
     pub const fn has_pose(self) -> bool {
-        !matches!(self, Self::Projection)
+        !matches!(self, Self::Projection | Self::Intrinsics)
+    }
+
+    /// Whether it leads to normalised device coordinates.
+    #[must_use]
+    pub const fn has_ndc(self) -> bool {
+        matches!(self, Self::Projection | Self::ViewProjection)
+    }
+
+    /// Whether it holds pixels.
+    #[must_use]
+    pub const fn has_pixels(self) -> bool {
+        matches!(self, Self::Pinhole | Self::Intrinsics)
     }
 }
 
-/// Whose axes the camera and the world have.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Axes {
-    /// OpenGL, glTF, three.js, and `[0]`: x to the right, y up, z towards the viewer; y is up in the world.
-    #[default]
-    OpenGl,
-    /// Blender: the camera as in OpenGL; z is up in the world.
-    Blender,
-    /// `OpenCV`: x to the right, y down, z into the scene; the world is taken as it is.
-    OpenCv,
+/// The order in which the numbers of a matrix were written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Order {
+    /// Row after row.
+    Rows,
+    /// Column after column, or for row vectors.
+    Columns,
+    /// Nine numbers of R by rows, then the three of t.
+    RotationThenTranslation,
+    /// A quaternion w x y z, then t: COLMAP.
+    WxyzThenT,
+    /// A quaternion x y z w, then t.
+    XyzwThenT,
+    /// t, then a quaternion x y z w: TUM, glTF.
+    TThenXyzw,
+    /// t, then a quaternion w x y z.
+    TThenWxyz,
 }
 
-impl Axes {
-    /// All, in the order in which they are listed.
-    pub const ALL: [Self; 3] = [Self::OpenGl, Self::Blender, Self::OpenCv];
-
-    /// The name on the command line.
+impl Order {
+    /// The name in the output of the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
-            Self::OpenGl => "opengl",
-            Self::Blender => "blender",
-            Self::OpenCv => "opencv",
+            Self::Rows => "rows",
+            Self::Columns => "columns",
+            Self::RotationThenTranslation => "rotation-translation",
+            Self::WxyzThenT => "wxyz-t",
+            Self::XyzwThenT => "xyzw-t",
+            Self::TThenXyzw => "t-xyzw",
+            Self::TThenWxyz => "t-wxyz",
         }
+    }
+}
+
+/// A range of normalised device coordinates. Programs have more of them than [`Ndc`] can write: near and far exchanged
+/// in −1 … 1, or y turned over without Vulkan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct NdcRange {
+    /// z_n at F.
+    pub at_near: i8,
+    /// z_n at B.
+    pub at_far: i8,
+    /// B is infinite.
+    pub infinite: bool,
+    /// y_n grows downwards.
+    pub y_down: bool,
+}
+
+impl NdcRange {
+    /// The ranges of depths that programs have, the likelier first.
+    pub(crate) const DEPTHS: [[i8; 2]; 4] = [[-1, 1], [0, 1], [1, 0], [1, -1]];
+
+    /// z_n at F and at B.
+    pub(crate) fn depths(self) -> [f64; 2] {
+        [self.at_near, self.at_far].map(f64::from)
+    }
+
+    /// The name of the library that has it, with what differs there.
+    #[must_use]
+    pub fn name(self) -> String {
+        let base = match ([self.at_near, self.at_far], self.y_down) {
+            ([0, 1], false) => "direct3d",
+            ([0, 1], true) => "vulkan",
+            ([1, 0], false) => "direct3d-reversed",
+            ([1, 0], true) => "vulkan-reversed",
+            ([1, -1], false) => "opengl-exchanged",
+            ([1, -1], true) => "opengl-exchanged-y-down",
+            (_, false) => "opengl",
+            (_, true) => "opengl-y-down",
+        };
+        let ending = if self.infinite { "-infinite" } else { "" };
+        format!("{base}{ending}")
+    }
+}
+
+impl From<Ndc> for NdcRange {
+    fn from(ndc: Ndc) -> Self {
+        let [at_near, at_far] = match ndc.depths() {
+            [1.0, _] => [1, 0],
+            [0.0, _] => [0, 1],
+            _ => [-1, 1],
+        };
+        Self { at_near, at_far, infinite: ndc.infinite, y_down: ndc.y_points_down() }
+    }
+}
+
+impl Default for NdcRange {
+    fn default() -> Self {
+        Ndc::default().into()
     }
 }
 
@@ -78,11 +171,11 @@ impl Axes {
 pub struct Reading {
     /// The kind of the matrix.
     pub kind: MatrixKind,
-    /// Whose axes: those of the camera where the kind has some, and those of the world.
+    /// Whose axes: those of the camera if the kind has some, and those of the world.
     pub axes: Axes,
-    /// The convention of its NDC; counts for M_p and M_p M_v.
-    pub ndc: Ndc,
-    /// The image that its pixels are of; counts for K \[R | t\].
+    /// Its NDC; counts for M_p and M_p M_v.
+    pub ndc: NdcRange,
+    /// The image that its pixels are of; counts for K.
     pub image: ImageSize,
 }
 
@@ -90,6 +183,32 @@ impl Reading {
     /// A kind in the axes and the NDC of `[0]`.
     #[must_use]
     pub fn of(kind: MatrixKind) -> Self {
-        Self { kind, axes: Axes::default(), ndc: Ndc::default(), image: ImageSize::default() }
+        Self { kind, axes: Axes::default(), ndc: NdcRange::default(), image: ImageSize::default() }
     }
+
+    /// The hand of the axes in which it is written: of the world, or of the camera in M_p.
+    #[must_use]
+    pub fn is_left_handed(&self) -> bool {
+        if self.kind == MatrixKind::Projection {
+            let [down, forward] = self.axes.signs();
+            down * forward < 0.0
+        } else {
+            self.axes.left_handed
+        }
+    }
+}
+
+/// The part of a reading that is stated. `None`: it is recognised.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Stated {
+    /// The kind of the matrix.
+    pub kind: Option<MatrixKind>,
+    /// Whose axes.
+    pub axes: Option<Axes>,
+    /// It is written by columns, or for row vectors. If `kind` is open too, `false` leaves it open.
+    pub by_columns: bool,
+    /// Its NDC.
+    pub ndc: Option<NdcRange>,
+    /// The image that its pixels are of.
+    pub image: ImageSize,
 }

@@ -1,26 +1,13 @@
-//! The kind and the axes of a matrix of another program, where they are not stated: recognised from its numbers.
+//! The reading of a matrix of another program: every candidate is tried, refused by the numbers or ranked by evidence.
 
-use glam::{DMat4, DVec3};
-
-use crate::camera::recovery::SLACK;
-use crate::camera::{
-    Axes, Camera, ImageSize, MatrixEntries, MatrixKind, Ndc, Parameters, Reading, Recovered, RecoveryError, recover,
+use crate::camera::recovery::evidence::{Weight, is_rigid, is_rotation, is_scaled};
+use crate::camera::recovery::refusal;
+use crate::camera::recovery::text::{GivenLens, Word};
+use crate::camera::recovery::{
+    Axes, MatrixEntries, MatrixKind, NdcRange, Order, Pasted, Reading, Reason, Recovered, Recovery, RecoveryError,
+    Stated, Unknown, pinhole, recover,
 };
-
-/// The part of a reading that is stated. `None`: it is recognised.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Stated {
-    /// The kind of the matrix.
-    pub kind: Option<MatrixKind>,
-    /// Whose axes.
-    pub axes: Option<Axes>,
-    /// It is written by columns, or for row vectors. Where `kind` is open too, `false` leaves it open.
-    pub by_columns: bool,
-    /// The convention of its NDC.
-    pub ndc: Ndc,
-    /// The image that its pixels are of.
-    pub image: ImageSize,
-}
+use crate::camera::{Camera, ImageSize, Parameters, Projection};
 
 /// Why a matrix is read as it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,216 +35,379 @@ impl Evidence {
     }
 }
 
-/// A matrix whose reading was recognised.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Recognised {
-    /// How it was read.
-    pub reading: Reading,
-    /// It was read by columns.
-    pub by_columns: bool,
-    /// Why it was read so.
-    pub evidence: Evidence,
-    /// Its camera.
-    pub found: Recovered,
-    /// Other kinds as which it gives another camera, the likelier first.
-    pub others: Vec<MatrixKind>,
+/// How sure a reading is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Certainty {
+    /// Others are about as likely.
+    Open,
+    /// The evidence is for this one; others aren't refused.
+    Likely,
+    /// The numbers, or words of the text, refuse all others.
+    Only,
 }
 
-/// A reading with the camera that it gives.
-struct Candidate {
-    reading: Reading,
-    found: Recovered,
-    is_level: bool,
-    is_ahead: bool,
-}
-
-impl Candidate {
-    fn new(reading: Reading, matrix: DMat4, current: &Parameters) -> Result<Self, RecoveryError> {
-        let found = recover(&reading, matrix, current)?;
-        let camera = Camera::new(&found.parameters)?;
-        let basis = camera.basis();
-        let is_level = basis.u.y.abs() < LEVEL && basis.v.y > LEVEL;
-        Ok(Self { reading, found, is_level, is_ahead: camera.position().dot(basis.n) > 0.0 })
-    }
-
-    fn score(&self) -> (bool, bool) {
-        (self.is_level, self.is_ahead)
-    }
-}
-
-/// Of a component of **u**: a matrix that was copied with three digits still passes.
-const LEVEL: f64 = 1e-3;
-
-/// Reads a matrix as stated, and recognises the rest.
-///
-/// A rigid matrix may be M_v or its inverse, in the axes of several programs. Cameras are mostly level, and look
-/// towards the origin: that decides, where it does; else camera to world is likelier, which programs show.
-///
-/// # Errors
-/// That of the likeliest reading, where none gives a camera.
-pub fn recognise(entries: &MatrixEntries, stated: &Stated, current: &Parameters) -> Result<Recognised, RecoveryError> {
-    let shape = |by_columns| Shape::of(entries.matrix(by_columns), entries.rows());
-    let [rows, columns] = [false, true].map(|by_columns| shape(by_columns).tidiness());
-    let orders: &[bool] = match (stated.by_columns, stated.kind) {
-        (true, _) => &[true],
-        (false, Some(_)) => &[false],
-        (false, None) if columns > rows => &[true],
-        (false, None) if columns < rows || entries.rows() == 3 => &[false],
-        (false, None) => &[false, true],
-    };
-    let mut first_error = None;
-    for by_columns in orders {
-        let matrix = entries.matrix(*by_columns);
-        match in_order(matrix, shape(*by_columns), stated, current) {
-            Ok(found) => return Ok(Recognised { by_columns: *by_columns, ..found }),
-            Err(error) => first_error = first_error.or(Some(error)),
+impl Certainty {
+    /// The name in the output of the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Open => "open",
+            Self::Likely => "likely",
+            Self::Only => "only",
         }
     }
-    // There is an order, so there is a camera or an error.
-    Err(first_error.unwrap_or(RecoveryError::Mirrored))
 }
 
-/// Reads a matrix by rows.
-fn in_order(matrix: DMat4, shape: Shape, stated: &Stated, current: &Parameters) -> Result<Recognised, RecoveryError> {
-    let likely = shape.kinds();
-    let mut kinds = stated.kind.map_or_else(|| likely.to_vec(), |kind| vec![kind]);
-    kinds.extend(likely.iter().filter(|kind| stated.kind.is_some_and(|stated| stated != **kind)));
-    let mut candidates = Vec::new();
-    let mut first_error = None;
-    for kind in kinds {
-        let axes = match stated.axes {
-            Some(axes) if kind.has_pose() => vec![axes],
-            None if kind.has_camera_axes() => Axes::ALL.to_vec(),
-            _ => vec![Axes::default()],
-        };
-        for axes in axes {
-            let reading = Reading { kind, axes, ndc: stated.ndc, image: stated.image };
-            match Candidate::new(reading, matrix, current) {
-                Ok(candidate) => candidates.push(candidate),
-                Err(error) if stated.kind == Some(kind) => return Err(error),
-                Err(error) => first_error = first_error.or(Some(error)),
+/// A reading that the numbers allow, with its camera.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// How it is read.
+    pub reading: Reading,
+    /// The order of its numbers.
+    pub order: Order,
+    /// Its camera.
+    pub found: Recovered,
+    /// The evidence for it and against it.
+    pub reasons: Vec<Reason>,
+    /// How sure it is.
+    pub certainty: Certainty,
+    weight: Weight,
+}
+
+/// A part of the best reading that was assumed, with the best reading in which it differs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Assumed {
+    /// The kind; the index of the other reading.
+    Kind(usize),
+    /// The axes; the index of the other reading.
+    Axes(usize),
+    /// The order; the index of the other reading.
+    Order(usize),
+    /// The NDC; the index of the other reading.
+    Ndc(usize),
+    /// The size of the image.
+    Image(ImageSize),
+}
+
+/// A matrix whose readings were recognised.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recognised {
+    /// All readings that fit and give different cameras, the best first; at least one.
+    pub readings: Vec<Candidate>,
+    /// Why the first is read so.
+    pub evidence: Evidence,
+    /// Other kinds as which it gives another camera, the likelier first.
+    pub others: Vec<MatrixKind>,
+    /// Parts of the first reading that neither you nor the text stated, and that the numbers leave open.
+    pub assumed: Vec<Assumed>,
+}
+
+impl Recognised {
+    /// The best reading.
+    #[must_use]
+    pub fn best(&self) -> &Candidate {
+        // `recognise` refuses an empty list.
+        &self.readings[0]
+    }
+}
+
+/// The points for the reading of a weak word: more than a rival order, less than a level camera has.
+const WEAK_WORD: f64 = 6.0;
+
+/// The points against columns if you stated the kind but not the columns: only rows that give no camera lose to them.
+const UNSTATED_COLUMNS: f64 = 30.0;
+
+/// The points by which a reading is better than the next, so that it is likely: odds of 20 to 1.
+const LIKELY: f64 = 3.0;
+
+/// Reads a camera of a text as stated, and recognises the rest.
+///
+/// Every kind is tried in all axes, ranges of NDC and orders that it may have. The numbers refuse most of them; the
+/// evidence ranks the others. See [`Reason`].
+///
+/// # Errors
+/// That of the likeliest reading, if none gives a camera.
+pub fn recognise(pasted: &Pasted, stated: &Stated, current: &Parameters) -> Result<Recognised, RecoveryError> {
+    let Some(entries) = &pasted.entries else { return lens_alone(pasted, stated, current) };
+    if let Some((row, column, value)) = entries.not_finite() {
+        return Err(RecoveryError::NotFinite { row, column, value });
+    }
+    if entries.count() == 16 {
+        refusal::check_singular(entries.matrix(stated.by_columns))?;
+    }
+    let mut refused = Vec::new();
+    let mut candidates: Vec<Candidate> = Vec::new();
+    for (reading, order) in hypotheses(entries, stated) {
+        match candidate((reading, order), entries, (pasted, stated), current) {
+            Ok(candidate) => candidates.push(candidate),
+            Err(error) => refused.push((reading, order, error)),
+        }
+    }
+    candidates.sort_by(|a, b| b.weight.score.total_cmp(&a.weight.score));
+    let (mut readings, elsewhere): (Vec<_>, Vec<_>) =
+        candidates.into_iter().partition(|c| stated.kind.is_none_or(|kind| c.reading.kind == kind));
+    if let Some(word) = &pasted.word {
+        follow(word, stated, entries, &mut readings);
+    }
+    let mut distinct: Vec<Candidate> = Vec::new();
+    for candidate in readings {
+        if !distinct.iter().any(|other| is_same(&other.found.parameters, &candidate.found.parameters)) {
+            distinct.push(candidate);
+        }
+    }
+    if distinct.is_empty() {
+        return Err(refusal::cause(entries, stated, refused));
+    }
+    Ok(judged(distinct, &elsewhere, stated))
+}
+
+/// All readings to try: kind × axes × NDC, in every order.
+fn hypotheses(entries: &MatrixEntries, stated: &Stated) -> Vec<(Reading, Order)> {
+    use MatrixKind::{CameraToWorld, Intrinsics, LookAt, Pinhole, Projection, View, ViewProjection};
+    let mut kinds = match entries.count() {
+        7 => vec![CameraToWorld, View],
+        9 => vec![Intrinsics, LookAt],
+        12 => vec![CameraToWorld, View, Pinhole],
+        _ => vec![CameraToWorld, View, Projection, ViewProjection, Pinhole],
+    };
+    kinds.extend(stated.kind.filter(|kind| !kinds.contains(kind)));
+    let is_allowed = |order: &&Order| !stated.by_columns || **order == Order::Columns || entries.count() == 7;
+    let orders = entries.orders().iter().filter(is_allowed);
+    let mut all = Vec::new();
+    for order in orders {
+        for kind in &kinds {
+            let takes_order = match kind {
+                Pinhole | Intrinsics => matches!(order, Order::Rows | Order::Columns),
+                LookAt => *order == Order::Rows,
+                _ => true,
+            };
+            let axes: Vec<Axes> = match (stated.axes, kind) {
+                (Some(axes), _) => vec![axes],
+                (None, View | CameraToWorld) => Axes::ALL.to_vec(),
+                (None, Projection) => vec![Axes::OPENGL, Axes::DIRECT3D, Axes::OPENCV],
+                (None, ViewProjection) => vec![Axes::OPENGL, Axes::OPENCV, Axes::DIRECT3D],
+                (None, Pinhole | Intrinsics) => vec![Axes::OPENCV],
+                (None, LookAt) => vec![Axes::OPENGL],
+            };
+            for axes in axes.into_iter().filter(|_| takes_order) {
+                for ndc in ranges(*kind, stated) {
+                    all.push((Reading { kind: *kind, axes, ndc, image: stated.image }, *order));
+                }
             }
         }
     }
-    let Some(first) = candidates.first() else {
-        // Without candidates each kind has left its error.
-        return Err(first_error.unwrap_or(RecoveryError::Mirrored));
+    all
+}
+
+/// The ranges of NDC that a kind may have.
+fn ranges(kind: MatrixKind, stated: &Stated) -> Vec<NdcRange> {
+    if !kind.has_ndc() {
+        return vec![stated.ndc.unwrap_or_default()];
+    }
+    if let Some(ndc) = stated.ndc {
+        return vec![ndc];
+    }
+    let range = |[at_near, at_far]: [i8; 2], y_down| NdcRange { at_near, at_far, infinite: false, y_down };
+    NdcRange::DEPTHS.into_iter().flat_map(|depths| [range(depths, false), range(depths, true)]).collect()
+}
+
+/// The camera of a reading, if the numbers allow it.
+fn candidate(
+    (mut reading, order): (Reading, Order),
+    entries: &MatrixEntries,
+    (pasted, stated): (&Pasted, &Stated),
+    current: &Parameters,
+) -> Result<Candidate, RecoveryError> {
+    let matrix = entries.in_order(order);
+    let mut found = recover(&reading, matrix, current)?;
+    let is_stated = stated.kind == Some(reading.kind);
+    if reading.kind == MatrixKind::LookAt && !is_stated && is_rotation(matrix) {
+        return Err(RecoveryError::RotationAlone);
+    }
+    if found.unknown.contains(&Unknown::LeftHandedView) && stated.axes.is_none() {
+        return Err(RecoveryError::Hand { left: !reading.axes.left_handed, title: reading.axes.title });
+    }
+    if reading.axes == Axes::VRC {
+        found.unknown.push(Unknown::LeftHandedView);
+    }
+    if found.unknown.contains(&Unknown::Scaled) && !is_stated && !is_scaled(matrix) {
+        return Err(RecoveryError::Length { row: 1, length: matrix.row(0).truncate().length() });
+    }
+    let must_be_pixels = entries.count() == 16 || order == Order::Columns || is_rigid(matrix);
+    if reading.kind == MatrixKind::Pinhole && !is_stated && must_be_pixels {
+        pinhole::check_pixels(matrix)?;
+    }
+    reading.ndc.infinite |= reading.kind.has_ndc() && found.unknown.contains(&Unknown::Far);
+    if let Some(lens) = pasted.lens.filter(|_| reading.kind.has_camera_axes()) {
+        with_lens(&mut found, lens, &reading, current);
+    }
+    let camera = Camera::new(&found.parameters)?;
+    let mut weight = Weight::new((&reading, order), (matrix, entries), &found, &camera);
+    if is_stated && !stated.by_columns && order == Order::Columns {
+        // If you state the kind, you'd state the columns too.
+        weight.score -= UNSTATED_COLUMNS;
+    }
+    let reasons = weight.reasons.clone();
+    Ok(Candidate { reading, order, found, reasons, certainty: Certainty::Open, weight })
+}
+
+/// Keeps the readings that a word of the text means, if there are some; what you state yourself goes first. A weak word
+/// only adds to their evidence.
+fn follow(word: &Word, stated: &Stated, entries: &MatrixEntries, readings: &mut Vec<Candidate>) {
+    let is_twelve = entries.count() == 12;
+    let kind = word.kind.filter(|_| stated.kind.is_none()).map(|kind| match kind {
+        // The 3 × 4 matrix of OpenCV and ROS has the name of a projection.
+        MatrixKind::Projection | MatrixKind::Intrinsics if is_twelve => MatrixKind::Pinhole,
+        kind => kind,
+    });
+    let keep = |readings: &mut Vec<Candidate>, is_meant: &dyn Fn(&Candidate) -> bool| {
+        let any = readings.iter().any(is_meant);
+        if any {
+            readings.retain(is_meant);
+        }
+        any
     };
-    // The axes of the camera decide only between readings that have some.
-    let of_first = |c: &&Candidate| {
-        c.reading.kind == first.reading.kind
-            || stated.kind.is_none() && c.reading.kind.has_camera_axes() && first.reading.kind.has_camera_axes()
+    if word.is_weak {
+        for candidate in readings.iter_mut().filter(|c| word.means(&c.reading, c.order)) {
+            candidate.weight.score += WEAK_WORD;
+            candidate.reasons.insert(0, Reason::Word(word.word));
+        }
+        readings.sort_by(|a, b| b.weight.score.total_cmp(&a.weight.score));
+        return;
+    }
+    if let Some(kind) = kind
+        && !keep(readings, &|c: &Candidate| c.reading.kind == kind)
+    {
+        return;
+    }
+    if let Some(axes) = word.axes.filter(|_| stated.axes.is_none()) {
+        keep(readings, &|c: &Candidate| c.reading.axes == axes);
+    }
+    if let Some(order) = word.order.filter(|_| !stated.by_columns) {
+        keep(readings, &|c: &Candidate| c.order == order);
+    }
+    for candidate in readings {
+        candidate.reasons.insert(0, Reason::Word(word.word));
+    }
+}
+
+/// The readings with their certainty; the other kinds and the assumptions.
+fn judged(mut readings: Vec<Candidate>, elsewhere: &[Candidate], stated: &Stated) -> Recognised {
+    let is_odd = |unknown: &Unknown| matches!(unknown, Unknown::PrincipalPoint | Unknown::WideAngle);
+    let gap = readings.get(1).map(|second| readings[0].weight.score - second.weight.score);
+    readings[0].certainty = match gap {
+        None if readings[0].found.unknown.iter().any(is_odd) => Certainty::Likely,
+        None => Certainty::Only,
+        Some(gap) if gap >= LIKELY => Certainty::Likely,
+        Some(_) => Certainty::Open,
     };
-    let best = candidates.iter().filter(of_first).rev().max_by_key(|c| c.score()).unwrap_or(first);
-    // Nothing but the up of a level camera tells the worlds of OpenGL and of Blender apart.
-    let is_rival = |c: &&Candidate| {
-        let only_world = c.reading.kind == best.reading.kind
-            && best.reading.axes == Axes::OpenGl
-            && c.reading.axes == Axes::Blender
-            && !best.is_level;
-        c.found.parameters != best.found.parameters && !only_world
-    };
-    let rivals: Vec<&Candidate> = candidates.iter().filter(of_first).filter(is_rival).collect();
-    let evidence = if rivals.is_empty() {
+    let best = &readings[0];
+    let rank = |c: &Candidate| (c.weight.is_level, c.weight.is_ahead);
+    let evidence = if readings.len() == 1 {
         Evidence::Only
-    } else if best.is_level && rivals.iter().all(|c| !c.is_level) {
+    } else if best.weight.is_level && readings[1..].iter().all(|c| !c.weight.is_level) {
         Evidence::Level
-    } else if rivals.iter().all(|c| c.score() < best.score()) {
+    } else if readings[1..].iter().all(|c| rank(c) < rank(best)) {
         Evidence::OriginAhead
     } else {
         Evidence::Nothing
     };
-    let mut others: Vec<MatrixKind> = Vec::new();
-    for candidate in &candidates {
+    let mut others = Vec::new();
+    for candidate in readings[1..].iter().chain(elsewhere) {
         let kind = candidate.reading.kind;
-        let differs = candidate.found.parameters != best.found.parameters;
+        let differs = !is_same(&candidate.found.parameters, &best.found.parameters);
         if kind != best.reading.kind && differs && !others.contains(&kind) {
             others.push(kind);
         }
     }
-    Ok(Recognised { reading: best.reading, by_columns: false, evidence, found: best.found.clone(), others })
+    let assumed = assumptions(&readings, stated);
+    Recognised { readings, evidence, others, assumed }
 }
 
-/// The traits of a matrix by which its kind is recognised.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Shape {
-    /// The count of rows that were given: three or four.
-    rows: usize,
-    /// The last row is 0 0 0 1, up to a factor.
-    is_affine: bool,
-    /// The last row is 0 0 0 1 itself, or begins with a unit vector.
-    has_unit_last_row: bool,
-    /// The rows of the upper left block are perpendicular to one another.
-    are_rows_perpendicular: bool,
-    /// Its columns are.
-    are_columns_perpendicular: bool,
-    /// Its rows all have the same length.
-    is_uniform: bool,
-    /// That length is 1.
-    is_unit: bool,
-    /// Its determinant is positive.
-    is_right_handed: bool,
+/// The parts of the best reading that another reading changes.
+fn assumptions(readings: &[Candidate], stated: &Stated) -> Vec<Assumed> {
+    let best = &readings[0];
+    let other = |differs: &dyn Fn(&Candidate) -> bool| readings.iter().position(differs);
+    let same_kind = |c: &Candidate| c.reading.kind == best.reading.kind;
+    let mut assumed = Vec::new();
+    assumed.extend(other(&|c| !same_kind(c)).map(Assumed::Kind));
+    if best.reading.kind.has_pose() {
+        assumed.extend(other(&|c| same_kind(c) && c.reading.axes != best.reading.axes).map(Assumed::Axes));
+    }
+    assumed.extend(other(&|c| same_kind(c) && c.order != best.order).map(Assumed::Order));
+    if best.reading.kind.has_ndc() && stated.ndc.is_none() {
+        let same = |c: &Candidate| same_kind(c) && c.order == best.order && c.reading.axes == best.reading.axes;
+        assumed.extend(other(&|c| same(c) && c.reading.ndc != best.reading.ndc).map(Assumed::Ndc));
+    }
+    if best.reading.kind.has_pixels() {
+        assumed.push(Assumed::Image(stated.image));
+    }
+    assumed
 }
 
-impl Shape {
-    fn of(m: DMat4, rows: usize) -> Self {
-        let last = m.row(3);
-        let axis = last.truncate().length();
-        let is_affine = axis <= SLACK * last.w.abs();
-        let block = [m.row(0), m.row(1), m.row(2)].map(|row| row.truncate() / if is_affine { last.w } else { 1.0 });
-        let columns = [0, 1, 2].map(|i| DVec3::new(block[0][i], block[1][i], block[2][i]));
-        let lengths = block.map(DVec3::length);
-        let perpendicular = |lines: [DVec3; 3]| {
-            [(0, 1), (0, 2), (1, 2)]
-                .into_iter()
-                .all(|(a, b)| lines[a].normalize_or_zero().dot(lines[b].normalize_or_zero()).abs() <= SLACK)
-        };
-        let longest = lengths.into_iter().fold(0.0, f64::max);
-        Self {
-            rows,
-            is_affine,
-            has_unit_last_row: if is_affine { (last.w - 1.0).abs() } else { (axis - 1.0).abs() } <= SLACK,
-            are_rows_perpendicular: perpendicular(block),
-            are_columns_perpendicular: perpendicular(columns),
-            is_uniform: lengths.iter().all(|length| longest - length <= SLACK * longest),
-            is_unit: lengths.iter().all(|length| (length - 1.0).abs() <= SLACK),
-            is_right_handed: block[0].cross(block[1]).dot(block[2]) > 0.0,
+/// The camera of a file that has no pose.
+fn lens_alone(pasted: &Pasted, stated: &Stated, current: &Parameters) -> Result<Recognised, RecoveryError> {
+    let reading =
+        Reading { kind: MatrixKind::Intrinsics, axes: Axes::OPENCV, ndc: NdcRange::default(), image: stated.image };
+    let mut found = Recovered { parameters: *current, unknown: vec![Unknown::Pose] };
+    if let Some(lens) = pasted.lens {
+        with_lens(&mut found, lens, &reading, current);
+    }
+    Camera::new(&found.parameters)?;
+    let (reasons, weight) = (vec![Reason::Pixels], Weight::default());
+    let only = Candidate { reading, order: Order::Rows, found, reasons, certainty: Certainty::Only, weight };
+    Ok(judged(vec![only], &[], stated))
+}
+
+/// The lens that a file has beside a pose.
+fn with_lens(found: &mut Recovered, lens: GivenLens, reading: &Reading, current: &Parameters) {
+    let mut recovery = Recovery {
+        current: *current,
+        found: found.parameters,
+        reading: *reading,
+        unknown: std::mem::take(&mut found.unknown),
+    };
+    recovery.unknown.retain(|unknown| *unknown != Unknown::Lens);
+    let sides = [reading.image.width, reading.image.height].map(f64::from);
+    match lens {
+        GivenLens::Pixels { focal_lengths, principal_point } => recovery.pixels(focal_lengths, principal_point),
+        GivenLens::AngleX(angle) => {
+            let f = sides[0] / 2.0 / (angle / 2.0).tan();
+            recovery.pixels([f, f], sides.map(|side| side / 2.0));
+        }
+        GivenLens::AngleY { degrees, aspect, near, far } => {
+            recovery.distances();
+            let p = &mut recovery.found;
+            (p.projection, p.window, p.view_angle) = (Projection::Perspective, None, degrees);
+            p.aspect = aspect.unwrap_or_else(|| reading.image.aspect());
+            p.near = near.unwrap_or(p.near);
+            p.far = far.unwrap_or_else(|| p.far.max(2.0 * p.near));
+            if far.is_none() {
+                recovery.unknown.push(Unknown::Far);
+            }
+        }
+        GivenLens::Parallel { height, aspect, near, far } => {
+            let p = &mut recovery.found;
+            (p.projection, p.window) = (Projection::Parallel, None);
+            (p.height, p.aspect, p.near, p.far) = (height, aspect, near, far);
         }
     }
+    recovery.unknown.sort();
+    recovery.unknown.dedup();
+    *found = Recovered { parameters: recovery.found, unknown: recovery.unknown };
+}
 
-    fn is_rigid(self) -> bool {
-        self.is_affine && self.are_rows_perpendicular && self.is_unit
-    }
-
-    /// A node with a scale of its own. In a parallel M_p M_v the rows are perpendicular, and z changes its sign.
-    fn is_scaled(self) -> bool {
-        let one_scale = self.are_rows_perpendicular && self.is_uniform;
-        let scales = !self.are_rows_perpendicular;
-        self.is_affine && self.are_columns_perpendicular && self.is_right_handed && (one_scale || scales)
-    }
-
-    /// How much speaks for the rows being rows.
-    fn tidiness(self) -> u8 {
-        if self.is_rigid() || self.is_scaled() { 2 } else { u8::from(self.has_unit_last_row && self.rows == 4) }
-    }
-
-    /// The kinds that it may be, the likelier first.
-    fn kinds(self) -> &'static [MatrixKind] {
-        use MatrixKind::{CameraToWorld, Pinhole, Projection, View, ViewProjection};
-        if self.is_rigid() && self.rows == 3 {
-            &[CameraToWorld, View, Pinhole]
-        } else if self.is_rigid() && self.is_right_handed {
-            &[CameraToWorld, View, ViewProjection]
-        } else if self.is_rigid() {
-            &[View, CameraToWorld, ViewProjection]
-        } else if self.is_scaled() {
-            &[CameraToWorld, ViewProjection, Pinhole]
-        } else if self.rows == 3 {
-            &[Pinhole]
-        } else if self.is_affine && !self.are_rows_perpendicular {
-            &[Pinhole, ViewProjection]
-        } else {
-            &[Projection, ViewProjection, Pinhole]
-        }
-    }
+/// Whether two cameras are the same but for rounding.
+fn is_same(a: &Parameters, b: &Parameters) -> bool {
+    let numbers = |p: &Parameters| {
+        let window = p.window.map_or([0.0; 4], |w| [w.left, w.right, w.bottom, w.top]);
+        let lens = [p.view_angle, p.height, p.aspect, p.near, p.far];
+        let pose = [p.position, p.focal_point, p.view_up].map(|v| v.to_array());
+        (pose.concat(), [&window[..], &lens[..]].concat())
+    };
+    let ((pose_a, lens_a), (pose_b, lens_b)) = (numbers(a), numbers(b));
+    let size = pose_a.iter().chain(&pose_b).fold(0.0_f64, |size, x| size.max(x.abs()));
+    a.projection == b.projection
+        && pose_a.iter().zip(&pose_b).all(|(a, b)| (a - b).abs() <= 1e-9 * size)
+        && lens_a.iter().zip(&lens_b).all(|(a, b)| (a - b).abs() <= 1e-9 * a.abs().max(b.abs()))
 }

@@ -51,7 +51,8 @@ impl InView {
     /// The range of depths from `nearest` to `farthest`.
     #[must_use]
     pub const fn between(nearest: f64, farthest: f64) -> Self {
-        Self { nearest, farthest, magnitude: farthest }
+        // In parallel projection depths may be negative, and then the nearest is the larger number.
+        Self { nearest, farthest, magnitude: nearest.abs().max(farthest.abs()) }
     }
 
     /// The range that holds both.
@@ -83,7 +84,7 @@ impl DepthScale {
     pub fn resolving(self, in_view: InView) -> Self {
         let InView { nearest, farthest, magnitude } = in_view;
         // No more than the distance itself: beyond that nothing is known of it.
-        let thinnest = (THINNEST * magnitude).min(farthest);
+        let thinnest = (THINNEST * magnitude).min(farthest.abs());
         let depth = farthest - nearest;
         if !(depth >= 0.0 && depth.is_finite() && thinnest.is_finite()) {
             return self;

@@ -48,7 +48,7 @@ pub(crate) fn containment(projector: &Projector, view_from_object: &ViewFromObje
     let reach = corners.iter().fold(0.0, |most, &corner| view_from_object.magnitude(corner).max(most));
     let slack = slack(projector, MARGIN, reach);
     if !bounds.finite || !slack.iter().all(|s| s.is_finite()) {
-        let in_view = InView { magnitude: projector.far, ..InView::between(projector.near, projector.far) };
+        let in_view = InView::between(projector.near, projector.far);
         return Extent { containment: Containment::Crosses(ALL_PLANES), in_view };
     }
     let nothing = (f64::INFINITY, f64::NEG_INFINITY);
@@ -86,7 +86,7 @@ fn slack(projector: &Projector, margin: f64, reach: f64) -> [f64; 3] {
     [
         margin * (projector.scale[0] * reach + (1.0 + projector.shift[0].abs()) * w),
         margin * (projector.scale[1] * reach + (1.0 + projector.shift[1].abs()) * w),
-        margin * (reach + projector.far),
+        margin * (reach + projector.far.abs().max(projector.near.abs())),
     ]
 }
 

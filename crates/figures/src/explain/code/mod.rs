@@ -1,9 +1,12 @@
 //! The camera as code for libraries: the copied code gives the matrices that the program shows.
 
+mod programs;
+
 use std::fmt::Write as _;
 
+use super::vocabulary::Limitation;
 use super::{Matrix, MatrixFormula, Notation, Setting, Writer};
-use crate::camera::{Camera, Projection, ViewWindow};
+use crate::camera::{Axes, Camera, Projection, ViewWindow};
 use crate::numbers::{DecimalMark, exact};
 
 /// A library, or a language.
@@ -24,6 +27,30 @@ pub enum CodeTarget {
     NumPy,
     /// LaTeX
     Latex,
+    /// Python in Blender
+    Blender,
+    /// C# in Unity
+    Unity,
+    /// C++ in Unreal
+    Unreal,
+    /// Python with `NumPy`, in the words of `OpenCV`
+    OpenCv,
+    /// A file of `Open3D`
+    Open3d,
+    /// Two files of COLMAP
+    Colmap,
+    /// A file of nerfstudio
+    Nerfstudio,
+    /// A file of glTF
+    Gltf,
+    /// Python with `PyTorch3D`
+    PyTorch3d,
+    /// `GDScript` in Godot
+    Godot,
+    /// JavaScript with Babylon.js
+    Babylon,
+    /// Rust with Bevy
+    Bevy,
 }
 
 /// A fact about a library that is needed to use its camera.
@@ -41,12 +68,35 @@ pub enum CodeConvention {
     WindowCentre,
     /// The matrix is set by hand: the library has no call for this window.
     ByMatrix,
+    /// The camera and the world have these axes.
+    Axes(Axes),
+    /// y and z change places, and lengths are in centimetres.
+    Centimetres,
 }
 
 impl CodeTarget {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::OpenGl, Self::Glm, Self::Glam, Self::ThreeJs, Self::Vtk, Self::NumPy, Self::Latex];
+    pub const ALL: [Self; 19] = [
+        Self::OpenGl,
+        Self::Glm,
+        Self::Glam,
+        Self::ThreeJs,
+        Self::Vtk,
+        Self::NumPy,
+        Self::Latex,
+        Self::Blender,
+        Self::Unity,
+        Self::Unreal,
+        Self::OpenCv,
+        Self::Open3d,
+        Self::Colmap,
+        Self::Nerfstudio,
+        Self::Gltf,
+        Self::PyTorch3d,
+        Self::Godot,
+        Self::Babylon,
+        Self::Bevy,
+    ];
 
     /// Its common name.
     #[must_use]
@@ -59,6 +109,18 @@ impl CodeTarget {
             Self::Vtk => "VTK, PyVista",
             Self::NumPy => "NumPy",
             Self::Latex => "LaTeX",
+            Self::Blender => "Blender",
+            Self::Unity => "Unity",
+            Self::Unreal => "Unreal",
+            Self::OpenCv => "OpenCV",
+            Self::Open3d => "Open3D",
+            Self::Colmap => "COLMAP",
+            Self::Nerfstudio => "nerfstudio",
+            Self::Gltf => "glTF",
+            Self::PyTorch3d => "PyTorch3D",
+            Self::Godot => "Godot",
+            Self::Babylon => "Babylon.js",
+            Self::Bevy => "Bevy",
         }
     }
 
@@ -73,23 +135,61 @@ impl CodeTarget {
             Self::Vtk => "vtk",
             Self::NumPy => "numpy",
             Self::Latex => "latex",
+            Self::Blender => "blender",
+            Self::Unity => "unity",
+            Self::Unreal => "unreal",
+            Self::OpenCv => "opencv",
+            Self::Open3d => "open3d",
+            Self::Colmap => "colmap",
+            Self::Nerfstudio => "nerfstudio",
+            Self::Gltf => "gltf",
+            Self::PyTorch3d => "pytorch3d",
+            Self::Godot => "godot",
+            Self::Babylon => "babylon",
+            Self::Bevy => "bevy",
         }
     }
 
-    /// The beginning of a comment line.
+    /// The beginning of a comment line; `None` for JSON, which has no comments.
     #[must_use]
-    pub const fn comment(self) -> &'static str {
+    pub const fn comment(self) -> Option<&'static str> {
         match self {
-            Self::OpenGl | Self::Glm | Self::Glam | Self::ThreeJs => "// ",
-            Self::Vtk | Self::NumPy => "# ",
-            Self::Latex => "% ",
+            Self::OpenGl
+            | Self::Glm
+            | Self::Glam
+            | Self::ThreeJs
+            | Self::Unity
+            | Self::Unreal
+            | Self::Babylon
+            | Self::Bevy => Some("// "),
+            Self::Vtk | Self::NumPy | Self::Blender | Self::OpenCv | Self::Colmap | Self::PyTorch3d | Self::Godot => {
+                Some("# ")
+            }
+            Self::Latex => Some("% "),
+            Self::Open3d | Self::Nerfstudio | Self::Gltf => None,
+        }
+    }
+
+    /// The reason for which it can't express a camera.
+    #[must_use]
+    pub fn limitation(self, camera: &Camera) -> Option<Limitation> {
+        let parallel = camera.projection() == Projection::Parallel;
+        let symmetric = camera.has_symmetric_window();
+        match self {
+            Self::OpenCv | Self::Open3d | Self::Colmap | Self::Nerfstudio if parallel => {
+                Some(Limitation::PerspectiveOnly)
+            }
+            Self::Gltf | Self::Unreal | Self::Bevy if !symmetric => Some(Limitation::SymmetricOnly),
+            Self::Babylon if !symmetric && !parallel => Some(Limitation::SymmetricOnly),
+            Self::PyTorch3d | Self::Godot if !symmetric && parallel => Some(Limitation::SymmetricOnly),
+            _ => None,
         }
     }
 
     /// The conventions stated in its code.
     #[must_use]
     pub fn conventions(self, camera: &Camera) -> Vec<CodeConvention> {
-        let mut said = vec![CodeConvention::OfTheNotes];
+        let mut said = vec![self.axes().map_or(CodeConvention::OfTheNotes, CodeConvention::Axes)];
         match self {
             Self::OpenGl => said.push(CodeConvention::Degrees),
             Self::Glm | Self::Glam => said.extend([CodeConvention::ColumnMajor, CodeConvention::Radians]),
@@ -105,19 +205,46 @@ impl CodeTarget {
                     said.push(CodeConvention::WindowCentre);
                 }
             }
-            Self::NumPy | Self::Latex => {}
+            Self::Unreal => said.extend([CodeConvention::Centimetres]),
+            Self::Unity | Self::Godot => said.push(CodeConvention::Degrees),
+            Self::Babylon | Self::Bevy => said.push(CodeConvention::Radians),
+            Self::NumPy
+            | Self::Latex
+            | Self::Blender
+            | Self::OpenCv
+            | Self::Open3d
+            | Self::Colmap
+            | Self::Nerfstudio
+            | Self::Gltf
+            | Self::PyTorch3d => {}
         }
         said
     }
 
-    /// The code, behind lines of comment.
+    /// Its row of the table of axes, if it has other ones than the notes.
+    const fn axes(self) -> Option<Axes> {
+        match self {
+            Self::Blender | Self::Nerfstudio => Some(Axes::BLENDER),
+            Self::Unity | Self::Babylon => Some(Axes::DIRECT3D),
+            Self::OpenCv | Self::Open3d | Self::Colmap => Some(Axes::OPENCV),
+            Self::PyTorch3d => Some(Axes::PYTORCH3D),
+            Self::Unreal => Some(Axes::UNREAL),
+            Self::Gltf | Self::Godot | Self::Bevy => Some(Axes::OPENGL),
+            Self::OpenGl | Self::Glm | Self::Glam | Self::ThreeJs | Self::Vtk | Self::NumPy | Self::Latex => None,
+        }
+    }
+
+    /// The code, behind lines of comment. Of a camera that it can't express, see [`Self::limitation`], it's that of
+    /// another one.
     #[must_use]
     pub fn code(self, setting: &Setting<'_>, comments: &[String]) -> String {
         let mut text = String::new();
-        for line in comments {
-            let _ = writeln!(text, "{}{line}", self.comment());
+        if let Some(mark) = self.comment() {
+            for line in comments {
+                let _ = writeln!(text, "{mark}{line}");
+            }
         }
-        let camera = setting.space().camera();
+        let (camera, image) = (setting.space().camera(), setting.image());
         text.push_str(&match self {
             Self::OpenGl => open_gl(camera),
             Self::Glm => glm(camera),
@@ -126,6 +253,18 @@ impl CodeTarget {
             Self::Vtk => vtk(camera),
             Self::NumPy => num_py(camera),
             Self::Latex => latex(setting),
+            Self::Blender => programs::blender(camera, image),
+            Self::Unity => programs::unity(camera),
+            Self::Unreal => programs::unreal(camera),
+            Self::OpenCv => programs::open_cv(camera, image),
+            Self::Open3d => programs::open3d(camera, image),
+            Self::Colmap => programs::colmap(camera, image),
+            Self::Nerfstudio => programs::nerfstudio(camera, image),
+            Self::Gltf => programs::gltf(camera),
+            Self::PyTorch3d => programs::pytorch3d(camera, image),
+            Self::Godot => programs::godot(camera),
+            Self::Babylon => programs::babylon(camera),
+            Self::Bevy => programs::bevy(camera),
         });
         text
     }

@@ -1,0 +1,335 @@
+//! The camera of a matrix: (5.7) and (5.13) to (5.16) read backwards.
+
+use glam::{DMat4, DVec3, DVec4};
+
+use crate::camera::recovery::{EXACT, Lines, Reading, RecoveryError, SLACK, Toward, Unknown, WorldUp};
+use crate::camera::{Api, Ndc, Parameters, Projection, ViewWindow};
+
+/// A camera on its way from its matrix.
+pub(crate) struct Recovery {
+    pub(crate) current: Parameters,
+    pub(crate) found: Parameters,
+    pub(crate) reading: Reading,
+    pub(crate) unknown: Vec<Unknown>,
+}
+
+impl Recovery {
+    pub(crate) fn view(&mut self, m: DMat4) -> Result<(), RecoveryError> {
+        let rows = affine_rows(m)?;
+        for (i, row) in rows.iter().enumerate() {
+            let length = row.truncate().length();
+            if (length - 1.0).abs() > SLACK {
+                return Err(RecoveryError::Length { row: i + 1, length });
+            }
+        }
+        let axes = self.straightened(Lines::Rows, rows.map(DVec4::truncate))?;
+        let position = -(axes[0] * rows[0].w + axes[1] * rows[1].w + axes[2] * rows[2].w);
+        self.camera_axes(axes, position);
+        Ok(())
+    }
+
+    /// C and the axes are the columns; an object may be scaled as well.
+    pub(crate) fn camera_to_world(&mut self, m: DMat4) -> Result<(), RecoveryError> {
+        let rows = affine_rows(m)?;
+        let column = |i: usize| DVec3::new(rows[0][i], rows[1][i], rows[2][i]);
+        let columns = [0, 1, 2].map(column);
+        let axes = self.straightened(Lines::Columns, columns)?;
+        let error = columns.iter().map(|axis| (axis.length() - 1.0).abs()).fold(0.0, f64::max);
+        if error > SLACK {
+            self.unknown.push(Unknown::Scaled);
+        } else if error > EXACT {
+            self.unknown.push(Unknown::Rounded);
+        }
+        self.camera_axes(axes, column(3));
+        Ok(())
+    }
+
+    /// The pose of a camera whose axes x, y and z are known in the world of the reading.
+    fn camera_axes(&mut self, axes: [DVec3; 3], position: DVec3) {
+        let (mut v, mut n, mut u) = (DVec3::ZERO, DVec3::ZERO, DVec3::ZERO);
+        for (axis, toward) in axes.into_iter().zip(self.reading.axes.camera) {
+            match toward {
+                Toward::Right => u = axis,
+                Toward::Left => u = -axis,
+                Toward::Up => v = axis,
+                Toward::Down => v = -axis,
+                Toward::Viewer => n = axis,
+                Toward::Scene => n = -axis,
+            }
+        }
+        let is_right_handed = u.cross(v).dot(n) > 0.0;
+        if is_right_handed == self.reading.axes.left_handed {
+            self.unknown.push(Unknown::LeftHandedView);
+            n = -n;
+        }
+        self.pose(position, v, n);
+        self.unknown.push(Unknown::Lens);
+    }
+
+    /// C, PF and VUP, one in each row.
+    pub(crate) fn look_at(&mut self, m: DMat4) {
+        let [position, focal_point, view_up] = [0, 1, 2].map(|i| m.row(i).truncate());
+        self.found.position = position;
+        self.found.focal_point = focal_point;
+        self.found.view_up = view_up;
+        self.unknown.push(Unknown::Lens);
+    }
+
+    /// Unit vectors at right angles, where the rows are that up to their digits.
+    fn straightened(&mut self, lines: Lines, rows: [DVec3; 3]) -> Result<[DVec3; 3], RecoveryError> {
+        for (i, row) in rows.iter().enumerate() {
+            if row.length() == 0.0 {
+                return Err(RecoveryError::Singular { lines, at: i + 1 });
+            }
+        }
+        let units = rows.map(DVec3::normalize);
+        for (a, b) in [(0, 1), (0, 2), (1, 2)] {
+            let cosine = units[a].dot(units[b]);
+            if cosine.abs() > SLACK {
+                return Err(RecoveryError::Shear { lines, a: a + 1, b: b + 1, cosine });
+            }
+            if cosine.abs() > EXACT {
+                self.unknown.push(Unknown::Rounded);
+            }
+        }
+        let n = units[2];
+        let u = (units[0] - n * units[0].dot(n)).normalize();
+        let v = units[1] - n * units[1].dot(n);
+        Ok([u, (v - u * v.dot(u)).normalize(), n])
+    }
+
+    /// C, and PF and VUP as far as they were right, in a right-handed world.
+    pub(crate) fn pose(&mut self, position: DVec3, v: DVec3, n: DVec3) {
+        let axes = self.reading.axes;
+        if axes.left_handed {
+            self.unknown.push(Unknown::WorldMirrored);
+        } else if axes.up == WorldUp::Z {
+            self.unknown.push(Unknown::WorldTurned);
+        }
+        let [position, v, n] = [position, v, n].map(|vector| axes.world_from_foreign(vector));
+        let distance = (self.current.focal_point - self.current.position).length();
+        let up = self.current.view_up;
+        let above = up - n * up.dot(n);
+        self.found.position = position;
+        self.found.focal_point = position - n * distance;
+        let fits = above.length() > 1e-6 * up.length() && above.normalize().dot(v) > 1.0 - 1e-12;
+        self.found.view_up = if fits { up } else { v };
+        self.unknown.extend([Unknown::FocalDistance, Unknown::ViewUp]);
+    }
+
+    pub(crate) fn projection(&mut self, m: DMat4) -> Result<(), RecoveryError> {
+        let [down, forward] = self.reading.axes.signs();
+        let m = m * DMat4::from_scale(DVec3::new(1.0, down, forward));
+        let last = m.row(3);
+        let rows = [m.row(0), m.row(1), m.row(2)];
+        let size = rows.iter().map(|row| row.abs().max_element()).fold(last.abs().max_element(), f64::max);
+        let perspective = last.z.abs() > SLACK * last.abs().max_element();
+        let others = if perspective { [last.x, last.y, last.w] } else { [last.x, last.y, last.z] };
+        if last == DVec4::ZERO {
+            return Err(RecoveryError::LastRow { last });
+        }
+        let columns = if perspective { [1, 2, 4] } else { [1, 2, 3] };
+        for (column, value) in columns.into_iter().zip(others) {
+            if value.abs() > SLACK * last.abs().max_element() {
+                return Err(RecoveryError::NotZero { row: 4, column, value });
+            }
+        }
+        let kept = if perspective { [[0, 2], [1, 2], [2, 3]] } else { [[0, 3], [1, 3], [2, 3]] };
+        for (i, (row, kept)) in rows.iter().zip(kept).enumerate() {
+            for column in (0..4).filter(|column| !kept.contains(column)) {
+                if row[column].abs() > SLACK * size {
+                    return Err(RecoveryError::NotZero { row: i + 1, column: column + 1, value: row[column] });
+                }
+            }
+        }
+        self.unknown.push(Unknown::Pose);
+        if perspective {
+            let [x, y, z] = rows.map(|row| row / -last.z);
+            self.perspective([x.x, y.y], [x.z, y.z], z.z, z.w)
+        } else {
+            let [x, y, z] = rows.map(|row| row / last.w);
+            let near = self.near_in_parallel(z.z, z.w)?;
+            self.parallel([x.x, y.y], [x.w, y.w], z.z, near)
+        }
+    }
+
+    pub(crate) fn both(&mut self, m: DMat4) -> Result<(), RecoveryError> {
+        let last = m.row(3);
+        let axis = last.truncate().length();
+        let largest = (0..3).map(|i| m.row(i).truncate().length()).fold(0.0, f64::max);
+        // A perspective's last row is as long as 1 beside 2F/W and the like; one that is only noise has no direction.
+        if axis > 1e-9 * largest.max(last.w.abs()) { self.both_perspective(m / axis) } else { self.both_parallel(m) }
+    }
+
+    fn both_perspective(&mut self, m: DMat4) -> Result<(), RecoveryError> {
+        let last = m.row(3);
+        let n = -last.truncate();
+        let rows = [m.row(0), m.row(1), m.row(2)];
+        let skew = [0, 1].map(|i| rows[i].truncate().dot(n));
+        let across = [0, 1].map(|i: usize| rows[i].truncate() - n * skew[i]);
+        let [u, mut v, _] = self.straightened(Lines::Rows, [across[0], across[1], n])?;
+        let scale = [u.dot(rows[0].truncate()), v.dot(rows[1].truncate())];
+        if self.reading.ndc.y_down {
+            v = -v;
+        }
+        if (u.cross(v).dot(n) < 0.0) != self.reading.axes.left_handed {
+            return Err(RecoveryError::Mirrored);
+        }
+        let deep = rows[2].truncate();
+        let z = deep.dot(n);
+        if (deep - n * z).length() > SLACK * deep.length().max(EXACT) && deep.length() > EXACT {
+            return Err(RecoveryError::Shear {
+                lines: Lines::Rows,
+                a: 3,
+                b: 4,
+                cosine: (deep - n * z).length() / deep.length(),
+            });
+        }
+        // n·c, then the rest of the constants of the first two rows.
+        let along = last.w;
+        let down = if self.reading.ndc.y_down { -1.0 } else { 1.0 };
+        let [x_c, y_c] = [(-rows[0].w - skew[0] * along) / scale[0], (-rows[1].w - skew[1] * along) / scale[1] * down];
+        let position = u * x_c + v * y_c + n * along;
+        self.pose(position, v, n);
+        self.perspective([scale[0], down * scale[1]], skew, z, rows[2].w + z * along)
+    }
+
+    fn both_parallel(&mut self, m: DMat4) -> Result<(), RecoveryError> {
+        let last = m.row(3);
+        if last.w == 0.0 {
+            return Err(RecoveryError::LastRow { last });
+        }
+        let rows = [0, 1, 2].map(|i| m.row(i) / last.w);
+        let [u, v, deep] = self.straightened(Lines::Rows, rows.map(DVec4::truncate))?;
+        let v = if self.reading.ndc.y_down { -v } else { v };
+        let n = if self.reading.axes.left_handed { v.cross(u) } else { u.cross(v) };
+        let mut z = deep.dot(n) * rows[2].truncate().length();
+        let mut constant = rows[2].w;
+        let [at_near, at_far] = self.reading.ndc.depths();
+        // z_n grows away from the viewer, from z₀ to z₁.
+        if z * (at_near - at_far) < 0.0 {
+            self.unknown.push(Unknown::DepthDirection);
+            (z, constant) = (-z, at_near + at_far - constant);
+        }
+        let scale = [rows[0].truncate().length(), rows[1].truncate().length()];
+        let down = if self.reading.ndc.y_down { -1.0 } else { 1.0 };
+        let near = self.current.near;
+        let along = (at_near + z * near - constant) / z;
+        let position = u * (-rows[0].w / scale[0]) + v * (-rows[1].w * down / scale[1]) + n * along;
+        self.pose(position, v, n);
+        self.unknown.extend([Unknown::PositionAlongNormal, Unknown::WindowCentre]);
+        self.parallel([scale[0], down * scale[1]], [0.0, 0.0], z, near)
+    }
+
+    /// Window, F and B from the entries of (5.13).
+    fn perspective(
+        &mut self,
+        [x, y]: [f64; 2],
+        [skew_x, skew_y]: [f64; 2],
+        z: f64,
+        depth: f64,
+    ) -> Result<(), RecoveryError> {
+        let (y, skew_y) = if self.reading.ndc.y_down { (-y, -skew_y) } else { (y, skew_y) };
+        if x <= 0.0 || y <= 0.0 {
+            return Err(RecoveryError::Mirrored);
+        }
+        let (near, far) = self.planes(z, depth)?;
+        self.found.projection = Projection::Perspective;
+        (self.found.near, self.found.far) = (near, far);
+        let (width, height) = (2.0 * near / x, 2.0 * near / y);
+        self.window([width, height], [skew_x * width / 2.0, skew_y * height / 2.0]);
+        Ok(())
+    }
+
+    /// F and B: z_n is z₀ at F and z₁ at B, so that F = d/(z + z₀), B = d/(z + z₁).
+    fn planes(&mut self, z: f64, depth: f64) -> Result<(f64, f64), RecoveryError> {
+        let of = |[at_near, at_far]: [f64; 2]| (depth / (z + at_near), depth / (z + at_far));
+        let is_possible = |(near, far): (f64, f64)| near > 0.0 && near.is_finite() && near < far && far.is_finite();
+        let (near, far) = of(self.reading.ndc.depths());
+        // Beyond what 1 − F/B can hold in an f64, B is lost.
+        if near > 0.0 && near.is_finite() && !(far > 0.0 && far < near * 1e15) {
+            let [_, at_far] = self.reading.ndc.depths();
+            if (z + at_far).abs() <= 1e-14 {
+                self.unknown.push(Unknown::Far);
+                return Ok((near, self.current.far.max(near * 2.0)));
+            }
+        }
+        if is_possible((near, far)) {
+            return Ok((near, far));
+        }
+        let fits = conventions().find(|ndc| is_possible(of(ndc.depths())));
+        Err(RecoveryError::Depths { near, far, fits })
+    }
+
+    /// F of a parallel projection, which may be any finite number below B.
+    fn near_in_parallel(&self, z: f64, depth: f64) -> Result<f64, RecoveryError> {
+        if z == 0.0 {
+            return Err(RecoveryError::Singular { lines: Lines::Rows, at: 3 });
+        }
+        let of = |[at_near, at_far]: [f64; 2]| ((depth - at_near) / z, (depth - at_far) / z);
+        let is_possible = |(near, far): (f64, f64)| near.is_finite() && far.is_finite() && near < far;
+        let (near, far) = of(self.reading.ndc.depths());
+        if is_possible((near, far)) {
+            return Ok(near);
+        }
+        let fits = conventions().find(|ndc| is_possible(of(ndc.depths())));
+        Err(RecoveryError::Depths { near, far, fits })
+    }
+
+    fn parallel(
+        &mut self,
+        [x, y]: [f64; 2],
+        [shift_x, shift_y]: [f64; 2],
+        z: f64,
+        near: f64,
+    ) -> Result<(), RecoveryError> {
+        let down = self.reading.ndc.y_down;
+        let (y, shift_y) = if down { (-y, -shift_y) } else { (y, shift_y) };
+        if x <= 0.0 || y <= 0.0 {
+            return Err(RecoveryError::Mirrored);
+        }
+        let [at_near, at_far] = self.reading.ndc.depths();
+        self.found.projection = Projection::Parallel;
+        self.found.near = near;
+        self.found.far = near + (at_near - at_far) / z;
+        self.window([2.0 / x, 2.0 / y], [-shift_x / x, -shift_y / y]);
+        Ok(())
+    }
+
+    /// A window of a size around a middle; a symmetric one as angle or height and aspect.
+    pub(crate) fn window(&mut self, [width, height]: [f64; 2], [middle_x, middle_y]: [f64; 2]) {
+        let symmetric = middle_x.abs() <= EXACT * width && middle_y.abs() <= EXACT * height;
+        if symmetric {
+            self.found.window = None;
+            self.found.aspect = width / height;
+            match self.found.projection {
+                Projection::Perspective => {
+                    self.found.view_angle = 2.0 * (height / 2.0).atan2(self.found.near).to_degrees();
+                }
+                Projection::Parallel => self.found.height = height,
+            }
+        } else {
+            self.found.window = Some(ViewWindow {
+                left: middle_x - width / 2.0,
+                right: middle_x + width / 2.0,
+                bottom: middle_y - height / 2.0,
+                top: middle_y + height / 2.0,
+            });
+        }
+    }
+}
+
+/// The first three rows of a matrix whose last one is 0 0 0 1, up to a factor.
+fn affine_rows(m: DMat4) -> Result<[DVec4; 3], RecoveryError> {
+    let last = m.row(3);
+    if last.truncate().length() > SLACK * last.w.abs() || last.w == 0.0 {
+        return Err(RecoveryError::LastRow { last });
+    }
+    Ok([0, 1, 2].map(|i| m.row(i) / last.w))
+}
+
+/// The conventions that a matrix may be in, those of the libraries themselves first.
+fn conventions() -> impl Iterator<Item = Ndc> {
+    let of_others = |ndc: &Ndc| !(ndc.infinite || ndc.api == Api::OpenGl && ndc.reversed);
+    Ndc::ALL.into_iter().filter(of_others)
+}
