@@ -120,7 +120,11 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 }
             }
             Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
-            Dialog::Title(form) => title_dialog::show(ui, t, state, form, first),
+            Dialog::Title(form) => {
+                if let Some(purpose) = title_dialog::show(ui, t, state, form, first) {
+                    file_flow::ask(ctx, state, purpose);
+                }
+            }
             Dialog::Export(export) => export_dialog::show(ui, t, state, export, first),
             // It has no frame.
             Dialog::Qr => {}

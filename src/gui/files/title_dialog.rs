@@ -2,7 +2,6 @@
 
 use eframe::egui::{self, Key, Modifiers, RichText};
 
-use super::file_flow;
 use crate::figure::{Bilingual, Figure};
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
 use crate::gui::kit::text_field::TextField;
@@ -36,8 +35,14 @@ impl TitleForm {
     }
 }
 
-/// Shows the dialog; `first`: it has just been opened.
-pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut form: TitleForm, first: bool) {
+/// Shows the dialog; gives the file that is asked for next. `first`: it has just been opened.
+pub(in crate::gui) fn show(
+    ui: &mut egui::Ui,
+    t: &'static Texts,
+    state: &mut State,
+    mut form: TitleForm,
+    first: bool,
+) -> Option<Purpose> {
     ui.heading(t.title_heading);
     ui.add_space(6.0);
     ui.label(t.title_text);
@@ -72,23 +77,26 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
         pressed => pressed,
     };
     match pressed {
-        Pressed::Action(_) => accept(ui.ctx(), state, form),
-        Pressed::Cancel => {}
-        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Title(form)),
+        Pressed::Action(_) => accept(state, form),
+        Pressed::Cancel => None,
+        Pressed::Nothing => {
+            state.file_flow.dialog = Some(Dialog::Title(form));
+            None
+        }
     }
 }
 
-fn accept(ctx: &egui::Context, state: &mut State, form: TitleForm) {
+fn accept(state: &mut State, form: TitleForm) -> Option<Purpose> {
     let [title, caption] = [form.title, form.caption].map(written);
     let figure = state.document.figure();
     if (&figure.title, &figure.caption) != (&title, &caption) {
         state.document.edit(|figure| (figure.title, figure.caption) = (title, caption));
         state.document.commit();
     }
-    if let Some(purpose) = form.then {
+    if form.then.is_some() {
         state.file_flow.titled = Some(state.document.id());
-        file_flow::ask(ctx, state, purpose);
     }
+    form.then
 }
 
 /// A text of one line in both languages; if one is empty, it is the other one.

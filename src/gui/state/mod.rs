@@ -157,7 +157,7 @@ pub struct State {
     pub screen_scale: f32,
     /// The window is a page in a browser: there are no folders, and no window to be closed.
     pub in_browser: bool,
-    /// The corner of a second screen, in points, for the speaker's notes; `None`: not looked for, inside: there is none.
+    /// The corner of another screen, in points, for the speaker's notes; `None`: not looked for yet, inside: none.
     pub(in crate::gui) other_screen: Option<Option<egui::Pos2>>,
     /// The address of that page, where others can open it too.
     pub own_address: Option<String>,

@@ -461,7 +461,7 @@ fn show_title(state: &mut State, _: &Context) {
     show_dialog(state, Dialog::Title(form));
 }
 
-/// What is shown is what is exported.
+/// Opens the export dialog for the views that are shown.
 fn show_export(state: &mut State) {
     state.export.what = state.layout.views();
     state.export.fit_screen(state.picture_sizes, state.screen_scale);

@@ -180,7 +180,7 @@ pub(in crate::gui) fn panel(ui: &mut Ui, state: &mut State) -> Option<Command> {
     command
 }
 
-/// What the height of the panel depends on.
+/// The state that the height of the panel depends on.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::gui) struct Fits {
     size: egui::Vec2,
