@@ -410,6 +410,9 @@ proptest! {
     fn a_projection_is_recognised(camera in plain_camera(), by_columns in any::<bool>()) {
         // From the origin along an axis, M_p M_v has the zeros of M_p.
         prop_assume!(camera.position().length() > 1e-6);
+        // So it has from anywhere if it is parallel: that is the M_p of another window, with other F and B.
+        let looks_along_z = camera.basis().u.abs_diff_eq(DVec3::X, 1e-6) && camera.basis().v.abs_diff_eq(DVec3::Y, 1e-6);
+        prop_assume!(camera.projection() == Projection::Perspective || !looks_along_z);
         // Windows far beside the axis are rather those of K.
         let w = camera.window();
         prop_assume!((w.left + w.right).abs() < 3.0 * w.width() && (w.bottom + w.top).abs() < 3.0 * w.height());
