@@ -382,6 +382,17 @@ fn camera_of(position: [f64; 3]) -> Camera {
     Camera::new(&Parameters { position: DVec3::from_array(position), ..Parameters::default() }).unwrap()
 }
 
+#[test]
+fn a_text_of_any_length_is_answered() {
+    for text in
+        ["a=".repeat(300_000), "[".repeat(300_000), "1 ".repeat(300_000), "x: 1\n".repeat(100_000), "\"".repeat(99_999)]
+    {
+        assert!(read_cameras(text.as_bytes()).is_err(), "{} characters", text.len());
+    }
+    assert!(read_cameras(b"glTF\x02\0\0\0\xff\xff").is_err());
+    assert!(read_cameras(&[0xff, 0xfe, 0]).is_err());
+}
+
 /// glOrtho(−2, 2, −1.5, 1.5, −1, 1).
 #[test]
 fn a_parallel_volume_may_lie_around_the_eye() {

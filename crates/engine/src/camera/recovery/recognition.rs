@@ -171,8 +171,9 @@ fn hypotheses(entries: &MatrixEntries, stated: &Stated) -> Vec<(Reading, Order)>
         _ => vec![CameraToWorld, View, Projection, ViewProjection, Pinhole],
     };
     kinds.extend(stated.kind.filter(|kind| !kinds.contains(kind)));
-    let is_allowed = |order: &&Order| !stated.by_columns || **order == Order::Columns || entries.count() == 7;
-    let orders = entries.orders().iter().filter(is_allowed);
+    // A quaternion has no columns.
+    let by_columns = stated.by_columns && entries.count() != 7;
+    let orders = if by_columns { &[Order::Columns] } else { entries.orders() };
     let mut all = Vec::new();
     for order in orders {
         for kind in &kinds {

@@ -17,7 +17,9 @@ use crate::camera::recovery::{Axes, MatrixKind, Order};
 pub(crate) fn cameras(value: &Value, text: &str) -> Result<Vec<Pasted>, MatrixTextError> {
     if let Some(frames) = value.get("frames").and_then(Value::as_array) {
         let found: Vec<Pasted> = frames.iter().filter_map(|frame| nerfstudio(value, frame)).collect();
-        return if found.is_empty() { Err(MatrixTextError::NoCamera("transforms.json")) } else { Ok(found) };
+        if !found.is_empty() {
+            return Ok(found);
+        }
     }
     if value.get("asset").is_some() || value.get("nodes").is_some_and(Value::is_array) {
         return gltf::cameras(value);
@@ -27,7 +29,9 @@ pub(crate) fn cameras(value: &Value, text: &str) -> Result<Vec<Pasted>, MatrixTe
     }
     if let Some(parameters) = value.get("parameters").and_then(Value::as_array) {
         let found: Vec<Pasted> = parameters.iter().filter_map(open3d).collect();
-        return if found.is_empty() { Err(MatrixTextError::NoCamera("Open3D")) } else { Ok(found) };
+        if !found.is_empty() {
+            return Ok(found);
+        }
     }
     if let Some(camera) = open3d(value) {
         return Ok(vec![camera]);

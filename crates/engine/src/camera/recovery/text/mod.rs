@@ -230,8 +230,13 @@ fn of_parts(segments: &[Segment]) -> Option<Pasted> {
     let open = Pasted { lens, ..Pasted::new("", entries) };
     // K, R and t are those of computer vision.
     let is_vision = lens.is_some() || rvec.is_some();
-    let word =
-        Word { word: "K, R, t", kind: Some(MatrixKind::View), axes: Some(Axes::OPENCV), order: None, is_weak: false };
+    let word = Word {
+        word: "K, R, t",
+        kind: Some(MatrixKind::View),
+        axes: Some(Axes::OPENCV),
+        order: Some(Order::Rows),
+        is_weak: false,
+    };
     Some(Pasted { word: (is_vision && matrix.is_none()).then_some(word), ..open })
 }
 

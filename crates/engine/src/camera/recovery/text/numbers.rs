@@ -122,8 +122,20 @@ impl Reader {
         self.line = 0;
     }
 
-    /// Takes a part between two separators.
+    /// Takes a part between two separators, which may be names and a number in one: `x=1`.
     fn part(&mut self, part: &str) -> Result<(), MatrixTextError> {
+        let mut rest = part;
+        loop {
+            let bare = rest.trim_end_matches([':', '=']);
+            let inner = bare.find([':', '=']).filter(|_| written(bare).is_none());
+            let Some(at) = inner else { return self.simple(rest) };
+            self.simple(&bare[..=at])?;
+            rest = rest[at..].trim_start_matches([':', '=']);
+        }
+    }
+
+    /// Takes a number, a word, or a word with the colon or equals sign that makes it a name.
+    fn simple(&mut self, part: &str) -> Result<(), MatrixTextError> {
         let bare = part.trim_end_matches([':', '=']);
         let names = bare.len() < part.len();
         if part == "*" {
@@ -137,9 +149,6 @@ impl Reader {
             if !names {
                 self.number(number);
             }
-        } else if let Some(at) = bare.find([':', '=']) {
-            self.part(&bare[..=at])?;
-            self.part(bare[at..].trim_start_matches([':', '=']))?;
         } else if !begins_number(bare)
             || !bare.contains(|c: char| c.is_ascii_digit())
             || bare.chars().any(char::is_alphabetic)
