@@ -601,6 +601,8 @@ mod tests {
         std::fs::create_dir_all(&folder).expect("a folder");
         let path = folder.join("copy.toml");
         for is_same in [false, true] {
+            // The title of the figure has been asked for.
+            state.file_flow.titled = Some(state.document.id());
             ask(&ctx, &mut state, Purpose::Save(None));
             assert!(state.file_flow.is_asking());
             if !is_same {
