@@ -119,7 +119,7 @@ impl Status {
                         ui.add(Label::new(RichText::new(texts.hidden).small()).selectable(false));
                     }
                     for &picture in &self.hidden {
-                        if ui.small_button(texts.view(picture)).clicked() {
+                        if ui.small_button(RichText::new(texts.view(picture)).small()).clicked() {
                             action = Some(StatusAction::ShowAgain(picture));
                         }
                     }
