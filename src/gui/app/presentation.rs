@@ -58,8 +58,8 @@ pub(in crate::gui) fn escape(ctx: &Context, state: &mut State) -> Option<Command
 /// Seconds after which a pointer that rests is as good as gone.
 const REST: f64 = 3.0;
 
-/// The pointer of a presentation: if it rests, nothing of it remains, no bar, no hint, no cross hairs. With a remote
-/// control nobody moves it away.
+/// The pointer of a presentation: if it rests, nothing of it remains, no bar, no hint, no cross hairs. If you
+/// use a remote control, you can't move it away.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::gui) struct RestingPointer {
     moved: f64,

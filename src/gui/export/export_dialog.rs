@@ -237,7 +237,7 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &mu
         }
         let [width, height] = of_family.unwrap_or([export.width, export.height]);
         ui.label(format!("{width} × {height}"));
-        // The faults of a family are said in place of the preview.
+        // The preview shows the faults of a family.
         let fault = if of_family.is_some() { None } else { too_large([width, height]) };
         fault.map(|fault| (t.export_pixels, fault)).into_iter().collect()
     }));

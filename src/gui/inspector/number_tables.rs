@@ -124,7 +124,7 @@ fn is_whole(value: f64) -> bool {
     value == value.trunc()
 }
 
-/// With so many decimals. A whole number has none, and one that would look like 0 has an exponent.
+/// A number with this number of decimals. A whole one has none. If it would look like 0, it has an exponent.
 fn fixed(value: f64, decimals: usize) -> String {
     if is_whole(value) {
         return format!("{:.0}", value + 0.0);
@@ -218,8 +218,8 @@ pub(in crate::gui) fn ndc_of(report: &Report) -> Ndc {
     Ndc::ALL.into_iter().find(|ndc| ndc.name() == report.ndc).unwrap_or_default()
 }
 
-/// The rows as aligned cells: in each column the decimal points stand below each other, with at least so many
-/// characters before and from them. Names come first, if there are any.
+/// The rows as aligned cells: in each column the decimal points stand below each other. `before` and `from` are the
+/// fewest characters before a point and from it on. Names come first, if there are any.
 fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String, [before, from]: [usize; 2]) -> Vec<Vec<String>> {
     let names = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     let columns = rows.iter().map(|(_, values)| values.len()).max().unwrap_or(0);

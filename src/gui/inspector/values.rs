@@ -111,7 +111,7 @@ fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&T
         let value = |table: &Table| table.rows.get(row).and_then(|(_, values)| values.get(column).copied());
         table.is_matrix() && other.is_some_and(|other| value(other) != value(table))
     };
-    // Few digits are rounded to fit, which is said; many can be scrolled.
+    // Few digits are rounded to fit, and the heading says so. Many can be scrolled.
     let room = ui.available_width() - 18.0;
     let mut fitting = digits;
     while (3..=MOST_TO_FIT).contains(&fitting) && width(ui, job(ui, &written(fitting), marked)) > room {

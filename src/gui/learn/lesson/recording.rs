@@ -81,8 +81,8 @@ fn added(state: &mut State, path: &Path, agreed: &Agreed) -> Result<Lesson, File
     Ok(lesson)
 }
 
-/// The figure with all that the window shows of it, and how it shows it. A view that nobody turned is fitted when the
-/// step is played.
+/// The figure as it is on the screen: explanations, views and panel. If you haven't turned a view, its viewpoint isn't
+/// stored, so that it's fitted when the step is played.
 pub(in crate::gui) fn as_shown(state: &mut State) -> Figure {
     let seen = state.as_seen();
     let panel = state.settings.panels().is_shown(Side::Explain).then(|| state.explain.shown());

@@ -131,7 +131,7 @@ impl NdcRange {
         [self.at_near, self.at_far].map(f64::from)
     }
 
-    /// The name of the library that has it, with what differs there.
+    /// The name of its library, and the differences there.
     #[must_use]
     pub fn name(self) -> String {
         let base = match ([self.at_near, self.at_far], self.y_down) {

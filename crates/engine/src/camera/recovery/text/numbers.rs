@@ -169,7 +169,7 @@ impl Reader {
     fn begin(&mut self) {
         self.end_line();
         let name = std::mem::take(&mut self.word);
-        // OpenCV's `data:` lies inside of what has a name.
+        // OpenCV's `data:` is inside an entry that has a name of its own.
         if name == "data" {
             let parent = self.segments.iter().rev().find(|s| !s.name.is_empty() && !is_shape(&s.name));
             let name = parent.map_or(name, |parent| parent.name.clone());
