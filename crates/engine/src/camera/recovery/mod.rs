@@ -82,6 +82,9 @@ pub fn recover(reading: &Reading, matrix: DMat4, current: &Parameters) -> Result
         MatrixKind::Intrinsics => recovery.intrinsics(matrix)?,
         MatrixKind::LookAt => recovery.look_at(matrix),
     }
+    // Nobody writes −0.
+    let Parameters { position, focal_point, view_up, .. } = &mut recovery.found;
+    [position, focal_point, view_up].into_iter().for_each(|v| *v += 0.0);
     Camera::new(&recovery.found)?;
     recovery.unknown.sort();
     recovery.unknown.dedup();
