@@ -11,6 +11,7 @@ mod sessions;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 /// What the victim is to do.
@@ -55,6 +56,15 @@ impl Drop for Folder {
     }
 }
 
+/// Held while a program starts, and while a test takes locks of files.
+///
+/// Between `fork` and `exec` a child shares the open files of this process, and so a lock that another test has just
+/// released stays taken for a moment.
+fn no_program_starts() -> MutexGuard<'static, ()> {
+    static STARTS: Mutex<()> = Mutex::new(());
+    STARTS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// A program that is killed when this goes.
 struct Victim(Child);
 
@@ -70,6 +80,7 @@ impl Victim {
         let mut command = Command::new(arguments.next().expect("a program"));
         command.args(arguments).args(["--exact", "victim", "--nocapture"]);
         command.env(WORK, work).env(FOLDER, folder).stdout(Stdio::null()).stderr(Stdio::null());
+        let _alone = no_program_starts();
         Self(command.spawn().expect("started"))
     }
 

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant, SystemTime};
 
 use camera_lab::files::{Overwrite, save};
 
-use crate::{Folder, Victim, moments, time_to_kill, wait_for};
+use crate::{Folder, Victim, moments, no_program_starts, time_to_kill, wait_for};
 
 /// Lines of a text: enough for several writes to the disk.
 const LINES: usize = 20_000;
@@ -93,6 +93,7 @@ fn a_file_with_two_names_is_whole_or_has_a_whole_copy_beside_it() {
 
 /// True where `strace` can kill another program at a system call.
 fn can_trace() -> bool {
+    let _alone = no_program_starts();
     let traced = Command::new("strace")
         .args(["-f", "-qq", "-e", "trace=none", "-e", "inject=execve:signal=SIGUSR1:when=99", "true"])
         .stdout(Stdio::null())

@@ -11,7 +11,7 @@ use camera_lab::gui::storage::session::{Kept, News, Sessions};
 use eframe::egui;
 
 use crate::disk::{fill, small_disk};
-use crate::{Folder, Victim, moments, time_to_kill, wait_for};
+use crate::{Folder, Victim, moments, no_program_starts, time_to_kill, wait_for};
 
 fn with_far(mut document: Document, far: f64) -> Document {
     document.set_parameters(Parameters { far, ..*document.draft() });
@@ -48,6 +48,7 @@ fn what_killed_windows_showed_comes_back_one_after_the_other() {
         wait_for(&folder.file("session-1.json"));
         std::thread::sleep(moment);
         drop((one, other));
+        let _alone = no_program_starts();
         let mut windows = Vec::new();
         for left in [1, 0] {
             let (mut sessions, restored) = Sessions::begin(&folder.0, true);
