@@ -2,10 +2,12 @@
 
 use std::borrow::Cow;
 
-use toml_edit::{Array, Document, DocumentMut, InlineTable, Item, Table, Value};
+use toml_edit::{Array, Document, DocumentMut, Item, Table};
 
+use super::items::{number_item, told_if_any, told_item};
 use super::lesson::Lesson;
 use super::read::parse;
+use super::task_text::TaskText;
 use crate::figure::{Bilingual, Difference, Figure, FigureError, difference};
 
 /// The keys of a step that are not part of its figure.
@@ -40,6 +42,8 @@ pub enum Words {
     OfLesson(LessonText, Bilingual),
     /// Of a step.
     OfStep(usize, StepText, Bilingual),
+    /// The task of a step.
+    Task(usize, Box<TaskText>),
 }
 
 /// The text of a lesson file with other words, and its lesson. Everything else stays as it is written.
@@ -55,6 +59,10 @@ pub fn reworded(text: &str, words: &[Words]) -> Result<(String, Lesson), FigureE
             Words::OfStep(step, which, told) => {
                 let part = step + 1;
                 (part, parts.get(part).and_then(|text| respoken(text, *which, told)))
+            }
+            Words::Task(step, task) => {
+                let part = step + 1;
+                (part, parts.get(part).and_then(|text| changed_step(text, |table| task.put(table))))
             }
         };
         if let Some(changed) = changed {
@@ -161,6 +169,12 @@ fn parts(text: &str) -> (&str, Vec<&str>) {
     (head, starts.iter().zip(ends).map(|(&start, end)| &text[start..end]).collect())
 }
 
+/// The part of a lesson file that holds a step, counted from 0.
+#[must_use]
+pub fn text_of_step(text: &str, step: usize) -> Option<&str> {
+    parts(text).1.get(step).copied()
+}
+
 /// The begin of the comments directly above the line at `start`.
 fn with_comments(text: &str, start: usize) -> usize {
     let mut begin = text[..start].rfind('\n').map_or(0, |end| end + 1);
@@ -235,36 +249,6 @@ fn put_or_remove(table: &mut Table, key: &str, item: Option<Item>) {
         Some(item) => put(table, key, item),
         None => drop(table.remove(key)),
     }
-}
-
-/// A number as it is typed, in the writing of either language; as a text where it is none, for the reader to judge.
-fn number_item(typed: &str) -> Option<Item> {
-    let typed = typed.trim();
-    let value = match (typed.parse::<i64>(), typed.replace(',', ".").parse::<f64>()) {
-        (Ok(whole), _) => whole.into(),
-        (_, Ok(number)) if number.is_finite() => number.into(),
-        _ => typed.into(),
-    };
-    (!typed.is_empty()).then_some(Item::Value(value))
-}
-
-/// As [`told_item`]; nothing for an empty text.
-fn told_if_any(text: &Bilingual) -> Option<Item> {
-    (!text.en.is_empty() || !text.pt_br.is_empty()).then(|| told_item(text))
-}
-
-/// A text in both languages; once where they are the same, or where it is written in one of them alone.
-pub(super) fn told_item(text: &Bilingual) -> Item {
-    if text.en == text.pt_br || text.pt_br.is_empty() {
-        return Item::Value(text.en.as_str().into());
-    }
-    if text.en.is_empty() {
-        return Item::Value(text.pt_br.as_str().into());
-    }
-    let mut table = InlineTable::new();
-    table.insert("en", text.en.as_str().into());
-    table.insert("pt-BR", text.pt_br.as_str().into());
-    Item::Value(Value::InlineTable(table))
 }
 
 #[cfg(test)]

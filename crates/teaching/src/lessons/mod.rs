@@ -3,6 +3,7 @@
 
 mod condition;
 mod edit;
+mod items;
 mod lesson;
 mod numbers_in_texts;
 mod passage;
@@ -10,9 +11,10 @@ mod place;
 mod read;
 mod record;
 mod shipped;
+mod task_text;
 
 pub use condition::{Condition, Goal, Range, Seen, Subject, objects_named};
-pub use edit::{Edit, LessonText, StepText, Words, edited, reworded};
+pub use edit::{Edit, LessonText, StepText, Words, edited, reworded, text_of_step};
 pub use lesson::{Lesson, Link, OpenLesson, Step, Task};
 pub use numbers_in_texts::{filled, numbers_of};
 pub use passage::Passage;
@@ -20,3 +22,4 @@ pub use place::{Part, place};
 pub use read::{parse, parse_bytes};
 pub use record::{Draft, with_step};
 pub use shipped::{ShippedLesson, shipped};
+pub use task_text::{ChoiceText, ConditionKind, ConditionText, TaskKind, TaskText};

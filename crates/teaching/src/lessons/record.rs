@@ -2,7 +2,8 @@
 
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table};
 
-use super::edit::{put_figure, told_item};
+use super::edit::put_figure;
+use super::items::told_item;
 use super::lesson::Lesson;
 use super::read::parse;
 use crate::figure::{Bilingual, Figure, FigureError, difference};

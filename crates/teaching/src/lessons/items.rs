@@ -1,0 +1,35 @@
+//! Values of keys as a lesson file has them, from texts as an author types them.
+
+use toml_edit::{InlineTable, Item, Value};
+
+use crate::figure::Bilingual;
+
+/// A number as it is typed, in the writing of either language; as a text where it is none, for the reader to judge.
+pub(super) fn number_item(typed: &str) -> Option<Item> {
+    let typed = typed.trim();
+    let value = match (typed.parse::<i64>(), typed.replace(',', ".").parse::<f64>()) {
+        (Ok(whole), _) => whole.into(),
+        (_, Ok(number)) if number.is_finite() => number.into(),
+        _ => typed.into(),
+    };
+    (!typed.is_empty()).then_some(Item::Value(value))
+}
+
+/// As [`told_item`]; nothing for an empty text.
+pub(super) fn told_if_any(text: &Bilingual) -> Option<Item> {
+    (!text.en.is_empty() || !text.pt_br.is_empty()).then(|| told_item(text))
+}
+
+/// A text in both languages; once where they are the same, or where it is written in one of them alone.
+pub(super) fn told_item(text: &Bilingual) -> Item {
+    if text.en == text.pt_br || text.pt_br.is_empty() {
+        return Item::Value(text.en.as_str().into());
+    }
+    if text.en.is_empty() {
+        return Item::Value(text.pt_br.as_str().into());
+    }
+    let mut table = InlineTable::new();
+    table.insert("en", text.en.as_str().into());
+    table.insert("pt-BR", text.pt_br.as_str().into());
+    Item::Value(Value::InlineTable(table))
+}
