@@ -4,11 +4,13 @@
 
 use std::path::{Path, PathBuf};
 
+use camera_lab::exercises::{Ask, judge_answer, read_answer};
 use camera_lab::files::read_lesson;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
+use camera_lab::i18n::learn::lesson_tasks as tasks;
 use camera_lab::i18n::learn::lessons as words;
-use camera_lab::lessons::{Lesson, OpenLesson, shipped};
+use camera_lab::lessons::{Lesson, OpenLesson, Task, shipped};
 use camera_lab::share::{self, Held};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
@@ -124,7 +126,7 @@ fn title_sentence_and_minutes_of_the_lesson_are_written_and_taken_back() {
     assert!(window.says("minutes") && window.says(t.not_written));
     window.key(Key::PageDown);
     let playing = window.state().lesson.as_ref().unwrap();
-    assert_eq!((playing.step, playing.writing.as_ref().unwrap().typed[5].en.as_str()), (1, "long"));
+    assert_eq!((playing.step, playing.writing.as_ref().unwrap().typed.words[5].en.as_str()), (1, "long"));
     assert_eq!(read_lesson(&path).unwrap().1, text);
     type_into(&mut window, t.lesson_minutes_field, "12");
     pause(&mut window);
@@ -134,7 +136,7 @@ fn title_sentence_and_minutes_of_the_lesson_are_written_and_taken_back() {
         window.click(t.change_back);
     }
     assert_eq!(read_lesson(&path).unwrap().1, shipped.text, "to the letter");
-    assert_eq!(window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed[3], shipped.lesson.title);
+    assert_eq!(window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed.words[3], shipped.lesson.title);
 }
 
 #[test]
@@ -340,5 +342,125 @@ fn text_of_a_window_that_was_killed_is_in_its_fields_again() {
 
 /// The text of the step, as it is typed.
 fn step_text(window: &Window) -> String {
-    window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed[1].en.clone()
+    window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed.words[1].en.clone()
+}
+
+/// A lesson of one step that asks nothing.
+fn bare(folder: &Folder) -> (Window, PathBuf) {
+    let path = folder.file("bare.toml");
+    std::fs::write(&path, "id = \"bare\"\ntitle = \"Bare\"\n\n[[step]]\ntitle = \"One\"\ntext = \"Look.\"\n").unwrap();
+    let mut window = playing(&path, 0);
+    write(&mut window);
+    window.click(tasks::texts(Lang::En).task);
+    (window, path)
+}
+
+fn task_in(path: &Path) -> Option<Task> {
+    read_lesson(path).unwrap().0.steps[0].task.clone()
+}
+
+/// Whether this answer to the question in the file is right, and the message about it.
+fn judged(path: &Path, answer: &str) -> (bool, Vec<String>) {
+    let Some(Task::Question(entry)) = task_in(path) else { panic!("no question") };
+    let exercise = entry.exercise(0, &Default::default());
+    let ask = &exercise.asks[0];
+    let judged = judge_answer(ask, read_answer(answer, ask, &[]).unwrap());
+    (judged.right, judged.diagnosis.iter().map(|found| format!("{found:?}")).collect())
+}
+
+#[test]
+fn a_question_with_choices_is_made_in_the_window() {
+    let folder = Folder::new("choices");
+    let (mut window, path) = bare(&folder);
+    let t = tasks::texts(Lang::En);
+    window.click(t.choices);
+    type_into(&mut window, t.question_field, "What is larger?");
+    for (place, choice) in ["only F", "only B", "only D"].into_iter().enumerate() {
+        type_into(&mut window, &format!("{} {}", t.choice_field, place + 1), choice);
+    }
+    window.click("B");
+    type_into(&mut window, &format!("{} 3", t.message_field), "D is no plane.");
+    // The preview asks as the class will be asked.
+    assert!(window.says("What is larger?"));
+    pause(&mut window);
+    assert!(judged(&path, "b").0 && !judged(&path, "a").0);
+    let (is_right, why) = judged(&path, "c");
+    assert!(!is_right && why.concat().contains("D is no plane."), "{why:?}");
+    // Another choice, taken away again, and then the whole question.
+    window.click(t.add_choice);
+    type_into(&mut window, &format!("{} 4", t.choice_field), "H");
+    pause(&mut window);
+    assert!(!judged(&path, "d").0);
+    window.click(words::texts(Lang::En).change_back);
+    assert!(read_answer("d", &asked(&path), &[]).is_err());
+    window.click(t.none);
+    pause(&mut window);
+    assert!(task_in(&path).is_none());
+}
+
+fn asked(path: &Path) -> Ask {
+    let Some(Task::Question(entry)) = task_in(path) else { panic!("no question") };
+    entry.exercise(0, &Default::default()).asks[0].clone()
+}
+
+#[test]
+fn numbers_goals_and_exercises_are_tasks_too() {
+    let folder = Folder::new("tasks");
+    let (mut window, path) = bare(&folder);
+    let t = tasks::texts(Lang::En);
+    window.click(t.number);
+    type_into(&mut window, t.question_field, "How much?");
+    type_into(&mut window, &format!("{} 1", t.answer_field), "2,5");
+    type_into(&mut window, &format!("{} 1", t.tolerance_field), "0.1");
+    window.click(t.add_wrong);
+    type_into(&mut window, &format!("{} 1", t.wrong_field), "5");
+    type_into(&mut window, &format!("{} 1", t.wrong_message), "That's twice as much.");
+    pause(&mut window);
+    assert!(judged(&path, "2.58").0 && !judged(&path, "2.65").0);
+    assert!(judged(&path, "5").1.concat().contains("twice"));
+    // A quantity is chosen from the menu.
+    window.click(&format!("{} ▾", t.quantity));
+    window.click(t.axes_group);
+    window.click("basis.n");
+    window.click("basis.n.1");
+    pause(&mut window);
+    let n = camera_lab::lessons::numbers_of(&read_lesson(&path).unwrap().0.steps[0].figure).unwrap().basis.n[1];
+    assert!(judged(&path, &n.to_string()).0);
+
+    window.click(t.goal);
+    type_into(&mut window, t.goal_field, "Turn the camera.");
+    type_into(&mut window, &format!("{} 1", t.of_quantity), "camera.view_angle");
+    type_into(&mut window, &format!("{} 1", t.at_least), "60");
+    pause(&mut window);
+    let Some(Task::Try(goal)) = task_in(&path) else { panic!("no goal") };
+    assert_eq!((goal.text.en.as_str(), goal.until.len()), ("Turn the camera.", 1));
+    // A mistake is named, and the file keeps the last good goal.
+    type_into(&mut window, &format!("{} 1", t.of_quantity), "camera.angle");
+    pause(&mut window);
+    assert!(window.says(words::texts(Lang::En).not_written));
+    assert!(matches!(task_in(&path), Some(Task::Try(kept)) if kept == goal));
+
+    window.click(t.exercise);
+    pause(&mut window);
+    assert!(matches!(task_in(&path), Some(Task::Exercise { seed: 0, .. })));
+}
+
+#[test]
+fn a_task_of_a_window_that_was_killed_is_in_its_fields_again() {
+    let folder = Folder::new("killed-task");
+    let (mut window, path) = bare(&folder);
+    window.app_mut().keep_session(&folder.file("sessions"), true);
+    let t = tasks::texts(Lang::En);
+    window.click(t.goal);
+    // Without a condition it can't be in the file.
+    type_into(&mut window, t.goal_field, "Only half of a goal");
+    pause(&mut window);
+    assert!(task_in(&path).is_none());
+    window.crash(&folder.file("sessions"), "Only half of a goal");
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.file("sessions"), true);
+    window.run();
+    let writing = window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap();
+    assert_eq!(writing.typed.task.text.en, "Only half of a goal");
+    assert!(writing.fault.is_some());
 }

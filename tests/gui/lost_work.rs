@@ -192,7 +192,7 @@ impl Work {
     }
 
     fn is_in_text(self, text: Option<&UnsavedText>) -> bool {
-        text.is_some_and(|text| text.typed[1].en.contains(TYPED))
+        text.is_some_and(|text| text.words[1].en.contains(TYPED))
     }
 
     fn is_text(self) -> bool {

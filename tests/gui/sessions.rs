@@ -35,7 +35,7 @@ pub(crate) fn written(folder: &Path) -> String {
 
 impl Window {
     /// The window ends as in a crash, once what was typed has been written down.
-    fn crash(mut self, folder: &Path, typed: &str) {
+    pub(super) fn crash(mut self, folder: &Path, typed: &str) {
         self.wait(|_| written(folder).contains(typed));
     }
 }

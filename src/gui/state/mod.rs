@@ -32,7 +32,6 @@ pub use crate::gui::learn::exercises::state::{
 };
 pub(in crate::gui) use crate::gui::learn::lesson::state::FADE;
 pub use crate::gui::learn::lesson::state::{Moving, Playing};
-pub(in crate::gui) use crate::gui::learn::lesson::writing::FIELDS_OF_STEP;
 pub use crate::gui::learn::lesson::writing::{StepChange, Writing};
 use crate::gui::model::asked_layout::AskedLayout;
 pub use crate::gui::model::layout::{Layout, ObserverChange, Panels, Side, Tab, WindowPlace};

@@ -85,6 +85,7 @@ texts! {
     step_title_field: "Title", "Título";
     step_text_field: "Text (Markdown, $formulas$, {numbers})", "Texto (Markdown, $fórmulas$, {números})";
     of_step: "This step", "Este passo";
+    of_step_hint: "Title, text and speaker’s notes of the step", "Título, texto e notas do apresentador do passo";
     of_lesson: "The whole lesson", "A lição inteira";
     of_lesson_hint: "Title, sentence to keep and minutes of the lesson, as lists and handouts show them", "Título, frase para guardar e minutos da lição, como listas e materiais os mostram";
     lesson_title_field: "Title of the lesson", "Título da lição";

@@ -6,4 +6,5 @@ pub mod exercise_sheet;
 pub(super) mod exercise_texts;
 pub mod exercise_window;
 pub mod exercises;
+pub mod lesson_tasks;
 pub mod lessons;

@@ -255,6 +255,14 @@ impl Exercises {
         self.just_opened = true;
     }
 
+    /// Works on a question that its author is writing: the keyboard stays in the author's field.
+    pub(in crate::gui) fn preview(&mut self, entry: Entry) {
+        self.work_on(Chosen { id: entry.id.clone().into_owned(), seed: 0 });
+        self.of_lesson = vec![entry];
+        (self.made, self.just_opened) = (None, false);
+        self.checked.clear();
+    }
+
     /// Shows the list, where the exercise that was worked on takes the keyboard.
     pub fn leave(&mut self) {
         self.wants_focus = self.open.take().map(|chosen| chosen.id);

@@ -3,10 +3,13 @@
 
 use eframe::egui::{Button, Id, RichText, Ui};
 
+use super::task_fields;
+use super::writing::{FIELDS_OF_STEP, Fields, Writing};
 use crate::gui::files::file_flow;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, FIELDS_OF_STEP, State, StepChange};
+use crate::gui::state::{AfterSave, State, StepChange};
+use crate::i18n::learn::lesson_tasks;
 use crate::i18n::learn::lessons::Texts;
 use crate::i18n::{Lang, messages};
 use crate::limits::{MAX_TITLE, MAX_TYPED};
@@ -48,39 +51,36 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
     }
 }
 
-/// The fields of the step, or of the whole lesson.
+/// The fields of the step, of its task, or of the whole lesson.
 pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
     let (lang, now) = (state.settings.lang, ui.input(|input| input.time));
-    let Some(writing) = state.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) else { return };
+    let Some(playing) = state.lesson.as_mut() else { return };
+    // The quantities of a task are those of its step, and not of what the author tries meanwhile.
+    let figure = playing.now().map(|step| step.figure.clone());
+    let Some(writing) = &mut playing.writing else { return };
     ui.horizontal_wrapped(|ui| {
         for (of, name) in [(Lang::En, "English"), (Lang::PtBr, "Português")] {
             ui.selectable_value(&mut writing.lang, of, name);
         }
         ui.separator();
-        ui.selectable_value(&mut writing.is_of_lesson, false, t.of_step);
-        ui.selectable_value(&mut writing.is_of_lesson, true, t.of_lesson).explained(t.of_lesson_hint);
+        let task = lesson_tasks::texts(lang);
+        for (fields, name, hint) in [
+            (Fields::Step, t.of_step, t.of_step_hint),
+            (Fields::Task, task.task, task.task_hint),
+            (Fields::Lesson, t.of_lesson, t.of_lesson_hint),
+        ] {
+            ui.selectable_value(&mut writing.shows, fields, name).explained(hint);
+        }
     });
-    let (of, mut is_typed, mut is_left) = (writing.lang, false, false);
-    let width = ui.available_width();
-    // As many rows in both: what is chosen does not move under the pointer.
-    let (first, names) = if writing.is_of_lesson {
-        (FIELDS_OF_STEP, [(t.lesson_title_field, 1), (t.lesson_sentence_field, 6), (t.lesson_minutes_field, 1)])
+    let before = writing.typed.clone();
+    let is_left = if writing.shows == Fields::Task {
+        let report = figure.as_ref().and_then(|figure| crate::lessons::numbers_of(figure).ok());
+        let subject = figure.as_deref().zip(report.as_ref());
+        task_fields::show(ui, &mut writing.typed.task, (lang, writing.lang), subject)
     } else {
-        (0, [(t.step_title_field, 1), (t.step_text_field, 5), (t.notes_command, 2)])
+        words(ui, t, writing)
     };
-    for ((k, told), (name, rows)) in writing.typed.iter_mut().enumerate().skip(first).zip(names) {
-        let text = match of {
-            Lang::PtBr if name != t.lesson_minutes_field => &mut told.pt_br,
-            Lang::En | Lang::PtBr => &mut told.en,
-        };
-        let label = ui.label(name);
-        let field = if rows == 1 { TextField::line(text, MAX_TITLE) } else { TextField::lines(text, MAX_TYPED) };
-        let id = Id::unique(("text of a step", k, of));
-        let response = field.with(|edit| edit.id(id).desired_width(width).desired_rows(rows)).show(ui, lang);
-        let response = response.labelled_by(label.id);
-        is_typed |= response.changed();
-        is_left |= response.lost_focus();
-    }
+    let is_typed = writing.typed != before;
     let waits = writing.is_ahead() && now - writing.typed_at > PAUSE && writing.fault.is_none();
     if let Some(fault) = &writing.fault {
         let text = format!("{}: {}", t.not_written, messages::without_line(lang, fault));
@@ -96,4 +96,28 @@ pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
     } else if waits || is_left && !has_fault {
         state.save_text();
     }
+}
+
+/// Texts of the step or of the lesson. Returns whether one of the fields has lost the focus.
+fn words(ui: &mut Ui, t: &Texts, writing: &mut Writing) -> bool {
+    let (of, width) = (writing.lang, ui.available_width());
+    // As many rows in both: what is chosen does not move under the pointer.
+    let (first, names) = if writing.shows == Fields::Lesson {
+        (FIELDS_OF_STEP, [(t.lesson_title_field, 1), (t.lesson_sentence_field, 6), (t.lesson_minutes_field, 1)])
+    } else {
+        (0, [(t.step_title_field, 1), (t.step_text_field, 5), (t.notes_command, 2)])
+    };
+    let mut is_left = false;
+    for ((k, told), (name, rows)) in writing.typed.words.iter_mut().enumerate().skip(first).zip(names) {
+        let text = match of {
+            Lang::PtBr if name != t.lesson_minutes_field => &mut told.pt_br,
+            Lang::En | Lang::PtBr => &mut told.en,
+        };
+        let label = ui.label(name);
+        let field = if rows == 1 { TextField::line(text, MAX_TITLE) } else { TextField::lines(text, MAX_TYPED) };
+        let id = Id::unique(("text of a step", k, of));
+        let response = field.with(|edit| edit.id(id).desired_width(width).desired_rows(rows)).show(ui, t.lang);
+        is_left |= response.labelled_by(label.id).lost_focus();
+    }
+    is_left
 }

@@ -2,10 +2,12 @@
 
 mod editor;
 mod list;
+mod quantity_menu;
 pub(in crate::gui) mod recording;
 mod speaker;
 pub(in crate::gui) mod state;
 mod task;
+mod task_fields;
 pub(in crate::gui) mod writing;
 
 use std::sync::Arc;
@@ -319,7 +321,9 @@ fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
         ui.vertical(|ui| {
             ui.set_width(half);
             match state.lesson.as_ref().and_then(|playing| Some((playing, playing.writing.as_ref()?))) {
-                Some((playing, writing)) if writing.is_of_lesson => whole(ui, writing.lang, &playing.lesson),
+                Some((playing, writing)) if writing.shows == writing::Fields::Lesson => {
+                    whole(ui, writing.lang, &playing.lesson)
+                }
                 _ => content(ui, t, state),
             }
         });

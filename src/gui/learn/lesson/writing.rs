@@ -10,7 +10,9 @@ use crate::files::{self, FileError};
 use crate::gui::state::{Agreed, Message, State};
 use crate::gui::storage::session::UnsavedText;
 use crate::i18n::Lang;
-use crate::lessons::{Edit, Lesson, LessonText, OpenLesson, StepText, Words, edited, reworded, with_step};
+use crate::lessons::{
+    Edit, Lesson, LessonText, OpenLesson, StepText, Task, TaskText, Words, edited, reworded, text_of_step, with_step,
+};
 use crate::numbers::significant;
 use crate::share;
 
@@ -24,25 +26,45 @@ pub struct Writing {
     text: String,
     /// The step whose texts these are, from 0.
     step: usize,
-    /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as they are typed; the
-    /// minutes in the first language alone.
-    pub typed: [Bilingual; FIELDS.len()],
+    /// The texts as they are typed.
+    pub typed: Typed,
     /// The same as they are in the file.
-    kept: [Bilingual; FIELDS.len()],
+    kept: Typed,
     /// The file with the typed texts, which is not yet written.
     ahead: Option<String>,
     /// Why it cannot be written.
     pub fault: Option<FigureError>,
     /// The language of the fields.
     pub lang: Lang,
-    /// The fields are those of the whole lesson.
-    pub is_of_lesson: bool,
+    /// The group of fields that is shown.
+    pub shows: Fields,
     /// The time of the last key, in seconds.
     pub typed_at: f64,
     /// The file before each change, and the step that was shown.
     earlier: Vec<(String, usize)>,
     /// Typed text that is not in the file, as a session stores it.
     unsaved: Option<Arc<UnsavedText>>,
+}
+
+/// A group of fields.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fields {
+    /// Title, text and notes of the step.
+    Step,
+    /// The question or goal of the step.
+    Task,
+    /// Title, sentence and minutes of the lesson.
+    Lesson,
+}
+
+/// The texts of a step and of its lesson as they are typed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Typed {
+    /// Title, text and notes of the step, then title, sentence and minutes of the lesson; the minutes in the first
+    /// language alone.
+    pub words: [Bilingual; FIELDS.len()],
+    /// The task of the step.
+    pub task: TaskText,
 }
 
 impl Writing {
@@ -55,7 +77,7 @@ impl Writing {
             ahead: None,
             fault: None,
             lang,
-            is_of_lesson: false,
+            shows: Fields::Step,
             typed_at: 0.0,
             earlier: Vec::new(),
             unsaved: None,
@@ -86,15 +108,19 @@ impl Writing {
             lesson.sentence.clone().unwrap_or_default(),
             Bilingual { en: minutes, ..Bilingual::default() },
         ];
-        (self.step, self.typed, self.kept) = (number, texts.clone(), texts);
+        let task = text_of_step(&self.text, number).map(TaskText::of_step).unwrap_or_default();
+        let typed = Typed { words: texts, task };
+        (self.step, self.typed, self.kept) = (number, typed.clone(), typed);
         (self.ahead, self.fault, self.unsaved) = (None, None, None);
     }
 
     /// The file with the texts as they are typed.
     fn tried(&self) -> Result<(String, Lesson), FigureError> {
-        let fields = FIELDS.into_iter().zip(self.typed.iter().zip(&self.kept));
+        let fields = FIELDS.into_iter().zip(self.typed.words.iter().zip(&self.kept.words));
         let changed = fields.filter(|(_, (typed, kept))| typed != kept);
-        let words: Vec<Words> = changed.map(|(words, (typed, _))| words(self.step, typed.clone())).collect();
+        let words = changed.map(|(words, (typed, _))| words(self.step, typed.clone()));
+        let task = (self.typed.task != self.kept.task).then(|| Box::new(self.typed.task.clone()));
+        let words: Vec<Words> = words.chain(task.map(|task| Words::Task(self.step, task))).collect();
         reworded(&self.text, &words)
     }
 }
@@ -204,7 +230,7 @@ impl State {
 
     /// Goes on with the text of a session, in the step in which it was typed. `shown`: the figure of the window.
     pub(in crate::gui) fn resume_text(&mut self, unsaved: UnsavedText, shown: Figure) {
-        let UnsavedText { path, step, text, typed } = unsaved;
+        let UnsavedText { path, step, text, words, task } = unsaved;
         // A session without a lesson was not restored.
         let Ok(lesson) = crate::lessons::parse(&text) else { return };
         let step = step.min(lesson.steps.len().saturating_sub(1));
@@ -215,7 +241,7 @@ impl State {
         }
         self.follow_writing();
         if let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
-            writing.typed = typed;
+            writing.typed = Typed { words, task };
         }
         self.lesson_file = Some(path);
         self.text_edited(0.0);
@@ -231,12 +257,16 @@ impl State {
         let (Some(path), Some(writing)) = (&playing.path, &mut playing.writing) else { return };
         writing.typed_at = now;
         writing.unsaved = writing.is_ahead().then(|| {
-            let (text, typed) = (writing.text.clone(), writing.typed.clone());
-            Arc::new(UnsavedText { path: path.clone(), step: writing.step, text, typed })
+            let (text, Typed { words, task }) = (writing.text.clone(), writing.typed.clone());
+            Arc::new(UnsavedText { path: path.clone(), step: writing.step, text, words, task })
         });
         match writing.tried() {
             Ok((text, lesson)) => {
                 (writing.ahead, writing.fault) = (Some(text), None);
+                if let Some(Task::Question(entry)) = lesson.steps.get(playing.step).and_then(|step| step.task.as_ref())
+                {
+                    self.exercises.preview((**entry).clone());
+                }
                 playing.lesson = Arc::new(lesson);
             }
             Err(fault) => (writing.ahead, writing.fault) = (None, Some(fault)),

@@ -8,6 +8,7 @@ use crate::figure::{Bilingual, Figure, read, update};
 use crate::files::{SourceFile, disk};
 use crate::gui::fresh;
 use crate::gui::model::document::Document;
+use crate::lessons::{TaskKind, TaskText, text_of_step};
 
 /// A path that comes back as it was: as a text where it is one.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -51,7 +52,9 @@ pub struct UnsavedText {
     /// The text of the file as the window read or wrote it last.
     pub text: String,
     /// Title, text and notes of the step, then title, sentence and minutes of the lesson, as they were typed.
-    pub typed: [Bilingual; 6],
+    pub words: [Bilingual; 6],
+    /// The task of the step, as it was typed.
+    pub task: TaskText,
 }
 
 /// The stored session. Unknown keys, from a later version, are ignored.
@@ -81,6 +84,9 @@ struct KeptText {
     text: String,
     /// Each in English and in Portuguese.
     typed: Vec<[String; 2]>,
+    /// The task as a lesson file has it; `None` from an earlier version, which couldn't change it.
+    #[serde(default)]
+    task: Option<String>,
 }
 
 /// The key of [`SessionFile::restoring`].
@@ -105,21 +111,24 @@ impl SessionFile {
 
     /// The same with the text of a lesson.
     pub(super) fn with_text(self, text: Option<&UnsavedText>) -> Self {
-        let lesson = text.map(|UnsavedText { path, step, text, typed }| KeptText {
+        let lesson = text.map(|UnsavedText { path, step, text, words, task }| KeptText {
             path: KeptPath::from(&**path),
             step: *step,
             text: text.clone(),
-            typed: typed.iter().map(|Bilingual { en, pt_br }| [en.clone(), pt_br.clone()]).collect(),
+            typed: words.iter().map(|Bilingual { en, pt_br }| [en.clone(), pt_br.clone()]).collect(),
+            task: (task.kind != TaskKind::InFile).then(|| task.to_toml()),
         });
         Self { lesson, ..self }
     }
 
     /// The text of a lesson; `None` if it lacks something that an [`UnsavedText`] has.
     fn text(&self) -> Option<UnsavedText> {
-        let KeptText { path, step, text, typed } = self.lesson.as_ref()?;
-        let typed: Vec<Bilingual> =
+        let KeptText { path, step, text, typed, task } = self.lesson.as_ref()?;
+        let words: Vec<Bilingual> =
             typed.iter().map(|[en, pt_br]| Bilingual { en: en.clone(), pt_br: pt_br.clone() }).collect();
-        Some(UnsavedText { path: path.whole()?, step: *step, text: text.clone(), typed: typed.try_into().ok()? })
+        let task = task.as_deref().or_else(|| text_of_step(text, *step)).map(TaskText::of_step).unwrap_or_default();
+        let (path, text, words) = (path.whole()?, text.clone(), words.try_into().ok()?);
+        Some(UnsavedText { path, step: *step, text, words, task })
     }
 
     /// Reads these bytes; `None` where they are unreadable.

@@ -1,0 +1,54 @@
+//! The words around the fields in which the task of a step is written.
+
+texts! {
+    task: "Question or goal", "Pergunta ou meta";
+    task_hint: "What students answer or reach before they go on", "O que os alunos respondem ou alcançam antes de avançar";
+    none: "none", "nenhuma";
+    none_hint: "The step only shows its figure", "O passo só mostra sua figura";
+    choices: "choices", "alternativas";
+    choices_hint: "A question with one right choice", "Uma pergunta com uma alternativa certa";
+    number: "number", "número";
+    number_hint: "A question whose answer is a number, or a quantity of the figure", "Uma pergunta cuja resposta é um número ou uma grandeza da figura";
+    goal: "goal", "meta";
+    goal_hint: "Something to reach with the controls: the step notices when it's done", "Algo a alcançar com os controles: o passo percebe quando está feito";
+    exercise: "exercise", "exercício";
+    exercise_hint: "An exercise of the program", "Um exercício do programa";
+    in_file: "This task has keys without a field here. It stays as it is in the file until you choose another kind.", "Esta tarefa tem chaves sem campo aqui. Ela fica como está no arquivo até você escolher outro tipo.";
+    question_field: "Question (Markdown, $formulas$, {numbers})", "Pergunta (Markdown, $fórmulas$, {números})";
+    goal_field: "Goal (Markdown, $formulas$, {numbers})", "Meta (Markdown, $fórmulas$, {números})";
+    right_hint: "This choice is right", "Esta alternativa é a certa";
+    choice_field: "Choice", "Alternativa";
+    message_field: "Sentence for those who choose it", "Frase para quem a escolher";
+    is_right: "✓ right", "✓ certa";
+    add_choice: "Add a choice", "Adicionar alternativa";
+    remove_choice: "Remove this choice", "Remover esta alternativa";
+    answer_field: "Right answer", "Resposta certa";
+    answer_hint: "A number such as 2.5 or sqrt(2), numbers such as [1, 2, 3], or a quantity of the figure such as points.0.ndc", "Um número como 2,5 ou sqrt(2), números como [1, 2, 3], ou uma grandeza da figura como points.0.ndc";
+    quantity: "Quantity", "Grandeza";
+    quantity_hint: "Numbers of this step's figure: the answer follows the figure", "Números da figura deste passo: a resposta acompanha a figura";
+    all_entries: "all of it", "ela toda";
+    tolerance_field: "± at most", "± no máximo";
+    tolerance_hint: "The greatest error that counts as right; empty: the precision of the answer's last digit", "O maior erro que ainda conta como certo; vazio: a precisão do último dígito da resposta";
+    wrong_field: "Wrong number", "Número errado";
+    wrong_message: "Sentence for those who give it", "Frase para quem o der";
+    add_wrong: "Add a wrong number", "Adicionar número errado";
+    remove_wrong: "Remove this wrong number", "Remover este número errado";
+    condition: "Condition", "Condição";
+    at_least: "at least", "no mínimo";
+    at_most: "at most", "no máximo";
+    seen: "is visible", "está visível";
+    hidden: "isn’t visible", "não está visível";
+    object_field: "Object", "Objeto";
+    of_quantity: "quantity", "grandeza";
+    add_condition: "Add a condition", "Adicionar condição";
+    remove_condition: "Remove this condition", "Remover esta condição";
+    way_field: "A way there, for “Show how”", "Um caminho até lá, para “Mostrar como”";
+    way_hint: "Operations and keys separated by semicolons, such as azimuth=30; camera.near=2", "Operações e chaves separadas por ponto e vírgula, como azimuth=30; camera.near=2";
+    way_example: "azimuth=30; camera.near=2", "azimuth=30; camera.near=2";
+    seed_field: "Numbers no.", "Números nº";
+    seed_hint: "The same number gives the same exercise; another one gives other numbers", "O mesmo número dá o mesmo exercício; outro dá outros números";
+    camera_group: "Camera", "Câmera";
+    window_group: "Window", "Janela";
+    axes_group: "Axes", "Eixos";
+    matrices_group: "Matrices", "Matrizes";
+}
