@@ -69,8 +69,8 @@ fn a_report_has_every_key_of_the_contract() {
     let bench = Bench::new("keys");
     let report = inspect(&bench, "", &["--point", "-1,-2e0,.5", "--pixel", "3,4"]).json();
     let keys: Vec<&str> = report.as_object().unwrap().keys().map(String::as_str).collect();
-    let expected = "camera dop distance basis window ndc view_matrix projection_matrix view_projection_matrix \
-                    inverse_view_matrix inverse_projection_matrix volume_corners planes points rays warnings";
+    let expected = "camera dop distance basis window lens ndc view_matrix projection_matrix \
+                    view_projection_matrix inverse_view_matrix inverse_projection_matrix volume_corners planes points rays warnings";
     assert_eq!(keys, expected.split_whitespace().collect::<Vec<_>>());
     let point: Vec<&str> = report["points"][0].as_object().unwrap().keys().map(String::as_str).collect();
     assert_eq!(point, ["world", "view", "clip", "ndc", "window", "pixel", "viewport", "inside"]);

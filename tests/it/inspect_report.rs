@@ -8,12 +8,13 @@ use camera_lab::inspect::{InspectError, Report};
 use glam::DVec3;
 use serde_json::Value;
 
-const KEYS: [&str; 16] = [
+const KEYS: [&str; 17] = [
     "camera",
     "dop",
     "distance",
     "basis",
     "window",
+    "lens",
     "ndc",
     "view_matrix",
     "projection_matrix",

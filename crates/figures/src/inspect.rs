@@ -7,8 +7,8 @@ use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use crate::camera::{
-    Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, NotProjectable, Operation, Parameters,
-    Projection, Stations, ViewWindow, Viewport, Warning,
+    Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, LensNumbers, NotProjectable, Operation,
+    Parameters, Projection, Stations, ViewWindow, Viewport, Warning,
 };
 use crate::figure::Figure;
 use crate::geometry::Plane;
@@ -29,6 +29,8 @@ pub struct Report {
     pub basis: BasisReport,
     /// The view window on the plane z_c = −F.
     pub window: WindowReport,
+    /// The lens in other words than θ; `None` in parallel projection, whose projectors span no angle.
+    pub lens: Option<LensReport>,
     /// The convention of NDC: [`Ndc::name`](crate::camera::Ndc::name). The derived M_p, clip coordinates and NDC are
     /// in it.
     pub ndc: &'static str,
@@ -121,6 +123,23 @@ pub struct WindowReport {
     pub height: f64,
     /// A
     pub aspect: f64,
+}
+
+/// The lens in other words than θ.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct LensReport {
+    /// The angle that the window spans from left to right, degrees.
+    pub horizontal_angle: f64,
+    /// The angle from corner to corner, degrees.
+    pub diagonal_angle: f64,
+    /// `f_x` and `f_y`, in pixels of the image.
+    pub focal_length_pixels: [f64; 2],
+}
+
+impl From<LensNumbers> for LensReport {
+    fn from(LensNumbers { horizontal_angle, diagonal_angle, focal_length_pixels }: LensNumbers) -> Self {
+        Self { horizontal_angle, diagonal_angle, focal_length_pixels }
+    }
 }
 
 /// The planes of the view volume in the world: \[a, b, c, d\] with a x + b y + c z + d ≥ 0 inside, and (a, b, c) of
@@ -321,6 +340,7 @@ impl Report {
                 height: camera.window_height(),
                 aspect: camera.window_aspect(),
             },
+            lens: camera.lens_numbers(image).map(LensReport::from),
             ndc: clip_space.ndc().name(),
             view_matrix: rows(camera.view_from_world()),
             projection_matrix: rows(clip_space.clip_from_view()),

@@ -33,6 +33,7 @@ pub fn without_line(lang: Lang, error: &FigureError) -> String {
         | Problem::Syntax { .. }
         | Problem::Unquoted { .. }
         | Problem::Duplicate
+        | Problem::Rival { .. }
         | Problem::TooMany { .. }
         | Problem::UnknownKey { .. }
         | Problem::Value { .. }
@@ -62,6 +63,11 @@ pub(in crate::i18n) fn problem(lang: Lang, problem: &Problem) -> String {
             "is {text}; allowed: a number, or an expression in quotes, \"{text}\"",
             "é {text}; permitido: um número, ou uma expressão entre aspas, \"{text}\""),
         Problem::Duplicate => both!(lang; "appears twice; allowed: once", "aparece duas vezes; permitido: uma"),
+        Problem::Rival { other, ways } => {
+            let ways = ways.join(", ");
+            both!(lang; "and {other} stand side by side, and each gives θ; allowed: one of {ways}",
+                "e {other} aparecem juntas, e cada uma dá θ; permitido: uma de {ways}")
+        }
         Problem::TooMany { count, limit } => both!(lang; "are {count}; allowed: at most {limit}",
             "são {count}; permitido: no máximo {limit}"),
         Problem::UnknownKey { near, known } => {
@@ -139,6 +145,10 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         Allowed::PositiveNumber => both!(lang; "a finite number greater than 0", "um número finito maior que 0"),
         Allowed::NumberIn(least, most) => both!(lang; "a number from {least} to {most}",
             "um número de {least} a {most}"),
+        Allowed::HalfTurn => both!(lang; "degrees greater than 0 and less than 180",
+            "graus maiores que 0 e menores que 180"),
+        Allowed::PositivePair => both!(lang; "two finite numbers greater than 0, [36.0, 24.0]",
+            "dois números finitos maiores que 0, [36.0, 24.0]"),
         Allowed::IntegerIn(least, most) => both!(lang; "an integer from {least} to {most}",
             "um inteiro de {least} a {most}"),
         Allowed::Integers(choice) => {

@@ -20,6 +20,7 @@
 mod basis;
 mod check;
 mod image_map;
+mod lens_form;
 mod matrix;
 mod operation;
 mod parameters;
@@ -34,6 +35,7 @@ mod window;
 pub use basis::Basis;
 pub use check::{CameraRepair, Warning, camera_repairs, thresholds};
 pub use image_map::{ImageSize, Viewport};
+pub use lens_form::{LensForm, LensNumbers, Sensor, SensorFit};
 pub use matrix::{Api, ClipSpace, Decomposition, Factor, InfiniteParallel, Ndc, Step};
 pub use operation::{
     Amount, CameraPath, Changes, Convention, Descriptor, Freedom, OPERATIONS, Operation, OperationError,

@@ -50,6 +50,14 @@ pub enum Problem {
     /// A key or section that is there twice.
     #[error("there twice")]
     Duplicate,
+    /// A key beside another that gives the same value.
+    #[error("stands beside {other}; allowed: one of {}", ways.join(", "))]
+    Rival {
+        /// The other key.
+        other: &'static str,
+        /// All keys of which a section may have one.
+        ways: &'static [&'static str],
+    },
     /// More of them than there may be.
     #[error("are {count}; allowed: at most {limit}")]
     TooMany {
@@ -115,6 +123,10 @@ pub enum Allowed {
     PositiveNumber,
     /// A number between two, both included.
     NumberIn(f64, f64),
+    /// Degrees between 0 and 180, both excluded.
+    HalfTurn,
+    /// Two finite numbers greater than 0.
+    PositivePair,
     /// An integer between two, both included.
     IntegerIn(i64, i64),
     /// One of some integers.

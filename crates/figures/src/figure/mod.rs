@@ -22,7 +22,7 @@ mod world_look;
 pub mod write;
 
 use crate::appearance::Style;
-use crate::camera::{ImageSize, Parameters, Viewport};
+use crate::camera::{ImageSize, LensForm, Parameters, Viewport};
 use crate::scene::{Preset, SceneSpec};
 pub use bilingual::Bilingual;
 pub use comparison::Comparison;
@@ -53,6 +53,9 @@ pub struct Figure {
     pub caption: Option<Bilingual>,
     /// `[camera]`
     pub camera: Parameters,
+    /// `[camera] horizontal_angle` or `lens`: the form in which the file gives θ. It is written as long as it gives the
+    /// angle of `camera`; see [`Figure::lens_in_force`].
+    pub lens: Option<LensForm>,
     /// `[image]`
     pub image: ImageSize,
     /// `[image] undistorted`: the image is shown with the aspect of the view window, as the eye would see it, and not
@@ -91,6 +94,12 @@ impl Figure {
         Self { camera: recommended_camera(preset), scene, ..Self::default() }
     }
 
+    /// The form in which θ was given, unless the angle has changed since, or the aspect from which it followed.
+    #[must_use]
+    pub fn lens_in_force(&self) -> Option<LensForm> {
+        self.lens.filter(|lens| lens.view_angle(self.camera.aspect) == self.camera.view_angle)
+    }
+
     /// All but the scene, which can be large, and but the observers and what is shown, which are no edits.
     #[must_use]
     pub fn without_scene(&self) -> Self {
@@ -98,6 +107,7 @@ impl Figure {
             title,
             caption,
             camera,
+            lens,
             image,
             undistorted,
             viewport,
@@ -116,6 +126,7 @@ impl Figure {
             title: title.clone(),
             caption: caption.clone(),
             camera: *camera,
+            lens: *lens,
             image: *image,
             undistorted: *undistorted,
             viewport: *viewport,

@@ -5,7 +5,7 @@ use super::{
     StagePicture, TriangleStep, View, WindowSide,
 };
 use crate::appearance::{DepthFormat, HiddenLines, Shading, TextureReveal, Theme, Visibility};
-use crate::camera::{Decomposition, Ndc, Projection};
+use crate::camera::{Decomposition, Ndc, Projection, SensorFit};
 use crate::scene::{LightKind, Preset, Shape};
 use crate::stage::Stage;
 
@@ -15,6 +15,10 @@ pub type Words<T> = &'static [(&'static str, T)];
 /// `projection`
 pub const PROJECTIONS: Words<Projection> =
     &[("perspective", Projection::Perspective), ("parallel", Projection::Parallel)];
+
+/// `[camera] lens.fit`
+pub const SENSOR_FITS: Words<SensorFit> =
+    &[("horizontal", SensorFit::Horizontal), ("vertical", SensorFit::Vertical), ("larger", SensorFit::Larger)];
 
 /// `[scene] preset`
 pub const PRESETS: Words<Preset> = Preset::NAMED;

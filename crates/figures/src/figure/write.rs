@@ -8,15 +8,15 @@ use glam::{DVec2, DVec3};
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
 use super::words::{
-    self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PROJECTIONS, SCREEN_MATRICES, SHADINGS,
-    SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
+    self, ARRANGEMENTS, DEPTH_FORMATS, DEPTHS, HIDDEN_LINES, OUTSIDES, PANELS, PROJECTIONS, SCREEN_MATRICES,
+    SENSOR_FITS, SHADINGS, SHADOW_REVEALS, TEXTURE_REVEALS, THEMES, VISIBILITIES,
 };
 use super::{
     Bilingual, Depth, Figure, Labels, NamedPoint, Observer, Outside, Reveal, Screen, ScreenEntry, Show, View,
     WorldLook, WorldPart,
 };
 use crate::appearance::{DepthFormat, Style};
-use crate::camera::{Parameters, Projection, Viewport};
+use crate::camera::{LensForm, Parameters, Projection, Sensor, Viewport};
 use crate::numbers;
 use crate::scene::{Light, ObjectSpec, SceneSpec, Shadows, Shape, ShapeData};
 
@@ -38,7 +38,7 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
         }
     }
     let mut put = |key: &str, section: Table| document.insert(key, Item::Table(section));
-    put("camera", camera(&figure.camera));
+    put("camera", camera(&figure.camera, figure.lens_in_force()));
     let size = figure.image;
     let mut image = table([("width", i64::from(size.width).into()), ("height", i64::from(size.height).into())]);
     if figure.undistorted {
@@ -87,13 +87,18 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     document
 }
 
-fn camera(p: &Parameters) -> Table {
+fn camera(p: &Parameters, form: Option<LensForm>) -> Table {
+    let (lens_key, lens) = match form {
+        Some(LensForm::HorizontalAngle(degrees)) => ("horizontal_angle", number(degrees)),
+        Some(LensForm::FocalLength { focal_length, sensor }) => ("lens", lens(focal_length, sensor)),
+        Some(LensForm::DiagonalAngle(_)) | None => ("view_angle", number(p.view_angle)),
+    };
     let mut section = table([
         ("position", vector(p.position)),
         ("focal_point", vector(p.focal_point)),
         ("view_up", vector(p.view_up)),
         ("projection", words::name(PROJECTIONS, p.projection).into()),
-        ("view_angle", number(p.view_angle)),
+        (lens_key, lens),
         ("height", number(p.height)),
         ("aspect", number(p.aspect)),
         ("near", number(p.near)),
@@ -105,6 +110,13 @@ fn camera(p: &Parameters) -> Table {
         section.insert("window", Item::Value(sides.into()));
     }
     section
+}
+
+fn lens(focal_length: f64, Sensor { width, height, fit }: Sensor) -> Value {
+    let sensor: Array = [width, height].into_iter().map(number).collect();
+    let fit = Value::from(words::name(SENSOR_FITS, fit));
+    let keys = [("focal_length", number(focal_length)), ("sensor", sensor.into()), ("fit", fit)];
+    keys.into_iter().collect::<InlineTable>().into()
 }
 
 fn viewport(v: Viewport) -> Table {

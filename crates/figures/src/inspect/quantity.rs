@@ -21,6 +21,8 @@ pub enum Quantity {
     Axis(BasisAxis),
     /// A number of the view window.
     Window(WindowNumber),
+    /// A number of the lens, in perspective.
+    Lens(LensNumber),
     /// A matrix, or an inverse.
     Matrix(ReportMatrix),
     /// A corner of the view volume: near (l,b) (r,b) (r,t) (l,t), then far in the same order.
@@ -117,6 +119,18 @@ named! {
         Height = "height",
         /// W / H
         Aspect = "aspect",
+    }
+}
+
+named! {
+    /// A number of the lens.
+    LensNumber {
+        /// From left to right.
+        HorizontalAngle = "horizontal_angle",
+        /// From corner to corner.
+        DiagonalAngle = "diagonal_angle",
+        /// `f_x` and `f_y`.
+        FocalLengthPixels = "focal_length_pixels",
     }
 }
 
@@ -223,6 +237,14 @@ impl Quantity {
                 WindowNumber::Height => report.window.height,
                 WindowNumber::Aspect => report.window.aspect,
             }]),
+            Self::Lens(number) => {
+                let lens = report.lens?;
+                match number {
+                    LensNumber::HorizontalAngle => column([lens.horizontal_angle]),
+                    LensNumber::DiagonalAngle => column([lens.diagonal_angle]),
+                    LensNumber::FocalLengthPixels => column(lens.focal_length_pixels),
+                }
+            }
             Self::Matrix(matrix) => {
                 let rows = match matrix {
                     ReportMatrix::View => &report.view_matrix,
@@ -253,6 +275,7 @@ impl Quantity {
             ["distance", rest @ ..] => (Self::Distance, rest),
             ["basis", axis, rest @ ..] => (Self::Axis(BasisAxis::of_name(axis)?), rest),
             ["window", number, rest @ ..] => (Self::Window(WindowNumber::of_name(number)?), rest),
+            ["lens", number, rest @ ..] => (Self::Lens(LensNumber::of_name(number)?), rest),
             ["volume_corners", k, rest @ ..] => (Self::Corner(index(k)?), rest),
             ["planes", plane, rest @ ..] => (Self::Plane(VolumePlane::of_name(plane)?), rest),
             ["points", k, number, rest @ ..] => (Self::Point(index(k)?, PointNumber::of_name(number)?), rest),
@@ -298,6 +321,7 @@ impl fmt::Display for Quantity {
             Self::Distance => f.write_str("distance"),
             Self::Axis(axis) => write!(f, "basis.{}", axis.name()),
             Self::Window(number) => write!(f, "window.{}", number.name()),
+            Self::Lens(number) => write!(f, "lens.{}", number.name()),
             Self::Matrix(matrix) => f.write_str(matrix.name()),
             Self::Corner(index) => write!(f, "volume_corners.{index}"),
             Self::Plane(plane) => write!(f, "planes.{}", plane.name()),

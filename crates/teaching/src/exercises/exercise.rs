@@ -314,6 +314,7 @@ impl Ask {
                 | ParameterKey::Window,
             )
             | Quantity::Direction
+            | Quantity::Lens(_)
             | Quantity::Plane(_)
             | Quantity::Axis(_)
             | Quantity::Window(_)

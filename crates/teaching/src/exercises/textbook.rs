@@ -81,6 +81,7 @@ impl<'a> Textbook<'a> {
             Quantity::Camera(ParameterKey::Height) => self.window.height().into(),
             Quantity::Camera(ParameterKey::Aspect | ParameterKey::Near | ParameterKey::Far | ParameterKey::Window)
             | Quantity::CameraSide(_)
+            | Quantity::Lens(_)
             | Quantity::Plane(_) => return None,
             Quantity::Corner(k) => self.corner(k)?.into(),
             Quantity::Point(k, number) => self.point(*self.subject.points.get(k)?, number)?,

@@ -158,7 +158,7 @@ pub(super) fn worked(subject: &Subject, path: impl Into<QuantityPath>) -> Vec<Wo
             steps.extend(sides());
             steps.push(corner(&after, &setting, k));
         }
-        Quantity::Camera(_) | Quantity::CameraSide(_) | Quantity::Plane(_) => {}
+        Quantity::Camera(_) | Quantity::CameraSide(_) | Quantity::Lens(_) | Quantity::Plane(_) => {}
     }
     if done > 0 && steps.len() > done {
         // The next steps write C for C', and so on.

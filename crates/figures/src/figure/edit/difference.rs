@@ -4,6 +4,7 @@ use toml_edit::{DocumentMut, Item, Table, TableLike};
 
 use super::same;
 use crate::figure::Figure;
+use crate::figure::read::is_way_of_the_angle;
 use crate::figure::write::document;
 
 /// The keys in which a figure differs from another.
@@ -28,7 +29,9 @@ pub fn difference(before: Option<&Figure>, now: &Figure) -> Difference {
         match (item.as_table_like(), was.and_then(Item::as_table_like)) {
             (Some(now), Some(was)) => {
                 put(&mut difference.changed, section, changed(now, was));
-                let gone = was.iter().map(|(key, _)| key).filter(|key| !now.contains_key(key));
+                // Another way to give θ takes the place of the one before.
+                let replaced = |key: &&str| section == "camera" && is_way_of_the_angle(key);
+                let gone = was.iter().map(|(key, _)| key).filter(|key| !now.contains_key(key) && !replaced(key));
                 difference.without.extend(gone.map(|key| format!("{section}.{key}")));
             }
             _ if was.is_some_and(|was| same(was, item)) => {}

@@ -164,6 +164,7 @@ fn figure() -> impl Strategy<Value = Figure> {
         )| Figure {
             title: told(&texts[0], &texts[0]),
             caption: told(&texts[1], &texts[2]),
+            lens: None,
             camera,
             image: ImageSize { width, height: 16_385 - width },
             undistorted,

@@ -40,7 +40,9 @@ pub fn has(figure: &Figure, key: &str, value: &str) -> bool {
 pub fn number_at(figure: &Figure, key: &str) -> Option<f64> {
     let document = document(&without_other_scene(figure, key));
     let at_end = || (key == "show.step.at" && figure.show.step.is_some()).then_some(f64::INFINITY);
-    let Some(value) = value_of(&document, key) else { return at_end() };
+    // A lens may stand for it in the file.
+    let angle = || (key == "camera.view_angle").then_some(figure.camera.view_angle);
+    let Some(value) = value_of(&document, key) else { return angle().or_else(at_end) };
     #[expect(clippy::cast_precision_loss, reason = "numbers of pixels, and of steps")]
     value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
 }
@@ -66,7 +68,14 @@ pub(in crate::figure) fn varied_whole<'a>(
     let mut document = document(figure);
     for (key, value) in keys {
         let path: Vec<&str> = key.split('.').map(str::trim).collect();
-        set(&mut document, &path, parsed(key, value)?);
+        let value = parsed(key, value)?;
+        if let ["camera", way, ..] = path[..]
+            && value.is_some()
+            && let Some(camera) = document.get_mut("camera").and_then(Item::as_table_like_mut)
+        {
+            read::remove_rivals(camera, way);
+        }
+        set(&mut document, &path, value);
     }
     read::parse(&document.to_string())
 }

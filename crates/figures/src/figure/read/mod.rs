@@ -2,6 +2,7 @@
 
 mod comparison;
 mod labels;
+mod lens;
 mod points;
 mod scene;
 mod screen;
@@ -22,10 +23,12 @@ use super::words::{
 };
 use super::{AXES_LENGTHS, Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook, WorldPart, WorldParts};
 use crate::appearance::Style;
-use crate::camera::{Camera, CameraError, ImageSize, Parameters, Projection, ViewWindow, Viewport};
+use crate::camera::{Camera, CameraError, ImageSize, LensForm, Parameters, Projection, ViewWindow, Viewport};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
 use crate::sanitize;
 pub use comparison::typed_comparison;
+use lens::WAYS_OF_THE_ANGLE;
+pub(super) use lens::{is_way_of_the_angle, remove_rivals};
 pub use scene::line_of_object;
 pub use section::{Fault, Section};
 pub use stacked::Stacked;
@@ -144,10 +147,12 @@ pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         ["show", "screen", "compare", "labels"].map(|key| root.section(key, &inside(&root, key)));
     faults.extend(root.finish());
     let (image, undistorted) = image(image_section, faults);
+    let (camera, lens) = camera(camera_section, faults);
     Figure {
         title,
         caption,
-        camera: camera(camera_section, faults),
+        camera,
+        lens,
         image,
         undistorted,
         viewport: viewport(viewport_section, image, faults),
@@ -164,9 +169,9 @@ pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
     }
 }
 
-fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Parameters {
+fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (Parameters, Option<LensForm>) {
     let default = Parameters::default();
-    let parameters = Parameters {
+    let mut parameters = Parameters {
         position: section.vector("position", default.position),
         focal_point: section.vector("focal_point", default.focal_point),
         view_up: section.vector("view_up", default.view_up),
@@ -178,15 +183,22 @@ fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Parameters {
         far: section.number_or_infinity("far", default.far),
         window: window(&mut section, faults),
     };
+    let lens = lens::lens(&mut section, faults).filter(|_| section.faults.is_empty());
+    if let Some(lens) = lens {
+        parameters.view_angle = lens.view_angle(parameters.aspect);
+    }
     if section.faults.is_empty()
         && let Err(error) = Camera::new(&parameters)
     {
         let concerned = error.parameters().iter().map(|key| key.name());
-        let key = concerned.clone().find(|key| section.is_present(key)).or_else(|| concerned.clone().next());
+        let given = WAYS_OF_THE_ANGLE.into_iter().find(|way| section.is_present(way));
+        let written = |key| if is_way_of_the_angle(key) { given.unwrap_or(key) } else { key };
+        let keys: Vec<&str> = concerned.map(written).collect();
+        let key = keys.iter().find(|key| section.is_present(key)).or(keys.first()).copied();
         section.fault(key.unwrap_or_default(), Problem::Camera(error));
     }
     faults.extend(section.finish());
-    parameters
+    (parameters, lens)
 }
 
 fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindow> {

@@ -207,6 +207,26 @@ impl<'a> Section<'a> {
         })
     }
 
+    /// Degrees between 0 and 180, both excluded; `None` where the key is missing, or wrong.
+    pub fn angle_of_half_turn(&mut self, key: &'static str) -> Option<f64> {
+        self.read_numbers(key, None, Allowed::HalfTurn, |value| {
+            let degrees = number(value, Dimension::Angle)?;
+            if degrees > 0.0 && degrees < 180.0 { Ok(Some(degrees)) } else { Err(Refused::Value) }
+        })
+    }
+
+    /// Two numbers greater than 0.
+    pub fn positive_pair(&mut self, key: &'static str, default: [f64; 2]) -> [f64; 2] {
+        self.read_numbers(key, default, Allowed::PositivePair, |value| {
+            let list = value.as_array().filter(|list| list.len() == 2).ok_or(Refused::Value)?;
+            let mut numbers = [0.0; 2];
+            for (place, value) in numbers.iter_mut().zip(list) {
+                *place = number(value, Dimension::Number).and_then(|x| (x > 0.0).then_some(x).ok_or(Refused::Value))?;
+            }
+            Ok(numbers)
+        })
+    }
+
     /// An integer from `least` to `most`, which fit the type.
     pub fn integer<T: TryFrom<i64>>(&mut self, key: &'static str, least: i64, most: i64, default: T) -> T {
         self.read(key, default, Allowed::IntegerIn(least, most), |value| {

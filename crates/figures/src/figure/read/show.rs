@@ -35,7 +35,7 @@ pub(super) fn show(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Show {
         probe: probe(probe_section, faults),
         moved: previews(moved, faults),
         ndc,
-        answer: answer_section.is_table().then(|| camera(answer_section, faults)),
+        answer: answer_section.is_table().then(|| camera(answer_section, faults).0),
         operations,
     }
 }

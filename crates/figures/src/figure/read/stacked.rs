@@ -3,6 +3,7 @@
 use toml_edit::{Item, Table, TableLike};
 
 use super::figure;
+use super::lens::remove_rivals;
 use super::section::{Fault, Section};
 use crate::figure::Figure;
 
@@ -40,7 +41,12 @@ impl Stacked {
         for name in SECTIONS {
             let Some((key, item)) = items.get_key_value(name) else { continue };
             match (self.table.get_mut(name).and_then(Item::as_table_like_mut), item.as_table_like()) {
-                (Some(below), Some(above)) => put(below, above),
+                (Some(below), Some(above)) => {
+                    if name == "camera" {
+                        above.iter().for_each(|(key, _)| remove_rivals(below, key));
+                    }
+                    put(below, above);
+                }
                 _ => drop(self.table.insert_formatted(key, item.clone())),
             }
         }

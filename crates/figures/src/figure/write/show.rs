@@ -40,7 +40,7 @@ pub(super) fn show(show: &Show) -> Table {
         section.insert("moved", Item::ArrayOfTables(previews));
     }
     if let Some(parameters) = answer {
-        section.insert("answer", Item::Table(camera(parameters)));
+        section.insert("answer", Item::Table(camera(parameters, None)));
     }
     section
 }
