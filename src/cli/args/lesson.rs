@@ -25,7 +25,8 @@ pub(in crate::cli) enum LessonCommand {
     List(ListArgs),
     /// Print a lesson: its steps, each with its text and its whole figure
     Show(ShowArgs),
-    /// Check lesson files: every figure, number, question and goal; reports faults by line and key
+    /// Check lesson files: every figure, number, question and goal, and the aims, the plan and the sentence to keep;
+    /// reports faults by line and key
     Check(CheckArgs),
     /// Write the numbered pictures of a lesson's steps into a folder, or a handout as PDF
     Render(LessonRenderArgs),
@@ -127,6 +128,9 @@ pub(in crate::cli) struct LessonRenderArgs {
     /// Put the solutions of the questions at the end of a handout
     #[arg(long)]
     pub(in crate::cli) answers: bool,
+    /// Begin a handout with the plan for its lecturer
+    #[arg(long)]
+    pub(in crate::cli) plan: bool,
     /// Folder for the pictures, created if missing; or OUT.pdf for a handout with figure, text and questions of each
     /// step
     #[arg(short, long, value_name = "FOLDER|OUT.pdf")]
@@ -145,7 +149,7 @@ impl LessonRenderArgs {
     pub(in crate::cli) fn unused(&self, is_handout: bool) -> Option<&'static str> {
         let of_pictures =
             [("--size", self.size.is_some()), ("--view", self.view.is_some()), ("--format", self.format.is_some())];
-        let of_handouts = [("--per-page", self.per_page.is_some()), ("--answers", self.answers)];
+        let of_handouts = [("--per-page", self.per_page.is_some()), ("--answers", self.answers), ("--plan", self.plan)];
         let unused: &[(&'static str, bool)] = if is_handout { &of_pictures } else { &of_handouts };
         unused.iter().find(|(_, is_given)| *is_given).map(|(option, _)| *option)
     }

@@ -11,7 +11,7 @@ use crate::cli::{Failure, progress};
 use crate::exercises::{self, Exercise, Kind};
 use crate::i18n::Lang;
 use crate::i18n::learn::{exercise_sheet, exercises as said, lessons as texts};
-use crate::lessons::{Lesson, Step, Task};
+use crate::lessons::{Lesson, Question, Step, Task};
 use crate::picture::{FormulaPart, Handout, HandoutEntry, Paragraph};
 use crate::progress::at_once;
 use crate::sanitize;
@@ -32,7 +32,15 @@ pub(in crate::cli) fn write(args: &LessonRenderArgs, found: &Found, lang: Lang) 
     let written = args.which.lang.map_or(Lang::En, LangArg::lang);
     let columns = if args.per_page(lang)? > 2 { 2 } else { 1 };
     let lesson = &found.lesson;
-    let mut entries = vec![HandoutEntry { picture: None, paragraphs: beginning(written, lesson) }];
+    let t = texts::texts(written);
+    let mut entries = Vec::new();
+    if let Some(plan) = lesson.plan.as_ref().filter(|_| args.plan) {
+        let mut paragraphs = vec![Paragraph::Heading(t.plan.to_owned())];
+        paragraphs.extend(set(texts::told(written, plan)));
+        entries.push(HandoutEntry { picture: None, paragraphs });
+    }
+    entries.push(HandoutEntry { picture: None, paragraphs: beginning(written, lesson) });
+    entries.extend(around(written, t.pretest, &lesson.pretest, ROOM[columns - 1]));
     for (k, step) in lesson.steps.iter().enumerate() {
         let size = ImageSize { width: WIDTH, height: HEIGHT * if columns > 1 { 3 } else { 2 } / 2 };
         let picture = composite(args, found, (k, step), lettered(size, columns), lang)?;
@@ -42,9 +50,12 @@ pub(in crate::cli) fn write(args: &LessonRenderArgs, found: &Found, lang: Lang) 
         let text = format!("{}: {}", texts::texts(written).keep, in_line(texts::told(written, sentence)));
         entries.push(HandoutEntry { picture: None, paragraphs: vec![Paragraph::Text(text)] });
     }
+    entries.extend(around(written, t.posttest, &lesson.posttest, ROOM[columns - 1]));
     if args.answers {
         let solutions = lesson.steps.iter().enumerate().filter_map(|(k, step)| solution(written, k, step));
-        let mut solutions: Vec<HandoutEntry> = solutions.collect();
+        let before = solved_around(written, t.pretest, &lesson.pretest);
+        let after = solved_around(written, t.posttest, &lesson.posttest);
+        let mut solutions: Vec<HandoutEntry> = before.into_iter().chain(solutions).chain(after).collect();
         if let Some(first) = solutions.first_mut() {
             let heading = Paragraph::Heading(texts::texts(written).solutions.to_owned());
             first.paragraphs.insert(0, heading);
@@ -90,15 +101,7 @@ fn of_step(lang: Lang, k: usize, step: &Step, room: [usize; 2]) -> Vec<Paragraph
             let exercise = entry.exercise(0, &Default::default());
             paragraphs.extend(questions(lang, &exercise, room));
         }
-        Some(Task::Exercise { id, seed }) => {
-            let Some(exercise) = exercises::entry(id).map(|entry| entry.exercise(*seed, &Default::default())) else {
-                return paragraphs;
-            };
-            paragraphs.push(Paragraph::Text(said::exercise_title(lang, &exercise).to_owned()));
-            let statement = said::statement(lang, &exercise);
-            paragraphs.extend(statement.iter().flat_map(|paragraph| set(paragraph)));
-            paragraphs.extend(questions(lang, &exercise, room));
-        }
+        Some(Task::Exercise { id, seed }) => paragraphs.extend(of_exercise(lang, id, *seed, room)),
         Some(Task::Try(goal)) => {
             let text = texts::filled(lang, &goal.text, &step.figure);
             paragraphs.push(Paragraph::Text(format!("{}: {}", texts::texts(lang).to_try, in_line(&text))));
@@ -106,6 +109,38 @@ fn of_step(lang: Lang, k: usize, step: &Step, room: [usize; 2]) -> Vec<Paragraph
         None => {}
     }
     paragraphs
+}
+
+/// Title, statement and questions of an exercise of the program.
+fn of_exercise(lang: Lang, id: &str, seed: u64, room: [usize; 2]) -> Vec<Paragraph> {
+    let Some(entry) = exercises::entry(id) else { return Vec::new() };
+    let exercise = entry.exercise(seed, &Default::default());
+    let mut paragraphs = vec![Paragraph::Text(said::exercise_title(lang, &exercise).to_owned())];
+    paragraphs.extend(said::statement(lang, &exercise).iter().flat_map(|paragraph| set(paragraph)));
+    paragraphs.extend(questions(lang, &exercise, room));
+    paragraphs
+}
+
+/// The questions before or after the lesson, under a heading.
+fn around(lang: Lang, heading: &str, asked: &[Question], room: [usize; 2]) -> Vec<HandoutEntry> {
+    let entry = |(k, question): (usize, &Question)| {
+        let mut paragraphs = of_exercise(lang, &question.id, question.seed, room);
+        if k == 0 {
+            paragraphs.insert(0, Paragraph::Heading(heading.to_owned()));
+        }
+        HandoutEntry { picture: None, paragraphs }
+    };
+    asked.iter().enumerate().map(entry).collect()
+}
+
+/// The solutions of the questions before or after the lesson.
+fn solved_around(lang: Lang, heading: &str, asked: &[Question]) -> Vec<HandoutEntry> {
+    let solved = |question: &Question| {
+        let exercise = exercises::entry(&question.id)?.exercise(question.seed, &Default::default());
+        let title = said::exercise_title(lang, &exercise).to_owned();
+        Some(solved(lang, &exercise, format!("{heading}: {title}")))
+    };
+    asked.iter().filter_map(solved).collect()
 }
 
 /// The questions of an exercise, with room for the answers.
@@ -133,13 +168,18 @@ fn solution(lang: Lang, k: usize, step: &Step) -> Option<HandoutEntry> {
         Task::Try(_) => return None,
     };
     let title = in_line(texts::told(lang, &step.title));
-    let mut paragraphs = vec![Paragraph::Text(format!("{}. {title}", k + 1))];
+    Some(solved(lang, &exercise, format!("{}. {title}", k + 1)))
+}
+
+/// The answers to an exercise with their worked steps, below a title.
+fn solved(lang: Lang, exercise: &Exercise, title: String) -> HandoutEntry {
+    let mut paragraphs = vec![Paragraph::Text(title)];
     for ask in &exercise.asks {
         paragraphs.push(answered(&exercise_sheet::answer(lang, ask)));
     }
     let steps = exercise.new_steps();
     for step in steps.iter().flatten() {
-        let text = said::step(lang, &exercise, step, DIGITS);
+        let text = said::step(lang, exercise, step, DIGITS);
         // A chain of equations is one line: D = … = …
         let lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
         let chained = lines.fold(String::new(), |text, line| {
@@ -152,7 +192,7 @@ fn solution(lang: Lang, k: usize, step: &Step) -> Option<HandoutEntry> {
             other => other,
         }));
     }
-    Some(HandoutEntry { picture: None, paragraphs })
+    HandoutEntry { picture: None, paragraphs }
 }
 
 /// An answer; a matrix, `[[a, b], [c, d]]`, in rows.

@@ -24,7 +24,10 @@ use crate::files::{self, FileError};
 use crate::i18n::learn::lessons as texts;
 use crate::i18n::{Lang, command_line, messages, pictures};
 use crate::inspect::json_text;
-use crate::lessons::{Goal, Lesson, Link, OpenLesson, Part, Seen, Step, Subject, Task, objects_named, place, shipped};
+use crate::lessons::{
+    Goal, Lesson, Link, OpenLesson, Part, Question, Seen, Step, Subject, Task, exercises_of, families_of,
+    objects_named, place, shipped,
+};
 use crate::picture::{self, Composite, FileOptions};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
@@ -88,6 +91,8 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
                 "id": lesson.id,
                 "title": texts::told(written, &lesson.title),
                 "minutes": lesson.minutes,
+                "families": families_of(lesson),
+                "exercises": exercises_of(lesson),
                 "steps": lesson.steps.len(),
                 "file": path.map(|path| path.to_string_lossy()),
             })
@@ -121,9 +126,23 @@ fn described(lang: Lang, lesson: &Lesson) -> Value {
         "sentence": lesson.sentence.as_ref().map(|text| texts::told(lang, text)),
         "minutes": lesson.minutes,
         "aims": lesson.aims.iter().map(|text| texts::told(lang, text)).collect::<Vec<_>>(),
+        "plan": lesson.plan.as_ref().map(|text| texts::told(lang, text).trim()),
+        "pretest": ids(&lesson.pretest),
+        "pretest_seeds": seeds(&lesson.pretest),
+        "posttest": ids(&lesson.posttest),
+        "posttest_seeds": seeds(&lesson.posttest),
         "before": lesson.before,
         "steps": lesson.steps.iter().map(|step| described_step(lang, step)).collect::<Vec<_>>(),
     })
+}
+
+fn ids(questions: &[Question]) -> Vec<&str> {
+    questions.iter().map(|question| question.id.as_str()).collect()
+}
+
+/// The sources of the numbers of questions, in the same order.
+fn seeds(questions: &[Question]) -> Vec<u64> {
+    questions.iter().map(|question| question.seed).collect()
 }
 
 fn described_step(lang: Lang, step: &Step) -> Value {
@@ -163,7 +182,7 @@ fn linked(link: &Link) -> Value {
     match link {
         Link::Note(note) => json!({ "note": note }),
         Link::Exercise(id, seed) => json!({ "exercise": id, "seed": seed }),
-        Link::Lesson(id) => json!({ "lesson": id }),
+        Link::Lesson(id, step) => json!({ "lesson": id, "step": step + 1 }),
     }
 }
 
@@ -198,9 +217,21 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
 /// A fault: where it is, and its message, which begins with a key.
 type Fault = (Part, Box<dyn Fn(&str) -> String>);
 
+/// The parts that a lesson needs to be taught by somebody else. A lesson without them still opens and plays: they are
+/// asked for only here.
+fn missing_of(lesson: &Lesson, lang: Lang) -> Vec<Fault> {
+    let parts = [
+        ("aims", lesson.aims.is_empty()),
+        ("plan", lesson.plan.is_none()),
+        ("sentence", lesson.sentence.is_none()),
+    ];
+    let fault = |key: &'static str| -> Fault { (Part::Head, Box::new(move |_| texts::no_part(lang, key))) };
+    parts.into_iter().filter(|(_, is_missing)| *is_missing).map(|(key, _)| fault(key)).collect()
+}
+
 /// The faults of a lesson that only its scenes show, and its links.
 fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files: bool, lang: Lang) -> Vec<Fault> {
-    let mut faults: Vec<Fault> = Vec::new();
+    let mut faults = missing_of(lesson, lang);
     let mut seen = Seen::default();
     for unknown in lesson.before.iter().filter(|id| !ids.contains(&id.as_str())) {
         let unknown = unknown.clone();
@@ -210,8 +241,12 @@ fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files:
         for (number, link) in step.links.iter().enumerate() {
             let part = Part::Link(k, number);
             match link.clone() {
-                Link::Lesson(id) if !ids.contains(&id.as_str()) => {
+                Link::Lesson(id, _) if !ids.contains(&id.as_str()) => {
                     faults.push((part, Box::new(move |key| texts::no_lesson(lang, key, &id))));
+                }
+                Link::Lesson(id, step) if steps_of(&id).is_some_and(|count| step >= count) => {
+                    let count = steps_of(&id).unwrap_or_default();
+                    faults.push((part, Box::new(move |key| texts::no_step_of(lang, key, step + 1, count))));
                 }
                 Link::Note(id) if crate::i18n::why::notes::note(lang, &id).is_none() => {
                     faults.push((part, Box::new(move |key| texts::no_note(lang, key, &id))));
@@ -232,6 +267,11 @@ fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files:
         }
     }
     faults
+}
+
+/// The number of steps of a lesson of the program.
+fn steps_of(id: &str) -> Option<usize> {
+    shipped().iter().find(|shipped| shipped.lesson.id == id).map(|shipped| shipped.lesson.steps.len())
 }
 
 /// The faults of the goal of a step.

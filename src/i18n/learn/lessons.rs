@@ -7,7 +7,7 @@ use crate::figure::{Bilingual, Figure};
 use crate::i18n::Lang;
 pub use crate::i18n::told;
 use crate::inspect::Report;
-use crate::lessons::{self, Lesson, Link, Step, Task};
+use crate::lessons::{self, Lesson, Question, Step, Task};
 use crate::numbers::significant;
 use crate::sanitize::escaped;
 
@@ -15,6 +15,9 @@ texts! {
     lessons: "Lessons", "Lições";
     lesson: "lesson", "lição";
     aims: "Afterwards you can", "Depois você sabe";
+    plan: "Plan for 50 minutes", "Plano para 50 minutos";
+    pretest: "Before the lesson", "Antes da lição";
+    posttest: "After the lesson", "Depois da lição";
     question: "Question", "Pergunta";
     to_try: "Try", "Experimente";
     step: "Step", "Passo";
@@ -156,6 +159,10 @@ pub fn to_read(lang: Lang, lesson: &Lesson) -> String {
         out.push_str(&format!("\n{}:\n", t.aims));
         lesson.aims.iter().for_each(|aim| out.push_str(&format!("- {}\n", told(lang, aim).trim())));
     }
+    if let Some(plan) = &lesson.plan {
+        out.push_str(&format!("\n{}:\n\n{}\n", t.plan, told(lang, plan).trim()));
+    }
+    out.push_str(&questions(lang, t.pretest, &lesson.pretest));
     for (k, step) in lesson.steps.iter().enumerate() {
         out.push_str(&format!("\n{}. {}\n\n{}\n", k + 1, told(lang, &step.title), text(lang, step).trim()));
         match &step.task {
@@ -183,30 +190,25 @@ pub fn to_read(lang: Lang, lesson: &Lesson) -> String {
     if let Some(sentence) = &lesson.sentence {
         out.push_str(&format!("\n{}: {}\n", t.keep, told(lang, sentence).trim()));
     }
+    out.push_str(&questions(lang, t.posttest, &lesson.posttest));
     out
+}
+
+/// The questions before or after a lesson, each with the command that prints it; empty if there are none.
+fn questions(lang: Lang, heading: &str, questions: &[Question]) -> String {
+    let line = |question: &Question| {
+        let title = exercises::entry(&question.id).map(|entry| super::exercises::title(lang, entry));
+        let Question { id, seed } = question;
+        format!("- {}: camera-lab exercise show {id} --seed {seed}\n", title.unwrap_or_default())
+    };
+    let lines: String = questions.iter().map(line).collect();
+    if lines.is_empty() { lines } else { format!("\n{heading}:\n{lines}") }
 }
 
 /// The titles of the exercises to which a lesson leads, each once.
 #[must_use]
 pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
-    let of_step = |step: &Step| {
-        let asked = match &step.task {
-            Some(Task::Exercise { id, .. }) => Some(id.clone()),
-            _ => None,
-        };
-        let linked = step.links.iter().filter_map(|link| match link {
-            Link::Exercise(id, _) => Some(id.clone()),
-            Link::Note(_) | Link::Lesson(_) => None,
-        });
-        asked.into_iter().chain(linked.collect::<Vec<_>>())
-    };
-    let mut ids: Vec<String> = Vec::new();
-    for id in lesson.steps.iter().flat_map(of_step) {
-        if !ids.contains(&id) {
-            ids.push(id);
-        }
-    }
-    ids.iter().filter_map(|id| Some(super::exercises::title(lang, exercises::entry(id)?))).collect()
+    lessons::exercises_of(lesson).into_iter().filter_map(|id| Some(super::exercises::title(lang, exercises::entry(id)?))).collect()
 }
 
 /// A step was added to a file.
@@ -291,6 +293,21 @@ pub fn no_note(lang: Lang, key: &str, id: &str) -> String {
     both!(lang; "{key}: there is no note {:?}", "{key}: não há nota {:?}"; escaped(id))
 }
 
+/// A lesson lacks a part that another lecturer needs.
+#[must_use]
+pub fn no_part(lang: Lang, key: &str) -> String {
+    let why = match (lang, key) {
+        (Lang::En, "aims") => "what you can do after the lesson, a list of texts",
+        (Lang::En, "plan") => "what to show, ask, expect and hand out in 50 minutes",
+        (Lang::En, _) => "the one sentence to keep",
+        (Lang::PtBr, "aims") => "o que você sabe fazer depois da lição, uma lista de textos",
+        (Lang::PtBr, "plan") => "o que mostrar, perguntar, esperar e distribuir em 50 minutos",
+        (Lang::PtBr, _) => "a frase para guardar",
+    };
+    both!(lang; "{key} is missing: {why}. The lesson plays without it",
+        "falta {key}: {why}. A lição funciona sem isso")
+}
+
 /// A message about a step, from 1.
 #[must_use]
 pub fn of_step(lang: Lang, number: usize, why: &str) -> String {
@@ -303,6 +320,25 @@ pub fn no_step(lang: Lang, found: &str, count: usize) -> String {
     let found = escaped(found);
     both!(lang; "--step is {found}; allowed: a number from 1 to {count}",
         "--step é {found}; permitido: um número de 1 a {count}")
+}
+
+/// A link names a step that its lesson doesn't have.
+#[must_use]
+pub fn no_step_of(lang: Lang, key: &str, step: usize, count: usize) -> String {
+    both!(lang; "{key}: the lesson has no step {step}; allowed: a step from 1 to {count}",
+        "{key}: a lição não tem o passo {step}; permitido: um passo de 1 a {count}")
+}
+
+/// The name of a link to a step of a lesson: its title, and the number of the step unless it is the first.
+#[must_use]
+pub fn lesson_link(lang: Lang, lesson: &Lesson, step: usize) -> String {
+    let t = texts(lang);
+    let title = told(lang, &lesson.title);
+    if step == 0 {
+        format!("{}: {title}", t.see_lesson)
+    } else {
+        format!("{}: {title}, {} {}", t.see_lesson, t.step.to_lowercase(), step + 1)
+    }
 }
 
 /// The goal of a step holds from the start.

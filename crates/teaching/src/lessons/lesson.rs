@@ -20,10 +20,25 @@ pub struct Lesson {
     pub minutes: Option<f64>,
     /// The things that one knows afterwards, in Markdown.
     pub aims: Vec<Bilingual>,
+    /// The plan of a class of 50 minutes for its lecturer, in Markdown.
+    pub plan: Option<Bilingual>,
+    /// The questions before the lesson.
+    pub pretest: Vec<Question>,
+    /// The questions after it, with other numbers.
+    pub posttest: Vec<Question>,
     /// The identifiers of the lessons that come before it.
     pub before: Vec<String>,
     /// Its steps: at least one.
     pub steps: Vec<Step>,
+}
+
+/// An exercise of the program with its numbers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Question {
+    /// Its identifier.
+    pub id: String,
+    /// The source of its numbers.
+    pub seed: u64,
 }
 
 /// A lesson that is played from a step on.
@@ -87,6 +102,6 @@ pub enum Link {
     Note(String),
     /// An exercise with its seed.
     Exercise(String, u64),
-    /// Another lesson, by its identifier.
-    Lesson(String),
+    /// A step of another lesson, by its identifier; steps count from 0.
+    Lesson(String, usize),
 }

@@ -4,6 +4,7 @@
 mod condition;
 mod edit;
 mod items;
+mod leads;
 mod lesson;
 mod numbers_in_texts;
 mod passage;
@@ -15,7 +16,8 @@ mod task_text;
 
 pub use condition::{Condition, Goal, Range, Seen, Subject, objects_named};
 pub use edit::{Edit, LessonText, StepText, Words, edited, reworded, text_of_step};
-pub use lesson::{Lesson, Link, OpenLesson, Step, Task};
+pub use leads::{Way, exercises_of, families_of, lesson_of};
+pub use lesson::{Lesson, Link, OpenLesson, Question, Step, Task};
 pub use numbers_in_texts::{filled, numbers_of};
 pub use passage::Passage;
 pub use place::{Part, place};

@@ -5,6 +5,8 @@ use crate::figure::read::{Section, line_of, parse_with};
 /// A part of a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
+    /// What stands before the first step.
+    Head,
     /// The lessons before it.
     Before,
     /// A step, from 0.
@@ -31,6 +33,7 @@ fn within(mut root: Section<'_>, part: Part) -> Option<(usize, String)> {
     let of = |section: &Section<'_>, key: &str| Some((section.place(key)?, section.name_of(key)));
     let mut step = |number: usize| root.sections("step", "[[step]]").into_iter().nth(number);
     match part {
+        Part::Head => Some((root.place("id")?, String::new())),
         Part::Before => of(&root, "before"),
         Part::Step(number) => step(number).map(|step| (step.start(), step.name_of("").trim().to_owned())),
         Part::Link(number, link) => {

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::condition::{Condition, Goal, Range, angle as angle_between};
-use super::lesson::{Lesson, Link, Step, Task};
+use super::lesson::{Lesson, Link, Question, Step, Task};
 use super::numbers_in_texts::{filled, numbers_of, pixels_of};
 use crate::camera::Camera;
 use crate::exercises::own::{harmless, name, question, told, told_list};
@@ -23,6 +23,8 @@ const SECONDS: f64 = 1.5;
 const MOST_SECONDS: f64 = 20.0;
 /// The longest lesson in minutes.
 const MOST_MINUTES: f64 = 600.0;
+/// The most questions before a lesson, and after it: more of them fill more than a page.
+const MOST_QUESTIONS: usize = 12;
 /// The decimal marks of English and Portuguese.
 const MARKS: [DecimalMark; 2] = [DecimalMark::Point, DecimalMark::Comma];
 
@@ -51,6 +53,8 @@ fn lesson(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Lesson {
     let sentence = optional(&mut root, "sentence");
     let minutes = root.is_present("minutes").then(|| root.number_in("minutes", 0.5, MOST_MINUTES, 5.0));
     let aims = told_list(&mut root, "aims");
+    let plan = optional(&mut root, "plan");
+    let [pretest, posttest] = ["pretest", "posttest"].map(|key| questions(&mut root, key, faults));
     let before = root.list("before", Allowed::Texts, |text| (!text.trim().is_empty()).then(|| text.to_owned()));
     let mut sections = root.sections("step", "[[step]]");
     if let Some(beyond) = sections.get(MAX_LESSON_STEPS) {
@@ -63,7 +67,26 @@ fn lesson(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Lesson {
     faults.extend(root.finish());
     let mut stacked = Stacked::default();
     let steps = sections.into_iter().map(|section| step(section, &mut stacked, faults)).collect();
-    Lesson { id, title, sentence, minutes, aims, before, steps }
+    Lesson { id, title, sentence, minutes, aims, plan, pretest, posttest, before, steps }
+}
+
+/// The questions before or after a lesson.
+fn questions(root: &mut Section<'_>, key: &'static str, faults: &mut Vec<Fault>) -> Vec<Question> {
+    let sections = root.sections(key, &format!("[[{key}]]"));
+    let count = sections.len();
+    if count > MOST_QUESTIONS {
+        root.fault(key, Problem::TooMany { count, limit: MOST_QUESTIONS });
+        return Vec::new();
+    }
+    let question = |mut section: Section<'_>| {
+        if !section.is_present("exercise") {
+            section.missing("exercise", Allowed::Exercise);
+        }
+        let question = exercise(&mut section).map(|(id, seed)| Question { id, seed });
+        faults.extend(section.finish());
+        question
+    };
+    sections.into_iter().filter_map(question).collect()
 }
 
 /// A text of one line, which has to be there.
@@ -331,9 +354,13 @@ fn of_key(section: &mut Section<'_>, key: String, figure: &Figure) -> Option<Con
 fn link(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Link> {
     let [note, lesson] = ["note", "lesson"].map(|key| section.text(key));
     let exercise = section.is_present("exercise").then(|| exercise(&mut section)).flatten();
+    let step = section.integer("step", 1, MAX_LESSON_STEPS as i64, 1_usize) - 1;
+    if section.is_present("step") && lesson.is_none() {
+        section.refuse("step", Allowed::Either("note, exercise", "lesson"));
+    }
     let link = match (note, lesson, exercise) {
         (Some(note), None, None) => Some(Link::Note(note)),
-        (None, Some(lesson), None) => Some(Link::Lesson(lesson)),
+        (None, Some(lesson), None) => Some(Link::Lesson(lesson, step)),
         (None, None, Some((id, seed))) => Some(Link::Exercise(id, seed)),
         _ if !section.faults.is_empty() => None,
         _ => {

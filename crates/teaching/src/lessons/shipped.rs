@@ -21,19 +21,23 @@ macro_rules! lessons {
 }
 
 /// Their files, in the order in which they are taken.
-const TEXTS: [&str; 12] = lessons![
+const TEXTS: [&str; 16] = lessons![
     "01-camera",
     "02-basis",
     "03-window",
     "04-view",
-    "05-cube",
-    "06-w",
-    "07-clip",
-    "08-pixel",
-    "09-moves",
-    "10-hidden",
-    "11-light",
-    "12-limits"
+    "05-triangles",
+    "06-cube",
+    "07-depth",
+    "08-parallel",
+    "09-w",
+    "10-clip",
+    "11-pixel",
+    "12-moves",
+    "13-hidden",
+    "14-light",
+    "15-limits",
+    "16-sheet"
 ];
 
 /// All of them, in the order in which they are taken.

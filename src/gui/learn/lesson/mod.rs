@@ -414,10 +414,10 @@ fn links(ui: &mut Ui, t: &Texts, state: &mut State, links: &[Link]) {
                         state.show_explanation(Explanation::Exercises);
                     }
                 }
-                Link::Lesson(id) => {
+                Link::Lesson(id, step) => {
                     let Some(other) = lessons::shipped().iter().find(|other| other.lesson.id == *id) else { continue };
-                    if ui.link(format!("{}: {}", t.see_lesson, told(lang, &other.lesson.title))).clicked() {
-                        let open = lessons::OpenLesson { lesson: other.lesson.clone(), path: None, step: 0 };
+                    if ui.link(words::lesson_link(lang, &other.lesson, *step)).clicked() {
+                        let open = lessons::OpenLesson { lesson: other.lesson.clone(), path: None, step: *step };
                         file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
                     }
                 }

@@ -1,0 +1,73 @@
+//! The exercises that a lesson leads to, and the lesson that leads to an exercise.
+
+use std::sync::Arc;
+
+use super::lesson::{Lesson, Link, Step, Task};
+use super::shipped::shipped;
+use crate::exercises;
+
+/// The way from an exercise back to its lesson.
+#[derive(Clone, Debug)]
+pub struct Way {
+    /// The lesson, one of the program.
+    pub lesson: Arc<Lesson>,
+    /// The step that asks the exercise or names it, from 0; the first one if only the questions around the lesson do.
+    pub step: usize,
+}
+
+/// The identifiers of the exercises of the program that a lesson leads to, each once: those its steps ask, those they
+/// link to, and the questions before and after it.
+#[must_use]
+pub fn exercises_of(lesson: &Lesson) -> Vec<&str> {
+    let around = lesson.pretest.iter().chain(&lesson.posttest).map(|question| question.id.as_str());
+    let asked = lesson.steps.iter().filter_map(asked);
+    let linked = lesson.steps.iter().flat_map(linked);
+    let mut ids: Vec<&str> = Vec::new();
+    for id in asked.chain(linked).chain(around) {
+        if !ids.contains(&id) {
+            ids.push(id);
+        }
+    }
+    ids
+}
+
+/// The families among [`exercises_of`].
+#[must_use]
+pub fn families_of(lesson: &Lesson) -> Vec<&str> {
+    let is_family = |id: &&str| exercises::entry(id).is_some_and(|entry| entry.is_family);
+    exercises_of(lesson).into_iter().filter(is_family).collect()
+}
+
+/// The first lesson of the program that asks an exercise; if none does, the first that links to it, or has it among the
+/// questions around it. `None` for an exercise of a lecturer's own.
+#[must_use]
+pub fn lesson_of(exercise: &str) -> Option<Way> {
+    let asks = |step: &Step| asked(step) == Some(exercise);
+    let links = |step: &Step| linked(step).any(|id| id == exercise);
+    let first = |names: &dyn Fn(&Step) -> bool| {
+        shipped().iter().find_map(|shipped| {
+            let step = shipped.lesson.steps.iter().position(names)?;
+            Some(Way { lesson: shipped.lesson.clone(), step })
+        })
+    };
+    first(&asks).or_else(|| first(&links)).or_else(|| {
+        let lesson = shipped().iter().find(|shipped| exercises_of(&shipped.lesson).contains(&exercise))?;
+        Some(Way { lesson: lesson.lesson.clone(), step: 0 })
+    })
+}
+
+/// The exercise that a step asks.
+fn asked(step: &Step) -> Option<&str> {
+    match &step.task {
+        Some(Task::Exercise { id, .. }) => Some(id),
+        _ => None,
+    }
+}
+
+/// The exercises that a step links to.
+fn linked(step: &Step) -> impl Iterator<Item = &str> {
+    step.links.iter().filter_map(|link| match link {
+        Link::Exercise(id, _) => Some(id.as_str()),
+        Link::Note(_) | Link::Lesson(..) => None,
+    })
+}
