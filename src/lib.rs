@@ -21,5 +21,6 @@ pub mod cli;
 pub mod files;
 #[cfg(feature = "gui")]
 pub mod gui;
+pub mod handout;
 pub mod i18n;
 pub mod share;

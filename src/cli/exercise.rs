@@ -6,9 +6,8 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
-use super::render::no_picture;
+use super::render::{no_picture, save_handout};
 use super::{Failure, print, say};
-use crate::camera::Camera;
 use crate::cli::args::exercise::{
     CheckArgs, ExerciseArgs, ExerciseCommand, ListArgs, NumbersArgs, SheetArgs, ShowArgs,
 };
@@ -17,15 +16,16 @@ use crate::exercises::{self, Answer, AnswerError, Ask, Cause, Entry, Exercise, E
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, BadExercise, Overwrite, OwnExercises};
+use crate::handout::{self, HandoutOptions, NoPicture};
 use crate::i18n::learn::{exercise_messages as said, exercise_sheet as sheet_of, exercises as texts};
 use crate::i18n::why::notes;
-use crate::i18n::{Lang, messages, pictures};
+use crate::i18n::{Lang, messages};
 use crate::inspect::json_text;
-use crate::picture::{self, Composite, FileOptions, PictureError, Told};
+use crate::picture::{self, Composite, FileOptions, Told};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
 use crate::scene::no_files;
-use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
+use crate::views::{Size, View, Views, scene_of};
 
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 6;
@@ -236,21 +236,25 @@ fn picture_command(exercise: &Exercise) -> String {
     format!("camera-lab exercise show {} --seed {} --picture OUT.png", exercise.id, exercise.seed)
 }
 
+/// The picture of a figure that an exercise asks to match.
+fn to_match(figure: &Figure, (written, size): (Lang, Size), name: &str, lang: Lang) -> Result<Composite, Failure> {
+    let failed = |why: String| Failure::Failed(format!("{name}: {why}"));
+    let scene = scene_of(figure, &mut no_files, &Progress::default());
+    let scene = scene.map_err(|error| failed(messages::scene(lang, &error)))?;
+    handout::picture(figure, scene, Views::One(View::Image), size, written).map_err(|error| match error {
+        NoPicture::Camera(error) => failed(messages::camera(lang, &error)),
+        NoPicture::Composite(error) => no_picture(lang, name, error.into(), [size.width, size.height].map(u64::from)),
+    })
+}
+
 /// Writes the picture of a figure, without the figure, which tells the camera.
 fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Result<(), Failure> {
     const SIZE: Size = Size { width: 960, height: 720, scale: 2.0 };
     let name = sanitize::path(path);
-    let failed = |why: String| Failure::Failed(format!("{name}: {why}"));
-    let camera = Camera::new(&figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
-    let scene = scene_of(figure, &mut no_files, &Progress::default());
-    let scene = SharedScene::new(scene.map_err(|error| failed(messages::scene(lang, &error)))?);
-    let request = Request::of(figure, View::Image, &camera, &scene, pictures::labels(written), SIZE);
-    let no_picture = |error: PictureError| no_picture(lang, &name, error, [SIZE.width, SIZE.height].map(u64::from));
-    let sheet = Composite::of(Views::One(View::Image), &request, &Shot::of(figure), None);
-    let sheet = sheet.map_err(|error| no_picture(error.into()))?;
+    let sheet = to_match(figure, (written, SIZE), &name, lang)?;
     let png = FileOptions { dpi: Some(200.0), ..FileOptions::of(PictureFormat::Png) };
     let file = at_once(picture::file(&sheet, png, &Told::default(), &Progress::default()));
-    let file = file.map_err(no_picture)?;
+    let file = file.map_err(|error| no_picture(lang, &name, error, [SIZE.width, SIZE.height].map(u64::from)))?;
     files::save(path, &file.bytes, Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }
@@ -388,6 +392,12 @@ fn sheet(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     let found: Vec<Exercise> =
         ids.map(|id| find_in(&own, id, &args.numbers, lang).map(|(_, exercise)| exercise)).collect::<Result<_, _>>()?;
     say_faults(&own, lang);
+    if args.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf")) {
+        let options = HandoutOptions { lang: written, columns: 1, answers: args.answers, plan: false };
+        let made =
+            handout::of_exercises(&found, options, |figure, size| to_match(figure, (written, size), &name, lang))?;
+        return save_handout(&made, &args.output, lang);
+    }
     let picture = |number: usize| beside(&args.output, number);
     let text = match args.output.extension().and_then(|ending| ending.to_str()) {
         Some(ending) if ending.eq_ignore_ascii_case("md") => {

@@ -9,9 +9,10 @@ use crate::cli::args::figure::FigureArgs;
 use crate::cli::args::words::LangArg;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
+use crate::handout;
 use crate::i18n::window::{compare, labels as labels_words};
 use crate::i18n::{Lang, command_line as texts, families, messages, pictures};
-use crate::picture::{self, Beside, Composite, NoComposite, OnPaper, PictureError, PictureFile, gap};
+use crate::picture::{self, Beside, Composite, Handout, NoComposite, OnPaper, PictureError, PictureFile, gap};
 use crate::pipeline::OverBudget;
 use crate::progress::at_once;
 use crate::sanitize;
@@ -99,6 +100,13 @@ pub(super) fn save(output: &Path, bytes: &[u8], beside: Option<Beside>, lang: La
             .map_err(|error| Failure::Failed(messages::file(lang, &sanitize::path(path), &error)))?;
     }
     Ok(())
+}
+
+/// Writes a handout as PDF.
+pub(super) fn save_handout(made: &Handout, output: &Path, lang: Lang) -> Result<(), Failure> {
+    let bytes = progress::watched(lang, |progress| at_once(made.pdf(progress)));
+    let bytes = bytes.map_err(|error| no_picture(lang, &sanitize::path(output), error, handout::PICTURE))?;
+    save(output, &bytes, None, lang)
 }
 
 /// The reason why there is no picture file of this size.

@@ -385,3 +385,32 @@ fn a_dialog_of_the_system_holds_the_window_back() {
     window.command_key(Key::G);
     assert!(window.state().file_flow.dialog.is_some());
 }
+
+/// The pages of a lesson are shown, turned and written as PDF.
+#[test]
+fn a_lesson_and_exercises_are_printed() {
+    let folder = Folder::new("print");
+    let t = camera_lab::i18n::learn::handouts::texts(Lang::En);
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::P);
+    let page = |number: usize| format!("{} {number} {}", t.page, t.of);
+    window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count() > 2));
+    assert!(window.says(&page(1)));
+    window.click(t.page_after);
+    assert!(window.says(&page(2)));
+    // Exercises have pages of their own.
+    window.click(t.of_exercises);
+    window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count() == 1));
+    window.click(t.answers);
+    window.wait(|window| window.state().file_flow.pages.as_ref().is_some_and(|pages| pages.count() > 1));
+    window.click(t.save);
+    let path = folder.file("sheet.pdf");
+    window.harness.get_by_role_and_label(Role::TextInput, "file").focus();
+    window.run();
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.harness.event(Event::Text(path.display().to_string()));
+    window.run();
+    window.key(Key::Enter);
+    window.wait(|_| path.exists());
+    assert!(fs::read(&path).unwrap().starts_with(b"%PDF"));
+}

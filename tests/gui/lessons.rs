@@ -133,7 +133,8 @@ fn a_presentation_has_keys_for_all_of_it() {
         (playing.shows_text, playing.shows_question, playing.shows_notes)
     };
     assert_eq!(lesson(&window), (true, false, false), "the question waits for the lecturer");
-    for (key, after) in [(Key::Q, (true, true, false)), (Key::C, (false, true, false)), (Key::N, (false, true, true))] {
+    for (key, after) in [(Key::C, (false, false, false)), (Key::Q, (false, true, false)), (Key::N, (false, true, true))]
+    {
         window.harness.key_press(key);
         window.run();
         assert_eq!(lesson(&window), after);
@@ -285,7 +286,7 @@ fn the_panel_of_a_lesson_keeps_its_height() {
     assert!(moved.is_empty(), "{moved:#?}");
 }
 
-/// On a projector of 1280 × 720 pixels, whoever shows a question sees the button that checks its answer.
+/// On a projector of 1280 × 720 pixels, a question is shown with the button that checks or shows its answer.
 #[test]
 fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
     let mut out_of_sight = Vec::new();
@@ -304,9 +305,10 @@ fn the_check_of_a_question_is_in_sight_on_a_small_projector() {
                 window.run();
                 window.key(Key::Q);
                 window.run();
-                let check = exercise_window::texts(lang).check;
-                let check = By::new().role(Role::Button).label_contains(check);
-                let bottom = window.harness.get(check).rect().bottom();
+                let button = |label| window.harness.query(By::new().role(Role::Button).label_contains(label));
+                let check = button(exercise_window::texts(lang).check);
+                let check = check.or_else(|| button(words::texts(lang).show_answer)).unwrap();
+                let bottom = check.rect().bottom();
                 let screen = window.harness.ctx.content_rect();
                 assert!((440.0..460.0).contains(&screen.height()), "{screen:?}");
                 if bottom > screen.bottom() - 3.0 {
@@ -424,4 +426,36 @@ fn work_in_a_step_waits_there_and_what_is_only_tried_does_not() {
     assert!(!window.state().has_unsaved());
     window.app_mut().state.undo();
     assert!(window.state().has_unsaved() && window.state().document.draft() == &tried);
+}
+
+/// A class answers by hands: letters count them, and the bars come with the answer.
+#[test]
+fn hands_of_a_class_are_counted_and_shown_with_the_answer() {
+    let t = words::texts(Lang::En);
+    let step_before = 0;
+    let mut window = playing(0, step_before, Lang::En);
+    window.key(Key::F11);
+    // Without the question, letters do what they do elsewhere.
+    window.key(Key::C);
+    assert!(!window.state().lesson.as_ref().unwrap().shows_text);
+    window.key(Key::C);
+    window.key(Key::Q);
+    for key in [Key::A, Key::B, Key::B, Key::C] {
+        window.key(key);
+    }
+    window.harness.key_press_modifiers(Modifiers::SHIFT, Key::C);
+    window.run();
+    assert!(window.says(&format!("{}: 3", t.hands)), "A, B, B");
+    assert!(window.state().lesson.as_ref().unwrap().shows_text, "C is a choice now");
+    assert!(!window.says("✓"));
+    window.key(Key::Q);
+    assert!(window.says("✓") && !window.says(t.show_answer));
+    // The answer has been seen: the next step comes at once, and the hands are still there on the way back.
+    window.key(Key::PageDown);
+    assert_eq!(step(&window), step_before + 1);
+    window.key(Key::PageUp);
+    if !window.state().lesson.as_ref().unwrap().shows_question {
+        window.key(Key::Q);
+    }
+    assert!(window.says(&format!("{}: 3", t.hands)));
 }

@@ -54,8 +54,9 @@ const CRATES: [(&str, &[Row]); 4] = [
             ("share", &[]),
             ("files", &["share"]),
             ("i18n", &["files", "share"]),
-            ("cli", &["files", "i18n", "share"]),
-            ("gui", &["files", "i18n", "share"]),
+            ("handout", &["i18n"]),
+            ("cli", &["files", "handout", "i18n", "share"]),
+            ("gui", &["files", "handout", "i18n", "share"]),
         ],
     ),
 ];

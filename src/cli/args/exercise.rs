@@ -104,8 +104,8 @@ pub(in crate::cli) struct SheetArgs {
     /// Include the answers and their solutions
     #[arg(long)]
     pub(in crate::cli) answers: bool,
-    /// File to write: .md or .tex; pictures to match go beside it, as OUT-1.png where the first
-    /// exercise has one
+    /// File to write: .pdf, .md or .tex; beside the last two go pictures to match, as OUT-1.png if the first exercise
+    /// has one
     #[arg(short, long, value_name = "OUT")]
     pub(in crate::cli) output: PathBuf,
 }

@@ -1,6 +1,5 @@
 //! `camera-lab lesson`: lessons, their steps, and their pictures.
 
-mod handout;
 mod step_pictures;
 
 use std::fs;
@@ -9,18 +8,19 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
-use super::render::{no_picture, save};
+use super::render::{no_picture, save, save_handout};
 use super::{Failure, Opening, print, say};
 use crate::camera::Camera;
 use crate::cli::args::lesson::{
     CheckArgs, LessonArgs, LessonCommand, LessonRenderArgs, ListArgs, PlayArgs, ShowArgs, WhichArgs,
 };
 use crate::cli::args::words::{LangArg, TableFormat};
-use crate::cli::lesson::step_pictures::{Found, composite, scene, size_of, views_of};
+use crate::cli::lesson::step_pictures::{Found, composite, scene, size_of};
 use crate::exercises::Entry;
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, FileError};
+use crate::handout::{self, HandoutOptions, views_of};
 use crate::i18n::learn::lessons as texts;
 use crate::i18n::{Lang, command_line, messages, pictures};
 use crate::inspect::json_text;
@@ -220,11 +220,8 @@ type Fault = (Part, Box<dyn Fn(&str) -> String>);
 /// The parts that a lesson needs to be taught by somebody else. A lesson without them still opens and plays: they are
 /// asked for only here.
 fn missing_of(lesson: &Lesson, lang: Lang) -> Vec<Fault> {
-    let parts = [
-        ("aims", lesson.aims.is_empty()),
-        ("plan", lesson.plan.is_none()),
-        ("sentence", lesson.sentence.is_none()),
-    ];
+    let parts =
+        [("aims", lesson.aims.is_empty()), ("plan", lesson.plan.is_none()), ("sentence", lesson.sentence.is_none())];
     let fault = |key: &'static str| -> Fault { (Part::Head, Box::new(move |_| texts::no_part(lang, key))) };
     parts.into_iter().filter(|(_, is_missing)| *is_missing).map(|(key, _)| fault(key)).collect()
 }
@@ -310,15 +307,24 @@ fn faults_of_goal(
     faults
 }
 
+fn write_handout(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Result<(), Failure> {
+    let columns = if args.per_page(lang)? > 2 { 2 } else { 1 };
+    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
+    let options = HandoutOptions { lang: written, columns, answers: args.answers, plan: args.plan };
+    let made = handout::of_lesson(&found.lesson, options, |step, size| composite(args, found, step, size, lang))?;
+    save_handout(&made, &args.output, lang)
+}
+
 fn render(args: &LessonRenderArgs, lang: Lang) -> Result<(), Failure> {
     let size = args.size(lang)?;
     let found = find(&args.which, lang)?;
-    let is_handout = handout::is_handout(&args.output);
+    // A handout is wanted, and not a folder of pictures.
+    let is_handout = args.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf"));
     if let Some(option) = args.unused(is_handout) {
         return Err(Failure::BadInput(texts::unused_option(lang, option, is_handout)));
     }
     if is_handout {
-        return handout::write(args, &found, lang);
+        return write_handout(args, &found, lang);
     }
     // A folder of pictures that has the name of one is a slip.
     if args.output.extension().is_some() && PictureFormat::of(&args.output).is_some() {

@@ -3,21 +3,22 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::camera::{Camera, ImageSize};
+use crate::camera::ImageSize;
 use crate::cli::args::lesson::LessonRenderArgs;
 use crate::cli::args::words::LangArg;
 use crate::cli::render::no_picture;
 use crate::cli::{Failure, say};
 use crate::figure::Figure;
 use crate::files::{FigureFiles, FileAccess};
+use crate::handout::{NoPicture, picture, views_of};
 use crate::i18n::learn::lessons as texts;
-use crate::i18n::{Lang, messages, pictures};
+use crate::i18n::{Lang, messages};
 use crate::lessons::{Lesson, Step};
 use crate::picture::{Composite, gap};
 use crate::progress::Progress;
 use crate::sanitize;
 use crate::scene::Scene;
-use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
+use crate::views::{Size, Views, scene_of};
 
 /// The size of a picture of a step, where none is given; of several, each.
 const SIZE: ImageSize = ImageSize { width: 640, height: 480 };
@@ -66,21 +67,13 @@ pub(in crate::cli) fn composite(
     let failed = |why: String| Failure::BadInput(of_step(&why));
     let (scene, missing) = scene(&step.figure, found.path.as_ref(), args.which.allow_files, lang).map_err(failed)?;
     missing.iter().for_each(|why| say(&of_step(why)));
-    let camera = Camera::new(&step.figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
     let views = args.view.unwrap_or_else(|| views_of(&step.figure));
-    let (shot, scene) = (Shot::of(&step.figure), SharedScene::new(scene));
-    let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(written), size);
-    // A lecturer turns the pictures of a lesson in a window, whose shape is not that of a page.
-    Composite::of(views, &request, &shot, None).map(Composite::gone_back).map_err(|error| {
-        no_picture(lang, &sanitize::path(&args.output), error.into(), [size.width, size.height].map(u64::from))
+    picture(&step.figure, scene, views, size, written).map_err(|error| match error {
+        NoPicture::Camera(error) => failed(messages::camera(lang, &error)),
+        NoPicture::Composite(error) => {
+            no_picture(lang, &sanitize::path(&args.output), error.into(), [size.width, size.height].map(u64::from))
+        }
     })
-}
-
-/// The pictures that a step shows.
-pub(in crate::cli) fn views_of(figure: &Figure) -> Views {
-    let shown = figure.screen.pictures.unwrap_or([true; View::COUNT]);
-    let is_it = |views: &Views| View::ALL.iter().zip(shown).all(|(view, shown)| views.contains(*view) == shown);
-    Views::CHOICES.into_iter().find(is_it).unwrap_or(Views::All)
 }
 
 /// The size of a file: as given, or of that many pictures.

@@ -12,7 +12,7 @@ use super::about;
 use super::command::{Command, MENUS};
 use super::menu;
 use super::search;
-use crate::gui::export::export_dialog;
+use crate::gui::export::{export_dialog, handout_dialog};
 use crate::gui::files::comparison::{Comparison, Whose};
 use crate::gui::files::file_flow;
 use crate::gui::files::file_kind::FileKind;
@@ -46,7 +46,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     let shown = Id::unique("dialog shown");
     let Some(dialog) = state.file_flow.dialog.take() else {
         ctx.data_mut(|data| data.remove::<Option<Discriminant<Dialog>>>(shown));
-        state.file_flow.preview = None;
+        (state.file_flow.preview, state.file_flow.pages) = (None, None);
         return None;
     };
     let mut wanted = None;
@@ -73,6 +73,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
             Dialog::Coach => coach::WIDTH,
             Dialog::Search => search::WIDTH,
             Dialog::Export(_) => export_dialog::WIDTH,
+            Dialog::Handout(_) => handout_dialog::WIDTH,
             Dialog::Changed(_) => 480.0,
             Dialog::Unsaved(_)
             | Dialog::UnsavedText(_)
@@ -126,6 +127,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
                 }
             }
             Dialog::Export(export) => export_dialog::show(ui, t, state, export, first),
+            Dialog::Handout(form) => handout_dialog::show(ui, state, form, first),
             // It has no frame.
             Dialog::Qr => {}
             Dialog::Lessons => lesson::list(ui, state),

@@ -4,6 +4,8 @@ pub(super) mod chart_export;
 pub(super) mod export_dialog;
 pub(super) mod family;
 pub mod family_choice;
+pub(super) mod handout_dialog;
+pub(super) mod handout_pages;
 pub mod preview;
 
 use std::path::{Path, PathBuf};
@@ -376,9 +378,11 @@ pub(super) struct Task {
 }
 
 /// The kind of the file.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(super) enum ExportKind {
     Pictures(Export),
+    /// Pages to print.
+    Handout(Box<handout_pages::Job>),
     /// The way to the canonical volume by these steps, in a theme.
     Animation(Decomposition, Theme),
 }
@@ -434,6 +438,7 @@ impl Task {
         let theme = match what {
             ExportKind::Pictures(export) => export.theme,
             ExportKind::Animation(_, theme) => theme,
+            ExportKind::Handout(_) => Theme::Light,
         };
         let subject = ExportSource::of(document, shown, lang, theme);
         Self { subject, source: document.source().to_owned(), what, path, overwrite }
@@ -458,6 +463,10 @@ impl Task {
         let Self { subject, source, what, path, .. } = self;
         let export = match what {
             ExportKind::Pictures(export) => export,
+            ExportKind::Handout(job) => {
+                let bytes = job.pdf(progress).await?;
+                return Ok(PictureFile { bytes, beside: None, too_much: None, no_areas: None });
+            }
             ExportKind::Animation(decomposition, _) => {
                 let film = Animation { request: subject.film(progress)?, decomposition: *decomposition };
                 let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));

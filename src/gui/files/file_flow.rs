@@ -209,6 +209,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Export(_)
         | Purpose::Animation(_)
         | Purpose::Chart(_)
+        | Purpose::Handout(_)
         | Purpose::Progress
         | Purpose::Step
         | Purpose::OwnLesson
@@ -233,6 +234,10 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         }
         Purpose::Animation(decomposition) => {
             let what = ExportKind::Animation(decomposition, state.settings.theme);
+            export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
+        }
+        Purpose::Handout(form) => {
+            let what = ExportKind::Handout(Box::new(form.job(state)));
             export(ctx, state, what, (path.to_owned(), agreed.overwrite()));
         }
         Purpose::Exercises => state.exercises.look_into(Some(path.to_owned())),

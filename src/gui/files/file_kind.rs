@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::export::format::PictureFormat;
 use crate::gui::platform::native::{FileQuestion, Wanted};
 use crate::gui::state::{MESH_ENDINGS, Purpose, State, TEXTURE_ENDINGS};
-use crate::i18n::learn::{exercise_window, lessons};
+use crate::i18n::learn::{exercise_window, handouts, lessons};
 use crate::i18n::why::explain;
 use crate::i18n::window;
 use crate::i18n::window::{gallery, scenes};
@@ -33,6 +33,7 @@ impl FileKind {
         let (t, exercises, film) = (window::texts(lang), exercise_window::texts(lang), explain::texts(lang));
         let figure = PathBuf::from(state.document.name().unwrap_or_else(|| t.untitled_file.to_owned()));
         let stem = figure.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let save_action = t.save_action;
         let format = |name: &str, format: PictureFormat| (format!("{name} {}", format.name()), format.endings());
         let (wanted, title, action, filters, name) = match purpose {
             Purpose::Open => {
@@ -76,6 +77,11 @@ impl FileKind {
                 formats.sort_by_key(|format| *format != PictureFormat::Svg);
                 let filters = formats.map(|of| format(t.chart_filter, of)).to_vec();
                 (Wanted::NewFile, t.export_chart_title, t.save_action, filters, format!("{stem}-{}.svg", t.chart_file))
+            }
+            Purpose::Handout(form) => {
+                let t = handouts::texts(lang);
+                let filters = vec![(format!("{} PDF", t.filter), &["pdf"][..])];
+                (Wanted::NewFile, t.title, save_action, filters, format!("{}.pdf", form.stem()))
             }
             Purpose::Progress => {
                 let (filters, name) = (vec![("CSV".to_owned(), &["csv"][..])], exercises.progress_file.to_owned());

@@ -7,6 +7,8 @@ use crate::camera::Decomposition;
 use crate::export::plot::Block;
 use crate::files::Overwrite;
 use crate::gui::background::worker::Running;
+use crate::gui::export::handout_dialog::HandoutForm;
+use crate::gui::export::handout_pages::PagesPreview;
 use crate::gui::export::preview::Preview;
 use crate::gui::export::{Export, Exported, Exporting};
 use crate::gui::files::comparison::Comparison;
@@ -81,6 +83,8 @@ pub enum Purpose {
     LessonText(AfterSave),
     /// To write a chart.
     Chart(Box<Block>),
+    /// To write a lesson or exercises as pages to print.
+    Handout(HandoutForm),
     /// To export progress in exercises, as a table for spreadsheets.
     Progress,
     /// A folder of a lecturer's own exercises.
@@ -90,7 +94,7 @@ pub enum Purpose {
 impl Purpose {
     /// True if the file is for the figure that is shown.
     pub(in crate::gui) fn is_about_figure(&self) -> bool {
-        !matches!(self, Self::Open | Self::Folder | Self::Progress | Self::Exercises)
+        !matches!(self, Self::Open | Self::Folder | Self::Progress | Self::Exercises | Self::Handout(_))
     }
 }
 
@@ -157,6 +161,8 @@ pub enum Dialog {
     ReadOnly(Purpose, PathBuf, Agreed),
     /// The title and the caption of the figure.
     Title(TitleForm),
+    /// The dialog that prints lessons and exercises.
+    Handout(HandoutForm),
     /// The export dialog.
     Export(Export),
     /// Pictures are still being written: the window closes when they are there.
@@ -222,6 +228,8 @@ pub struct FileFlow {
     pub(in crate::gui) titled: Option<Revision>,
     /// The content of the export dialog while it is open.
     pub preview: Option<Preview>,
+    /// The pages in the dialog that prints, as long as it is open.
+    pub pages: Option<PagesPreview>,
 }
 
 /// A question for a file to the system, until it is answered.
@@ -249,6 +257,7 @@ impl Dialog {
             | Self::Changed(_)
             | Self::ReadOnly(..)
             | Self::Export(_)
+            | Self::Handout(_)
             | Self::Title(_)
             | Self::Closing
             | Self::Delete { .. }

@@ -150,8 +150,8 @@ pub fn score(lang: Lang, right: usize, all: usize) -> String {
 /// A sheet with an ending that cannot be written.
 #[must_use]
 pub fn sheet_ending(lang: Lang, path: &str) -> String {
-    both!(lang; "{path}: unknown extension; allowed: .md, .tex",
-        "{path}: extensão desconhecida; permitido: .md, .tex")
+    both!(lang; "{path}: unknown extension; allowed: .pdf, .md, .tex",
+        "{path}: extensão desconhecida; permitido: .pdf, .md, .tex")
 }
 
 /// A picture of an exercise that gives none.

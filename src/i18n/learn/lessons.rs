@@ -41,7 +41,7 @@ texts! {
     text_command: "Text of the step", "Texto do passo";
     text_hint: "Shows or hides the text under the pictures; key C in a presentation", "Mostra ou oculta o texto sob as imagens; tecla C na apresentação";
     question_command: "Question of the step", "Pergunta do passo";
-    question_hint: "Shows or hides the question under the pictures; key Q in a presentation", "Mostra ou oculta a pergunta sob as imagens; tecla Q na apresentação";
+    question_hint: "Shows or hides the question under the pictures; in a presentation, Q shows it, then the answer with the hands you counted", "Mostra ou oculta a pergunta sob as imagens; na apresentação, Q a mostra, depois a resposta com as mãos que você contou";
     notes_command: "Speaker's notes", "Notas do apresentador";
     clock_hint: "Minutes and seconds since you opened the notes", "Minutos e segundos desde que você abriu as notas";
     notes_hint: "Shows or hides the notes of the step for the speaker, in a window of their own", "Mostra ou oculta as notas do passo para quem apresenta, em uma janela própria";
@@ -56,6 +56,11 @@ texts! {
     show_way_hint: "Moves the camera to where the task leads", "Move a câmera até onde a tarefa leva";
     exercise_at_side: "Answer the exercise in the panel at the side.", "Responda o exercício no painel ao lado.";
     open_exercise: "Open the exercise", "Abrir o exercício";
+    show_answer: "Show the answer", "Mostrar a resposta";
+    show_answer_hint: "Marks the right choice and shows how many hands each choice has", "Marca a alternativa certa e mostra quantas mãos cada uma tem";
+    count_hands: "A letter counts a hand, Shift and the letter take one away", "Uma letra conta uma mão, Shift e a letra tiram uma";
+    hands: "hands", "mãos";
+    raise_hint: "counts a hand for this choice", "conta uma mão para esta alternativa";
     hidden_question: "Q shows the question", "Q mostra a pergunta";
     // Recording.
     add_step: "Add as step", "Acrescentar como passo";
@@ -208,7 +213,10 @@ fn questions(lang: Lang, heading: &str, questions: &[Question]) -> String {
 /// The titles of the exercises to which a lesson leads, each once.
 #[must_use]
 pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
-    lessons::exercises_of(lesson).into_iter().filter_map(|id| Some(super::exercises::title(lang, exercises::entry(id)?))).collect()
+    lessons::exercises_of(lesson)
+        .into_iter()
+        .filter_map(|id| Some(super::exercises::title(lang, exercises::entry(id)?)))
+        .collect()
 }
 
 /// A step was added to a file.

@@ -6,5 +6,6 @@ pub mod exercise_sheet;
 pub(super) mod exercise_texts;
 pub mod exercise_window;
 pub mod exercises;
+pub mod handouts;
 pub mod lesson_tasks;
 pub mod lessons;

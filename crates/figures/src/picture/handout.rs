@@ -80,6 +80,14 @@ impl Handout {
     /// # Errors
     /// [`PictureError`]
     pub async fn pdf(&self, progress: &Progress) -> Result<Vec<u8>, PictureError> {
+        pdf_of(&self.pages(progress).await?, Letters::Text, "").ok_or(PictureError::Font)
+    }
+
+    /// The pages of the handout.
+    ///
+    /// # Errors
+    /// [`PictureError`]
+    pub async fn pages(&self, progress: &Progress) -> Result<Vec<Page>, PictureError> {
         let width = Self::picture_width(self.columns);
         let mut pages = Pages::new(self, width);
         pages.title(&self.title);
@@ -104,7 +112,7 @@ impl Handout {
             }
         }
         pages.put_row(row);
-        pdf_of(&pages.finish(), Letters::Text, "").ok_or(PictureError::Font)
+        Ok(pages.finish())
     }
 }
 

@@ -7,6 +7,7 @@ use super::{InBrowser, Menu, Row, Run};
 use crate::appearance;
 use crate::figure::{Explanation, Observers};
 use crate::gui::export::family_choice::Subject;
+use crate::gui::export::handout_dialog::HandoutForm;
 use crate::gui::files::file_flow;
 use crate::gui::files::title_dialog::TitleForm;
 use crate::gui::gallery::Part;
@@ -15,7 +16,7 @@ use crate::gui::state::{
     self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory,
 };
 use crate::i18n::Lang;
-use crate::i18n::learn::lessons;
+use crate::i18n::learn::{handouts, lessons};
 use crate::i18n::window::Texts;
 use crate::i18n::window::{canvas, compare, labels, sharing};
 use crate::views::observer::Viewpoint;
@@ -82,6 +83,8 @@ pub const MENUS: &[Menu] = &[
                     s.family.choose(Subject::Nothing);
                     show_export(s);
                 }),
+                Row::new(Handout, ctrl(Key::P), handout_words, |s, _| show_handout(s, true)).browsers_keys(),
+                Row::new(ExerciseSheet, alt(Key::K), sheet_words, |s, _| show_handout(s, false)),
                 Row::new(CopyLink, ctrl(Key::K), link_words, |s, _| show_dialog(s, Dialog::Link)),
             ],
             &[row!(Quit, ctrl(Key::Q), quit, quit_hint, |s, ctx| file_flow::begin(ctx, s, AfterSave::Quit))
@@ -246,7 +249,10 @@ pub const MENUS: &[Menu] = &[
                     StepQuestion,
                     alt(Key::A),
                     |t| lesson_words(t, |t| (t.question_command, t.question_hint)),
-                    |s, _| change_lesson(s, |playing| playing.shows_question ^= true),
+                    |s, _| {
+                        let presents = s.settings.presentation;
+                        change_lesson(s, |playing| playing.go_on_asking(presents));
+                    },
                 )
                 .in_lesson(|s| s.lesson.is_some())
                 .on(|s| s.lesson.as_ref().is_some_and(|playing| playing.shows_question)),
@@ -388,6 +394,16 @@ fn link_words(t: &Texts) -> (&'static str, &'static str) {
     (t.copy_link, t.copy_link_hint)
 }
 
+fn handout_words(t: &Texts) -> (&'static str, &'static str) {
+    let t = handouts::texts(t.lang);
+    (t.handout, t.handout_hint)
+}
+
+fn sheet_words(t: &Texts) -> (&'static str, &'static str) {
+    let t = handouts::texts(t.lang);
+    (t.sheet, t.sheet_hint)
+}
+
 fn code_words(t: &Texts) -> (&'static str, &'static str) {
     let t = sharing::texts(t.lang);
     (t.code, t.code_hint)
@@ -459,6 +475,11 @@ fn save_as(state: &mut State, ctx: &Context) {
 fn show_title(state: &mut State, _: &Context) {
     let form = TitleForm::of(state, None);
     show_dialog(state, Dialog::Title(form));
+}
+
+fn show_handout(state: &mut State, is_lesson: bool) {
+    let form = HandoutForm::of(state, is_lesson);
+    show_dialog(state, Dialog::Handout(form));
 }
 
 /// Opens the export dialog for the views that are shown.

@@ -1,6 +1,7 @@
 //! The lesson that is played: the bar and the text under the pictures, its task, and the list of lessons.
 
 mod editor;
+mod hands;
 mod list;
 mod quantity_menu;
 pub(in crate::gui) mod recording;
@@ -61,6 +62,7 @@ pub(in crate::gui) fn advance(ctx: &egui::Context, state: &mut State) {
         ctx.request_repaint();
     }
     typed_step(ctx, state, now);
+    hands::count(ctx, state);
     state.look_at_goal();
 }
 

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::hands::{Hands, question_with_choices};
 use crate::camera::{Camera, Operation};
 use crate::figure::{Figure, Observers, Show};
 use crate::files;
@@ -42,6 +43,8 @@ pub struct Playing {
     pub links_whole: bool,
     /// The beginning of the fading of what was shown before the step, counted.
     pub(in crate::gui) fades: u64,
+    /// The hands that the class has raised.
+    pub(in crate::gui) hands: Hands,
     /// Not all of text and task is in sight; written by the panel.
     pub is_cut: bool,
     /// The height of the panel, and what it depends on; written by the panel.
@@ -115,6 +118,19 @@ impl Playing {
         self.looked_at
             .as_ref()
             .is_some_and(|(version, seen, shown)| (*version, seen, shown) == (document.version(), observers, show))
+    }
+
+    /// Shows the question of the step, then its answer if the class has choices, and then neither.
+    pub(in crate::gui) fn go_on_asking(&mut self, presents: bool) {
+        let has_choices = self.now().and_then(question_with_choices).is_some();
+        if self.shows_question && presents && has_choices && self.hands.answered != Some(self.step) {
+            self.hands.answered = Some(self.step);
+            // The class has seen the answer: the next step may come.
+            self.passed.insert(self.step);
+        } else {
+            self.shows_question ^= true;
+            self.hands.answered = None;
+        }
     }
 
     /// True where this step is the last one.
@@ -227,6 +243,7 @@ impl State {
             writing: None,
             was_written: false,
             links_whole: true,
+            hands: Hands::default(),
             fades: 0,
             is_cut: false,
             height: None,

@@ -2,6 +2,7 @@
 
 use eframe::egui::{RichText, Ui};
 
+use super::hands;
 use crate::figure::{Bilingual, Explanation};
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
@@ -22,6 +23,7 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, step: &Step, text:
     }
     ui.add_space(4.0);
     match task {
+        Task::Question(_) if state.settings.presentation && hands::show(ui, t, state, step) => {}
         Task::Question(entry) => {
             let chosen = Chosen { id: entry.id.clone().into_owned(), seed: 0 };
             // Another exercise may have been opened meanwhile.

@@ -1,21 +1,14 @@
-//! `camera-lab lesson render -o OUT.pdf`: a lesson as a handout.
+//! Lessons and exercises on paper, for the command line and the window.
 
-use std::path::Path;
-
-use crate::camera::ImageSize;
-use crate::cli::args::lesson::LessonRenderArgs;
-use crate::cli::args::words::LangArg;
-use crate::cli::lesson::step_pictures::{Found, composite};
-use crate::cli::render::{no_picture, save};
-use crate::cli::{Failure, progress};
+use crate::camera::{Camera, CameraError, ImageSize};
 use crate::exercises::{self, Exercise, Kind};
-use crate::i18n::Lang;
-use crate::i18n::learn::{exercise_sheet, exercises as said, lessons as texts};
+use crate::figure::Figure;
+use crate::i18n::learn::{exercise_messages, exercise_sheet, exercises as said, lessons as texts};
+use crate::i18n::{Lang, pictures};
 use crate::lessons::{Lesson, Question, Step, Task};
-use crate::picture::{FormulaPart, Handout, HandoutEntry, Paragraph};
-use crate::progress::at_once;
-use crate::sanitize;
-use crate::views::Size;
+use crate::picture::{Composite, FormulaPart, Handout, HandoutEntry, NoComposite, Paragraph};
+use crate::scene::Scene;
+use crate::views::{Request, SharedScene, Shot, Size, View, Views};
 
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 5;
@@ -27,47 +20,141 @@ const LETTERS: f32 = 7.5;
 const WIDTH: u32 = 900;
 const HEIGHT: u32 = 330;
 
-/// Writes the handout.
-pub(in crate::cli) fn write(args: &LessonRenderArgs, found: &Found, lang: Lang) -> Result<(), Failure> {
-    let written = args.which.lang.map_or(Lang::En, LangArg::lang);
-    let columns = if args.per_page(lang)? > 2 { 2 } else { 1 };
-    let lesson = &found.lesson;
-    let t = texts::texts(written);
+/// The greatest size of a picture in pixels.
+pub(crate) const PICTURE: [u64; 2] = [WIDTH as u64, 3 * HEIGHT as u64 / 2];
+
+/// The choices for a handout.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HandoutOptions {
+    /// The language of its texts.
+    pub lang: Lang,
+    /// One column, or two with smaller entries.
+    pub columns: usize,
+    /// The solutions are at its end.
+    pub answers: bool,
+    /// It begins with the plan for the lecturer.
+    pub plan: bool,
+}
+
+impl HandoutOptions {
+    /// The size of a picture.
+    fn size(&self) -> Size {
+        lettered(ImageSize { width: WIDTH, height: HEIGHT * if self.columns > 1 { 3 } else { 2 } / 2 }, self.columns)
+    }
+
+    const fn room(&self) -> [usize; 2] {
+        ROOM[if self.columns > 1 { 1 } else { 0 }]
+    }
+}
+
+/// A lesson as a handout. `draw` makes the picture of a step, counted from 0, in a size.
+///
+/// # Errors
+/// Those of `draw`.
+pub fn of_lesson<E>(
+    lesson: &Lesson,
+    options: HandoutOptions,
+    mut draw: impl FnMut((usize, &Step), Size) -> Result<Composite, E>,
+) -> Result<Handout, E> {
+    let HandoutOptions { lang, columns, .. } = options;
+    let (t, room) = (texts::texts(lang), options.room());
     let mut entries = Vec::new();
-    if let Some(plan) = lesson.plan.as_ref().filter(|_| args.plan) {
+    if let Some(plan) = lesson.plan.as_ref().filter(|_| options.plan) {
         let mut paragraphs = vec![Paragraph::Heading(t.plan.to_owned())];
-        paragraphs.extend(set(texts::told(written, plan)));
+        paragraphs.extend(set(texts::told(lang, plan)));
         entries.push(HandoutEntry { picture: None, paragraphs });
     }
-    entries.push(HandoutEntry { picture: None, paragraphs: beginning(written, lesson) });
-    entries.extend(around(written, t.pretest, &lesson.pretest, ROOM[columns - 1]));
+    entries.push(HandoutEntry { picture: None, paragraphs: beginning(lang, lesson) });
+    entries.extend(around(lang, t.pretest, &lesson.pretest, room));
     for (k, step) in lesson.steps.iter().enumerate() {
-        let size = ImageSize { width: WIDTH, height: HEIGHT * if columns > 1 { 3 } else { 2 } / 2 };
-        let picture = composite(args, found, (k, step), lettered(size, columns), lang)?;
-        entries.push(HandoutEntry { picture: Some(picture), paragraphs: of_step(written, k, step, ROOM[columns - 1]) });
+        let picture = Some(draw((k, step), options.size())?);
+        entries.push(HandoutEntry { picture, paragraphs: of_step(lang, k, step, room) });
     }
     if let Some(sentence) = &lesson.sentence {
-        let text = format!("{}: {}", texts::texts(written).keep, in_line(texts::told(written, sentence)));
+        let text = format!("{}: {}", t.keep, in_line(texts::told(lang, sentence)));
         entries.push(HandoutEntry { picture: None, paragraphs: vec![Paragraph::Text(text)] });
     }
-    entries.extend(around(written, t.posttest, &lesson.posttest, ROOM[columns - 1]));
-    if args.answers {
-        let solutions = lesson.steps.iter().enumerate().filter_map(|(k, step)| solution(written, k, step));
-        let before = solved_around(written, t.pretest, &lesson.pretest);
-        let after = solved_around(written, t.posttest, &lesson.posttest);
-        let mut solutions: Vec<HandoutEntry> = before.into_iter().chain(solutions).chain(after).collect();
-        if let Some(first) = solutions.first_mut() {
-            let heading = Paragraph::Heading(texts::texts(written).solutions.to_owned());
-            first.paragraphs.insert(0, heading);
-        }
-        entries.extend(solutions);
+    entries.extend(around(lang, t.posttest, &lesson.posttest, room));
+    if options.answers {
+        let solutions = lesson.steps.iter().enumerate().filter_map(|(k, step)| solution(lang, k, step));
+        let before = solved_around(lang, t.pretest, &lesson.pretest);
+        let after = solved_around(lang, t.posttest, &lesson.posttest);
+        entries.extend(with_heading(lang, before.into_iter().chain(solutions).chain(after).collect()));
     }
-    let title = texts::told(written, &lesson.title).to_owned();
-    let handout = Handout { title, language: written.tag(), entries, columns };
-    let made = progress::watched(lang, |progress| at_once(handout.pdf(progress)));
-    let bytes =
-        made.map_err(|error| no_picture(lang, &sanitize::path(&args.output), error, [WIDTH, HEIGHT].map(u64::from)))?;
-    save(&args.output, &bytes, None, lang)
+    let title = texts::told(lang, &lesson.title).to_owned();
+    Ok(Handout { title, language: lang.tag(), entries, columns })
+}
+
+/// Exercises as a handout. `draw` makes the picture that an exercise asks to match, in a size.
+///
+/// # Errors
+/// Those of `draw`.
+pub fn of_exercises<E>(
+    sheet: &[Exercise],
+    options: HandoutOptions,
+    mut draw: impl FnMut(&Figure, Size) -> Result<Composite, E>,
+) -> Result<Handout, E> {
+    let HandoutOptions { lang, columns, .. } = options;
+    let t = exercise_messages::texts(lang);
+    // An underscore would begin a subscript.
+    let [name, date] = [36, 18].map(|dots| "…".repeat(dots / 2));
+    let line = Paragraph::Text(format!("{}: {name}  {}: {date}", t.name, t.date));
+    let mut entries = vec![HandoutEntry { picture: None, paragraphs: vec![line] }];
+    for (number, exercise) in (1..).zip(sheet) {
+        let picture = exercise.figure_to_match().map(|figure| draw(&figure, options.size())).transpose()?;
+        let title = said::exercise_title(lang, exercise);
+        let mut paragraphs = vec![Paragraph::Heading(format!("{number}. {title}"))];
+        paragraphs.extend(said::statement(lang, exercise).iter().flat_map(|paragraph| set(paragraph)));
+        let assumptions = said::assumptions(lang, exercise);
+        paragraphs.extend(assumptions.iter().map(|assumption| Paragraph::Remark(in_line(assumption))));
+        paragraphs.extend(questions(lang, exercise, options.room()));
+        paragraphs.push(Paragraph::Remark(format!("{}, {} {}", exercise.id, t.seed, exercise.seed)));
+        entries.push(HandoutEntry { picture, paragraphs });
+    }
+    if options.answers {
+        let title = |number, exercise| format!("{number}. {}", said::exercise_title(lang, exercise));
+        let solutions = (1..).zip(sheet).map(|(number, exercise)| solved(lang, exercise, title(number, exercise)));
+        entries.extend(with_heading(lang, solutions.collect()));
+    }
+    Ok(Handout { title: t.exercises.to_owned(), language: lang.tag(), entries, columns })
+}
+
+/// The pictures of a figure on a handout.
+///
+/// # Errors
+/// The camera is impossible, or the pictures have no room.
+pub fn picture(figure: &Figure, scene: Scene, views: Views, size: Size, lang: Lang) -> Result<Composite, NoPicture> {
+    let camera = Camera::new(&figure.camera)?;
+    let (shot, scene) = (Shot::of(figure), SharedScene::new(scene));
+    let request = Request::new(&shot, View::Image, &camera, &scene, pictures::labels(lang), size);
+    // A lecturer turns the pictures of a lesson in a window, whose shape isn't that of a page.
+    Ok(Composite::of(views, &request, &shot, None)?.gone_back())
+}
+
+/// Why a figure has no picture.
+#[derive(Debug, thiserror::Error)]
+pub enum NoPicture {
+    /// The camera is impossible.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// The pictures have no room.
+    #[error(transparent)]
+    Composite(#[from] NoComposite),
+}
+
+/// The views that a figure shows.
+#[must_use]
+pub fn views_of(figure: &Figure) -> Views {
+    let shown = figure.screen.pictures.unwrap_or([true; View::COUNT]);
+    let is_it = |views: &Views| View::ALL.iter().zip(shown).all(|(view, shown)| views.contains(*view) == shown);
+    Views::CHOICES.into_iter().find(is_it).unwrap_or(Views::All)
+}
+
+fn with_heading(lang: Lang, mut solutions: Vec<HandoutEntry>) -> Vec<HandoutEntry> {
+    if let Some(first) = solutions.first_mut() {
+        first.paragraphs.insert(0, Paragraph::Heading(texts::texts(lang).solutions.to_owned()));
+    }
+    solutions
 }
 
 /// A size of a picture whose letters have [`LETTERS`] points on the page.
@@ -75,11 +162,6 @@ fn lettered(size: ImageSize, columns: usize) -> Size {
     #[expect(clippy::cast_precision_loss, reason = "pixels of a picture")]
     let per_point = WIDTH as f32 / Handout::picture_width(columns);
     Size::with_letters(size.width, size.height, LETTERS * per_point)
-}
-
-/// True where a handout is wanted, and not a folder of pictures.
-pub(in crate::cli) fn is_handout(output: &Path) -> bool {
-    output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pdf"))
 }
 
 fn beginning(lang: Lang, lesson: &Lesson) -> Vec<Paragraph> {
