@@ -61,6 +61,8 @@ texts! {
     horizon: "horizon", "horizonte";
     world: "world", "mundo";
     // The sides of a comparison.
+    this_camera: "this camera", "esta câmera";
+    other_camera: "camera A", "câmera A";
     differ: "pixels that differ", "pixels que diferem";
     pan: "Pan", "Deslocamento";
     section: "Section along u", "Corte ao longo de u";
@@ -190,6 +192,8 @@ const fn of(t: &Texts) -> Labels {
         behind_eye: t.behind_eye,
         horizon: t.horizon,
         world: t.world,
+        this_camera: t.this_camera,
+        other_camera: t.other_camera,
         differ: t.differ,
         operations: [
             style.elevation,

@@ -11,6 +11,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Rect, vec2};
 use egui_kittest::kittest::Queryable;
 
+use super::files::Folder;
 use super::window::Window;
 use crate::words::{en, pt};
 
@@ -49,7 +50,9 @@ fn a_pair_is_chosen_the_wiper_is_dragged_and_both_are_undone() {
     assert_eq!(window.compared().expect("a comparison").with, [("style.shading".to_owned(), "\"phong\"".to_owned())]);
     window.click(en::COMPARE.differences);
     assert!(window.compared().expect("a comparison").differences);
-    window.click(en::WINDOW.close);
+    // Without the card, which would end the comparison if it were closed.
+    window.app_mut().state.file_flow.dialog = None;
+    window.run();
     let (place, from) = (window.state().picture_sizes[View::Image.index()], window.wiper().center());
     window.drag(from, vec2(-100.0, 0.0), |_| {});
     let wiper = window.compared().expect("a comparison").wiper;
@@ -131,7 +134,8 @@ fn any_key_is_compared_and_a_wrong_one_is_explained() {
     // This is possible for some figures and not for this one.
     type_key(&mut window, "camera.near = 1000");
     assert!(window.says("O outro lado é impossível: "));
-    window.click("Fechar");
+    window.app_mut().state.file_flow.dialog = None;
+    window.run();
     assert!(window.says("O outro lado é impossível: "), "under the pictures too");
 }
 
@@ -164,4 +168,45 @@ fn the_convention_of_the_window_is_the_side_that_is_swapped() {
     window.click(en::COMPARE.swap);
     assert_eq!(window.state().settings.conventions.ndc.name(), "direct3d");
     assert_eq!(window.compared().expect("a comparison").with[0].1, "\"opengl\"");
+}
+
+#[test]
+fn a_camera_is_kept_as_a_compared_and_swapped_and_closing_ends_it() {
+    let folder = Folder::new("compare");
+    let mut window = house(Lang::En);
+    let first = window.state().document.figure().camera;
+    let framed = window.state().document.figure().observers;
+    window.key(Key::F4);
+    assert!(window.says(en::COMPARE.no_sides) && window.compared().is_none());
+    window.harness.key_press_modifiers(Modifiers::SHIFT, Key::F4);
+    window.run();
+    window.enter("C x", "-3");
+    let second = window.state().document.figure().camera;
+    // Now, and A: swapped, and back.
+    window.key(Key::F4);
+    assert_eq!(window.state().compared().expect("a side").camera.expect("another camera").parameters(), &first);
+    window.key(Key::F4);
+    assert_eq!(window.state().document.figure().camera, first);
+    window.key(Key::F4);
+    assert_eq!(window.state().document.figure().camera, second);
+    // A stays as it was while the camera goes on.
+    window.enter("C y", "1.5");
+    assert_eq!(window.state().compared().expect("a side").camera.expect("another camera").parameters(), &first);
+    window.compare();
+    window.click(en::WINDOW.close);
+    assert_eq!(window.compared(), None);
+    assert_eq!(window.state().document.figure().observers, framed);
+    // As it was opened, and another file.
+    window.compare();
+    window.click(en::COMPARE.with_saved);
+    assert_eq!(window.state().compared().expect("a side").camera.expect("another camera").parameters(), &first);
+    let path = folder.file("other.toml");
+    let other =
+        "[camera]\nprojection = \"parallel\"\nheight = 7\n[scene]\npreset = \"house\"\n[style]\nshading = \"flat\"\n";
+    std::fs::write(&path, other).expect("written");
+    window.click(en::COMPARE.with_file);
+    window.choose(&path);
+    window.run();
+    let side = window.state().compared().expect("a side").camera.clone().expect("another camera");
+    assert_eq!((side.parameters().projection, side.parameters().height), (Projection::Parallel, 7.0));
 }

@@ -9,9 +9,10 @@ use camera_lab::figure::variation::VariedValue;
 use camera_lab::figure::{Comparison, Figure, Show, View, read, varied, words, write};
 use camera_lab::i18n::{Lang, messages, pictures::labels};
 use camera_lab::picture::{Pixels, Renderer};
+use camera_lab::progress::at_once;
 use camera_lab::share;
 use camera_lab::text::runs;
-use camera_lab::views::{Request, Size, caption, overlay};
+use camera_lab::views::{Finish, Request, Size, caption, overlay};
 
 use crate::cli::pixels;
 use crate::common::program::Bench;
@@ -183,6 +184,69 @@ fn pixels_that_differ_are_marked_and_no_others() {
     assert!(differing > 500, "{differing}");
 }
 
+/// The count in the image, as it is written in a picture of some size.
+fn counted(figure: &Figure, size: Size) -> String {
+    let camera = Camera::new(&figure.camera).unwrap();
+    let request = Request::of(figure, View::Image, &camera, &scene(figure), labels(Lang::En), size);
+    let mut picture = Pixels::default();
+    let report = at_once(Renderer::default().pixels_into(&request, &mut picture)).unwrap();
+    report.labels.iter().find(|label| label.name == "differ").unwrap().text.clone()
+}
+
+#[test]
+fn the_count_of_pixels_is_that_of_the_image_in_every_size() {
+    let other = "position = [4.0, 2.0, 6.0]";
+    let with = vec![("camera.position".to_owned(), other.split_once("= ").unwrap().1.to_owned())];
+    let beside = Comparison { with: with.clone(), differences: true, beside: true, ..Comparison::default() };
+    let figure = compared(beside.clone());
+    // The two images as anyone makes them, pixel by pixel.
+    let image = figure.image;
+    let own = Size { width: image.width, height: image.height, scale: 1.0 };
+    let finish = Finish { bare: true, ..Finish::default() };
+    let pictures =
+        [house(Show::default()), varied(&house(Show::default()), &with[0].0, &with[0].1).unwrap()].map(|figure| {
+            let camera = Camera::new(&figure.camera).unwrap();
+            let request = Request::of(&figure, View::Image, &camera, &scene(&figure), labels(Lang::En), own);
+            drawn(&Request { finish, ..request })
+        });
+    let [one, two] = pictures.each_ref().map(|picture| picture.rgba().chunks(4));
+    let differing = one.zip(two).filter(|(one, two)| one.iter().zip(*two).any(|(a, b)| a.abs_diff(*b) > 8)).count();
+    let share = 100.0 * differing as f64 / f64::from(image.width * image.height);
+    assert!((1.0..99.0).contains(&share), "{share}");
+    let expected = format!("{}: {} %", labels(Lang::En).differ, Lang::En.mark().number(share, 3));
+    for (width, height, beside) in [(240, 180, true), (640, 200, true), (300, 700, false), (900, 240, false)] {
+        let figure = compared(Comparison { beside, ..figure.compare.clone().unwrap() });
+        assert_eq!(counted(&figure, Size { width, height, scale: 1.0 }), expected, "{width} × {height}");
+    }
+}
+
+#[test]
+fn a_camera_of_another_figure_is_compared_whole() {
+    let of = |text: &str| read::parse(text).unwrap();
+    let figures = [
+        of("[camera]\nposition = [1, 2, 3]\nview_angle = 30\n"),
+        of("[camera]\nprojection = \"parallel\"\nheight = 3\nnear = -1\nfar = 4\n"),
+        of(
+            "[camera]\nwindow = { left = -1, right = 2, bottom = -1, top = 1 }\nnear = 2\n[style]\nshading = \"phong\"\n",
+        ),
+        of("[camera]\nlens = { focal_length = 35, sensor = [36, 24], fit = \"horizontal\" }\n[style]\nantialias = 1\n"),
+    ];
+    for (one, other) in figures.iter().flat_map(|one| figures.iter().map(move |other| (one, other))) {
+        let comparison = Comparison::default().with_figure(one, other);
+        assert!(comparison.is_of_camera());
+        // As a file keeps it.
+        let kept = Figure { compare: Some(comparison), ..one.clone() };
+        let kept = read::parse(&write::to_toml(&kept)).unwrap();
+        let comparison = kept.compare.clone().unwrap();
+        let side = comparison.other_side(&kept).unwrap();
+        assert_eq!(side.figure.camera, other.camera);
+        assert_eq!(side.figure.style, other.style);
+        let swapped = comparison.swapped(&kept).unwrap();
+        assert_eq!(swapped.camera, other.camera);
+        assert_eq!(swapped.compare.clone().unwrap().other_side(&swapped).unwrap().figure.camera, one.camera);
+    }
+}
+
 #[test]
 fn a_file_a_link_and_render_draw_the_same_comparison() {
     let bench = Bench::new("compare");
@@ -263,7 +327,7 @@ fn planes_fight_in_the_image_where_depths_have_few_bits() {
 
 #[test]
 fn an_impossible_comparison_is_refused_by_line_and_key() {
-    let many: Vec<String> = (0..9).map(|i| format!("\"zoom=1.{i}\"")).collect();
+    let many: Vec<String> = (0..17).map(|i| format!("\"zoom=1.{i}\"")).collect();
     for (text, parts) in [
         (
             "with = { \"style.visibilty\" = \"painter\" }",
@@ -279,7 +343,7 @@ fn an_impossible_comparison_is_refused_by_line_and_key() {
         ("with = 3", &["[compare] with"]),
         ("", &["[compare] with"]),
         ("ops = [\"azimut=3\"]", &["[compare] ops"]),
-        (&format!("ops = [{}]", many.join(", ")), &["9", "8"]),
+        (&format!("ops = [{}]", many.join(", ")), &["17", "16"]),
         ("with = { \"camera.near\" = 1 }\nwiper = 2", &["line 3", "[compare] wiper", "1"]),
         ("with = { \"camera.near\" = 1 }\nlayout = \"side\"", &["[compare] layout", "beside"]),
         ("with = { \"camera.near\" = 1 }\nwipe = 0.5", &["[compare] wipe", "wiper"]),

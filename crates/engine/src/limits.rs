@@ -101,8 +101,8 @@ pub const MAX_CAPTION: usize = 600;
 /// distinguished.
 pub const MAX_SHOWN_OBJECTS: usize = 32;
 
-/// The most keys and operations of a comparison: its headings name them all.
-pub const MAX_COMPARED_KEYS: usize = 8;
+/// The most keys and operations of a comparison: all of a camera, and a few more that the headings name.
+pub const MAX_COMPARED_KEYS: usize = 16;
 
 /// The longest figure file in bytes: a hundred times the largest that people write.
 pub const MAX_FIGURE_BYTES: usize = 8 << 20;

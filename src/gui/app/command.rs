@@ -29,7 +29,7 @@ commands! {
     New Open Gallery Recent Save SaveAs Title Export ExportFamily Handout ExerciseSheet CopyLink QrCode Search Quit Undo Redo Reset
     CopyNumbers Language Theme ReduceMotion Presentation NextFigure PreviousFigure Pen
     Spot Freeze Blank ClearAnnotations ZoomIn ZoomOut ZoomReset ParametersPanel NumbersPanel ViewBack ViewForward
-    Section Dimensions Compare LinkOrbits Labels Pipeline Numerics Explain Exercises Lessons AddStep StepAgain
+    Section Dimensions Compare KeepCamera SwapSides LinkOrbits Labels Pipeline Numerics Explain Exercises Lessons AddStep StepAgain
     StepText StepQuestion StepNotes WriteLesson LeaveLesson Help About;
     Tab(Tab) Show(View) Arrange(Option<Arrangement>) Observe(ObserverChange)
 }

@@ -17,6 +17,7 @@ use crate::figure::{Figure, read, update};
 use crate::files::{self, FileChange, FileError, Overwrite, disk};
 use crate::gui::export::{ExportError, ExportKind, Exporting, Task, save_chart};
 use crate::gui::gallery::Source;
+use crate::gui::inspector::state::compare;
 use crate::gui::model::document::Document;
 use crate::gui::platform::native::{FileAnswer, OpenFileDialog, Wanted};
 use crate::gui::state::{
@@ -219,6 +220,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::Mesh(which) => mesh(state, which, path),
+        Purpose::CompareWith => compare::with_file(state, path),
         Purpose::Texture(object) => texture(state, &object, path),
         Purpose::Progress => save_bytes(state, path, Ok(state.exercises.progress.to_csv().into_bytes()), &agreed),
         Purpose::Step => state.add_step(path, &agreed),

@@ -36,7 +36,7 @@ impl FileKind {
         let save_action = t.save_action;
         let format = |name: &str, format: PictureFormat| (format!("{name} {}", format.name()), format.endings());
         let (wanted, title, action, filters, name) = match purpose {
-            Purpose::Open => {
+            Purpose::Open | Purpose::CompareWith => {
                 let filters = vec![(t.figure_filter.to_owned(), &["toml", "png", "svg", "pdf"][..])];
                 (Wanted::File, t.open_title, t.open_action, filters, String::new())
             }

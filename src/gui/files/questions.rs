@@ -81,6 +81,8 @@ pub enum Purpose {
     OwnLesson,
     /// To save the lesson with the text that cannot be saved in its own file, and then to go on.
     LessonText(AfterSave),
+    /// To compare the figure with the one in it.
+    CompareWith,
     /// To write a chart.
     Chart(Box<Block>),
     /// To write a lesson or exercises as pages to print.

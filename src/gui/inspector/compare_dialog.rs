@@ -4,11 +4,13 @@ use eframe::egui::{Align2, Button, Context, Id, Key, Modifiers, Ui, Window, vec2
 
 use crate::camera::{Operation, Projection};
 use crate::figure::{Comparison, Figure, read};
+use crate::gui::files::file_flow;
 use crate::gui::inspector::complaint;
+use crate::gui::inspector::state::compare::{compared_with, end, in_window, keep_as_a, take};
 use crate::gui::kit::number_field::NumberField;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{CompareForm, Dialog, State};
+use crate::gui::state::{CompareForm, Dialog, Purpose, State};
 use crate::i18n::messages;
 use crate::i18n::window::Texts;
 use crate::i18n::window::compare as words;
@@ -36,9 +38,13 @@ pub(in crate::gui) fn show(ctx: &Context, t: &Texts, state: &mut State, form: Co
         kept = kept.take().and_then(|form| content(ui, t, state, form));
     });
     let is_left = ctx.input_mut(|input| !state.annotations.any() && input.consume_key(Modifiers::NONE, Key::Escape));
+    let stays = kept.filter(|_| open && !is_left);
+    if stays.is_none() {
+        end(state);
+    }
     // A command may have opened another one meanwhile.
     if state.file_flow.dialog.is_none() {
-        state.file_flow.dialog = kept.filter(|_| open && !is_left).map(Dialog::Compare);
+        state.file_flow.dialog = stays.map(Dialog::Compare);
     }
 }
 
@@ -47,7 +53,8 @@ fn content(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm) -> 
     let words = words::texts(state.settings.lang);
     ui.label(words.text);
     ui.add_space(6.0);
-    let mut chosen = pairs(ui, words, state);
+    let mut chosen = others(ui, words, state);
+    chosen = pairs(ui, words, state).or(chosen);
     chosen = angle(ui, t, words, state, &mut form).or(chosen);
     chosen = operation(ui, words, state, &mut form).or(chosen);
     chosen = key(ui, words, state, &mut form).or(chosen);
@@ -64,25 +71,28 @@ fn content(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm) -> 
     (!ui.button(t.close).clicked()).then_some(form)
 }
 
-/// The figure with the convention of the window, which is not in it.
-fn in_window(state: &State) -> Figure {
-    let mut figure = state.document.figure().clone();
-    figure.show.ndc = Some(state.settings.conventions.ndc);
-    figure
-}
-
-/// Makes a figure that differs in its comparison and in what belongs to it that of the window.
-fn take(state: &mut State, figure: Figure) {
-    let Figure { camera, image, undistorted, viewport, style, reveal, world, show, compare, .. } = figure;
-    if camera != state.document.figure().camera {
-        // Only then: what is being typed stays.
-        state.document.set_parameters(camera);
-    }
-    state.document.edit(|figure| {
-        (figure.image, figure.undistorted, figure.viewport) = (image, undistorted, viewport);
-        (figure.style, figure.reveal, figure.world, figure.compare) = (style, reveal, world, compare);
+/// A camera that was kept, another file, and the figure as it was saved.
+fn others(ui: &mut Ui, words: &Words, state: &mut State) -> Option<Figure> {
+    let mut chosen = None;
+    ui.horizontal_wrapped(|ui| {
+        if ui.button(words.keep_short).explained(words.keep_hint).clicked() {
+            keep_as_a(state);
+        }
+        let with_a = ui.add_enabled(state.camera_a.is_some(), Button::new(words.with_a));
+        if with_a.explained(words.with_a_hint).explained_disabled(words.with_a_none).clicked()
+            && let Some(a) = state.camera_a.clone()
+        {
+            chosen = Some(compared_with(state, &a));
+        }
+        if ui.button(words.with_file).explained(words.with_file_hint).clicked() {
+            file_flow::ask(ui.ctx(), state, Purpose::CompareWith);
+        }
+        let with_saved = ui.add_enabled(state.document.is_changed(), Button::new(words.with_saved));
+        if with_saved.explained(words.with_saved_hint).explained_disabled(words.with_saved_none).clicked() {
+            chosen = Some(compared_with(state, &state.document.saved().clone()));
+        }
     });
-    *state.document.show_mut() = show;
+    chosen
 }
 
 /// The ready pairs, and nothing.
@@ -140,7 +150,8 @@ fn give_other_projection(state: &State, figure: &mut Figure) {
 fn angle(ui: &mut Ui, t: &Texts, words: &Words, state: &State, form: &mut CompareForm) -> Option<Figure> {
     let figure = state.document.figure();
     let has_angle = figure.camera.projection == Projection::Perspective && figure.camera.window.is_none();
-    let on = figure.compare.as_ref().is_some_and(|c| c.with.iter().any(|(key, _)| key == "camera.view_angle"));
+    let is_of_angle = |comparison: &Comparison| comparison.with.iter().any(|(key, _)| key == "camera.view_angle");
+    let on = figure.compare.as_ref().is_some_and(|comparison| is_of_angle(comparison) && !comparison.is_of_camera());
     ui.horizontal(|ui| {
         let now = t.lang.mark().number(figure.camera.view_angle, 4);
         let button = Button::selectable(on, format!("θ = {now}° | θ")).frame_when_inactive(true);

@@ -367,6 +367,12 @@ impl Document {
         taken
     }
 
+    /// The figure as it was opened or saved last.
+    #[must_use]
+    pub const fn saved(&self) -> &Figure {
+        &self.saved
+    }
+
     /// True where the camera differs from the one the figure was opened with.
     #[must_use]
     pub fn can_reset(&self) -> bool {

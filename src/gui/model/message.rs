@@ -10,7 +10,7 @@ use crate::gui::storage::session::{Keeping, News};
 use crate::i18n::learn::{exercise_messages, lessons};
 use crate::i18n::messages::faults;
 use crate::i18n::why::explain_point;
-use crate::i18n::window::{canvas, scenes, sessions, sharing};
+use crate::i18n::window::{canvas, compare, scenes, sessions, sharing};
 use crate::i18n::{Lang, messages, window};
 use crate::limits::MAX_SESSIONS;
 use crate::pipeline::OverBudget;
@@ -44,6 +44,12 @@ pub enum Message {
     LessonChanged(PathBuf),
     /// A QR code needs the address of a page.
     AddressFirst,
+    /// The camera was kept as A.
+    CameraKept,
+    /// There are no sides to swap.
+    NothingToSwap,
+    /// The figure in this file, with whose camera this one is compared, has another scene.
+    OtherScene(PathBuf),
     /// No step of the lesson before this one.
     FirstStep,
     /// No step of the lesson after this one.
@@ -149,6 +155,9 @@ impl Message {
                 (Error, format!("{}: {why}", lessons::texts(lang).not_written))
             }
             Self::LessonChanged(path) => (Error, lessons::changed_elsewhere(lang, &sanitize::path(path))),
+            Self::CameraKept => (News, compare::texts(lang).kept.to_owned()),
+            Self::NothingToSwap => (News, compare::texts(lang).no_sides.to_owned()),
+            Self::OtherScene(path) => (News, compare::other_scene(lang, &sanitize::path(path))),
             Self::AddressFirst => (News, sharing::texts(lang).address_first.to_owned()),
             Self::FirstStep => (News, lessons::texts(lang).first_step.to_owned()),
             Self::LastStep => (News, lessons::texts(lang).last_step.to_owned()),

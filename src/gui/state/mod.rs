@@ -197,6 +197,8 @@ pub struct State {
     pub export: Export,
     /// The family that is exported.
     pub family: FamilyChoice,
+    /// The figure whose camera was kept as A.
+    pub camera_a: Option<Arc<Figure>>,
     /// Annotations over the pictures.
     pub annotations: Annotations,
     /// The mode in which labels are the author's.
@@ -301,6 +303,7 @@ impl State {
             given_up: Vec::new(),
             export: Export::new([[640, 480]; View::COUNT], 1.0),
             family: FamilyChoice::default(),
+            camera_a: None,
             annotations: Annotations::default(),
             label_mode: LabelMode::default(),
             numerics: Numerics::default(),

@@ -8,6 +8,21 @@ texts! {
     command_hint: "The figure in two ways in one picture, with a wiper between them", "A figura de dois modos em uma só imagem, com um divisor entre eles";
     title: "Compare two ways", "Comparar dois modos";
     text: "Left of the wiper the figure as it is, right of it the other way. Drag the wiper in the picture.", "À esquerda do divisor a figura como está, à direita o outro modo. Arraste o divisor na imagem.";
+    keep: "Keep this camera as A", "Guardar esta câmera como A";
+    keep_hint: "Go on with the camera, and compare it with this one later", "Siga com a câmera e compare-a depois com esta";
+    keep_short: "Keep as A", "Guardar como A";
+    with_a: "with A", "com A";
+    with_a_hint: "This camera and camera A; F4 swaps them", "Esta câmera e a câmera A; F4 as troca";
+    with_a_none: "No camera has been kept as A yet", "Nenhuma câmera foi guardada como A ainda";
+    with_file: "another file…", "outro arquivo…";
+    with_file_hint: "The camera and the ways of drawing of another figure file", "A câmera e os modos de desenhar de outro arquivo de figura";
+    with_saved: "as saved", "como salva";
+    with_saved_hint: "The figure as it was opened or saved last", "A figura como foi aberta ou salva por último";
+    with_saved_none: "Nothing has changed since then", "Nada mudou desde então";
+    kept: "This camera is A now: F4 compares and swaps", "Esta câmera agora é A: F4 compara e troca";
+    no_sides: "Nothing is compared, and no camera has been kept as A", "Nada está sendo comparado, e nenhuma câmera foi guardada como A";
+    swap_command: "Swap sides", "Trocar os lados";
+    swap_command_hint: "Swaps the two sides of a comparison; without one, compares with camera A", "Troca os dois lados de uma comparação; sem uma, compara com a câmera A";
     nothing: "nothing", "nada";
     visibility_painter: "painter | depth buffer", "pintor | z-buffer";
     visibility_bsp: "BSP | depth buffer", "BSP | z-buffer";
@@ -38,4 +53,10 @@ texts! {
 #[must_use]
 pub fn impossible(lang: Lang, error: &FigureError) -> String {
     format!("{} {}", texts(lang).impossible, messages::without_line(lang, error))
+}
+
+/// The other figure has another scene.
+#[must_use]
+pub fn other_scene(lang: Lang, file: &str) -> String {
+    both!(lang; "{file} has another scene: its camera is compared in this one", "{file} tem outra cena: a câmera dele é comparada nesta")
 }

@@ -1,12 +1,14 @@
 //! The figure on the other side of a comparison, and the figures that a comparison makes.
 
-use toml_edit::Value;
+use toml_edit::{Item, TableLike, Value};
 
-use super::edit::{value_of, varied_whole};
+use super::edit::{Difference, NOTHING, difference, value_of, varied_whole};
 use super::error::{FigureError, Problem};
 use super::write::{document, quoted};
 use super::{Comparison, Figure, WorldPart};
+use crate::appearance::Style;
 use crate::camera::{Camera, Convention, Ndc};
+use crate::limits::MAX_COMPARED_KEYS;
 
 /// The other side of a figure.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +31,40 @@ impl Comparison {
         let other = quoted(if has_first { pair[1] } else { pair[0] }).to_string();
         let compare = Some(Self { with: vec![(key.to_owned(), other)], ops: Vec::new(), ..self });
         Figure { compare, ..figure.clone() }
+    }
+
+    /// A comparison with another figure of the same scene: all of its camera, and its ways of drawing that differ.
+    #[must_use]
+    pub fn with_figure(self, figure: &Figure, other: &Figure) -> Self {
+        let document = document(&Figure { camera: other.camera, lens: other.lens, ..Figure::default() });
+        let camera = document.get("camera").and_then(Item::as_table_like);
+        let written = camera.into_iter().flat_map(TableLike::iter).filter_map(|(key, item)| {
+            let value = item.as_value()?.to_string().trim().to_owned();
+            Some((format!("camera.{key}"), value))
+        });
+        let mut with: Vec<(String, String)> = written.collect();
+        if other.camera.window.is_none() {
+            with.push(("camera.window".to_owned(), NOTHING.to_owned()));
+        }
+        // Both sides are of one scene, whose colours are those of a theme.
+        let bare = |of: &Figure| Figure { style: Style { theme: figure.style.theme, ..of.style }, ..Figure::default() };
+        let Difference { changed, .. } = difference(Some(&bare(figure)), &bare(other));
+        let style = changed.get("style").and_then(Item::as_table_like);
+        let style = style
+            .into_iter()
+            .flat_map(TableLike::iter)
+            .filter_map(|(key, item)| Some((format!("style.{key}"), item.as_value()?.to_string().trim().to_owned())));
+        with.extend(style);
+        with.truncate(MAX_COMPARED_KEYS);
+        Self { with, ops: Vec::new(), ..self }
+    }
+
+    /// True if all of the camera is another one, and no single key.
+    #[must_use]
+    pub fn is_of_camera(&self) -> bool {
+        ["position", "focal_point", "view_up"]
+            .into_iter()
+            .all(|key| self.with.iter().any(|(with, _)| with.strip_prefix("camera.") == Some(key)))
     }
 
     /// The values of the first key on both sides, as they are written without quotes.
@@ -78,7 +114,12 @@ impl Comparison {
             let value = value_of(&document, key).map(|value| value.to_string().trim().to_owned());
             Some((key.clone(), value.or_else(|| unwritten(key))?))
         };
-        let with: Option<Vec<_>> = self.with.iter().map(own).collect();
+        let with: Option<Vec<_>> = if self.is_of_camera() {
+            // θ may be written in another way on the other side.
+            Some(Self::default().with_figure(&other.figure, figure).with)
+        } else {
+            self.with.iter().map(own).collect()
+        };
         let compare = Some(Self { with: with?, wiper: self.wiper, ..self.clone() });
         Some(Figure { scene: figure.scene.clone(), compare, ..other.figure })
     }
@@ -94,6 +135,7 @@ fn own_value(figure: &Figure, key: &str) -> Option<String> {
 /// The value of a key that is not written in a figure, where there is one.
 fn unwritten(key: &str) -> Option<String> {
     Some(match key {
+        "camera.window" => NOTHING.to_owned(),
         "style.depth_format" => "\"f32-reversed\"".to_owned(),
         "show.ndc" => format!("\"{}\"", Ndc::default().name()),
         "reveal.outside" | "reveal.texture" | "reveal.shadows" => return None,

@@ -4,10 +4,12 @@ use tiny_skia::{ColorU8, Pixmap};
 
 use super::Pixels;
 use crate::appearance::Rgba;
-use crate::views::{Palette, Request, Side, Size};
+use crate::views::{Finish, Hover, Palette, Request, Side, Size, View};
 
 /// The greatest difference of a channel that counts as none: what rounding makes.
 const SAME: u8 = 8;
+/// The longest side of an image whose pixels are counted: a larger one is made smaller.
+const MOST_COUNTED: u32 = 1024;
 /// Pixels from one stripe to the next, and of a stripe, at scale 1.
 const STRIPES: (f32, f32) = (6.0, 2.0);
 
@@ -30,19 +32,10 @@ impl Differences {
 
     /// Compares the pictures of two sides. `color` and `scale`: of the stripes that mark the differing pixels.
     fn new([one, other]: &[Pixels; 2], color: Rgba, scale: f32) -> Self {
-        let pixels = |picture: &Pixels| picture.rgba.as_chunks::<4>().0.to_vec();
-        let differs = |(a, b): (&[u8; 4], &[u8; 4])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > SAME);
-        let differing = pixels(one).iter().zip(&pixels(other)).map(differs).collect();
+        let differing = differing(one, other).collect();
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few pixels")]
         let stripes = [STRIPES.0, STRIPES.1].map(|pixels| (pixels * scale).round().max(1.0) as usize);
         Self { differing, width: one.width as usize, color, stripes }
-    }
-
-    /// The share of pixels that differ, 0 … 1.
-    #[expect(clippy::cast_precision_loss, reason = "a share")]
-    pub(super) fn share(&self) -> f64 {
-        let count = self.differing.iter().filter(|differs| **differs).count();
-        count as f64 / self.differing.len().max(1) as f64
     }
 
     /// The opacity of the mark on a pixel of a side that begins in this column of the whole picture; `None`: both
@@ -65,6 +58,36 @@ impl Differences {
         }
         Some(marks)
     }
+}
+
+/// Whether each pixel of one picture differs from that of the other.
+fn differing<'a>(one: &'a Pixels, other: &'a Pixels) -> impl Iterator<Item = bool> + 'a {
+    let differs = |(a, b): (&[u8; 4], &[u8; 4])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > SAME);
+    let [one, other] = [one, other].map(|picture| picture.rgba.as_chunks::<4>().0);
+    one.iter().zip(other).map(differs)
+}
+
+/// The image of each side in its own pixels, for the count of those that differ: in every size of a picture, and beside
+/// any other, the count is the same. `None` for other views.
+pub(super) fn counted_requests(sides: &[Side; 2]) -> Option<[Request; 2]> {
+    let image = sides[0].request.shot.look.image;
+    if sides[0].request.view != View::Image {
+        return None;
+    }
+    let shrink = (f64::from(MOST_COUNTED) / f64::from(image.width.max(image.height).max(1))).min(1.0);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most as large as before")]
+    let [width, height] = [image.width, image.height].map(|side| (f64::from(side) * shrink).round().max(1.0) as u32);
+    let size = Size { width, height, scale: 1.0 };
+    let finish = Finish { bare: true, ..Finish::default() };
+    Some(sides.each_ref().map(|side| Request { size, finish, hover: Hover::default(), ..side.request.clone() }))
+}
+
+/// The share of pixels in which two pictures differ, 0 … 1.
+#[expect(clippy::cast_precision_loss, reason = "a share")]
+pub(super) fn differing_share([one, other]: &[Pixels; 2]) -> f64 {
+    let (count, all) =
+        differing(one, other).fold((0_usize, 0_usize), |(count, all), differs| (count + usize::from(differs), all + 1));
+    count as f64 / all.max(1) as f64
 }
 
 /// Puts the columns of each side into the whole picture, with marks where they differ if that is asked.

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
 
-use super::compared::{Differences, joined};
+use super::compared::{Differences, counted_requests, differing_share, joined};
 use super::plate::Plates;
 use super::shadow_truth::FoundShadows;
 use super::{Composite, FollowedTriangle, Pixels, RenderReport};
@@ -34,6 +34,10 @@ pub struct Renderer {
     shadows: FoundShadows,
     /// The buffer of the other side of a comparison.
     other_side: Pixels,
+    /// The images whose differing pixels were counted last, and their share.
+    counted: Option<([Request; 2], f64)>,
+    /// Counts them, so that the buffers of the pictures stay as they are.
+    counter: Option<Box<Self>>,
     /// For pictures that are made at the same time as its own.
     beside: Vec<Self>,
     clock: Option<fn() -> Duration>,
@@ -66,6 +70,8 @@ impl Renderer {
             triangle: FollowedTriangle::default(),
             shadows: FoundShadows::default(),
             other_side: Pixels::default(),
+            counted: None,
+            counter: None,
             beside: Vec::new(),
             clock: None,
             progress: Progress::default(),
@@ -116,7 +122,8 @@ impl Renderer {
         let mut whole = Pixels::from(Pixmap::new(width, height)?);
         let differences = Differences::marked(request, &pictures);
         joined(&mut whole, &sides, &pictures, differences.as_ref());
-        let over = overlay(request, &sides, differences.map(|all| all.share()))?;
+        let share = if differences.is_some() { self.share_that_differs(&sides).await } else { None };
+        let over = overlay(request, &sides, share)?;
         account.labels.extend(LabelPlace::all(&over));
         let over = self.rasterizer.paint(&over)?;
         let mut pixmap = whole.take_pixmap()?;
@@ -125,6 +132,25 @@ impl Renderer {
         let [_, other] = pictures;
         self.other_side = other;
         Some(account)
+    }
+
+    /// The share of the image's own pixels in which its two sides differ, 0 … 1; `None` for the other views.
+    pub(super) async fn share_that_differs(&mut self, sides: &[Side; 2]) -> Option<f64> {
+        let requests = counted_requests(sides)?;
+        if let Some((of, share)) = &self.counted
+            && *of == requests
+        {
+            return Some(*share);
+        }
+        let counter = self.counter.get_or_insert_with(|| Box::new(Self::sharing(&self.shadow_maps)));
+        let mut pictures = [Pixels::default(), Pixels::default()];
+        for (request, picture) in requests.iter().zip(&mut pictures) {
+            // A picture of its own, and no part of this one's progress.
+            Box::pin(counter.one_into(request, picture, [0, 1])).await?;
+        }
+        let share = differing_share(&pictures);
+        self.counted = Some((requests, share));
+        Some(share)
     }
 
     /// A picture in which nothing is compared; `side`: which of how many are painted for one picture.

@@ -17,7 +17,7 @@ use crate::limits::MAX_PIXELS;
 use crate::pipeline::stroke_order::painted_runs;
 use crate::pipeline::stroke_runs::{Run, occlusions};
 use crate::pipeline::{Output, OverBudget};
-use crate::progress::{Activity, Progress};
+use crate::progress::{Activity, Progress, at_once};
 use crate::raster::{FADED, HALO, Rasterizer, area_outline, baseline, mark_layers, mark_outline};
 use crate::text::Element;
 use crate::views::{Request, Side, Size, overlay};
@@ -165,7 +165,7 @@ impl Painter {
             let clip = [from, 0.0, to, unit(request.size.height)];
             items.push(Item::group([left, 0.0], clip, inner));
         }
-        let share = differences.map(|all| all.share());
+        let share = differences.and_then(|_| at_once(self.renderer.share_that_differs(&sides)));
         let over = overlay(request, &sides, share).ok_or(PictureError::TooLarge)?;
         items.extend(over_faces(&over)?);
         Ok(items)

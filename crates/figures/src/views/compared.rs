@@ -19,6 +19,9 @@ const LONGEST: usize = 60;
 
 /// The heading of a side, 0 or 1.
 fn heading(compared: &Compared, side: usize, labels: &Labels) -> String {
+    if compared.comparison.is_of_camera() {
+        return [labels.this_camera, labels.other_camera][side].to_owned();
+    }
     let mut parts: Vec<String> =
         compared.values.iter().map(|(key, values)| said(key, values[side].as_deref(), labels)).collect();
     match (compared.comparison.ops.is_empty(), side) {

@@ -12,6 +12,7 @@ use crate::gui::files::file_flow;
 use crate::gui::files::title_dialog::TitleForm;
 use crate::gui::gallery::Part;
 use crate::gui::inspector::number_tables;
+use crate::gui::inspector::state::compare as kept_camera;
 use crate::gui::state::{
     self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory,
 };
@@ -150,6 +151,8 @@ pub const MENUS: &[Menu] = &[
                     .enabled(|s| !s.document.figure().world.section)
                     .disabled_because(|t| t.dimensions_in_section),
                 Row::new(Compare, ctrl_shift(Key::D), compare_words, |s, _| show_compare(s)),
+                Row::new(KeepCamera, shift(Key::F4), keep_words, |s, _| kept_camera::keep_as_a(s)),
+                Row::new(SwapSides, plain(Key::F4), swap_words, |s, _| kept_camera::swap(s)),
                 row!(LinkOrbits, alt(Key::L), link_orbits, link_orbits_hint, switch layout.linked),
                 Row::new(Labels, alt(Key::T), label_words, |s, _| s.label_mode.toggle()).on(|s| s.label_mode.on),
             ],
@@ -412,6 +415,16 @@ fn code_words(t: &Texts) -> (&'static str, &'static str) {
 fn compare_words(t: &Texts) -> (&'static str, &'static str) {
     let t = compare::texts(t.lang);
     (t.command, t.command_hint)
+}
+
+fn keep_words(t: &Texts) -> (&'static str, &'static str) {
+    let t = compare::texts(t.lang);
+    (t.keep, t.keep_hint)
+}
+
+fn swap_words(t: &Texts) -> (&'static str, &'static str) {
+    let t = compare::texts(t.lang);
+    (t.swap_command, t.swap_command_hint)
 }
 
 fn label_words(t: &Texts) -> (&'static str, &'static str) {

@@ -1,6 +1,11 @@
-//! The state of the dialog that compares the figure with itself in another way.
+//! The comparison of the figure with itself in another way, with a kept camera or with another file.
 
-use crate::figure::Figure;
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::figure::{Comparison, Figure};
+use crate::files;
+use crate::gui::state::{Dialog, Message, State};
 
 /// The values of the dialog that no figure has yet.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,11 +22,85 @@ impl CompareForm {
     /// The values of the figure's comparison, else those that are offered.
     pub(in crate::gui) fn of(figure: &Figure) -> Self {
         let operation = figure.compare.as_ref().and_then(|comparison| comparison.ops.first());
-        let with = figure.compare.as_ref().and_then(|comparison| comparison.with.first());
+        let of_keys = figure.compare.as_ref().filter(|comparison| !comparison.is_of_camera());
+        let with = of_keys.and_then(|comparison| comparison.with.first());
         Self {
             angle: if figure.camera.view_angle < 45.0 { 60.0 } else { 30.0 },
             key: with.map_or_else(|| "camera.near = 0.5".to_owned(), |(key, value)| format!("{key} = {value}")),
             operation: operation.map_or_else(|| "azimuth=30".to_owned(), ToString::to_string),
         }
     }
+}
+
+/// Ends the comparison: the views show the figure alone, framed as before.
+pub(in crate::gui) fn end(state: &mut State) {
+    if state.document.figure().compare.is_some() {
+        state.document.edit(|figure| figure.compare = None);
+        state.document.commit();
+    }
+}
+
+/// Keeps the camera of the figure as A.
+pub(in crate::gui) fn keep_as_a(state: &mut State) {
+    state.camera_a = Some(Arc::new(state.document.figure().clone()));
+    state.say(Message::CameraKept);
+}
+
+/// Swaps the sides of the comparison; without one, compares with A.
+pub(in crate::gui) fn swap(state: &mut State) {
+    let figure = in_window(state);
+    let swapped = match (&figure.compare, state.camera_a.clone()) {
+        (Some(comparison), _) => comparison.swapped(&figure),
+        (None, Some(a)) => Some(compared_with(state, &a)),
+        (None, None) => return state.say(Message::NothingToSwap),
+    };
+    if let Some(figure) = swapped {
+        take(state, figure);
+        state.document.commit();
+    }
+}
+
+/// Compares with the figure in a file.
+pub(in crate::gui) fn with_file(state: &mut State, path: &Path) {
+    match files::open_figure_with_any_camera(path) {
+        Ok((opened, _)) => {
+            let is_same_scene = opened.figure.scene == state.document.figure().scene;
+            let figure = compared_with(state, &opened.figure);
+            take(state, figure);
+            state.document.commit();
+            state.file_flow.dialog = Some(Dialog::Compare(CompareForm::of(state.document.figure())));
+            if !is_same_scene {
+                state.say(Message::OtherScene(path.to_owned()));
+            }
+        }
+        Err(error) => state.say(Message::File(path.to_owned(), error)),
+    }
+}
+
+/// The figure compared with the camera and the ways of drawing of another one.
+pub(in crate::gui) fn compared_with(state: &State, other: &Figure) -> Figure {
+    let figure = in_window(state);
+    let before = figure.compare.clone().unwrap_or_else(|| Comparison { beside: true, ..Comparison::default() });
+    Figure { compare: Some(before.with_figure(&figure, other)), ..figure }
+}
+
+/// The figure with the convention of the window, which is not in it.
+pub(in crate::gui) fn in_window(state: &State) -> Figure {
+    let mut figure = state.document.figure().clone();
+    figure.show.ndc = Some(state.settings.conventions.ndc);
+    figure
+}
+
+/// Makes a figure that differs in its comparison and in what belongs to it that of the window.
+pub(in crate::gui) fn take(state: &mut State, figure: Figure) {
+    let Figure { camera, image, undistorted, viewport, style, reveal, world, show, compare, .. } = figure;
+    if camera != state.document.figure().camera {
+        // Only then: what is being typed stays.
+        state.document.set_parameters(camera);
+    }
+    state.document.edit(|figure| {
+        (figure.image, figure.undistorted, figure.viewport) = (image, undistorted, viewport);
+        (figure.style, figure.reveal, figure.world, figure.compare) = (style, reveal, world, compare);
+    });
+    *state.document.show_mut() = show;
 }

@@ -12,8 +12,8 @@ use super::read;
 use super::write::{document, to_toml};
 
 pub use difference::{Difference, difference};
+pub(super) use vary::{NOTHING, value_of, varied_whole};
 pub use vary::{has, number_at, show_with, varied, varied_together};
-pub(super) use vary::{value_of, varied_whole};
 
 /// The figure file of `figure`, made from an earlier text by changing only the parts that differ: comments, order and
 /// the notation of numbers stay. A text that is not a figure file is replaced.

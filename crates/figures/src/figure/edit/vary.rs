@@ -6,6 +6,9 @@ use crate::figure::error::{Allowed, Problem};
 use crate::figure::write::document;
 use crate::figure::{Figure, FigureError, Show, read};
 
+/// A value that removes its key, in a file that has to write one.
+pub(in crate::figure) const NOTHING: &str = "\"\"";
+
 /// The figure with one key set to a TOML value: `style.shading`, `"flat"`, or a part of one, `show.step.at`, `2.5`. A
 /// value that is a plain word may lack its quotes; an empty one removes the key.
 ///
@@ -102,7 +105,7 @@ fn parsed(key: &str, value: &str) -> Result<Option<Value>, FigureError> {
     let value = value.trim();
     let is_word = |text: &str| text.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_' | '/' | ' '));
     match value.parse::<Value>() {
-        _ if value.is_empty() => Ok(None),
+        _ if matches!(value, "" | NOTHING) => Ok(None),
         Ok(value) => Ok(Some(value)),
         Err(_) if is_word(value) => Ok(Some(value.into())),
         Err(_) => {

@@ -4,6 +4,7 @@ use super::parse;
 use super::section::{Fault, Section};
 use crate::camera::Operation;
 use crate::figure::Comparison;
+use crate::figure::edit::NOTHING;
 use crate::figure::error::{Allowed, FigureError, Problem};
 use crate::figure::near;
 use crate::figure::write::quoted;
@@ -18,8 +19,8 @@ pub(super) fn comparison(mut section: Section<'_>, faults: &mut Vec<Fault>) -> O
     let is_there = section.is_table();
     let entries = section.entries("with");
     let mut with: Vec<(String, String)> = Vec::new();
-    for (key, value, at) in entries {
-        match checked(&key, &value) {
+    for (key, value, at) in entries.clone() {
+        match checked(&key, &value, &entries) {
             Ok(()) => {
                 with.retain(|(other, _)| *other != key);
                 with.push((key, value));
@@ -58,13 +59,13 @@ pub fn typed_comparison(text: &str) -> Result<Comparison, FigureError> {
     let value =
         if is_word && !matches!(value, "true" | "false") { quoted(value).to_string() } else { value.to_owned() };
     let fault = |problem| FigureError { line: 1, key: format!("[compare] with.{}", sanitize::escaped(key)), problem };
-    checked(key, &value).map_err(fault)?;
+    checked(key, &value, &[]).map_err(fault)?;
     Ok(Comparison::of_key(key, &value))
 }
 
 /// Whether a key can be compared and has this value in some figure. Whether it is possible together with the values of
 /// this figure is another question: they change, and a file can still be read then.
-fn checked(key: &str, value: &str) -> Result<(), Problem> {
+fn checked(key: &str, value: &str, others: &[(String, String, usize)]) -> Result<(), Problem> {
     let section = key.split('.').next().unwrap_or_default().trim();
     let is_plain = key.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '-'));
     if SECTIONS.contains(&key) {
@@ -78,11 +79,19 @@ fn checked(key: &str, value: &str) -> Result<(), Problem> {
         let known = vec!["shading", "visibility", "hidden_lines", "antialias", "depth_format"];
         return Err(Problem::UnknownKey { near: None, known });
     }
+    if key == "camera.window" && value == NOTHING {
+        // The window that belongs to the angle.
+        return Ok(());
+    }
+    let projection = others.iter().find(|(other, ..)| other == "camera.projection" && key != other);
+    let projection = projection.map_or_else(String::new, |(key, value, _)| format!("{key} = {value}\n"));
     // The sections are tables, and so `show.step.at` is a key of `[show]`.
     match parse(&format!("{key} = {value}\n")) {
         Ok(_) => Ok(()),
-        // These are impossible with the other values of any figure.
-        Err(FigureError { problem: Problem::Camera(error), .. }) if error.is_of_one_value() => {
+        // These are impossible with the other values of any figure. In parallel projection F may be 0 or less.
+        Err(FigureError { problem: Problem::Camera(error), .. })
+            if error.is_of_one_value() && parse(&format!("{projection}{key} = {value}\n")).is_err() =>
+        {
             Err(Problem::Camera(error))
         }
         Err(FigureError { problem: Problem::Camera(_) | Problem::Missing { .. }, .. }) => Ok(()),

@@ -99,6 +99,10 @@ pub struct Labels {
     pub horizon: &'static str,
     /// Before the first step of the way to the canonical volume.
     pub world: &'static str,
+    /// The side of a comparison with the figure's own camera.
+    pub this_camera: &'static str,
+    /// The side with another camera.
+    pub other_camera: &'static str,
     /// How much two sides of a comparison differ.
     pub differ: &'static str,
     /// The operations: elevation, azimuth, roll, yaw, pitch, zoom, dolly, pan.
