@@ -23,6 +23,8 @@ texts! {
         "Os eixos de quem. OpenGL, glTF, three.js: x à direita, y para cima, z rumo ao observador; no mundo, y é para cima. Blender: os mesmos, mas no mundo z é para cima, e ele é girado. OpenCV: x à direita, y para baixo, z para dentro da cena.";
     instead: "Read it as", "Ler como";
     instead_hint: "As this, it gives another camera", "Assim ela dá outra câmera";
+    camera: "Camera", "Câmera";
+    camera_hint: "The text has several cameras: this is the one that is read", "O texto tem várias câmeras: esta é a que se lê";
     image: "Image of the matrix", "Imagem da matriz";
     image_hint: "The size in pixels of the image that K belongs to. It is not in the matrix; the figure takes it on with the camera.",
         "O tamanho em pixels da imagem a que K pertence. Não está na matriz; a figura o recebe com a câmera.";

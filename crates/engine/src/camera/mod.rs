@@ -46,8 +46,8 @@ pub use parameters::{
 pub use place::Place;
 pub use recovery::{
     Assumed, Axes, Candidate, Certainty, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError, NdcRange, Order,
-    Pasted, Reading, Reason, Recognised, Recovered, RecoveryError, Stated, Toward, Unknown, WorldUp, read_cameras,
-    recognise, recover,
+    Pasted, Reading, Reason, Recognised, Recovered, RecoveryError, Stated, Toward, Unknown, WorldUp, camera_names,
+    read_cameras, recognise, recover,
 };
 pub use stations::{Projected, Stations};
 pub use unproject::{NotProjectable, WayBack};

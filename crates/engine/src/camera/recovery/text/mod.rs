@@ -63,6 +63,18 @@ pub enum MatrixTextError {
     NotText,
 }
 
+/// The names of several cameras, none for a single one; a number from 1 stands for a missing name.
+#[must_use]
+pub fn camera_names(cameras: &[Pasted]) -> Vec<String> {
+    if cameras.len() < 2 {
+        return Vec::new();
+    }
+    let name = |(k, camera): (usize, &Pasted)| {
+        if camera.name.is_empty() { (k + 1).to_string() } else { camera.name.clone() }
+    };
+    cameras.iter().enumerate().map(name).collect()
+}
+
 impl Pasted {
     fn new(name: &str, entries: MatrixEntries) -> Self {
         Self { name: name.to_owned(), entries: Some(entries), word: None, lens: None, image: None }
