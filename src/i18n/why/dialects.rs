@@ -262,6 +262,9 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
         Unknown::WorldMirrored => pick!(lang;
             "That world is left-handed: its z was reversed, (x, y, z) → (x, y, −z), so that the image is not mirrored.",
             "Esse mundo é de mão esquerda: seu z foi invertido, (x, y, z) → (x, y, −z), para que a imagem não fique espelhada."),
+        Unknown::WorldExchanged => pick!(lang;
+            "That world is left-handed with z up: y and z were exchanged, (x, y, z) → (x, z, y), so that y is up and the image is not mirrored.",
+            "Esse mundo é de mão esquerda e nele z é para cima: y e z foram trocados, (x, y, z) → (x, z, y), para que y seja para cima e a imagem não fique espelhada."),
         Unknown::ClippingPlanes => pick!(lang; "F and B are unknown: K [R | t] has none. They stay as they were.",
             "F e B são desconhecidos: K [R | t] não os tem. Ficam como estavam."),
         Unknown::ImageSize => pick!(lang;

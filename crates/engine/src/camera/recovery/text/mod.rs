@@ -1,12 +1,14 @@
 //! A text or a file of another program → the cameras in it.
 //!
-//! Each real format has its reader: JSON, COLMAP, glTF. A text of another form is a list of numbers under names
+//! Each real format has its reader: JSON, COLMAP, glTF, trajectories of `Open3D`, `ParaView`. A text of another form is a list of numbers under names
 //! (`K =`, `R:`, `P2:`), as programs print them; the names and counts say which is which.
 
 mod colmap;
 mod gltf;
 mod json;
 pub(crate) mod numbers;
+mod paraview;
+mod trajectory;
 mod values;
 mod words;
 
@@ -42,8 +44,8 @@ pub(crate) enum GivenLens {
     AngleX(f64),
     /// The angle from bottom to top in degrees; what isn't there stays.
     AngleY { degrees: f64, aspect: Option<f64>, near: Option<f64>, far: Option<f64> },
-    /// A parallel projection: H, A, F and B.
-    Parallel { height: f64, aspect: f64, near: f64, far: f64 },
+    /// A parallel projection: H, and A, F and B if they are there.
+    Parallel { height: f64, aspect: Option<f64>, planes: Option<[f64; 2]> },
 }
 
 /// Why a text holds no camera.
@@ -105,6 +107,12 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
     let text = text.trim_start_matches('\u{feff}');
     if let Some(cameras) = colmap::cameras(text) {
         return Ok(cameras);
+    }
+    if let Some(poses) = trajectory::cameras(text) {
+        return Ok(poses);
+    }
+    if let Some(camera) = paraview::camera(text) {
+        return Ok(vec![camera]);
     }
     if let Ok(value) = serde_json::from_str(text) {
         return json::cameras(&value, text);
