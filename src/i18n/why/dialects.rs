@@ -302,6 +302,9 @@ pub fn unreadable(lang: Lang, fault: &MatrixTextError) -> String {
             format!("não há câmera nele; {format} não tem nenhuma das chaves de uma câmera")
         }
         (Lang::PtBr, MatrixTextError::NotText) => "não é texto nem GLB".to_owned(),
+        (Lang::PtBr, MatrixTextError::Elided) => {
+            "“...” está no lugar de números que foram omitidos; escreva todos".to_owned()
+        }
         (Lang::PtBr, MatrixTextError::Part(part)) => format!("“{}” não é um número", escaped(part)),
     }
 }

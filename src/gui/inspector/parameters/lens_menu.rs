@@ -2,9 +2,9 @@
 
 use eframe::egui::{self, Popup, PopupCloseBehavior};
 
+use super::free_window::closed;
 use super::{ParameterForm, complaint, row};
 use crate::camera::{Camera, LensForm, LensNumbers, Parameters, Sensor, SensorFit};
-use crate::gui::inspector::parameters::camera::closed;
 use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::i18n::window::lens::{self, Texts};

@@ -1,6 +1,7 @@
 //! The panel on the left: every parameter of the figure, in three tabs: the camera, the scene, how it is drawn.
 
 mod camera;
+mod free_window;
 mod image;
 mod lens_menu;
 mod style;

@@ -57,6 +57,9 @@ pub enum MatrixTextError {
     /// A part of it is not a number.
     #[error("“{}” is not a number", crate::sanitize::escaped(.0))]
     Part(String),
+    /// Numbers that the program left out when it printed them.
+    #[error("“...” stands for numbers that were left out; print all of them")]
+    Elided,
     /// A file of a known format without a camera.
     #[error("no camera in it; {0} has none of the keys of a camera")]
     NoCamera(&'static str),
