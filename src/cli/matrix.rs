@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::{Failure, open, print};
-use crate::camera::{Candidate, Order, Pasted, Recognised, Stated, Unknown, read_cameras, recognise};
+use crate::camera::{Candidate, Order, Pasted, Recognised, Stated, Unknown, camera_names, read_cameras, recognise};
 use crate::cli::args::matrix::MatrixArgs;
 use crate::cli::args::words::{LangArg, TableFormat};
 use crate::figure::update;
@@ -70,7 +70,7 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
     };
     let cameras = read_cameras(&bytes).map_err(|fault| refused(dialects::unreadable(lang, &fault)))?;
     let chosen = chosen(&cameras, args.camera.as_deref()).ok_or_else(|| {
-        refused(dialects::no_such_camera(lang, args.camera.as_deref().unwrap_or_default(), &names(&cameras)))
+        refused(dialects::no_such_camera(lang, args.camera.as_deref().unwrap_or_default(), &camera_names(&cameras)))
     })?;
     let size = args.size(lang)?;
     let (opened, camera) = open(&args.figure, &args.common, lang)?;
@@ -92,10 +92,10 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
     let text = match args.format {
         TableFormat::Json => {
-            let answer = Answer::new(&found, names(&cameras), written);
+            let answer = Answer::new(&found, camera_names(&cameras), written);
             serde_json::to_string_pretty(&answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n"
         }
-        TableFormat::Text => comments(&found, &names(&cameras), written) + &update(&opened.text, &figure),
+        TableFormat::Text => comments(&found, &camera_names(&cameras), written) + &update(&opened.text, &figure),
     };
     print(text.as_bytes(), lang)
 }
@@ -118,17 +118,6 @@ fn chosen<'a>(cameras: &'a [Pasted], wanted: Option<&str>) -> Option<&'a Pasted>
     let Some(wanted) = wanted else { return cameras.first() };
     let by_name = cameras.iter().find(|camera| camera.name == wanted);
     by_name.or_else(|| cameras.get(wanted.parse::<usize>().ok()?.checked_sub(1)?))
-}
-
-/// The names of several cameras; a number stands for a missing one.
-fn names(cameras: &[Pasted]) -> Vec<String> {
-    if cameras.len() < 2 {
-        return Vec::new();
-    }
-    let name = |(k, camera): (usize, &Pasted)| {
-        if camera.name.is_empty() { (k + 1).to_string() } else { camera.name.clone() }
-    };
-    cameras.iter().enumerate().map(name).collect()
 }
 
 impl Answer {

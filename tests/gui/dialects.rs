@@ -9,6 +9,7 @@ use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
 use eframe::egui::Key;
+use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use glam::DVec3;
 
@@ -168,4 +169,32 @@ fn code_is_for_the_camera_as_it_is() {
     window.app_mut().state.explain.code = camera_lab::explain::code::CodeTarget::Glm;
     window.run();
     assert!(code(&window).contains("glm::lookAtRH"));
+}
+
+#[test]
+fn a_file_with_several_cameras_has_a_list() {
+    // Three images of COLMAP, each 4 from the origin: t is the same, the quaternions turn by 0°, 90° and 180° about y.
+    let text = "1 PINHOLE 640 480 400 400 320 240\n\
+        1 1 0 0 0 0 0 4 1 front.png\n\n\
+        2 0.7071067811865476 0 0.7071067811865476 0 0 0 4 1 side.png\n\n\
+        3 0 0 1 0 0 0 4 1 back.png\n\n";
+    for (lang, words) in [(Lang::En, en::DIALECTS), (Lang::PtBr, pt::DIALECTS)] {
+        let mut window = window(lang, Explanation::Dialects);
+        window.app_mut().state.explain.pasted.text = text.to_owned();
+        window.run();
+        window.click(words.take);
+        let front = window.state().document.camera().position();
+        window.harness.get_by_role_and_label(Role::ComboBox, words.camera).click();
+        window.run();
+        window.click("back.png");
+        assert_eq!(window.state().explain.pasted.camera, 2);
+        window.click(words.take);
+        let back = window.state().document.camera().position();
+        assert!(front.length() > 3.9 && front.abs_diff_eq(-back, 1e-12), "{front} {back}");
+        // One camera needs no list, and the number of the other text is no matter.
+        window.app_mut().state.explain.pasted.text = BLENDER.to_owned();
+        window.run();
+        assert!(window.harness.query_by_role_and_label(Role::ComboBox, words.camera).is_none());
+        assert_eq!(window.state().explain.pasted.camera, 0);
+    }
 }

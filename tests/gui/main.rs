@@ -27,6 +27,7 @@ mod homogeneous;
 mod keyboard;
 mod labels;
 mod language;
+mod lens;
 mod lesson_writing;
 mod lessons;
 mod lost_work;

@@ -5,7 +5,9 @@
 
 use std::path::Path;
 
-use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, Stated, ViewWindow, read_cameras, recognise};
+use camera_lab::camera::{
+    Camera, ImageSize, Parameters, Projection, Stated, Unknown, ViewWindow, read_cameras, recognise,
+};
 use camera_lab::explain::Setting;
 use camera_lab::explain::code::{CodeConvention, CodeTarget};
 use camera_lab::explain::vocabulary::{CameraNumber, Limitation, Line, Vocabulary};
@@ -182,6 +184,53 @@ fn code_is_refused_for_a_camera_that_a_program_lacks() {
     let bench = Bench::new("code that is refused");
     bench.write("f.toml", "[camera]\nprojection = \"parallel\"\n");
     assert!(bench.run(&["code", "f.toml", "--for", "opencv"]).refused(2).contains("perspective only"));
+}
+
+/// Each row of the table of programs is that of its target.
+#[test]
+fn targets_and_programs_have_one_order() {
+    for target in CodeTarget::ALL {
+        assert_eq!(format!("{target:?}").to_lowercase(), target.word());
+    }
+}
+
+/// Unreal: the rows of an `FMatrix` are its axes X (ahead), Y (right), Z (up) and its origin, in centimetres.
+#[test]
+fn a_camera_for_unreal_is_read_back_and_keeps_its_up() {
+    for (name, camera, _) in cameras() {
+        if CodeTarget::Unreal.limitation(&camera).is_some() {
+            continue;
+        }
+        let code = CodeTarget::Unreal.code(&Setting::new(camera.notes_clip_space(), IMAGE, None), &[]);
+        let vectors: Vec<DVec3> = code
+            .split("FVector(")
+            .skip(1)
+            .map(|rest| {
+                let numbers = rest.split(')').next().unwrap().split(", ").map(|x| x.parse().unwrap());
+                DVec3::from_slice(&numbers.collect::<Vec<f64>>())
+            })
+            .collect();
+        let [eye, ahead, up] = vectors[..] else { panic!("{code}") };
+        assert!((up.z - camera.basis().v.y).abs() < 1e-12, "its up is z: {up}");
+        // FVector::CrossProduct(Up, Ahead) is to the right there.
+        let rows = [ahead, up.cross(ahead), up, eye / 100.0];
+        let rows: Vec<String> = rows.map(|row| format!("{:?} {:?} {:?}", row.x, row.y, row.z)).into();
+        let text = format!("{} 0\n{} 0\n{} 0\n{} 1", rows[0], rows[1], rows[2], rows[3]);
+        let pasted = &read_cameras(text.as_bytes()).unwrap()[0];
+        let axes = Some(CodeTarget::Unreal.program().axes);
+        for axes in [axes, None] {
+            let found = recognise(pasted, &Stated { axes, ..Stated::default() }, camera.parameters()).unwrap();
+            let is_it = |p: &Parameters| {
+                let again = Camera::new(p).unwrap();
+                again.view_from_world().abs_diff_eq(camera.view_from_world(), 1e-12)
+            };
+            let among = found.readings.iter().any(|candidate| is_it(&candidate.found.parameters));
+            assert!(among, "{name}: {text}");
+            if axes.is_some() {
+                assert!(found.best().found.unknown.contains(&Unknown::WorldExchanged));
+            }
+        }
+    }
 }
 
 /// C = (3, 4, 5): left-handed worlds have z the other way, Blender has z up, Unreal has z up and centimetres.

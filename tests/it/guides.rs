@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use camera_lab::camera::{Amount, Camera, Convention, Freedom, OPERATIONS, Operation};
+use camera_lab::camera::{
+    Amount, AngleUnit, Camera, Convention, Freedom, OPERATIONS, Operation, Order, Program, Toward, WorldUp,
+};
 use camera_lab::exercises::Mistake;
 use camera_lab::i18n::learn::exercises;
 use camera_lab::i18n::{Lang, window};
@@ -66,6 +68,63 @@ fn the_table_of_operations_is_what_operations_do() {
             })
             .collect();
         assert_eq!(table(guide, heading), expected, "{lang:?}");
+    }
+}
+
+/// The table of programs in the words of the page.
+#[test]
+fn the_table_of_programs_is_the_one_in_the_code() {
+    for (lang, page, heading) in [
+        (Lang::En, include_str!("../../docs/cameras.en.md"), "| program |"),
+        (Lang::PtBr, include_str!("../../docs/cameras.pt-BR.md"), "| programa |"),
+    ] {
+        let say = |[en, pt]: [&'static str; 2]| if lang == Lang::En { en } else { pt };
+        let toward = |toward| match toward {
+            Toward::Right => say(["right", "à direita"]),
+            Toward::Left => say(["left", "à esquerda"]),
+            Toward::Up => say(["up", "para cima"]),
+            Toward::Down => say(["down", "para baixo"]),
+            Toward::Viewer => say(["towards the viewer", "rumo ao observador"]),
+            Toward::Scene => say(["into the scene", "para dentro da cena"]),
+        };
+        let expected: Vec<Vec<String>> = Program::ALL
+            .iter()
+            .map(|program| {
+                let [x, y, z] = program.axes.camera.map(toward);
+                let mut world = match program.axes.up {
+                    WorldUp::Y => say(["y up", "y para cima"]),
+                    WorldUp::Z => say(["z up", "z para cima"]),
+                    WorldUp::Open => say(["as it is", "como está"]),
+                }
+                .to_owned();
+                if program.axes.left_handed {
+                    world += say([", left-handed", ", mão esquerda"]);
+                }
+                if program.units != 1.0 {
+                    world += &format!(", 1/{} {}", program.units, say(["of ours", "da nossa unidade"]));
+                }
+                let order = match program.order {
+                    Order::Rows => say(["by rows", "por linhas"]),
+                    Order::Columns => say(["by columns", "por colunas"]),
+                    Order::WxyzThenT => say(["quaternion w x y z, t", "quatérnio w x y z, t"]),
+                    other => panic!("{other:?} has no words yet"),
+                };
+                let angle = match program.angle {
+                    Some(AngleUnit::Degrees) => say(["degrees", "graus"]),
+                    Some(AngleUnit::Radians) => say(["radians", "radianos"]),
+                    None => "–",
+                };
+                vec![
+                    format!("{}: `{}`", program.name, program.word),
+                    format!("x {x}, y {y}, z {z}"),
+                    world,
+                    program.ndc.map_or_else(|| "pixels".to_owned(), |ndc| format!("`{}`", ndc.name())),
+                    order.to_owned(),
+                    angle.to_owned(),
+                ]
+            })
+            .collect();
+        assert_eq!(table(page, heading), expected, "{lang:?}");
     }
 }
 

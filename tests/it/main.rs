@@ -37,6 +37,7 @@ mod exports;
 mod extreme_pictures;
 mod families;
 mod figure;
+mod foreign;
 mod fuzz;
 mod glossary;
 mod guides;

@@ -7,7 +7,7 @@ use camera_lab::camera::{
     Recognised, RecoveryError, Stated, Unknown, read_cameras, recognise,
 };
 use camera_lab::explain::vocabulary::Vocabulary;
-use glam::{DMat3, DMat4, DVec3};
+use glam::{DMat3, DMat4, DVec3, DVec4};
 use proptest::prelude::*;
 
 use super::camera_properties::plain_camera;
@@ -86,7 +86,8 @@ fn view_of(camera: &Camera, axes: Axes) -> DMat4 {
     let z_reversed = DMat4::from_scale(DVec3::new(1.0, 1.0, -1.0));
     let world = match axes.name {
         "blender" | "ros" => z_up,
-        "direct3d" | "unity" | "unreal" => z_reversed,
+        "direct3d" | "unity" => z_reversed,
+        "unreal" => DMat4::from_cols(DVec4::X, DVec4::Z, DVec4::Y, DVec4::W),
         _ => DMat4::IDENTITY,
     };
     let rows = match axes.name {

@@ -152,6 +152,7 @@ fn an_asymmetric_window_is_a_shift_as_blender_counts_it() {
     let sensor = |fit| Sensor { fit, ..Sensor::default() };
     assert_eq!(camera.lens_shift(sensor(SensorFit::Larger)), [0.25, -0.1875]);
     assert_eq!(camera.lens_shift(sensor(SensorFit::Vertical)), [1.0 / 3.0, -0.25]);
+    assert_eq!(camera.window_with_shift(sensor(SensorFit::Larger), [0.25, -0.1875]), window);
     assert_eq!(camera.focal_length(sensor(SensorFit::Horizontal)), 18.0);
     assert_eq!(camera.view_size_at(10.0), [20.0, 15.0]);
     let lens = camera.lens_numbers(ImageSize { width: 400, height: 300 }).unwrap();

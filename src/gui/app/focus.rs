@@ -82,7 +82,8 @@ impl Focus {
         self.close_popup(ctx, now);
     }
 
-    /// Enter and the space bar choose in an open list or menu, and so close it; the focus goes back to where it was.
+    /// Enter and the space bar choose in an open list or menu, and so close it; the focus goes back to where it was. In
+    /// a text field they are typed.
     fn close_popup(&mut self, ctx: &Context, now: Option<Id>) {
         let open = Popup::is_any_open(ctx);
         if open && !self.popup_was_open {
@@ -92,6 +93,7 @@ impl Focus {
         let chosen = ctx.input(|input| {
             input.events.iter().any(|e| matches!(e, Event::Key { key: Key::Enter | Key::Space, pressed: true, .. }))
         });
+        let chosen = chosen && !ctx.text_edit_focused();
         if !open
             && self.popup_was_open
             && self.by_keyboard

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::history::{History, Moment, Revision};
-use crate::camera::{Camera, CameraError, Convention, Operation, Parameters, camera_repairs};
+use crate::camera::{Camera, CameraError, Convention, LensForm, Operation, Parameters, camera_repairs};
 use crate::figure::{Figure, Labels, Observers, Screen, Show};
 use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
 use crate::share;
@@ -192,6 +192,12 @@ impl Document {
             }
             Err(error) => self.problem = Some(error),
         }
+        self.note_change();
+    }
+
+    /// Notes the form in which θ was given.
+    pub fn set_lens(&mut self, lens: LensForm) {
+        self.figure.lens = Some(lens);
         self.note_change();
     }
 

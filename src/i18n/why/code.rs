@@ -25,7 +25,8 @@ pub fn convention(lang: Lang, target: CodeTarget, convention: CodeConvention) ->
         CodeConvention::Axes(axes) => {
             let [x, y, z] = axes.camera.map(|toward| direction(lang, toward));
             let world = match (axes.left_handed, axes.up) {
-                (true, WorldUp::Z) => pick!(lang; "left-handed, z up", "mão esquerda, z para cima"),
+                (true, WorldUp::Z) => pick!(lang; "left-handed, z up: (x, y, z) -> (x, z, y)",
+                    "mão esquerda, z para cima: (x, y, z) -> (x, z, y)"),
                 (true, _) => pick!(lang; "left-handed, so z is reversed", "mão esquerda, então z é invertido"),
                 (false, WorldUp::Z) => {
                     pick!(lang; "z up: (x, y, z) -> (x, -z, y)", "z para cima: (x, y, z) -> (x, -z, y)")
@@ -35,9 +36,7 @@ pub fn convention(lang: Lang, target: CodeTarget, convention: CodeConvention) ->
             both!(lang; "{name}: the camera has x {x}, y {y}, z {z}; the world is {world}",
                 "{name}: a câmera tem x {x}, y {y}, z {z}; o mundo é {world}")
         }
-        CodeConvention::Centimetres => {
-            both!(lang; "(x, y, z) -> (x, z, y), in centimetres", "(x, y, z) -> (x, z, y), em centímetros")
-        }
+        CodeConvention::Centimetres => both!(lang; "lengths in centimetres", "comprimentos em centímetros"),
     }
 }
 

@@ -23,6 +23,8 @@ texts! {
         "Os eixos de quem. OpenGL, glTF, three.js: x à direita, y para cima, z rumo ao observador; no mundo, y é para cima. Blender: os mesmos, mas no mundo z é para cima, e ele é girado. OpenCV: x à direita, y para baixo, z para dentro da cena.";
     instead: "Read it as", "Ler como";
     instead_hint: "As this, it gives another camera", "Assim ela dá outra câmera";
+    camera: "Camera", "Câmera";
+    camera_hint: "The text has several cameras: this is the one that is read", "O texto tem várias câmeras: esta é a que se lê";
     image: "Image of the matrix", "Imagem da matriz";
     image_hint: "The size in pixels of the image that K belongs to. It is not in the matrix; the figure takes it on with the camera.",
         "O tamanho em pixels da imagem a que K pertence. Não está na matriz; a figura o recebe com a câmera.";
@@ -260,6 +262,9 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
         Unknown::WorldMirrored => pick!(lang;
             "That world is left-handed: its z was reversed, (x, y, z) → (x, y, −z), so that the image is not mirrored.",
             "Esse mundo é de mão esquerda: seu z foi invertido, (x, y, z) → (x, y, −z), para que a imagem não fique espelhada."),
+        Unknown::WorldExchanged => pick!(lang;
+            "That world is left-handed with z up: y and z were exchanged, (x, y, z) → (x, z, y), so that y is up and the image is not mirrored.",
+            "Esse mundo é de mão esquerda e nele z é para cima: y e z foram trocados, (x, y, z) → (x, z, y), para que y seja para cima e a imagem não fique espelhada."),
         Unknown::ClippingPlanes => pick!(lang; "F and B are unknown: K [R | t] has none. They stay as they were.",
             "F e B são desconhecidos: K [R | t] não os tem. Ficam como estavam."),
         Unknown::ImageSize => pick!(lang;
@@ -297,6 +302,9 @@ pub fn unreadable(lang: Lang, fault: &MatrixTextError) -> String {
             format!("não há câmera nele; {format} não tem nenhuma das chaves de uma câmera")
         }
         (Lang::PtBr, MatrixTextError::NotText) => "não é texto nem GLB".to_owned(),
+        (Lang::PtBr, MatrixTextError::Elided) => {
+            "“...” está no lugar de números que foram omitidos; escreva todos".to_owned()
+        }
         (Lang::PtBr, MatrixTextError::Part(part)) => format!("“{}” não é um número", escaped(part)),
     }
 }

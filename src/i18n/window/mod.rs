@@ -5,6 +5,7 @@ pub mod coach;
 pub mod compare;
 pub mod gallery;
 pub mod labels;
+pub mod lens;
 pub mod progress;
 pub mod scenes;
 pub mod search;

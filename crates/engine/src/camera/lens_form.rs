@@ -5,7 +5,7 @@
 //! image: f / s = F / S with s the side of the sensor and S the same side of the view window.
 
 use super::window::WideWindow;
-use super::{Camera, ImageSize, Projection};
+use super::{Camera, ImageSize, Projection, ViewWindow};
 use crate::geometry::double_double::{Dd, atan_degrees, tan_half_degrees};
 
 /// The side of the sensor that spans the image.
@@ -140,6 +140,17 @@ impl Camera {
         let (_, spanned) = self.spanned(sensor);
         let WideWindow { left, right, bottom, top } = self.wide_window;
         [left + right, bottom + top].map(|twice| (twice.scaled(-1) / spanned).value() + 0.0)
+    }
+
+    /// The window of the same size with another [`Self::lens_shift`].
+    #[must_use]
+    pub fn window_with_shift(&self, sensor: Sensor, [x, y]: [f64; 2]) -> ViewWindow {
+        let (_, side) = self.spanned(sensor);
+        let ends = |share: f64, length: Dd| {
+            [-1.0, 1.0].map(|sign| (Dd::new(share) * side + Dd::new(sign) * length.scaled(-1)).value())
+        };
+        let ([left, right], [bottom, top]) = (ends(x, self.wide_window.width()), ends(y, self.wide_window.height()));
+        ViewWindow { left, right, bottom, top }
     }
 
     /// The length of the sensor that spans a side of the window, and that side.

@@ -25,6 +25,7 @@ mod matrix;
 mod operation;
 mod parameters;
 mod place;
+mod programs;
 mod ray;
 mod recovery;
 mod stations;
@@ -44,10 +45,11 @@ pub use parameters::{
     CameraError, Checked, Derived, ParameterKey, Parameters, Projection, Range, ViewWindow, is_infinite_far,
 };
 pub use place::Place;
+pub use programs::{AngleUnit, Program};
 pub use recovery::{
     Assumed, Axes, Candidate, Certainty, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError, NdcRange, Order,
-    Pasted, Reading, Reason, Recognised, Recovered, RecoveryError, Stated, Toward, Unknown, WorldUp, read_cameras,
-    recognise, recover,
+    Pasted, Reading, Reason, Recognised, Recovered, RecoveryError, Stated, Toward, Unknown, WorldUp, camera_names,
+    read_cameras, recognise, recover,
 };
 pub use stations::{Projected, Stations};
 pub use unproject::{NotProjectable, WayBack};

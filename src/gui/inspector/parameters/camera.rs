@@ -2,7 +2,8 @@
 
 use eframe::egui;
 
-use super::{Number, ParameterForm, VectorParameter, row};
+use super::free_window::{closed, opened};
+use super::{Number, ParameterForm, VectorParameter, lens_menu, row};
 use crate::camera::{Camera, ParameterKey, Parameters, Projection, ViewWindow};
 use crate::figure::WindowSide;
 use crate::gui::inspector::{erratum, section};
@@ -10,7 +11,7 @@ use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::gui::why::context_help::help_topic;
-use crate::i18n::window::Texts;
+use crate::i18n::window::{Texts, lens};
 use crate::numbers::{EXACT_DIGITS, power_of_ten};
 use crate::scene::Preset;
 
@@ -156,7 +157,10 @@ fn angle_or_height(ui: &mut egui::Ui, form: &mut ParameterForm) {
             value: |p| &mut p.height,
         },
     };
-    form.number(ui, number);
+    match form.parameters.projection {
+        Projection::Perspective => form.number_beside(ui, number, lens_menu::button),
+        Projection::Parallel => form.number(ui, number),
+    }
 }
 
 /// The window: symmetric, from θ or H and A, or free.
@@ -185,6 +189,11 @@ pub(super) fn window(ui: &mut egui::Ui, form: &mut ParameterForm) {
             form.derived(ui, "A", t.aspect, t.aspect_hint, window.aspect(), "");
             if form.parameters.projection == Projection::Perspective {
                 form.derived(ui, "θ", t.view_angle, t.view_angle_hint, form.good.view_angle().degrees(), "°");
+                // In the frame in which the window becomes free, the button still stands at θ.
+                if form.good.parameters().window.is_some() {
+                    let t = lens::texts(form.lang);
+                    row(ui, "", t.lens, t.lens_hint, |ui| lens_menu::button(ui, form));
+                }
             }
         }
     });
@@ -216,26 +225,6 @@ fn paint_padlock(ui: &egui::Ui, rect: egui::Rect, closed: bool) {
     }));
     points.push(egui::pos2(right, body.top()));
     ui.painter().line(points, egui::Stroke::new(1.5, color));
-}
-
-/// Frees the window where it is.
-fn opened(parameters: &Parameters, good: &Camera) -> Parameters {
-    let window = Camera::new(parameters).map_or_else(|_| good.window(), |camera| camera.window());
-    Parameters { window: Some(window), ..*parameters }
-}
-
-/// Makes the window symmetric. Its size stays; where nothing but the padlock has been touched, θ, H and A stay to the
-/// last bit.
-fn closed(parameters: &Parameters) -> Parameters {
-    let before = Parameters { window: None, ..*parameters };
-    let Some(window) = parameters.window else { return before };
-    if Camera::new(&before).is_ok_and(|camera| camera.window() == window) {
-        return before;
-    }
-    let height = window.height();
-    let angle = 2.0 * (height / 2.0 / parameters.near).atan().to_degrees();
-    let after = Parameters { view_angle: angle, height, aspect: window.aspect(), ..before };
-    if Camera::new(&after).is_ok() { after } else { before }
 }
 
 fn sides(ui: &mut egui::Ui, form: &mut ParameterForm) {

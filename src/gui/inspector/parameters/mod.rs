@@ -1,7 +1,9 @@
 //! The panel on the left: every parameter of the figure, in three tabs: the camera, the scene, how it is drawn.
 
 mod camera;
+mod free_window;
 mod image;
+mod lens_menu;
 mod style;
 mod world_section;
 
@@ -9,7 +11,7 @@ use eframe::egui;
 use glam::DVec3;
 
 use super::{complaint, row};
-use crate::camera::{Camera, CameraError, CameraRepair, ParameterKey, Parameters, camera_repairs};
+use crate::camera::{Camera, CameraError, CameraRepair, ImageSize, LensForm, ParameterKey, Parameters, camera_repairs};
 use crate::explain::Symbol;
 use crate::figure::{Measure, Measured, WindowSide};
 use crate::gui::app::command::Command;
@@ -88,6 +90,9 @@ fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
         Some(camera) => state.document.set_camera(camera),
         None => state.document.set_parameters(form.parameters),
     }
+    if let Some(lens) = form.new_lens {
+        state.document.set_lens(lens);
+    }
     image::ui(ui, state);
 }
 
@@ -100,6 +105,11 @@ struct ParameterForm {
     parameters: Parameters,
     error: Option<CameraError>,
     good: Camera,
+    /// The form in which θ was given.
+    lens: Option<LensForm>,
+    /// The form in which it is given now.
+    new_lens: Option<LensForm>,
+    image: ImageSize,
     /// A camera that knows more than its parameters.
     replaced: Option<Camera>,
     said: bool,
@@ -118,6 +128,9 @@ impl ParameterForm {
             parameters: *state.document.draft(),
             error: state.document.problem().cloned(),
             good: state.document.camera().clone(),
+            lens: state.document.figure().lens_in_force(),
+            new_lens: None,
+            image: state.document.figure().image,
             replaced: None,
             said: false,
             measured: Vec::new(),
@@ -169,10 +182,16 @@ impl ParameterForm {
 
     /// One number: its name on the left, its field on the right.
     fn number(&mut self, ui: &mut egui::Ui, number: Number) {
+        self.number_beside(ui, number, |_, _| {});
+    }
+
+    /// The same with something to the left of the field.
+    fn number_beside(&mut self, ui: &mut egui::Ui, number: Number, beside: impl FnOnce(&mut egui::Ui, &mut Self)) {
         let Number { key, symbol, name, hint, field, value } = number;
         let marked = self.is_marked(key);
         let output = ui.scope(|ui| {
             row(ui, symbol, name, hint, |ui| {
+                beside(ui, self);
                 field.hint(hint).width(92.0).marked(marked).show(ui, self.t, value(&mut self.parameters))
             })
         });

@@ -4,7 +4,7 @@ use eframe::egui::{self, RichText};
 
 use crate::camera::{
     Assumed, Axes, Camera, Evidence, ImageSize, MatrixKind, Ndc, Parameters, Pasted, Reading, Recognised,
-    RecoveryError, Stated, read_cameras, recognise,
+    RecoveryError, Stated, camera_names, read_cameras, recognise,
 };
 use crate::explain::vocabulary::Vocabulary;
 use crate::gui::inspector::{choice, complaint, row};
@@ -17,6 +17,7 @@ use crate::i18n::why::dialects;
 use crate::i18n::why::dialects::Texts;
 use crate::i18n::window;
 use crate::limits::{MAX_ANSWER, MAX_SIDE};
+use crate::sanitize;
 
 /// The note on a pasted matrix.
 pub(in crate::gui::why) const fn note_on_matrix(kind: Option<MatrixKind>) -> &'static str {
@@ -58,13 +59,28 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
         Ok(cameras) => cameras,
         Err(fault) => return complaint(ui, &dialects::unreadable(lang, &fault)),
     };
-    let Some(camera) = cameras.first() else { return };
+    which_camera(ui, state, t, &camera_names(&cameras));
+    let Some(camera) = cameras.get(state.explain.pasted.camera).or(cameras.first()) else { return };
     let mut stated = stated(state);
     stated.image = state.explain.pasted.image.or(camera.image).unwrap_or(stated.image);
     match recognise(camera, &stated, state.document.draft()) {
         Err(error) => refused(ui, state, camera, &stated, &error),
         Ok(found) => recognised(ui, state, t, &found),
     }
+}
+
+/// A choice among the cameras of a file; a text with one camera has none.
+fn which_camera(ui: &mut egui::Ui, state: &mut State, t: &Texts, names: &[String]) {
+    let chosen = &mut state.explain.pasted.camera;
+    if *chosen >= names.len() {
+        *chosen = 0;
+    }
+    if names.is_empty() {
+        return;
+    }
+    let names: Vec<_> = names.iter().map(|name| sanitize::escaped(name).to_string()).collect();
+    let options: Vec<(usize, &str)> = names.iter().map(String::as_str).enumerate().collect();
+    row(ui, "", t.camera, t.camera_hint, |ui| choice(ui, t.camera, t.camera_hint, chosen, &options));
 }
 
 /// The part of the reading that is chosen.

@@ -85,6 +85,8 @@ pub struct Explain {
 pub struct Pasted {
     /// As it was typed.
     pub text: String,
+    /// The camera of a text with several, from 0.
+    pub camera: usize,
     /// Its kind; `None`: it is recognised.
     pub kind: Option<MatrixKind>,
     /// Whose axes it is written in; `None`: they are recognised.

@@ -47,12 +47,23 @@ impl Api {
     /// The name as its makers write it.
     #[must_use]
     pub const fn title(self) -> &'static str {
+        self.row().0
+    }
+
+    /// Title; names: as it is, reversed, infinite, both; z_n at F; whether y_n points down.
+    const fn row(self) -> (&'static str, [&'static str; 4], f64, bool) {
+        macro_rules! row {
+            ($title:literal, $name:literal, $near:literal, $down:literal) => {{
+                let infinite = [concat!($name, "-infinite"), concat!($name, "-reversed-infinite")];
+                ($title, [$name, concat!($name, "-reversed"), infinite[0], infinite[1]], $near, $down)
+            }};
+        }
         match self {
-            Self::OpenGl => "OpenGL",
-            Self::Direct3d => "Direct3D",
-            Self::Vulkan => "Vulkan",
-            Self::Metal => "Metal",
-            Self::WebGpu => "WebGPU",
+            Self::OpenGl => row!("OpenGL", "opengl", -1.0, false),
+            Self::Direct3d => row!("Direct3D", "direct3d", 0.0, false),
+            Self::Vulkan => row!("Vulkan", "vulkan", 0.0, true),
+            Self::Metal => row!("Metal", "metal", 0.0, false),
+            Self::WebGpu => row!("WebGPU", "webgpu", 0.0, false),
         }
     }
 }
@@ -72,38 +83,13 @@ impl Ndc {
     /// The name on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match (self.api, self.reversed, self.infinite) {
-            (Api::OpenGl, false, false) => "opengl",
-            (Api::OpenGl, true, false) => "opengl-reversed",
-            (Api::OpenGl, false, true) => "opengl-infinite",
-            (Api::OpenGl, true, true) => "opengl-reversed-infinite",
-            (Api::Direct3d, false, false) => "direct3d",
-            (Api::Direct3d, true, false) => "direct3d-reversed",
-            (Api::Direct3d, false, true) => "direct3d-infinite",
-            (Api::Direct3d, true, true) => "direct3d-reversed-infinite",
-            (Api::Vulkan, false, false) => "vulkan",
-            (Api::Vulkan, true, false) => "vulkan-reversed",
-            (Api::Vulkan, false, true) => "vulkan-infinite",
-            (Api::Vulkan, true, true) => "vulkan-reversed-infinite",
-            (Api::Metal, false, false) => "metal",
-            (Api::Metal, true, false) => "metal-reversed",
-            (Api::Metal, false, true) => "metal-infinite",
-            (Api::Metal, true, true) => "metal-reversed-infinite",
-            (Api::WebGpu, false, false) => "webgpu",
-            (Api::WebGpu, true, false) => "webgpu-reversed",
-            (Api::WebGpu, false, true) => "webgpu-infinite",
-            (Api::WebGpu, true, true) => "webgpu-reversed-infinite",
-        }
+        self.api.row().1[self.reversed as usize + 2 * self.infinite as usize]
     }
 
     /// z_n at F and at B (at infinity, where there is no far plane).
     #[must_use]
     pub const fn depths(self) -> [f64; 2] {
-        match (self.api, self.reversed) {
-            (_, true) => [1.0, 0.0],
-            (Api::OpenGl, false) => [-1.0, 1.0],
-            (Api::Direct3d | Api::Vulkan | Api::Metal | Api::WebGpu, false) => [0.0, 1.0],
-        }
+        if self.reversed { [1.0, 0.0] } else { [self.api.row().2, 1.0] }
     }
 
     /// Are the axes x_n, y_n, z_n, as they lie before the eye, right-handed? Those of `[0]` are not; turning y or z
@@ -116,7 +102,7 @@ impl Ndc {
     /// Does y_n grow downwards?
     #[must_use]
     pub const fn y_points_down(self) -> bool {
-        matches!(self.api, Api::Vulkan)
+        self.api.row().3
     }
 }
 

@@ -141,6 +141,7 @@ impl Axes {
     #[must_use]
     pub fn foreign_from_world(self, p: DVec3) -> DVec3 {
         match (self.up, self.left_handed) {
+            (WorldUp::Z, true) => DVec3::new(p.x, p.z, p.y),
             (_, true) => DVec3::new(p.x, p.y, -p.z),
             (WorldUp::Z, false) => DVec3::new(p.x, -p.z, p.y),
             (WorldUp::Y | WorldUp::Open, false) => p,
@@ -150,6 +151,8 @@ impl Axes {
     /// A vector of the world of these axes in ours: the inverse of [`Self::foreign_from_world`].
     pub(crate) fn world_from_foreign(self, p: DVec3) -> DVec3 {
         match (self.up, self.left_handed) {
+            // As Unreal's exporter of glTF exchanges them: up stays up, and the hand changes.
+            (WorldUp::Z, true) => DVec3::new(p.x, p.z, p.y),
             // So the image isn't mirrored.
             (_, true) => DVec3::new(p.x, p.y, -p.z),
             // As exporters of glTF turn it.

@@ -95,10 +95,9 @@ impl Weight {
     /// How level and how upright the camera is, and whether it looks at the origin.
     fn pose(&mut self, axes: Axes, camera: &Camera) {
         // The world is turned or mirrored by now.
-        let ups: &[(DVec3, f64)] = match (axes.up, axes.left_handed) {
-            (WorldUp::Y, _) | (WorldUp::Z, false) => &[(DVec3::Y, 0.0)],
-            (WorldUp::Z, true) => &[(DVec3::NEG_Z, 0.0)],
-            (WorldUp::Open, _) => &[(DVec3::Z, -0.7), (DVec3::Y, -1.5), (DVec3::NEG_Y, -2.5)],
+        let ups: &[(DVec3, f64)] = match axes.up {
+            WorldUp::Y | WorldUp::Z => &[(DVec3::Y, 0.0)],
+            WorldUp::Open => &[(DVec3::Z, -0.7), (DVec3::Y, -1.5), (DVec3::NEG_Y, -2.5)],
         };
         let basis = camera.basis();
         let best = ups.iter().map(|(up, prior)| upright(basis.u.dot(*up), basis.v.dot(*up)).plus(*prior));

@@ -239,7 +239,7 @@ fn candidate(
         pinhole::check_pixels(matrix)?;
     }
     reading.ndc.infinite |= reading.kind.has_ndc() && found.unknown.contains(&Unknown::Far);
-    if let Some(lens) = pasted.lens.filter(|_| reading.kind.has_camera_axes()) {
+    if let Some(lens) = pasted.lens.filter(|_| reading.kind.has_camera_axes() || reading.kind == MatrixKind::LookAt) {
         with_lens(&mut found, lens, &reading, current);
     }
     let camera = Camera::new(&found.parameters)?;
@@ -387,10 +387,14 @@ fn with_lens(found: &mut Recovered, lens: GivenLens, reading: &Reading, current:
                 recovery.unknown.push(Unknown::Far);
             }
         }
-        GivenLens::Parallel { height, aspect, near, far } => {
+        GivenLens::Parallel { height, aspect, planes } => {
+            if planes.is_none() {
+                recovery.distances();
+            }
             let p = &mut recovery.found;
-            (p.projection, p.window) = (Projection::Parallel, None);
-            (p.height, p.aspect, p.near, p.far) = (height, aspect, near, far);
+            (p.projection, p.window, p.height) = (Projection::Parallel, None, height);
+            p.aspect = aspect.unwrap_or_else(|| reading.image.aspect());
+            [p.near, p.far] = planes.unwrap_or([p.near, p.far]);
         }
     }
     recovery.unknown.sort();

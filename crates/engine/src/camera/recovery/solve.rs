@@ -101,11 +101,12 @@ impl Recovery {
     /// C, and PF and VUP as far as they were right, in a right-handed world.
     pub(crate) fn pose(&mut self, position: DVec3, v: DVec3, n: DVec3) {
         let axes = self.reading.axes;
-        if axes.left_handed {
-            self.unknown.push(Unknown::WorldMirrored);
-        } else if axes.up == WorldUp::Z {
-            self.unknown.push(Unknown::WorldTurned);
-        }
+        self.unknown.extend(match (axes.left_handed, axes.up == WorldUp::Z) {
+            (true, true) => Some(Unknown::WorldExchanged),
+            (true, false) => Some(Unknown::WorldMirrored),
+            (false, true) => Some(Unknown::WorldTurned),
+            (false, false) => None,
+        });
         let [position, v, n] = [position, v, n].map(|vector| axes.world_from_foreign(vector));
         let distance = (self.current.focal_point - self.current.position).length();
         let up = self.current.view_up;

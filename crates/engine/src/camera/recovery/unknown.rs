@@ -30,6 +30,8 @@ pub enum Unknown {
     WorldTurned,
     /// The world of the matrix is left-handed: its z was reversed.
     WorldMirrored,
+    /// The world of the matrix is left-handed with z up: its y and z were exchanged.
+    WorldExchanged,
     /// K \[R | t\] has no clipping planes: F and B are those that were there.
     ClippingPlanes,
     /// K \[R | t\] does not hold the size of the image: it is that of the reading.
@@ -68,6 +70,7 @@ impl Unknown {
             Self::Scaled => "scaled",
             Self::WorldTurned => "world-turned",
             Self::WorldMirrored => "world-mirrored",
+            Self::WorldExchanged => "world-exchanged",
             Self::ClippingPlanes => "clipping-planes",
             Self::ImageSize => "image-size",
             Self::PixelAspect => "pixel-aspect",

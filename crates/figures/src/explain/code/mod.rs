@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use super::vocabulary::Limitation;
 use super::{Matrix, MatrixFormula, Notation, Setting, Writer};
-use crate::camera::{Axes, Camera, Projection, ViewWindow};
+use crate::camera::{AngleUnit, Axes, Camera, Program, Projection, ViewWindow};
 use crate::numbers::{DecimalMark, exact};
 
 /// A library, or a language.
@@ -70,12 +70,15 @@ pub enum CodeConvention {
     ByMatrix,
     /// The camera and the world have these axes.
     Axes(Axes),
-    /// y and z change places, and lengths are in centimetres.
+    /// Lengths are in centimetres.
     Centimetres,
 }
 
+/// The rows of the targets, in their order.
+static PROGRAMS: [Program; CodeTarget::ALL.len()] = Program::ALL;
+
 impl CodeTarget {
-    /// All of them.
+    /// All of them, in the order of [`Program::ALL`].
     pub const ALL: [Self; 19] = [
         Self::OpenGl,
         Self::Glm,
@@ -98,56 +101,22 @@ impl CodeTarget {
         Self::Bevy,
     ];
 
+    /// Its row of the table of programs.
+    #[must_use]
+    pub const fn program(self) -> &'static Program {
+        &PROGRAMS[self as usize]
+    }
+
     /// Its common name.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::OpenGl => "OpenGL, GLU",
-            Self::Glm => "GLM",
-            Self::Glam => "glam",
-            Self::ThreeJs => "three.js",
-            Self::Vtk => "VTK, PyVista",
-            Self::NumPy => "NumPy",
-            Self::Latex => "LaTeX",
-            Self::Blender => "Blender",
-            Self::Unity => "Unity",
-            Self::Unreal => "Unreal",
-            Self::OpenCv => "OpenCV",
-            Self::Open3d => "Open3D",
-            Self::Colmap => "COLMAP",
-            Self::Nerfstudio => "nerfstudio",
-            Self::Gltf => "glTF",
-            Self::PyTorch3d => "PyTorch3D",
-            Self::Godot => "Godot",
-            Self::Babylon => "Babylon.js",
-            Self::Bevy => "Bevy",
-        }
+        self.program().name
     }
 
     /// Its word on the command line.
     #[must_use]
     pub const fn word(self) -> &'static str {
-        match self {
-            Self::OpenGl => "opengl",
-            Self::Glm => "glm",
-            Self::Glam => "glam",
-            Self::ThreeJs => "threejs",
-            Self::Vtk => "vtk",
-            Self::NumPy => "numpy",
-            Self::Latex => "latex",
-            Self::Blender => "blender",
-            Self::Unity => "unity",
-            Self::Unreal => "unreal",
-            Self::OpenCv => "opencv",
-            Self::Open3d => "open3d",
-            Self::Colmap => "colmap",
-            Self::Nerfstudio => "nerfstudio",
-            Self::Gltf => "gltf",
-            Self::PyTorch3d => "pytorch3d",
-            Self::Godot => "godot",
-            Self::Babylon => "babylon",
-            Self::Bevy => "bevy",
-        }
+        self.program().word
     }
 
     /// The beginning of a comment line; `None` for JSON, which has no comments.
@@ -189,49 +158,24 @@ impl CodeTarget {
     /// The conventions stated in its code.
     #[must_use]
     pub fn conventions(self, camera: &Camera) -> Vec<CodeConvention> {
-        let mut said = vec![self.axes().map_or(CodeConvention::OfTheNotes, CodeConvention::Axes)];
-        match self {
-            Self::OpenGl => said.push(CodeConvention::Degrees),
-            Self::Glm | Self::Glam => said.extend([CodeConvention::ColumnMajor, CodeConvention::Radians]),
-            Self::ThreeJs => {
-                said.push(CodeConvention::Degrees);
-                if !camera.has_symmetric_window() && camera.projection() == Projection::Perspective {
-                    said.push(CodeConvention::ByMatrix);
-                }
+        let program = self.program();
+        let axes = CodeConvention::Axes(program.axes);
+        let mut said = vec![if program.is_of_the_notes() { CodeConvention::OfTheNotes } else { axes }];
+        said.extend(matches!(self, Self::Glm | Self::Glam).then_some(CodeConvention::ColumnMajor));
+        said.extend(program.angle.map(|unit| match unit {
+            AngleUnit::Degrees => CodeConvention::Degrees,
+            AngleUnit::Radians => CodeConvention::Radians,
+        }));
+        said.extend((program.units == 100.0).then_some(CodeConvention::Centimetres));
+        let symmetric = camera.has_symmetric_window();
+        said.extend(match self {
+            Self::ThreeJs if !symmetric && camera.projection() == Projection::Perspective => {
+                Some(CodeConvention::ByMatrix)
             }
-            Self::Vtk => {
-                said.push(CodeConvention::Degrees);
-                if !camera.has_symmetric_window() {
-                    said.push(CodeConvention::WindowCentre);
-                }
-            }
-            Self::Unreal => said.extend([CodeConvention::Centimetres]),
-            Self::Unity | Self::Godot => said.push(CodeConvention::Degrees),
-            Self::Babylon | Self::Bevy => said.push(CodeConvention::Radians),
-            Self::NumPy
-            | Self::Latex
-            | Self::Blender
-            | Self::OpenCv
-            | Self::Open3d
-            | Self::Colmap
-            | Self::Nerfstudio
-            | Self::Gltf
-            | Self::PyTorch3d => {}
-        }
+            Self::Vtk if !symmetric => Some(CodeConvention::WindowCentre),
+            _ => None,
+        });
         said
-    }
-
-    /// Its row of the table of axes, if it has other ones than the notes.
-    const fn axes(self) -> Option<Axes> {
-        match self {
-            Self::Blender | Self::Nerfstudio => Some(Axes::BLENDER),
-            Self::Unity | Self::Babylon => Some(Axes::DIRECT3D),
-            Self::OpenCv | Self::Open3d | Self::Colmap => Some(Axes::OPENCV),
-            Self::PyTorch3d => Some(Axes::PYTORCH3D),
-            Self::Unreal => Some(Axes::UNREAL),
-            Self::Gltf | Self::Godot | Self::Bevy => Some(Axes::OPENGL),
-            Self::OpenGl | Self::Glm | Self::Glam | Self::ThreeJs | Self::Vtk | Self::NumPy | Self::Latex => None,
-        }
     }
 
     /// The code, behind lines of comment. Of a camera that it can't express, see [`Self::limitation`], it's that of

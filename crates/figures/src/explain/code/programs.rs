@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use glam::{DMat3, DMat4, DQuat, DVec3};
 use serde_json::json;
 
-use super::{list, pose, sides};
-use crate::camera::{Axes, Camera, ImageSize, Projection};
+use super::{CodeTarget, list, pose, sides};
+use crate::camera::{Axes, Camera, ImageSize, Program, Projection};
 use crate::numbers::exact;
 
 /// `f_x`, `f_y`, `c_x` and `c_y` in pixels, from the top left corner as in (5.22).
@@ -278,12 +278,11 @@ pub(super) fn bevy(camera: &Camera) -> String {
 }
 
 pub(super) fn unreal(camera: &Camera) -> String {
-    // Centimetres, z up: y and z change places, which makes the world left-handed.
-    let swapped = |v: DVec3| DVec3::new(v.x, v.z, v.y);
-    let vector = |v: DVec3| format!("FVector({})", list(v.to_array()));
-    let eye = vector(100.0 * swapped(camera.position()));
-    let [forward, up] = [camera.direction_of_projection(), camera.basis().v].map(|v| vector(swapped(v)));
-    let centimetres = |x: f64| exact(100.0 * x);
+    let Program { axes, units, .. } = *CodeTarget::Unreal.program();
+    let vector = |v: DVec3| format!("FVector({})", list(axes.foreign_from_world(v).to_array()));
+    let eye = vector(units * camera.position());
+    let [forward, up] = [camera.direction_of_projection(), camera.basis().v].map(vector);
+    let centimetres = |x: f64| exact(units * x);
     let lens = match camera.projection() {
         Projection::Perspective => {
             let angle = 2.0 * (camera.window_width() / 2.0).atan2(camera.near()).to_degrees();

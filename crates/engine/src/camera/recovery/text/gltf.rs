@@ -99,5 +99,9 @@ fn lens(camera: &Value) -> Option<GivenLens> {
     let lens = camera.get("orthographic")?;
     let value = |key: &str| lens.get(key).and_then(number);
     let (across, up) = (value("xmag")?, value("ymag")?);
-    Some(GivenLens::Parallel { height: 2.0 * up, aspect: across / up, near: value("znear")?, far: value("zfar")? })
+    Some(GivenLens::Parallel {
+        height: 2.0 * up,
+        aspect: Some(across / up),
+        planes: Some([value("znear")?, value("zfar")?]),
+    })
 }

@@ -112,7 +112,8 @@ fn three_js(object: &Value, parent: DMat4, found: &mut Vec<Pasted>) {
             let sides = ["left", "right", "bottom", "top", "near", "far"].map(value);
             let [Some(left), Some(right), Some(bottom), Some(top), Some(near), Some(far)] = sides else { return };
             let height = (top - bottom) / zoom;
-            Some(GivenLens::Parallel { height, aspect: (right - left) / (top - bottom), near, far })
+            let aspect = Some((right - left) / (top - bottom));
+            Some(GivenLens::Parallel { height, aspect, planes: Some([near, far]) })
         }
         _ => None,
     };

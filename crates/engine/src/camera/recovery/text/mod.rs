@@ -1,12 +1,14 @@
 //! A text or a file of another program → the cameras in it.
 //!
-//! Each real format has its reader: JSON, COLMAP, glTF. A text of another form is a list of numbers under names
+//! Each real format has its reader: JSON, COLMAP, glTF, trajectories of `Open3D`, `ParaView`. A text of another form is a list of numbers under names
 //! (`K =`, `R:`, `P2:`), as programs print them; the names and counts say which is which.
 
 mod colmap;
 mod gltf;
 mod json;
 pub(crate) mod numbers;
+mod paraview;
+mod trajectory;
 mod values;
 mod words;
 
@@ -42,8 +44,8 @@ pub(crate) enum GivenLens {
     AngleX(f64),
     /// The angle from bottom to top in degrees; what isn't there stays.
     AngleY { degrees: f64, aspect: Option<f64>, near: Option<f64>, far: Option<f64> },
-    /// A parallel projection: H, A, F and B.
-    Parallel { height: f64, aspect: f64, near: f64, far: f64 },
+    /// A parallel projection: H, and A, F and B if they are there.
+    Parallel { height: f64, aspect: Option<f64>, planes: Option<[f64; 2]> },
 }
 
 /// Why a text holds no camera.
@@ -55,12 +57,27 @@ pub enum MatrixTextError {
     /// A part of it is not a number.
     #[error("“{}” is not a number", crate::sanitize::escaped(.0))]
     Part(String),
+    /// Numbers that the program left out when it printed them.
+    #[error("“...” stands for numbers that were left out; print all of them")]
+    Elided,
     /// A file of a known format without a camera.
     #[error("no camera in it; {0} has none of the keys of a camera")]
     NoCamera(&'static str),
     /// A file that isn't text.
     #[error("it is neither text nor GLB")]
     NotText,
+}
+
+/// The names of several cameras, none for a single one; a number from 1 stands for a missing name.
+#[must_use]
+pub fn camera_names(cameras: &[Pasted]) -> Vec<String> {
+    if cameras.len() < 2 {
+        return Vec::new();
+    }
+    let name = |(k, camera): (usize, &Pasted)| {
+        if camera.name.is_empty() { (k + 1).to_string() } else { camera.name.clone() }
+    };
+    cameras.iter().enumerate().map(name).collect()
 }
 
 impl Pasted {
@@ -93,6 +110,12 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
     let text = text.trim_start_matches('\u{feff}');
     if let Some(cameras) = colmap::cameras(text) {
         return Ok(cameras);
+    }
+    if let Some(poses) = trajectory::cameras(text) {
+        return Ok(poses);
+    }
+    if let Some(camera) = paraview::camera(text) {
+        return Ok(vec![camera]);
     }
     if let Ok(value) = serde_json::from_str(text) {
         return json::cameras(&value, text);

@@ -138,6 +138,9 @@ impl Reader {
     fn simple(&mut self, part: &str) -> Result<(), MatrixTextError> {
         let bare = part.trim_end_matches([':', '=']);
         let names = bare.len() < part.len();
+        if self.has_numbers && matches!(part, "..." | "…") {
+            return Err(MatrixTextError::Elided);
+        }
         if part == "*" {
             self.scale();
         } else if bare.is_empty() {
