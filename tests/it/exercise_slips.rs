@@ -211,7 +211,7 @@ fn of_ray(exercise: &Exercise) -> Vec<Wrong> {
         ("direction", array((across - n).normalize()), "near-forgotten"),
         ("direction", array(DVec3::new(x, y, -p.near).normalize()), "view-as-world"),
         ("origin", array(c + across), "projections-exchanged"),
-        ("origin", array(c + across - n * p.near), "projections-exchanged"),
+        ("origin", array(c + across - n * p.near), "window-as-start"),
     ]
 }
 

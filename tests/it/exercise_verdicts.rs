@@ -3,11 +3,11 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::lessons::lesson_of;
 use camera_lab::exercises::{Answer, Exercise, Free, Judged, Table, check_beside, entry, read_answer};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::learn::{exercise_messages, exercises as said};
 use camera_lab::inspect::quantity::QuantityPath;
+use camera_lab::lessons::lesson_of;
 use glam::{DMat4, DVec3};
 
 /// The exercise of a family.
@@ -87,14 +87,13 @@ pub(crate) fn text(id: &str, seed: u64, name: &str, answer: &str, lang: Lang) ->
 
 /// A1.
 #[test]
-fn real_numbers_of_a_viewport_are_right_and_rounded_ones_are_told() {
+fn the_floor_has_one_rule_in_pixels_and_viewports() {
     let whole = right("viewport", 11, "viewport");
     let exercise = exercise("viewport", 11);
     let (ndc, viewport) = (right("viewport", 11, "ndc"), exercise.subject.figure.viewport.unwrap());
     let along = |start: i32, size: u32, n: f64| f64::from(start) + f64::from(size) / 2.0 * (n + 1.0);
     let real = [along(viewport.x, viewport.width, ndc[0]), along(viewport.y, viewport.height, ndc[1]), whole[2]];
-    let judged = together("viewport", 11, &[("viewport", vector(&real))]).remove(0);
-    assert!(judged.right && judged.reading == "not-floored", "{judged:?}");
+    assert_eq!(verdict("viewport", 11, "viewport", vector(&real)), "not-floored");
     let rounded = [real[0].round(), real[1].round(), real[2]];
     assert!(rounded[..2] != whole[..2]);
     assert_eq!(verdict("viewport", 11, "viewport", vector(&rounded)), "rounded-not-floored");

@@ -187,8 +187,6 @@ pub struct Reading {
     pub name: &'static str,
     /// The right answer in it.
     pub expected: Expected,
-    /// Its first two numbers are real: whole ones were rounded.
-    pub is_real: bool,
 }
 
 /// Computes a table; with slips, as it comes out when they are made. `None`: nothing comes out, or the slip can't be
@@ -263,7 +261,7 @@ impl Ask {
             share: TOLERANCE,
             whole: false,
             quantity: None,
-            readings: vec![Reading { name: "", expected, is_real: false }],
+            readings: vec![Reading { name: "", expected }],
             own_choices: BTreeMap::new(),
             own_mistakes: Vec::new(),
             follows: Vec::new(),
@@ -399,16 +397,6 @@ impl Ask {
     pub fn or_read_as(mut self, name: &'static str, other: Self) -> Self {
         self.readings.extend(other.readings.into_iter().map(|reading| Reading { name, ..reading }));
         self
-    }
-
-    /// With a reading in which its first two numbers are real, and not whole.
-    #[must_use]
-    pub fn or_as_real(self, name: &'static str, other: Self) -> Self {
-        let mut ask = self.or_read_as(name, other);
-        if let Some(last) = ask.readings.last_mut() {
-            last.is_real = true;
-        }
-        ask
     }
 
     /// Rows and columns of an answer; 1 × 1 for choices and cameras.
