@@ -55,6 +55,13 @@ impl<'a> Textbook<'a> {
 
     fn at(&self, quantity: Quantity) -> Option<Table> {
         let (parameters, slips) = (self.camera.parameters(), self.slips);
+        // Made in the formula of the point that moves.
+        let of_point = [Slip::PointsExchanged, Slip::TurnedInPlace];
+        if slips.any(&of_point)
+            && !matches!(quantity, Quantity::Camera(ParameterKey::Position | ParameterKey::FocalPoint))
+        {
+            return None;
+        }
         Some(match quantity {
             Quantity::Axis(BasisAxis::U) => self.u.into(),
             Quantity::Axis(BasisAxis::V) => self.v.into(),

@@ -96,8 +96,12 @@ fn inside(a: DVec4, b: DVec4, slips: Slips) -> Option<[f64; 2]> {
 
 fn clip_segment(seed: u64) -> Exercise {
     let mut random = numbers("clip-segment", seed);
+    telling(&[Slip::MinForMax], || clip_segment_of(&mut random))
+}
+
+fn clip_segment_of(random: &mut Random) -> Exercise {
     let (a, b) = loop {
-        let (a, b) = (clip_point(&mut random), clip_point(&mut random));
+        let (a, b) = (clip_point(random), clip_point(random));
         // Of equal w the division would not bend t.
         let found = inside(a, b, Slips::NONE).filter(|_| a.w != b.w);
         // Both ends are cut off, and the rest is long enough to be seen.

@@ -29,7 +29,7 @@ fn with_a_point(random: &mut Random, projection: Projection) -> Subject {
 
 fn ndc(seed: u64) -> Exercise {
     let mut random = numbers("ndc", seed);
-    telling(&[Slip::AxesAsColumns], || {
+    telling(&[Slip::AxesAsColumns, Slip::RowsExchanged], || {
         let projection = any_projection(&mut random);
         ndc_of(with_a_point(&mut random, projection))
     })
@@ -147,7 +147,13 @@ fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wan
 fn pixel(seed: u64) -> Exercise {
     let mut random = numbers("pixel", seed);
     let projection = any_projection(&mut random);
-    let mut slips = vec![Slip::AxesAsColumns, Slip::PositionNotNegated, Slip::RoundedNotFloored, Slip::ColumnsAndRows];
+    let mut slips = vec![
+        Slip::AxesAsColumns,
+        Slip::PositionNotNegated,
+        Slip::RoundedNotFloored,
+        Slip::ColumnsAndRows,
+        Slip::RowsExchanged,
+    ];
     if projection == Projection::Perspective {
         slips.push(Slip::NearForgotten);
     }

@@ -3,7 +3,7 @@
 
 use glam::{DMat3, DMat4, DVec3};
 
-use super::cameras::{about, camera, lens_camera, numbers, plain, small, subject};
+use super::cameras::{about, camera, lens_camera, numbers, plain, small, subject, telling};
 use crate::camera::{Parameters, Projection};
 use crate::exercises::products::{ENTRIES, multiplied};
 use crate::exercises::textbook::{half_tangent, over_height};
@@ -19,9 +19,11 @@ pub(super) const ORDER: Entry = Entry::family("order", "[4], [3]", |seed, _| ord
 
 fn pyramid(seed: u64) -> Exercise {
     let mut random = numbers("pyramid", seed);
-    #[expect(clippy::cast_precision_loss, reason = "a day and a month")]
-    let birth = [("D", random.whole(2, 31) as f64), ("M", random.whole(2, 12) as f64)];
-    notes::pyramid_of(&birth.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    telling(&[Slip::DayAndMonth, Slip::ClipWithOne], || {
+        #[expect(clippy::cast_precision_loss, reason = "a day and a month")]
+        let birth = [("D", random.whole(2, 31) as f64), ("M", random.whole(2, 12) as f64)];
+        notes::pyramid_of(&birth.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    })
 }
 
 /// **n** into the scene, **v** from VUV' without its part along **n**, **u** = **n** × **v**.
