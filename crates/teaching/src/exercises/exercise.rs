@@ -124,6 +124,8 @@ pub struct Ask {
     pub own_mistakes: Vec<Arc<OwnMistake>>,
     /// The ways to it from other answers.
     pub follows: Vec<Follows>,
+    /// The worked steps, if they begin with what the statement gives and not with the camera.
+    pub way: Option<Vec<Worked>>,
 }
 
 /// A kind of answer.
@@ -265,6 +267,7 @@ impl Ask {
             own_choices: BTreeMap::new(),
             own_mistakes: Vec::new(),
             follows: Vec::new(),
+            way: None,
         }
     }
 
@@ -380,6 +383,12 @@ impl Ask {
         self
     }
 
+    /// The same ask with worked steps of its own.
+    #[must_use]
+    pub fn worked_as(self, way: Vec<Worked>) -> Self {
+        Self { way: Some(way), ..self }
+    }
+
     /// With whole numbers.
     #[must_use]
     pub fn whole(self) -> Self {
@@ -421,6 +430,9 @@ impl Ask {
     /// The steps to the right answer.
     #[must_use]
     pub fn steps(&self) -> Vec<Worked> {
+        if let Some(way) = &self.way {
+            return way.clone();
+        }
         match self.expected() {
             Expected::Quantity(subject, path) => worked(subject, *path),
             Expected::Computed(_, steps) | Expected::Choice(_, _, steps) | Expected::Camera(.., steps) => steps.clone(),

@@ -7,7 +7,7 @@ use glam::{DMat4, DVec3, DVec4};
 
 use super::chosen;
 use crate::camera::{ImageSize, Parameters, Projection};
-use crate::exercises::products::multiplied;
+use crate::exercises::products::{multiplied, multiplied_as};
 use crate::exercises::statement_facts::{about, with_point};
 use crate::exercises::worked::{Worked, named, worked};
 use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Nature, Slip, Slips, Subject, Table, textbook};
@@ -184,15 +184,19 @@ pub(super) fn projection(free: &Free) -> Exercise {
     let birth = Birth::new(free);
     let subject = birth.subject();
     let of = Birth { ..birth };
-    let mut steps = worked(&subject, Quantity::Matrix(ReportMatrix::ViewProjection));
+    let projected = matrix(&subject, Quantity::Matrix(ReportMatrix::Projection), Slips::NONE);
+    let view = matrix(&subject, Quantity::Matrix(ReportMatrix::View), Slips::NONE);
+    // As the statement says: the vertices in view space, of exercise II, times M_p.
+    let seen: Vec<DVec4> = view.map_or_else(Vec::new, |view| of.world(Slips::NONE).iter().map(|p| view * *p).collect());
+    let times_projection = |vertices: &[DVec4]| {
+        let mut steps = worked(&subject, Quantity::Matrix(ReportMatrix::Projection));
+        steps.extend(projected.map(|by| multiplied_as("vertices-seen", by, vertices)));
+        steps
+    };
     let clip = {
         let subject = subject.clone();
         let world = of.world(Slips::NONE);
-        steps.extend(
-            matrix(&subject, Quantity::Matrix(ReportMatrix::ViewProjection), Slips::NONE)
-                .map(|all| multiplied(all, &world)),
-        );
-        matrix_of_points("clip", steps, move |slips| {
+        matrix_of_points("clip", times_projection(&seen), move |slips| {
             let (view, projection) = (
                 matrix(&subject, Quantity::Matrix(ReportMatrix::View), slips)?,
                 matrix(&subject, Quantity::Matrix(ReportMatrix::Projection), slips)?,
@@ -201,14 +205,15 @@ pub(super) fn projection(free: &Free) -> Exercise {
             Some(world.iter().map(|vertex| projection * (view * *vertex)).collect())
         })
     };
-    let view = matrix(&subject, Quantity::Matrix(ReportMatrix::View), Slips::NONE);
     let world = of.world(Slips::NONE);
     let apex_seen = view.zip(world.last().copied()).map(|(view, apex)| view * apex);
     let clip = clip.following(&["Mp"], move |tables| {
         let all = tables[0].matrix()? * view?;
         Some(columns(&world.iter().map(|vertex| all * *vertex).collect::<Vec<_>>()))
     });
+    let apex_alone = seen.last().map_or_else(Vec::new, |apex| vec![*apex]);
     let apex = Ask::quantity("apex", &subject, Quantity::Point(4, PointNumber::Clip))
+        .worked_as(times_projection(&apex_alone))
         .following(&["Mp", "Mv", "Mm"], |tables| {
             let [projection, view, model] = [0, 1, 2].map(|k: usize| tables[k].matrix());
             Some(Table::from(projection? * (view? * (model? * APEX.extend(1.0)))))
@@ -224,8 +229,27 @@ pub(super) fn projection(free: &Free) -> Exercise {
 pub(in crate::exercises) fn whole(free: &Free) -> Exercise {
     let [first, last] = [model_and_view(free), projection(free)];
     let wanted = ["Mm", "Mv", "Mp", "apex"];
+    let mut last = last;
+    if let Some(apex) = last.asks.iter_mut().find(|ask| ask.name == "apex") {
+        apex.way = Some(way_of_apex(&Birth::new(free)));
+    }
     let asks = first.asks.into_iter().chain(last.asks).filter(|ask| wanted.contains(&ask.name.as_str())).collect();
     Exercise { asks, free: Vec::new(), assumptions: vec!["touches-planes", "distances-not-coordinates"], ..last }
+}
+
+/// The apex from its own space into the world, into the VRC, and into clip space.
+fn way_of_apex(birth: &Birth) -> Vec<Worked> {
+    let subject = birth.subject();
+    let apex = APEX.extend(1.0);
+    let world = birth.model(Slips::NONE) * apex;
+    let of = |quantity| matrix(&subject, Quantity::Matrix(quantity), Slips::NONE);
+    let (Some(view), Some(projection)) = (of(ReportMatrix::View), of(ReportMatrix::Projection)) else {
+        return Vec::new();
+    };
+    let mut steps = vec![multiplied_as("apex-world", birth.model(Slips::NONE), &[apex])];
+    steps.push(multiplied_as("apex-view", view, &[world]));
+    steps.push(multiplied_as("apex-clip", projection, &[view * world]));
+    steps
 }
 
 /// Points in the columns of a table, multiplied by a matrix.
