@@ -94,8 +94,15 @@ fn half_of_the_view_transform_is_told() {
     let whole = |rows: [[f64; 4]; 4]| Some(square(rows.concat()));
     told_of("view-matrix", "Mv", "not-done", |seed| {
         let (_, [u, v, n]) = rows(seed);
-        whole([u, v, n].map(|axis| [axis.x, axis.y, axis.z, 0.0]).into_iter().chain([[0.0, 0.0, 0.0, 1.0]])
-            .collect::<Vec<_>>().try_into().unwrap())
+        whole(
+            [u, v, n]
+                .map(|axis| [axis.x, axis.y, axis.z, 0.0])
+                .into_iter()
+                .chain([[0.0, 0.0, 0.0, 1.0]])
+                .collect::<Vec<_>>()
+                .try_into()
+                .unwrap(),
+        )
     });
     told_of("view-matrix", "Mv", "not-done", |seed| {
         let (c, _) = rows(seed);
@@ -133,11 +140,8 @@ fn rays_that_start_on_the_window_and_numbers_of_the_vrc_are_told() {
         let (figure, [i, j]) = (&exercise.subject.figure, exercise.subject.pixels[0]);
         let camera = &figure.camera;
         let is_parallel = camera.projection == Projection::Parallel;
-        let h = if is_parallel {
-            camera.height
-        } else {
-            2.0 * camera.near * (camera.view_angle / 2.0).to_radians().tan()
-        };
+        let h =
+            if is_parallel { camera.height } else { 2.0 * camera.near * (camera.view_angle / 2.0).to_radians().tan() };
         let w = h * camera.aspect;
         let (m, rows) = (f64::from(figure.image.width), f64::from(figure.image.height));
         let x = w / m * (i as f64 + 0.5) - w / 2.0;
@@ -182,12 +186,14 @@ fn the_least_of_several_entries_is_told() {
     for seed in 0..60 {
         let (a, b) = ends(seed);
         let cuts = |enters: bool| {
-            let pairs = a.into_iter().zip(b).filter(move |(a, b)| if enters { *a < 0.0 } else { *a >= 0.0 && *b < 0.0 });
+            let pairs =
+                a.into_iter().zip(b).filter(move |(a, b)| if enters { *a < 0.0 } else { *a >= 0.0 && *b < 0.0 });
             pairs.map(|(a, b)| a / (a - b))
         };
-        for (name, wrong) in
-            [("t_in", cuts(true).fold(f64::INFINITY, f64::min)), ("t_out", cuts(false).fold(f64::NEG_INFINITY, f64::max))]
-        {
+        for (name, wrong) in [
+            ("t_in", cuts(true).fold(f64::INFINITY, f64::min)),
+            ("t_out", cuts(false).fold(f64::NEG_INFINITY, f64::max)),
+        ] {
             if (wrong - right("clip-segment", seed, name)[0]).abs() > 0.01 {
                 let said = verdict("clip-segment", seed, name, format!("{wrong:.9}"));
                 assert!(is_one_of(&said, "entry-exit-exchanged"), "{seed} {name} {wrong}: {said}");

@@ -339,7 +339,8 @@ fn the_command_line_lists_shows_checks_and_draws() {
     for part in ["aims", "plan", "sentence"] {
         assert!(refused.refused(2).contains(&format!("small.toml, line 2: {part} is missing")), "{}", refused.err);
     }
-    let head = "aims = [\"a\"]\nplan = \"**0–50** Show.\"\nsentence = \"s\"\npretest = [{ exercise = \"basis\", seed = 7 }]\n";
+    let head =
+        "aims = [\"a\"]\nplan = \"**0–50** Show.\"\nsentence = \"s\"\npretest = [{ exercise = \"basis\", seed = 7 }]\n";
     bench.write("whole.toml", LESSON.replacen("title", &format!("{head}title"), 1));
     assert!(bench.run(&["lesson", "check", "whole.toml"]).done().starts_with(b"the lesson is good"));
     bench.run(&["lesson", "render", "small.toml", "-o", "pictures", "--size", "300x100"]).done();

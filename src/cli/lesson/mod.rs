@@ -220,11 +220,8 @@ type Fault = (Part, Box<dyn Fn(&str) -> String>);
 /// The parts that a lesson needs to be taught by somebody else. A lesson without them still opens and plays: they are
 /// asked for only here.
 fn missing_of(lesson: &Lesson, lang: Lang) -> Vec<Fault> {
-    let parts = [
-        ("aims", lesson.aims.is_empty()),
-        ("plan", lesson.plan.is_none()),
-        ("sentence", lesson.sentence.is_none()),
-    ];
+    let parts =
+        [("aims", lesson.aims.is_empty()), ("plan", lesson.plan.is_none()), ("sentence", lesson.sentence.is_none())];
     let fault = |key: &'static str| -> Fault { (Part::Head, Box::new(move |_| texts::no_part(lang, key))) };
     parts.into_iter().filter(|(_, is_missing)| *is_missing).map(|(key, _)| fault(key)).collect()
 }

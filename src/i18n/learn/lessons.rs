@@ -207,7 +207,10 @@ fn questions(lang: Lang, heading: &str, questions: &[Question]) -> String {
 /// The titles of the exercises to which a lesson leads, each once.
 #[must_use]
 pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
-    lessons::exercises_of(lesson).into_iter().filter_map(|id| Some(super::exercises::title(lang, exercises::entry(id)?))).collect()
+    lessons::exercises_of(lesson)
+        .into_iter()
+        .filter_map(|id| Some(super::exercises::title(lang, exercises::entry(id)?)))
+        .collect()
 }
 
 /// A step was added to a file.

@@ -146,7 +146,12 @@ fn turned(camera: &Camera, operation: Operation, slips: Slips) -> Option<Paramet
         return Some(before);
     }
     if slips.has(Slip::PointsExchanged) {
-        return Some(exchanged_points(camera, angle, about_u, is_elevation || matches!(operation, Operation::Azimuth(_))));
+        return Some(exchanged_points(
+            camera,
+            angle,
+            about_u,
+            is_elevation || matches!(operation, Operation::Azimuth(_)),
+        ));
     }
     let axis = if slips.has(Slip::WorldAxis) {
         [DVec3::Y, DVec3::X, DVec3::Z][if is_roll { 2 } else { usize::from(about_u) }]

@@ -276,8 +276,7 @@ fn viewport_of(random: &mut Random) -> Exercise {
     };
     let asks = vec![
         Ask::quantity("ndc", &subject, Quantity::Point(0, PointNumber::Ndc)),
-        Ask::quantity("viewport", &subject, Quantity::Point(0, PointNumber::Viewport))
-            .following(&["ndc"], placed),
+        Ask::quantity("viewport", &subject, Quantity::Point(0, PointNumber::Viewport)).following(&["ndc"], placed),
     ];
     let numbers = [
         ("Xv", f64::from(x)),

@@ -40,8 +40,7 @@ impl Birth {
 
     /// M_m; the base touches the planes x = 0 and z = 0.
     fn model(&self, slips: Slips) -> DMat4 {
-        let (day, month) =
-            if slips.has(Slip::DayAndMonth) { (self.month, self.day) } else { (self.day, self.month) };
+        let (day, month) = if slips.has(Slip::DayAndMonth) { (self.month, self.day) } else { (self.day, self.month) };
         let scale = DMat4::from_scale(DVec3::new(month, day, month));
         let by = if slips.has(Slip::MovedByHalf) {
             0.5
