@@ -17,10 +17,11 @@ use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, BadExercise, Overwrite, OwnExercises};
 use crate::handout::{self, HandoutOptions, NoPicture};
-use crate::i18n::learn::{exercise_messages as said, exercise_sheet as sheet_of, exercises as texts};
+use crate::i18n::learn::{exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, lessons};
 use crate::i18n::why::notes;
 use crate::i18n::{Lang, messages};
 use crate::inspect::json_text;
+use crate::lessons::lesson_of;
 use crate::picture::{self, Composite, FileOptions, Told};
 use crate::progress::{Progress, at_once};
 use crate::sanitize;
@@ -151,6 +152,7 @@ fn described(lang: Lang, exercise: &Exercise, with_solution: bool) -> Value {
         "ops": subject.operations.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "free": exercise.free.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect::<Map<_, _>>(),
         "asks": exercise.asks.iter().map(|ask| asked(lang, exercise, ask)).collect::<Vec<_>>(),
+        "lesson": lesson_of(&exercise.id).map(|way| json!({ "id": way.lesson.id, "step": way.step + 1 })),
         "picture": exercise.figure_to_match().map(|_| picture_command(exercise)),
     });
     if with_solution {
@@ -213,6 +215,10 @@ fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
         for assumption in assumptions {
             let _ = writeln!(text, "  - {}", plain(&assumption));
         }
+    }
+    if let Some(way) = lesson_of(&exercise.id) {
+        let (name, id, step) = (lessons::lesson_link(lang, &way.lesson, way.step), &way.lesson.id, way.step + 1);
+        let _ = writeln!(text, "\n{name}: camera-lab lesson play {id} --step {step}");
     }
     let _ = writeln!(text, "\n{}:", t.asked);
     for ask in &exercise.asks {

@@ -211,7 +211,7 @@ fn of_ray(exercise: &Exercise) -> Vec<Wrong> {
         ("direction", array((across - n).normalize()), "near-forgotten"),
         ("direction", array(DVec3::new(x, y, -p.near).normalize()), "view-as-world"),
         ("origin", array(c + across), "projections-exchanged"),
-        ("origin", array(c + across - n * p.near), "projections-exchanged"),
+        ("origin", array(c + across - n * p.near), "window-as-start"),
     ]
 }
 
@@ -385,7 +385,8 @@ impl Counts {
     pub(super) fn hold(&self) {
         let Self { all, first, either, none, same } = self;
         assert!(none.is_empty(), "{none:?}");
-        assert!(*first > 6 * either, "{first} alone, {either} as one of several");
+        // A point that did not move was left alone, or turned about itself: always one of two.
+        assert!(*first > 4 * either, "{first} alone, {either} as one of several");
         assert!(same.values().sum::<u32>() < all / 10, "{same:?}");
     }
 }

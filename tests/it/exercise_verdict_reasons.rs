@@ -34,7 +34,7 @@ fn a_zoom_for_a_dolly_is_called_a_zoom() {
     for seed in 0..20 {
         let [zoomed, dollied] =
             ["zoomed_behind", "dollied_behind"].map(|name| format!("{:.9}", right("zoom-or-dolly", seed, name)[0]));
-        for (lang, zoom, dolly) in [(Lang::En, "a zoom", "a dolly"), (Lang::PtBr, "um zoom", "um dolly")] {
+        for (lang, zoom, dolly) in [(Lang::En, "a zoom", "a dolly"), (Lang::PtBr, "um zoom", "um travelling")] {
             let said = text("zoom-or-dolly", seed, "dollied_behind", &zoomed, lang);
             assert!(said.contains(zoom) && !said.contains(dolly), "{seed}: {said}");
             let said = text("zoom-or-dolly", seed, "zoomed_behind", &dollied, lang);

@@ -7,6 +7,7 @@ use camera_lab::exercises::{Answer, Exercise, Free, Judged, Table, check_beside,
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::learn::{exercise_messages, exercises as said};
 use camera_lab::inspect::quantity::QuantityPath;
+use camera_lab::lessons::lesson_of;
 use glam::{DMat4, DVec3};
 
 /// The exercise of a family.
@@ -86,14 +87,13 @@ pub(crate) fn text(id: &str, seed: u64, name: &str, answer: &str, lang: Lang) ->
 
 /// A1.
 #[test]
-fn real_numbers_of_a_viewport_are_right_and_rounded_ones_are_told() {
+fn the_floor_has_one_rule_in_pixels_and_viewports() {
     let whole = right("viewport", 11, "viewport");
     let exercise = exercise("viewport", 11);
     let (ndc, viewport) = (right("viewport", 11, "ndc"), exercise.subject.figure.viewport.unwrap());
     let along = |start: i32, size: u32, n: f64| f64::from(start) + f64::from(size) / 2.0 * (n + 1.0);
     let real = [along(viewport.x, viewport.width, ndc[0]), along(viewport.y, viewport.height, ndc[1]), whole[2]];
-    let judged = together("viewport", 11, &[("viewport", vector(&real))]).remove(0);
-    assert!(judged.right && judged.reading == "not-floored", "{judged:?}");
+    assert_eq!(verdict("viewport", 11, "viewport", vector(&real)), "not-floored");
     let rounded = [real[0].round(), real[1].round(), real[2]];
     assert!(rounded[..2] != whole[..2]);
     assert_eq!(verdict("viewport", 11, "viewport", vector(&rounded)), "rounded-not-floored");
@@ -497,7 +497,10 @@ fn without_a_known_mistake_help_begins_at_the_first_step_that_is_wrong() {
     let alone = hints(&[("view", "[17.123, 23.456, 31.789]".to_owned()), ("clip", wrong.clone())], "clip");
     let after = hints(&[("view", view), ("clip", wrong)], "clip");
     assert!(alone.contains("The solution begins with") && after.contains("What comes before is right"), "{after}");
-    assert!(alone.contains("None of the 4 numbers is right."), "{alone}");
+    // What comes first is the sentence to keep, and the step that says it.
+    let way = lesson_of("ndc").unwrap();
+    let sentence = camera_lab::i18n::told(Lang::En, way.lesson.sentence.as_ref().unwrap()).trim();
+    assert!(alone.starts_with(sentence) && alone.contains(&format!("step {}", way.step + 1)), "{alone}");
     // Where nothing is known something is said.
     for (id, name, answer) in [("1-I", "height", "7777"), ("order", "first", "rotate"), ("inside", "plane", "none")] {
         let exercise = self::exercise(id, 3);

@@ -11,7 +11,7 @@ use camera_lab::i18n::learn::{exercise_sheet, lessons as words};
 use camera_lab::i18n::pictures::labels;
 use camera_lab::i18n::why::notes;
 use camera_lab::i18n::{Lang, messages, told};
-use camera_lab::lessons::{Link, Seen, Subject, Task, objects_named, parse, shipped};
+use camera_lab::lessons::{Link, Seen, Subject, Task, families_of, lesson_of, objects_named, parse, shipped};
 use camera_lab::scene::no_files;
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 
@@ -173,7 +173,7 @@ fn the_lessons_of_the_guides_are_good() {
 
 #[test]
 fn every_step_of_the_lessons_of_the_program_is_good() {
-    assert_eq!(shipped().len(), 12, "each file is a lesson");
+    assert_eq!(shipped().len(), 16, "each file is a lesson");
     let ids: Vec<&str> = shipped().iter().map(|shipped| shipped.lesson.id.as_str()).collect();
     let mut seen = Seen::default();
     for lesson in shipped().iter().map(|shipped| &shipped.lesson) {
@@ -245,10 +245,84 @@ fn every_step_of_the_lessons_of_the_program_is_good() {
 }
 
 #[test]
+fn every_exercise_is_reached_by_a_lesson_and_knows_it() {
+    let reached: Vec<&str> = shipped().iter().flat_map(|shipped| families_of(&shipped.lesson)).collect();
+    for entry in exercises::entries() {
+        assert!(!entry.is_family || reached.contains(&&*entry.id), "{}", entry.id);
+        let way = lesson_of(&entry.id).unwrap_or_else(|| panic!("{}", entry.id));
+        let step = &way.lesson.steps[way.step];
+        let asks = matches!(&step.task, Some(Task::Exercise { id, .. }) if *id == entry.id);
+        let links = step.links.iter().any(|link| matches!(link, Link::Exercise(id, _) if *id == entry.id));
+        assert!(asks || links, "{}: {} {}", entry.id, way.lesson.id, way.step);
+    }
+    assert!(lesson_of("question-0").is_none());
+    // What is asked before, in and after a lesson has different numbers.
+    for lesson in shipped().iter().map(|shipped| &shipped.lesson) {
+        assert!(lesson.plan.is_some() && lesson.pretest.len() == 3 && lesson.posttest.len() == 3, "{}", lesson.id);
+        let asked = lesson.steps.iter().filter_map(|step| match &step.task {
+            Some(Task::Exercise { id, seed }) => Some((id.clone(), *seed)),
+            _ => None,
+        });
+        let around = lesson.pretest.iter().chain(&lesson.posttest).map(|asked| (asked.id.clone(), asked.seed));
+        let mut all: Vec<(String, u64)> = asked.chain(around).collect();
+        let count = all.len();
+        all.sort();
+        all.dedup();
+        assert_eq!(all.len(), count, "{}", lesson.id);
+        for question in lesson.pretest.iter().chain(&lesson.posttest) {
+            let exercise = exercises::entry(&question.id).unwrap().exercise(question.seed, &Default::default());
+            assert!(exercise.figure_to_match().is_none(), "{}: {} needs its picture", lesson.id, question.id);
+        }
+    }
+}
+
+#[test]
+fn a_lesson_has_a_plan_and_questions_around_it() {
+    let bench = Bench::new("plans");
+    let list = bench.run(&["lesson", "list", "--format", "json"]).json();
+    let window = list.as_array().unwrap().iter().find(|lesson| lesson["id"] == "window").unwrap();
+    assert!(window["families"].as_array().unwrap().contains(&"zoom-or-dolly".into()), "{window}");
+    let show = bench.run(&["lesson", "show", "window", "--format", "json", "--lang", "pt-BR"]).json();
+    assert!(show["plan"].as_str().unwrap().contains("Mostre"), "{}", show["plan"]);
+    for key in ["pretest", "posttest"] {
+        let ids = show[key].as_array().unwrap();
+        let seeds = show[format!("{key}_seeds")].as_array().unwrap();
+        assert!(ids.len() == 3 && seeds.len() == 3, "{show}");
+        for (id, seed) in ids.iter().zip(seeds) {
+            let seed = seed.to_string();
+            bench.run(&["exercise", "show", id.as_str().unwrap(), "--seed", &seed]).done();
+        }
+    }
+    let shown = bench.run(&["exercise", "show", "window", "--format", "json"]).json();
+    assert_eq!(shown["lesson"]["id"], "window", "{shown}");
+    let read = String::from_utf8(bench.run(&["exercise", "show", "0-5.1"]).done().to_vec()).unwrap();
+    assert!(read.contains("camera-lab lesson play sheet --step 2"), "{read}");
+    // The plan is for the lecturer, the questions for everybody.
+    for (name, options) in [("with.pdf", &["--plan"][..]), ("without.pdf", &[])] {
+        bench.run(&[&["lesson", "render", "light", "-o", name, "--per-page", "4"][..], options].concat()).done();
+    }
+    assert!(bench.read("with.pdf").len() > bench.read("without.pdf").len() + 1000);
+    assert!(bench.run(&["lesson", "render", "light", "-o", "pictures", "--plan"]).refused(2).contains("--plan"));
+    for (questions, told) in [
+        ("pretest = [{ exercise = \"nope\" }]", "exercise"),
+        ("pretest = [{ seed = 1 }]", "exercise"),
+        ("posttest = 3", "posttest"),
+        ("links = 1", "links"),
+    ] {
+        let error = parse(&LESSON.replacen("title", &format!("{questions}\ntitle"), 1)).unwrap_err();
+        assert!(error.line == 3 && error.key.contains(told), "{questions}: {error}");
+    }
+    let link = "links = [{ lesson = \"basis\", step = 99 }]";
+    bench.write("link.toml", LESSON.replace("seconds = 0", link));
+    let refused = bench.run(&["lesson", "check", "link.toml"]);
+    assert!(refused.refused(2).contains("the lesson has no step 99; allowed: a step from 1 to 11"), "{}", refused.err);
+}
+
+#[test]
 fn the_command_line_lists_shows_checks_and_draws() {
     let bench = Bench::new("lessons");
     let list = bench.run(&["lesson", "list", "--format", "json"]).json();
-    assert_eq!(list.as_array().unwrap().len(), 12);
+    assert_eq!(list.as_array().unwrap().len(), 16);
     assert_eq!(list[0]["id"], "camera");
     let show = bench.run(&["lesson", "show", "basis", "--format", "json"]).json();
     let steps = show["steps"].as_array().unwrap();
@@ -261,7 +335,14 @@ fn the_command_line_lists_shows_checks_and_draws() {
     assert!(read.contains("Pergunta:") && read.contains("Experimente:"), "{read}");
 
     bench.write("small.toml", LESSON);
-    assert!(bench.run(&["lesson", "check", "small.toml"]).done().starts_with(b"the lesson is good"));
+    let refused = bench.run(&["lesson", "check", "small.toml"]);
+    for part in ["aims", "plan", "sentence"] {
+        assert!(refused.refused(2).contains(&format!("small.toml, line 2: {part} is missing")), "{}", refused.err);
+    }
+    let head =
+        "aims = [\"a\"]\nplan = \"**0–50** Show.\"\nsentence = \"s\"\npretest = [{ exercise = \"basis\", seed = 7 }]\n";
+    bench.write("whole.toml", LESSON.replacen("title", &format!("{head}title"), 1));
+    assert!(bench.run(&["lesson", "check", "whole.toml"]).done().starts_with(b"the lesson is good"));
     bench.run(&["lesson", "render", "small.toml", "-o", "pictures", "--size", "300x100"]).done();
     for number in ["01", "02"] {
         assert!(bench.path("pictures").join(format!("{number}-small.png")).exists());
@@ -280,7 +361,7 @@ fn the_command_line_lists_shows_checks_and_draws() {
     );
     assert!(bench.run(&["lesson", "render", "small.toml", "-o", "a.png"]).refused(2).contains("a folder"));
     let listed = bench.run(&["lesson", "list", "--folder", ".", "--format", "json"]).json();
-    assert_eq!(listed[12]["id"], "small");
+    assert_eq!(listed[16]["id"], "small");
 
     bench.write("small.toml", LESSON.replace("near = 2", "near = -2"));
     let refused = bench.run(&["lesson", "check", "small.toml"]);

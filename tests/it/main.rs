@@ -26,6 +26,7 @@ mod exercise_follows;
 mod exercise_mistakes;
 mod exercise_slips;
 mod exercise_slips_others;
+mod exercise_unnamed;
 mod exercise_verdict_reasons;
 mod exercise_verdicts;
 mod exercise_verdicts_evidence;

@@ -1,9 +1,10 @@
 //! The words of the command line about exercises, besides the exercises themselves.
 
-use super::exercises;
 use super::exercises::mistake;
+use super::{exercises, lessons};
 use crate::exercises::{Ask, Exercise, Judged, Why};
-use crate::i18n::Lang;
+use crate::i18n::{Lang, told};
+use crate::lessons::lesson_of;
 use crate::sanitize::escaped;
 
 texts! {
@@ -136,7 +137,12 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
         None => {
             let steps = exercises::steps(lang, exercise, ask, DIGITS);
             let first = steps.get(verdict.first_step).and_then(|step| step.lines().next()).map(str::to_owned);
-            exercises::hints_without_diagnosis(lang, verdict, first.as_deref())
+            let way = lesson_of(&exercise.id);
+            let keep = way.and_then(|way| {
+                let sentence = way.lesson.sentence.as_ref().map(|sentence| told(lang, sentence).trim().to_owned())?;
+                Some(format!("{sentence} ({})", lessons::lesson_link(lang, &way.lesson, way.step)))
+            });
+            exercises::hints_without_diagnosis(lang, verdict, (keep, first.as_deref()))
         }
     }
 }

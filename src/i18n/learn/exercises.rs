@@ -241,14 +241,20 @@ pub fn hints<'a>(lang: Lang, ask: &Ask, diagnosis: &'a Diagnosis) -> Vec<&'a str
     of(1).chain(of(2)).collect()
 }
 
-/// The hints for a wrong answer that no known mistake explains: the number of right entries, and the first step of the
-/// solution.
+/// The hints for a wrong answer that no known mistake explains: the sentence to keep of the lesson, and the first step
+/// of the solution. Without a lesson, the number of right entries comes first.
 #[must_use]
-pub fn hints_without_diagnosis(lang: Lang, judged: &Judged, first_step: Option<&str>) -> Vec<String> {
+pub fn hints_without_diagnosis(
+    lang: Lang,
+    judged: &Judged,
+    (sentence, first_step): (Option<String>, Option<&str>),
+) -> Vec<String> {
     let all: usize = judged.entries.iter().map(Vec::len).sum();
     let right = judged.entries.iter().flatten().filter(|is| **is).count();
     let mut hints = Vec::new();
-    if !judged.conditions.is_empty() {
+    if let Some(sentence) = sentence {
+        hints.push(sentence);
+    } else if !judged.conditions.is_empty() {
         hints.push(both!(lang; "{right} of {all} conditions are met; begin with the first that is not.",
             "{right} de {all} condições são satisfeitas; comece pela primeira que não é."));
     } else if all > 1 {

@@ -3,6 +3,7 @@
 pub mod code;
 pub mod conventions;
 pub mod dialects;
+pub mod entry_reasons;
 pub mod explain;
 pub mod explain_point;
 pub mod homogeneous;

@@ -405,7 +405,7 @@ texts! {
     pitch_effect: "PF, VUP about u through C", "PF, VUP em torno de u por C";
     zoom: "Zoom", "Zoom";
     zoom_effect: "l, r, b, t divided by s", "l, r, b, t divididos por s";
-    dolly: "Dolly", "Aproximação";
+    dolly: "Dolly", "Travelling";
     dolly_effect: "C towards PF: D divided by s", "C rumo a PF: D dividida por s";
     pan_u: "Pan along u", "Pan em u";
     pan_u_effect: "C, PF along u", "C, PF ao longo de u";

@@ -1,15 +1,14 @@
 //! Right answers: the numbers, choices and cameras that are accepted.
 
 use super::answer::Answer;
-use super::exercise::{Ask, Expected, Reading};
+use super::exercise::{Ask, Expected};
 use super::value::Table;
 use crate::camera::Camera;
 use crate::exercises::mistakes::slip::{Slip, Slips};
 
 /// Whether an answer is right in one of the readings.
 pub(super) fn is_right(ask: &Ask, answer: &Answer) -> bool {
-    let mut readings = ask.readings.iter().filter(|reading| allows(reading, answer));
-    readings.any(|reading| match (&reading.expected, answer) {
+    ask.readings.iter().any(|reading| match (&reading.expected, answer) {
         (Expected::Choice(right, ..), Answer::Choice(chosen)) => right == chosen,
         (Expected::Camera(conditions, ..), Answer::Camera(parameters)) => {
             Camera::new(parameters).is_ok_and(|camera| conditions(&camera).iter().all(|(_, is)| *is))
@@ -20,12 +19,6 @@ pub(super) fn is_right(ask: &Ask, answer: &Answer) -> bool {
         }),
         _ => false,
     })
-}
-
-/// Whether an answer can be meant as a reading says.
-pub(super) fn allows(reading: &Reading, answer: &Answer) -> bool {
-    let Answer::Numbers { entries, .. } = answer else { return true };
-    !reading.is_real || entries.iter().take(2).flatten().any(|number| number.fract() != 0.0)
 }
 
 impl Ask {

@@ -124,6 +124,8 @@ pub struct Ask {
     pub own_mistakes: Vec<Arc<OwnMistake>>,
     /// The ways to it from other answers.
     pub follows: Vec<Follows>,
+    /// The worked steps, if they begin with what the statement gives and not with the camera.
+    pub way: Option<Vec<Worked>>,
 }
 
 /// A kind of answer.
@@ -187,8 +189,6 @@ pub struct Reading {
     pub name: &'static str,
     /// The right answer in it.
     pub expected: Expected,
-    /// Its first two numbers are real: whole ones were rounded.
-    pub is_real: bool,
 }
 
 /// Computes a table; with slips, as it comes out when they are made. `None`: nothing comes out, or the slip can't be
@@ -263,10 +263,11 @@ impl Ask {
             share: TOLERANCE,
             whole: false,
             quantity: None,
-            readings: vec![Reading { name: "", expected, is_real: false }],
+            readings: vec![Reading { name: "", expected }],
             own_choices: BTreeMap::new(),
             own_mistakes: Vec::new(),
             follows: Vec::new(),
+            way: None,
         }
     }
 
@@ -383,6 +384,12 @@ impl Ask {
         self
     }
 
+    /// The same ask with worked steps of its own.
+    #[must_use]
+    pub fn worked_as(self, way: Vec<Worked>) -> Self {
+        Self { way: Some(way), ..self }
+    }
+
     /// With whole numbers.
     #[must_use]
     pub fn whole(self) -> Self {
@@ -400,16 +407,6 @@ impl Ask {
     pub fn or_read_as(mut self, name: &'static str, other: Self) -> Self {
         self.readings.extend(other.readings.into_iter().map(|reading| Reading { name, ..reading }));
         self
-    }
-
-    /// With a reading in which its first two numbers are real, and not whole.
-    #[must_use]
-    pub fn or_as_real(self, name: &'static str, other: Self) -> Self {
-        let mut ask = self.or_read_as(name, other);
-        if let Some(last) = ask.readings.last_mut() {
-            last.is_real = true;
-        }
-        ask
     }
 
     /// Rows and columns of an answer; 1 × 1 for choices and cameras.
@@ -434,6 +431,9 @@ impl Ask {
     /// The steps to the right answer.
     #[must_use]
     pub fn steps(&self) -> Vec<Worked> {
+        if let Some(way) = &self.way {
+            return way.clone();
+        }
         match self.expected() {
             Expected::Quantity(subject, path) => worked(subject, *path),
             Expected::Computed(_, steps) | Expected::Choice(_, _, steps) | Expected::Camera(.., steps) => steps.clone(),

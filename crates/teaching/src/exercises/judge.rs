@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::acceptance::{allows, is_right};
+use super::acceptance::is_right;
 use super::answer::Answer;
 use super::beside::Beside;
 use super::exercise::{Ask, Expected, TOLERANCE};
@@ -85,7 +85,6 @@ fn judge_readings(ask: &Ask, answer: Answer, beside: Option<Beside<'_>>) -> Judg
     let in_readings = ask
         .readings
         .iter()
-        .filter(|reading| allows(reading, &answer))
         .map(|reading| Judged { reading: reading.name, ..judge_in(ask, &reading.expected, &answer, beside) });
     let mut best: Option<Judged> = None;
     for judged in in_readings {

@@ -96,7 +96,32 @@ fn otherwise(camera: &Camera, operation: Operation, slips: Slips) -> Option<Para
             let by = DVec3::new(dx, dy, 0.0);
             Some(Parameters { position: position + by, focal_point: focal_point + by, ..before })
         }
+        // The height that comes from the view angle, in a parallel projection too (5.2 of `[0]`).
+        Operation::Zoom(factor) if slips.has(Slip::ZoomOnAngle) && has_height_of_angle(&before) => {
+            let half = (before.view_angle / factor / 2.0).to_radians().tan();
+            Some(Parameters { height: 2.0 * before.near * half, ..before })
+        }
         _ => turned(camera, operation, slips),
+    }
+}
+
+/// Whether the height of a parallel camera is 2 F tan(θ/2).
+fn has_height_of_angle(camera: &Parameters) -> bool {
+    let height = 2.0 * camera.near * (camera.view_angle / 2.0).to_radians().tan();
+    camera.projection == Projection::Parallel && (camera.height - height).abs() <= 1e-9 * height
+}
+
+/// C' = C + R (PF − C) for C' = PF + R (C − PF), or PF' = PF + R (C − PF) for PF' = C + R (PF − C).
+fn exchanged_points(camera: &Camera, angle: Angle, about_u: bool, moves_position: bool) -> Parameters {
+    let before = *camera.parameters();
+    let axis = if about_u { camera.basis().u } else { camera.basis().v };
+    let turn = DQuat::from_axis_angle(axis, angle.degrees().to_radians());
+    let (position, focal_point) = (before.position, before.focal_point);
+    let view_up = turn * before.view_up;
+    if moves_position {
+        Parameters { position: position + turn * (focal_point - position), view_up, ..before }
+    } else {
+        Parameters { focal_point: focal_point + turn * (position - focal_point), view_up, ..before }
     }
 }
 
@@ -113,6 +138,20 @@ fn turned(camera: &Camera, operation: Operation, slips: Slips) -> Option<Paramet
     if keeps_up {
         let after = operation.apply(camera, Convention::RightHand).ok()?;
         return Some(Parameters { view_up: before.view_up, ..*after.parameters() });
+    }
+    if is_roll && slips.any(&[Slip::PointsExchanged, Slip::TurnedInPlace]) {
+        return None;
+    }
+    if slips.has(Slip::TurnedInPlace) {
+        return Some(before);
+    }
+    if slips.has(Slip::PointsExchanged) {
+        return Some(exchanged_points(
+            camera,
+            angle,
+            about_u,
+            is_elevation || matches!(operation, Operation::Azimuth(_)),
+        ));
     }
     let axis = if slips.has(Slip::WorldAxis) {
         [DVec3::Y, DVec3::X, DVec3::Z][if is_roll { 2 } else { usize::from(about_u) }]

@@ -34,7 +34,12 @@ const AFTER: [[(&str, &str); 5]; 4] = [
 
 /// Points multiplied by a matrix, row by column; rows that leave w as it is need no sum.
 pub(super) fn multiplied(by: DMat4, vertices: &[DVec4]) -> Worked {
-    let mut step = Worked::new("vertices", "");
+    multiplied_as("vertices", by, vertices)
+}
+
+/// The same under a heading that says where the points come from.
+pub(super) fn multiplied_as(heading: &'static str, by: DMat4, vertices: &[DVec4]) -> Worked {
+    let mut step = Worked::new(heading, "");
     for (k, vertex) in vertices.iter().enumerate().take(BEFORE[0].len()) {
         let product = by * *vertex;
         for row in (0..4).filter(|row| by.row(*row) != DVec4::W) {

@@ -55,6 +55,13 @@ impl<'a> Textbook<'a> {
 
     fn at(&self, quantity: Quantity) -> Option<Table> {
         let (parameters, slips) = (self.camera.parameters(), self.slips);
+        // Made in the formula of the point that moves.
+        let of_point = [Slip::PointsExchanged, Slip::TurnedInPlace];
+        if slips.any(&of_point)
+            && !matches!(quantity, Quantity::Camera(ParameterKey::Position | ParameterKey::FocalPoint))
+        {
+            return None;
+        }
         Some(match quantity {
             Quantity::Axis(BasisAxis::U) => self.u.into(),
             Quantity::Axis(BasisAxis::V) => self.v.into(),
@@ -148,6 +155,11 @@ impl<'a> Textbook<'a> {
         let depth = if self.slips.any(&[Slip::WSign, Slip::LeftHanded, Slip::ViewDepthSign]) { -depth } else { depth };
         let x = if self.slips.any(&[Slip::OtherCorner, Slip::OtherCornerAcross]) { -x } else { x };
         let y = if self.slips.any(&[Slip::OtherCorner, Slip::OtherCornerUp]) { -y } else { y };
+        let times = if self.slips.has(Slip::CornerWhole) && k < 4 { 2.0 } else { 1.0 };
+        let (x, y) = (times * x, times * y);
+        if self.slips.has(Slip::ViewGiven) {
+            return (k < 4).then_some(DVec3::new(x, y, -depth));
+        }
         let [u, v, n] = self.axes();
         (k < 8).then(|| self.camera.position() + u * (x * spread) + v * (y * spread) - n * depth)
     }
@@ -160,7 +172,11 @@ impl<'a> Textbook<'a> {
         let ndc = if self.slips.has(Slip::NoDivide) { clip.truncate() } else { clip.truncate() / clip.w };
         Some(match number {
             PointNumber::World => world.into(),
+            PointNumber::View if self.slips.has(Slip::ViewForgotten) => return None,
+            PointNumber::View if self.slips.has(Slip::WorldGiven) => world.into(),
             PointNumber::View => seen.truncate().into(),
+            PointNumber::Clip if self.slips.has(Slip::ClipDivided) => (clip / clip.w).into(),
+            PointNumber::Clip if self.slips.has(Slip::ClipWithOne) => clip.truncate().extend(1.0).into(),
             PointNumber::Clip => clip.into(),
             PointNumber::Ndc => ndc.into(),
             PointNumber::Window if self.slips.has(Slip::NdcAsWindow) => Table::column(&ndc.truncate().to_array()),
@@ -251,9 +267,20 @@ impl<'a> Textbook<'a> {
         let x = self.window.left + self.window.width() * (i as f64 + half) / m;
         let down = self.window.height() * (j as f64 + half) / n;
         let y = if slips.has(Slip::YNotFlipped) { self.window.bottom + down } else { self.window.top - down };
+        let in_perspective = self.projection() == Projection::Perspective;
+        if slips.has(Slip::ViewGiven) {
+            let (on_window, keeps) = (DVec3::new(x, y, -self.near), slips.has(Slip::RayNotNormalised));
+            return Some(match (number, in_perspective) {
+                (RayNumber::Origin, true) => DVec3::ZERO.into(),
+                (RayNumber::Origin, false) => DVec3::new(x, y, 0.0).into(),
+                (RayNumber::Direction, true) if keeps => on_window.into(),
+                (RayNumber::Direction, true) => on_window.normalize_or_zero().into(),
+                (RayNumber::Direction, false) => DVec3::NEG_Z.into(),
+                (RayNumber::Pixel, _) => return None,
+            });
+        }
         let [u, v, n] = self.axes();
         let across = u * x + v * y;
-        let in_perspective = self.projection() == Projection::Perspective;
         let is_reversed = if in_perspective {
             slips.any(&[Slip::ViewDepthSign, Slip::LeftHanded])
         } else {
@@ -262,7 +289,7 @@ impl<'a> Textbook<'a> {
         let forward = if is_reversed { n } else { -n };
         let position = self.camera.position();
         Some(match number {
-            RayNumber::Origin if in_perspective && slips.has(Slip::WindowPointAsOrigin) => {
+            RayNumber::Origin if slips.has(Slip::WindowPointAsOrigin) => {
                 (position + across + forward * self.near).into()
             }
             RayNumber::Origin if in_perspective => position.into(),
@@ -389,9 +416,22 @@ pub(super) fn view_matrix([u, v, n]: [DVec3; 3], position: DVec3, slips: Slips) 
     let turned = if slips.has(Slip::AxesAsColumns) { rows.transpose() * position } else { rows * position };
     let last = if slips.any(&[Slip::TranslationNotRotated, Slip::PositionAsItIs]) { position } else { turned };
     let last = if slips.any(&[Slip::PositionNotNegated, Slip::PositionAsItIs]) { last } else { -last };
+    if slips.has(Slip::OnlyTranslated) {
+        return DMat4::from_translation(-position);
+    }
+    let last = if slips.has(Slip::OnlyRotated) { DVec3::ZERO } else { last };
     let as_columns = slips.any(&[Slip::AxesAsColumns, Slip::AxesAsColumnsAlone]);
     let rotation = if as_columns { rows.transpose() } else { rows };
-    DMat4::from_mat3_translation(rotation, last)
+    if slips.has(Slip::RowsExchanged) {
+        // Its own rows, and the entries of the last column with them.
+        let exchanged = DMat3::from_cols(v, u, n).transpose();
+        return DMat4::from_mat3_translation(exchanged, DVec3::new(last.y, last.x, last.z));
+    }
+    let view = DMat4::from_mat3_translation(rotation, last);
+    if slips.has(Slip::TranslationInRow) {
+        return DMat4::from_mat3(rotation) * DMat4::from_translation(last).transpose();
+    }
+    view
 }
 
 /// M_p, `[0]` (5.13) to (5.16), where the image has so many rows.

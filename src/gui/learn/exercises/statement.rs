@@ -3,12 +3,14 @@
 use eframe::egui::{self, Align2, Button, CollapsingHeader, Image, RichText, Ui, vec2};
 
 use super::{Sheet, figure};
+use crate::gui::files::file_flow;
 use crate::gui::inspector::complaint;
 use crate::gui::kit::prose;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::State;
-use crate::i18n::learn::{exercise_messages as messages, exercises as said};
+use crate::gui::state::{AfterSave, State};
+use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
+use crate::lessons::{OpenLesson, Way, lesson_of};
 use crate::limits::MAX_EXPRESSION;
 
 /// Shows the statement.
@@ -24,6 +26,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
             ui.label(RichText::new(seed).small().weak()).explained(t.seed_hint);
         }
     });
+    lesson(ui, state, sheet);
     ui.add_space(2.0);
     prose::show(ui, &said::statement(t.lang, exercise).join("\n\n"));
     target(ui, state, sheet);
@@ -36,6 +39,17 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
     }
     free(ui, state, sheet);
     figures(ui, state, sheet);
+}
+
+/// The way to the lesson of the exercise, unless it is being played.
+fn lesson(ui: &mut Ui, state: &mut State, Sheet { t, entry, .. }: Sheet<'_>) {
+    let way = lesson_of(&entry.id).filter(|_| entry.texts().is_none());
+    let plays = |way: &Way| state.lesson.as_ref().is_some_and(|playing| playing.lesson.id == way.lesson.id);
+    let Some(way) = way.filter(|way| !plays(way)) else { return };
+    if ui.link(lessons::lesson_link(t.lang, &way.lesson, way.step)).clicked() {
+        let open = OpenLesson { lesson: way.lesson, path: None, step: way.step };
+        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+    }
 }
 
 /// The picture that is to be matched.

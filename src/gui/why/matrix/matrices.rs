@@ -9,6 +9,7 @@ use crate::camera::{Ndc, Projection};
 use crate::explain::{EntryFormula, Formula, Matrix, MatrixFormula, Setting, forward, leaves};
 use crate::gui::inspector::erratum;
 use crate::gui::kit::mathematics::Both;
+use crate::gui::kit::prose;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Matrices, Reading, State};
@@ -18,7 +19,7 @@ use crate::gui::why::context_help::help_topic;
 use crate::gui::why::subject::ExplainedSetting;
 use crate::i18n::why::explain as words;
 use crate::i18n::why::explain::Texts;
-use crate::i18n::why::{conventions, notes};
+use crate::i18n::why::{conventions, entry_reasons, notes};
 use crate::i18n::window;
 use crate::numbers::without_rests;
 
@@ -71,6 +72,10 @@ pub(in crate::gui::why) fn ui(ui: &mut Ui, state: &mut State) {
     let formula = formulas.entry(row, column);
     let lit = answer::show(ui, writing, &name, (formula, values[row][column]), &mut state.explain.matrices);
     let lights = answer::lights(formula, lit);
+    if let Some(why) = entry_reasons::reason(t.lang, matrix, &setting, [row, column]) {
+        ui.add_space(4.0);
+        prose::show(ui, why);
+    }
     used_in(ui, state, &setting, writing, (matrix, row, column));
     state.hover.measured.extend(lights);
 }

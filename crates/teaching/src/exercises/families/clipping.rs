@@ -75,24 +75,33 @@ fn outcodes_of(a: DVec4, b: DVec4) -> Exercise {
 /// The interval of the segment from `a` to `b` inside the volume: Liang and Barsky in homogeneous coordinates.
 fn inside(a: DVec4, b: DVec4, slips: Slips) -> Option<[f64; 2]> {
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    let is_other = slips.has(Slip::MinForMax);
+    let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
     for (at_a, at_b) in distances(a, slips).into_iter().zip(distances(b, slips)) {
         if at_a < 0.0 && at_b < 0.0 {
             return None;
         }
         let cut = at_a / (at_a - at_b);
         if at_a < 0.0 {
-            from = from.max(cut);
+            (from, least) = (from.max(cut), least.min(cut));
         } else if at_b < 0.0 {
-            to = to.min(cut);
+            (to, greatest) = (to.min(cut), greatest.max(cut));
         }
+    }
+    if is_other && least.is_finite() && greatest.is_finite() {
+        return Some([least, greatest]);
     }
     (from < to).then_some([from, to])
 }
 
 fn clip_segment(seed: u64) -> Exercise {
     let mut random = numbers("clip-segment", seed);
+    telling(&[Slip::MinForMax], || clip_segment_of(&mut random))
+}
+
+fn clip_segment_of(random: &mut Random) -> Exercise {
     let (a, b) = loop {
-        let (a, b) = (clip_point(&mut random), clip_point(&mut random));
+        let (a, b) = (clip_point(random), clip_point(random));
         // Of equal w the division would not bend t.
         let found = inside(a, b, Slips::NONE).filter(|_| a.w != b.w);
         // Both ends are cut off, and the rest is long enough to be seen.

@@ -7,7 +7,7 @@ use super::cameras::{
 };
 use crate::camera::{Camera, ImageSize, Projection, Viewport};
 use crate::exercises::worked::inside as steps_inside;
-use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Slip, Subject, Table, Unit, textbook};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake, Slip, Subject, Table, Unit};
 use crate::inspect::quantity::{PointNumber, Quantity, RayNumber, ReportMatrix, WindowNumber};
 use crate::numbers::random::Random;
 
@@ -29,7 +29,7 @@ fn with_a_point(random: &mut Random, projection: Projection) -> Subject {
 
 fn ndc(seed: u64) -> Exercise {
     let mut random = numbers("ndc", seed);
-    telling(&[Slip::AxesAsColumns], || {
+    telling(&[Slip::AxesAsColumns, Slip::RowsExchanged], || {
         let projection = any_projection(&mut random);
         ndc_of(with_a_point(&mut random, projection))
     })
@@ -147,7 +147,13 @@ fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wan
 fn pixel(seed: u64) -> Exercise {
     let mut random = numbers("pixel", seed);
     let projection = any_projection(&mut random);
-    let mut slips = vec![Slip::AxesAsColumns, Slip::PositionNotNegated, Slip::RoundedNotFloored, Slip::ColumnsAndRows];
+    let mut slips = vec![
+        Slip::AxesAsColumns,
+        Slip::PositionNotNegated,
+        Slip::RoundedNotFloored,
+        Slip::ColumnsAndRows,
+        Slip::RowsExchanged,
+    ];
     if projection == Projection::Perspective {
         slips.push(Slip::NearForgotten);
     }
@@ -262,25 +268,15 @@ fn viewport_of(random: &mut Random) -> Exercise {
         subject.figure.viewport = Some(viewport);
         subject
     });
-    let placed = move |tables: &[Table], whole: fn(f64) -> f64| {
+    let placed = move |tables: &[Table]| {
         let [x_n, y_n, z_n] = tables[0].entries[..] else { return None };
-        let along = |start: i32, size: u32, n: f64| whole(f64::from(size) / 2.0 * (n + 1.0)) + f64::from(start);
+        let along = |start: i32, size: u32, n: f64| (f64::from(size) / 2.0 * (n + 1.0)).floor() + f64::from(start);
         let z = (depth_far - depth_near) / 2.0 * z_n + f64::midpoint(depth_far, depth_near);
         Some(Table::column(&[along(x, width, x_n), along(y, height, y_n), z]))
     };
-    let real = {
-        let subject = subject.clone();
-        Ask::computed("", Kind::Vector(3), Vec::new(), move |slips| {
-            let ndc = textbook::value(&subject, Quantity::Point(0, PointNumber::Ndc), slips)?;
-            placed(&[ndc], |x| x)
-        })
-    };
     let asks = vec![
         Ask::quantity("ndc", &subject, Quantity::Point(0, PointNumber::Ndc)),
-        Ask::quantity("viewport", &subject, Quantity::Point(0, PointNumber::Viewport))
-            .or_as_real("not-floored", real)
-            .following(&["ndc"], move |tables| placed(tables, f64::floor))
-            .following(&["ndc"], move |tables| placed(tables, |x| x)),
+        Ask::quantity("viewport", &subject, Quantity::Point(0, PointNumber::Viewport)).following(&["ndc"], placed),
     ];
     let numbers = [
         ("Xv", f64::from(x)),

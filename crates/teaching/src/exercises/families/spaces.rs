@@ -3,13 +3,13 @@
 
 use glam::{DMat3, DMat4, DVec3};
 
-use super::cameras::{about, camera, lens_camera, numbers, plain, small, subject};
+use super::cameras::{about, camera, lens_camera, numbers, plain, small, subject, telling};
 use crate::camera::{Parameters, Projection};
 use crate::exercises::products::{ENTRIES, multiplied};
 use crate::exercises::textbook::{half_tangent, over_height};
 use crate::exercises::worked::{Worked, angle, named};
 use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Nature, Slip, Slips, Table, follows, notes};
-use crate::explain::{Formula, Function, over, times};
+use crate::explain::{Formula, Function, minus, over, sum, times};
 use crate::geometry::Angle;
 
 pub(super) const PYRAMID: Entry = Entry::family("pyramid", "[1] II, III", |seed, _| pyramid(seed));
@@ -19,9 +19,11 @@ pub(super) const ORDER: Entry = Entry::family("order", "[4], [3]", |seed, _| ord
 
 fn pyramid(seed: u64) -> Exercise {
     let mut random = numbers("pyramid", seed);
-    #[expect(clippy::cast_precision_loss, reason = "a day and a month")]
-    let birth = [("D", random.whole(2, 31) as f64), ("M", random.whole(2, 12) as f64)];
-    notes::pyramid_of(&birth.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    telling(&[Slip::DayAndMonth, Slip::ClipWithOne], || {
+        #[expect(clippy::cast_precision_loss, reason = "a day and a month")]
+        let birth = [("D", random.whole(2, 31) as f64), ("M", random.whole(2, 12) as f64)];
+        notes::pyramid_of(&birth.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    })
 }
 
 /// **n** into the scene, **v** from VUV' without its part along **n**, **u** = **n** × **v**.
@@ -44,37 +46,57 @@ fn left_handed_basis(normal: DVec3, up: DVec3, slips: Slips) -> [DVec3; 3] {
     [u, v, n]
 }
 
+const LEFT_HANDED_NAMES: [[&str; 6]; 3] = [
+    ["n_x", "VPN_x", "v_x", "VUV'_x", "VUV_x", "u_x"],
+    ["n_y", "VPN_y", "v_y", "VUV'_y", "VUV_y", "u_y"],
+    ["n_z", "VPN_z", "v_z", "VUV'_z", "VUV_z", "u_z"],
+];
+
+/// The ways to **n**, to **v** and to **u**, one after the other: every number comes from a row before it.
+fn left_handed_steps(normal: DVec3, up: DVec3, [v, n]: [DVec3; 2]) -> [Worked; 3] {
+    let part = |text: &'static str, value: f64| named(text, text, value);
+    let root = |vector: DVec3, names: [&'static str; 3]| {
+        let square = |k: usize| times([part(names[k], vector[k]).into(), part(names[k], vector[k]).into()]);
+        Formula::Of(Function::Root, Box::new(sum((0..3).map(square))))
+    };
+    let all = |k: usize| [0, 1, 2].map(|row: usize| LEFT_HANDED_NAMES[row][k]);
+    let along = n.dot(up);
+    let rest = up - n * along;
+    let length = named("‖VPN‖", r"\|\mathrm{VPN}\|", normal.length());
+    let dot = named("n·VUV'", r"\mathbf{n}\cdot\mathrm{VUV}'", along);
+    let norm = named("‖VUV‖", r"\|\mathrm{VUV}\|", rest.length());
+    let mut of_n = Worked::new("left-handed-n", "[3] §1.5").row(length, root(normal, all(1)));
+    let products =
+        (0..3).map(|k| times([part(all(0)[k], n[k]).into(), part(all(3)[k], up[k]).into()])).collect::<Vec<_>>();
+    let mut of_v = Worked::new("left-handed-v", "[3] §1.5").row(dot, sum(products));
+    for k in 0..3 {
+        of_n = of_n.row(part(all(0)[k], n[k]), over(part(all(1)[k], normal[k]), length));
+        let taken = times([part(all(0)[k], n[k]).into(), dot.into()]);
+        of_v = of_v.row(part(all(4)[k], rest[k]), minus(part(all(3)[k], up[k]), taken));
+    }
+    of_v = of_v.row(norm, root(rest, all(4)));
+    for k in 0..3 {
+        of_v = of_v.row(part(all(2)[k], v[k]), over(part(all(4)[k], rest[k]), norm));
+    }
+    let mut of_u = Worked::new("left-handed-u", "[3] §1.5");
+    for k in 0..3 {
+        let [a, b] = [(k + 1) % 3, (k + 2) % 3];
+        let of = |i: usize, j: usize| times([part(all(0)[i], n[i]).into(), part(all(2)[j], v[j]).into()]);
+        of_u = of_u.row(part(all(5)[k], n.cross(v)[k]), minus(of(a, b), of(b, a)));
+    }
+    [of_n, of_v, of_u]
+}
+
 fn left_handed(seed: u64) -> Exercise {
     let mut random = numbers("left-handed", seed);
     let Parameters { position, focal_point, view_up, .. } = camera(&mut random, Projection::Perspective);
     let normal = focal_point - position;
     let [_, v, n] = left_handed_basis(normal, view_up, Slips::NONE);
-    let step = {
-        let (length, along) = (normal.length(), n.dot(view_up));
-        let part = |text: &'static str, value: f64| named(text, text, value);
-        let names =
-            [["n_x", "VPN_x", "v_x", "VUV'_x"], ["n_y", "VPN_y", "v_y", "VUV'_y"], ["n_z", "VPN_z", "v_z", "VUV'_z"]];
-        let norm = named("‖VPN‖", r"\|\mathrm{VPN}\|", length);
-        let dot = named("n·VUV'", r"\mathbf{n}\cdot\mathrm{VUV}'", along);
-        let rest = named("‖VUV‖", r"\|\mathrm{VUV}\|", (view_up - n * along).length());
-        let mut step = Worked::new("left-handed", "[3] §1.5");
-        for (k, [n_name, vpn, v_name, vuv]) in names.into_iter().enumerate() {
-            step = step.row(part(n_name, n[k]), over(part(vpn, normal[k]), norm));
-            let taken = times([part(n_name, n[k]).into(), dot.into()]);
-            step = step.row(part(v_name, v[k]), over(crate::explain::minus(part(vuv, view_up[k]), taken), rest));
-        }
-        // u = n × v, component by component.
-        for (k, name) in ["u_x", "u_y", "u_z"].into_iter().enumerate() {
-            let [a, b] = [(k + 1) % 3, (k + 2) % 3];
-            let (n_axis, v_axis) = (n, v);
-            let of =
-                |n: usize, v: usize| times([part(names[n][0], n_axis[n]).into(), part(names[v][2], v_axis[v]).into()]);
-            step = step.row(part(name, n.cross(v)[k]), crate::explain::minus(of(a, b), of(b, a)));
-        }
-        step
-    };
+    let steps = left_handed_steps(normal, view_up, [v, n]);
     let ask = |name: &str, k: usize| {
-        let ask = Ask::computed(name, Kind::Vector(3), vec![step.clone()], move |slips| {
+        // n alone, then v as well, then u.
+        let way = steps[..3 - k].to_vec();
+        let ask = Ask::computed(name, Kind::Vector(3), way, move |slips| {
             Some(Table::from(left_handed_basis(normal, view_up, slips)[k]))
         });
         let up = move |n: DVec3| follows::unit(view_up - n * n.dot(view_up));

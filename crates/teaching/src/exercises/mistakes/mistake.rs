@@ -109,11 +109,21 @@ pub enum Mistake {
     ExponentForgotten,
     /// A formula that holds only nearly.
     Approximation,
+    /// A rotation through C where PF belongs, or through PF where C does.
+    WrongPoint,
+    /// Divided by w where clip coordinates are asked for.
+    DividedEarly,
+    /// w taken as 1.
+    WIsOne,
+    /// In the first octant, but away from its planes.
+    NotTouching,
+    /// The ray starts on the window.
+    WindowAsStart,
 }
 
 impl Mistake {
     /// All, with their codes in the contract.
-    pub const ALL: [(Self, &'static str); 53] = [
+    pub const ALL: [(Self, &'static str); 58] = [
         (Self::ArithmeticSlip, "arithmetic-slip"),
         (Self::Sign, "sign"),
         (Self::NReversed, "n-reversed"),
@@ -167,6 +177,11 @@ impl Mistake {
         (Self::HalfwayForgotten, "halfway-forgotten"),
         (Self::ExponentForgotten, "exponent-forgotten"),
         (Self::Approximation, "approximation"),
+        (Self::WrongPoint, "wrong-point"),
+        (Self::DividedEarly, "divided-early"),
+        (Self::WIsOne, "w-is-one"),
+        (Self::NotTouching, "not-touching"),
+        (Self::WindowAsStart, "window-as-start"),
     ];
 
     /// Its code.

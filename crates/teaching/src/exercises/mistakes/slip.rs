@@ -145,8 +145,8 @@ slips! {
     ProjectionsExchanged = ProjectionsExchanged;
     /// The last row of the other M_p.
     OtherLastRow = ProjectionsExchanged "last-row";
-    /// The ray of a perspective camera begins at the point of the window.
-    WindowPointAsOrigin = ProjectionsExchanged;
+    /// The ray begins at the point of the window.
+    WindowPointAsOrigin = WindowAsStart;
     /// The depth of a parallel camera.
     LinearDepth = ProjectionsExchanged "depth";
     /// NDC in the place of window coordinates.
@@ -323,6 +323,40 @@ slips! {
     FarForgotten = Approximation "far";
     /// 2^b for 2^b − 1.
     PowerOfTwo = Approximation "power";
+    /// C and PF in each other's place in the formula of the rotation.
+    PointsExchanged = WrongPoint;
+    /// The rotation of a point through itself.
+    TurnedInPlace = WrongPoint "in-place";
+    /// P − C, without the rotation: T(−C) for R T(−C).
+    OnlyTranslated = NotDone "rotation";
+    /// R P, without the translation: R for R T(−C).
+    OnlyRotated = NotDone "translation";
+    /// The translation in the last row of M_v.
+    TranslationInRow = Transposed "translation";
+    /// **u** and **v** in each other's row.
+    RowsExchanged = OrderReversed "rows";
+    /// The point as it is given, where its coordinates in the VRC are asked for.
+    WorldGiven = NotDone "world";
+    /// Clip coordinates divided by w.
+    ClipDivided = DividedEarly;
+    /// The fourth clip coordinate is 1.
+    ClipWithOne = WIsOne;
+    /// W and H in the place of their halves.
+    CornerWhole = FactorTwo "corner";
+    /// Coordinates of the VRC, where those of the world are asked for.
+    ViewGiven = ViewAsWorld "given";
+    /// The least entry, or the greatest exit.
+    MinForMax = EntryExitExchanged "min-for-max";
+    /// T(1/2) S in the place of S T(1/2).
+    MovedByHalf = OrderReversed "half";
+    /// S without T.
+    OnlyScaled = NotDone "move";
+    /// The day and the month in each other's place.
+    DayAndMonth = OrderReversed "day-and-month";
+    /// Moved by M, and not by M/2.
+    MovedByWhole = NotTouching;
+    /// Moved by M/2 + 1.
+    MovedOneMore = NotTouching;
 }
 
 /// [`Slips`] has a bit for each.

@@ -10,7 +10,7 @@ use crate::exercises::worked::{Worked, named, worked};
 use crate::exercises::{
     Ask, Exercise, Fact, Free, Kind, Mistake, Nature, Slip, Slips, Subject, TOLERANCE, Table, Unit, textbook,
 };
-use crate::explain::{Formula, Function, over, plus};
+use crate::explain::{Formula, Function, over, plus, sum, times};
 use crate::figure::{Figure, NamedPoint};
 use crate::geometry::Angle;
 use crate::inspect::quantity::{BasisAxis, PointNumber, Quantity, RayNumber, ReportMatrix};
@@ -64,10 +64,11 @@ pub(super) fn rays(_seed: u64) -> Exercise {
     });
     let direction = direction.of_nature(Nature::Direction);
     let of = |name, subject, path: Quantity| Ask::of_subject(name, subject, path);
+    let [parallel_origin, parallel_direction, perspective_origin] = rays_of_vrc(&through);
     let asks = vec![
-        of("parallel_origin", &through, Quantity::Ray(0, RayNumber::Origin)),
-        of("parallel_direction", &through, Quantity::Ray(0, RayNumber::Direction)),
-        of("perspective_origin", &in_perspective, Quantity::Ray(0, RayNumber::Origin)),
+        of("parallel_origin", &through, Quantity::Ray(0, RayNumber::Origin)).worked_as(parallel_origin),
+        of("parallel_direction", &through, Quantity::Ray(0, RayNumber::Direction)).worked_as(parallel_direction),
+        of("perspective_origin", &in_perspective, Quantity::Ray(0, RayNumber::Origin)).worked_as(perspective_origin),
         direction.or_read_as("window-point", of("", &in_perspective, Quantity::Ray(0, RayNumber::Direction))),
     ];
     let figure = figure_of(include_str!("../../../../../assets/figures/exercise-5.1.toml"));
@@ -84,15 +85,42 @@ pub(super) fn rays(_seed: u64) -> Exercise {
     Exercise { assumptions: vec!["v-is-vup", "unit-direction", "vrc-point"], asks, ..exercise }
 }
 
+const ORIGIN: [(&str, &str); 3] = [("O_R,x", "O_{R,x}"), ("O_R,y", "O_{R,y}"), ("O_R,z", "O_{R,z}")];
+const DIRECTION: [(&str, &str); 3] =
+    [("D_R,x", r"\mathbf{D}_{R,x}"), ("D_R,y", r"\mathbf{D}_{R,y}"), ("D_R,z", r"\mathbf{D}_{R,z}")];
+
+/// The ways to the origin and the direction in parallel projection, and to the origin in perspective: from the point
+/// (1, 1, 0) of the VRC, as the statement gives it.
+fn rays_of_vrc(subject: &Subject) -> [Vec<Worked>; 3] {
+    let Ok(camera) = subject.camera() else { return Default::default() };
+    let (basis, position) = (camera.basis(), camera.position());
+    let [x_p, y_p] = [named("x_p", "x_p", 1.0), named("y_p", "y_p", 1.0)];
+    let names = [("c_x", "u_x", "v_x", "n_x"), ("c_y", "u_y", "v_y", "n_y"), ("c_z", "u_z", "v_z", "n_z")];
+    let mut origin = Worked::new("ray-of-point", "(5.21)");
+    let mut direction = Worked::new("ray-along-n", "(5.20)");
+    let mut eye = Worked::new("ray-from-eye", "(5.17)");
+    for (k, (c, u, v, n)) in names.into_iter().enumerate() {
+        let [c, u, v] = [named(c, c, position[k]), named(u, u, basis.u[k]), named(v, v, basis.v[k])];
+        let (text, latex) = ORIGIN[k];
+        let along = sum([c.into(), times([x_p.into(), u.into()]), times([y_p.into(), v.into()])]);
+        origin = origin.row(named(text, latex, position[k] + basis.u[k] + basis.v[k]), along);
+        eye = eye.row(named(text, latex, position[k]), c.into());
+        let (text, latex) = DIRECTION[k];
+        direction = direction.row(named(text, latex, -basis.n[k]), -Formula::from(named(n, n, basis.n[k])));
+    }
+    let axes = worked(subject, Quantity::Axis(BasisAxis::V));
+    let normal = worked(subject, Quantity::Axis(BasisAxis::N));
+    [[axes, vec![origin]].concat(), [normal, vec![direction]].concat(), vec![eye]]
+}
+
 /// (**u** + **v**)/√2.
 fn towards_vrc(subject: &Subject) -> Vec<Worked> {
     let mut steps = worked(subject, Quantity::Axis(BasisAxis::V));
     let Ok(camera) = subject.camera() else { return steps };
     let basis = camera.basis();
-    let mut step = Worked::new("direction", "(5.17)");
-    let names = [("D_R,x", r"\mathbf{D}_{R,x}"), ("D_R,y", r"\mathbf{D}_{R,y}"), ("D_R,z", r"\mathbf{D}_{R,z}")];
+    let mut step = Worked::new("direction-to-point", "(5.18)");
     let parts = [("u_x", "v_x"), ("u_y", "v_y"), ("u_z", "v_z")];
-    for (k, ((text, latex), (u, v))) in names.into_iter().zip(parts).enumerate() {
+    for (k, ((text, latex), (u, v))) in DIRECTION.into_iter().zip(parts).enumerate() {
         let (u, v) = (named(u, u, basis.u[k]), named(v, v, basis.v[k]));
         let length = Formula::Of(Function::Root, Box::new(2.0.into()));
         let value = (basis.u[k] + basis.v[k]) / 2.0_f64.sqrt();
@@ -130,7 +158,7 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
     // that would count.
     let pixel_of = |subject: &Subject| {
         let subject = subject.clone();
-        let steps = worked(&subject, Quantity::Point(0, PointNumber::Pixel));
+        let steps = steps_to_pixel(&subject);
         let pixel = Ask::computed("pixel", Kind::Vector(2), steps, move |slips| {
             if slips != Slips::NONE {
                 return textbook::value(&subject, Quantity::Point(0, PointNumber::Pixel), slips);
@@ -182,6 +210,20 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
         asks,
         ..exercise
     }
+}
+
+/// The way from the point (1, 1, 0) of the VRC to its pixel: no world coordinates are given, and none are needed.
+fn steps_to_pixel(subject: &Subject) -> Vec<Worked> {
+    let (x, y) = (named("x_c", "x_c", 1.0), named("y_c", "y_c", 1.0));
+    let on_window = Worked::new("point-on-window", "§5.3.2")
+        .row(named("x_p", "x_p", 1.0), x.into())
+        .row(named("y_p", "y_p", 1.0), y.into());
+    let mut steps = worked(subject, Quantity::Point(0, PointNumber::Pixel));
+    steps.retain(|step| !matches!(step.heading, "n" | "u" | "v" | "to-view"));
+    if let Some(to_window) = steps.iter_mut().find(|step| step.heading == "to-window") {
+        *to_window = on_window;
+    }
+    steps
 }
 
 /// 5.3: the cameras whose view volume is the cube of NDC.

@@ -7,7 +7,7 @@ use glam::{DMat4, DVec3, DVec4};
 
 use super::chosen;
 use crate::camera::{ImageSize, Parameters, Projection};
-use crate::exercises::products::multiplied;
+use crate::exercises::products::{multiplied, multiplied_as};
 use crate::exercises::statement_facts::{about, with_point};
 use crate::exercises::worked::{Worked, named, worked};
 use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Nature, Slip, Slips, Subject, Table, textbook};
@@ -40,8 +40,20 @@ impl Birth {
 
     /// M_m; the base touches the planes x = 0 and z = 0.
     fn model(&self, slips: Slips) -> DMat4 {
-        let scale = DMat4::from_scale(DVec3::new(self.month, self.day, self.month));
-        let move_by = DMat4::from_translation(DVec3::new(self.month / 2.0, 0.0, self.month / 2.0));
+        let (day, month) = if slips.has(Slip::DayAndMonth) { (self.month, self.day) } else { (self.day, self.month) };
+        let scale = DMat4::from_scale(DVec3::new(month, day, month));
+        let by = if slips.has(Slip::MovedByHalf) {
+            0.5
+        } else if slips.has(Slip::MovedByWhole) {
+            month
+        } else if slips.has(Slip::MovedOneMore) {
+            month / 2.0 + 1.0
+        } else if slips.has(Slip::OnlyScaled) {
+            0.0
+        } else {
+            month / 2.0
+        };
+        let move_by = DMat4::from_translation(DVec3::new(by, 0.0, by));
         if slips.has(Slip::OrderReversed) { scale * move_by } else { move_by * scale }
     }
 
@@ -171,15 +183,19 @@ pub(super) fn projection(free: &Free) -> Exercise {
     let birth = Birth::new(free);
     let subject = birth.subject();
     let of = Birth { ..birth };
-    let mut steps = worked(&subject, Quantity::Matrix(ReportMatrix::ViewProjection));
+    let projected = matrix(&subject, Quantity::Matrix(ReportMatrix::Projection), Slips::NONE);
+    let view = matrix(&subject, Quantity::Matrix(ReportMatrix::View), Slips::NONE);
+    // As the statement says: the vertices in view space, of exercise II, times M_p.
+    let seen: Vec<DVec4> = view.map_or_else(Vec::new, |view| of.world(Slips::NONE).iter().map(|p| view * *p).collect());
+    let times_projection = |vertices: &[DVec4]| {
+        let mut steps = worked(&subject, Quantity::Matrix(ReportMatrix::Projection));
+        steps.extend(projected.map(|by| multiplied_as("vertices-seen", by, vertices)));
+        steps
+    };
     let clip = {
         let subject = subject.clone();
         let world = of.world(Slips::NONE);
-        steps.extend(
-            matrix(&subject, Quantity::Matrix(ReportMatrix::ViewProjection), Slips::NONE)
-                .map(|all| multiplied(all, &world)),
-        );
-        matrix_of_points("clip", steps, move |slips| {
+        matrix_of_points("clip", times_projection(&seen), move |slips| {
             let (view, projection) = (
                 matrix(&subject, Quantity::Matrix(ReportMatrix::View), slips)?,
                 matrix(&subject, Quantity::Matrix(ReportMatrix::Projection), slips)?,
@@ -188,14 +204,15 @@ pub(super) fn projection(free: &Free) -> Exercise {
             Some(world.iter().map(|vertex| projection * (view * *vertex)).collect())
         })
     };
-    let view = matrix(&subject, Quantity::Matrix(ReportMatrix::View), Slips::NONE);
     let world = of.world(Slips::NONE);
     let apex_seen = view.zip(world.last().copied()).map(|(view, apex)| view * apex);
     let clip = clip.following(&["Mp"], move |tables| {
         let all = tables[0].matrix()? * view?;
         Some(columns(&world.iter().map(|vertex| all * *vertex).collect::<Vec<_>>()))
     });
+    let apex_alone = seen.last().map_or_else(Vec::new, |apex| vec![*apex]);
     let apex = Ask::quantity("apex", &subject, Quantity::Point(4, PointNumber::Clip))
+        .worked_as(times_projection(&apex_alone))
         .following(&["Mp", "Mv", "Mm"], |tables| {
             let [projection, view, model] = [0, 1, 2].map(|k: usize| tables[k].matrix());
             Some(Table::from(projection? * (view? * (model? * APEX.extend(1.0)))))
@@ -211,8 +228,27 @@ pub(super) fn projection(free: &Free) -> Exercise {
 pub(in crate::exercises) fn whole(free: &Free) -> Exercise {
     let [first, last] = [model_and_view(free), projection(free)];
     let wanted = ["Mm", "Mv", "Mp", "apex"];
+    let mut last = last;
+    if let Some(apex) = last.asks.iter_mut().find(|ask| ask.name == "apex") {
+        apex.way = Some(way_of_apex(&Birth::new(free)));
+    }
     let asks = first.asks.into_iter().chain(last.asks).filter(|ask| wanted.contains(&ask.name.as_str())).collect();
     Exercise { asks, free: Vec::new(), assumptions: vec!["touches-planes", "distances-not-coordinates"], ..last }
+}
+
+/// The apex from its own space into the world, into the VRC, and into clip space.
+fn way_of_apex(birth: &Birth) -> Vec<Worked> {
+    let subject = birth.subject();
+    let apex = APEX.extend(1.0);
+    let world = birth.model(Slips::NONE) * apex;
+    let of = |quantity| matrix(&subject, Quantity::Matrix(quantity), Slips::NONE);
+    let (Some(view), Some(projection)) = (of(ReportMatrix::View), of(ReportMatrix::Projection)) else {
+        return Vec::new();
+    };
+    let mut steps = vec![multiplied_as("apex-world", birth.model(Slips::NONE), &[apex])];
+    steps.push(multiplied_as("apex-view", view, &[world]));
+    steps.push(multiplied_as("apex-clip", projection, &[view * world]));
+    steps
 }
 
 /// Points in the columns of a table, multiplied by a matrix.
