@@ -12,6 +12,7 @@ use camera_lab::gui::pictures::Canvas;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::pictures::labels;
+use camera_lab::i18n::window::canvas as words;
 use camera_lab::scene::Preset;
 use camera_lab::views::handles::handles;
 use camera_lab::views::{Arrangement, Handle, Request, Size, View};
@@ -22,6 +23,8 @@ use eframe::egui::{
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
+
+use super::window::Window;
 
 pub(super) struct Stage {
     pub(super) state: State,
@@ -451,4 +454,39 @@ fn the_hand_on_the_image_moves_the_camera() {
     h.run_steps(40);
     let nearer = parameters(&h);
     assert!(nearer.position.distance(nearer.focal_point) < 0.9 * near);
+}
+
+#[test]
+fn a_right_click_in_a_picture_opens_its_menu() {
+    let mut window = Window::new(Lang::En);
+    window.app_mut().state.layout.maximized = None;
+    window.run();
+    let description = |window: &Window, view| {
+        let state = window.state();
+        words::describe(Lang::En, view, state.document.camera(), state.document.figure().image)
+    };
+    let world = description(&window, View::World);
+    window.harness.get_by_label(&world).click_secondary();
+    window.run();
+    window.harness.get_all_by_label(en::CANVAS.hide).last().unwrap().click();
+    window.run();
+    assert!(!window.state().layout.is_shown(View::World));
+    // A command of the window.
+    let image = description(&window, View::Image);
+    window.harness.get_by_label(&image).click_secondary();
+    window.run();
+    window.click(camera_lab::i18n::window::compare::texts(Lang::En).keep);
+    assert!(window.state().camera_a.is_some());
+}
+
+#[test]
+fn the_axes_in_the_corner_lead_to_their_viewpoints() {
+    let mut window = Window::new(Lang::En);
+    window.app_mut().state.layout.maximized = Some(View::World);
+    window.run();
+    for (name, axis) in [(en::CANVAS.top, DVec3::Y), (en::CANVAS.side, DVec3::X), (en::CANVAS.front, DVec3::Z)] {
+        window.click(name);
+        let observer = window.state().document.figure().observers.world.unwrap();
+        assert!(observer.axes()[2].dot(axis) > 0.999, "{name}");
+    }
 }

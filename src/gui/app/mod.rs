@@ -279,6 +279,9 @@ impl App {
         motion::show_done(&ctx, &mut self.state);
         self.state.follow_panels();
         let pictures = egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.ui(ui, &mut self.state));
+        if let Some(command) = self.canvas.take_wanted() {
+            self.perform(&ctx, command);
+        }
         self.state.consult(&ctx);
         presentation::show(&ctx, &mut self.state, pictures.response.rect);
         let bar = if presenting { presentation::bar(&ctx, &self.state) } else { bar };

@@ -192,7 +192,21 @@ fn questions(
                 let under = egui::Stroke::new(1.0, ui.visuals().hyperlink_color);
                 ui.painter().hline(place.x_range(), place.bottom() - 1.0, under);
             }
-            if response.explained(t.why_hint).clicked() {
+            let response = response.explained(t.why_hint);
+            let value = table.rows.get(i).and_then(|(_, values)| values.get(j - named).copied());
+            response.context_menu(|ui| {
+                if let Some(value) = value
+                    && ui.button(format!("{} {number}", t.copy)).clicked()
+                {
+                    ui.ctx().copy_text(t.lang.mark().printed(&crate::numbers::exact(value)));
+                    ui.close();
+                }
+                if ui.button(t.why).clicked() {
+                    asked = Some(entry);
+                    ui.close();
+                }
+            });
+            if response.clicked() {
                 asked = Some(entry);
             }
         }

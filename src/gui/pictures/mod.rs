@@ -4,6 +4,7 @@
 //! picture whose request has changed is drawn again.
 
 mod arrange;
+mod axis_cross;
 mod card;
 pub(super) mod highlight;
 mod icons;
@@ -35,6 +36,7 @@ use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
 use crate::appearance::Rgba;
 use crate::figure::{Explanation, Observer};
+use crate::gui::app::command::Command;
 use crate::gui::app::focus;
 use crate::gui::app::focus::Region;
 use crate::gui::app::presentation;
@@ -52,6 +54,7 @@ use crate::gui::pictures::pointer::vertex_name::VertexNames;
 use crate::gui::state::{Dialog, Message, ObserverChange, State};
 use crate::gui::why;
 use crate::i18n::pictures::labels;
+use crate::i18n::window;
 use crate::i18n::window::canvas as words;
 use crate::i18n::window::canvas::CanvasTexts;
 use crate::picture::RenderReport;
@@ -103,6 +106,8 @@ pub struct Canvas {
     click_picker: Picker,
     /// The steps of a lesson whose pictures have begun to fade in.
     faded: u64,
+    /// The command of a context menu.
+    wanted: Option<Command>,
 }
 
 /// A picture on the screen, and what is kept of it from one frame to the next.
@@ -151,6 +156,7 @@ impl Default for Canvas {
             clicked: None,
             click_picker: Picker::default(),
             faded: 0,
+            wanted: None,
         }
     }
 }
@@ -208,6 +214,11 @@ impl Canvas {
             || state.can_release_shown()
     }
 
+    /// The command that was chosen in a context menu, once.
+    pub(in crate::gui) fn take_wanted(&mut self) -> Option<Command> {
+        self.wanted.take()
+    }
+
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
     pub fn ui(&mut self, ui: &mut Ui, state: &mut State) {
         let room = ui.available_rect_before_wrap();
@@ -253,6 +264,7 @@ impl Canvas {
         state.seen = Picture::observers(&self.shot.pictures);
         self.draw(ui, state, &mut panes);
         self.decorate(ui, state, &panes, texts);
+        self.axis_cross(ui, state, &panes, texts);
         self.outline_labels(ui, state, &panes);
         self.labels_card(ui, state, &panes);
         Self::wipers(ui, state, &panes);
@@ -287,6 +299,16 @@ impl Canvas {
             Some(StatusAction::ShowAgain(view)) => state.layout.shown[view.index()] = true,
             Some(StatusAction::Arrange(arrangement)) => state.layout.arrangement = arrangement,
             Some(StatusAction::Coach) => state.file_flow.dialog = Some(Dialog::Coach),
+        }
+    }
+
+    /// The axes in the corner of the world; in a presentation nothing there can be clicked.
+    fn axis_cross(&mut self, ui: &Ui, state: &State, panes: &[Pane], texts: &CanvasTexts) {
+        let world = panes.iter().find(|pane| pane.view == View::World && !state.settings.presentation);
+        let Some((pane, observer)) = world.and_then(|pane| Some((pane, pane.request.seen_from()?))) else { return };
+        if let Some(change) = axis_cross::show(ui, pane.rect.rect, &observer, texts, state.settings.theme) {
+            self.asked = Some((pane.picture, change));
+            ui.request_repaint();
         }
     }
 
@@ -353,7 +375,7 @@ impl Canvas {
             let view = self.shot.pictures[picture].kind;
             let height = ui.spacing().interact_size.y + 4.0;
             let (title, below) = rect.split_top_bottom_at_y((rect.top() + height).min(rect.bottom()));
-            let action = Title {
+            let heading = Title {
                 view,
                 name: if view == View::Canonical && state.is_on_the_way() {
                     texts.on_the_way
@@ -367,14 +389,16 @@ impl Canvas {
                 can_hide: state.layout.maximized.is_none() && framed.len() > 1,
                 undistorted: undistorted(state).filter(|_| view == View::Image),
                 section: (view == View::World).then_some(state.document.figure().world.section),
-            }
-            .show(ui, title);
-            self.take_action(ui, state, (picture, view), action);
+            };
+            let mut action = heading.show(ui, title);
             let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), state.settings.stroke_scale());
             let response = ui.interact(pane_rect.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
             let description =
                 words::describe(state.settings.lang, view, state.document.camera(), state.document.figure().image);
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));
+            let t = window::texts(state.settings.lang);
+            response.context_menu(|ui| action = heading.context_menu(ui, t).or(action.take()));
+            self.take_action(ui, state, (picture, view), action);
             focus::note(ui.ctx(), Region::Picture(picture), response.id, rect);
             let request = self.request(state, &self.shot.pictures[picture], pane_rect.size);
             panes.push(Pane { picture, view, rect: pane_rect, response, request });
@@ -390,6 +414,7 @@ impl Canvas {
             Some(TitleAction::ToggleMaximized) => toggle_maximized(state, view),
             Some(TitleAction::Hide) => state.layout.shown[view.index()] = false,
             Some(TitleAction::ToggleSection) => state.document.edit(|figure| figure.world.section ^= true),
+            Some(TitleAction::Do(command)) => self.wanted = Some(command),
             Some(TitleAction::ToggleUndistorted) => {
                 state.document.edit(|figure| figure.undistorted = !figure.undistorted);
             }
@@ -505,7 +530,7 @@ fn loading(state: &State) -> String {
     if files.is_empty() {
         return String::new();
     }
-    format!("{} {}…", crate::i18n::window::scenes::texts(state.settings.lang).loading, files.join(", "))
+    format!("{} {}…", window::scenes::texts(state.settings.lang).loading, files.join(", "))
 }
 
 /// A sentence over a picture.

@@ -437,6 +437,7 @@ texts! {
     vtk_hint: "VTK turns elevation and roll the other way. Here a positive angle is counter-clockwise seen from the tip of the axis", "O VTK gira elevação e rolagem ao contrário. Aqui um ângulo positivo é anti-horário visto da ponta do eixo";
 
     // Where the notes print something else.
+    why: "Why this number?", "Por que este número?";
     why_hint: "Why? (click, Enter): its formula, its numbers, and what it measures in the world", "Por quê? (clique, Enter): sua fórmula, seus números e o que mede no mundo";
     erratum: "≠ notes", "≠ notas";
     erratum_parallel: "The lecture notes [0] print 0 0 0 0 as the last row of (5.15) and (5.16). It is 0 0 0 1: in parallel projection w = 1.", "As notas de aula [0] trazem 0 0 0 0 como última linha de (5.15) e (5.16). É 0 0 0 1: na projeção paralela w = 1.";

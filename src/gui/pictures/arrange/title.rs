@@ -6,6 +6,7 @@ use crate::gui::app::command::Command;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::pictures::icons::{Icon, icon_button, left_center};
 use crate::gui::state::ObserverChange;
+use crate::i18n::window;
 use crate::i18n::window::canvas::CanvasTexts;
 use crate::views::View;
 use crate::views::observer::Viewpoint;
@@ -25,6 +26,8 @@ pub(in crate::gui::pictures) enum TitleAction {
     ToggleUndistorted,
     /// Show the world as the section along **u**, or in space again.
     ToggleSection,
+    /// Something that belongs to the window.
+    Do(Command),
 }
 
 /// The content of a title.
@@ -161,15 +164,22 @@ impl Title<'_> {
         } else {
             icon_button(ui, Icon::Iso, self.texts.look_menu, false)
         };
-        Popup::menu(&button).show(|ui| {
-            for change in self.changes() {
-                let keys = ui.ctx().format_shortcut(&Command::Observe(change).shortcut());
-                let entry = egui::Button::new(change_name(self.texts, change)).shortcut_text(keys);
-                if ui.add(entry).clicked() {
-                    action = Some(TitleAction::Observe(change));
-                }
+        Popup::menu(&button).show(|ui| action = self.viewpoints(ui));
+        action
+    }
+
+    /// The entries of the menu of viewpoints.
+    fn viewpoints(&self, ui: &mut Ui) -> Option<TitleAction> {
+        let mut action = None;
+        for change in self.changes() {
+            let keys = ui.ctx().format_shortcut(&Command::Observe(change).shortcut());
+            let entry = egui::Button::new(change_name(self.texts, change)).shortcut_text(keys);
+            if ui.add(entry).clicked() {
+                action = Some(TitleAction::Observe(change));
             }
-            ui.separator();
+        }
+        ui.separator();
+        ui.scope(|ui| {
             // Menus have no borders, without which an empty box is not seen.
             ui.visuals_mut().widgets.inactive.bg_stroke = ui.ctx().global_style().visuals.widgets.inactive.bg_stroke;
             if let Some(mut on) = self.section
@@ -182,6 +192,36 @@ impl Title<'_> {
                 action = Some(TitleAction::ToggleLink);
             }
         });
+        action
+    }
+
+    /// The menu that a right click in the picture opens.
+    pub(in crate::gui::pictures) fn context_menu(&self, ui: &mut Ui, t: &window::Texts) -> Option<TitleAction> {
+        let mut action = None;
+        if matches!(self.view, View::World | View::Canonical) {
+            action = self.viewpoints(ui);
+            ui.separator();
+        }
+        let size = if self.maximized { self.texts.restore } else { self.texts.maximize };
+        let mut offer = |ui: &mut Ui, name: &str, then: TitleAction| {
+            if ui.button(name).clicked() {
+                action = Some(then);
+            }
+        };
+        offer(ui, size, TitleAction::ToggleMaximized);
+        if self.can_hide {
+            offer(ui, self.texts.hide, TitleAction::Hide);
+        }
+        ui.separator();
+        for command in [Command::KeepCamera, Command::Compare, Command::Export] {
+            let keys = ui.ctx().format_shortcut(&command.shortcut());
+            if ui.add(egui::Button::new(command.label(t)).shortcut_text(keys)).clicked() {
+                action = Some(TitleAction::Do(command));
+            }
+        }
+        if action.is_some() {
+            ui.close();
+        }
         action
     }
 }
