@@ -4,7 +4,7 @@ use eframe::egui;
 
 use super::free_window::{closed, opened};
 use super::{Number, ParameterForm, VectorParameter, lens_menu, row};
-use crate::camera::{Camera, ParameterKey, Parameters, Projection, ViewWindow};
+use crate::camera::{ParameterKey, Projection, ViewWindow};
 use crate::figure::WindowSide;
 use crate::gui::inspector::{erratum, section};
 use crate::gui::kit::number_field::{NumberField, Step};
