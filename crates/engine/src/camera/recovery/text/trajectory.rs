@@ -13,7 +13,7 @@ const LINES: usize = 5;
 /// The poses of a text, if it has nothing else.
 pub(crate) fn cameras(text: &str) -> Option<Vec<Pasted>> {
     let lines: Vec<&str> = text.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
-    if lines.is_empty() || lines.len() % LINES != 0 {
+    if lines.is_empty() || !lines.len().is_multiple_of(LINES) {
         return None;
     }
     lines.chunks(LINES).map(pose).collect()
