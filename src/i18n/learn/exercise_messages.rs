@@ -153,6 +153,12 @@ pub fn score(lang: Lang, right: usize, all: usize) -> String {
     both!(lang; "{right} of {all}", "{right} de {all}")
 }
 
+/// The number of right entries or conditions of a wrong answer.
+#[must_use]
+pub fn right_of(lang: Lang, right: usize, all: usize) -> String {
+    both!(lang; "{right} of {all} right", "{right} de {all} certos")
+}
+
 /// A sheet with an ending that cannot be written.
 #[must_use]
 pub fn sheet_ending(lang: Lang, path: &str) -> String {

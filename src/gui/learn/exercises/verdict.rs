@@ -119,7 +119,7 @@ fn headline(ui: &mut Ui, sheet: Sheet<'_>, judged: &crate::exercises::Judged) {
         (true, _) => format!("✓ {}: {}", t.right_read_as, said::reading(t.lang, judged.reading)),
         _ if !judged.carried.is_empty() => format!("→ {}", t.follows),
         (false, 0 | 1) => format!("✗ {}", t.wrong),
-        (false, all) => format!("✗ {} ({})", t.wrong, messages::score(t.lang, right, all)),
+        (false, all) => format!("✗ {} ({})", t.wrong, messages::right_of(t.lang, right, all)),
     };
     ui.add(egui::Label::new(RichText::new(text).strong().color(color(ui, judged.right))).wrap());
 }
