@@ -358,7 +358,7 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
             (true, _) => t.right.to_owned(),
             _ if !verdict.carried.is_empty() => t.follows.to_owned(),
             (false, 1) => t.wrong.to_owned(),
-            (false, all) => format!("{} ({})", t.wrong, said::score(lang, right, all)),
+            (false, all) => format!("{} ({})", t.wrong, said::right_of(lang, right, all)),
         };
         let _ = writeln!(text, "{}: {share}  ({} {understood})", ask.name, t.understood);
         if !verdict.reading.is_empty() {

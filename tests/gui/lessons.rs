@@ -188,6 +188,57 @@ fn the_first_start_offers_the_first_lesson_and_no_later_one_does() {
     }
 }
 
+/// The next start goes on where the last one ended, and closing the line is for this time only.
+#[test]
+fn a_later_start_offers_the_step_at_which_the_lesson_was_left() {
+    let folder = Folder::new("go-on");
+    let config = folder.file("config");
+    std::fs::create_dir_all(&config).unwrap();
+    let kept = "language = \"en\"\nwelcomed = true\nlessons = [\"camera=12\", \"window=10\"]\n\
+                lessons_done = [\"camera=1\", \"camera=2\", \"camera=3\", \"camera=5\", \"camera=6\", \"camera=8\", \
+                \"camera=10\", \"camera=11\", \"camera=12\"]\n";
+    std::fs::write(config.join("preferences.toml"), kept).unwrap();
+    let mut window = Window::new(Lang::En);
+    let ctx = window.harness.ctx.clone();
+    window.run();
+    window.app_mut().keep_preferences(&ctx, &config, LaunchOptions::default());
+    window.run();
+    let lesson = &shipped()[2].lesson;
+    assert!(window.state().is_finished(&shipped()[0].lesson) && !window.state().is_finished(lesson));
+    let name = words::go_on(Lang::En, lesson, 9);
+    assert!(name.ends_with("step 10"), "{name}");
+    window.harness.get_by_label(&name).click();
+    window.run();
+    assert_eq!((step(&window), window.state().lesson.as_ref().unwrap().lesson.id.as_str()), (9, "window"));
+    assert!(!window.state().goes_on);
+}
+
+/// Passing over everything finishes nothing; a shown way is no answer.
+#[test]
+fn a_lesson_is_finished_when_its_questions_are() {
+    let lesson = &shipped()[0].lesson;
+    let mut window = playing(0, lesson.steps.len() - 1, Lang::En);
+    assert!(!window.state().is_finished(lesson));
+    assert_eq!(window.state().done_of(lesson).0, 0);
+    let with_goal = lesson.steps.iter().position(|step| matches!(step.task, Some(Task::Try(_)))).unwrap();
+    window.app_mut().state.settings.reduce_motion = true;
+    window.app_mut().state.go_to_step(with_goal);
+    window.run();
+    window.harness.get_by_label(words::texts(Lang::En).show_way).click();
+    window.run();
+    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    assert_eq!(window.state().done_of(lesson).0, 0, "it was shown");
+    window.app_mut().state.go_to_step(0);
+    window.run();
+    let Some(Task::Question(entry)) = &lesson.steps[0].task else { panic!("a question") };
+    let right = exercise_sheet::answer(Lang::En, &entry.exercise(0, &Default::default()).asks[0]);
+    window.harness.get_by_label(&right).click();
+    window.run();
+    window.harness.get_by_label_contains(en::EXERCISE_WINDOW.check).click();
+    window.run();
+    assert_eq!(window.state().done_of(lesson).0, 1);
+}
+
 /// Everything of a step is in sight without scrolling: in the window, and on a projector with the question hidden.
 #[test]
 fn every_step_has_room_for_its_text() {

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::camera::Projection;
+use camera_lab::exercises::{check, entry};
 use camera_lab::i18n::Lang;
 use glam::{DMat3, DQuat, DVec3, DVec4};
 
@@ -223,4 +224,40 @@ fn the_model_matrix_has_its_mistakes() {
     }
     // An octant that the notes allow is not called a lost factor.
     assert!(!verdict("1-II", 0, "Mm", moved(m, [m, d, m])).contains("factor-two"));
+}
+
+/// Beside the condition that isn't met stands the way that mends it.
+#[test]
+fn a_picture_to_match_says_the_direction() {
+    for seed in 0..8 {
+        let exercise = exercise("match-picture", seed);
+        let wanted = exercise.figure_to_match().unwrap().camera;
+        let ask = &exercise.asks[0];
+        let told = |position: DVec3, angle: f64| {
+            let text = format!(
+                "C=[{}, {}, {}]; PF=[0, 0.5, 0]; θ={angle}°; A={}; F=1; B=40",
+                position.x, position.y, position.z, wanted.aspect
+            );
+            let judged = check(entry("match-picture").unwrap(), &exercise, ask, &text).unwrap();
+            let wrong = judged.conditions.iter().zip(judged.entries.iter().flatten()).filter(|(_, right)| !**right);
+            (judged.right, wrong.map(|(name, _)| *name).collect::<Vec<_>>())
+        };
+        assert_eq!(told(wanted.position, wanted.view_angle), (true, vec![]), "{seed}");
+        let pf = DVec3::new(0.0, 0.5, 0.0);
+        let away = wanted.position - pf;
+        let turned = |degrees: f64| pf + DQuat::from_rotation_y(f64::to_radians(degrees)) * away;
+        // Counter-clockwise from above is to the right of a camera that looks at PF.
+        assert!(told(turned(20.0), wanted.view_angle).1.contains(&"more-to-the-left"), "{seed}");
+        assert!(told(turned(-20.0), wanted.view_angle).1.contains(&"more-to-the-right"), "{seed}");
+        let right = away.cross(DVec3::Y).normalize();
+        let raised = |degrees: f64| pf + DQuat::from_axis_angle(-right, f64::to_radians(degrees)) * away;
+        let higher = raised(12.0);
+        let (more, less) = if higher.y > wanted.position.y { (higher, raised(-12.0)) } else { (raised(-12.0), higher) };
+        assert!(told(more, wanted.view_angle).1.contains(&"lower"), "{seed}");
+        assert!(told(less, wanted.view_angle).1.contains(&"higher"), "{seed}");
+        assert!(told(pf + away * 1.5, wanted.view_angle).1.contains(&"nearer"), "{seed}");
+        assert!(told(pf + away / 1.5, wanted.view_angle).1.contains(&"farther"), "{seed}");
+        assert!(told(wanted.position, wanted.view_angle * 1.4).1.contains(&"angle-smaller"), "{seed}");
+        assert!(told(wanted.position, wanted.view_angle / 1.4).1.contains(&"angle-larger"), "{seed}");
+    }
 }

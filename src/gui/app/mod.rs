@@ -232,6 +232,7 @@ impl App {
             changed_file::bar(ui, &mut self.state);
             let welcomed = lesson::welcome(ui, &mut self.state);
             welcomed.into_iter().for_each(|command| self.perform(&ctx, command));
+            lesson::go_on(ui, &mut self.state);
         }
         status::error(ui, &mut self.state);
         if presenting {

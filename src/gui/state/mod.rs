@@ -1,6 +1,6 @@
 //! State shared by the panels and the pictures.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -217,6 +217,10 @@ pub struct State {
     pub lesson_file: Option<PathBuf>,
     /// The furthest step of each lesson that was taken, from 0, by the lesson's identifier.
     pub lessons_taken: BTreeMap<String, usize>,
+    /// The steps of each lesson whose task was done, from 0: an answer of one's own, and not a way that was shown.
+    pub lessons_done: BTreeMap<String, BTreeSet<usize>>,
+    /// The way on from the last time is offered, in one line.
+    pub goes_on: bool,
     /// The first lesson and the gallery are offered, in one line.
     pub welcome: bool,
     /// The followed point.
@@ -316,6 +320,8 @@ impl State {
             own_lessons: Vec::new(),
             lesson_file: None,
             lessons_taken: BTreeMap::new(),
+            lessons_done: BTreeMap::new(),
+            goes_on: false,
             welcome: false,
         };
         state.show_screen(screen);

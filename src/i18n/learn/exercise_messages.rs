@@ -153,6 +153,12 @@ pub fn score(lang: Lang, right: usize, all: usize) -> String {
     both!(lang; "{right} of {all}", "{right} de {all}")
 }
 
+/// The number of right entries or conditions of a wrong answer.
+#[must_use]
+pub fn right_of(lang: Lang, right: usize, all: usize) -> String {
+    both!(lang; "{right} of {all} right", "{right} de {all} certos")
+}
+
 /// A sheet with an ending that cannot be written.
 #[must_use]
 pub fn sheet_ending(lang: Lang, path: &str) -> String {
@@ -185,8 +191,18 @@ pub fn why(lang: Lang, why: Why) -> String {
             let times = if times == 1 { "uma vez".to_owned() } else { format!("{times} vezes") };
             format!("Ele exercita um erro que você cometeu {times}: {}", mistake(lang, made)[0])
         }
-        (_, Why::NotSolved) => both!(lang; "It is the first that you have not solved.",
-            "É o primeiro que você ainda não resolveu."),
+        (_, Why::Begun) => both!(lang; "You began it, and it isn't solved yet.",
+            "Você o começou, e ele ainda não está resolvido."),
+        (Lang::En, Why::Due(days)) => {
+            let ago = if days == 1 { "a day ago".to_owned() } else { format!("{days} days ago") };
+            format!("You solved it {ago}: see whether you still can, with new numbers.")
+        }
+        (Lang::PtBr, Why::Due(days)) => {
+            let ago = if days == 1 { "um dia".to_owned() } else { format!("{days} dias") };
+            format!("Você o resolveu há {ago}: veja se ainda consegue, com números novos.")
+        }
+        (_, Why::NotSolved) => both!(lang; "It is the next of the lessons that you have not solved.",
+            "É o próximo das lições que você ainda não resolveu."),
         (_, Why::LongestAgo) => both!(lang; "You have solved them all; this is the one you tried longest ago.",
             "Você já resolveu todos; este é o que você tentou há mais tempo."),
     }

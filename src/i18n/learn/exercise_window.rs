@@ -10,9 +10,11 @@ texts! {
     families: "Families: new numbers as often as you like", "Famílias: números novos quantas vezes quiser";
     untouched: "not begun", "não começado";
     begun: "begun", "começado";
-    solved: "solved", "resolvido";
+    solved: "answered", "respondido";
+    alone: "answered alone on new numbers", "respondido sem ajuda com números novos";
+    many_wrong: "Several wrong answers in a row. The lesson may help more than another try, or other numbers:", "Várias respostas erradas seguidas. A lição pode ajudar mais que outra tentativa, ou outros números:";
     practise_next: "Practise next", "Praticar o próximo";
-    practise_next_hint: "The exercise on your most frequent mistake, else the first unsolved one, else the one you tried longest ago; it says why", "O exercício sobre o seu erro mais frequente, senão o primeiro não resolvido, senão o tentado há mais tempo; diz por quê";
+    practise_next_hint: "The exercise on your most frequent mistake, else what you began, else what comes back after 1, 3, 7 or 21 days, else the next of the lessons; it says why", "O exercício sobre o seu erro mais frequente, senão o que você começou, senão o que volta depois de 1, 3, 7 ou 21 dias, senão o próximo das lições; diz por quê";
     new_numbers: "New numbers", "Números novos";
     new_numbers_hint: "The same exercise with the numbers of the next seed; what you typed for these is kept", "O mesmo exercício com os números da próxima semente; o que você digitou para estes é mantido";
     back: "Back to the list", "Voltar à lista";

@@ -111,6 +111,8 @@ texts! {
     // A line of the window at its first start.
     new_here: "New here?", "Primeira vez aqui?";
     or_gallery: "Gallery of figures", "Galeria de figuras";
+    go_on: "Go on", "Continuar";
+    no_go_on: "Close this line until the next start", "Fechar esta linha até a próxima vez";
     no_welcome: "Close this line; the lessons are in the menu Help", "Fechar esta linha; as lições estão no menu Ajuda";
     presentation_keys: "Esc: leave · Page ↑ ↓: steps · Q: question · C: text · N: notes · a number: that step · P: pen · S: spotlight · B: black", "Esc: sair · Page ↑ ↓: passos · Q: pergunta · C: texto · N: notas · um número: aquele passo · P: caneta · S: foco · B: preto";
     // The list of lessons.
@@ -258,6 +260,19 @@ pub fn with_minutes(lang: Lang, lesson: &Lesson) -> String {
 pub fn place(lang: Lang, number: usize, of: usize) -> String {
     let t = texts(lang);
     format!("{} {number} {} {of}", t.step, t.of)
+}
+
+/// The tasks of a lesson that are done.
+#[must_use]
+pub fn answered(lang: Lang, done: usize, all: usize) -> String {
+    both!(lang; "{done} of {all} tasks done", "{done} de {all} tarefas feitas")
+}
+
+/// The way on: the title of a lesson and a step of it, from 0.
+#[must_use]
+pub fn go_on(lang: Lang, lesson: &Lesson, step: usize) -> String {
+    let step_word = texts(lang).step.to_lowercase();
+    format!("{}, {step_word} {}", told(lang, &lesson.title), step + 1)
 }
 
 /// A line of the list of lessons, from its data.

@@ -251,7 +251,7 @@ mod tests {
 
     use super::*;
     use crate::camera::{Camera, ImageSize, Parameters, ViewWindow};
-    use crate::explain::{Formula, MatrixFormula};
+    use crate::explain::MatrixFormula;
 
     /// A constant entry is named by its number, and a formula by its signs.
     #[test]
@@ -267,10 +267,8 @@ mod tests {
                     for row in 0..4 {
                         for column in 0..4 {
                             let why = reason(lang, matrix, &setting, [row, column]).unwrap();
-                            let constant = match formulas.entry(row, column) {
-                                Formula::Number(number) => Some(*number),
-                                _ => None,
-                            };
+                            let formula = formulas.entry(row, column);
+                            let constant = formula.symbols().is_empty().then(|| formula.value(&setting));
                             for (number, start) in [(0.0, "0: "), (1.0, "1: "), (-1.0, "−1: ")] {
                                 assert_eq!(
                                     constant == Some(number),

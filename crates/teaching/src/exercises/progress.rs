@@ -31,6 +31,14 @@ pub struct Tried {
     pub tries: u32,
     /// Number of complete right solutions: at most one for each seed.
     pub solved: u32,
+    /// Number of these that were found without a hint or a worked step, with numbers for which none was ever opened.
+    pub alone: u32,
+    /// When it was solved last.
+    pub solved_at: Option<u64>,
+    /// The sources of numbers for which a hint or a worked step was opened.
+    pub helped: BTreeSet<u64>,
+    /// Number of wrong answers in a row, with the present numbers.
+    pub wrong: u32,
     /// When an answer was judged last.
     pub last: Option<u64>,
     /// The present source of its numbers, which the following fields are about.
@@ -67,7 +75,16 @@ pub enum Stage {
     Begun,
     /// Solved, with these numbers or others.
     Solved,
+    /// Solved without help, with new numbers.
+    Alone,
 }
+
+/// Seconds of a day.
+const DAY: u64 = 86_400;
+/// Days after which what was solved comes back: after the first time, the second, the third, and from then on.
+const DAYS: [u64; 4] = [1, 3, 7, 21];
+/// Wrong answers in a row after which a lesson or other numbers help more than another try.
+pub const MANY_WRONG: u32 = 3;
 
 /// The next exercise to practise.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -85,6 +102,10 @@ pub struct Next {
 pub enum Why {
     /// It practises this mistake, which was made this many times, and more often than other open ones.
     Mistake(Mistake, u32),
+    /// It was begun last, and is not solved.
+    Begun,
+    /// It was solved this many days ago, and comes back.
+    Due(u64),
     /// The first unsolved one.
     NotSolved,
     /// All are solved; this one was tried least recently.
@@ -113,6 +134,7 @@ impl Progress {
     #[must_use]
     pub fn stage(&self, id: &str) -> Stage {
         match self.tried(id) {
+            Some(tried) if tried.alone > 0 => Stage::Alone,
             Some(tried) if tried.solved > 0 => Stage::Solved,
             Some(tried) if tried.tries > 0 => Stage::Begun,
             _ => Stage::Untouched,
@@ -136,8 +158,12 @@ impl Progress {
         if self.of(id).seed != seed {
             self.begin(id, seed);
         }
-        let kept = self.of(id).hints.entry(ask.to_owned()).or_default();
+        let tried = self.of(id);
+        let kept = tried.hints.entry(ask.to_owned()).or_default();
         *kept = hints.max(*kept);
+        if *kept > 0 {
+            tried.helped.insert(seed);
+        }
     }
 
     /// Other numbers were chosen where the notes leave them open: other answers are right now.
@@ -156,7 +182,9 @@ impl Progress {
     /// The exercise begins anew, with the numbers of a seed.
     pub fn begin(&mut self, id: &str, seed: u64) {
         let kept = self.of(id);
-        *kept = Tried { seed, tries: kept.tries, solved: kept.solved, last: kept.last, ..Tried::default() };
+        let Tried { tries, solved, alone, solved_at, last, .. } = *kept;
+        let helped = std::mem::take(&mut kept.helped);
+        *kept = Tried { seed, tries, solved, alone, solved_at, last, helped, ..Tried::default() };
     }
 
     /// An answer to an exercise has been judged at a time.
@@ -167,6 +195,8 @@ impl Progress {
         let tried = self.exercises.entry(exercise.id.clone()).or_default();
         tried.tries = tried.tries.saturating_add(1);
         tried.last = Some(now);
+        let is_wrong = !judged.right && judged.carried.is_empty();
+        tried.wrong = if is_wrong { tried.wrong.saturating_add(1) } else { 0 };
         // Of several that give the same numbers none is known to be the one.
         let known = judged.diagnosis.iter().filter(|diagnosis| diagnosis.others.is_empty());
         for Cause { mistake, .. } in known.flat_map(|diagnosis| &diagnosis.causes) {
@@ -188,6 +218,10 @@ impl Progress {
         if !tried.is_solved && exercise.asks.iter().all(|ask| tried.right.contains(&ask.name)) {
             tried.is_solved = true;
             tried.solved = tried.solved.saturating_add(1);
+            tried.solved_at = Some(now);
+            if !tried.helped.contains(&tried.seed) {
+                tried.alone = tried.alone.saturating_add(1);
+            }
             let made_here = tried.mistakes.clone();
             for (mistake, made) in &mut self.mistakes {
                 let could_be_made = made.exercise == exercise.id || exercise.shows(*mistake);
@@ -196,8 +230,9 @@ impl Progress {
         }
     }
 
-    /// The next of these to practise: a family that shows the open mistake that was made most often; else the first
-    /// unsolved one; else the one that was tried least recently before `now`. A later time comes from a clock that ran
+    /// The next of these to practise: a family that shows the open mistake that was made most often; else the one that
+    /// was begun last; else the family that has waited longest beyond its day to come back; else the first unsolved one
+    /// in the order of `entries`; else the one that was tried least recently before `now`. A later time comes from a clock that ran
     /// ahead: its true time is unknown, so it comes before the known ones. `None` where there are none.
     #[must_use]
     pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
@@ -215,11 +250,31 @@ impl Progress {
                 return Some(self.next(entry, Why::Mistake(mistake, made.times)));
             }
         }
-        if let Some(entry) = entries.iter().find(|entry| self.stage(&entry.id) != Stage::Solved) {
+        let begun = entries.iter().filter(|entry| self.stage(&entry.id) == Stage::Begun);
+        if let Some(entry) = begun.max_by_key(|entry| self.tried(&entry.id).and_then(|tried| tried.last)) {
+            let seed = self.tried(&entry.id).map_or(0, |tried| tried.seed);
+            return Some(Next { id: entry.id.clone().into_owned(), seed, why: Why::Begun });
+        }
+        let due = entries.iter().filter(|entry| entry.is_family);
+        let due = due.filter_map(|entry| Some((entry, self.waited(&entry.id, now)?)));
+        if let Some((entry, (_, days))) = due.max_by_key(|(_, (beyond, _))| *beyond) {
+            return Some(self.next(entry, Why::Due(days)));
+        }
+        let is_solved = |entry: &Entry| matches!(self.stage(&entry.id), Stage::Solved | Stage::Alone);
+        if let Some(entry) = entries.iter().find(|entry| !is_solved(entry)) {
             return Some(self.next(entry, Why::NotSolved));
         }
         let last = |entry: &&&Entry| self.tried(&entry.id).and_then(|tried| tried.last).filter(|last| *last <= now);
         entries.iter().min_by_key(last).map(|entry| self.next(entry, Why::LongestAgo))
+    }
+
+    /// Seconds since the time at which what was solved comes back, and days since it was solved; `None` before that time,
+    /// and for what is not solved.
+    fn waited(&self, id: &str, now: u64) -> Option<(u64, u64)> {
+        let tried = self.tried(id).filter(|tried| tried.solved > 0)?;
+        let times = usize::try_from(tried.solved).unwrap_or(DAYS.len()).min(DAYS.len());
+        let since = now.checked_sub(tried.solved_at?)?;
+        Some((since.checked_sub(DAYS[times - 1] * DAY)?, since / DAY))
     }
 
     fn next(&self, entry: &Entry, why: Why) -> Next {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::lesson::{Lesson, Link, Step, Task};
 use super::shipped::shipped;
-use crate::exercises;
+use crate::exercises::{self, Entry};
 
 /// The way from an exercise back to its lesson.
 #[derive(Clone, Debug)]
@@ -54,6 +54,17 @@ pub fn lesson_of(exercise: &str) -> Option<Way> {
         let lesson = shipped().iter().find(|shipped| exercises_of(&shipped.lesson).contains(&exercise))?;
         Some(Way { lesson: lesson.lesson.clone(), step: 0 })
     })
+}
+
+/// Exercises in the order in which the lessons of the program come to them; those that none of them has come last.
+#[must_use]
+pub fn in_order_of_lessons<'a>(entries: impl IntoIterator<Item = &'a Entry>) -> Vec<&'a Entry> {
+    let asked = shipped().iter().flat_map(|shipped| shipped.lesson.steps.iter().filter_map(asked));
+    let named = shipped().iter().flat_map(|shipped| exercises_of(&shipped.lesson));
+    let order: Vec<&str> = asked.chain(named).collect();
+    let mut entries: Vec<&Entry> = entries.into_iter().collect();
+    entries.sort_by_key(|entry| order.iter().position(|id| *id == entry.id).unwrap_or(order.len()));
+    entries
 }
 
 /// The exercise that a step asks.

@@ -9,7 +9,7 @@ use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Chosen, Exercises};
 use crate::i18n::Lang;
 use crate::i18n::learn::exercise_window::Texts;
-use crate::i18n::learn::{exercise_messages, exercises as said};
+use crate::i18n::learn::{exercise_messages, exercise_window as words, exercises as said};
 use crate::i18n::window::search::{folded, has_words};
 use crate::limits::MAX_TYPED_NAME;
 use crate::sanitize;
@@ -29,8 +29,11 @@ pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
 /// The number of solved ones.
 pub(super) fn count(ui: &mut Ui, state: &Exercises, lang: Lang) {
     let all = state.entries().count();
-    let solved = state.entries().filter(|entry| state.stage(&entry.id) == Stage::Solved).count();
-    ui.label(RichText::new(format!("✓ {}", exercise_messages::score(lang, solved, all))).weak());
+    let of = |stages: &[Stage]| state.entries().filter(|entry| stages.contains(&state.stage(&entry.id))).count();
+    let (solved, alone) = (of(&[Stage::Solved, Stage::Alone]), of(&[Stage::Alone]));
+    let text = format!("✓ {} · ★ {alone}", exercise_messages::score(lang, solved, all));
+    let t = words::texts(lang);
+    ui.label(RichText::new(text).weak()).explained(format!("✓ {} · ★ {}", t.solved, t.alone));
 }
 
 /// Those that say all the words.
@@ -83,6 +86,7 @@ fn row(ui: &mut Ui, t: &Texts, entry: &Entry, state: &mut Exercises) -> bool {
         Stage::Untouched => ("○", t.untouched),
         Stage::Begun => ("◐", t.begun),
         Stage::Solved => ("✓", t.solved),
+        Stage::Alone => ("★", t.alone),
     };
     let title = said::title(t.lang, entry);
     let mut job = LayoutJob::default();

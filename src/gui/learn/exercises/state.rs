@@ -10,6 +10,7 @@ use crate::camera::{Camera, RecoveryError};
 use crate::exercises::{self, Answer, Ask, Entry, Exercise, Free, Judged, Kind, Progress, Stage, Why, Worked};
 use crate::expression::{Dimension, evaluate};
 use crate::files::{self, FileError, OwnExercises};
+use crate::lessons::in_order_of_lessons;
 
 /// An exercise with the numbers of a seed.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -378,7 +379,7 @@ impl Exercises {
     /// 1970.
     #[must_use]
     pub fn next(&self, now: u64) -> Option<(Chosen, Why)> {
-        let all: Vec<&Entry> = self.entries().collect();
+        let all = in_order_of_lessons(self.entries());
         let next = self.next_of(&all, now).filter(|(chosen, _)| self.open.as_ref() != Some(chosen));
         next.or_else(|| {
             let is_open = |entry: &Entry| self.open.as_ref().is_some_and(|open| open.id == entry.id);
@@ -490,9 +491,10 @@ mod tests {
     fn what_is_practised_next_is_not_what_is_worked_on_and_goes_on_with_what_was_typed() {
         let mut state = Exercises::default();
         let next = |state: &Exercises| state.next(1_000).map(|(chosen, why)| (chosen.id, chosen.seed, why));
-        assert_eq!(next(&state), Some(("0-5.1".to_owned(), 0, Why::NotSolved)));
-        state.open = Some(Chosen { id: "0-5.1".to_owned(), seed: 0 });
-        assert_eq!(next(&state), Some(("0-5.2".to_owned(), 0, Why::NotSolved)));
+        // In the order of the lessons.
+        assert_eq!(next(&state), Some(("match-picture".to_owned(), 0, Why::NotSolved)));
+        state.open = Some(Chosen { id: "match-picture".to_owned(), seed: 0 });
+        assert_eq!(next(&state), Some(("place-camera".to_owned(), 0, Why::NotSolved)));
         state.open = None;
         for entry in exercises::entries().filter(|entry| entry.id != "basis") {
             state.note(Done::WasSolved(entry.id.clone().into_owned()));

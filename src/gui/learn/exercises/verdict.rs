@@ -4,10 +4,12 @@ use eframe::egui::{self, RichText, Ui};
 
 use super::answers::color;
 use super::{Sheet, solution};
-use crate::exercises::Ask;
+use crate::exercises::{Ask, MANY_WRONG};
+use crate::gui::files::file_flow;
 use crate::gui::kit::prose;
-use crate::gui::state::State;
-use crate::i18n::learn::{exercise_messages as messages, exercises as said};
+use crate::gui::state::{AfterSave, Chosen, State};
+use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
+use crate::lessons::{OpenLesson, lesson_of};
 
 /// Shows the verdict on an answer, and the help; a verdict `just_said` is scrolled into sight.
 pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {
@@ -65,11 +67,35 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
         }
         solution::camera_button(ui, state, sheet, ask, id);
     });
+    if checked.is_some_and(|checked| !checked.judged.right) {
+        offer(ui, state, sheet);
+    }
     if just_said {
         let said = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), newest..=ui.min_rect().bottom());
         let too_high = said.height() > ui.clip_rect().height();
         ui.scroll_to_rect(said, too_high.then_some(egui::Align::TOP));
     }
+}
+
+/// After several wrong answers in a row: the lesson, or other numbers.
+fn offer(ui: &mut Ui, state: &mut State, Sheet { t, entry, exercise }: Sheet<'_>) {
+    let wrong = state.exercises.progress.tried(&entry.id).map_or(0, |tried| tried.wrong);
+    let way = lesson_of(&entry.id).filter(|_| entry.texts().is_none());
+    if wrong < MANY_WRONG || way.is_none() && !entry.is_family {
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.label(t.many_wrong);
+        if let Some(way) = way
+            && ui.link(lessons::lesson_link(t.lang, &way.lesson, way.step)).clicked()
+        {
+            let open = OpenLesson { lesson: way.lesson, path: None, step: way.step };
+            file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+        }
+        if entry.is_family && ui.link(t.new_numbers).clicked() {
+            state.exercises.work_on(Chosen { id: exercise.id.clone(), seed: exercise.seed + 1 });
+        }
+    });
 }
 
 fn hint_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (id, open): (egui::Id, usize)) {
@@ -93,7 +119,7 @@ fn headline(ui: &mut Ui, sheet: Sheet<'_>, judged: &crate::exercises::Judged) {
         (true, _) => format!("✓ {}: {}", t.right_read_as, said::reading(t.lang, judged.reading)),
         _ if !judged.carried.is_empty() => format!("→ {}", t.follows),
         (false, 0 | 1) => format!("✗ {}", t.wrong),
-        (false, all) => format!("✗ {} ({})", t.wrong, messages::score(t.lang, right, all)),
+        (false, all) => format!("✗ {} ({})", t.wrong, messages::right_of(t.lang, right, all)),
     };
     ui.add(egui::Label::new(RichText::new(text).strong().color(color(ui, judged.right))).wrap());
 }

@@ -28,21 +28,20 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
     area.show(ui, |ui| {
         for (k, shipped) in shipped().iter().enumerate() {
             let lesson = &shipped.lesson;
-            let taken = state.lessons_taken.get(&lesson.id).copied();
-            let last = lesson.steps.len().saturating_sub(1);
+            let is_taken = state.lessons_taken.contains_key(&lesson.id);
+            let (done, all) = state.done_of(lesson);
             ui.horizontal_wrapped(|ui| {
                 let title = format!("{}. {}", k + 1, words::with_minutes(lang, lesson));
                 if ui.link(title).clicked() {
                     // One goes on where one was, and begins anew what is finished.
-                    let step = taken.filter(|step| *step < last).unwrap_or_default();
+                    let step = if state.is_finished(lesson) { 0 } else { state.step_to_go_on(lesson) };
                     chosen = Some(OpenLesson { lesson: lesson.clone(), path: None, step });
                 }
-                match taken {
-                    Some(step) if step >= last => drop(ui.label(RichText::new(format!("✓ {}", t.finished)).weak())),
-                    Some(step) => {
-                        ui.label(RichText::new(words::place(lang, step + 1, last + 1)).weak());
-                    }
-                    None => {}
+                if is_taken && done == all {
+                    ui.label(RichText::new(format!("✓ {}", t.finished)).weak());
+                } else if is_taken {
+                    let place = words::place(lang, state.step_to_go_on(lesson) + 1, lesson.steps.len());
+                    ui.label(RichText::new(format!("{place} · {}", words::answered(lang, done, all))).weak());
                 }
                 if next == Some(k) {
                     ui.label(RichText::new(format!("◀ {}", t.learn_next)).strong());

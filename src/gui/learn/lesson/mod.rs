@@ -16,6 +16,7 @@ use std::time::Duration;
 
 use eframe::egui::{self, Button, Key, Modifiers, RichText, ScrollArea, Ui};
 
+use crate::clock;
 use crate::figure::{Bilingual, Explanation};
 use crate::gui::app::command::Command;
 use crate::gui::app::focus;
@@ -23,7 +24,7 @@ use crate::gui::app::focus::Region;
 use crate::gui::files::file_flow;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
-use crate::gui::state::{AfterSave, Chosen, State};
+use crate::gui::state::{AfterSave, Chosen, Dialog, State};
 use crate::i18n::learn::exercises;
 use crate::i18n::learn::lessons as words;
 use crate::i18n::learn::lessons::Texts;
@@ -103,6 +104,49 @@ pub(in crate::gui) fn welcome(ui: &mut Ui, state: &mut State) -> Option<Command>
         (state.welcome, state.settings.welcomed) = (false, true);
     }
     command
+}
+
+/// Offers the way on from the last time, in one line: the lesson that was begun, an exercise, the list of lessons.
+pub(in crate::gui) fn go_on(ui: &mut Ui, state: &mut State) {
+    let is_fresh = state.document.path().is_none() && state.lesson.is_none() && !state.settings.bare;
+    let next = state.next_lesson().and_then(|place| lessons::shipped().get(place));
+    let Some(lesson) = next.map(|shipped| shipped.lesson.clone()).filter(|_| state.goes_on && is_fresh) else {
+        return;
+    };
+    let lang = state.settings.lang;
+    let (t, step) = (words::texts(lang), state.step_to_go_on(&lesson));
+    let mut open = None;
+    egui::Panel::top("go on").show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.label(format!("{}:", t.go_on));
+            if ui.link(words::go_on(lang, &lesson, step)).clicked() {
+                open = Some(lessons::OpenLesson { lesson: lesson.clone(), path: None, step });
+            }
+            ui.label("·");
+            if ui.link(t.practise).clicked()
+                && let Some((next, why)) = state.exercises.next(clock::seconds_since_1970())
+            {
+                state.exercises.work_on(next.clone());
+                state.exercises.why = Some((next, why));
+                state.show_explanation(Explanation::Exercises);
+                state.goes_on = false;
+            }
+            ui.label("·");
+            if ui.link(t.lessons).clicked() {
+                state.file_flow.dialog = Some(Dialog::Lessons);
+            }
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                if ui.button("✕").explained(t.no_go_on).accessible_name(t.no_go_on).clicked() {
+                    state.goes_on = false;
+                }
+            });
+        });
+    });
+    if let Some(open) = open {
+        file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open));
+    }
+    // It stays if the question about changes does.
+    state.goes_on &= state.lesson.is_none();
 }
 
 /// In a presentation, digits are the number of a step: it is gone to after a moment, or at Enter.

@@ -55,6 +55,8 @@ pub struct Playing {
     done: BTreeSet<usize>,
     /// The steps whose task was passed over.
     passed: BTreeSet<usize>,
+    /// The steps whose way was shown.
+    shown: BTreeSet<usize>,
     /// The step whose task is passed over by the next wish to go on.
     warned: Option<usize>,
     /// The digits of the number of a step as they are typed, and when the last was.
@@ -131,6 +133,12 @@ impl Playing {
             self.shows_question ^= true;
             self.hands.answered = None;
         }
+    }
+
+    /// Whether its steps are remembered. A lesson of the user's own doesn't count as the one of the program whose name
+    /// it has.
+    fn counts(&self) -> bool {
+        self.path.is_none() || !shipped().iter().any(|shipped| shipped.lesson.id == self.lesson.id)
     }
 
     /// True where this step is the last one.
@@ -218,12 +226,41 @@ impl State {
         self.lesson.as_ref().map_or(&self.settings.panels, |playing| &playing.panels_before)
     }
 
-    /// The lesson of the program to be taken next, by its place: the first that is not finished.
+    /// The number of steps of a lesson that ask for something, and of those that are done.
+    #[must_use]
+    pub fn done_of(&self, lesson: &Lesson) -> (usize, usize) {
+        let done = self.lessons_done.get(&lesson.id);
+        let tasks = lesson.steps.iter().enumerate().filter(|(_, step)| step.task.is_some());
+        let (all, is_done): (Vec<usize>, Vec<bool>) =
+            tasks.map(|(step, _)| (step, done.is_some_and(|done| done.contains(&step)))).unzip();
+        (is_done.into_iter().filter(|is| *is).count(), all.len())
+    }
+
+    /// Whether all that a lesson asks for is done.
+    #[must_use]
+    pub fn is_finished(&self, lesson: &Lesson) -> bool {
+        let (done, all) = self.done_of(lesson);
+        done == all && self.lessons_taken.contains_key(&lesson.id)
+    }
+
+    /// The lesson of the program to be taken next, by its place: the first that was begun and isn't finished, else the
+    /// first that isn't finished.
     #[must_use]
     pub fn next_lesson(&self) -> Option<usize> {
-        let is_finished =
-            |lesson: &Lesson| self.lessons_taken.get(&lesson.id).is_some_and(|step| step + 1 >= lesson.steps.len());
-        shipped().iter().position(|shipped| !is_finished(&shipped.lesson))
+        let open = || shipped().iter().enumerate().filter(|(_, shipped)| !self.is_finished(&shipped.lesson));
+        let mut begun = open().filter(|(_, shipped)| self.lessons_taken.contains_key(&shipped.lesson.id));
+        begun.next().or_else(|| open().next()).map(|(place, _)| place)
+    }
+
+    /// The step with which a lesson is gone on with: the first that asks for something that isn't done, where it was
+    /// left or before.
+    #[must_use]
+    pub fn step_to_go_on(&self, lesson: &Lesson) -> usize {
+        let furthest = self.lessons_taken.get(&lesson.id).copied().unwrap_or_default();
+        let done = self.lessons_done.get(&lesson.id);
+        let is_open = |step: &usize| lesson.steps[*step].task.is_some() && done.is_none_or(|done| !done.contains(step));
+        let last = lesson.steps.len().saturating_sub(1);
+        if furthest < last { furthest } else { (0..lesson.steps.len()).find(is_open).unwrap_or_default() }
     }
 
     /// Plays a lesson; the figure is lost. Only the window's start calls this, and
@@ -250,6 +287,7 @@ impl State {
             worked_on: BTreeMap::new(),
             done: BTreeSet::new(),
             passed: BTreeSet::new(),
+            shown: BTreeSet::new(),
             warned: None,
             typed: None,
             looked_at: None,
@@ -345,6 +383,9 @@ impl State {
         let Ok(camera) = Camera::new(&figure.camera) else { return };
         // A lesson that was read has tried it.
         let Ok(after) = goal.reached_from(&figure, &camera) else { return };
+        if let Some(playing) = &mut self.lesson {
+            playing.shown.insert(playing.step);
+        }
         let seen = self.document.figure().observers;
         let done = self.document.replace(Figure { observers: seen, ..after.figure });
         self.say_camera_error(done);
@@ -410,9 +451,7 @@ impl State {
             playing.fades += 1;
             playing.moving = Some(Moving { passage, target: Box::new(document), seconds, began: None });
         }
-        let is_of_program = shipped().iter().any(|shipped| shipped.lesson.id == playing.lesson.id);
-        if playing.path.is_none() || !is_of_program {
-            // A lesson of the user's own does not count as the one of the program whose name it has.
+        if playing.counts() {
             let furthest = self.lessons_taken.entry(playing.lesson.id.clone()).or_default();
             *furthest = step.max(*furthest);
         }
@@ -484,6 +523,9 @@ impl State {
         };
         if reached {
             playing.done.insert(step);
+            if !playing.shown.contains(&step) && playing.counts() {
+                self.lessons_done.entry(playing.lesson.id.clone()).or_default().insert(step);
+            }
         }
         self.lesson = Some(playing);
     }

@@ -10,7 +10,7 @@ mod progress_tests;
 mod shared_file;
 mod store;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use toml_edit::{DocumentMut, Value};
@@ -34,6 +34,8 @@ const RECENT: &str = "recent";
 
 /// The key of the furthest steps of lessons, each as `id=step`, from 1.
 const LESSONS: &str = "lessons";
+/// The done steps of lessons.
+const LESSONS_DONE: &str = "lessons_done";
 
 /// A key of the file: its value in a window, and its effect on one; an impossible value has none.
 struct Key {
@@ -68,7 +70,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 41] = [
+const KEYS: [Key; 42] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -141,6 +143,11 @@ const KEYS: [Key; 41] = [
         name: LESSONS,
         of: |state| lessons_value(&state.lessons_taken),
         apply: |state, value| state.lessons_taken = lessons_taken(value),
+    },
+    Key {
+        name: LESSONS_DONE,
+        of: |state| done_value(&state.lessons_done),
+        apply: |state, value| state.lessons_done = lessons_done(value),
     },
     key!("convention", one of CONVENTIONS, operations.convention),
     Key {
@@ -341,6 +348,32 @@ fn lessons_taken(value: &Value) -> BTreeMap<String, usize> {
         Some((id.to_owned(), step.parse::<usize>().ok()?.checked_sub(1)?))
     };
     texts.filter_map(taken).collect()
+}
+
+/// The value of [`LESSONS_DONE`].
+fn done_value(done: &BTreeMap<String, BTreeSet<usize>>) -> Value {
+    done.iter().flat_map(|(id, steps)| steps.iter().map(move |step| format!("{id}={}", step + 1))).collect()
+}
+
+/// The done steps of each lesson, from 0, in such a value.
+fn lessons_done(value: &Value) -> BTreeMap<String, BTreeSet<usize>> {
+    let mut done: BTreeMap<String, BTreeSet<usize>> = BTreeMap::new();
+    for text in value.as_array().into_iter().flatten().filter_map(Value::as_str) {
+        let Some((id, step)) = text.split_once('=') else { continue };
+        if let Some(step) = step.parse::<usize>().ok().and_then(|step| step.checked_sub(1)) {
+            done.entry(id.to_owned()).or_default().insert(step);
+        }
+    }
+    done
+}
+
+/// The done steps in two such values.
+fn merged_done(one: &Value, other: &Value) -> Value {
+    let mut done = lessons_done(one);
+    for (id, steps) in lessons_done(other) {
+        done.entry(id).or_default().extend(steps);
+    }
+    done_value(&done)
 }
 
 /// The furthest step of each lesson in two such values: two windows lose nothing of each other.

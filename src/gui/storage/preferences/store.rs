@@ -9,7 +9,7 @@ use toml_edit::{Array, DocumentMut, Value};
 
 use super::progress::KeptProgress;
 use super::shared_file::{Change, PATIENCE, SharedFile};
-use super::{LESSONS, RECENT, answers, apply, merged_lessons, recent, values};
+use super::{LESSONS, LESSONS_DONE, RECENT, answers, apply, merged_done, merged_lessons, recent, values};
 use crate::files;
 use crate::gui::app::launch_options::LaunchOptions;
 use crate::gui::state::{State, merged};
@@ -49,8 +49,12 @@ impl Change for SettingsJob {
         }
         for (key, value) in &self.changed {
             let Ok(value) = value.parse::<Value>() else { continue };
-            let before = document.get(key).and_then(|item| item.as_value()).filter(|_| key == LESSONS);
-            let value = before.map(|before| merged_lessons(before, &value)).unwrap_or(value);
+            let before = document.get(key).and_then(|item| item.as_value());
+            let value = match (key.as_str(), before) {
+                (LESSONS, Some(before)) => merged_lessons(before, &value),
+                (LESSONS_DONE, Some(before)) => merged_done(before, &value),
+                _ => value,
+            };
             document[key.as_str()] = value.into();
         }
         let recent = merged(&self.opened, &recent(&document));
@@ -99,6 +103,7 @@ impl Preferences {
         let kept = values(state);
         // A page may be somebody's figure in the middle of a text.
         state.welcome = !state.settings.welcomed && !state.in_browser;
+        state.goes_on = state.settings.welcomed && !state.in_browser && !state.lessons_taken.is_empty();
         Self { file, kept, remembered, progress, has_answers }
     }
 

@@ -79,6 +79,29 @@ const REFERENCE: [DVec3; 6] = [
 /// Tolerance for the positions of points, in NDC.
 const NEAR_ENOUGH: f64 = 0.05;
 
+/// In which direction C is off: round the house, in height, and in its distance from PF. A picture that fits is right,
+/// although a farther camera with a smaller angle shows nearly the same.
+fn directions(camera: &Camera, wanted: &Camera, fits: bool) -> [(&'static str, bool); 3] {
+    let from_focal_point = |camera: &Camera| camera.position() - wanted.focal_point();
+    let (now, then) = (from_focal_point(camera), from_focal_point(wanted));
+    let round = |at: DVec3| at.x.atan2(at.z).to_degrees();
+    let height = |at: DVec3| at.y.atan2(at.x.hypot(at.z)).to_degrees();
+    // From −180 to 180: the shorter way round.
+    let to_the_right = (round(then) - round(now) + 540.0).rem_euclid(360.0) - 180.0;
+    let up = height(then) - height(now);
+    let away = then.length() / now.length().max(f64::MIN_POSITIVE);
+    let tell = |off: f64, within: f64, [right, more, less]: [&'static str; 3]| match off {
+        _ if fits || off.abs() <= within => (right, true),
+        _ if off > 0.0 => (more, false),
+        _ => (less, false),
+    };
+    [
+        tell(to_the_right, 4.0, ["round-matches", "more-to-the-right", "more-to-the-left"]),
+        tell(up, 4.0, ["height-matches", "higher", "lower"]),
+        tell(away.ln(), 0.07, ["distance-matches", "farther", "nearer"]),
+    ]
+}
+
 fn match_picture(seed: u64) -> Exercise {
     let mut random = numbers("match-picture", seed);
     let start = Figure::of_preset(Preset::House);
@@ -105,12 +128,17 @@ fn match_picture(seed: u64) -> Exercise {
         };
         let turned = camera.basis().n.dot(wanted.basis().n);
         let tall = camera.window_height() / camera.near() / (wanted.window_height() / wanted.near());
-        vec![
-            ("same-projection", camera.projection() == wanted.projection()),
-            ("same-direction", turned > 0.995),
-            ("same-angle", (0.93..1.07).contains(&tall)),
-            ("picture-matches", REFERENCE.iter().all(near)),
-        ]
+        let fits = REFERENCE.iter().all(near);
+        let mut conditions = vec![("same-projection", camera.projection() == wanted.projection())];
+        conditions.extend(directions(camera, wanted, fits));
+        conditions.push(("same-direction", turned > 0.995));
+        conditions.push(match tall {
+            _ if (0.93..1.07).contains(&tall) => ("same-angle", true),
+            _ if tall > 1.0 => ("angle-smaller", false),
+            _ => ("angle-larger", false),
+        });
+        conditions.push(("picture-matches", fits));
+        conditions
     });
     let subject = crate::exercises::Subject { figure: start, ..Default::default() };
     let mut exercise = about(subject);

@@ -87,6 +87,11 @@ fn long(item: &Item) -> Option<u64> {
     }
 }
 
+/// Whole numbers, each as text.
+fn longs(item: &Item) -> Option<BTreeSet<u64>> {
+    item.as_array()?.iter().map(|number| number.as_str()?.parse().ok()).collect()
+}
+
 fn long_item(number: u64) -> Item {
     i64::try_from(number).map_or_else(|_| value(number.to_string()), value)
 }
@@ -131,6 +136,10 @@ impl Tried {
         Ok(Self {
             tries: known(table, "tries", count)?.unwrap_or_default(),
             solved: known(table, "solved", count)?.unwrap_or_default(),
+            alone: known(table, "alone", count)?.unwrap_or_default(),
+            solved_at: known(table, "solved_at", long)?,
+            helped: known(table, "helped", longs)?.unwrap_or_default(),
+            wrong: known(table, "wrong", count)?.unwrap_or_default(),
             last: known(table, "last", long)?,
             seed: known(table, "seed", long)?.unwrap_or_default(),
             hints: known(table, "hints", |item| by_name(item, count))?.unwrap_or_default(),
@@ -143,6 +152,11 @@ impl Tried {
     fn write(&self, table: &mut dyn TableLike) {
         set(table, "tries", (self.tries > 0).then(|| value(i64::from(self.tries))));
         set(table, "solved", (self.solved > 0).then(|| value(i64::from(self.solved))));
+        set(table, "alone", (self.alone > 0).then(|| value(i64::from(self.alone))));
+        set(table, "solved_at", self.solved_at.map(long_item));
+        let helped: Array = self.helped.iter().map(u64::to_string).collect();
+        set(table, "helped", (!helped.is_empty()).then(|| value(helped)));
+        set(table, "wrong", (self.wrong > 0).then(|| value(i64::from(self.wrong))));
         set(table, "last", self.last.map(long_item));
         set(table, "seed", Some(long_item(self.seed)));
         set(table, "hints", inline(&self.hints, |count| i64::from(*count).into()));
