@@ -97,6 +97,8 @@ const SYNONYMS: &[&[&str]] = &[
     &["rotate", "orbit", "girar", "orbitar", "azimuth", "azimute"],
     &["tilt", "inclinar", "roll", "rolagem"],
     &["screenshot", "print", "imprimir", "export", "exportar", "png"],
+    &["poll", "vote", "votacao", "clicker", "hands", "question of the step", "pergunta do passo"],
+    &["handout", "worksheet", "print", "imprimir", "material impresso", "exercise sheet", "folha de exercicios"],
     &["share", "compartilhar", "link", "copy link"],
     &["shortcut", "shortcuts", "atalho", "atalhos", "keyboard", "teclado", "keys"],
     &["quiz", "test", "prova", "exercise", "exercicio", "exercises", "exercicios"],
