@@ -133,7 +133,8 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     window.click(en::EXERCISE_WINDOW.show_figure);
     assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera);
     window.click(en::EXERCISE_WINDOW.back);
-    assert_eq!(focused(&window).as_deref(), Some("The view matrix, [0] §5.3.1, (5.7), solved"));
+    let row = format!("The view matrix, [0] §5.3.1, (5.7), {}", en::EXERCISE_WINDOW.solved);
+    assert_eq!(focused(&window).as_deref(), Some(row.as_str()));
 }
 
 #[test]
@@ -227,7 +228,7 @@ fn a_whole_matrix_may_be_typed_into_the_first_field_and_half_of_one_counts_half(
     let mut window = working_on("view-matrix", 1, Lang::En);
     fill(&mut window, "M_v", 4, &half);
     window.command_key(Key::Enter);
-    assert!(window.says("✗ wrong (8 of 16)"));
+    assert!(window.says(&format!("✗ wrong ({})", exercise_messages::right_of(Lang::En, 8, 16))));
 }
 
 #[test]

@@ -18,6 +18,11 @@ fn step_with(object: &str) -> String {
 
 const TRIANGLE: &str = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
 
+/// A lesson with all that `lesson check` asks for.
+fn whole(lesson: &str) -> String {
+    format!("aims = [\"a\"]\nplan = \"p\"\nsentence = \"s\"\n{lesson}")
+}
+
 #[test]
 fn a_lesson_reads_files_of_its_folder_only_and_one_in_a_link_none() {
     let bench = Bench::new("lesson-files");
@@ -35,9 +40,9 @@ fn a_lesson_reads_files_of_its_folder_only_and_one_in_a_link_none() {
         }
         assert!(!bench.path("out").exists());
     }
-    bench.write("course/l.toml", step_with("shape = \"mesh\"\npath = \"../outside.obj\""));
+    bench.write("course/l.toml", whole(&step_with("shape = \"mesh\"\npath = \"../outside.obj\"")));
     bench.run(&["lesson", "check", "course/l.toml", "--allow-files"]).done();
-    let inside = step_with("shape = \"mesh\"\npath = \"meshes/inside.obj\"");
+    let inside = whole(&step_with("shape = \"mesh\"\npath = \"meshes/inside.obj\""));
     bench.write("course/l.toml", &inside);
     bench.run(&["lesson", "check", "course/l.toml"]).done();
     // The link has no folder, even where the program runs beside the mesh.
@@ -78,7 +83,7 @@ fn goals_that_nobody_can_reach_and_too_many_conditions_are_refused() {
         assert_eq!(refused.status, Some(2), "{}", refused.err);
         assert!(refused.err.contains(key) && refused.err.contains(allowed), "{}", refused.err);
     }
-    bench.write("l.toml", goal("{ quantity = \"distance\", least = 8, most = 9 }, { hidden = \"k\" }"));
+    bench.write("l.toml", whole(&goal("{ quantity = \"distance\", least = 8, most = 9 }, { hidden = \"k\" }")));
     bench.run(&["lesson", "check", "l.toml"]).done();
 }
 

@@ -1,7 +1,7 @@
 //! Lessons: the format, the command line, and every step of the lessons of the program.
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use camera_lab::camera::{Camera, Convention};
+use camera_lab::camera::{Camera, Convention, Projection};
 use camera_lab::exercises::{self, Expected, Kind};
 use camera_lab::figure::variation::varied_by;
 use camera_lab::figure::write::to_toml;
@@ -272,6 +272,31 @@ fn every_exercise_is_reached_by_a_lesson_and_knows_it() {
         for question in lesson.pretest.iter().chain(&lesson.posttest) {
             let exercise = exercises::entry(&question.id).unwrap().exercise(question.seed, &Default::default());
             assert!(exercise.figure_to_match().is_none(), "{}: {} needs its picture", lesson.id, question.id);
+        }
+    }
+}
+
+/// A lesson about one projection practises that one.
+#[test]
+fn lessons_about_a_projection_practise_it() {
+    let about = [
+        ("triangles", Projection::Perspective),
+        ("cube", Projection::Perspective),
+        ("depth", Projection::Perspective),
+        ("w", Projection::Perspective),
+        ("parallel", Projection::Parallel),
+    ];
+    for (id, projection) in about {
+        let lesson = &shipped().iter().find(|shipped| shipped.lesson.id == id).unwrap().lesson;
+        let asked = lesson.steps.iter().filter_map(|step| match &step.task {
+            Some(Task::Exercise { id, seed }) => Some((id.as_str(), *seed)),
+            _ => None,
+        });
+        let around = lesson.pretest.iter().chain(&lesson.posttest).map(|asked| (asked.id.as_str(), asked.seed));
+        let of_a_camera = ["pixel", "ndc", "perspective-matrix", "parallel-matrix", "asymmetric-window"];
+        for (exercise, seed) in asked.chain(around).filter(|(exercise, _)| of_a_camera.contains(exercise)) {
+            let camera = exercises::entry(exercise).unwrap().exercise(seed, &Default::default()).subject.figure.camera;
+            assert_eq!(camera.projection, projection, "{id}: {exercise} {seed}");
         }
     }
 }

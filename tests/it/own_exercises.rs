@@ -43,7 +43,7 @@ fn the_examples_are_read_and_judged() {
     assert_eq!(judged(1, "n", "[3/13, 4/13, 12/13]").1, "Este é o **n** de antes do azimute.");
     // The known mistakes come by themselves: this is a quarter turn the other way, or **n** reversed.
     let (_, said) = judged(1, "n", "[-4/sqrt(17), 0, 1/sqrt(17)]");
-    assert!(said.contains("Pode ser este: Girou para o outro lado. Ou este: **n** aponta de C para PF"), "{said}");
+    assert!(said.contains("Pode ser este: Você girou para o outro lado. Ou este: **n** aponta de C para PF"), "{said}");
     assert_eq!(judged(0, "theta", "90°"), (true, String::new()));
     assert_eq!(judged(0, "theta", "45").1, "Esta é a metade do ângulo: do eixo à borda.");
     assert_eq!(judged(0, "changes", "dolly").1, "Um dolly move a câmera, seu ângulo fica.");

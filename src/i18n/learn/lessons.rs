@@ -122,7 +122,6 @@ texts! {
     learn_next: "Learn next", "Aprender a seguir";
     leads_to: "Exercises", "Exercícios";
     finished: "finished", "concluída";
-    afterwards: "Afterwards you know", "Depois você sabe";
     read_more: "Read", "Ler";
     practise: "Practise", "Praticar";
     go_on_with: "Go on with", "Continue com";

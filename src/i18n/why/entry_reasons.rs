@@ -232,7 +232,7 @@ const PARALLEL: [[Both; 4]; 4] = [
 /// Why an entry is what it is, in Markdown; rows and columns from 0. `None` for other matrices, and for M_p in another
 /// convention of NDC, whose depth and y are others.
 #[must_use]
-pub fn reason(lang: Lang, matrix: Matrix, setting: &Setting<'_>, [row, column]: [usize; 2]) -> Option<&'static str> {
+pub fn reason(lang: Lang, matrix: Matrix, setting: &Setting<'_>, [row, column]: [usize; 2]) -> Option<String> {
     let of_the_notes = setting.space().ndc() == Ndc::default();
     let all = match (matrix, setting.space().camera().projection()) {
         (Matrix::View, _) => &VIEW,
@@ -242,7 +242,13 @@ pub fn reason(lang: Lang, matrix: Matrix, setting: &Setting<'_>, [row, column]: 
         _ => return None,
     };
     let [en, pt] = all.get(row)?.get(column)?;
-    Some(pick!(lang; en, pt))
+    let why = (*pick!(lang; en, pt)).to_owned();
+    if !setting.space().camera().has_symmetric_window() {
+        return Some(why);
+    }
+    // As (5.14) and (5.16) write it.
+    let of_sides = [("2F/(r − l)", "2F/W"), ("2/(r − l)", "2/W"), ("2F/(t − b)", "2F/H"), ("2/(t − b)", "2/H")];
+    Some(of_sides.into_iter().fold(why, |why, (sides, size)| why.replace(sides, size)))
 }
 
 #[cfg(test)]
@@ -283,6 +289,10 @@ mod tests {
                 }
             }
             assert!(reason(Lang::En, Matrix::Viewport, &setting, [0, 0]).is_none());
+            let symmetric = Camera::new(&Parameters { projection, ..Parameters::default() }).unwrap();
+            let setting = Setting::new(symmetric.notes_clip_space(), ImageSize { width: 4, height: 3 }, None);
+            let why = reason(Lang::En, Matrix::Projection, &setting, [0, 0]).unwrap();
+            assert!(why.contains("2/W") && !why.contains("(r − l)"), "{why}");
         }
     }
 }

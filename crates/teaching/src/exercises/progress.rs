@@ -232,8 +232,8 @@ impl Progress {
 
     /// The next of these to practise: a family that shows the open mistake that was made most often; else the one that
     /// was begun last; else the family that has waited longest beyond its day to come back; else the first unsolved one
-    /// in the order of `entries`; else the one that was tried least recently before `now`. A later time comes from a clock that ran
-    /// ahead: its true time is unknown, so it comes before the known ones. `None` where there are none.
+    /// in the order of `entries`; else the one that was tried least recently before `now`. A later time comes from a
+    /// clock that ran ahead: its true time is unknown, so it comes before the known ones. `None` where there are none.
     #[must_use]
     pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
         let entries: Vec<&Entry> = entries.into_iter().collect();
@@ -268,8 +268,8 @@ impl Progress {
         entries.iter().min_by_key(last).map(|entry| self.next(entry, Why::LongestAgo))
     }
 
-    /// Seconds since the time at which what was solved comes back, and days since it was solved; `None` before that time,
-    /// and for what is not solved.
+    /// Seconds since the time at which what was solved comes back, and days since it was solved; `None` before that
+    /// time, and for what is not solved.
     fn waited(&self, id: &str, now: u64) -> Option<(u64, u64)> {
         let tried = self.tried(id).filter(|tried| tried.solved > 0)?;
         let times = usize::try_from(tried.solved).unwrap_or(DAYS.len()).min(DAYS.len());

@@ -5,7 +5,7 @@ use crate::figure::read::{Section, line_of, parse_with};
 /// A part of a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// What stands before the first step.
+    /// The keys before the first step.
     Head,
     /// The lessons before it.
     Before,

@@ -1,6 +1,6 @@
 //! The list of lessons.
 
-use eframe::egui::{Key, Label, Modifiers, RichText, ScrollArea, Ui};
+use eframe::egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, Ui};
 
 use crate::gui::files::file_flow;
 use crate::gui::kit::prose;
@@ -49,6 +49,13 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
             });
             if let Some(sentence) = &lesson.sentence {
                 prose::show(ui, told(lang, sentence).trim());
+            }
+            if !lesson.aims.is_empty() {
+                let aims: Vec<&str> = lesson.aims.iter().map(|aim| told(lang, aim).trim()).collect();
+                ui.scope(|ui| {
+                    ui.style_mut().override_text_style = Some(TextStyle::Small);
+                    prose::show(ui, &format!("{}: {}.", t.aims, aims.join("; ")));
+                });
             }
             let exercises = words::exercises_of(lang, lesson);
             if !exercises.is_empty() {

@@ -426,6 +426,7 @@ mod tests {
         (settings.welcomed, settings.numbers_open) = (true, true);
         settings.window = Some(WindowPlace { at: Some([-8, 30]), size: [1000, 700], maximized: true });
         changed.lessons_taken.insert("basis".to_owned(), 2);
+        changed.lessons_done.insert("basis".to_owned(), [0, 2].into());
         changed.layout.arrangement = Some(Arrangement::Beside);
         changed.layout.strip = true;
         changed.operations.convention = Convention::Vtk;
@@ -463,6 +464,16 @@ mod tests {
         apply(&document(&changed), &mut back);
         assert_eq!(values(&back), told);
         assert_eq!((back.settings, back.layout), (changed.settings, changed.layout));
+    }
+
+    #[test]
+    fn two_windows_lose_no_done_step_of_each_other() {
+        let value = |text: &str| text.parse::<Value>().unwrap();
+        let merged = merged_done(&value("[\"cube=2\", \"basis=1\"]"), &value("[\"basis=3\", \"basis=1\", \"x=0\"]"));
+        assert_eq!(
+            lessons_done(&merged),
+            [("basis".to_owned(), [0, 2].into()), ("cube".to_owned(), [1].into())].into()
+        );
     }
 
     #[test]

@@ -74,7 +74,7 @@ pub(in crate::gui::why) fn ui(ui: &mut Ui, state: &mut State) {
     let lights = answer::lights(formula, lit);
     if let Some(why) = entry_reasons::reason(t.lang, matrix, &setting, [row, column]) {
         ui.add_space(4.0);
-        prose::show(ui, why);
+        prose::show(ui, &why);
     }
     used_in(ui, state, &setting, writing, (matrix, row, column));
     state.hover.measured.extend(lights);
