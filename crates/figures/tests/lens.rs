@@ -1,4 +1,5 @@
-//! The lens in other words than θ, in figure files and in reports. Values are Blender's, or from tables of focal lengths.
+//! The lens in other words than θ, in figure files and in reports. Values are Blender's, or from tables of focal
+//! lengths.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

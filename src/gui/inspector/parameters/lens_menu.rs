@@ -1,4 +1,5 @@
-//! The menu at θ: the lens in the words of photography and of other programs. Each row shows its value and takes another.
+//! The menu at θ: the lens in the words of photography and of other programs. Each row shows its value and takes
+//! another.
 
 use eframe::egui::{self, Popup, PopupCloseBehavior};
 

@@ -15,7 +15,7 @@ pub(in crate::figure) fn is_way_of_the_angle(key: &str) -> bool {
     WAYS_OF_THE_ANGLE.contains(&key)
 }
 
-/// Takes the other ways to give θ out of `[camera]`, where `key` is one.
+/// Takes the other ways to give θ out of `[camera]`, if `key` is one.
 pub(in crate::figure) fn remove_rivals(camera: &mut dyn TableLike, key: &str) {
     if is_way_of_the_angle(key) {
         WAYS_OF_THE_ANGLE.into_iter().filter(|way| *way != key).for_each(|way| drop(camera.remove(way)));

@@ -207,7 +207,7 @@ impl<'a> Section<'a> {
         })
     }
 
-    /// Degrees between 0 and 180, both excluded; `None` where the key is missing, or wrong.
+    /// Degrees between 0 and 180, both excluded; `None` if the key is missing, or wrong.
     pub fn angle_of_half_turn(&mut self, key: &'static str) -> Option<f64> {
         self.read_numbers(key, None, Allowed::HalfTurn, |value| {
             let degrees = number(value, Dimension::Angle)?;
