@@ -360,9 +360,11 @@ fn the_command_line_lists_shows_checks_and_draws() {
     assert!(read.contains("Pergunta:") && read.contains("Experimente:"), "{read}");
 
     bench.write("small.toml", LESSON);
-    let refused = bench.run(&["lesson", "check", "small.toml"]);
+    // It's a good lesson, but a colleague can't teach it yet.
+    let checked = bench.run(&["lesson", "check", "small.toml"]);
+    assert_eq!(checked.status, Some(0));
     for part in ["aims", "plan", "sentence"] {
-        assert!(refused.refused(2).contains(&format!("small.toml, line 2: {part} is missing")), "{}", refused.err);
+        assert!(checked.err.contains(&format!("small.toml, line 2: {part} is missing")), "{}", checked.err);
     }
     let head =
         "aims = [\"a\"]\nplan = \"**0–50** Show.\"\nsentence = \"s\"\npretest = [{ exercise = \"basis\", seed = 7 }]\n";

@@ -199,6 +199,10 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     let ids: Vec<&str> = of_program.chain(read.iter().map(|(_, lesson, _)| lesson.id.as_str())).collect();
     for (path, lesson, text) in &read {
         let name = messages::opened(lang, path);
+        for key in missing_of(lesson) {
+            let line = place(text, Part::Head).map(|(line, _)| line);
+            say(&command_line::in_file(lang, &name, line, &texts::no_part(lang, key)));
+        }
         for (part, say) in faults_of(lesson, &ids, Some(path), args.allow_files, lang) {
             // What was read is there.
             let (line, key) = place(text, part).map_or((None, String::new()), |(line, key)| (Some(line), key));
@@ -217,18 +221,16 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
 /// A fault: where it is, and its message, which begins with a key.
 type Fault = (Part, Box<dyn Fn(&str) -> String>);
 
-/// The parts that a lesson needs to be taught by somebody else. A lesson without them still opens and plays: they are
-/// asked for only here.
-fn missing_of(lesson: &Lesson, lang: Lang) -> Vec<Fault> {
+/// The parts that a lesson needs so that someone else can teach it. It's good without them, and plays.
+fn missing_of(lesson: &Lesson) -> impl Iterator<Item = &'static str> {
     let parts =
         [("aims", lesson.aims.is_empty()), ("plan", lesson.plan.is_none()), ("sentence", lesson.sentence.is_none())];
-    let fault = |key: &'static str| -> Fault { (Part::Head, Box::new(move |_| texts::no_part(lang, key))) };
-    parts.into_iter().filter(|(_, is_missing)| *is_missing).map(|(key, _)| fault(key)).collect()
+    parts.into_iter().filter(|(_, is_missing)| *is_missing).map(|(key, _)| key)
 }
 
 /// The faults of a lesson that only its scenes show, and its links.
 fn faults_of(lesson: &Lesson, ids: &[&str], path: Option<&PathBuf>, allow_files: bool, lang: Lang) -> Vec<Fault> {
-    let mut faults = missing_of(lesson, lang);
+    let mut faults: Vec<Fault> = Vec::new();
     let mut seen = Seen::default();
     for unknown in lesson.before.iter().filter(|id| !ids.contains(&id.as_str())) {
         let unknown = unknown.clone();

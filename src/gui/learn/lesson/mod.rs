@@ -368,7 +368,7 @@ fn written(ui: &mut Ui, t: &'static Texts, state: &mut State) {
             ui.set_width(half);
             match state.lesson.as_ref().and_then(|playing| Some((playing, playing.writing.as_ref()?))) {
                 Some((playing, writing)) if writing.shows == writing::Fields::Lesson => {
-                    whole(ui, writing.lang, &playing.lesson)
+                    whole(ui, writing.lang, &playing.lesson);
                 }
                 _ => content(ui, t, state),
             }
