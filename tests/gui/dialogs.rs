@@ -412,5 +412,5 @@ fn a_lesson_and_exercises_are_printed() {
     window.run();
     window.key(Key::Enter);
     window.wait(|_| path.exists());
-    assert!(fs::read(&path).unwrap().starts_with(b"%PDF"));
+    assert!(fs::read(&path).expect("written").starts_with(b"%PDF"));
 }
