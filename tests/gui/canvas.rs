@@ -489,7 +489,8 @@ fn the_axes_in_the_corner_lead_to_their_viewpoints() {
     window.app_mut().state.layout.maximized = Some(View::World);
     window.run();
     for (name, axis) in [(en::CANVAS.top, DVec3::Y), (en::CANVAS.side, DVec3::X), (en::CANVAS.front, DVec3::Z)] {
-        window.click(name);
+        let axis_name = ["x", "y", "z"][axis.to_array().iter().position(|part| *part == 1.0).unwrap()];
+        window.click(&format!("{axis_name}: {name}"));
         let observer = window.state().document.figure().observers.world.unwrap();
         assert!(observer.axes()[2].dot(axis) > 0.999, "{name}");
     }

@@ -6,12 +6,13 @@ use super::handout_pages::{Content, Job};
 use crate::exercises::Exercise;
 use crate::gui::files::file_flow;
 use crate::gui::kit::dialog_buttons::{Pressed, buttons};
+use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{Dialog, Purpose, State};
 use crate::handout::HandoutOptions;
 use crate::i18n::learn::handouts::{Texts, texts};
 use crate::i18n::learn::{exercises, lessons as words};
-use crate::i18n::{Lang, told};
+use crate::i18n::{Lang, told, window};
 use crate::lessons::{OpenLesson, shipped};
 
 /// The width of the settings, and that of the dialog, in points.
@@ -24,7 +25,7 @@ const PAGE: f32 = 560.0;
 /// Width by height of a page.
 const SHAPE: f32 = 595.0 / 842.0;
 /// The greatest number that chooses the numbers of the exercises.
-const MAX_SEED: u64 = 9_999;
+const MAX_SEED: u32 = 9_999;
 
 /// The choices in the dialog.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +35,7 @@ pub struct HandoutForm {
     /// The exercises, by their identifiers, in the order in which they were chosen.
     pub exercises: Vec<String>,
     /// The source of the exercises' numbers.
-    pub seed: u64,
+    pub seed: u32,
     /// Language, columns, answers and plan.
     pub options: HandoutOptions,
     /// The page that is shown, from 0.
@@ -51,7 +52,10 @@ impl HandoutForm {
         Self {
             lesson: is_lesson.then(|| played(state)).flatten(),
             exercises: open.map(|open| open.id.clone()).or(first).into_iter().collect(),
-            seed: open.map_or(0, |open| open.seed),
+            seed: open
+                .and_then(|open| u32::try_from(open.seed).ok())
+                .filter(|seed| *seed <= MAX_SEED)
+                .unwrap_or_default(),
             options,
             page: 0,
         }
@@ -70,7 +74,7 @@ impl HandoutForm {
         let content = match &self.lesson {
             Some(open) => Content::Lesson(open.clone()),
             None => {
-                let of = |id: &String| Some(state.exercises.entry(id)?.exercise(self.seed, &Default::default()));
+                let of = |id: &String| Some(state.exercises.entry(id)?.exercise(self.seed.into(), &Default::default()));
                 Content::Exercises(self.exercises.iter().filter_map(of).collect::<Vec<Exercise>>())
             }
         };
@@ -105,7 +109,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, mut form: HandoutForm
         ui.vertical(|ui| page(ui, t, state, &mut form, height));
     });
     ui.add_space(10.0);
-    let close = crate::i18n::window::texts(state.settings.lang).cancel;
+    let close = window::texts(state.settings.lang).cancel;
     match buttons(ui, close, &[t.save], first.then_some(0)) {
         Pressed::Action(_) if form.is_whole() => file_flow::ask(ui.ctx(), state, Purpose::Handout(form)),
         Pressed::Cancel => {}
@@ -150,7 +154,13 @@ fn settings(ui: &mut Ui, t: &Texts, state: &State, form: &mut HandoutForm, heigh
             (options.plan, options.columns) = (false, 1);
             ui.horizontal(|ui| {
                 ui.label(t.numbers);
-                ui.add(egui::DragValue::new(&mut form.seed).range(0..=MAX_SEED)).explained(t.numbers_hint);
+                let mut seed = f64::from(form.seed);
+                let field = NumberField::new(t.numbers, Step::Add(1.0)).whole().within(0.0..=f64::from(MAX_SEED));
+                let shown = window::texts(state.settings.lang);
+                field.width(60.0).hint(t.numbers_hint).show(ui, shown, &mut seed);
+                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, in its range")]
+                let whole = seed as u32;
+                form.seed = whole;
             });
             ui.add_space(4.0);
             ui.label(t.choose);

@@ -81,7 +81,7 @@ struct PageJob {
 type Done = Result<(ColorImage, usize), ExportError>;
 
 /// The choices that the pages depend on.
-pub(super) type Choices = (Option<OpenLesson>, Vec<String>, u64, HandoutOptions);
+pub(super) type Choices = (Option<OpenLesson>, Vec<String>, u32, HandoutOptions);
 
 /// The pages of a handout as long as its dialog is open.
 pub struct PagesPreview {

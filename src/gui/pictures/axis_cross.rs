@@ -44,7 +44,9 @@ pub(super) fn show(ui: &Ui, rect: Rect, observer: &Observer, t: &CanvasTexts, lo
         let color = Color32::from_rgb(color.r, color.g, color.b);
         let place = Rect::from_center_size(end, vec2(2.0 * END, 2.0 * END));
         let response = ui.interact(place, Id::unique(("axis cross", name)), Sense::click());
-        response.widget_info(|| WidgetInfo::labeled(egui::accesskit::Role::Button, true, hint));
+        // The menu of viewpoints has the same words.
+        let label = format!("{name}: {hint}");
+        response.widget_info(|| WidgetInfo::labeled(egui::accesskit::Role::Button, true, &label));
         ui.painter().line_segment([middle, end], Stroke::new(1.5, color));
         ui.painter().circle(end, END, ui.visuals().extreme_bg_color, Stroke::new(1.5, color));
         if response.hovered() || response.has_focus() {
