@@ -490,7 +490,7 @@ fn the_axes_in_the_corner_lead_to_their_viewpoints() {
     window.run();
     for (name, axis) in [(en::CANVAS.top, DVec3::Y), (en::CANVAS.side, DVec3::X), (en::CANVAS.front, DVec3::Z)] {
         let axis_name = ["x", "y", "z"][axis.to_array().iter().position(|part| *part == 1.0).unwrap()];
-        window.click(&format!("{axis_name}: {name}"));
+        window.click(&format!("{} {axis_name}", en::CANVAS.axis));
         let observer = window.state().document.figure().observers.world.unwrap();
         assert!(observer.axes()[2].dot(axis) > 0.999, "{name}");
     }

@@ -44,8 +44,7 @@ pub(super) fn show(ui: &Ui, rect: Rect, observer: &Observer, t: &CanvasTexts, lo
         let color = Color32::from_rgb(color.r, color.g, color.b);
         let place = Rect::from_center_size(end, vec2(2.0 * END, 2.0 * END));
         let response = ui.interact(place, Id::unique(("axis cross", name)), Sense::click());
-        // The menu of viewpoints has the same words.
-        let label = format!("{name}: {hint}");
+        let label = format!("{} {name}", t.axis);
         response.widget_info(|| WidgetInfo::labeled(egui::accesskit::Role::Button, true, &label));
         ui.painter().line_segment([middle, end], Stroke::new(1.5, color));
         ui.painter().circle(end, END, ui.visuals().extreme_bg_color, Stroke::new(1.5, color));

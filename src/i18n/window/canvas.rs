@@ -30,6 +30,7 @@ texts! {
     // A menu, and its tooltip.
     on_the_way: "World → canonical volume", "Mundo → volume canônico";
     look: "Viewpoint", "Ponto de vista";
+    axis: "axis", "eixo";
     look_menu: "Look from…", "Ver de…";
     // From where to look.
     fit: "Fit all", "Enquadrar tudo";
