@@ -302,9 +302,10 @@ impl Canvas {
         }
     }
 
-    /// The axes in the corner of the world; in a presentation nothing there can be clicked.
+    /// The axes in the corner of the world. A presentation, and a figure inside of a text, show the picture alone.
     fn axis_cross(&mut self, ui: &Ui, state: &State, panes: &[Pane], texts: &CanvasTexts) {
-        let world = panes.iter().find(|pane| pane.view == View::World && !state.settings.presentation);
+        let is_alone = state.settings.presentation || state.settings.bare;
+        let world = panes.iter().find(|pane| pane.view == View::World && !is_alone);
         let Some((pane, observer)) = world.and_then(|pane| Some((pane, pane.request.seen_from()?))) else { return };
         if let Some(change) = axis_cross::show(ui, pane.rect.rect, &observer, texts, state.settings.theme) {
             self.asked = Some((pane.picture, change));
