@@ -29,8 +29,14 @@ impl Window {
 
     /// Chooses from a list by two quick clicks.
     fn quick_choice(&mut self, list: &str, entry: &str) {
-        let at = self.harness.get_by_role_and_label(Role::ComboBox, list).rect().center();
-        self.quick_click(at);
+        // A preview that arrives meanwhile may move the list from under the pointer.
+        for _ in 0..5 {
+            let at = self.harness.get_by_role_and_label(Role::ComboBox, list).rect().center();
+            self.quick_click(at);
+            if self.harness.query_by_role_and_label(Role::Button, entry).is_some() {
+                break;
+            }
+        }
         let at = self.harness.get_by_role_and_label(Role::Button, entry).rect().center();
         self.quick_click(at);
     }
