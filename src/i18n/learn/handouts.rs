@@ -12,7 +12,7 @@ texts! {
     answers: "with solutions", "com soluções";
     answers_hint: "Puts the answers and their worked steps on pages of their own at the end", "Põe as respostas e seus passos em páginas próprias no fim";
     plan: "with the lecturer’s plan", "com o plano de aula";
-    plan_hint: "Begins with what to show, what to ask, what to expect and what to hand out", "Começa com o que mostrar, perguntar, esperar e distribuir";
+    plan_hint: "Begins with the lecturer’s 50 minutes: figures to show, questions to ask, answers to expect, sheets to hand out", "Começa com os 50 minutos da aula: figuras a mostrar, perguntas a fazer, respostas a esperar, folhas a distribuir";
     no_plan: "This lesson has no plan", "Esta lição não tem plano";
     size: "figures", "figuras";
     large: "large", "grandes";

@@ -124,7 +124,7 @@ pub struct Ask {
     pub own_mistakes: Vec<Arc<OwnMistake>>,
     /// The ways to it from other answers.
     pub follows: Vec<Follows>,
-    /// The worked steps, if they begin with what the statement gives and not with the camera.
+    /// The worked steps, if they begin with numbers of the statement instead of the camera.
     pub way: Option<Vec<Worked>>,
 }
 

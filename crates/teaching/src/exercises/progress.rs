@@ -269,7 +269,7 @@ impl Progress {
     }
 
     /// Seconds since the time at which what was solved comes back, and days since it was solved; `None` before that
-    /// time, and for what is not solved.
+    /// time, and for an exercise that isn't solved.
     fn waited(&self, id: &str, now: u64) -> Option<(u64, u64)> {
         let tried = self.tried(id).filter(|tried| tried.solved > 0)?;
         let times = usize::try_from(tried.solved).unwrap_or(DAYS.len()).min(DAYS.len());

@@ -55,7 +55,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
 pub(super) fn fields(ui: &mut Ui, t: &Texts, state: &mut State) {
     let (lang, now) = (state.settings.lang, ui.input(|input| input.time));
     let Some(playing) = state.lesson.as_mut() else { return };
-    // The quantities of a task are those of its step, and not of what the author tries meanwhile.
+    // A task asks about the figure of its step, even while the author tries another camera.
     let figure = playing.now().map(|step| step.figure.clone());
     let Some(writing) = &mut playing.writing else { return };
     ui.horizontal_wrapped(|ui| {
