@@ -9,20 +9,22 @@ use crate::cli::args::words::LangArg;
 use crate::figure::variation::Variant;
 use crate::figure::{Figure, update};
 use crate::files;
-use crate::i18n::{Lang, families, messages, pictures};
+use crate::i18n::{Lang, command_line as texts, families, messages, pictures};
 use crate::limits::MAX_FRAMES;
 use crate::picture::{FilmFormat, Sweep};
 use crate::progress::at_once;
 use crate::sanitize;
-use crate::views::{Request, SharedScene, Shot, Size, View, with_observer};
+use crate::views::{Request, SharedScene, Shot, Size, View, Views, with_observer};
 
 /// The number of pictures where none is given: of an animation, and of a strip of stills.
 const FRAMES: [usize; 2] = [40, 5];
-/// The picture that is shown where none is named.
-const VIEW: View = View::Image;
 
 pub(super) fn run(args: &AnimateArgs, format: FilmFormat, size: ImageSize, lang: Lang) -> Result<(), Failure> {
     let name = sanitize::path(&args.output);
+    let views = args.view.unwrap_or(Views::One(View::Image));
+    if matches!(format, FilmFormat::Strip(_)) && !matches!(views, Views::One(_)) {
+        return Err(Failure::BadInput(format!("{name}: {}", texts::one_view_in_a_strip(lang))));
+    }
     let seconds = args.seconds(lang)?;
     let frames = args.frames(lang)?.unwrap_or(FRAMES[usize::from(matches!(format, FilmFormat::Strip(_)))]);
     let variations = args.family.variations(Some(frames), lang)?;
@@ -43,13 +45,17 @@ pub(super) fn run(args: &AnimateArgs, format: FilmFormat, size: ImageSize, lang:
     let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
     let ImageSize { width, height } = size;
     let size = Size { width, height, scale: 1.0 };
-    let view = args.view.unwrap_or(VIEW);
-    let picture = |(variant, scene): &(Variant, SharedScene)| {
-        Request::new(&Shot::of(&variant.figure), view, &variant.camera, scene, labels, size)
-    };
     let other = observer_of(args.observer_of.as_deref(), &args.common, lang)?;
-    let requests = with_observer(members.iter().map(picture).collect(), other.as_ref());
-    let film = Sweep { requests, seconds };
+    let series = |view: View| {
+        let picture = |(variant, scene): &(Variant, SharedScene)| {
+            Request::new(&Shot::of(&variant.figure), view, &variant.camera, scene, labels, size)
+        };
+        with_observer(members.iter().map(picture).collect(), other.as_ref())
+    };
+    let series: Vec<Vec<Request>> = views.views().map(series).collect();
+    let frame = |k: usize| series.iter().filter_map(move |view| view.get(k).cloned());
+    let requests = (0..members.len()).flat_map(frame).collect();
+    let film = Sweep { requests, views: series.len(), seconds };
     let refused = |error| no_picture(lang, &name, error, [width, height].map(u64::from));
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
     let text = update(&opened.text, &opened.figure);

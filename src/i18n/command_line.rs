@@ -162,6 +162,13 @@ pub fn animation_ending(lang: Lang, name: &str) -> String {
         "{name}: extensão desconhecida; permitido: .gif, .apng (animações), .png, .webp, .jpg (uma tira de quadros)")
 }
 
+/// Several views where a strip of stills is written.
+#[must_use]
+pub const fn one_view_in_a_strip(lang: Lang) -> &'static str {
+    pick!(lang; "a strip of stills shows one view; for several, write a .gif or .apng, or use \"sheet\"",
+        "uma tira de quadros mostra uma só vista; para várias, grave um .gif ou .apng, ou use \"sheet\"")
+}
+
 /// A source that has no steps for a camera.
 #[must_use]
 pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {

@@ -248,8 +248,17 @@ fn an_animation_goes_through_a_family_or_to_another_camera() {
         bench.run(&[&["render", "one.toml"], &style[..]].concat()).done();
         assert!(part(&ends, [k * 68, 0], [64, 48]) == picture(&bench, "one.png").data(), "{name}");
     }
+    // Three views side by side: the left part of each frame is the world alone.
+    let vary = ["--vary", "azimuth=0,40"];
+    animate(&[&vary[..], &["--view", "all", "-o", "three.apng"]].concat()).done();
+    animate(&[&vary[..], &["--view", "world", "-o", "world.apng"]].concat()).done();
+    assert_eq!(frames("three.apng"), 2);
+    let three = picture(&bench, "three.apng");
+    assert_eq!([three.width(), three.height()], [3 * 64 + 2 * 4, 48]);
+    assert!(part(&three, [0, 0], [64, 48]) == picture(&bench, "world.apng").data());
     for (arguments, said) in [
-        (&["--vary", "zoom=1..2", "--frames", "1", "-o", "d.gif"][..], "2 to 1200"),
+        (&["--vary", "zoom=1..2", "--view", "all", "-o", "d.png"][..], "one view"),
+        (&["--vary", "zoom=1..2", "--frames", "1", "-o", "d.gif"], "2 to 1200"),
         (&["--to", "none.toml", "-o", "d.gif"], "none.toml"),
         (&["--vary", "camera.view_angle=20..200", "-o", "d.gif"], "180"),
     ] {

@@ -247,9 +247,9 @@ pub(super) struct AnimateArgs {
     /// Number of pictures of a range FROM..TO, or of the way of --to; without it, 40 in an animation and 5 in a strip
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     frames: Option<String>,
-    /// Which picture --vary and --to show; without it, the image
-    #[arg(long, value_parser = one_of(View::ALL, View::name))]
-    pub(super) view: Option<View>,
+    /// The view that --vary and --to show, or several side by side in an animation; without it, the image
+    #[arg(long, value_parser = one_of(Views::CHOICES, Views::name))]
+    pub(super) view: Option<Views>,
     /// Figure file whose observers see the pictures of --vary and --to, as they see its own pictures; without it, one
     /// observer sees all of them
     #[arg(long, value_name = "FIGURE", requires = "swept")]

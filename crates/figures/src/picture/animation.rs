@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use super::{Composite, FileOptions, PictureError, PictureFile, Pixels, Renderer, Told, file, gap};
-use crate::appearance::Rgba;
+use super::{Composite, FileOptions, PictureError, PictureFile, Renderer, Told, file, gap};
 use crate::camera::Decomposition;
 use crate::export::animation::{AnimationError, AnimationFormat, TICK, animation};
 use crate::export::format::PictureFormat;
@@ -61,10 +60,7 @@ impl Animation {
     /// The world and the result of each step, side by side.
     #[must_use]
     pub fn stills(&self) -> Composite {
-        let requests = (0..=self.steps()).map(|step| self.at(f64::from(step))).collect();
-        let ground: Rgba = Palette::of(self.request.shot.look.style.theme).surround;
-        let gap = gap(self.request.size.scale);
-        Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None }
+        row((0..=self.steps()).map(|step| self.at(f64::from(step))).collect(), &self.request)
     }
 
     /// The file: an animation, a step of it in so many seconds, or a strip, with a figure file in it where the format
@@ -106,14 +102,22 @@ impl Animation {
         let at = |picture: u32| {
             let time = f64::from(picture / per_step) + eased(f64::from(picture % per_step) / f64::from(per_step));
             let still = picture.is_multiple_of(per_step);
-            Some((self.at(time), if still { REST } else { 1.0 / f64::from(PER_SECOND) }))
+            let frame = row(vec![self.at(time)], &self.request);
+            Some((frame, if still { REST } else { 1.0 / f64::from(PER_SECOND) }))
         };
         filmed(format, size, pictures, at, progress).await
     }
 }
 
-/// An animation of so many pictures: `at` gives each of them, and how long it stands, in seconds. It pauses after each
-/// picture, and within one.
+/// Pictures side by side, with the gap and the background of `like`.
+pub(super) fn row(requests: Vec<Request>, like: &Request) -> Composite {
+    let ground = Palette::of(like.shot.look.style.theme).surround;
+    let gap = gap(like.size.scale);
+    Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None }
+}
+
+/// An animation of `pictures` frames: `at` gives each frame, of `size` pixels, and its duration in seconds. It pauses
+/// after each picture, and within one.
 ///
 /// # Errors
 /// [`PictureError`].
@@ -121,7 +125,7 @@ pub(super) async fn filmed(
     format: AnimationFormat,
     size: [u32; 2],
     pictures: u32,
-    at: impl Fn(u32) -> Option<(Request, f64)>,
+    at: impl Fn(u32) -> Option<(Composite, f64)>,
     progress: &Progress,
 ) -> Result<Vec<u8>, PictureError> {
     // How many pictures there are is told; a picture that takes long is given up too.
@@ -132,9 +136,8 @@ pub(super) async fn filmed(
         if progress.is_cancelled() {
             return None;
         }
-        let (request, seconds) = at(picture)?;
-        let mut drawn = Pixels::default();
-        renderer.pixels_into(&request, &mut drawn).await?;
+        let (frame, seconds) = at(picture)?;
+        let (mut drawn, _) = renderer.sheet(&frame, false).await?;
         let pixmap = drawn.take_pixmap()?;
         progress.advance_and_pause(1).await;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a minute")]

@@ -1,32 +1,31 @@
 //! Pictures one after the other: a family, or the way from one camera to another, as an animation or as a strip of
 //! stills.
 
-use super::animation::filmed;
-use super::{Composite, FileOptions, FilmFormat, PictureError, PictureFile, Told, file, gap};
+use super::animation::{filmed, row};
+use super::{Composite, FileOptions, FilmFormat, PictureError, PictureFile, Told, file};
 use crate::export::animation::AnimationFormat;
 use crate::progress::Progress;
-use crate::views::{Arrangement, Palette, Request};
+use crate::views::Request;
 
 /// Pictures of one size, in their order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
-    /// The pictures; at least one.
+    /// The pictures; at least one. The views of one frame follow each other.
     pub requests: Vec<Request>,
+    /// The number of views in a frame, side by side; at least 1.
+    pub views: usize,
     /// The duration of all of them, in seconds.
     pub seconds: f64,
 }
 
 impl Sweep {
-    /// The pictures side by side.
+    /// All pictures side by side.
     ///
     /// # Errors
     /// [`PictureError::TooLarge`] where there are none.
     pub fn stills(&self) -> Result<Composite, PictureError> {
         let first = self.requests.first().ok_or(PictureError::TooLarge)?;
-        let ground = Palette::of(first.shot.look.style.theme).surround;
-        let gap = gap(first.size.scale);
-        let requests = self.requests.clone();
-        Ok(Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None })
+        Ok(row(self.requests.clone(), first))
     }
 
     /// The file: an animation, or a strip with a figure file in it where the format can carry one. It pauses after each
@@ -52,10 +51,12 @@ impl Sweep {
     /// The animation.
     async fn animation(&self, format: AnimationFormat, progress: &Progress) -> Result<Vec<u8>, PictureError> {
         let first = self.requests.first().ok_or(PictureError::TooLarge)?;
-        let size = [first.size.width, first.size.height];
-        let count = u32::try_from(self.requests.len()).map_err(|_| PictureError::TooLarge)?;
+        let frames: Vec<Composite> =
+            self.requests.chunks(self.views.max(1)).map(|views| row(views.to_vec(), first)).collect();
+        let size = frames.first().and_then(Composite::size).ok_or(PictureError::TooLarge)?;
+        let count = u32::try_from(frames.len()).map_err(|_| PictureError::TooLarge)?;
         let each = self.seconds / f64::from(count);
-        let at = |picture: u32| self.requests.get(picture as usize).map(|request| (request.clone(), each));
+        let at = |picture: u32| frames.get(picture as usize).map(|frame| (frame.clone(), each));
         filmed(format, size, count, at, progress).await
     }
 }
