@@ -44,6 +44,10 @@ for lang in en pt-BR; do
     draw $figures/culled.toml pipeline-culled.$lang.svg --view world --size 640x480 --lang $lang
 done
 
+case " ${only:-drag.gif} " in *" drag.gif "*)
+    "$program" animate figures/drag.toml --vary azimuth=-30..30:16,26..-26:14 --view all --size 320x260 --seconds 3 -o "$to/drag.gif" ;;
+esac
+
 if [ "$windows" ]; then
     cargo test --locked --test gui guide_pictures -- --ignored
 fi

@@ -6,16 +6,31 @@ use camera_lab::camera::{
     Amount, AngleUnit, Camera, Convention, Freedom, OPERATIONS, Operation, Order, Program, Toward, WorldUp,
 };
 use camera_lab::exercises::Mistake;
+use camera_lab::figure::read;
 use camera_lab::i18n::learn::exercises;
-use camera_lab::i18n::{Lang, window};
+use camera_lab::i18n::{Lang, messages, window};
 
 use crate::common::camera::camera;
 use crate::common::program::Bench;
 
-const GUIDES: [(Lang, &str, &str); 2] = [
-    (Lang::En, include_str!("../../docs/guide.en.md"), "| operation |"),
-    (Lang::PtBr, include_str!("../../docs/guide.pt-BR.md"), "| operação |"),
+/// The guide for students, with its table of operations.
+const STUDENT: [(Lang, &str, &str); 2] = [
+    (Lang::En, include_str!("../../docs/student.en.md"), "| operation |"),
+    (Lang::PtBr, include_str!("../../docs/student.pt-BR.md"), "| operação |"),
 ];
+/// The guide for lecturers, with its table of mistakes.
+const LECTURER: [(Lang, &str, &str); 2] = [
+    (Lang::En, include_str!("../../docs/lecturer.en.md"), "| code | mistake |"),
+    (Lang::PtBr, include_str!("../../docs/lecturer.pt-BR.md"), "| código | erro |"),
+];
+/// The guide to the command line.
+const COMMAND_LINE: [(Lang, &str); 2] = [
+    (Lang::En, include_str!("../../docs/command-line.en.md")),
+    (Lang::PtBr, include_str!("../../docs/command-line.pt-BR.md")),
+];
+/// The guide for authors.
+const AUTHOR: [(Lang, &str); 2] =
+    [(Lang::En, include_str!("../../docs/author.en.md")), (Lang::PtBr, include_str!("../../docs/author.pt-BR.md"))];
 
 /// The cells of the table that begins with this heading.
 fn table<'a>(guide: &'a str, heading: &str) -> Vec<Vec<&'a str>> {
@@ -50,7 +65,7 @@ fn done(freedom: Freedom, lang: Lang) -> [String; 3] {
 
 #[test]
 fn the_table_of_operations_is_what_operations_do() {
-    for (lang, guide, heading) in GUIDES {
+    for (lang, guide, heading) in STUDENT {
         let t = window::texts(lang);
         let name = |freedom| match freedom {
             Freedom::Elevation => t.elevation,
@@ -130,7 +145,7 @@ fn the_table_of_programs_is_the_one_in_the_code() {
 
 #[test]
 fn the_guides_list_the_operations_of_the_command_line() {
-    for (lang, guide, _) in GUIDES {
+    for (lang, guide) in COMMAND_LINE {
         let Some(start) = guide.find("`--op N") else { panic!("{lang:?}: no --op") };
         let sentence = guide[start..].split("DX,DY`").next().unwrap_or_default();
         let words: Vec<&str> = sentence.split('`').skip(3).step_by(2).map(|word| word.trim_end_matches('=')).collect();
@@ -144,12 +159,44 @@ fn the_guides_list_the_operations_of_the_command_line() {
 
 #[test]
 fn the_guides_list_every_mistake_by_its_code() {
-    for ((lang, guide, _), heading) in GUIDES.into_iter().zip(["| code | mistake |", "| código | erro |"]) {
+    for (lang, guide, heading) in LECTURER {
         let expected: Vec<Vec<String>> = Mistake::ALL
             .iter()
             .map(|(mistake, code)| vec![format!("`{code}`"), exercises::mistake(lang, *mistake)[0].to_owned()])
             .collect();
         assert_eq!(table(guide, heading), expected, "{lang:?}");
+    }
+}
+
+/// Words of a page outside of code.
+fn words(page: &str) -> usize {
+    page.split("```").step_by(2).flat_map(str::split_whitespace).count()
+}
+
+#[test]
+fn guides_are_short_enough_to_be_read() {
+    let pages = STUDENT.iter().chain(&LECTURER).map(|(_, page, _)| *page);
+    for page in pages.chain(COMMAND_LINE.iter().chain(&AUTHOR).map(|(_, page)| *page)) {
+        assert!((800..4000).contains(&words(page)), "{}: {} words", &page[..40], words(page));
+        for paragraph in page.split("```").step_by(2).flat_map(|text| text.split("\n\n")) {
+            let is_prose = !paragraph.trim_start().starts_with(['|', '-', '1']);
+            let count = paragraph.split_whitespace().count();
+            assert!(!is_prose || count <= 90, "{count} words: {paragraph}");
+        }
+    }
+}
+
+/// The figure file that a guide prints has every key that a figure can have, and is one.
+#[test]
+fn the_figure_file_of_the_guides_can_be_read() {
+    for (lang, page) in AUTHOR {
+        let (_, example) = page.split_once("```toml\n").unwrap_or_else(|| panic!("{lang:?}: no example"));
+        let example = example.split("```").next().unwrap_or_default();
+        // The parent and the objects that the example names.
+        let scene = example.replace("parent    = \"house\"", "# parent");
+        if let Err(error) = read::parse(&scene) {
+            panic!("{lang:?}: line {}: {}", error.line, messages::figure(lang, &error));
+        }
     }
 }
 
@@ -162,7 +209,7 @@ fn every_image_is_shown_on_a_page_and_every_page_has_its_images() {
     };
     let pages = names("docs").into_iter().filter(|name| name.ends_with(".md")).map(|name| format!("docs/{name}"));
     let mut shown = BTreeSet::new();
-    for page in pages.chain(["README.md".to_owned()]) {
+    for page in pages.chain(["README.md", "README.pt-BR.md"].map(str::to_owned)) {
         let text = std::fs::read_to_string(root.join(&page)).unwrap_or_else(|error| panic!("{page}: {error}"));
         let images = text.split("](").skip(1).filter_map(|link| link.split(')').next()?.split_once("images/"));
         shown.extend(images.map(|(_, name)| name.to_owned()));

@@ -158,7 +158,7 @@ fn faulty_goals_name_line_and_key() {
 
 #[test]
 fn the_lessons_of_the_guides_are_good() {
-    for (guide, heading) in [("guide.en.md", "## Lessons"), ("guide.pt-BR.md", "## Lições")] {
+    for (guide, heading) in [("lecturer.en.md", "## Lessons"), ("lecturer.pt-BR.md", "## Lições")] {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(guide);
         let text = std::fs::read_to_string(path).unwrap();
         let (_, section) = text.split_once(heading).unwrap();
