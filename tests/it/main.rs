@@ -93,3 +93,4 @@ mod trace;
 mod vectors;
 mod views;
 mod views_pictures;
+mod voice;

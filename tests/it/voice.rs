@@ -1,0 +1,339 @@
+//! Measures how the texts read, per 1,000 words, against the texts of native writers.
+//!
+//! Habits of a translation come back sentence by sentence, and no list of words sees them. So the habits are counted:
+//! in READMEs and docs of common crates, in lecture notes in Portuguese, and here. Each group of texts has the bounds
+//! of native writers, or, as long as it's above them, a ceiling that may only become lower.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use camera_lab::i18n::Lang;
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// Files below `folder` whose names end with `ends`.
+fn files(folder: &str, ends: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(Path::new(ROOT).join(folder)).unwrap();
+    let paths = entries.map(|entry| entry.unwrap().path());
+    let found = paths.flat_map(|path| {
+        let inner = path.strip_prefix(ROOT).unwrap().to_string_lossy().into_owned();
+        if path.is_dir() { files(&inner, ends) } else { vec![path] }
+    });
+    found.filter(|path| path.to_string_lossy().ends_with(ends)).collect()
+}
+
+/// Markdown without code, formulas and addresses.
+fn prose(text: &str) -> String {
+    let outside = |text: &str, mark: &str| text.split(mark).step_by(2).collect::<Vec<_>>().join(" x ");
+    let lines = outside(&outside(text, "```"), "`");
+    let lines = lines.lines().map(|line| outside(line, "$")).collect::<Vec<_>>().join("\n");
+    lines
+        .split("](")
+        .enumerate()
+        .map(|(k, part)| if k == 0 { part } else { part.split_once(')').map_or("", |p| p.1) })
+        .collect::<Vec<_>>()
+        .join("] ")
+}
+
+/// The texts of a page in Markdown.
+fn page(path: &str) -> String {
+    prose(&fs::read_to_string(Path::new(ROOT).join(path)).unwrap())
+}
+
+/// String literals of Rust with several words, outside of tests and comments.
+fn literals(source: &str) -> Vec<String> {
+    let source = source.split("#[cfg(test)]").next().unwrap();
+    let lines = source.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n");
+    let (mut texts, mut text, mut escaped) = (Vec::new(), None::<String>, false);
+    for letter in lines.chars() {
+        match (&mut text, letter) {
+            (None, '"') => text = Some(String::new()),
+            (Some(inner), _) if escaped => {
+                inner.push(if letter == 'n' { '\n' } else { letter });
+                escaped = false;
+            }
+            (Some(_), '\\') => escaped = true,
+            (Some(_), '"') => texts.extend(text.take()),
+            (Some(inner), _) => inner.push(letter),
+            (None, _) => {}
+        }
+    }
+    texts.into_iter().filter(|text| text.split_whitespace().nth(1).is_some()).collect()
+}
+
+/// Whether a text is in Portuguese: by letters or small words that English doesn't have.
+fn is_portuguese(text: &str) -> bool {
+    let words = ["de", "do", "da", "os", "uma", "não", "para", "com", "por", "que"];
+    text.chars().any(|c| "ãõçáéíóúâêôÃÕÇÁÉÍÓÚÂÊÔ".contains(c)) || words_of(text).any(|word| words.contains(&word))
+}
+
+/// The texts of the window, the command line and messages.
+fn window(lang: Lang) -> String {
+    let sources = files("src/i18n", ".rs").into_iter().map(|path| fs::read_to_string(path).unwrap());
+    let texts = sources.flat_map(|source| literals(&source));
+    prose(&texts.filter(|text| is_portuguese(text) == (lang == Lang::PtBr)).collect::<Vec<_>>().join("\n\n"))
+}
+
+/// The texts of the lessons.
+fn lessons(lang: Lang) -> String {
+    fn texts(value: &toml_edit::Value, key: &str, found: &mut Vec<String>) {
+        match value {
+            toml_edit::Value::InlineTable(table) if table.contains_key("en") => {
+                found.extend(table.get(key).and_then(|text| text.as_str()).map(str::to_owned));
+            }
+            toml_edit::Value::InlineTable(table) => table.iter().for_each(|(_, value)| texts(value, key, found)),
+            toml_edit::Value::Array(array) => array.iter().for_each(|value| texts(value, key, found)),
+            _ => {}
+        }
+    }
+    fn tables(item: &toml_edit::Item, key: &str, found: &mut Vec<String>) {
+        match item {
+            toml_edit::Item::Value(value) => texts(value, key, found),
+            toml_edit::Item::Table(table) => table.iter().for_each(|(_, item)| tables(item, key, found)),
+            toml_edit::Item::ArrayOfTables(array) => {
+                array.iter().flat_map(|table| table.iter()).for_each(|(_, item)| tables(item, key, found));
+            }
+            toml_edit::Item::None => {}
+        }
+    }
+    let key = if lang == Lang::En { "en" } else { "pt-BR" };
+    let mut found = Vec::new();
+    for path in files("assets/lessons", ".toml") {
+        let document: toml_edit::DocumentMut = fs::read_to_string(path).unwrap().parse().unwrap();
+        tables(document.as_item(), key, &mut found);
+    }
+    prose(&found.join("\n\n"))
+}
+
+/// The doc comments of a crate.
+fn docs(folder: &str) -> String {
+    let sources = files(folder, ".rs").into_iter().map(|path| fs::read_to_string(path).unwrap());
+    let line = |line: &str| {
+        let line = line.trim_start();
+        line.strip_prefix("///").or_else(|| line.strip_prefix("//!")).unwrap_or_default().to_owned()
+    };
+    prose(&sources.map(|source| source.lines().map(line).collect::<Vec<_>>().join("\n")).collect::<Vec<_>>().join("\n"))
+}
+
+fn words_of(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_alphanumeric() && !"'’-".contains(c)).filter(|word| !word.is_empty())
+}
+
+/// How often each habit occurs per 1,000 words.
+#[derive(Debug)]
+struct Habits {
+    /// `;` or `:` before a small letter.
+    chains: f64,
+    /// *where*; *onde*.
+    places: f64,
+    /// *if*; *seu, sua*.
+    other: f64,
+    /// *What …* as a noun.
+    what: f64,
+    /// Phrases that native writers don't have.
+    banned: f64,
+    /// Contractions and *you*; *você*.
+    person: f64,
+}
+
+const BANNED: [(Lang, &[&str]); 2] = [
+    (
+        Lang::En,
+        &[
+            "held against",
+            "whoever",
+            "anew",
+            "askew",
+            "is told",
+            "are told",
+            "is said",
+            "are said",
+            "be told of",
+            "fares",
+        ],
+    ),
+    (
+        Lang::PtBr,
+        &[
+            "é dito",
+            "é dita",
+            "são ditos",
+            "são ditas",
+            "o diz",
+            "diz isso",
+            "tomado como",
+            "tomada como",
+            "tomados como",
+            "tonalização",
+        ],
+    ),
+];
+
+fn habits(text: &str, lang: Lang) -> Habits {
+    let lower = text.to_lowercase();
+    let count = words_of(&lower).count() as f64;
+    let rate = |n: usize| (n as f64 * 100_000.0 / count).round() / 100.0;
+    let words = |wanted: &[&str]| words_of(&lower).filter(|word| wanted.contains(word)).count();
+    let phrases = |wanted: &[&str]| {
+        wanted
+            .iter()
+            .map(|phrase| {
+                lower.match_indices(*phrase).filter(|(at, _)| !lower[..*at].ends_with(char::is_alphanumeric)).count()
+            })
+            .sum::<usize>()
+    };
+    let chains = text.match_indices([';', ':']).filter(|(at, _)| {
+        let rest = &text[at + 1..];
+        rest.starts_with(char::is_whitespace) && rest.trim_start().starts_with(char::is_lowercase)
+    });
+    let (_, banned) = BANNED.into_iter().find(|(of, _)| *of == lang).unwrap();
+    let contracted = |word: &&str| ["'s", "'t", "'re", "'ve", "'ll", "’s", "’t"].iter().any(|end| word.ends_with(end));
+    let person = match lang {
+        Lang::En => words_of(&lower).filter(contracted).count() + words(&["you", "your", "yours", "yourself"]),
+        Lang::PtBr => words(&["você", "vocês"]),
+    };
+    let [places, other]: [&[&str]; 2] = match lang {
+        Lang::En => [&["where"], &["if"]],
+        Lang::PtBr => [&["onde"], &["seu", "seus", "sua", "suas"]],
+    };
+    let what = [
+        "with what",
+        "of what",
+        "for what",
+        "as what",
+        "by what",
+        "from what",
+        "says what",
+        "shows what",
+        "keeps what",
+    ];
+    Habits {
+        chains: rate(chains.count()),
+        places: rate(words(places)),
+        other: rate(words(other)),
+        what: if lang == Lang::En { rate(phrases(&what)) } else { 0.0 },
+        banned: rate(phrases(banned)),
+        person: rate(person),
+    }
+}
+
+/// The most that a group may have of each habit, and the least of the words for persons.
+struct Bounds {
+    chains: f64,
+    /// In English as a multiple of *if*, in Portuguese per 1,000 words.
+    places: f64,
+    /// *seu, sua*; no bound in English.
+    possessives: f64,
+    what: f64,
+    banned: f64,
+    person: f64,
+}
+
+/// The bounds of native writers.
+const NATIVE: Bounds =
+    Bounds { chains: 15.0, places: 3.0, possessives: f64::INFINITY, what: 0.6, banned: 0.4, person: 6.0 };
+const NATIVE_PT: Bounds = Bounds { chains: 18.0, places: 2.0, possessives: 5.0, what: 0.0, banned: 0.4, person: 0.0 };
+
+/// The habits that are above their bounds, in words.
+fn faults(name: &str, text: &str, lang: Lang, most: &Bounds) -> Vec<String> {
+    let found = habits(text, lang);
+    let places = if lang == Lang::En { most.places * found.other } else { most.places };
+    let possessives = if lang == Lang::En { 0.0 } else { found.other };
+    let rows = [
+        ("; or : before a small letter", found.chains, most.chains),
+        ("where, onde", found.places, places),
+        ("seu, sua", possessives, most.possessives),
+        ("what as a noun", found.what, most.what),
+        ("banned phrases", found.banned, most.banned),
+        ("contractions and you, at least", most.person, found.person),
+    ];
+    let above = rows.into_iter().filter(|(_, found, most)| found > most);
+    above.map(|(habit, found, most)| format!("{name}: {habit}: {found:.2}, allowed {most:.2}")).collect()
+}
+
+/// The groups of texts, each with its bounds. A bound that isn't the native one is a ceiling: today's value, to be
+/// lowered.
+fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
+    let pages = |names: &[&str]| names.iter().map(|name| page(name)).collect::<Vec<_>>().join("\n\n");
+    let guides = ["student", "lecturer", "author", "command-line", "without-rust"];
+    match lang {
+        Lang::En => vec![
+            ("README", page("README.md"), NATIVE),
+            ("guides", pages(&guides.map(|name| format!("docs/{name}.en.md")).each_ref().map(String::as_str)), NATIVE),
+            ("to join", pages(&["CONTRIBUTING.md", "CHANGELOG.md"]), Bounds { chains: 18.0, ..NATIVE }),
+            (
+                "other docs",
+                pages(&[
+                    "docs/architecture.md",
+                    "docs/cameras.en.md",
+                    "docs/equations.md",
+                    "docs/limits.md",
+                    "docs/numerics.en.md",
+                    "docs/performance.md",
+                    "docs/testing.md",
+                    "docs/web.md",
+                ]),
+                Bounds { chains: 25.8, places: 6.5, what: 1.2, banned: 1.2, person: 2.0, ..NATIVE },
+            ),
+            ("window", window(lang), Bounds { chains: 41.0, places: 5.2, ..NATIVE }),
+            ("lessons", lessons(lang), Bounds { chains: 23.0, person: 5.0, ..NATIVE }),
+            (
+                "exercises and reference pages",
+                pages(&["assets/exercises/en.md", "assets/notes/en.md"]),
+                Bounds { chains: 23.0, ..NATIVE },
+            ),
+            (
+                "doc comments",
+                ["crates/engine/src", "crates/figures/src", "crates/teaching/src", "src"].map(docs).join("\n"),
+                Bounds { chains: 26.5, person: 0.0, ..NATIVE },
+            ),
+        ],
+        Lang::PtBr => vec![
+            ("README", page("README.pt-BR.md"), NATIVE_PT),
+            (
+                "guides",
+                pages(&guides.map(|name| format!("docs/{name}.pt-BR.md")).each_ref().map(String::as_str)),
+                NATIVE_PT,
+            ),
+            (
+                "other docs",
+                pages(&["docs/cameras.pt-BR.md", "docs/numerics.pt-BR.md"]),
+                Bounds { chains: 31.0, places: 4.2, banned: 1.0, ..NATIVE_PT },
+            ),
+            ("window", window(lang), Bounds { chains: 47.0, possessives: 8.0, ..NATIVE_PT }),
+            ("lessons", lessons(lang), Bounds { chains: 24.2, possessives: 6.5, banned: 0.5, ..NATIVE_PT }),
+            (
+                "exercises and reference pages",
+                pages(&["assets/exercises/pt-BR.md", "assets/notes/pt-BR.md"]),
+                Bounds { chains: 23.8, places: 2.9, ..NATIVE_PT },
+            ),
+        ],
+    }
+}
+
+#[test]
+fn texts_read_as_native_ones_do() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let groups = groups(lang);
+        let faults: Vec<String> =
+            groups.iter().flat_map(|(name, text, bounds)| faults(name, text, lang, bounds)).collect();
+        let counts = groups.iter().map(|(name, text, _)| format!("{name}: {:.2?}", habits(text, lang)));
+        assert!(faults.is_empty(), "{lang:?}\n{}\nall:\n{}", faults.join("\n"), counts.collect::<Vec<_>>().join("\n"));
+    }
+}
+
+#[test]
+fn habits_of_a_translation_are_found() {
+    let strange =
+        "Where nothing is typed, what is said is held against what was there; whoever reads it is told: so it is.";
+    assert_eq!(faults("", strange, Lang::En, &NATIVE).len(), 4);
+    let native = "If you don't type anything, the window keeps your last value. It's compared with the file.";
+    assert_eq!(faults("", native, Lang::En, &NATIVE), [""; 0]);
+    let strange = "Onde seu arquivo não existe, isso é dito; sua cópia fica em seu lugar.";
+    assert_eq!(faults("", strange, Lang::PtBr, &NATIVE_PT).len(), 4);
+    assert_eq!(prose("Read `where`, $if$ and [this](where.md)."), "Read  x ,  x  and [this] .");
+    assert_eq!(literals("// \"no text\"\nlet a = \"two \\\"words\\\"\"; b(\"one\")"), ["two \"words\""]);
+    assert!(is_portuguese("o plano de fundo") && !is_portuguese("the back plane"));
+}
