@@ -87,7 +87,7 @@ fn the_tree_of_the_scene_and_an_object_with_its_arrows() {
     let mut window = first(Lang::PtBr, Theme::Light, [1120.0, 640.0]);
     window.key(Key::F6);
     window.click(pt::SCENES.edit_copy);
-    window.click("Acrescentar");
+    window.click("Adicionar");
     window.click(en::SCENES.shape_cone);
     window.run();
     window.enter("translação x", "2");

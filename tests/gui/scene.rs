@@ -452,7 +452,7 @@ fn switching_the_language_leaves_no_word_of_the_other_in_the_tab() {
     for word in ["translation", "parent", "Duplicate", "Add", "default light"] {
         assert!(!window.says(word), "{word}");
     }
-    assert!(window.says(pt::SCENES.translate) && window.says("Acrescentar") && window.says(pt::SCENES.default_light));
+    assert!(window.says(pt::SCENES.translate) && window.says("Adicionar") && window.says(pt::SCENES.default_light));
 }
 
 #[test]

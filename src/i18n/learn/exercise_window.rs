@@ -3,7 +3,7 @@
 use crate::i18n::Lang;
 
 texts! {
-    search: "Search the exercises", "Procurar nos exercícios";
+    search: "Search the exercises", "Pesquisar nos exercícios";
     search_hint: "Words of the title, the source or the identifier. Enter opens the first", "Palavras do título, da fonte ou do identificador. Enter abre o primeiro";
     none_found: "No exercise matches.", "Nenhum exercício corresponde.";
     of_the_notes: "From the lecture notes", "Das notas de aula";

@@ -20,7 +20,7 @@ texts! {
     choice_field: "Choice", "Alternativa";
     message_field: "Sentence for those who choose it", "Frase para quem a escolher";
     is_right: "✓ right", "✓ certa";
-    add_choice: "Add a choice", "Acrescentar alternativa";
+    add_choice: "Add a choice", "Adicionar alternativa";
     remove_choice: "Remove this choice", "Remover esta alternativa";
     answer_field: "Right answer", "Resposta certa";
     answer_hint: "A number such as 2.5 or sqrt(2), numbers such as [1, 2, 3], or a quantity of the figure such as points.0.ndc", "Um número como 2,5 ou sqrt(2), números como [1, 2, 3], ou uma grandeza da figura como points.0.ndc";
@@ -31,7 +31,7 @@ texts! {
     tolerance_hint: "The greatest error that counts as right; empty: the precision of the answer's last digit", "O maior erro que ainda conta como certo; vazio: a precisão do último dígito da resposta";
     wrong_field: "Wrong number", "Número errado";
     wrong_message: "Sentence for those who give it", "Frase para quem o der";
-    add_wrong: "Add a wrong number", "Acrescentar número errado";
+    add_wrong: "Add a wrong number", "Adicionar número errado";
     remove_wrong: "Remove this wrong number", "Remover este número errado";
     condition: "Condition", "Condição";
     at_least: "at least", "no mínimo";
@@ -40,7 +40,7 @@ texts! {
     hidden: "isn’t visible", "não está visível";
     object_field: "Object", "Objeto";
     of_quantity: "quantity", "grandeza";
-    add_condition: "Add a condition", "Acrescentar condição";
+    add_condition: "Add a condition", "Adicionar condição";
     remove_condition: "Remove this condition", "Remover esta condição";
     way_field: "A way there, for “Show how”", "Um caminho até lá, para “Mostrar como”";
     way_hint: "Operations and keys separated by semicolons, such as azimuth=30; camera.near=2", "Operações e chaves separadas por ponto e vírgula, como azimuth=30; camera.near=2";

@@ -53,7 +53,7 @@ texts! {
     done: "Done", "Feito";
     not_yet: "Not there yet: the step notices when it is done", "Ainda não: o passo percebe quando está feito";
     show_way: "Show how", "Mostrar como";
-    show_way_hint: "Moves the camera to where the task leads", "Move a câmera até onde a tarefa leva";
+    show_way_hint: "Does the task for you", "Faz a tarefa por você";
     exercise_at_side: "Answer the exercise in the panel at the side.", "Responda o exercício no painel ao lado.";
     open_exercise: "Open the exercise", "Abrir o exercício";
     show_answer: "Show the answer", "Mostrar a resposta";
@@ -63,10 +63,10 @@ texts! {
     raise_hint: "counts a hand for this choice", "conta uma mão para esta alternativa";
     hidden_question: "Q shows the question", "Q mostra a pergunta";
     // Recording.
-    add_step: "Add as step", "Acrescentar como passo";
-    add_step_hint: "Adds what is on the screen to a lesson of your own, as its next step: only the difference from the step before is written", "Acrescenta o que está na tela a uma lição sua, como o próximo passo: só a diferença do passo anterior é escrita";
-    step_title: "The lesson to which the step is added", "A lição à qual o passo é acrescentado";
-    step_action: "Add", "Acrescentar";
+    add_step: "Add as step", "Adicionar como passo";
+    add_step_hint: "Adds what is on the screen to a lesson of your own, as its next step: only the difference from the step before is written", "Adiciona o que está na tela a uma lição sua, como o próximo passo: só a diferença do passo anterior é escrita";
+    step_title: "The lesson to which the step is added", "A lição à qual o passo é adicionado";
+    step_action: "Add", "Adicionar";
     step_file: "lesson.toml", "licao.toml";
     // Writing a lesson in the window.
     write_command: "Write the lesson", "Escrever a lição";
@@ -80,7 +80,7 @@ texts! {
     step_screen: "Use what's on the screen", "Usar o que está na tela";
     step_screen_hint: "From now on the step shows what you see; its texts stay", "A partir de agora o passo mostra o que você vê; seus textos ficam";
     step_another: "New step after this one", "Novo passo depois deste";
-    step_another_hint: "Adds a step that shows what is on the screen", "Acrescenta um passo que mostra o que está na tela";
+    step_another_hint: "Adds a step that shows what is on the screen", "Adiciona um passo que mostra o que está na tela";
     step_remove: "Remove the step", "Remover o passo";
     step_remove_hint: "Takes the step out of the lesson; “Undo the change” brings it back", "Tira o passo da lição; “Desfazer a mudança” o traz de volta";
     change_back: "Undo the change", "Desfazer a mudança";
@@ -223,7 +223,7 @@ pub fn exercises_of(lang: Lang, lesson: &Lesson) -> Vec<&'static str> {
 /// A step was added to a file.
 #[must_use]
 pub fn step_added(lang: Lang, file: &str, number: usize) -> String {
-    both!(lang; "Step {number} was added to {file}", "O passo {number} foi acrescentado a {file}")
+    both!(lang; "Step {number} was added to {file}", "O passo {number} foi adicionado a {file}")
 }
 
 /// Another program has changed the file of the lesson.
@@ -373,7 +373,7 @@ pub fn reached_already(lang: Lang, key: &str) -> String {
 /// The way of a goal does not lead to it.
 #[must_use]
 pub fn not_reached(lang: Lang, key: &str) -> String {
-    both!(lang; "{key} does not lead to where until holds", "{key} não leva até onde until vale")
+    both!(lang; "{key} doesn't reach the goal in until", "{key} não alcança a meta de until")
 }
 
 /// A handout has another number of steps on a page.

@@ -70,8 +70,8 @@ pub fn limitation(lang: Lang, limitation: Limitation) -> &'static str {
         Limitation::LeftHanded => pick!(lang; "Left-handed: n points into the scene, along DOP, and u = n × v.",
             "Mão esquerda: n aponta para a cena, ao longo de DOP, e u = n × v."),
         Limitation::Coordinates => pick!(lang;
-            "z_{near} and z_{far} are coordinates, negative, where [0] has distances F and B.",
-            "z_{near} e z_{far} são coordenadas, negativas, onde [0] tem as distâncias F e B."),
+            "z_{near} and z_{far} are coordinates, negative, but [0] has distances F and B.",
+            "z_{near} e z_{far} são coordenadas, negativas, mas [0] tem as distâncias F e B."),
         Limitation::YDown => pick!(lang;
             "x to the right, y down, z into the scene; pixels from the corner of the image, as in (5.22).",
             "x para a direita, y para baixo, z para dentro da cena; pixels a partir do canto da imagem, como em (5.22)."),
@@ -234,8 +234,8 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
         Unknown::ViewUp => pick!(lang; "VUP is unknown, only v is known: the present VUP stays if it fits.",
             "VUP é desconhecido, só se conhece v: o VUP atual fica, se servir."),
         Unknown::PositionAlongNormal => pick!(lang;
-            "In parallel projection C may lie anywhere along n: it is put where F does not change.",
-            "Em projeção paralela C pode ficar em qualquer lugar ao longo de n: é posto onde F não muda."),
+            "In parallel projection C may lie anywhere along n: it's put so that F doesn't change.",
+            "Em projeção paralela C pode ficar em qualquer lugar ao longo de n: é posto de modo que F não mude."),
         Unknown::WindowCentre => pick!(lang;
             "An off-axis window and a C shifted sideways give the same matrix: the window is taken as symmetric.",
             "Uma janela fora do eixo e um C deslocado dão a mesma matriz: a janela é tomada como simétrica."),

@@ -29,9 +29,9 @@ texts! {
     hidden_surfaces: "Hidden surfaces", "Faces ocultas";
     hidden_surfaces_hint: "The image painted triangle by triangle: painter, BSP tree, depth buffer; faces turned away", "A imagem pintada triângulo por triângulo: pintor, árvore BSP, z-buffer; faces de costas";
     clipping: "Clipping", "Recorte";
-    clipping_hint: "What lies outside the view volume, where it is cut, and why the division must wait", "O que fica fora do volume de vista, onde é cortado, e por que a divisão tem que esperar";
+    clipping_hint: "The parts outside the view volume, the cuts, and why the division must wait", "As partes fora do volume de vista, os cortes, e por que a divisão tem que esperar";
     depth: "Depth, z-fighting", "Profundidade, z-fighting";
-    depth_hint: "How depths crowd near 1, what a depth buffer can tell apart, and where two planes fight", "Como as profundidades se comprimem perto de 1, o que um z-buffer distingue, e onde dois planos brigam";
+    depth_hint: "How depths crowd near 1, what a depth buffer can tell apart, and how z-fighting begins", "Como as profundidades se comprimem perto de 1, o que um z-buffer distingue, e como começa o z-fighting";
     conventions: "Conventions", "Convenções";
     conventions_hint: "NDC of OpenGL, Direct3D and others, reversed depth, row vectors, left-handed view space, side by side", "NDC de OpenGL, Direct3D e outros, profundidade invertida, vetores linha, espaço de vista de mão esquerda, lado a lado";
     no_inverse: "It has no inverse: something is multiplied by 0 (a scale, or a depth range from n to n), and cannot be recovered.", "Não tem inversa: algo é multiplicado por 0 (uma escala, ou profundidades de n a n) e não pode ser recuperado.";
@@ -49,7 +49,7 @@ texts! {
     notes_hint: "A short text on each symbol, operation, equation, step and stage; F1 on one of them opens it", "Um texto curto sobre cada símbolo, operação, equação, passo e etapa; F1 sobre um deles o abre";
     exercises: "Exercises", "Exercícios";
     exercises_hint: "Exercises of the notes, and families that draw new numbers each time: answers are checked, and wrong ones explained", "Os exercícios das notas, e famílias que sorteiam números novos a cada vez: as respostas são conferidas, e as erradas explicadas";
-    search_notes: "Search the notes", "Procurar nas notas";
+    search_notes: "Search the notes", "Pesquisar nas notas";
     search_notes_hint: "Words, symbols or numbers of equations; accents and capitals do not matter. Enter opens the first", "Palavras, símbolos ou números de equações; acentos e maiúsculas não importam. Enter abre a primeira";
     no_note: "No note matches.", "Nenhuma nota corresponde.";
     note_before: "Previous note", "Nota anterior";
@@ -77,7 +77,7 @@ texts! {
     numbers: "with numbers", "com números";
     numbers_hint: "The same formulas with the numbers of this camera", "As mesmas fórmulas com os números desta câmera";
     values: "values", "valores";
-    values_hint: "The values of the formulas: fractions and roots where they are exact, else decimals", "Os valores das fórmulas: frações e raízes onde são exatas, senão decimais";
+    values_hint: "The values of the formulas: fractions and roots if they are exact, otherwise decimals", "Os valores das fórmulas: frações e raízes quando são exatas; caso contrário, decimais";
     copy_latex: "Copy LaTeX", "Copiar LaTeX";
     copy_latex_hint: "The matrix as it is shown, as a bmatrix", "A matriz como é mostrada, como bmatrix";
     copy_text: "Copy text", "Copiar texto";

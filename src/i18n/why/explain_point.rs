@@ -6,9 +6,9 @@ use crate::sanitize::escaped;
 use crate::views::{ShadowAt, TexelAt};
 
 texts! {
-    no_points: "No point is followed. Add one, or pin a vertex in a picture and press Follow.", "Nenhum ponto é seguido. Acrescente um, ou fixe um vértice em uma imagem e aperte Seguir.";
-    add: "Add", "Acrescentar";
-    add_hint: "Adds a point, at the vertex under the pointer or at PF, and follows it", "Acrescenta um ponto, no vértice sob o ponteiro ou em PF, e o segue";
+    no_points: "No point is followed. Add one, or pin a vertex in a picture and press Follow.", "Nenhum ponto é seguido. Adicione um, ou fixe um vértice em uma imagem e aperte Seguir.";
+    add: "Add", "Adicionar";
+    add_hint: "Adds a point, at the vertex under the pointer or at PF, and follows it", "Adiciona um ponto, no vértice sob o ponteiro ou em PF, e o segue";
     delete: "Delete", "Excluir";
     delete_hint: "Deletes the followed point", "Exclui o ponto seguido";
     too_many: "No more points can be followed: there are 32.", "Não se podem seguir mais pontos: há 32.";

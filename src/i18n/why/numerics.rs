@@ -41,7 +41,7 @@ pub const fn title(lang: Lang, study: Study) -> &'static str {
     match study {
         Study::VertexTransform => pick!(lang; "World points to view space, far from the origin",
             "Pontos do mundo ao espaço de vista, longe da origem"),
-        Study::Basis => pick!(lang; "u, v, n where VUP is almost along DOP",
+        Study::Basis => pick!(lang; "u, v, n when VUP is almost along DOP",
             "u, v, n com VUP quase na direção de DOP"),
         Study::RepeatedOperations => pick!(lang; "Many small azimuths, one after the other",
             "Muitos azimutes pequenos, um após o outro"),

@@ -15,7 +15,7 @@ texts! {
     earlier: "Earlier", "Mais cedo";
     later: "Later", "Mais tarde";
     remove: "Remove", "Remover";
-    add: "Add", "Acrescentar";
+    add: "Add", "Adicionar";
     add_hint: "A transform at the end, or push and pop", "Uma transformação no fim, ou push e pop";
     again: "Start over", "Recomeçar";
     again_hint: "Restores the object's own transform, T R S", "Volta à transformação do próprio objeto, T R S";

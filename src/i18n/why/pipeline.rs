@@ -103,8 +103,8 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
         Stage::Texture => pick!(lang; "Pictures on surfaces. [3] §1.1, step 9",
             "Imagens sobre superfícies. [3] §1.1, passo 9"),
         Stage::Shadow => pick!(lang;
-            "Takes light away where the lamp sees something nearer: its depth picture, the shadow map. [3] §1.1, step 9",
-            "Retira luz onde a lâmpada vê algo mais próximo: sua imagem de profundidades, o mapa de sombras. [3] §1.1, passo 9"),
+            "Takes light away if the light sees something nearer: its depth picture, the shadow map. [3] §1.1, step 9",
+            "Retira luz se a fonte vê algo mais próximo: sua imagem de profundidades, o mapa de sombras. [3] §1.1, passo 9"),
         Stage::Blend => pick!(lang; "Blends translucent colours with what is behind them. [3] §1.1, step 9",
             "Mistura cores translúcidas com o que está atrás. [3] §1.1, passo 9"),
         Stage::Antialias => pick!(lang; "Takes several samples of each pixel and averages them. [3] §1.1, step 10",

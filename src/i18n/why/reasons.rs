@@ -25,8 +25,8 @@ texts! {
     hides_itself: "depth buffer: an object that is not convex, or open, may hide itself", "z-buffer: um objeto não convexo, ou aberto, pode se esconder";
     lines_ask_for_depth: "depth buffer: hidden parts of lines, marks or texts are drawn differently", "z-buffer: as partes ocultas de linhas, marcas ou textos são desenhadas de outro modo";
     painted_by_centroid: "painter: from back to front by centroid", "pintor: de trás para a frente, pelo centroide";
-    painted_by_splitting: "BSP: from back to front, split where faces cross each other's planes", "BSP: de trás para a frente, com as faces divididas pelos planos umas das outras";
-    no_depth_buffer: "BSP: the output has no depth buffer; from back to front, split where faces cross each other's planes", "BSP: a saída não tem z-buffer; de trás para a frente, com as faces divididas pelos planos umas das outras";
+    painted_by_splitting: "BSP: from back to front, split at faces that cross each other's planes", "BSP: de trás para a frente, com as faces divididas pelos planos umas das outras";
+    no_depth_buffer: "BSP: the output has no depth buffer; from back to front, split at faces that cross each other's planes", "BSP: a saída não tem z-buffer; de trás para a frente, com as faces divididas pelos planos umas das outras";
     no_texture: "no object has a texture", "nenhum objeto tem textura";
     no_shadows: "no light casts a shadow into view", "nenhuma luz lança sombra no que se vê";
     nothing_shadowed: "nothing in view can be shadowed: no object takes light", "nada no campo de visão pode ficar na sombra: nenhum objeto recebe luz";

@@ -13,12 +13,12 @@ texts! {
         "Cada face é pintada por cima das que estão atrás. A ordem é a dos seus centroides: faces que se cruzam, ou se sobrepõem em ciclo, não têm ordem certa.";
     bsp: "BSP", "BSP";
     bsp_hint: "From back to front by a tree of planes that splits faces", "De trás para a frente por uma árvore de planos que divide faces";
-    bsp_said: "A tree of planes sorts the faces, split where they cross: the order from back to front is always right, and there are more triangles.",
-        "Uma árvore de planos ordena as faces, divididas onde se cruzam: a ordem de trás para a frente é sempre certa, e há mais triângulos.";
+    bsp_said: "A tree of planes sorts the faces and splits those that cross. The order from back to front is always right, and there are more triangles.",
+        "Uma árvore de planos ordena as faces e divide as que se cruzam. A ordem de trás para a frente é sempre certa, e há mais triângulos.";
     depth_buffer: "Depth buffer", "Z-buffer";
     depth_buffer_hint: "In any order; each pixel keeps the nearest", "Em qualquer ordem; cada pixel guarda o que está mais perto";
-    depth_buffer_said: "The order does not matter: a pixel is painted where Z (5.25) is less than what the buffer holds there. Show Z to watch it fill.",
-        "A ordem não importa: um pixel é pintado onde Z (5.25) é menor que o que o buffer guarda ali. Mostre Z para vê-lo encher.";
+    depth_buffer_said: "The order doesn't matter: a pixel is painted if its Z (5.25) is less than the stored one. Show Z to watch it fill.",
+        "A ordem não importa: um pixel é pintado se o Z dele (5.25) é menor que o guardado. Mostre Z para vê-lo encher.";
     depth: "Show Z, the depth buffer", "Mostrar Z, o z-buffer";
     depth_hint: "[reveal] depth: grey from 0 at the front to 1 at the back", "[reveal] depth: cinza de 0 na frente a 1 atrás";
     scrubber: "How much is painted", "Quanto foi pintado";

@@ -23,7 +23,7 @@ texts! {
     world: "world", "mundo";
     view: "view", "vista";
     is_front: "N · (C − a) > 0: its front is seen", "N · (C − a) > 0: vê-se a frente";
-    is_back: "N · (C − a) ≤ 0: it faces away; culled where the object is closed or one-sided", "N · (C − a) ≤ 0: está de costas; descartado onde o objeto é fechado ou de um lado só";
+    is_back: "N · (C − a) ≤ 0: it faces away; culled if the object is closed or one-sided", "N · (C − a) ≤ 0: está de costas; descartado se o objeto é fechado ou de um lado só";
     inside: "inside all planes: 000000", "dentro de todos os planos: 000000";
     outside: "outside:", "fora:";
     all_outside: "All corners are outside one plane: dropped whole, without a cut.", "Todos os cantos estão fora de um mesmo plano: descartado inteiro, sem corte.";

@@ -15,21 +15,21 @@ use crate::scene::SceneSpec;
 texts! {
     // Of the command line.
     health: "Health", "Saúde";
-    findings: "Findings", "Achados";
+    findings: "Problems", "Problemas";
     no_problems: "No problems found: the image agrees with exact visibility.", "Nenhum problema encontrado: a imagem concorda com a visibilidade exata.";
     on_the_other_side: "On the other side of the comparison:", "Do outro lado da comparação:";
     no_problems_in_coarse: "No problems found: a coarser image agrees with exact visibility.", "Nenhum problema encontrado: uma imagem menos fina concorda com a visibilidade exata.";
-    repair: "Repair", "Conserto";
+    repair: "Fix", "Correção";
     no_repair: "no change to the figure repairs this", "nenhuma mudança na figura conserta isto";
     nothing_repaired: "nothing to repair: the figure is written unchanged", "nada a consertar: a figura é gravada sem mudança";
     cannot_repair: "no change to the figure repairs this, so it is written unchanged", "nenhuma mudança na figura conserta isto, e ela é gravada como está";
     // Of the window.
-    coach: "Camera check", "Exame da câmera";
+    coach: "Camera check", "Diagnóstico da câmera";
     coach_hint: "How close the camera is to numerical trouble, and why something is missing from the picture", "Quão perto a câmera está de problemas numéricos, e por que algo falta na imagem";
-    camera_is: "Camera check:", "Exame da câmera:";
+    camera_is: "Camera check:", "Diagnóstico da câmera:";
     image_empty: "Image empty: why?", "Imagem vazia: por quê?";
-    one_finding: "1 finding", "1 achado";
-    many_findings: "findings", "achados";
+    one_finding: "1 problem", "1 problema";
+    many_findings: "problems", "problemas";
     show_it: "Fix it", "Corrigir";
     improve: "Improve", "Melhorar";
     looking: "Looking…", "Examinando…";
@@ -44,7 +44,7 @@ texts! {
     format: "format", "formato";
     step_here: "step at this depth", "passo nesta profundidade";
     two_planes: "Two planes, this far apart:", "Dois planos, a esta distância:";
-    two_planes_hint: "In scene units: a tilted plane this far behind another, parallel to it and drawn after it. Where a format stores the same value for both, the farther one shows through", "Em unidades da cena: um plano inclinado a esta distância atrás de outro, paralelo a ele, e desenhado depois. Quando um formato guarda o mesmo valor para os dois, aparece o mais distante";
+    two_planes_hint: "In scene units: a tilted plane this far behind another, parallel to it and drawn after it. If a format stores the same value for both, the farther one shows through", "Em unidades da cena: um plano inclinado a esta distância atrás de outro, paralelo a ele, e desenhado depois. Quando um formato guarda o mesmo valor para os dois, aparece o mais distante";
     scene_units: "scene units", "unidades da cena";
     nearer: "nearer", "o mais próximo";
     farther: "farther", "o mais distante";
@@ -343,7 +343,7 @@ fn english(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
 fn portuguese(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
     let most = if partly { "a maior parte está " } else { "" };
     match cause {
-        Cause::CameraInsideObject => "a câmera está dentro, onde todas as faces lhe dão as costas.".to_owned(),
+        Cause::CameraInsideObject => "a câmera está dentro dele e vê todas as faces por trás.".to_owned(),
         Cause::BehindCamera => format!("{most}atrás da câmera, z_c ≥ 0 (5.7): ela olha para o outro lado."),
         Cause::BeforeNear => {
             format!("{most}mais perto que o plano da frente, −z_c < F: o recorte elimina o que está ali.")

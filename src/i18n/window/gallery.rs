@@ -35,7 +35,7 @@ texts! {
     exercises: "Exercises", "Exercícios";
     limits: "Limits of numbers", "Limites dos números";
     // A field for words of titles and captions.
-    wanted: "Search the cards", "Procurar nos cartões";
+    wanted: "Search the cards", "Pesquisar nos cartões";
     nothing: "No card has these words. Try fewer letters, or another name for it.", "Nenhum cartão tem estas palavras. Tente menos letras, ou outro nome.";
     // A button where nothing goes wrong, before the title of a figure in which something does.
     shows: "Open the figure that shows it:", "Abrir a figura que mostra isso:";

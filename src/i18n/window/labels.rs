@@ -8,7 +8,7 @@ use crate::sanitize::escaped;
 
 texts! {
     command: "Labels", "Rótulos";
-    command_hint: "Labels can be dragged, renamed and hidden, and notes added", "Os rótulos podem ser arrastados, renomeados e ocultos, e notas acrescentadas";
+    command_hint: "Labels can be dragged, renamed and hidden, and notes added", "Os rótulos podem ser arrastados, renomeados e ocultos, e notas adicionadas";
     title: "Labels", "Rótulos";
     choose: "label", "rótulo";
     choose_hint: "The label to change; a click on it chooses it too", "O rótulo a mudar; um clique nele também o escolhe";
@@ -29,9 +29,9 @@ texts! {
     all_automatic_hint: "All labels have their own texts and places again; notes stay", "Todos os rótulos voltam a ter seus textos e lugares; as notas ficam";
     hidden: "hidden:", "ocultos:";
     show_again: "Shows the label again", "Mostra o rótulo de novo";
-    add: "Add a note", "Acrescentar nota";
+    add: "Add a note", "Adicionar nota";
     add_hint: "A click puts it at a vertex, an edge, a point, or at a place of the picture; Enter in a picture, in its middle", "Um clique a põe em um vértice, uma aresta, um ponto ou um lugar da imagem; Enter em uma imagem, no meio dela";
-    adding: "Click where the note belongs · Esc: no note", "Clique onde fica a nota · Esc: nenhuma nota";
+    adding: "Click to place the note · Esc: no note", "Clique para pôr a nota · Esc: nenhuma nota";
     note: "note", "nota";
     full: "There is no room for more notes", "Não há lugar para mais notas";
     measures: "measures:", "medidas:";

@@ -62,7 +62,7 @@ texts! {
     previous_figure_hint: "The figure before; changes are kept. In a presentation: Page ↑, or ←", "A figura anterior; as mudanças são mantidas. Em uma apresentação: Page ↑, ou ←";
     pen: "Pen", "Caneta";
     pen_hint: "Draws over the pictures with the pointer; Esc erases. In a presentation: P", "Desenha sobre as imagens com o ponteiro; Esc apaga. Em uma apresentação: P";
-    spot: "Spotlight", "Foco no ponteiro";
+    spot: "Spotlight", "Holofote";
     spot_hint: "Highlights the pointer for the audience. In a presentation: S", "Destaca o ponteiro para a plateia. Em uma apresentação: S";
     freeze: "Freeze the pictures", "Congelar as imagens";
     freeze_hint: "The pictures stay as they are while you edit. In a presentation: F", "As imagens ficam como estão enquanto você edita. Em uma apresentação: F";
@@ -86,7 +86,7 @@ texts! {
     explain_word: "Explain", "Explicar";
     stages_word: "Stages", "Etapas";
     operations_word: "Operations", "Operações";
-    search: "Search…", "Procurar…";
+    search: "Search…", "Pesquisar…";
     search_hint: "Finds commands, explanations, notes, exercises and figures", "Encontra comandos, explicações, notas, exercícios e figuras";
     explain_panel: "Explanations", "Explicações";
     exercises: "Exercises", "Exercícios";
@@ -156,9 +156,9 @@ texts! {
     // The parameters.
     camera: "Camera", "Câmera";
     position: "position", "posição";
-    position_hint: "C: where the camera is. [0] §5.2", "C: onde a câmera está. [0] §5.2";
+    position_hint: "C: the position of the camera. [0] §5.2", "C: a posição da câmera. [0] §5.2";
     focal_point: "focal point", "ponto focal";
-    focal_point_hint: "PF: where the camera points. DOP = (PF − C)/D, [0] (5.2)", "PF: para onde a câmera aponta. DOP = (PF − C)/D, [0] (5.2)";
+    focal_point_hint: "PF: the point the camera looks at. DOP = (PF − C)/D, [0] (5.2)", "PF: o ponto para o qual a câmera olha. DOP = (PF − C)/D, [0] (5.2)";
     view_up: "view up", "para cima";
     view_up_hint: "VUP: its projection on the view plane gives v. [0] (5.3)", "VUP: sua projeção no plano de vista dá v. [0] (5.3)";
     projection: "Projection", "Projeção";
@@ -225,7 +225,7 @@ texts! {
     not_saved: "Not saved, because the camera has to be repaired first:", "Não foi salvo, porque antes é preciso consertar a câmera:";
     numbers_in_fields: "The fields show its numbers, next to a button that repairs them.", "Os campos mostram seus números, ao lado de um botão que os conserta.";
     visibility: "hidden faces", "faces ocultas";
-    visibility_hint: "How the visible face is chosen. The painter sorts by centroids, and fails where faces overlap in a cycle [2], [3]", "Como se escolhe a face visível. O pintor ordena pelos centroides, e falha onde faces se sobrepõem em ciclo [2], [3]";
+    visibility_hint: "How the visible face is chosen. The painter sorts by centroids, and fails if faces overlap in a cycle [2], [3]", "Como se escolhe a face visível. O pintor ordena pelos centroides, e falha se faces se sobrepõem em ciclo [2], [3]";
     visibility_depth_buffer: "depth buffer", "z-buffer";
     visibility_painter: "painter", "pintor";
     visibility_bsp: "BSP tree", "árvore BSP";
@@ -246,7 +246,7 @@ texts! {
     // What the world shows.
     in_world: "In the world", "No mundo";
     window_opacity: "painted window", "janela pintada";
-    window_opacity_hint: "Opacity of the image on the view window. Automatic: opaque, but faint where it would hide much of the scene", "Opacidade da imagem na janela de vista. Automática: opaca, mas fraca onde esconderia muito da cena";
+    window_opacity_hint: "Opacity of the image on the view window. Automatic: opaque, but faint if it would hide much of the scene", "Opacidade da imagem na janela de vista. Automática: opaca, mas fraca se esconder muito da cena";
     opacity_automatic: "automatic", "automática";
     axes_length: "camera axes", "eixos da câmera";
     axes_length_hint: "Length of u, v, n, VUP and DOP in the world, as a multiple of the usual one", "Comprimento de u, v, n, VUP e DOP no mundo, como múltiplo do usual";
@@ -276,7 +276,7 @@ texts! {
     culled_view: "Culled parts", "Partes descartadas";
     culled_view_hint: "Tints, in the world, the faces that are turned away from the camera and the objects that are dropped whole because they lie outside a plane of the volume: the camera draws neither. [2] back faces, [3] §1.1", "Tinge no mundo as faces de costas para a câmera e os objetos descartados inteiros por estarem fora de um plano do volume: a câmera não os desenha. [2] faces de trás, [3] §1.1";
     vanishing: "Vanishing points", "Pontos de fuga";
-    vanishing_hint: "Where the directions x, y, z of the scene vanish: the image of their ideal points, M (d, 0), and the horizon; in the world the parallels through C. [4]", "Onde convergem as direções x, y, z da cena: a imagem de seus pontos ideais, M (d, 0), e o horizonte; no mundo, as paralelas por C. [4]";
+    vanishing_hint: "The vanishing points of the directions x, y, z of the scene: the images of their ideal points, M (d, 0), and the horizon; in the world the parallels through C. [4]", "Os pontos de fuga das direções x, y, z da cena: as imagens dos pontos ideais, M (d, 0), e o horizonte; no mundo, as paralelas por C. [4]";
     divide_first: "Divide before clipping", "Dividir antes de recortar";
     divide_first_hint: "Wrong on purpose: what lies behind the eye has w < 0, and dividing by w flips it to the front. Canonical volume and image show the result, in red. [2] the problem of clipping", "Errado de propósito: o que está atrás do olho tem w < 0, e a divisão por w o traz para a frente. O volume canônico e a imagem mostram o resultado, em vermelho. [2] problema do clipping";
 
@@ -355,7 +355,7 @@ texts! {
     export_height_cm: "height in centimetres", "altura em centímetros";
     export_dpi: "pixels per inch", "pixels por polegada";
     export_letters: "letters in points", "letras em pontos";
-    export_letters_hint: "Height of the letters of names on paper; with all three pictures, smaller where one has no room for them", "Altura das letras dos nomes no papel; nas três imagens, menores onde uma não tem lugar para elas";
+    export_letters_hint: "Height of the letters of names on paper; with all three pictures, smaller if one has no room for them", "Altura das letras dos nomes no papel; nas três imagens, menores se uma não tem lugar para elas";
     export_lines: "lines in points", "linhas em pontos";
     export_lines_hint: "Width of the edges of solids on paper, with other lines in proportion; without it, lines are in proportion to the letters", "Espessura das arestas dos sólidos no papel, com as outras linhas em proporção; sem ela, as linhas são proporcionais às letras";
     export_lines_own: "own width", "espessura própria";
@@ -363,7 +363,7 @@ texts! {
     export_format_hint: "The suggested extension; the file name decides", "A extensão sugerida; o nome do arquivo decide";
     // Of vectors: how faces are written.
     export_faces: "faces", "faces";
-    export_faces_hint: "Of SVG and PDF. Areas are vectors too, for flat light; a picture under the lines shows every light. Automatic: areas where they show what the screen shows", "De SVG e PDF. Áreas também são vetores, para luz constante; uma imagem sob as linhas mostra toda luz. Automático: áreas onde mostram o que a tela mostra";
+    export_faces_hint: "Of SVG and PDF. Areas are vectors too, for flat light; a picture under the lines shows every light. Automatic: areas if they show what the screen shows", "De SVG e PDF. Áreas também são vetores, para luz constante; uma imagem sob as linhas mostra toda luz. Automático: áreas se mostram o que a tela mostra";
     export_faces_auto: "automatic", "automático";
     export_faces_areas: "areas", "áreas";
     export_faces_picture: "picture", "imagem";
@@ -416,7 +416,7 @@ texts! {
     step: "step", "passo";
     step_hint: "The step of the buttons − and +", "O passo dos botões − e +";
     scrub: "slider", "controle";
-    scrub_hint: "Pull: the camera moves from where it is, by 5° (Ctrl: freely); release: it stays there, and the knob springs back", "Puxe: a câmera se move de onde está, de 5° em 5° (Ctrl: livre); solte: ela fica lá, e o botão volta ao meio";
+    scrub_hint: "Pull: the camera moves by 5° (Ctrl: freely); release: it stays there, and the knob springs back", "Puxe: a câmera se move de 5° em 5° (Ctrl: livre); solte: ela fica lá, e o botão volta ao meio";
     keep_operation: "Keep in the figure", "Guardar na figura";
     keep_operation_hint: "The figure shows this operation: the camera before, the axis and the arc with its value. So do files, exports and lessons", "A figura mostra esta operação: a câmera de antes, o eixo e o arco com o valor. Arquivos, exportações e lições também";
     keep_operation_disabled: "First do this operation", "Faça primeiro esta operação";

@@ -6,8 +6,8 @@ use crate::scene::{Beyond, LightKind, Preset, Shape};
 texts! {
     drawing: "Drawing", "Desenho";
 
-    add: "Add", "Acrescentar";
-    add_hint: "Adds a primitive, a mesh file, a group or a light", "Acrescenta uma primitiva, um arquivo de malha, um grupo ou uma luz";
+    add: "Add", "Adicionar";
+    add_hint: "Adds a primitive, a mesh file, a group or a light", "Adiciona uma primitiva, um arquivo de malha, um grupo ou uma luz";
     edit_copy: "Edit a copy", "Editar uma cópia";
     edit_copy_hint: "Copies the named scene into the figure as a list of objects that can be edited, in the colours of the current theme", "Copia a cena nomeada para a figura como uma lista de objetos que podem ser editados, nas cores do tema atual";
     selected_alone: "Only the figure's own objects can be selected together: use \"Edit a copy\" first.", "Só objetos da própria figura podem ser selecionados juntos: use antes \"Editar uma cópia\".";
@@ -50,8 +50,8 @@ texts! {
     segments_hint: "Tessellation: sides of a prism, cells of a grid, meridians of curved shapes", "Tesselação: lados de um prisma, células de uma grade, meridianos de formas curvas";
     points: "points", "pontos";
     ends: "ends of segments, in pairs", "extremos de segmentos, aos pares";
-    add_point: "Add a point", "Acrescentar um ponto";
-    add_segment: "Add a segment", "Acrescentar um segmento";
+    add_point: "Add a point", "Adicionar um ponto";
+    add_segment: "Add a segment", "Adicionar um segmento";
     remove_point: "Remove", "Remover";
     point_number: "point", "ponto";
     too_many: "There are more points than can be edited here; edit them in the figure file.", "Há mais pontos do que se pode editar aqui; edite-os no arquivo da figura.";
@@ -70,7 +70,7 @@ texts! {
     texture_filter: "Picture (PNG, JPEG, WebP)", "Imagem (PNG, JPEG, WebP)";
     texture_action: "Choose", "Escolher";
     wrap: "beyond its border", "além da borda";
-    wrap_hint: "How the texture goes on where u or v leaves 0 … 1", "Como a textura continua onde u ou v sai de 0 … 1";
+    wrap_hint: "How the texture continues when u or v leaves 0 … 1", "Como a textura continua quando u ou v sai de 0 … 1";
     wrap_repeat: "repeated", "repetida";
     wrap_clamp: "border goes on", "borda continua";
     wrap_mirror: "mirrored", "espelhada";
@@ -94,7 +94,7 @@ texts! {
     allow_files_hint: "Until it is closed, the figure may name any file of this computer; files on other machines are never read", "Até ser fechada, a figura pode indicar qualquer arquivo deste computador; arquivos de outras máquinas nunca são lidos";
     loading: "Loading", "Carregando";
     duplicate: "Duplicate", "Duplicar";
-    duplicate_hint: "Adds a copy with the same numbers", "Acrescenta uma cópia com os mesmos números";
+    duplicate_hint: "Adds a copy with the same numbers", "Adiciona uma cópia com os mesmos números";
     delete: "Delete", "Excluir";
     delete_hint: "Removes it from the scene", "Remove-o da cena";
     delete_all: "With all objects below it", "Com os objetos abaixo dele";
@@ -106,13 +106,13 @@ texts! {
 
     lights: "Lights", "Luzes";
     default_light: "default light", "luz padrão";
-    default_light_hint: "A scene without lights of its own has this directional one. The first light that you add replaces it.", "Uma cena sem luzes próprias tem esta, direcional. A primeira luz acrescentada a substitui.";
+    default_light_hint: "A scene without lights of its own has this directional one. The first light that you add replaces it.", "Uma cena sem luzes próprias tem esta, direcional. A primeira luz adicionada a substitui.";
     light: "Light", "Luz";
     light_kind_hint: "Directional: parallel light, as from the sun. Point: a lamp", "Direcional: luz paralela, como a do sol. Pontual: uma lâmpada";
     direction: "direction", "direção";
     direction_hint: "The direction in which light travels (world); any length but 0", "A direção em que a luz se propaga (mundo); qualquer comprimento menos 0";
     light_position: "lamp", "lâmpada";
-    light_position_hint: "Where the lamp is (world)", "Onde a lâmpada está (mundo)";
+    light_position_hint: "The position of the light (world)", "A posição da luz (mundo)";
     shadows: "casts shadows", "lança sombras";
     shadows_hint: "Faces that this light does not see are in the shadow: its depth picture, the shadow map, says which", "As faces que esta luz não vê ficam na sombra: sua imagem de profundidades, o mapa de sombras, diz quais";
     shadow_map: "shadow map", "mapa de sombras";
@@ -120,7 +120,7 @@ texts! {
     shadow_bias: "bias", "folga";
     shadow_bias_hint: "How much deeper than the map a point must lie to be in the shadow, in texels, 0 to 100: with 0 faces shadow themselves, with too much shadows come off", "Quão mais fundo que o mapa um ponto precisa estar para ficar na sombra, em texels, de 0 a 100: com 0 as faces sombreiam a si mesmas, com demais as sombras se soltam";
     shadow_reveal: "to see of shadows", "ver das sombras";
-    shadow_reveal_hint: "The light is a camera: its picture, which is the shadow map; the shadows without bias, with which faces shadow themselves; or the pixels where rays to the light say something else than the map. The world shows its volume", "A luz é uma câmera: sua imagem, que é o mapa de sombras; as sombras sem folga, com as quais as faces sombreiam a si mesmas; ou os pixels em que raios até a luz dizem outra coisa que o mapa. O mundo mostra seu volume";
+    shadow_reveal_hint: "The light is a camera: its picture, which is the shadow map; the shadows without bias, with which faces shadow themselves; or the pixels whose rays to the light disagree with the map. The world shows its volume", "A luz é uma câmera: sua imagem, que é o mapa de sombras; as sombras sem folga, com as quais as faces sombreiam a si mesmas; ou os pixels em que raios até a luz dizem outra coisa que o mapa. O mundo mostra seu volume";
     shadow_plain: "shadows", "sombras";
     shadow_of_light: "what the light sees", "o que a luz vê";
     shadow_acne: "without bias", "sem folga";
@@ -131,7 +131,7 @@ texts! {
     name_empty: "a name must not be empty", "um nome não pode ser vazio";
     mesh_title: "Choose a mesh", "Escolher uma malha";
     mesh_filter: "Mesh (OBJ, glTF, GLB)", "Malha (OBJ, glTF, GLB)";
-    mesh_action: "Add", "Acrescentar";
+    mesh_action: "Add", "Adicionar";
 
     drag_object: "Drag: along this axis of its parent", "Arrastar: ao longo deste eixo do pai";
     drag_lamp: "Drag: along this axis", "Arrastar: ao longo deste eixo";

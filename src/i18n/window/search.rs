@@ -2,7 +2,7 @@
 //! with the other names of the field.
 
 texts! {
-    title: "Search", "Procurar";
+    title: "Search", "Pesquisar";
     field: "Command, explanation, lesson, note, exercise, figure…", "Comando, explicação, lição, nota, exercício, figura…";
     keys: "↑ ↓: choose · Enter: go there · Esc: close", "↑ ↓: escolher · Enter: ir · Esc: fechar";
     nothing: "Nothing has these words. Try fewer letters, or another name for it.", "Nada tem estas palavras. Tente menos letras, ou outro nome.";
@@ -93,7 +93,7 @@ const SYNONYMS: &[&[&str]] = &[
     &["title", "titulo", "caption", "legenda", "heading", "cabecalho"],
     &["pdf", "svg", "tex", "webp", "export", "exportar"],
     &["run time", "runtime", "tempo de execucao", "benchmark", "numerics", "error against run time", "erro por tempo"],
-    &["empty image", "empty", "black image", "imagem vazia", "imagem preta", "camera check", "exame da camera"],
+    &["empty image", "empty", "black image", "imagem vazia", "imagem preta", "camera check", "diagnostico da camera"],
     &["rotate", "orbit", "girar", "orbitar", "azimuth", "azimute"],
     &["tilt", "inclinar", "roll", "rolagem"],
     &["screenshot", "print", "imprimir", "export", "exportar", "png"],

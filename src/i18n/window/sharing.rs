@@ -13,7 +13,7 @@ texts! {
     text: "Whoever opens it in a browser sees this figure and can continue with it. The figure is in the link itself, after the #: nothing is sent anywhere.", "Quem o abre em um navegador vê esta figura e pode continuar com ela. A figura está no próprio link, depois do #: nada é enviado a lugar nenhum.";
     address: "Address of the page", "Endereço da página";
     address_hint: "https://…", "https://…";
-    address_text: "Where Camera Lab for the browser is published, such as by your lecturer. It is remembered.", "Onde o Camera Lab para navegador está publicado, como por seu professor. É lembrado.";
+    address_text: "The address of a page with Camera Lab, for example your lecturer's. The program remembers it.", "O endereço de uma página com o Camera Lab, por exemplo a do seu professor. O programa o guarda.";
     no_address: "Without an address, only the part that follows it is copied, from the # on: append it to the address of any page with Camera Lab.", "Sem endereço, só se copia a parte que vem depois dele, a partir do #: acrescente-o ao endereço de qualquer página com o Camera Lab.";
     link: "Link", "Link";
     own_files: "The link does not include these files, and others will miss them:", "O link não inclui estes arquivos, que faltarão aos outros:";
