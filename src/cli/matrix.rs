@@ -127,7 +127,7 @@ impl Answer {
         let open = |unknown: &Unknown| Open { code: unknown.code(), message: dialects::unknown(lang, *unknown) };
         Self {
             kind: reading.kind.name(),
-            axes: reading.axes.name(),
+            axes: reading.axes.name,
             by_columns: best.order == Order::Columns,
             evidence: found.evidence.name(),
             others: found.others.iter().map(|kind| kind.name()).collect(),
@@ -147,7 +147,7 @@ impl OneReading {
         Self {
             kind: reading.kind.name(),
             order: candidate.order.name(),
-            axes: reading.axes.name(),
+            axes: reading.axes.name,
             ndc: reading.kind.has_ndc().then(|| reading.ndc.name()),
             handedness: if reading.is_left_handed() { "left" } else { "right" },
             certainty: candidate.certainty.name(),

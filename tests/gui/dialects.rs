@@ -3,13 +3,13 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::camera::{Axes, MatrixKind, Projection};
-use camera_lab::figure::Explanation;
+use camera_lab::figure::{Explanation, Measure, Measured, WindowSide};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
-use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, vec2};
 use egui_kittest::kittest::Queryable as _;
 use glam::DVec3;
 
@@ -73,6 +73,85 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
     window.app_mut().state.explain.pasted.text = "1 0 0 0 0 1 0 0 0 0 -1 0 0 0 -3 1".to_owned();
     window.run();
     assert!(window.says(pt::CONVENTIONS.row_vectors));
+}
+
+/// K, R and t of a camera, from its basis and its window, without the table of words.
+fn k_r_t(window: &Window) -> ([f64; 4], [DVec3; 3], DVec3) {
+    let (camera, image) = (window.state().document.camera(), window.state().document.figure().image);
+    let (w, near) = (camera.window(), camera.near());
+    let [m, n] = [image.width, image.height].map(f64::from);
+    let (width, height) = (w.right - w.left, w.top - w.bottom);
+    let k = [near * m / width, near * n / height, -w.left * m / width, w.top * n / height];
+    let basis = camera.basis();
+    let r = [basis.u, -basis.v, -basis.n];
+    (k, r, DVec3::from_array(r.map(|row| -row.dot(camera.position()))))
+}
+
+#[test]
+fn k_and_t_are_handles() {
+    let mut window = window(Lang::En, Explanation::Dialects);
+    for (at, field, typed) in [(0, "K f_x", 700.0), (1, "K f_y", 650.0), (2, "K c_x", 300.5), (3, "K c_y", 210.25)] {
+        let (mut expected, r, t) = k_r_t(&window);
+        expected[at] = typed;
+        window.enter(field, &typed.to_string());
+        let now = k_r_t(&window);
+        let same = now.0.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9 * b.abs());
+        assert!(same && now.1 == r && now.2.abs_diff_eq(t, 1e-12), "{field}: {now:?}, not {expected:?}");
+    }
+    for (at, field, typed) in [(0, "t t_1", 1.5), (1, "t t_2", -0.75), (2, "t t_3", 8.0)] {
+        let (k, r, mut t) = k_r_t(&window);
+        t[at] = typed;
+        window.enter(field, &typed.to_string());
+        let now = k_r_t(&window);
+        assert!(now.2.abs_diff_eq(t, 1e-12), "{field}: {}, not {t}", now.2);
+        assert!(now.1.iter().zip(r).all(|(a, b)| a.abs_diff_eq(b, 1e-12)), "t doesn't turn the camera");
+        assert!(now.0.iter().zip(k).all(|(a, b)| (a - b).abs() < 1e-9 * b), "nor does it change its lens");
+    }
+    // No focal length is negative: the reason is beside the field, and the camera stays.
+    let before = window.state().document.camera().clone();
+    window.enter("K f_x", "-3");
+    assert!(window.says("greater than 0") && *window.state().document.camera() == before);
+}
+
+#[test]
+fn an_entry_of_r_turns_the_camera() {
+    let mut window = window(Lang::En, Explanation::Dialects);
+    for (field, row, column, typed) in [("R r_11", 0, 0, 0.3), ("R r_23", 1, 2, -0.4), ("R r_31", 2, 0, 1.0)] {
+        let (k, before, t) = k_r_t(&window);
+        window.enter(field, &typed.to_string());
+        let (k_after, r, t_after) = k_r_t(&window);
+        assert!((r[row][column] - typed).abs() < 1e-12, "{field}: {}", r[row]);
+        // R is a rotation, and the turn is the shortest: the trace of R R₀ᵀ is 1 + 2 cos of the change of its angle.
+        assert!(r[0].cross(r[1]).abs_diff_eq(r[2], 1e-12));
+        let trace: f64 = r.iter().zip(before).map(|(a, b)| a.dot(b)).sum();
+        let turn = before[row][column].acos() - f64::acos(typed);
+        assert!((trace - 1.0 - 2.0 * turn.cos()).abs() < 1e-9, "{field}: {trace}");
+        assert!(t_after.abs_diff_eq(t, 1e-12) && k_after.iter().zip(k).all(|(a, b)| (a - b).abs() < 1e-9));
+    }
+    let before = window.state().document.camera().clone();
+    window.enter("R r_22", "1.5");
+    assert!(window.says("−1") && *window.state().document.camera() == before, "an entry is a cosine");
+    window.key(Key::Escape);
+}
+
+#[test]
+fn an_entry_is_dragged_in_one_step_and_lights_up_what_it_moves() {
+    let mut window = window(Lang::En, Explanation::Dialects);
+    for (field, measured) in [
+        ("R r_33", Measured::Axis(2, 2)),
+        ("t t_3", Measured::OriginAlong(2)),
+        ("K f_x", Measured::Dimension(Measure::Width)),
+        ("K c_y", Measured::Side(WindowSide::Top)),
+    ] {
+        let before = k_r_t(&window);
+        let place = window.field(field).rect().center();
+        window.drag(place, vec2(24.0, 0.0), |window| {
+            assert!(window.state().hover.measured.contains(&measured), "{field} lights {measured:?}");
+        });
+        assert_ne!(k_r_t(&window), before, "{field} moves the camera");
+        window.command_key(Key::Z);
+        assert_eq!(k_r_t(&window), before, "{field}: one drag is one step");
+    }
 }
 
 /// `matrix_world` of the camera of Blender's default scene (`tests/it/other_programs.rs` names the source).

@@ -316,9 +316,13 @@ proptest! {
             let Ok(lines) = vocabulary.lines(&camera, IMAGE) else { continue };
             for (l, line) in lines.iter().enumerate() {
                 for (a, argument) in line.arguments.iter().enumerate() {
-                    let wanted = argument.value * factor + 0.01;
+                    let mut wanted: f64 = argument.value * factor + 0.01;
+                    if matches!(argument.quantity, CameraNumber::Axis(..)) {
+                        // Entries of a rotation are cosines.
+                        wanted = wanted.clamp(-1.0, 1.0);
+                    }
                     let p = vocabulary.set(&camera, IMAGE, argument.quantity, wanted);
-                    let fixed = matches!(argument.quantity, CameraNumber::Fixed | CameraNumber::Axis(..));
+                    let fixed = argument.quantity == CameraNumber::Fixed;
                     prop_assert_eq!(p == *camera.parameters(), fixed, "{:?}", argument);
                     // Directions are brought back to length 1.
                     let direction = matches!(argument.quantity, CameraNumber::Direction(_));

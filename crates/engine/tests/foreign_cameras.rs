@@ -126,7 +126,7 @@ fn difference(read: &Candidate, right: &Camera) -> f64 {
         worst = worst.max((found.basis().n - right.basis().n).length());
         worst = worst.max((found.basis().v - right.basis().v).length());
     }
-    if read.reading.kind.has_ndc() {
+    if read.reading.kind.has_ndc() || read.reading.kind.has_pixels() {
         let slopes = |c: &Camera| c.window().map(|side| side / c.near());
         let (a, b) = (slopes(&found), slopes(right));
         worst = [(a.left, b.left), (a.right, b.right), (a.bottom, b.bottom), (a.top, b.top)]
@@ -465,4 +465,67 @@ fn an_implausible_lens_is_read_with_a_notice() {
     assert!(notices("1.2 0 0.5\n0 1.6 0.5\n0 0 1", [800, 600]).contains(&Unknown::NormalisedPixels));
     let usual = notices("1500 0 960\n0 1500 540\n0 0 1", [1920, 1080]);
     assert!(!usual.contains(&Unknown::PrincipalPoint) && !usual.contains(&Unknown::ImageTurned), "{usual:?}");
+}
+
+/// Cameras along the axes, at 0 and at short places, with lenses of 1 and ½: their numbers fit much.
+fn nasty() -> Vec<Camera> {
+    let directions = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
+    let places = [DVec3::ZERO, DVec3::ONE, DVec3::new(0.0, 0.0, 5.0), DVec3::splat(0.5)];
+    let pairs = directions.into_iter().flat_map(|d| directions.map(|up| (d, up))).filter(|(d, up)| d.dot(*up) == 0.0);
+    let camera = |(k, (direction, view_up)): (usize, (DVec3, DVec3))| {
+        let position = places[k % 4];
+        let (near, far) = [(1.0, 2.0), (0.5, 1.0), (1.0, 3.0)][k % 3];
+        let [width, height] = [[1.0, 1.0], [2.0, 1.0], [0.5, 0.5]][k % 3].map(|side| side * near);
+        let [left, bottom] = if k % 5 == 0 { [0.0, 0.0] } else { [-width, -height] };
+        let window = Some(ViewWindow { left, right: width, bottom, top: height });
+        let focal_point = position + direction;
+        Camera::new(&Parameters { position, focal_point, view_up, near, far, window, ..Parameters::default() }).unwrap()
+    };
+    pairs.enumerate().map(camera).collect()
+}
+
+#[test]
+fn no_camera_of_nasty_numbers_is_certain_and_wrong() {
+    let mut count = 0;
+    let mut check = |text: String, kind: MatrixKind, right: &Camera, side: u32| {
+        count += 1;
+        let pasted = &read_cameras(text.as_bytes()).unwrap()[0];
+        let stated = Stated { image: ImageSize { width: side, height: side }, ..Stated::default() };
+        let Ok(found) = recognise(pasted, &stated, right.parameters()) else { return };
+        let best = found.best();
+        let is_right = best.reading.kind == kind && difference(best, right) < 1e-6;
+        assert!(best.certainty != Certainty::Only || is_right, "certain and wrong: {best:#?}\n{text}");
+    };
+    for (k, right) in nasty().iter().enumerate() {
+        let by_columns = k % 2 == 1;
+        for program in programs() {
+            let view = program.view(right);
+            check(text(view, by_columns, k % 3 == 0, None), MatrixKind::View, right, 512);
+            check(text(view.inverse(), by_columns, k % 3 == 0, None), MatrixKind::CameraToWorld, right, 512);
+        }
+        for ndc in NDC {
+            let m_p = projection(right, ndc);
+            check(text(m_p, by_columns, true, None), MatrixKind::Projection, right, 512);
+            check(text(m_p * right.view_from_world(), by_columns, true, None), MatrixKind::ViewProjection, right, 512);
+        }
+        // K [R | t] of a few pixels, with c at 0, in a corner or in the middle.
+        let r = DMat4::from_diagonal((1.0, -1.0, -1.0, 1.0).into()) * right.view_from_world();
+        for (side, f, c) in [(2, 2.0, 0.5), (2, 1.0, 1.0), (100, 100.0, 0.0), (512, 512.0, 512.0), (512, 256.0, 256.0)]
+        {
+            let intrinsics = DMat3::from_cols(DVec3::X * f, DVec3::Y * f, DVec3::new(c, c, 1.0));
+            let p = DMat4::from_mat3(intrinsics) * r;
+            let rows = [0, 1, 2].map(|i| p.row(i).to_array().map(|x| format!("{x:?}")).join(" "));
+            let pixels = Camera::new(&Parameters {
+                window: Some(ViewWindow {
+                    left: -c / f * right.near(),
+                    right: (f64::from(side) - c) / f * right.near(),
+                    bottom: (c - f64::from(side)) / f * right.near(),
+                    top: c / f * right.near(),
+                }),
+                ..*right.parameters()
+            });
+            check(rows.join("\n"), MatrixKind::Pinhole, &pixels.unwrap(), side);
+        }
+    }
+    assert!(count > 300, "{count}");
 }

@@ -9,6 +9,7 @@ use crate::camera::{Axes, ImageSize, MatrixKind, Ndc};
 use crate::cli::Failure;
 use crate::cli::args::figure::{FigureArgs, size};
 use crate::i18n::Lang;
+use crate::i18n::why::conventions;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct MatrixArgs {
@@ -30,10 +31,8 @@ pub(in crate::cli) struct MatrixArgs {
     /// glTF, `matrixWorld` of three.js; pinhole: K [R | t]; intrinsics: K alone; look-at: C, PF and VUP
     #[arg(long = "as", value_parser = one_of(MatrixKind::ALL, MatrixKind::name), value_name = "KIND")]
     pub(in crate::cli) kind: Option<MatrixKind>,
-    /// Whose axes; without it, the program recognises them. opengl: x right, y up, z towards the viewer, y up in the
-    /// world (glTF and three.js too); blender: z up in the world, which is turned; opencv: x right, y down, z into the
-    /// scene; direct3d, unity and unreal: left-handed worlds, whose z is reversed
-    #[arg(long, value_parser = one_of(Axes::ALL, Axes::name), value_name = "NAME")]
+    /// Whose axes; without it, the program recognises them
+    #[arg(long, value_parser = one_of(Axes::ALL, |axes: Axes| axes.name), value_name = "NAME", long_help = axes_help())]
     pub(in crate::cli) axes: Option<Axes>,
     /// The numbers go down the columns first, or the matrix is for row vectors
     #[arg(long)]
@@ -47,6 +46,12 @@ pub(in crate::cli) struct MatrixArgs {
     /// A figure file, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) format: TableFormat,
+}
+
+/// The table of axes.
+fn axes_help() -> String {
+    let table = conventions::axes_table(Lang::En, |axes| axes.name);
+    format!("Whose axes; without it, the program recognises them\n{table}")
 }
 
 impl MatrixArgs {

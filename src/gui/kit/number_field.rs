@@ -61,10 +61,12 @@ pub struct NumberField<'a> {
 }
 
 /// The result of a field in this frame.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct FieldOutput {
     /// Why the text in the field cannot be taken over; the value has not changed then.
     pub error: Option<FieldError>,
+    /// It is being dragged.
+    pub held: bool,
 }
 
 /// A reason why the typed text cannot be applied.
@@ -260,7 +262,7 @@ impl<'a> NumberField<'a> {
             ui.data_mut(|data| data.insert_temp(id, state));
         }
         self.announce(ui, &response, texts, *value);
-        FieldOutput { error }
+        FieldOutput { error, held: response.dragged() }
     }
 
     /// Arrow keys while it is edited, and requests of a screen reader; returns the error of those.

@@ -1,8 +1,9 @@
 //! Texts in and about code that sets up a camera.
 
-use crate::camera::{Toward, WorldUp};
+use crate::camera::WorldUp;
 use crate::explain::code::{CodeConvention, CodeTarget};
 use crate::i18n::Lang;
+use crate::i18n::why::conventions::camera_axes;
 
 /// A convention that the code states about itself.
 #[must_use]
@@ -23,7 +24,7 @@ pub fn convention(lang: Lang, target: CodeTarget, convention: CodeConvention) ->
             "the window is not symmetric: {name} has no call for it, so the matrix is set; updateProjectionMatrix would undo it",
             "a janela não é simétrica: {name} não tem chamada para ela, e a matriz é definida; updateProjectionMatrix a desfaria"),
         CodeConvention::Axes(axes) => {
-            let [x, y, z] = axes.camera.map(|toward| direction(lang, toward));
+            let camera = camera_axes(lang, axes);
             let world = match (axes.left_handed, axes.up) {
                 (true, WorldUp::Z) => pick!(lang; "left-handed, z up: (x, y, z) -> (x, z, y)",
                     "mão esquerda, z para cima: (x, y, z) -> (x, z, y)"),
@@ -33,22 +34,10 @@ pub fn convention(lang: Lang, target: CodeTarget, convention: CodeConvention) ->
                 }
                 (false, _) => pick!(lang; "as here", "como aqui"),
             };
-            both!(lang; "{name}: the camera has x {x}, y {y}, z {z}; the world is {world}",
-                "{name}: a câmera tem x {x}, y {y}, z {z}; o mundo é {world}")
+            both!(lang; "{name}: the camera has {camera}; the world is {world}",
+                "{name}: a câmera tem {camera}; o mundo é {world}")
         }
         CodeConvention::Centimetres => both!(lang; "lengths in centimetres", "comprimentos em centímetros"),
-    }
-}
-
-/// The direction of an axis of a camera.
-fn direction(lang: Lang, toward: Toward) -> &'static str {
-    match toward {
-        Toward::Right => pick!(lang; "right", "à direita"),
-        Toward::Left => pick!(lang; "left", "à esquerda"),
-        Toward::Up => pick!(lang; "up", "para cima"),
-        Toward::Down => pick!(lang; "down", "para baixo"),
-        Toward::Viewer => pick!(lang; "towards the viewer", "rumo ao observador"),
-        Toward::Scene => pick!(lang; "into the scene", "para dentro da cena"),
     }
 }
 

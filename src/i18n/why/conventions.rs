@@ -1,6 +1,6 @@
 //! The words of conventions: whose NDC, rows or columns, left or right hand.
 
-use crate::camera::{InfiniteParallel, Ndc};
+use crate::camera::{Axes, InfiniteParallel, Ndc, Toward, WorldUp};
 use crate::i18n::{Lang, pictures};
 
 texts! {
@@ -20,6 +20,44 @@ texts! {
     left_handed: "left-handed view space", "espaço de vista de mão esquerda";
     left_handed_hint: "z_c grows along DOP, as in texts on Direct3D", "z_c cresce ao longo de DOP, como em textos sobre Direct3D";
     left_handed_said: "z_c grows along DOP: the third row of M_v and the third column of M_p change sign, and their product stays the same.", "z_c cresce ao longo de DOP: a terceira linha de M_v e a terceira coluna de M_p trocam de sinal, e seu produto não muda.";
+}
+
+/// The axes of a camera.
+#[must_use]
+pub fn camera_axes(lang: Lang, axes: Axes) -> String {
+    let [x, y, z] = axes.camera.map(|toward| direction(lang, toward));
+    format!("x {x}, y {y}, z {z}")
+}
+
+/// A row of the table of axes: camera and world.
+#[must_use]
+pub fn axes_row(lang: Lang, axes: Axes) -> String {
+    let world = match axes.up {
+        WorldUp::Y => pick!(lang; "y up in the world", "no mundo, y para cima"),
+        WorldUp::Z => pick!(lang; "z up in the world", "no mundo, z para cima"),
+        WorldUp::Open => pick!(lang; "the world is taken as it is", "o mundo fica como está"),
+    };
+    let hand = if axes.left_handed { pick!(lang; ", left-handed", ", mão esquerda") } else { "" };
+    format!("{}; {world}{hand}", camera_axes(lang, axes))
+}
+
+/// The table of axes, a line for each row, by their titles or by the names on the command line.
+#[must_use]
+pub fn axes_table(lang: Lang, name: fn(Axes) -> &'static str) -> String {
+    let rows = Axes::ALL.map(|axes| format!("{}: {}", name(axes), axes_row(lang, axes)));
+    rows.join("\n")
+}
+
+/// The direction of an axis of a camera.
+fn direction(lang: Lang, toward: Toward) -> &'static str {
+    match toward {
+        Toward::Right => pick!(lang; "right", "à direita"),
+        Toward::Left => pick!(lang; "left", "à esquerda"),
+        Toward::Up => pick!(lang; "up", "para cima"),
+        Toward::Down => pick!(lang; "down", "para baixo"),
+        Toward::Viewer => pick!(lang; "towards the viewer", "rumo ao observador"),
+        Toward::Scene => pick!(lang; "into the scene", "para dentro da cena"),
+    }
 }
 
 /// A convention in words, as in the pictures.

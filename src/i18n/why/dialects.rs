@@ -4,12 +4,12 @@ use crate::camera::{
     Assumed, Axes, Candidate, Certainty, Evidence, Lines, MatrixKind, MatrixTextError, NdcRange, Order, Reading,
     Reason, Recognised, RecoveryError, Unknown,
 };
-use crate::explain::vocabulary::{Limitation, Vocabulary};
+use crate::explain::vocabulary::{CameraNumber, Limitation, Vocabulary};
+use crate::i18n::why::conventions::camera_axes;
 use crate::i18n::{Lang, messages};
 use crate::sanitize::escaped;
 
 texts! {
-    number_hint: "Sets the camera", "Define a câmera";
     fixed_hint: "Follows from the others and cannot be set by itself", "Decorre dos outros e não pode ser definido sozinho";
     pasted: "A matrix → its camera", "Uma matriz → sua câmera";
     pasted_hint: "Paste a matrix, K, a quaternion and t, or a file of another program, as it prints it. The program recognises the matrix, its axes and its NDC as far as the numbers tell; other NDC than those of OpenGL are those you chose under Conventions.",
@@ -19,8 +19,7 @@ texts! {
     kind_hint: "What the matrix does. Camera → world is the inverse of M_v: matrix_world of Blender, a node of glTF, matrixWorld of three.js. K [R | t] leads to pixels.",
         "O que a matriz faz. Câmera → mundo é a inversa de M_v: matrix_world do Blender, um nó de glTF, matrixWorld de three.js. K [R | t] leva a pixels.";
     axes: "Axes", "Eixos";
-    axes_hint: "Whose axes. OpenGL, glTF, three.js: x right, y up, z towards the viewer; y is up in the world. Blender: the same, but z is up in the world, which is turned. OpenCV: x right, y down, z into the scene.",
-        "Os eixos de quem. OpenGL, glTF, three.js: x à direita, y para cima, z rumo ao observador; no mundo, y é para cima. Blender: os mesmos, mas no mundo z é para cima, e ele é girado. OpenCV: x à direita, y para baixo, z para dentro da cena.";
+    axes_hint: "Whose axes", "Os eixos de quem";
     instead: "Read it as", "Ler como";
     instead_hint: "As this, it gives another camera", "Assim ela dá outra câmera";
     camera: "Camera", "Câmera";
@@ -54,8 +53,8 @@ pub fn title(lang: Lang, vocabulary: Vocabulary) -> (&'static str, &'static str)
 
 /// A limitation of a vocabulary, or a difference to the notes.
 #[must_use]
-pub fn limitation(lang: Lang, limitation: Limitation) -> &'static str {
-    match limitation {
+pub fn limitation(lang: Lang, limitation: Limitation) -> String {
+    let text = match limitation {
         Limitation::SymmetricOnly => pick!(lang; "It can express symmetric windows only: this one is not.",
             "Só exprime janelas simétricas: esta não é."),
         Limitation::PerspectiveOnly => pick!(lang; "It can express perspective only.",
@@ -72,9 +71,32 @@ pub fn limitation(lang: Lang, limitation: Limitation) -> &'static str {
         Limitation::Coordinates => pick!(lang;
             "z_{near} and z_{far} are coordinates, negative, but [0] has distances F and B.",
             "z_{near} e z_{far} são coordenadas, negativas, mas [0] tem as distâncias F e B."),
-        Limitation::YDown => pick!(lang;
-            "x to the right, y down, z into the scene; pixels from the corner of the image, as in (5.22).",
-            "x para a direita, y para baixo, z para dentro da cena; pixels a partir do canto da imagem, como em (5.22)."),
+        Limitation::YDown => {
+            let axes = camera_axes(lang, Axes::OPENCV);
+            return both!(lang; "{axes}; pixels from the corner of the image, as in (5.22).",
+                "{axes}; pixels a partir do canto da imagem, como em (5.22).");
+        }
+    };
+    text.to_owned()
+}
+
+/// The effect of a number on the camera.
+#[must_use]
+pub fn number_hint(lang: Lang, quantity: CameraNumber) -> &'static str {
+    match quantity {
+        CameraNumber::Axis(..) => pick!(lang;
+            "An entry of a rotation is a cosine: −1 … 1. The camera turns about the origin until this entry has the number. R stays a rotation, so other entries change too; t doesn't change, so C = −Rᵀ t moves",
+            "Um elemento de uma rotação é um cosseno: −1 … 1. A câmera gira em torno da origem até que este elemento tenha o número. R continua uma rotação, e outros elementos mudam também; t fica, e C = −Rᵀ t se move"),
+        CameraNumber::Translation(_) => pick!(lang;
+            "The world's origin in the axes of K. The camera moves along one of its own axes, without a turn",
+            "A origem do mundo nos eixos de K. A câmera se move ao longo de um de seus eixos, sem girar"),
+        CameraNumber::FocalLength(_) => pick!(lang;
+            "The focal length in pixels. Greater: a smaller window, so things look larger",
+            "A distância focal em pixels. Maior: uma janela menor, e as coisas parecem maiores"),
+        CameraNumber::PrincipalPoint(_) => pick!(lang;
+            "The pixel in which DOP meets the image: the window moves beside the axis",
+            "O pixel em que DOP encontra a imagem: a janela se desloca em relação ao eixo"),
+        _ => pick!(lang; "Sets the camera", "Define a câmera"),
     }
 }
 
@@ -90,12 +112,6 @@ pub fn kind(lang: Lang, kind: MatrixKind) -> &'static str {
         MatrixKind::Intrinsics => pick!(lang; "K alone", "só K"),
         MatrixKind::LookAt => "C, PF, VUP",
     }
-}
-
-/// The programs that have some axes.
-#[must_use]
-pub const fn axes(axes: Axes) -> &'static str {
-    axes.title
 }
 
 /// The order of the numbers.
@@ -116,7 +132,7 @@ pub fn order(lang: Lang, order: Order) -> &'static str {
 #[must_use]
 pub fn reading(lang: Lang, candidate: &Candidate, evidence: Evidence) -> String {
     let Reading { kind: of, axes: whose, ndc, .. } = candidate.reading;
-    let (kind, axes) = (kind(lang, of), axes(whose));
+    let (kind, axes) = (kind(lang, of), whose.title);
     let mut said = both!(lang; "Read as {kind}", "Lida como {kind}");
     if of.has_camera_axes() {
         said += &both!(lang; " in the axes of {axes}", " nos eixos de {axes}");
@@ -177,7 +193,7 @@ pub fn assumed(lang: Lang, found: &Recognised, assumed: Assumed) -> String {
             both!(lang; "As {name} it has {camera}.", "Como {name}, tem {camera}.")
         }
         Assumed::Axes(at) => {
-            let (taken, name) = (axes(best.reading.axes), axes(other(at).reading.axes));
+            let (taken, name) = (best.reading.axes.title, other(at).reading.axes.title);
             let camera = camera(lang, other(at));
             both!(lang; "The axes are those of {taken}. In those of {name} it has {camera}.",
                 "Os eixos são os de {taken}. Nos de {name}, tem {camera}.")

@@ -19,13 +19,13 @@
 
 mod basis;
 mod check;
+mod conventions;
 mod image_map;
 mod lens_form;
 mod matrix;
 mod operation;
 mod parameters;
 mod place;
-mod programs;
 mod ray;
 mod recovery;
 mod stations;
@@ -35,9 +35,10 @@ mod window;
 
 pub use basis::Basis;
 pub use check::{CameraRepair, Warning, camera_repairs, thresholds};
+pub use conventions::{AngleUnit, Api, Axes, InfiniteParallel, Ndc, NdcRange, Order, Program, Toward, WorldUp};
 pub use image_map::{ImageSize, Viewport};
 pub use lens_form::{LensForm, LensNumbers, Sensor, SensorFit};
-pub use matrix::{Api, ClipSpace, Decomposition, Factor, InfiniteParallel, Ndc, Step};
+pub use matrix::{ClipSpace, Decomposition, Factor, Step};
 pub use operation::{
     Amount, CameraPath, Changes, Convention, Descriptor, Freedom, OPERATIONS, Operation, OperationError,
 };
@@ -45,11 +46,9 @@ pub use parameters::{
     CameraError, Checked, Derived, ParameterKey, Parameters, Projection, Range, ViewWindow, is_infinite_far,
 };
 pub use place::Place;
-pub use programs::{AngleUnit, Program};
 pub use recovery::{
-    Assumed, Axes, Candidate, Certainty, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError, NdcRange, Order,
-    Pasted, Reading, Reason, Recognised, Recovered, RecoveryError, Stated, Toward, Unknown, WorldUp, camera_names,
-    read_cameras, recognise, recover,
+    Assumed, Candidate, Certainty, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError, Pasted, Reading,
+    Reason, Recognised, Recovered, RecoveryError, Stated, Unknown, camera_names, read_cameras, recognise, recover,
 };
 pub use stations::{Projected, Stations};
 pub use unproject::{NotProjectable, WayBack};

@@ -87,7 +87,7 @@ pub enum CameraNumber {
     PrincipalPoint(Component),
     /// t = −R C
     Translation(Component),
-    /// An axis: it cannot be set one number at a time.
+    /// An entry of R: the camera is turned about the origin until the entry has the number.
     Axis(Axis, Component),
     /// Follows from the others, and cannot be set.
     Fixed,
@@ -163,7 +163,7 @@ impl Vocabulary {
     }
 
     /// The parameters of the camera with one of the numbers changed. Whether they are those of a camera,
-    /// [`Camera::new`] says. [`CameraNumber::Axis`] and [`CameraNumber::Fixed`] change nothing.
+    /// [`Camera::new`] says. [`CameraNumber::Fixed`] changes nothing.
     #[must_use]
     pub fn set(self, camera: &Camera, image: ImageSize, quantity: CameraNumber, value: f64) -> Parameters {
         let mut p = *camera.parameters();
@@ -223,7 +223,14 @@ impl Vocabulary {
                 p.focal_point += position - p.position;
                 p.position = position;
             }
-            CameraNumber::Axis(..) | CameraNumber::Fixed => {}
+            CameraNumber::Axis(axis, c) => {
+                // t stays, so C = −Rᵀ t turns with R.
+                let turn = turn_of_entry(camera, axis as usize, c.index(), value);
+                for vector in [&mut p.position, &mut p.focal_point, &mut p.view_up] {
+                    *vector = turn * *vector;
+                }
+            }
+            CameraNumber::Fixed => {}
         }
         p
     }
@@ -233,6 +240,18 @@ impl Vocabulary {
 fn vision_rotation(camera: &Camera) -> DMat3 {
     let basis = camera.basis();
     DMat3::from_cols(basis.u, -basis.v, -basis.n).transpose()
+}
+
+/// The shortest turn after which an entry of R has a value of −1 … 1: about the line perpendicular to its row and to
+/// the world's axis of its column.
+fn turn_of_entry(camera: &Camera, row: usize, column: usize, value: f64) -> DMat3 {
+    let rotation = vision_rotation(camera);
+    let (along, axis) = (rotation.row(row), DVec3::AXES[column]);
+    let across = along.cross(axis);
+    // A row along the axis has every perpendicular: the next row is one.
+    let about = across.try_normalize().filter(|_| across.length() > 1e-9).unwrap_or(rotation.row((row + 1) % 3));
+    let (from, to) = (across.length().atan2(along.dot(axis)), value.clamp(-1.0, 1.0).acos());
+    DMat3::from_axis_angle(about, from - to)
 }
 
 struct Values<'a> {

@@ -37,7 +37,7 @@ fn written(state: &State) -> String {
     let figure = state.document.figure();
     let target = state.explain.code;
     if let Some(limitation) = target.limitation(camera) {
-        return dialects::limitation(state.settings.lang, limitation).to_owned();
+        return dialects::limitation(state.settings.lang, limitation);
     }
     let setting = Setting::new(camera.notes_clip_space(), figure.image, figure.viewport);
     target.code(&setting, &code::comments(state.settings.lang, target, &target.conventions(camera)))

@@ -4,14 +4,16 @@ use eframe::egui::{self, RichText};
 
 use super::pasted_matrix::{self, note_on_matrix, take};
 use crate::camera::{Camera, Parameters, Projection};
-use crate::explain::Axis;
 use crate::explain::vocabulary::{Argument, CameraNumber, Limitation, Line, Vocabulary};
+use crate::explain::{Axis, Component, Symbol};
+use crate::figure::Measured;
 use crate::gui::inspector::{complaint, section};
-use crate::gui::kit::number_field::{NumberField, Step};
+use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
-use crate::gui::why::context_help::{help_topic, help_topic_row};
+use crate::gui::why::context_help::{has_focus, help_topic, help_topic_row};
+use crate::gui::why::measures::of_symbol;
 use crate::i18n::why::dialects;
 use crate::i18n::{messages, window};
 use crate::numbers::{is_rest, power_of_ten};
@@ -69,7 +71,7 @@ fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
         Ok(lines) => lines,
         Err(limitation) => {
             let said = dialects::limitation(lang, limitation);
-            theme::wrapped(ui, said, &egui::TextStyle::Body, ui.visuals().weak_text_color());
+            theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().weak_text_color());
             if limitation == Limitation::PerspectiveOnly {
                 to_perspective(ui, state, &camera);
             }
@@ -77,7 +79,15 @@ fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
         }
     };
     for line in &lines {
-        if let Some((quantity, value)) = numbers(ui, state, vocabulary, line) {
+        let set = numbers(ui, state, vocabulary, line);
+        let of_line = |quantity| line.arguments.iter().any(|argument| argument.quantity == quantity);
+        if let Some((of, quantity, _, error)) = &state.explain.refused
+            && *of == vocabulary
+            && of_line(*quantity)
+        {
+            complaint(ui, &messages::camera(lang, error));
+        }
+        if let Some((quantity, value)) = set {
             let parameters = vocabulary.set(&camera, image, quantity, value);
             state.explain.refused = match Camera::new(&parameters) {
                 Ok(_) => {
@@ -88,12 +98,9 @@ fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
             };
         }
     }
-    if let Some((_, _, _, error)) = state.explain.refused.as_ref().filter(|refused| refused.0 == vocabulary) {
-        complaint(ui, &messages::camera(lang, error));
-    }
     for limitation in vocabulary.limitations() {
         let said = dialects::limitation(lang, *limitation);
-        theme::wrapped(ui, said, &egui::TextStyle::Small, ui.visuals().weak_text_color());
+        theme::wrapped(ui, &said, &egui::TextStyle::Small, ui.visuals().weak_text_color());
     }
 }
 
@@ -115,8 +122,8 @@ const SYMBOL: f32 = 56.0;
 const IN_A_ROW: usize = 3;
 
 /// A line with a field for each number; returns the one that was set.
-fn numbers(ui: &mut egui::Ui, state: &State, vocabulary: Vocabulary, line: &Line) -> Option<(CameraNumber, f64)> {
-    let mut set = None;
+fn numbers(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary, line: &Line) -> Option<(CameraNumber, f64)> {
+    let (mut set, mut error) = (None, None);
     let is_call = line.name.starts_with("gl");
     if is_call {
         ui.label(RichText::new(line.name).monospace().strong());
@@ -137,14 +144,51 @@ fn numbers(ui: &mut egui::Ui, state: &State, vocabulary: Vocabulary, line: &Line
             }
             for argument in row {
                 let shown = ui.scope(|ui| number(ui, state, vocabulary, line, argument, width));
-                help_topic_row(ui, shown.response.rect, note_on(argument.quantity, vocabulary));
-                if let Some(value) = shown.inner {
-                    set = Some((argument.quantity, value));
+                let rect = shown.response.rect;
+                help_topic_row(ui, rect, note_on(argument.quantity, vocabulary));
+                let (value, output) = shown.inner;
+                // Another window can change the lines above, so a field that is dragged may leave the pointer.
+                if ui.rect_contains_pointer(rect) || has_focus(ui, rect) || output.held {
+                    light(state, argument.quantity);
                 }
+                set = value.map(|value| (argument.quantity, value)).or(set);
+                error = output.error.or(error.take());
             }
         });
+        if let Some(error) = error.take() {
+            complaint(ui, &error.text(state.settings.lang));
+        }
     }
     set
+}
+
+/// Lights up what a number moves: lengths and axes in the world, and entries of matrices that depend on them.
+fn light(state: &mut State, quantity: CameraNumber) {
+    let symbols: &[Symbol] = match quantity {
+        CameraNumber::Position(c) => &[Symbol::Position(c)],
+        CameraNumber::FocalPoint(c) => &[Symbol::FocalPoint(c)],
+        CameraNumber::ViewUp(c) => &[Symbol::ViewUp(c)],
+        CameraNumber::Axis(axis, c) => &[Symbol::Axis(axis, c)],
+        CameraNumber::ViewAngle => &[Symbol::ViewAngle],
+        CameraNumber::Left => &[Symbol::Left],
+        CameraNumber::Right => &[Symbol::Right],
+        CameraNumber::Bottom => &[Symbol::Bottom],
+        CameraNumber::Top => &[Symbol::Top],
+        CameraNumber::Aspect | CameraNumber::HalfWidth | CameraNumber::FocalLength(Component::X) => &[Symbol::Width],
+        CameraNumber::HalfHeight | CameraNumber::FocalLength(_) => &[Symbol::Height],
+        CameraNumber::Near | CameraNumber::NearCoordinate => &[Symbol::Near],
+        CameraNumber::Far | CameraNumber::FarCoordinate => &[Symbol::Far],
+        CameraNumber::PrincipalPoint(Component::X) => &[Symbol::Left, Symbol::Right],
+        CameraNumber::PrincipalPoint(_) => &[Symbol::Bottom, Symbol::Top],
+        CameraNumber::Translation(c) => {
+            // u · C, v · C and n · C, but for their signs.
+            state.hover.measured.push(Measured::OriginAlong(c.index()));
+            &[]
+        }
+        CameraNumber::Direction(_) | CameraNumber::Fixed => &[],
+    };
+    state.hover.measured.extend(symbols.iter().filter_map(|symbol| of_symbol(*symbol)));
+    state.hover.pointed.extend_from_slice(symbols);
 }
 
 /// A number: a field, or a label where it cannot be set.
@@ -155,13 +199,13 @@ fn number(
     line: &Line,
     argument: &Argument,
     width: f32,
-) -> Option<f64> {
+) -> (Option<f64>, FieldOutput) {
     let lang = state.settings.lang;
     let t = dialects::texts(lang);
     // A name before the line is not repeated.
     let prefix = if line.name == argument.name { "" } else { argument.name };
     let greatest = line.arguments.iter().fold(0.0_f64, |greatest, a| greatest.max(a.value.abs()));
-    if matches!(argument.quantity, CameraNumber::Fixed | CameraNumber::Axis(..)) {
+    if argument.quantity == CameraNumber::Fixed {
         let value = if is_rest(argument.value, greatest) { 0.0 } else { argument.value };
         let text = format!("{prefix} {}", lang.mark().number(value, state.settings.digits));
         let job = theme::lowered(ui, text.trim(), &egui::TextStyle::Body, ui.visuals().weak_text_color());
@@ -169,7 +213,7 @@ fn number(
         let label = ui.add_sized([width, ui.spacing().interact_size.y], label).explained(t.fixed_hint);
         let said = text.trim().replace(['{', '}'], "");
         label.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &said));
-        return None;
+        return (None, FieldOutput::default());
     }
     let refused =
         state.explain.refused.as_ref().filter(|refused| (refused.0, refused.1) == (vocabulary, argument.quantity));
@@ -179,6 +223,8 @@ fn number(
     let name = format!("{} {}", line.name, argument.name).replace(['{', '}'], "");
     let field = match argument.quantity {
         CameraNumber::ViewAngle => NumberField::angle(name, 5.0),
+        CameraNumber::Axis(..) => NumberField::new(name, Step::Add(0.02)).within(-1.0..=1.0),
+        CameraNumber::FocalLength(_) => NumberField::new(name, Step::Multiply(1.02)).positive(),
         CameraNumber::Aspect => NumberField::new(name, Step::Multiply(1.1)).fractions(),
         CameraNumber::Near | CameraNumber::Far | CameraNumber::HalfWidth | CameraNumber::HalfHeight => {
             NumberField::new(name, Step::Multiply(1.1))
@@ -188,13 +234,10 @@ fn number(
     let output = field
         .of(dialects::title(lang, vocabulary).1)
         .prefix(prefix)
-        .hint(t.number_hint)
+        .hint(dialects::number_hint(lang, argument.quantity))
         .width(width)
         .beside(greatest)
         .marked(refused.is_some())
         .show(ui, window::texts(lang), &mut value);
-    if let Some(error) = output.error {
-        complaint(ui, &error.text(lang));
-    }
-    (value.to_bits() != shown.to_bits()).then_some(value)
+    ((value.to_bits() != shown.to_bits()).then_some(value), output)
 }

@@ -13,6 +13,7 @@ use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::gui::why::context_help::help_topic;
+use crate::i18n::why::conventions;
 use crate::i18n::why::dialects;
 use crate::i18n::why::dialects::Texts;
 use crate::i18n::window;
@@ -105,8 +106,9 @@ fn choices(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     row(ui, "", t.kind, t.kind_hint, |ui| choice(ui, t.kind, t.kind_hint, &mut pasted.kind, &kinds));
     if pasted.kind.is_none_or(MatrixKind::has_pose) {
         let mut axes = vec![(None, t.recognise)];
-        axes.extend(Axes::ALL.map(|axes| (Some(axes), dialects::axes(axes))));
-        row(ui, "", t.axes, t.axes_hint, |ui| choice(ui, t.axes, t.axes_hint, &mut pasted.axes, &axes));
+        axes.extend(Axes::ALL.map(|axes| (Some(axes), axes.title)));
+        let hint = format!("{}\n{}", t.axes_hint, conventions::axes_table(t.lang, |axes| axes.title));
+        row(ui, "", t.axes, &hint, |ui| choice(ui, t.axes, &hint, &mut pasted.axes, &axes));
     }
     ui.checkbox(&mut pasted.transposed, t.transposed).explained(t.transposed_hint);
 }

@@ -2,9 +2,7 @@
 
 mod clip_space;
 mod decomposition;
-mod ndc;
 pub(crate) mod projection;
 
 pub use clip_space::ClipSpace;
 pub use decomposition::{Decomposition, Factor, Step};
-pub use ndc::{Api, InfiniteParallel, Ndc};

@@ -6,8 +6,8 @@
 use glam::{DMat4, DVec3};
 
 use crate::camera::recovery::entries::MatrixEntries;
-use crate::camera::recovery::{Axes, MatrixKind, NdcRange, Order, Reading, Recovered, SLACK, Unknown, WorldUp};
-use crate::camera::{Camera, Projection};
+use crate::camera::recovery::{Axes, MatrixKind, Order, Reading, Recovered, SLACK, Unknown, WorldUp};
+use crate::camera::{Camera, Program, Projection};
 
 /// Something that speaks for a reading, or against it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -255,7 +255,7 @@ fn prior(reading: &Reading, order: Order, is_flat: bool) -> f64 {
         // M_p M_v tells nothing of the camera's z, but OpenCV's z goes with its y.
         let tells_z = reading.kind == MatrixKind::Projection || axes == Axes::DIRECT3D || reading.ndc.y_down;
         let is_forward = tells_z && axes.signs()[1] < 0.0;
-        points -= rarity_of(reading.ndc, is_forward);
+        points -= reading.ndc.rarity(is_forward);
         // OpenCV's y points down, in the image as in the camera; else it's Vulkan, whose depths are 0 … 1.
         if reading.ndc.y_down != (axes == Axes::OPENCV) {
             points -= if [reading.ndc.at_near, reading.ndc.at_far] == [-1, 1] { 2.5 } else { 0.5 };
@@ -264,20 +264,10 @@ fn prior(reading: &Reading, order: Order, is_flat: bool) -> f64 {
     points - unusual_order(reading, order, is_flat)
 }
 
-fn rarity_of(ndc: NdcRange, is_forward: bool) -> f64 {
-    match ([ndc.at_near, ndc.at_far], is_forward) {
-        ([-1, 1], false) | ([0, 1], true) => 0.0,
-        ([1, 0], true) => 1.0,
-        ([-1, 1], true) | ([0, 1], false) => 1.5,
-        ([1, 0], false) => 2.0,
-        _ => 3.0,
-    }
-}
-
 /// Programs have their order: Blender prints rows, Unreal and `PyTorch3D` have row vectors, Direct3D both.
 fn unusual_order(reading: &Reading, order: Order, is_flat: bool) -> f64 {
     let axes = reading.axes;
-    let rows_of_vectors = [Axes::UNREAL, Axes::PYTORCH3D].contains(&axes);
+    let rows_of_vectors = Program::is_always_by_columns(axes);
     let by_kind = if axes == Axes::BLENDER && reading.kind == MatrixKind::View { 3.0 } else { 0.0 };
     by_kind
         + match (order, reading.kind) {

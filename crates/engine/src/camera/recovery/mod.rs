@@ -4,7 +4,6 @@
 //! has no length), VUP (only **v** is known), and in parallel projection C along **n** (moving the eye along its line
 //! of sight changes nothing).
 
-mod axes;
 mod entries;
 mod error;
 mod evidence;
@@ -16,18 +15,17 @@ mod solve;
 mod text;
 mod unknown;
 
-pub use axes::{Axes, Toward, WorldUp};
 pub use entries::MatrixEntries;
 pub use error::{Lines, RecoveryError};
 pub use evidence::Reason;
-pub use reading::{MatrixKind, NdcRange, Order, Reading, Stated};
+pub use reading::{MatrixKind, Reading, Stated};
 pub use recognition::{Assumed, Candidate, Certainty, Evidence, Recognised, recognise};
 pub use text::{MatrixTextError, Pasted, camera_names, read_cameras};
 pub use unknown::Unknown;
 
 use glam::DMat4;
 
-use crate::camera::{Camera, Parameters};
+use crate::camera::{Axes, Camera, NdcRange, Order, Parameters, Toward, WorldUp};
 use solve::Recovery;
 
 /// A camera's parameters from a matrix.

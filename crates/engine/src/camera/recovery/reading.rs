@@ -1,7 +1,6 @@
 //! How a matrix of another program is read: its task, its axes and its normalised device coordinates.
 
-use crate::camera::recovery::Axes;
-use crate::camera::{ImageSize, Ndc};
+use crate::camera::{Axes, ImageSize, NdcRange};
 
 /// The kind of a pasted matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -70,99 +69,6 @@ impl MatrixKind {
     #[must_use]
     pub const fn has_pixels(self) -> bool {
         matches!(self, Self::Pinhole | Self::Intrinsics)
-    }
-}
-
-/// The order in which the numbers of a matrix were written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Order {
-    /// Row after row.
-    Rows,
-    /// Column after column, or for row vectors.
-    Columns,
-    /// Nine numbers of R by rows, then the three of t.
-    RotationThenTranslation,
-    /// A quaternion w x y z, then t: COLMAP.
-    WxyzThenT,
-    /// A quaternion x y z w, then t.
-    XyzwThenT,
-    /// t, then a quaternion x y z w: TUM, glTF.
-    TThenXyzw,
-    /// t, then a quaternion w x y z.
-    TThenWxyz,
-}
-
-impl Order {
-    /// The name in the output of the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Rows => "rows",
-            Self::Columns => "columns",
-            Self::RotationThenTranslation => "rotation-translation",
-            Self::WxyzThenT => "wxyz-t",
-            Self::XyzwThenT => "xyzw-t",
-            Self::TThenXyzw => "t-xyzw",
-            Self::TThenWxyz => "t-wxyz",
-        }
-    }
-}
-
-/// A range of normalised device coordinates. Programs have more of them than [`Ndc`] can write: near and far exchanged
-/// in −1 … 1, or y turned over without Vulkan.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct NdcRange {
-    /// z_n at F.
-    pub at_near: i8,
-    /// z_n at B.
-    pub at_far: i8,
-    /// B is infinite.
-    pub infinite: bool,
-    /// y_n grows downwards.
-    pub y_down: bool,
-}
-
-impl NdcRange {
-    /// The ranges of depths that programs have, the likelier first.
-    pub(crate) const DEPTHS: [[i8; 2]; 4] = [[-1, 1], [0, 1], [1, 0], [1, -1]];
-
-    /// z_n at F and at B.
-    pub(crate) fn depths(self) -> [f64; 2] {
-        [self.at_near, self.at_far].map(f64::from)
-    }
-
-    /// The name of its library, and the differences there.
-    #[must_use]
-    pub fn name(self) -> String {
-        let base = match ([self.at_near, self.at_far], self.y_down) {
-            ([0, 1], false) => "direct3d",
-            ([0, 1], true) => "vulkan",
-            ([1, 0], false) => "direct3d-reversed",
-            ([1, 0], true) => "vulkan-reversed",
-            ([1, -1], false) => "opengl-exchanged",
-            ([1, -1], true) => "opengl-exchanged-y-down",
-            (_, false) => "opengl",
-            (_, true) => "opengl-y-down",
-        };
-        let ending = if self.infinite { "-infinite" } else { "" };
-        format!("{base}{ending}")
-    }
-}
-
-impl From<Ndc> for NdcRange {
-    fn from(ndc: Ndc) -> Self {
-        let [at_near, at_far] = match ndc.depths() {
-            [1.0, _] => [1, 0],
-            [0.0, _] => [0, 1],
-            _ => [-1, 1],
-        };
-        Self { at_near, at_far, infinite: ndc.infinite, y_down: ndc.y_points_down() }
-    }
-}
-
-impl Default for NdcRange {
-    fn default() -> Self {
-        Ndc::default().into()
     }
 }
 

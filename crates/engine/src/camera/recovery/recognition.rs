@@ -208,8 +208,7 @@ fn ranges(kind: MatrixKind, stated: &Stated) -> Vec<NdcRange> {
     if let Some(ndc) = stated.ndc {
         return vec![ndc];
     }
-    let range = |[at_near, at_far]: [i8; 2], y_down| NdcRange { at_near, at_far, infinite: false, y_down };
-    NdcRange::DEPTHS.into_iter().flat_map(|depths| [range(depths, false), range(depths, true)]).collect()
+    NdcRange::all().collect()
 }
 
 /// The camera of a reading, if the numbers allow it.
@@ -294,7 +293,9 @@ fn follow(word: &Word, stated: &Stated, entries: &MatrixEntries, readings: &mut 
 
 /// The readings with their certainty; the other kinds and the assumptions.
 fn judged(mut readings: Vec<Candidate>, elsewhere: &[Candidate], stated: &Stated) -> Recognised {
-    let is_odd = |unknown: &Unknown| matches!(unknown, Unknown::PrincipalPoint | Unknown::WideAngle);
+    // Shares of the sides and pixels of a tiny image are the same numbers.
+    let is_odd =
+        |unknown: &Unknown| matches!(unknown, Unknown::PrincipalPoint | Unknown::WideAngle | Unknown::NormalisedPixels);
     let gap = readings.get(1).map(|second| readings[0].weight.score - second.weight.score);
     readings[0].certainty = match gap {
         None if readings[0].found.unknown.iter().any(is_odd) => Certainty::Likely,

@@ -52,7 +52,7 @@ fn entries(value: &Value) -> Option<MatrixEntries> {
 }
 
 /// All digits of a number of JSON are there, or those of an `f32`.
-fn written(value: f64) -> Written {
+pub(crate) fn written(value: f64) -> Written {
     let digits = format!("{}", value.abs()).chars().filter(char::is_ascii_digit).count();
     Written { value, error: if digits > 7 { 6e-8 * value.abs() } else { 0.0 } }
 }

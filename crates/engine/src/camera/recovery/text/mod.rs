@@ -1,6 +1,6 @@
 //! A text or a file of another program → the cameras in it.
 //!
-//! Each real format has its reader: JSON, COLMAP, glTF, trajectories of `Open3D`, `ParaView`. A text of another form
+//! Each real format has its reader: JSON, YAML, COLMAP, glTF, trajectories of `Open3D`, `ParaView`. A text of another form
 //! is a list of numbers under names (`K =`, `R:`, `P2:`), as programs print them; the names and counts say which is
 //! which.
 
@@ -12,6 +12,7 @@ mod paraview;
 mod trajectory;
 mod values;
 mod words;
+mod yaml;
 
 use glam::{DMat3, DMat4, DVec3};
 
@@ -121,6 +122,9 @@ pub fn read_cameras(bytes: &[u8]) -> Result<Vec<Pasted>, MatrixTextError> {
     if let Ok(value) = serde_json::from_str(text) {
         return json::cameras(&value, text);
     }
+    if let Some(cameras) = yaml::cameras(text) {
+        return Ok(cameras);
+    }
     let (segments, stray) = numbers::segments(text)?;
     of_segments(segments, text).map_err(|error| match (error, stray) {
         (MatrixTextError::Count(_), Some(stray)) => MatrixTextError::Part(stray),
@@ -149,7 +153,7 @@ impl MatrixEntries {
 
 /// The cameras of numbers under names.
 fn of_segments(segments: Vec<Segment>, text: &str) -> Result<Vec<Pasted>, MatrixTextError> {
-    let word = words::find(text);
+    let word = words::find(&numbers::without_comments(text));
     let image = image_size(&segments);
     let total: usize = segments.iter().map(|segment| segment.numbers.len()).sum();
     let said = |camera: Pasted| Pasted { word: camera.word.or(word), image, ..camera };
@@ -254,14 +258,18 @@ fn of_parts(segments: &[Segment]) -> Option<Pasted> {
     let open = Pasted { lens, ..Pasted::new("", entries) };
     // K, R and t are those of computer vision.
     let is_vision = lens.is_some() || rvec.is_some();
-    let word = Word {
+    Some(Pasted { word: (is_vision && matrix.is_none()).then(word_of_vision), ..open })
+}
+
+/// K, R and t lead from the world to the camera, in the axes of `OpenCV`.
+const fn word_of_vision() -> Word {
+    Word {
         word: "K, R, t",
         kind: Some(MatrixKind::View),
         axes: Some(Axes::OPENCV),
         order: Some(Order::Rows),
         is_weak: false,
-    };
-    Some(Pasted { word: (is_vision && matrix.is_none()).then_some(word), ..open })
+    }
 }
 
 /// The rotation matrix of a vector of Rodrigues, by rows.

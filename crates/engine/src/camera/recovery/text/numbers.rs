@@ -243,7 +243,7 @@ fn is_separator(c: char) -> bool {
 }
 
 /// The text without lines of comments.
-fn without_comments(text: &str) -> String {
+pub(crate) fn without_comments(text: &str) -> String {
     let is_comment = |line: &&str| ["#", "//", "%"].iter().any(|mark| line.trim_start().starts_with(mark));
     text.lines().filter(|line| !is_comment(line)).collect::<Vec<_>>().join("\n")
 }

@@ -1,5 +1,4 @@
-//! The table of programs: the axes, the NDC, the order and the units of each, one row each. Writing takes its rows from
-//! here, and so does the table of the guide.
+//! The table of programs: the axes, the NDC, the order and the units of each, one row each.
 
 use super::{Api, Axes, Ndc, Order};
 
@@ -96,6 +95,12 @@ impl Program {
         Self { name: "Babylon.js", word: "babylon", axes: Axes::DIRECT3D, angle: RADIANS, ..Self::OF_THE_NOTES },
         Self { name: "Bevy", word: "bevy", ndc: reversed_infinite(Api::WebGpu), angle: RADIANS, ..Self::OF_THE_NOTES },
     ];
+
+    /// True if all programs with these axes write matrices by columns; false if there is none.
+    pub(crate) fn is_always_by_columns(axes: Axes) -> bool {
+        let mut own = Self::ALL.iter().filter(|program| program.axes == axes).peekable();
+        own.peek().is_some() && own.all(|program| program.order == Order::Columns)
+    }
 
     /// True if it has the axes and the NDC of `[0]`.
     #[must_use]

@@ -131,12 +131,6 @@ impl Axes {
         Self::ROS,
     ];
 
-    /// The name on the command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        self.name
-    }
-
     /// A vector of our world in the world of these axes: z is up there, or the other way if it's left-handed.
     #[must_use]
     pub fn foreign_from_world(self, p: DVec3) -> DVec3 {

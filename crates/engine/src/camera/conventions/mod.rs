@@ -1,0 +1,16 @@
+//! The one table of conventions: handedness, axes of camera and world, NDC, orders and units of programs.
+//!
+//! Reading, writing, the window, `--axes`, `--ndc` and the table of the guide take their rows from here. A row is data:
+//! a new program is a row of [`Program::ALL`], new axes are one of [`Axes::ALL`].
+
+mod axes;
+mod ndc;
+mod order;
+mod programs;
+mod range;
+
+pub use axes::{Axes, Toward, WorldUp};
+pub use ndc::{Api, InfiniteParallel, Ndc};
+pub use order::Order;
+pub use programs::{AngleUnit, Program};
+pub use range::NdcRange;

@@ -1,0 +1,198 @@
+//! YAML of other programs: `OpenCV`, `camera_info` of ROS, Kalibr and `EuRoC` by their keys.
+//!
+//! | keys | what |
+//! | --- | --- |
+//! | `camera_matrix`, `K`, `k`, `intrinsics` | K: nine numbers, or `f_x f_y c_x c_y` |
+//! | `image_width`, `width`, `resolution` … | the size of the image |
+//! | `R` and `T`, `rvec` and `tvec` | the pose, from the world to the camera |
+//! | `projection_matrix`, `P`, `P1` … | K \[R \| t\] |
+//! | `T_cam_imu`, `T_cn_cnm1`, `T_BS` | a pose: into the camera, and out of it |
+
+use saphyr_parser::{Event, Parser};
+use serde_json::{Map, Value};
+
+use crate::camera::ImageSize;
+use crate::camera::recovery::entries::MatrixEntries;
+use crate::camera::recovery::text::json::written;
+use crate::camera::recovery::text::values::{list, number};
+use crate::camera::recovery::text::{GivenLens, Pasted, is_intrinsics, rotation_of, side, word_of_vision};
+use crate::camera::recovery::{Axes, MatrixKind, Order};
+
+/// The depth of nesting that is read: no camera needs more.
+const DEPTH: usize = 32;
+
+/// The cameras of a text, if it is YAML with the keys of one of these programs.
+pub(crate) fn cameras(text: &str) -> Option<Vec<Pasted>> {
+    // `%YAML:1.0` of OpenCV is no directive of YAML.
+    let text = text.trim_start();
+    let body = if text.starts_with("%YAML:") { text.split_once('\n')?.1 } else { text };
+    let document = document(body)?;
+    let own = of_map(&document);
+    if !own.is_empty() {
+        return Some(own);
+    }
+    // Kalibr has a map for each camera: cam0, cam1 …
+    let inner = document.as_object()?.iter().filter(|(_, value)| value.is_object());
+    let found: Vec<Pasted> = inner.flat_map(|(name, value)| named(name, of_map(value))).collect();
+    (!found.is_empty()).then_some(found)
+}
+
+fn named(name: &str, mut cameras: Vec<Pasted>) -> Vec<Pasted> {
+    if let [camera] = cameras.as_mut_slice()
+        && camera.name.is_empty()
+    {
+        name.clone_into(&mut camera.name);
+    }
+    cameras
+}
+
+/// The cameras of a map: the matrices of a projection, else K with a pose or alone.
+fn of_map(map: &Value) -> Vec<Pasted> {
+    let image = image(map);
+    let lens = lens(map);
+    let projections: Vec<(&str, Vec<f64>)> = ["projection_matrix", "P", "p", "P0", "P1", "P2", "P3", "Pr"]
+        .into_iter()
+        .filter_map(|key| Some((key, matrix(map, &[key], 12)?)))
+        .collect();
+    // One of zeros stands for no rectification.
+    let projections = projections.into_iter().filter(|(_, p)| p.iter().any(|x| *x != 0.0));
+    let whole = projections.filter_map(|(key, p)| {
+        let entries = MatrixEntries::new(p.into_iter().map(written).collect(), Some(4))?;
+        Some(Pasted { image, ..pose(key, entries, MatrixKind::Pinhole, key) })
+    });
+    let mut found: Vec<Pasted> = whole.collect();
+    if found.len() == 1 {
+        found[0].name.clear();
+    }
+    if !found.is_empty() {
+        return found;
+    }
+    if let Some(entries) = rigid(map).filter(|_| lens.is_some() || map.get("rvec").is_some()) {
+        let word = Some(word_of_vision());
+        return vec![Pasted { lens, image, word, ..Pasted::new("", entries) }];
+    }
+    let poses = [
+        ("T_BS", MatrixKind::CameraToWorld),
+        ("T_cam_imu", MatrixKind::View),
+        ("T_cn_cnm1", MatrixKind::View),
+        ("T_imu_cam", MatrixKind::CameraToWorld),
+    ];
+    let posed = poses.into_iter().find_map(|(key, kind)| Some((key, kind, matrix(map, &[key], 16)?)));
+    if let (Some(_), Some((key, kind, numbers))) = (lens, posed)
+        && let Some(entries) = MatrixEntries::new(numbers.into_iter().map(written).collect(), Some(4))
+    {
+        return vec![Pasted { lens, image, ..pose("", entries, kind, key) }];
+    }
+    let alone = matrix(map, &INTRINSICS, 9).filter(|k| is_intrinsics(k));
+    if let Some(k) = alone
+        && let Some(entries) = MatrixEntries::new(k.into_iter().map(written).collect(), Some(3))
+    {
+        return vec![Pasted { image, ..pose("", entries, MatrixKind::Intrinsics, "camera_matrix") }];
+    }
+    let only = lens.map(|lens| Pasted { name: String::new(), entries: None, word: None, lens: Some(lens), image });
+    only.into_iter().collect()
+}
+
+/// A camera in the axes of `OpenCV`, by rows.
+fn pose(name: &str, entries: MatrixEntries, kind: MatrixKind, key: &str) -> Pasted {
+    let words = ["projection_matrix", "P", "p", "P0", "P1", "P2", "P3", "Pr", "T_BS", "T_cam_imu", "T_cn_cnm1"];
+    let word = words.into_iter().find(|word| *word == key).unwrap_or("camera_matrix");
+    Pasted::pose(name, entries, kind, Axes::OPENCV, (Order::Rows, word))
+}
+
+/// The names of K. With two cameras, R and T lead to the second one.
+const INTRINSICS: [&str; 8] = ["camera_matrix", "K", "k", "K2", "M2", "cameraMatrix2", "intrinsic_matrix", "K1"];
+
+/// K, or `f_x f_y c_x c_y` of Kalibr and `EuRoC`.
+fn lens(map: &Value) -> Option<GivenLens> {
+    let pixels = |f_x, f_y, x, y| GivenLens::Pixels { focal_lengths: [f_x, f_y], principal_point: [x, y] };
+    if let Some(k) = matrix(map, &INTRINSICS, 9).filter(|k| is_intrinsics(k)) {
+        return Some(pixels(k[0], k[4], k[2], k[5]));
+    }
+    match matrix(map, &["intrinsics"], 4)?.as_slice() {
+        [f_x, f_y, x, y] => Some(pixels(*f_x, *f_y, *x, *y)),
+        _ => None,
+    }
+}
+
+/// R and T, or rvec and tvec.
+fn rigid(map: &Value) -> Option<MatrixEntries> {
+    let vector = |keys: &[&str]| matrix(map, keys, 3);
+    let r = matrix(map, &["R", "rotation", "rotation_matrix"], 9)
+        .or_else(|| vector(&["rvec", "R", "rotation_vector"]).map(|rvec| rotation_of(&rvec)))?;
+    let t = vector(&["T", "t", "tvec", "translation", "translation_vector"])?;
+    let line = |i: usize| glam::DVec3::from_slice(&r[3 * i..]);
+    let matrix = super::rigid([line(0), line(1), line(2)], glam::DVec3::from_slice(&t));
+    Some(MatrixEntries::of_matrix(matrix, 1e-6))
+}
+
+/// The numbers under one of some keys: a list, or the `data` of a matrix.
+fn matrix(map: &Value, keys: &[&str], count: usize) -> Option<Vec<f64>> {
+    let of = |key: &&str| {
+        let value = map.get(*key)?;
+        list(value.get("data").unwrap_or(value)).filter(|numbers| numbers.len() == count)
+    };
+    keys.iter().find_map(of)
+}
+
+fn image(map: &Value) -> Option<ImageSize> {
+    let of = |keys: [&str; 2]| keys.into_iter().find_map(|key| side(map.get(key).and_then(number)?));
+    let pair = |key: &str| match matrix(map, &[key], 2)?.as_slice() {
+        [width, height] => Some(ImageSize { width: side(*width)?, height: side(*height)? }),
+        _ => None,
+    };
+    let sides = of(["image_width", "width"]).zip(of(["image_height", "height"]));
+    let sides = sides.map(|(width, height)| ImageSize { width, height });
+    sides.or_else(|| ["resolution", "image_size", "imageSize"].into_iter().find_map(pair))
+}
+
+/// The first document, if it is a map.
+fn document(text: &str) -> Option<Value> {
+    /// A list or a map that isn't closed yet, with the key that waits for its value.
+    enum Open {
+        List(Vec<Value>),
+        Map(Map<String, Value>, Option<String>),
+    }
+    let mut open: Vec<Open> = Vec::new();
+    for event in Parser::new_from_str(text) {
+        let done = match event.ok()?.0 {
+            Event::Scalar(text, ..) => scalar(&text),
+            Event::SequenceStart(..) if open.len() < DEPTH => {
+                open.push(Open::List(Vec::new()));
+                continue;
+            }
+            Event::MappingStart(..) if open.len() < DEPTH => {
+                open.push(Open::Map(Map::new(), None));
+                continue;
+            }
+            Event::SequenceEnd | Event::MappingEnd => match open.pop()? {
+                Open::List(items) => Value::Array(items),
+                Open::Map(map, _) => Value::Object(map),
+            },
+            Event::Alias(_) => Value::Null,
+            Event::SequenceStart(..) | Event::MappingStart(..) => return None,
+            Event::Nothing | Event::StreamStart | Event::StreamEnd | Event::DocumentStart(_) | Event::DocumentEnd => {
+                continue;
+            }
+        };
+        match open.last_mut() {
+            Some(Open::List(items)) => items.push(done),
+            Some(Open::Map(map, key)) => match key.take() {
+                Some(key) => drop(map.insert(key, done)),
+                None => *key = Some(done.as_str().map_or_else(|| done.to_string(), str::to_owned)),
+            },
+            None => return Some(done).filter(Value::is_object),
+        }
+    }
+    None
+}
+
+/// A number if it is one: `1.` and `.nan` too.
+fn scalar(text: &str) -> Value {
+    let is_nan = matches!(text, ".nan" | ".NaN" | ".NAN" | ".Nan");
+    match text.parse::<f64>() {
+        _ if is_nan => Value::Null,
+        Ok(number) if text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) => number.into(),
+        _ => Value::String(text.to_owned()),
+    }
+}
