@@ -64,7 +64,7 @@ impl Animation {
         let requests = (0..=self.steps()).map(|step| self.at(f64::from(step))).collect();
         let ground: Rgba = Palette::of(self.request.shot.look.style.theme).surround;
         let gap = gap(self.request.size.scale);
-        Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None }
+        Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None, width: None }
     }
 
     /// The file: an animation, a step of it in so many seconds, or a strip, with a figure file in it where the format

@@ -26,7 +26,7 @@ impl Sweep {
         let ground = Palette::of(first.shot.look.style.theme).surround;
         let gap = gap(first.size.scale);
         let requests = self.requests.clone();
-        Ok(Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None })
+        Ok(Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None, width: None })
     }
 
     /// The file: an animation, or a strip with a figure file in it where the format can carry one. It pauses after each
