@@ -33,22 +33,30 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
         (Some(paper), [Some(width), height]) => on_paper(paper, width, height, figure.image, count),
         _ => pixels(given, figure.image, count, scale.unwrap_or(1.0)),
     };
-    let size = match (u32::try_from(width), u32::try_from(height)) {
-        (Ok(width), Ok(height)) => sized(width, height, scale, paper.as_ref()),
-        _ => return Err(no_picture(lang, &name, PictureError::TooLarge, [width, height])),
+    let (Ok(wide), Ok(high)) = (u32::try_from(width), u32::try_from(height)) else {
+        return Err(no_picture(lang, &name, PictureError::TooLarge, [width, height]));
     };
     let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
     let shot = Shot::of(figure);
-    let request = Request::new(&shot, View::Image, &camera, &scene, labels, size);
-    let finish = Finish { transparent: out.transparent, ..Finish::default() };
-    let request = Request { force_all_stages: args.force_all_stages, finish, ..request };
-    let mut sheet = Composite::of(args.view, &request, &shot, paper.as_ref())
-        .map_err(|error| no_picture(lang, &name, error.into(), [width, height]))?;
-    if let Some(other) = observer_of(out.observer_of.as_deref(), &args.common, lang)? {
-        sheet = sheet.seen_by(&other);
-    }
-    let text = update(&opened.text, &opened.figure);
+    let other = observer_of(out.observer_of.as_deref(), &args.common, lang)?;
+    let sheet_of = |factor: f64| {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is too large is refused")]
+        let [wide, high] = [wide, high].map(|side| (f64::from(side) * factor).round() as u32);
+        let size = sized(wide, high, scale, paper.as_ref());
+        let request = Request::new(&shot, View::Image, &camera, &scene, labels, size);
+        let finish = Finish { transparent: out.transparent, ..Finish::default() };
+        let request = Request { force_all_stages: args.force_all_stages, finish, ..request };
+        let sheet = Composite::of(args.view, &request, &shot, paper.as_ref()).map_err(PictureError::from)?;
+        Ok::<_, PictureError>(other.iter().fold(sheet, Composite::seen_by))
+    };
     let form = out.form(format, paper.as_ref());
+    let sheet = if centimetres[0].is_some() && form.crop {
+        progress::watched(lang, |progress| at_once(picture::fitted([wide, high], sheet_of, progress)))
+    } else {
+        sheet_of(1.0)
+    };
+    let sheet = sheet.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
+    let text = update(&opened.text, &opened.figure);
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
     let told = pictures::told_of(written, &opened.figure, &sheet, text).for_file(&out.output);
     let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, form, &told, progress)));

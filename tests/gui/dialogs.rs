@@ -355,6 +355,37 @@ fn the_export_dialog_has_the_rows_that_its_choices_need() {
 }
 
 #[test]
+fn the_export_dialog_proposes_what_is_shown_and_forgets_a_cancelled_family() {
+    let mut window = Window::new(Lang::En);
+    let proposed = |window: &mut Window| {
+        window.command_key(Key::E);
+        let (what, family) = (window.export().what, window.state().family.variations());
+        assert_eq!(family, None, "a family is not asked for");
+        window.key(Key::Escape);
+        what
+    };
+    assert_eq!(proposed(&mut window), Views::One(View::Image));
+    window.app_mut().state.layout.maximized = None;
+    assert_eq!(proposed(&mut window), Views::All);
+    window.command_key(Key::Num2);
+    assert_eq!(proposed(&mut window), Views::Without(View::Canonical));
+    window.command_key(Key::Num1);
+    assert_eq!(proposed(&mut window), Views::One(View::Image));
+    for by_key in [true, false] {
+        window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::E);
+        window.run();
+        assert!(window.state().family.variations().is_some());
+        if by_key {
+            window.key(Key::Escape)
+        } else {
+            window.click(en::WINDOW.cancel)
+        }
+        assert_eq!(window.state().family.variations(), None);
+        assert_eq!(proposed(&mut window), Views::One(View::Image));
+    }
+}
+
+#[test]
 fn vectors_have_settings_of_their_own_and_are_copied_as_text() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::E);

@@ -65,9 +65,10 @@ fn each_program_is_written_and_listed() {
 #[test]
 fn each_row_of_axes_is_in_the_window_the_help_and_the_guides() {
     let help = String::from_utf8(Bench::new("axes").run(&["matrix", "--help"]).out).unwrap();
-    for (lang, guide) in
-        [(Lang::En, include_str!("../../docs/guide.en.md")), (Lang::PtBr, include_str!("../../docs/guide.pt-BR.md"))]
-    {
+    for (lang, guide) in [
+        (Lang::En, include_str!("../../docs/cameras.en.md")),
+        (Lang::PtBr, include_str!("../../docs/cameras.pt-BR.md")),
+    ] {
         let hint = axes_table(lang, |axes| axes.title);
         for axes in Axes::ALL {
             let row = axes_row(lang, axes);

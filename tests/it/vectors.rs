@@ -445,3 +445,52 @@ fn letters_on_paper_are_nine_points_and_small_ones_are_told() {
     assert!(svg.contains("width=\"360pt\"") && svg.contains("viewBox=\"0 0 480 360\""), "{}", &svg[..300]);
     assert!(svg.contains("font-size=\"12\""), "9 pt are 12 px");
 }
+
+/// The sizes of the letters of an SVG file; subscripts are smaller.
+fn letter_sizes(svg: &str) -> Vec<f64> {
+    let size = |text: &str| text.split_once("font-size=\"")?.1.split('"').next()?.parse().ok();
+    svg.split("<text").skip(1).filter_map(size).collect()
+}
+
+#[test]
+fn no_letters_on_paper_are_smaller_than_they_were_asked_for() {
+    let bench = Bench::new("vectors-least-letters");
+    bench.write("a.toml", "[scene]\npreset = \"house\"\n[show]\nmeasure = [\"D\", \"W\", \"F\"]\n");
+    let sizes = |name: &str, more: &[&str]| {
+        bench.run(&[&["render", "a.toml", "--view", "world", "-o", name], more].concat()).done();
+        letter_sizes(&String::from_utf8(bench.read(name)).unwrap())
+    };
+    let usual = sizes("usual.svg", &["--size", "1890x1417", "--scale", "2"]);
+    let (least, most) = usual.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), size| (a.min(*size), b.max(*size)));
+    assert!(least < 0.9 * most, "names of points and of planes differ: {usual:?}");
+    let on_paper = sizes("paper.svg", &["--width-cm", "16", "--dpi", "300", "--letters", "9"]);
+    assert_eq!(on_paper.len(), usual.len());
+    // 9 points are 37.5 pixels at 300 per inch.
+    assert!(on_paper.iter().all(|size| *size > 37.4), "{on_paper:?}");
+}
+
+#[test]
+fn a_cropped_picture_is_as_wide_as_it_was_asked_to_be() {
+    let bench = Bench::new("vectors-exact-width");
+    bench.write("a.toml", "[scene]\npreset = \"house\"\n");
+    let asked = 16.0 / 2.54 * 72.0;
+    for view in ["world", "canonical", "image", "all"] {
+        let written = |name: &str| {
+            let options = ["--width-cm", "16", "--height-cm", "12", "--dpi", "150", "--letters", "9", "--crop"];
+            bench.run(&[&["render", "a.toml", "--view", view, "-o", name][..], &options].concat()).done();
+            bench.read(name)
+        };
+        let png = image::load_from_memory(&written("a.png")).unwrap();
+        assert_eq!(png.width(), 945, "{view}: 16 cm at 150 pixels per inch");
+        assert!(png.height() <= 709, "{view}: {}", png.height());
+        let svg = String::from_utf8(written("a.svg")).unwrap();
+        let width: f64 = svg.split_once("width=\"").unwrap().1.split_once("pt\"").unwrap().0.parse().unwrap();
+        assert!((width - asked).abs() < 72.0 / 150.0, "{view}: {width}");
+        let pdf = String::from_utf8_lossy(&written("a.pdf")).into_owned();
+        let page = pdf.split_once("/MediaBox").unwrap().1;
+        let page = page[page.find('[').unwrap() + 1..page.find(']').unwrap()].to_owned();
+        let sides: Vec<f64> = page.split_whitespace().map(|side| side.parse().unwrap()).collect();
+        assert!((sides[2] - asked).abs() < 72.0 / 150.0, "{view}: {page}");
+        assert!(letter_sizes(&svg).iter().all(|size| *size > 18.7 * if view == "all" { 0.6 } else { 1.0 }), "{view}");
+    }
+}

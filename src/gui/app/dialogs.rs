@@ -23,6 +23,7 @@ use crate::gui::inspector::coach;
 use crate::gui::inspector::compare_dialog;
 use crate::gui::inspector::{complaint, scene};
 use crate::gui::kit::dialog_buttons::{CANCEL, Pressed, buttons};
+use crate::gui::kit::keys::written;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
@@ -183,7 +184,9 @@ pub fn show(ctx: &egui::Context, state: &mut State) -> Option<Command> {
     });
     if modal.should_close() {
         state.gallery.end();
-        state.file_flow.dialog = None;
+        if let Some(Dialog::Export(_)) = state.file_flow.dialog.take() {
+            state.family.give_up();
+        }
     }
     if state.file_flow.dialog.is_none() && state.file_flow.covered.is_some() {
         // It comes back in the next frame.
@@ -416,7 +419,11 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         egui::Grid::new("commands").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
             for command in MENUS.iter().flat_map(|menu| menu.groups(state)).flatten() {
                 ui.monospace(
-                    command.keys(state).map(|keys| ui.ctx().format_shortcut(&keys)).collect::<Vec<_>>().join(", "),
+                    command
+                        .keys(state)
+                        .map(|keys| written(ui.ctx(), &keys, state.settings.lang))
+                        .collect::<Vec<_>>()
+                        .join(", "),
                 );
                 ui.label(command.label(t)).explained(command.hint(t));
                 ui.end_row();

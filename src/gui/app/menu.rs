@@ -6,6 +6,7 @@ use super::command::{Command, MENUS};
 use super::focus::with_room_before;
 use crate::gui::app::status;
 use crate::gui::kit::elide;
+use crate::gui::kit::keys::written;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::i18n::window::{self, Texts};
@@ -114,12 +115,13 @@ fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
         ui.menu_button((menu.title)(t), |ui| {
             ui.set_min_width(220.0);
             let mut is_first = true;
+            let has_marks = menu.groups(state).flatten().any(|command| command.is_on(state).is_some());
             for group in menu.groups(state) {
                 for (place, command) in group.filter(|command| command.is_listed(state)).enumerate() {
                     if place == 0 && !std::mem::take(&mut is_first) {
                         ui.separator();
                     }
-                    if item(ui, t, state, command) {
+                    if item(ui, t, state, (command, has_marks)) {
                         chosen = Some(command);
                         ui.close();
                     }
@@ -130,11 +132,13 @@ fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
     chosen
 }
 
-fn item(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command) -> bool {
+/// `has_marks`: of the entries of its menu, some can be on.
+fn item(ui: &mut egui::Ui, t: &Texts, state: &State, (command, has_marks): (Command, bool)) -> bool {
     let keys = keys(ui, state, command);
     let mark = match command.is_on(state) {
         Some(true) => "✔ ",
         Some(false) => "    ",
+        None if has_marks => "    ",
         None => "",
     };
     let button = Button::new(format!("{mark}{}", command.label(t))).shortcut_text(keys.unwrap_or_default());
@@ -146,7 +150,7 @@ fn item(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command) -> bool {
 
 /// The keys of a command as they are written, if it has any here.
 fn keys(ui: &egui::Ui, state: &State, command: Command) -> Option<String> {
-    command.keys(state).next().map(|keys| ui.ctx().format_shortcut(&keys))
+    command.keys(state).next().map(|keys| written(ui.ctx(), &keys, state.settings.lang))
 }
 
 fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &str) -> bool {

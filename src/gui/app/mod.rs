@@ -18,7 +18,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use eframe::egui::os::OperatingSystem;
-use eframe::egui::{self, KeyboardShortcut, ViewportCommand};
+use eframe::egui::{self, KeyboardShortcut, Vec2, ViewportCommand};
 
 use super::state::{AfterSave, Message, PanelHover, Side, State};
 use crate::appearance::Theme;
@@ -69,9 +69,6 @@ pub struct App {
     #[cfg(not(target_arch = "wasm32"))]
     whereabouts: Whereabouts,
 }
-
-/// The enlargement of a presentation.
-const PRESENTATION_ZOOM: f32 = 1.6;
 
 /// Below this width, in points, there is room for one panel beside the pictures.
 const NARROW: f32 = 960.0;
@@ -433,19 +430,28 @@ impl App {
     /// Theme and zoom before the first frame. [`egui::Context::set_zoom_factor`] would scale the size of the window in
     /// the frame before, and before the first one that is 10,000 points: pictures as large would be drawn.
     fn apply_first_settings(&self, ctx: &egui::Context) {
-        ctx.options_mut(|options| options.zoom_factor = self.zoom());
-        self.apply_settings(ctx);
+        ctx.options_mut(|options| options.zoom_factor = self.zoom(Vec2::ZERO));
+        self.apply_theme(ctx);
     }
 
-    /// The zoom of the interface, with that of a presentation.
-    fn zoom(&self) -> f32 {
+    /// The zoom of the interface, with that of a presentation in a window of this size without any zoom.
+    fn zoom(&self, window: Vec2) -> f32 {
         let zoom = self.state.settings.zoom;
         // If everything is large already, a presentation needs nothing larger.
-        if self.state.settings.presentation { PRESENTATION_ZOOM.max(zoom) } else { zoom }
+        if self.state.settings.presentation { presentation::zoom(window).max(zoom) } else { zoom }
     }
 
     /// Theme and zoom, as the settings say.
     fn apply_settings(&self, ctx: &egui::Context) {
+        self.apply_theme(ctx);
+        let zoom = self.zoom(ctx.content_rect().size() * ctx.zoom_factor());
+        // The size of the window is rounded.
+        if (ctx.zoom_factor() - zoom).abs() > 1e-3 * zoom {
+            ctx.set_zoom_factor(zoom);
+        }
+    }
+
+    fn apply_theme(&self, ctx: &egui::Context) {
         let theme = match self.state.settings.theme {
             Theme::Dark => egui::Theme::Dark,
             Theme::Light | Theme::Print => egui::Theme::Light,
@@ -453,10 +459,6 @@ impl App {
         if ctx.theme() != theme {
             ctx.set_theme(theme);
             ctx.request_repaint();
-        }
-        let zoom = self.zoom();
-        if ctx.zoom_factor() != zoom {
-            ctx.set_zoom_factor(zoom);
         }
     }
 }

@@ -18,6 +18,17 @@ use crate::i18n::{told, window};
 const SHOWN: f64 = 8.0;
 const FADES: f64 = 0.7;
 
+/// The enlargement of a presentation on the usual screen, and on one without a scale of its own that is finer.
+const ENLARGEMENT: f32 = 1.6;
+const USUAL_SCREEN: egui::Vec2 = vec2(1920.0, 1080.0);
+const FINEST: f32 = 6.0;
+
+/// The zoom of a presentation in a window of this size in points without any zoom: letters have at least the share of a
+/// large screen that they have of the usual one, also if the system gives the screen no scale.
+pub(in crate::gui) fn zoom(window: egui::Vec2) -> f32 {
+    ENLARGEMENT * (window / USUAL_SCREEN).min_elem().clamp(1.0, FINEST)
+}
+
 /// Colour of the pen and of the spot: seen on light and on dark ground.
 const INK: Color32 = Color32::from_rgb(0xe0, 0x2a, 0x1f);
 
@@ -240,6 +251,16 @@ fn label(ctx: &Context, painter: &egui::Painter, text: &str, (center, width): (P
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn letters_have_the_same_share_of_large_screens() {
+        let share = |width: f32, height: f32| zoom(vec2(width, height)) / height;
+        for height in [1080.0, 1440.0, 2160.0] {
+            assert!((share(height * 16.0 / 9.0, height) - share(1920.0, 1080.0)).abs() < 1e-6, "{height}");
+        }
+        // Small screens have the letters of the usual one, and a wide one isn't high.
+        assert_eq!([vec2(1280.0, 720.0), vec2(5120.0, 1080.0)].map(zoom), [ENLARGEMENT; 2]);
+    }
 
     #[test]
     fn a_pointer_that_rests_is_gone_until_it_moves() {

@@ -11,6 +11,7 @@ use crate::figure::Explanation;
 use crate::files::SHIPPED_FIGURES;
 use crate::gui::files::file_flow;
 use crate::gui::inspector::operations;
+use crate::gui::kit::keys::written;
 use crate::gui::kit::number_field;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
@@ -274,7 +275,9 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State, first: bool) -> Optio
 /// A result: its title, its kind, and the keys of a command.
 fn row(ui: &mut Ui, state: &State, entry: &Entry, chosen: bool) -> egui::Response {
     let keys = match &entry.target {
-        Target::Command(command) => command.keys(state).next().map(|keys| ui.ctx().format_shortcut(&keys)),
+        Target::Command(command) => {
+            command.keys(state).next().map(|keys| written(ui.ctx(), &keys, state.settings.lang))
+        }
         _ => None,
     };
     let side = keys.map_or_else(|| entry.kind.to_owned(), |keys| format!("{}  {keys}", entry.kind));

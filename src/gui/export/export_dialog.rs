@@ -72,9 +72,10 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut Sta
     match pressed {
         Pressed::Action(_) if errors.is_empty() => {
             state.export = export;
+            state.family.last = state.family.remembered();
             file_flow::ask(ui.ctx(), state, Purpose::Export(export));
         }
-        Pressed::Cancel => {}
+        Pressed::Cancel => state.family.give_up(),
         Pressed::Action(_) | Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Export(export)),
     }
 }

@@ -123,6 +123,12 @@ impl FamilyChoice {
         self.first.choose(subject);
     }
 
+    /// Drops a family that was not exported; the one before comes back when a family is asked for.
+    pub fn give_up(&mut self) {
+        (self.first, self.second) = (Varied::default(), Varied::default());
+        self.captions.clear();
+    }
+
     /// The keys that vary, or varied last.
     #[must_use]
     pub fn remembered(&self) -> [Varied; 2] {
@@ -188,6 +194,19 @@ mod tests {
         assert_eq!(family.variations(), None);
         let back = family.or_last();
         assert_eq!([back.first, back.second], [was.first, was.second]);
+    }
+
+    #[test]
+    fn a_family_that_was_not_exported_is_forgotten() {
+        let mut family = FamilyChoice::default().or_last();
+        family.first.values = "10, 20".to_owned();
+        family.last = family.remembered();
+        let exported = family.clone();
+        family.first.values = "1, 2, 3".to_owned();
+        family.captions = "small".to_owned();
+        family.give_up();
+        assert_eq!((family.variations(), family.captions()), (None, Vec::new()));
+        assert_eq!(family.or_last().first, exported.first);
     }
 
     #[test]

@@ -168,6 +168,13 @@ impl Export {
         Size { width: self.width, height: self.height, scale: self.scale }
     }
 
+    /// The same on larger paper, with letters of the same height.
+    fn larger_paper(mut self, factor: f64) -> Self {
+        self.paper.size = self.paper.size.map(|side| side * factor);
+        self.fit_screen([[1, 1]; View::COUNT], 1.0);
+        self
+    }
+
     /// True where the picture is going to have no ground.
     #[must_use]
     pub fn is_without_ground(&self) -> bool {
@@ -350,18 +357,32 @@ impl ExportSource {
     }
 
     /// The drawn pictures.
-    pub(super) fn sheet(&self, export: &Export, progress: &Progress) -> Result<Composite, ExportError> {
-        let Self { figure, shot, folder, reach, lang, .. } = self;
+    pub(super) async fn sheet(&self, export: &Export, progress: &Progress) -> Result<Composite, ExportError> {
+        let Self { figure, folder, reach, .. } = self;
         let camera = Camera::new(&figure.camera)?;
         let mut files = FigureFiles::new(folder, *reach);
-        let scene = scene_of(figure, &mut |wanted| files.read(wanted), progress)?;
+        let scene = SharedScene::new(scene_of(figure, &mut |wanted| files.read(wanted), progress)?);
+        if !(export.on_paper && export.crop) {
+            return self.whole_sheet(export, (&camera, &scene), progress);
+        }
+        let larger = |factor: f64| self.whole_sheet(&export.larger_paper(factor), (&camera, &scene), progress);
+        picture::fitted([export.width, export.height], larger, progress).await
+    }
+
+    /// The same before anything is cropped.
+    fn whole_sheet(
+        &self,
+        export: &Export,
+        (camera, scene): (&Camera, &SharedScene),
+        progress: &Progress,
+    ) -> Result<Composite, ExportError> {
+        let Self { shot, lang, .. } = self;
         let labels = pictures::labels(*lang);
-        let scene = SharedScene::new(scene);
-        let request = Request::new(shot, View::Image, &camera, &scene, labels, export.size());
+        let request = Request::new(shot, View::Image, camera, scene, labels, export.size());
         let finish = Finish { transparent: export.is_without_ground(), ..Finish::default() };
         let request = Request { finish, ..request };
         if let Some(variations) = self.family.variations() {
-            return self.family((export, &request), &variations?, &camera, progress);
+            return self.family((export, &request), &variations?, camera, progress);
         }
         let paper = export.on_paper.then(|| export.paper.asked());
         Ok(Composite::of(export.what, &request, shot, paper.as_ref()).map_err(PictureError::from)?)
@@ -474,7 +495,7 @@ impl Task {
                 return Ok(film.file(format, STEP_SECONDS, &told, progress).await?);
             }
         };
-        let sheet = subject.sheet(export, progress)?;
+        let sheet = subject.sheet(export, progress).await?;
         let told = subject.told(&sheet, update(source, &subject.figure)).for_file(path);
         Ok(picture::file(&sheet, export.form(), &told, progress).await?)
     }

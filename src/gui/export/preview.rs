@@ -71,7 +71,7 @@ impl Default for Preview {
 
 fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Done {
     async |PreviewJob { subject, export, room, as_svg }, progress: &Progress| {
-        let sheet = subject.sheet(&export, progress)?;
+        let sheet = subject.sheet(&export, progress).await?;
         let size = sheet.size().unwrap_or([export.width, export.height]);
         let sheet = sheet.reduced(room.map_or(1.0, |room| factor(size, room)));
         if as_svg {

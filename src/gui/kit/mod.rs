@@ -2,6 +2,7 @@
 
 pub(super) mod dialog_buttons;
 pub(super) mod elide;
+pub(super) mod keys;
 pub(super) mod mathematics;
 pub mod number_field;
 pub(super) mod plotting;

@@ -121,7 +121,8 @@ impl Canvas {
         };
         status.cells = cells(digits.min(4), mark);
         status.exact = cells(digits, mark);
-        if state.pinned().is_some() {
+        // In a presentation the same numbers stand large below the pictures, and nothing covers these.
+        if state.pinned().is_some() && !state.settings.presentation {
             let point = match probe {
                 Probe::Point(p) => Some(p),
                 Probe::Window(_) => None,

@@ -41,11 +41,11 @@ texts! {
 #[must_use]
 pub fn title(lang: Lang, vocabulary: Vocabulary) -> (&'static str, &'static str) {
     match vocabulary {
-        Vocabulary::OpenGl => ("OpenGL, GLU [2]", "opengl"),
-        Vocabulary::Vrc => pick!(lang; ("VRP, VPN, VUV [3]: left-handed", "vrc"),
-            ("VRP, VPN, VUV [3]: mão esquerda", "vrc")),
-        Vocabulary::ReferencePoint => pick!(lang; ("Reference point and view plane [1]", "reference point"),
-            ("Ponto de referência e plano de vista [1]", "reference point")),
+        Vocabulary::OpenGl => ("OpenGL, GLU", "opengl"),
+        Vocabulary::Vrc => pick!(lang; ("VRP, VPN, VUV: left-handed", "vrc"),
+            ("VRP, VPN, VUV: mão esquerda", "vrc")),
+        Vocabulary::ReferencePoint => pick!(lang; ("Reference point and view plane", "reference point"),
+            ("Ponto de referência e plano de vista", "reference point")),
         Vocabulary::Pinhole => pick!(lang; ("K [R | t]: computer vision", "pinhole"),
             ("K [R | t]: visão computacional", "pinhole")),
     }
@@ -69,8 +69,8 @@ pub fn limitation(lang: Lang, limitation: Limitation) -> String {
         Limitation::LeftHanded => pick!(lang; "Left-handed: n points into the scene, along DOP, and u = n × v.",
             "Mão esquerda: n aponta para a cena, ao longo de DOP, e u = n × v."),
         Limitation::Coordinates => pick!(lang;
-            "z_{near} and z_{far} are coordinates, negative, but [0] has distances F and B.",
-            "z_{near} e z_{far} são coordenadas, negativas, mas [0] tem as distâncias F e B."),
+            "z_{near} and z_{far} are coordinates, negative. The notes have the distances F and B.",
+            "z_{near} e z_{far} são coordenadas, negativas. As notas têm as distâncias F e B."),
         Limitation::YDown => {
             let axes = camera_axes(lang, Axes::OPENCV);
             return both!(lang; "{axes}; pixels from the corner of the image, as in (5.22).",
@@ -262,10 +262,10 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
         Unknown::Pose => pick!(lang; "C, PF and VUP are not in M_p: they stay as they were.",
             "C, PF e VUP não estão em M_p: ficam como estavam."),
         Unknown::DepthDirection => pick!(lang;
-            "z grows towards the viewer there, as in no camera of [0]: the volume is the same, z_n changes sign.",
-            "Ali z cresce rumo ao observador, como em nenhuma câmera de [0]: o volume é o mesmo, z_n troca de sinal."),
-        Unknown::LeftHandedView => pick!(lang; "The axes are left-handed, as in [3]: n is reversed.",
-            "Os eixos são de mão esquerda, como em [3]: n é invertido."),
+            "z grows towards the viewer there, as in no camera of the notes: the volume is the same, z_n changes sign.",
+            "Ali z cresce rumo ao observador, como em nenhuma câmera das notas: o volume é o mesmo, z_n troca de sinal."),
+        Unknown::LeftHandedView => pick!(lang; "The axes are left-handed, as in the pipeline notes: n is reversed.",
+            "Os eixos são de mão esquerda, como nas notas do pipeline: n é invertido."),
         Unknown::Rounded => pick!(lang;
             "Its axes are unit vectors at right angles only to within their digits: they were orthonormalised.",
             "Seus eixos só são versores perpendiculares até os seus dígitos: foram ortonormalizados."),

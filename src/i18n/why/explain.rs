@@ -87,7 +87,7 @@ texts! {
     made_of: "made of (click a symbol to open it)", "feito de (clique num símbolo para abri-lo)";
     parameter: "(parameter)", "(parâmetro)";
     constant: "It is the same for every camera of this kind.", "É o mesmo para toda câmera deste tipo.";
-    as_in_the_notes: "Here as in [0]: points are columns, and view space is right-handed.", "Aqui como em [0]: pontos são colunas, e o espaço de vista é de mão direita.";
+    as_in_the_notes: "Here as in the lecture notes: points are columns, and view space is right-handed.", "Aqui como nas notas de aula: pontos são colunas, e o espaço de vista é de mão direita.";
 }
 
 /// The place of an entry; rows and columns from 0.
@@ -134,10 +134,10 @@ pub fn in_force(lang: Lang, formulas: &MatrixFormula) -> String {
         "(5.15)" => ("parallel, with any window", "paralela, com qualquer janela"),
         "(5.16)" => ("parallel, with a window symmetric about DOP", "paralela, com janela simétrica em torno de DOP"),
         "" => (
-            "[0] has no equation for it: it follows from the others",
-            "[0] não tem equação para ela: decorre das outras",
+            "the notes have no equation for it, because it follows from the others",
+            "as notas não têm equação para ela, pois decorre das outras",
         ),
-        _ => ("the equation of [0]", "a equação de [0]"),
+        _ => ("the equation of the notes", "a equação das notas"),
     };
     both!(lang; "{} {en}", "{} {pt}"; formulas.equation).trim().to_owned()
 }

@@ -113,7 +113,7 @@ impl Animation {
 pub(super) fn row(requests: Vec<Request>, like: &Request) -> Composite {
     let ground = Palette::of(like.shot.look.style.theme).surround;
     let gap = gap(like.size.scale);
-    Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None }
+    Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded: None, grid: None, width: None }
 }
 
 /// An animation of `pictures` frames: `at` gives each frame, of `size` pixels, and its duration in seconds. It pauses

@@ -127,6 +127,8 @@ pub struct Composite {
     pub crowded: Option<Crowded>,
     /// The rows of a family, and its captions; `None`: as in the arrangement.
     pub(super) grid: Option<Grid>,
+    /// The width of the sheet in pixels once its pictures are cropped; `None`: what is left of them.
+    pub(super) width: Option<u32>,
 }
 
 impl Composite {
@@ -164,7 +166,15 @@ impl Composite {
         let requests = pictures.iter().zip(sizes).map(|(picture, size)| of(request, picture, size, shot, paper));
         let ground = Palette::of(request.shot.look.style.theme).surround;
         let ground = if request.finish.transparent { ground.with_alpha(0) } else { ground };
-        Ok(Self { requests: requests.collect(), arrangement, gap: gap(whole.scale), ground, crowded, grid: None })
+        Ok(Self {
+            requests: requests.collect(),
+            arrangement,
+            gap: gap(whole.scale),
+            ground,
+            crowded,
+            grid: None,
+            width: None,
+        })
     }
 }
 
@@ -214,6 +224,7 @@ impl Composite {
             (*width, *height, *scale) = (side(*width), side(*height), *scale * factor.min(1.0));
         }
         self.gap = side(self.gap);
+        self.width = self.width.map(side);
         if let Some(Grid { captions, below, least, .. }) = &mut self.grid {
             captions.letters *= factor.min(1.0);
             *below = side(*below);
@@ -229,7 +240,9 @@ pub(super) fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, 
     let Request { camera, scene, labels, .. } = request;
     let Request { view, observer, camera, shot, .. } = Request::of_picture(shot, picture, camera, scene, labels, size);
     let mut request = Request { view, observer, camera, shot, size, ..request.clone() };
-    request.finish.framed |= paper.is_some_and(|paper| paper.letters.is_some());
+    let lettered = paper.is_some_and(|paper| paper.letters.is_some());
+    request.finish.framed |= lettered;
+    request.finish.least_letters |= lettered;
     if let Some((paper, lines)) = paper.and_then(|paper| Some((paper, paper.lines?))) {
         #[expect(clippy::cast_possible_truncation, reason = "the width of a line")]
         let edges = paper.pixels(lines) as f32;

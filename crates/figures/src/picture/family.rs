@@ -112,7 +112,7 @@ impl Family {
         let ground = if request.finish.transparent { ground.with_alpha(0) } else { ground };
         let least = if let SheetSize::Whole(size) = size { size } else { [0, 0] };
         let grid = Some(Grid { columns, captions, below, least });
-        Ok(Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded, grid })
+        Ok(Composite { requests, arrangement: Arrangement::Row, gap, ground, crowded, grid, width: None })
     }
 
     /// The pictures, in the order of their places.

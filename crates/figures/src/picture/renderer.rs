@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
-use tiny_skia::{Pixmap, PixmapPaint, Transform};
+use tiny_skia::{IntRect, Pixmap, PixmapPaint, Transform};
 
 use super::compared::{Differences, counted_requests, differing_share, joined};
 use super::plate::Plates;
@@ -12,6 +12,7 @@ use super::shadow_truth::FoundShadows;
 use super::{Composite, FollowedTriangle, Pixels, RenderReport};
 use crate::appearance::{Shading, Texture};
 use crate::drawing::Surface;
+use crate::export::crop;
 use crate::pipeline::{Frame, OverBudget, ShadowMaps};
 use crate::progress::{Progress, at_once};
 use crate::raster::Rasterizer;
@@ -261,7 +262,7 @@ impl Renderer {
         let reports = self.all_into(&sheet.requests, &mut pictures).await?;
         let too_much = reports.into_iter().find_map(|report| report.too_much);
         if crop {
-            pictures.iter_mut().for_each(|picture| *picture = std::mem::take(picture).cropped(sheet.gap));
+            pictures = cropped(pictures, sheet)?;
         }
         if pictures.len() == 1 && sheet.grid.is_none() {
             return Some((pictures.pop()?, too_much));
@@ -340,6 +341,18 @@ impl Renderer {
         self.on_window = Some((image, Arc::clone(&texture)));
         Some((texture, Some(now().saturating_sub(start))))
     }
+}
+
+/// The pictures of a sheet without the empty background around each, but for what makes the sheet as wide as it was
+/// asked to be.
+fn cropped(pictures: Vec<Pixels>, sheet: &Composite) -> Option<Vec<Pixels>> {
+    let pixmaps: Vec<Pixmap> = pictures.into_iter().map(|mut picture| picture.take_pixmap()).collect::<Option<_>>()?;
+    let parts = sheet.kept(pixmaps.iter().map(|pixmap| crop::part(pixmap, sheet.gap)).collect());
+    let kept = |(pixmap, [left, top, width, height]): (&Pixmap, [u32; 4])| {
+        let rect = IntRect::from_xywh(i32::try_from(left).ok()?, i32::try_from(top).ok()?, width, height)?;
+        Some(Pixels::from(pixmap.clone_rect(rect)?))
+    };
+    pixmaps.iter().zip(parts).map(kept).collect()
 }
 
 /// The labels of two sides that are seen, in the pixels of the whole picture.

@@ -89,7 +89,7 @@ pub(super) async fn page(
     progress: &Progress,
 ) -> Result<Drawn, PictureError> {
     let mut painter = Painter { faces, finer: finer(sheet, dpi / per_inch), ..Painter::default() };
-    let (mut pictures, mut sizes) = (Vec::new(), Vec::new());
+    let (mut pictures, mut parts) = (Vec::new(), Vec::new());
     // The steps below are pictures, not the rows of each.
     painter.renderer.watch(&progress.part());
     progress.begin(Activity::Painting, sheet.requests.len());
@@ -101,16 +101,18 @@ pub(super) async fn page(
         progress.advance_and_pause(1).await;
         let Size { width, height, .. } = request.size;
         let part = if crop { painter.content(request, sheet.gap)? } else { [0, 0, width, height] };
-        sizes.push([part[2], part[3]]);
-        pictures.push((part, items));
+        parts.push(part);
+        pictures.push(items);
     }
+    let parts = if crop { sheet.kept(parts) } else { parts };
+    let sizes: Vec<[u32; 2]> = parts.iter().map(|part| [part[2], part[3]]).collect();
     let layout = sheet.layout(&sizes, crop).ok_or(PictureError::TooLarge)?;
     let size = layout.size.map(unit);
     let mut items = Vec::new();
     if (pictures.len() > 1 || sheet.grid.is_some()) && sheet.ground.a > 0 {
         items.push(rectangle([0.0, 0.0, size[0], size[1]], sheet.ground));
     }
-    for ((part, own), corner) in pictures.into_iter().zip(&layout.corners) {
+    for ((part, own), corner) in parts.iter().copied().zip(pictures).zip(&layout.corners) {
         let [left, top, width, height] = part.map(unit);
         let corner = [unit(corner[0]) - left, unit(corner[1]) - top];
         items.push(Item::group(corner, [left, top, left + width, top + height], own));

@@ -121,7 +121,7 @@ pub fn overlay(request: &Request, [own, other]: &[Side; 2], differ: Option<f64>)
     if request.finish.bare {
         return Some(drawing);
     }
-    let em = SMALL_TYPE * scale;
+    let em = (SMALL_TYPE * scale).max(request.least_letters());
     let author = Author::of(request, palette);
     let mut plate = |name: &str, text: String, (x, y, anchor): (f32, f32, Anchor), room: [f32; 2]| {
         let label =

@@ -56,6 +56,8 @@ pub struct Finish {
     pub stroke_factor: Option<f32>,
     /// The image has a border, with room around it for the marks at its sides: on paper, and beside other pictures.
     pub framed: bool,
+    /// No letters are smaller than those of names, unless the author made them so: their height was asked for.
+    pub least_letters: bool,
 }
 
 impl Request {
@@ -148,6 +150,11 @@ impl Request {
     #[must_use]
     pub fn normalizing(&self) -> Option<Normalizing> {
         Normalizing::of(self.shot.show.step?, &self.camera)
+    }
+
+    /// The height of the smallest letters that are wanted, in pixels; 0 if any are.
+    pub(in crate::views) fn least_letters(&self) -> f32 {
+        if self.finish.least_letters { self.size.letters() } else { 0.0 }
     }
 
     /// The probe marked in all three pictures: the pinned one, or that of the pointer.

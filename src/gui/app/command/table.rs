@@ -14,7 +14,7 @@ use crate::gui::gallery::Part;
 use crate::gui::inspector::number_tables;
 use crate::gui::inspector::state::compare as kept_camera;
 use crate::gui::state::{
-    self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Purpose, Side, State, ViewHistory,
+    self, AfterSave, CompareForm, Dialog, Message, ObserverChange, Panels, Purpose, Side, State, ViewHistory,
 };
 use crate::i18n::Lang;
 use crate::i18n::learn::{handouts, lessons};
@@ -567,6 +567,8 @@ fn toggle_presentation(state: &mut State, ctx: &Context) {
     let explained = state.document.figure().screen.panel.flatten().filter(|panel| state.shows_explanation(*panel));
     state.layout.turn_presentation(!state.settings.presentation);
     state.settings.presentation ^= true;
+    // A panel that was opened before a class is none of the next one.
+    state.settings.presentation_panels = Panels::default();
     if let Some(playing) = &mut state.lesson {
         playing.shows_question = !state.settings.presentation;
     }

@@ -16,6 +16,7 @@ use crate::explain::Symbol;
 use crate::figure::{Measure, Measured, WindowSide};
 use crate::gui::app::command::Command;
 use crate::gui::app::focus::keep_in_sight;
+use crate::gui::kit::keys::written;
 use crate::gui::kit::number_field::{FieldOutput, NumberField};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::{State, Tab, symbols_of};
@@ -59,7 +60,7 @@ fn tabs(ui: &mut egui::Ui, state: &mut State) {
         let all = [(Tab::Camera, t.camera), (Tab::Scene, t.scene), (Tab::Drawing, drawing)];
         for (column, (tab, text)) in columns.iter_mut().zip(all) {
             let command = Command::Tab(tab);
-            let keys = column.ctx().format_shortcut(&command.shortcut());
+            let keys = written(column.ctx(), &command.shortcut(), state.settings.lang);
             let hint = format!("{} ({keys})", command.hint(t));
             let impossible = tab == Tab::Camera && state.document.problem().is_some();
             let text = if impossible { format!("⚠ {text}") } else { text.to_owned() };

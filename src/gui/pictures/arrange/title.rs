@@ -3,6 +3,7 @@
 use eframe::egui::{self, Align2, Id, Popup, Rect, RichText, Sense, TextStyle, Ui, UiBuilder, WidgetText};
 
 use crate::gui::app::command::Command;
+use crate::gui::kit::keys::written;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::pictures::icons::{Icon, icon_button, left_center};
 use crate::gui::state::ObserverChange;
@@ -172,7 +173,7 @@ impl Title<'_> {
     fn viewpoints(&self, ui: &mut Ui) -> Option<TitleAction> {
         let mut action = None;
         for change in self.changes() {
-            let keys = ui.ctx().format_shortcut(&Command::Observe(change).shortcut());
+            let keys = written(ui.ctx(), &Command::Observe(change).shortcut(), self.texts.lang);
             let entry = egui::Button::new(change_name(self.texts, change)).shortcut_text(keys);
             if ui.add(entry).clicked() {
                 action = Some(TitleAction::Observe(change));
@@ -214,7 +215,7 @@ impl Title<'_> {
         }
         ui.separator();
         for command in [Command::KeepCamera, Command::Compare, Command::Export] {
-            let keys = ui.ctx().format_shortcut(&command.shortcut());
+            let keys = written(ui.ctx(), &command.shortcut(), self.texts.lang);
             if ui.add(egui::Button::new(command.label(t)).shortcut_text(keys)).clicked() {
                 action = Some(TitleAction::Do(command));
             }

@@ -67,7 +67,7 @@ pub(in crate::views) fn in_image(drawing: &mut Drawing, request: &Request, palet
         if text.is_empty() {
             continue;
         }
-        let type_size = SMALL_TYPE * request.size.scale;
+        let type_size = (SMALL_TYPE * request.size.scale).max(request.least_letters());
         let inwards = (tail - tip).normalize_or(DVec2::NEG_Y) * f64::from(0.7 * type_size);
         drawing.labels.push(Label {
             name: if look.name.is_empty() { "behind-eye".to_owned() } else { sanitize::escaped(look.name) },

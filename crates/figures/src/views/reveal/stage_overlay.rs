@@ -180,7 +180,12 @@ fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Pal
         drawing.labels.push(Label {
             name,
             offset: [7.0 * request.size.scale, -7.0 * request.size.scale],
-            ..Label::new(position, text, SMALL_TYPE * request.size.scale, [palette.ink, palette.paper])
+            ..Label::new(
+                position,
+                text,
+                (SMALL_TYPE * request.size.scale).max(request.least_letters()),
+                [palette.ink, palette.paper],
+            )
         });
     };
     for object in &work.objects {

@@ -34,7 +34,7 @@ pub(in crate::views) fn add_notes(drawing: &mut Drawing, request: &Request, corn
             _ => world_point(note, &request.scene).and_then(place),
         };
         let Some(at) = at.map(|at| at - corner) else { continue };
-        let size = SMALL_TYPE * request.size.scale;
+        let size = (SMALL_TYPE * request.size.scale).max(request.least_letters());
         // A text at a place of the picture stands there, others beside what they are about.
         let offset = if matches!(note.at, NotePlace::Picture(_)) { [0.0; 2] } else { [0.6 * size, -0.6 * size] };
         drawing.labels.push(Label {

@@ -21,12 +21,14 @@ pub(in crate::views) struct Author<'a> {
     pub(in crate::views) leader: (Rgba, f32),
     /// The area that labels stay in, in the pixels of the drawing; `None`: all of it.
     pub(in crate::views) page: Option<Box2>,
+    /// The height of the smallest letters, in pixels.
+    pub(in crate::views) least: f32,
 }
 
 impl<'a> Author<'a> {
     pub(in crate::views) fn of(request: &'a Request, palette: Palette) -> Self {
         let leader = (palette.soft, 0.8 * request.size.scale);
-        Self { labels: &request.shot.labels, view: request.view, leader, page: None }
+        Self { labels: &request.shot.labels, view: request.view, leader, page: None, least: request.least_letters() }
     }
 
     /// The whole picture, in the pixels of a drawing that begins at `corner` of it.
@@ -50,6 +52,7 @@ impl<'a> Author<'a> {
         } else if label.mathematical {
             label.text = symbols(&label.text);
         }
+        label.size = label.size.max(self.least);
         if let Some(size) = change.size {
             label.size *= single(size);
         }

@@ -168,7 +168,8 @@ impl Legend {
         if change.hidden || rows.is_empty() {
             return None;
         }
-        let wanted = f64::from(SMALL_TYPE * scale) * change.size.unwrap_or(1.0);
+        let least = author.map_or(0.0, |author| author.least);
+        let wanted = f64::from((SMALL_TYPE * scale).max(least)) * change.size.unwrap_or(1.0);
         let legend = Self { rows, part, em: wanted, palette, color: change.color, moved: DVec2::ZERO };
         let room = DVec2::new(0.96, 0.5) * part[1] / legend.size();
         let fit = room.min_element().min(1.0);

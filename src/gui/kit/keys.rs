@@ -1,0 +1,53 @@
+//! Keys as they are written in the language of the window.
+
+use eframe::egui::{Context, KeyboardShortcut};
+
+use crate::i18n::Lang;
+
+/// The Portuguese names of keys that have an English word on them.
+const IN_PORTUGUESE: [(&str, &str); 10] = [
+    ("Left", "Seta esquerda"),
+    ("Right", "Seta direita"),
+    ("Up", "Seta acima"),
+    ("Down", "Seta abaixo"),
+    ("Space", "Espaço"),
+    ("Period", "Ponto"),
+    ("Comma", "Vírgula"),
+    ("Minus", "Menos"),
+    ("Plus", "Mais"),
+    ("Equals", "Igual"),
+];
+
+/// A combination of keys, for example Alt+Left, in Portuguese Alt+Seta esquerda.
+pub(in crate::gui) fn written(ctx: &Context, keys: &KeyboardShortcut, lang: Lang) -> String {
+    let name = ctx.format_shortcut(keys);
+    if lang == Lang::En {
+        return name;
+    }
+    let (before, key) = match name.rfind('+').filter(|at| at + 1 < name.len()) {
+        Some(at) => name.split_at(at + 1),
+        None => ("", name.as_str()),
+    };
+    let own = IN_PORTUGUESE.iter().find(|(english, _)| *english == key);
+    own.map_or_else(|| name.clone(), |(_, own)| format!("{before}{own}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use eframe::egui::{Key, Modifiers};
+
+    use super::*;
+
+    #[test]
+    fn keys_with_an_english_word_have_a_portuguese_name() {
+        let ctx = Context::default();
+        let of = |modifiers, key, lang| written(&ctx, &KeyboardShortcut::new(modifiers, key), lang);
+        assert_eq!(of(Modifiers::ALT, Key::ArrowLeft, Lang::PtBr), "Alt+Seta esquerda");
+        assert_eq!(of(Modifiers::NONE, Key::ArrowUp, Lang::PtBr), "Seta acima");
+        assert_eq!(of(Modifiers::ALT, Key::G, Lang::PtBr), "Alt+G");
+        for key in [Key::ArrowLeft, Key::Space, Key::Plus, Key::F11, Key::PageDown] {
+            let english = of(Modifiers::ALT, key, Lang::En);
+            assert_eq!(english, ctx.format_shortcut(&KeyboardShortcut::new(Modifiers::ALT, key)));
+        }
+    }
+}
