@@ -237,8 +237,7 @@ fn a_right_click_on_a_parameter_keeps_its_length_in_the_figure() {
     assert_eq!(kept(&window), []);
     let entry = format!("{}: F", en::WINDOW.keep_operation);
     for expected in [vec![Measure::Near], vec![]] {
-        let at = window.harness.get_by_role_and_label(Role::SpinButton, en::WINDOW.near).rect().left_center()
-            - vec2(20.0, 0.0);
+        let at = window.harness.get_by_role_and_label(Role::SpinButton, "F").rect().left_center() - vec2(20.0, 0.0);
         window.harness.hover_at(at);
         window.run();
         for pressed in [true, false] {
