@@ -376,9 +376,9 @@ fn the_export_dialog_proposes_what_is_shown_and_forgets_a_cancelled_family() {
         window.run();
         assert!(window.state().family.variations().is_some());
         if by_key {
-            window.key(Key::Escape)
+            window.key(Key::Escape);
         } else {
-            window.click(en::WINDOW.cancel)
+            window.click(en::WINDOW.cancel);
         }
         assert_eq!(window.state().family.variations(), None);
         assert_eq!(proposed(&mut window), Views::One(View::Image));

@@ -3,12 +3,12 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use camera_lab::camera::Parameters;
-use camera_lab::figure::{Comparison, Labels, NotePlace, Outside};
+use camera_lab::figure::{Comparison, Labels, Measure, NotePlace, Outside};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
 use camera_lab::views::{LabelPlace, View};
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Modifiers, Pos2, vec2};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
 
@@ -226,4 +226,26 @@ fn all_are_automatic_again_and_notes_stay() {
     window.click(en::LABELS.leave);
     assert!(!window.state().label_mode.on);
     assert!(window.harness.query_by_label(en::LABELS.all_automatic).is_none());
+}
+
+#[test]
+fn a_right_click_on_a_parameter_keeps_its_length_in_the_figure() {
+    let mut window = Window::new(Lang::En);
+    window.app_mut().state.layout.maximized = Some(View::World);
+    window.run();
+    let kept = |window: &Window| labels(window).measures.iter().map(|shown| shown.measure).collect::<Vec<_>>();
+    assert_eq!(kept(&window), []);
+    let entry = format!("{}: F", en::WINDOW.keep_operation);
+    for expected in [vec![Measure::Near], vec![]] {
+        let at = window.harness.get_by_role_and_label(Role::SpinButton, "F").rect().left_center() - vec2(20.0, 0.0);
+        window.harness.hover_at(at);
+        window.run();
+        for pressed in [true, false] {
+            let (button, modifiers) = (PointerButton::Secondary, Modifiers::NONE);
+            window.harness.input_mut().events.push(Event::PointerButton { pos: at, button, pressed, modifiers });
+        }
+        window.run();
+        window.click(&entry);
+        assert_eq!(kept(&window), expected);
+    }
 }

@@ -21,6 +21,9 @@ const WORDS: f32 = 1000.0;
 /// From this width on, every switch of the bar has its word.
 const ALL_WORDS: f32 = 1500.0;
 
+/// The least room for the name of a figure that is longer, in points.
+const LEAST_NAME: f32 = 48.0;
+
 /// A switch at the right end of the bar.
 struct Switch {
     command: Command,
@@ -166,7 +169,8 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
 
 fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Command>) {
     let name = state.document.name().map_or_else(|| t.untitled.to_owned(), |name| escaped(&name));
-    let text = if state.document.is_changed() { format!("{name} •") } else { name };
+    let is_changed = state.document.is_changed() && !state.moves_to_step();
+    let text = if is_changed { format!("{name} •") } else { name };
     for command in [Command::Gallery, Command::Search] {
         let keys = keys(ui, state, command).map(|keys| format!(" ({keys})")).unwrap_or_default();
         let name = command.label(t).trim_end_matches('…');
@@ -180,7 +184,12 @@ fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Comman
             *chosen = Some(command);
         }
     }
+    // A letter or two of a name say nothing.
+    let font = TextStyle::Body.resolve(ui.style());
+    if ui.available_width() < elide::width(ui, &font, &text).min(LEAST_NAME) {
+        return;
+    }
     let label = egui::Label::new(RichText::new(text).weak()).truncate();
-    let hint = if state.document.is_changed() { t.changed_hint } else { t.unchanged_hint };
+    let hint = if is_changed { t.changed_hint } else { t.unchanged_hint };
     ui.add(label).explained(hint);
 }

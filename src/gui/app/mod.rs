@@ -418,7 +418,7 @@ impl App {
         let document = &self.state.document;
         let name = document.name().unwrap_or_else(|| window::texts(self.state.settings.lang).untitled.to_owned());
         // It means that closing the window asks.
-        let is_unsaved = self.state.has_unsaved() || self.state.unsaved_text().is_some();
+        let is_unsaved = !self.state.moves_to_step() && self.state.has_unsaved() || self.state.unsaved_text().is_some();
         let mark = if is_unsaved { " •" } else { "" };
         let title = format!("{}{mark} – Camera Lab", sanitize::escaped(&name));
         if title != self.title {

@@ -27,7 +27,7 @@ texts! {
     // Messages.
     first_step: "This is the first step of the lesson", "Este é o primeiro passo da lição";
     last_step: "This is the last step of the lesson", "Este é o último passo da lição";
-    task_first: "There is something to do in this step; go on once more to pass over it", "Há algo a fazer neste passo; avance de novo para pulá-lo";
+    task_first: "Go on once more to skip the task of this step", "Avance de novo para pular a tarefa do passo";
     // The bar of a lesson.
     back: "Back", "Voltar";
     back_hint: "The step before", "O passo anterior";

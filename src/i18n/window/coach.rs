@@ -221,8 +221,8 @@ pub fn two_planes(lang: Lang, share: f64) -> String {
     match lang {
         Lang::En if share == 0.0 => "told apart".to_owned(),
         Lang::PtBr if share == 0.0 => "distinguem-se".to_owned(),
-        Lang::En => format!("flicker (z-fighting): the farther on {percent} %"),
-        Lang::PtBr => format!("cintilam (z-fighting): o mais distante em {percent} %"),
+        Lang::En => format!("flicker (z-fighting): the farther on {percent}\u{a0}%"),
+        Lang::PtBr => format!("cintilam (z-fighting): o mais distante em {percent}\u{a0}%"),
     }
 }
 

@@ -12,8 +12,8 @@ const ROUNDS: usize = 5;
 /// Content this near to the width of its paper, in pixels, is near enough: the rest becomes ground.
 const NEAR: f64 = 2.0;
 
-/// The sheet whose cropped pictures are as wide as `asked`, in pixels, and no higher. `make` gives the sheet whose sides
-/// are a multiple of these.
+/// The sheet whose cropped pictures are as wide as `asked`, in pixels, and no higher. `make` gives the sheet whose
+/// sides are a multiple of these.
 ///
 /// # Errors
 /// Those of `make` for the sheet itself, and those of drawing it.

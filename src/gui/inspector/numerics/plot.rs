@@ -29,6 +29,8 @@ pub(super) fn show(
 ) -> Option<Row> {
     let chart = if over_time { &pair.by_time } else { &pair.by_parameter };
     let [x, y] = chart.range().map(|[low, high]| [low.log10(), high.log10()]);
+    // The last mark of an axis is whole only if the axis goes on.
+    let [x, y] = [x, y].map(|[low, high]| [low, high + BEYOND * (high - low)]);
     let height = (ui.available_height() - READOUT).max(80.0);
     let plot = still(Plot::new(("study", findings.study.name(), over_time)))
         .height(height)
@@ -103,6 +105,9 @@ fn lie_together(a: &Series, b: &Series) -> bool {
         && a.points.len() == b.points.len()
         && a.points.iter().zip(&b.points).all(|(a, b)| near([a[0], b[0]]) && near([a[1], b[1]]))
 }
+
+/// The part of an axis beyond its last mark.
+const BEYOND: f64 = 0.04;
 
 /// The colours of the charts on paper, by their place, which the table shows too; on a dark ground the darkest are
 /// lightened. Grey without.

@@ -13,7 +13,7 @@ use glam::DVec3;
 use super::{complaint, row};
 use crate::camera::{Camera, CameraError, CameraRepair, ImageSize, LensForm, ParameterKey, Parameters, camera_repairs};
 use crate::explain::Symbol;
-use crate::figure::{Measure, Measured, WindowSide};
+use crate::figure::{Measure, MeasureText, Measured, WindowSide};
 use crate::gui::app::command::Command;
 use crate::gui::app::focus::keep_in_sight;
 use crate::gui::kit::keys::written;
@@ -94,6 +94,10 @@ fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
     if let Some(lens) = form.new_lens {
         state.document.set_lens(lens);
     }
+    if let Some(measure) = form.keeps {
+        let shown = (!form.kept.contains(&measure)).then(MeasureText::default);
+        state.document.edit_labels(|labels| labels.measure(measure, shown));
+    }
     image::ui(ui, state);
 }
 
@@ -118,6 +122,9 @@ struct ParameterForm {
     measured: Vec<Measured>,
     /// The parameter under the pointer, or that has the keyboard.
     pointed: Vec<Symbol>,
+    /// The measures that the figure shows as labels, and the one that it is to show or to hide now.
+    kept: Vec<Measure>,
+    keeps: Option<Measure>,
 }
 
 impl ParameterForm {
@@ -136,6 +143,8 @@ impl ParameterForm {
             said: false,
             measured: Vec::new(),
             pointed: Vec::new(),
+            kept: state.document.figure().labels.measures.iter().map(|shown| shown.measure).collect(),
+            keeps: None,
         }
     }
 
@@ -219,6 +228,9 @@ impl ParameterForm {
 
     fn point_at_symbols(&mut self, ui: &egui::Ui, symbols: Vec<Symbol>, measured: Option<Measured>, row: egui::Rect) {
         let pointed = ui.rect_contains_pointer(row);
+        if let Some(Measured::Dimension(measure)) = measured {
+            self.menu_of_measure(ui, measure, pointed);
+        }
         if pointed
             && !ui.input(|input| input.pointer.any_down())
             && let Some(measured) = measured
@@ -231,6 +243,23 @@ impl ParameterForm {
         if pointed || (has_focus(ui, row) && self.pointed.is_empty()) {
             self.pointed = symbols;
         }
+    }
+
+    /// The menu that a right click on a row opens: its measure stays in the figure, as a label in the world.
+    fn menu_of_measure(&mut self, ui: &egui::Ui, measure: Measure, pointed: bool) {
+        let opens = pointed && ui.input(|input| input.pointer.secondary_clicked());
+        let id = egui::Id::unique(("menu of a measure", measure.symbol()));
+        let menu = egui::Popup::new(id, ui.ctx().clone(), egui::PopupAnchor::PointerFixed, ui.layer_id())
+            .kind(egui::PopupKind::Menu)
+            .open_memory(opens.then_some(egui::SetOpenCommand::Bool(true)));
+        menu.show(|ui| {
+            let is_kept = self.kept.contains(&measure);
+            let text = format!("{}: {}", self.t.keep_operation, measure.symbol());
+            if ui.selectable_label(is_kept, text).clicked() {
+                self.keeps = Some(measure);
+                ui.close();
+            }
+        });
     }
 
     /// A number that follows from others.

@@ -2,7 +2,7 @@
 
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::text_edit::TextEditState;
-use eframe::egui::{self, Align2, Color32, Key, RichText, ScrollArea, Stroke, StrokeKind, TextStyle, Ui, vec2};
+use eframe::egui::{self, Align2, Color32, Key, Margin, RichText, ScrollArea, Stroke, StrokeKind, TextStyle, Ui, vec2};
 
 use super::{Sheet, check};
 use crate::exercises::{Answer, Ask, Kind, Unit, read_answer};
@@ -166,6 +166,8 @@ fn numbers(
 ) -> Typing {
     /// Between fields, in points.
     const GAP: f32 = 4.0;
+    /// Room for the sign of a wide field, in points.
+    const SIGN: i8 = 12;
     let t = sheet.t;
     let shape @ [rows, columns] = ask.shape();
     // A vector lies in a row: there is little height.
@@ -189,9 +191,14 @@ fn numbers(
                     continue;
                 }
                 let mark = marks.get(k).copied().flatten();
-                let field = TextField::line(text, MAX_ANSWER)
-                    .refused_beyond()
-                    .with(|edit| edit.id_salt(k).desired_width(wide).align(Align2::LEFT_CENTER).return_key(None));
+                // A long answer ends before the sign of its field.
+                let room = if whole || per_line == 1 { SIGN } else { 0 };
+                let wide = wide - f32::from(room);
+                let field = TextField::line(text, MAX_ANSWER).refused_beyond().with(|edit| {
+                    let margin = Margin { right: 4 + room, ..Margin::symmetric(4, 2) };
+                    let edit = edit.id_salt(k).desired_width(wide).margin(margin);
+                    edit.align(Align2::LEFT_CENTER).return_key(None)
+                });
                 let response = field.show(ui, t.lang);
                 select_on_arrival(ui, &response, text);
                 let hint = if first { t.first_field_hint } else { t.answer_hint };

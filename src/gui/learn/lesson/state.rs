@@ -4,8 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::hands::{Hands, question_with_choices};
-use crate::camera::{Camera, Operation};
+use crate::camera::{Camera, Operation, Parameters};
 use crate::figure::{Figure, Observers, Show};
 use crate::files;
 use crate::gui::gallery::Source;
@@ -13,6 +15,7 @@ use crate::gui::model::document::Document;
 use crate::gui::model::history::Revision;
 use crate::gui::state::{Chosen, Message, Panels, State, Writing};
 use crate::lessons::{Goal, Lesson, OpenLesson, Passage, Seen, Step, Subject, Task, shipped};
+use crate::numbers::round_to;
 use crate::share;
 
 /// Seconds in which the pictures of a step before fade into those of the next one.
@@ -459,6 +462,11 @@ impl State {
         self.follow_writing();
     }
 
+    /// True while the camera moves to a step: a change of it is none of yours.
+    pub(in crate::gui) fn moves_to_step(&self) -> bool {
+        self.lesson.as_ref().is_some_and(|playing| playing.moving.is_some())
+    }
+
     /// Goes on with the move to the step; true while it goes on. `now`: a time in seconds.
     pub(in crate::gui) fn go_on_moving(&mut self, now: f64) -> bool {
         let Some(moving) = self.lesson.as_mut().and_then(|playing| playing.moving.as_mut()) else { return false };
@@ -469,7 +477,8 @@ impl State {
         }
         // It begins and ends slowly.
         let figure = moving.passage.at(share * share * (3.0 - 2.0 * share));
-        if let Ok(camera) = Camera::new(&figure.camera) {
+        // Of numbers that change with every frame, few digits can be read.
+        if let Ok(camera) = Camera::new(&few_digits(figure.camera)).or_else(|_| Camera::new(&figure.camera)) {
             self.document.set_camera(camera);
         }
         *self.document.observers_mut() = figure.observers;
@@ -541,5 +550,22 @@ impl State {
         let right = self.exercises.right();
         let asks = self.exercises.entry(id).map(|entry| entry.exercise(seed, &Default::default()).asks);
         is_open && asks.is_some_and(|asks| asks.iter().all(|ask| right.contains(ask.name.as_str())))
+    }
+}
+
+/// The numbers of a camera with three decimals, in the unit of its distance.
+fn few_digits(camera: Parameters) -> Parameters {
+    let distance = (camera.focal_point - camera.position).length();
+    let unit = 1e-3 * 10_f64.powf(distance.max(f64::MIN_POSITIVE).log10().floor());
+    let rounded = |p: DVec3| DVec3::from_array(p.to_array().map(|x| round_to(x, unit)));
+    Parameters {
+        position: rounded(camera.position),
+        focal_point: rounded(camera.focal_point),
+        view_up: DVec3::from_array(camera.view_up.to_array().map(|x| round_to(x, 1e-3))),
+        view_angle: round_to(camera.view_angle, 0.01),
+        height: round_to(camera.height, unit),
+        near: round_to(camera.near, unit),
+        far: round_to(camera.far, unit),
+        ..camera
     }
 }

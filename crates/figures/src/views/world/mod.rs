@@ -107,7 +107,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         background: &[palette.grid],
         reserved: revealed_scene::room(legend.as_ref()),
         first: &["C", "PF", "u", "v", "n", "VUP", "window", "far", "DOP"],
-        beside: None,
+        beside: request.shot.answered.as_ref().map(|_| palette.wrong),
         leader: Some((palette.soft, 0.8 * request.size.scale)),
         author: Some(Author::of(request, palette)),
     };
