@@ -1,4 +1,4 @@
-//! YAML of OpenCV, ROS, Kalibr and EuRoC, as they write it: K, the size of the image and C against their own numbers.
+//! YAML of `OpenCV`, ROS, Kalibr and `EuRoC`: K, the size of the image and C against their own numbers.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -56,7 +56,7 @@ extrinsic_parameters: !!opencv-matrix
 
 #[test]
 fn a_calibration_of_opencv() {
-    let f = 5.3591573396163199e2;
+    let f = 535.915_733_961_632;
     let k = [f, f, 392.28315473308373, 295.57082909788173];
     holds(OPENCV, MatrixKind::Intrinsics, k, [800, 600], None);
     holds(&OPENCV.replace('\n', "\r\n"), MatrixKind::Intrinsics, k, [800, 600], None);
@@ -121,7 +121,8 @@ resolution: [752, 480]\nintrinsics: [458.654, 457.296, 367.215, 248.375] #fu, fv
 #[test]
 fn rvec_and_tvec() {
     // A quarter of a turn about y: R = (0 0 1; 0 1 0; −1 0 0), so C = −Rᵀ t = (4, −0.25, −0.5).
-    let text = "camera_matrix:\n  data: [500., 0., 320., 0., 500., 240., 0., 0., 1.]\nrvec: [0., 1.5707963267948966, 0.]
+    let text =
+        "camera_matrix:\n  data: [500., 0., 320., 0., 500., 240., 0., 0., 1.]\nrvec: [0., 1.5707963267948966, 0.]
 tvec: [0.5, 0.25, 4.]\n";
     holds(text, MatrixKind::View, [500.0, 500.0, 320.0, 240.0], [640, 480], Some([4.0, -0.25, -0.5]));
 }

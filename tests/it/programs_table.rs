@@ -2,10 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::camera::{
-    Axes, Camera, MatrixKind, Ndc, Order, Parameters, Program, Stated, read_cameras,
-    recognise,
-};
+use camera_lab::camera::{Axes, Camera, MatrixKind, Ndc, Order, Parameters, Program, Stated, read_cameras, recognise};
 use camera_lab::explain::code::CodeTarget;
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::why::conventions::{axes_row, axes_table};
@@ -68,10 +65,9 @@ fn each_program_is_written_and_listed() {
 #[test]
 fn each_row_of_axes_is_in_the_window_the_help_and_the_guides() {
     let help = String::from_utf8(Bench::new("axes").run(&["matrix", "--help"]).out).unwrap();
-    for (lang, guide) in [
-        (Lang::En, include_str!("../../docs/guide.en.md")),
-        (Lang::PtBr, include_str!("../../docs/guide.pt-BR.md")),
-    ] {
+    for (lang, guide) in
+        [(Lang::En, include_str!("../../docs/guide.en.md")), (Lang::PtBr, include_str!("../../docs/guide.pt-BR.md"))]
+    {
         let hint = axes_table(lang, |axes| axes.title);
         for axes in Axes::ALL {
             let row = axes_row(lang, axes);

@@ -510,7 +510,8 @@ fn no_camera_of_nasty_numbers_is_certain_and_wrong() {
         }
         // K [R | t] of a few pixels, with c at 0, in a corner or in the middle.
         let r = DMat4::from_diagonal((1.0, -1.0, -1.0, 1.0).into()) * right.view_from_world();
-        for (side, f, c) in [(2, 2.0, 0.5), (2, 1.0, 1.0), (100, 100.0, 0.0), (512, 512.0, 512.0), (512, 256.0, 256.0)] {
+        for (side, f, c) in [(2, 2.0, 0.5), (2, 1.0, 1.0), (100, 100.0, 0.0), (512, 512.0, 512.0), (512, 256.0, 256.0)]
+        {
             let intrinsics = DMat3::from_cols(DVec3::X * f, DVec3::Y * f, DVec3::new(c, c, 1.0));
             let p = DMat4::from_mat3(intrinsics) * r;
             let rows = [0, 1, 2].map(|i| p.row(i).to_array().map(|x| format!("{x:?}")).join(" "));

@@ -35,9 +35,7 @@ mod window;
 
 pub use basis::Basis;
 pub use check::{CameraRepair, Warning, camera_repairs, thresholds};
-pub use conventions::{
-    AngleUnit, Api, Axes, InfiniteParallel, Ndc, NdcRange, Order, Program, Toward, WorldUp,
-};
+pub use conventions::{AngleUnit, Api, Axes, InfiniteParallel, Ndc, NdcRange, Order, Program, Toward, WorldUp};
 pub use image_map::{ImageSize, Viewport};
 pub use lens_form::{LensForm, LensNumbers, Sensor, SensorFit};
 pub use matrix::{ClipSpace, Decomposition, Factor, Step};
@@ -49,9 +47,8 @@ pub use parameters::{
 };
 pub use place::Place;
 pub use recovery::{
-    Assumed, Candidate, Certainty, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError,
-    Pasted, Reading, Reason, Recognised, Recovered, RecoveryError, Stated, Unknown, camera_names,
-    read_cameras, recognise, recover,
+    Assumed, Candidate, Certainty, Evidence, Lines, MatrixEntries, MatrixKind, MatrixTextError, Pasted, Reading,
+    Reason, Recognised, Recovered, RecoveryError, Stated, Unknown, camera_names, read_cameras, recognise, recover,
 };
 pub use stations::{Projected, Stations};
 pub use unproject::{NotProjectable, WayBack};

@@ -4,8 +4,8 @@ use eframe::egui::{self, RichText};
 
 use super::pasted_matrix::{self, note_on_matrix, take};
 use crate::camera::{Camera, Parameters, Projection};
-use crate::explain::{Axis, Component, Symbol};
 use crate::explain::vocabulary::{Argument, CameraNumber, Limitation, Line, Vocabulary};
+use crate::explain::{Axis, Component, Symbol};
 use crate::figure::Measured;
 use crate::gui::inspector::{complaint, section};
 use crate::gui::kit::number_field::{FieldOutput, NumberField, Step};

@@ -158,7 +158,9 @@ pub fn recognise(pasted: &Pasted, stated: &Stated, current: &Parameters) -> Resu
     if distinct.is_empty() {
         return Err(refusal::cause(entries, stated, refused));
     }
-    Ok(judged(distinct, &elsewhere, stated))
+    let mut found = judged(distinct, &elsewhere, stated);
+    found.assumed.retain(|assumed| pasted.image.is_none() || !matches!(assumed, Assumed::Image(_)));
+    Ok(found)
 }
 
 /// All readings to try: kind × axes × NDC, in every order.
@@ -241,6 +243,9 @@ fn candidate(
     if let Some(lens) = pasted.lens.filter(|_| reading.kind.has_camera_axes() || reading.kind == MatrixKind::LookAt) {
         with_lens(&mut found, lens, &reading, current);
     }
+    if pasted.image.is_some() {
+        found.unknown.retain(|unknown| *unknown != Unknown::ImageSize);
+    }
     let camera = Camera::new(&found.parameters)?;
     let mut weight = Weight::new((&reading, order), (matrix, entries), &found, &camera);
     if is_stated && !stated.by_columns && order == Order::Columns {
@@ -294,9 +299,8 @@ fn follow(word: &Word, stated: &Stated, entries: &MatrixEntries, readings: &mut 
 /// The readings with their certainty; the other kinds and the assumptions.
 fn judged(mut readings: Vec<Candidate>, elsewhere: &[Candidate], stated: &Stated) -> Recognised {
     // Shares of the sides and pixels of a tiny image are the same numbers.
-    let is_odd = |unknown: &Unknown| {
-        matches!(unknown, Unknown::PrincipalPoint | Unknown::WideAngle | Unknown::NormalisedPixels)
-    };
+    let is_odd =
+        |unknown: &Unknown| matches!(unknown, Unknown::PrincipalPoint | Unknown::WideAngle | Unknown::NormalisedPixels);
     let gap = readings.get(1).map(|second| readings[0].weight.score - second.weight.score);
     readings[0].certainty = match gap {
         None if readings[0].found.unknown.iter().any(is_odd) => Certainty::Likely,
