@@ -1,4 +1,4 @@
-//! YAML of OpenCV, ROS, Kalibr and EuRoC, as they write it: K, the size of the image and C against their own numbers.
+//! YAML of `OpenCV`, ROS, Kalibr and `EuRoC`: K, the size of the image and C against their own numbers.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -56,7 +56,7 @@ extrinsic_parameters: !!opencv-matrix
 
 #[test]
 fn a_calibration_of_opencv() {
-    let f = 5.3591573396163199e2;
+    let f = 535.915_733_961_632;
     let k = [f, f, 392.28315473308373, 295.57082909788173];
     holds(OPENCV, MatrixKind::Intrinsics, k, [800, 600], None);
     holds(&OPENCV.replace('\n', "\r\n"), MatrixKind::Intrinsics, k, [800, 600], None);

@@ -20,6 +20,7 @@ texts! {
         "O que a matriz faz. Câmera → mundo é a inversa de M_v: matrix_world do Blender, um nó de glTF, matrixWorld de three.js. K [R | t] leva a pixels.";
     axes: "Axes", "Eixos";
     axes_hint: "Whose axes", "Os eixos de quem";
+    why: "Why", "Por quê";
     instead: "Read it as", "Ler como";
     instead_hint: "As this, it gives another camera", "Assim ela dá outra câmera";
     camera: "Camera", "Câmera";

@@ -137,9 +137,12 @@ fn recognised(ui: &mut egui::Ui, state: &mut State, t: &Texts, found: &Recognise
     let (lang, best) = (t.lang, found.best());
     let reading = best.reading;
     ui.label(dialects::reading(lang, best, found.evidence));
-    if found.evidence == Evidence::Nothing {
-        let reasons: Vec<String> = best.reasons.iter().map(|reason| dialects::reason(lang, *reason)).collect();
-        ui.label(RichText::new(reasons.join(", ")).small());
+    let reasons: Vec<String> = best.reasons.iter().map(|reason| dialects::reason(lang, *reason)).collect();
+    if matches!(found.evidence, Evidence::Nothing | Evidence::Only) && !reasons.is_empty() {
+        ui.label(RichText::new(format!("{}: {}", t.why, reasons.join(", "))).small());
+    }
+    if reading.kind.has_pose() {
+        ui.label(RichText::new(conventions::axes_row(lang, reading.axes)).small());
     }
     // The buttons below offer the other kinds.
     for assumed in found.assumed.iter().filter(|assumed| !matches!(assumed, Assumed::Kind(_))) {

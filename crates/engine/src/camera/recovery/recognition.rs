@@ -158,7 +158,9 @@ pub fn recognise(pasted: &Pasted, stated: &Stated, current: &Parameters) -> Resu
     if distinct.is_empty() {
         return Err(refusal::cause(entries, stated, refused));
     }
-    Ok(judged(distinct, &elsewhere, stated))
+    let mut found = judged(distinct, &elsewhere, stated);
+    found.assumed.retain(|assumed| pasted.image.is_none() || !matches!(assumed, Assumed::Image(_)));
+    Ok(found)
 }
 
 /// All readings to try: kind × axes × NDC, in every order.
@@ -240,6 +242,9 @@ fn candidate(
     reading.ndc.infinite |= reading.kind.has_ndc() && found.unknown.contains(&Unknown::Far);
     if let Some(lens) = pasted.lens.filter(|_| reading.kind.has_camera_axes() || reading.kind == MatrixKind::LookAt) {
         with_lens(&mut found, lens, &reading, current);
+    }
+    if pasted.image.is_some() {
+        found.unknown.retain(|unknown| *unknown != Unknown::ImageSize);
     }
     let camera = Camera::new(&found.parameters)?;
     let mut weight = Weight::new((&reading, order), (matrix, entries), &found, &camera);
