@@ -51,7 +51,10 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
         let edit = edit.desired_rows(4).desired_width(f32::INFINITY);
         edit.hint_text(hint).font(egui::TextStyle::Monospace)
     });
-    let field = field.show(ui, lang).accessible_name(t.pasted);
+    // A file may have hundreds of lines, and the camera below is what one wants to see.
+    let most = 10.0 * ui.text_style_height(&egui::TextStyle::Monospace);
+    let scroll = egui::ScrollArea::vertical().id_salt(t.pasted).max_height(most);
+    let field = scroll.show(ui, |ui| field.show(ui, lang)).inner.accessible_name(t.pasted);
     help_topic(&field, note_on_matrix(pasted.kind));
     if pasted.text.trim().is_empty() {
         return;
