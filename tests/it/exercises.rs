@@ -463,8 +463,8 @@ fn statements_say_where_the_notes_have_it_otherwise() {
         ("pitch", "exchanges the axes of yaw and pitch", "troca os eixos de guinada e arfagem"),
         ("elevation", "turns C alone", "gira só C"),
         ("azimuth", "turns C alone", "gira só C"),
-        ("dolly", "does not have this operation", "não tem esta operação"),
-        ("pan", "does not have this operation", "não tem esta operação"),
+        ("dolly", "doesn't have this operation", "não tem esta operação"),
+        ("pan", "doesn't have this operation", "não tem esta operação"),
     ] {
         let exercise = entry(id).unwrap().exercise(3, &Free::new());
         for (lang, word, mark) in [(Lang::En, en, "≠ notes: "), (Lang::PtBr, pt, "≠ notas: ")] {

@@ -410,7 +410,7 @@ fn the_command_line_lists_shows_checks_and_draws() {
         (
             "quantity = \"distance\"\nleast = 50",
             "way = [\"zoom=2\"]\n",
-            "goal.toml, line 12: [step.try] way does not lead",
+            "goal.toml, line 12: [step.try] way doesn't reach",
         ),
     ] {
         let text = with_goal(condition).replace("[[step.try.until]]", &format!("{way}[[step.try.until]]"));

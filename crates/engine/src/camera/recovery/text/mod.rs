@@ -1,8 +1,8 @@
 //! A text or a file of another program → the cameras in it.
 //!
-//! Each real format has its reader: JSON, YAML, COLMAP, glTF, trajectories of `Open3D`, `ParaView`. A text of another form
-//! is a list of numbers under names (`K =`, `R:`, `P2:`), as programs print them; the names and counts say which is
-//! which.
+//! Each real format has its reader: JSON, YAML, COLMAP, glTF, trajectories of `Open3D`, `ParaView`. A text of another
+//! form is a list of numbers under names (`K =`, `R:`, `P2:`), as programs print them. The names and counts say which
+//! is which.
 
 mod colmap;
 mod gltf;
