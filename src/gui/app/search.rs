@@ -363,7 +363,7 @@ mod tests {
             (Lang::En, "worksheet", "Handout…"),
             (Lang::PtBr, "folha de exercícios", "Folha de exercícios…"),
             (Lang::PtBr, "legenda", "Título e legenda…"),
-            (Lang::PtBr, "imagem vazia", "Exame da câmera"),
+            (Lang::PtBr, "imagem vazia", "Diagnóstico da câmera"),
             (Lang::PtBr, "guinada", "Guinada"),
             (Lang::PtBr, "abertura", "θ ângulo de vista"),
             (Lang::PtBr, "angulo de vista", "θ ângulo de vista"),
