@@ -19,7 +19,7 @@ texts! {
     no_problems: "No problems found: the image agrees with exact visibility.", "Nenhum problema encontrado: a imagem concorda com a visibilidade exata.";
     on_the_other_side: "On the other side of the comparison:", "Do outro lado da comparação:";
     no_problems_in_coarse: "No problems found: a coarser image agrees with exact visibility.", "Nenhum problema encontrado: uma imagem menos fina concorda com a visibilidade exata.";
-    repair: "Fix", "Correção";
+    repair: "Repair", "Correção";
     no_repair: "no change to the figure repairs this", "nenhuma mudança na figura conserta isto";
     nothing_repaired: "nothing to repair: the figure is written unchanged", "nada a consertar: a figura é gravada sem mudança";
     cannot_repair: "no change to the figure repairs this, so it is written unchanged", "nenhuma mudança na figura conserta isto, e ela é gravada como está";
