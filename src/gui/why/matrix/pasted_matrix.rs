@@ -10,6 +10,7 @@ use crate::explain::vocabulary::Vocabulary;
 use crate::gui::inspector::{choice, complaint, row};
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::gui::why::context_help::help_topic;
@@ -142,21 +143,21 @@ fn recognised(ui: &mut egui::Ui, state: &mut State, t: &Texts, found: &Recognise
     ui.label(dialects::reading(lang, best, found.evidence));
     let reasons: Vec<String> = best.reasons.iter().map(|reason| dialects::reason(lang, *reason)).collect();
     if matches!(found.evidence, Evidence::Nothing | Evidence::Only) && !reasons.is_empty() {
-        ui.label(RichText::new(format!("{}: {}", t.why, reasons.join(", "))).small());
+        note(ui, &format!("{}: {}", t.why, reasons.join(", ")));
     }
     if reading.kind.has_pose() {
-        ui.label(RichText::new(conventions::axes_row(lang, reading.axes)).small());
+        note(ui, &conventions::axes_row(lang, reading.axes));
     }
     // The buttons below offer the other kinds.
     for assumed in found.assumed.iter().filter(|assumed| !matches!(assumed, Assumed::Kind(_))) {
-        ui.label(RichText::new(format!("• {}", dialects::assumed(lang, found, *assumed))).small());
+        note(ui, &format!("• {}", dialects::assumed(lang, found, *assumed)));
     }
     read_as(ui, state, &found.others);
     if reading.kind.has_pixels() {
         image(ui, state, t);
     }
     for unknown in &best.found.unknown {
-        ui.label(RichText::new(format!("• {}", dialects::unknown(lang, *unknown))).small());
+        note(ui, &format!("• {}", dialects::unknown(lang, *unknown)));
     }
     if let Ok(camera) = Camera::new(&best.found.parameters) {
         camera_found(ui, state, &camera, &reading);
@@ -167,6 +168,13 @@ fn recognised(ui: &mut egui::Ui, state: &mut State, t: &Texts, found: &Recognise
         }
         take(state, best.found.parameters);
     }
+}
+
+/// A small sentence whose symbols have subscripts; screen readers say it as it is written.
+fn note(ui: &mut egui::Ui, text: &str) {
+    let job = theme::sentence(ui, text, &egui::TextStyle::Small, ui.visuals().text_color());
+    let response = ui.add(egui::Label::new(job).wrap());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, text));
 }
 
 /// A button for each other kind as which it gives a camera.
@@ -230,6 +238,6 @@ fn camera_found(ui: &mut egui::Ui, state: &State, camera: &Camera, reading: &Rea
         );
     }
     for line in lines {
-        ui.label(RichText::new(line).monospace().small());
+        note(ui, &line);
     }
 }
