@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Runs the code that `camera-lab code` writes in the libraries that it is for, and holds their matrices against `camera-lab inspect`.
+"""Runs the code that `camera-lab code` writes in the libraries that it is for, and compares their matrices with `camera-lab inspect`.
 
-    pip install numpy vtk; npm install three; apt install libglm-dev g++
+    pip install numpy vtk opencv-python-headless trimesh; npm install three; apt install libglm-dev g++
     python3 tests/code/check.py [CAMERA_LAB] [NODE_MODULES_FOLDER]
 
 A library that is not installed is skipped, and that is said. Exits 1 where a matrix differs.
@@ -62,6 +62,55 @@ def glm(code, folder):
     return rows[:4], rows[4:]
 
 
+POINTS = [(0.5, -1, 0.25), (1, 0.5, 1.5), (-1, 0, -2), (0, -2, 0)]
+
+
+def opencv(code, figure):
+    """The largest distance in pixels between the images of points by OpenCV's own projection and by `inspect`."""
+    import cv2
+    import numpy as np
+
+    names = {}
+    exec(code, names)
+    rotation, _ = cv2.Rodrigues(names["R"])
+    found, _ = cv2.projectPoints(np.array(POINTS, float), rotation, names["t"], names["K"], None)
+    points = json.loads(program("inspect", figure, *(x for p in POINTS for x in ("--point", ",".join(map(str, p))))))["points"]
+    m, n = names["size"]
+    # (5.22) without the floor.
+    expected = [(m * (1 + p["ndc"][0]) / 2, n * (1 - p["ndc"][1]) / 2) for p in points]
+    return max(abs(a - b) for p, q in zip(found[:, 0], expected) for a, b in zip(p, q))
+
+
+def gltf(code, folder, truth):
+    """The largest difference between the pose and θ that trimesh reads and those of `inspect`."""
+    import trimesh
+
+    if truth["camera"]["projection"] == "parallel":
+        raise ImportError("trimesh reads no orthographic camera")
+    path = os.path.join(folder, "camera.gltf")
+    with open(path, "w") as file:
+        file.write(code)
+    scene = trimesh.load(path)
+    pose = (scene.camera_transform - truth["inverse_view_matrix"]).ravel()
+    return max(*map(abs, pose), abs(scene.camera.fov[1] - truth["camera"]["view_angle"]))
+
+
+def numbers(name, folder, figure, truth):
+    """The programs whose numbers aren't matrices of OpenGL; a camera that one of them can't have is skipped."""
+    for target, worst_of in {
+        "opencv": lambda code: opencv(code, figure),
+        "gltf": lambda code: gltf(code, folder, truth),
+    }.items():
+        try:
+            worst = worst_of(program("code", figure, "--for", target))
+        except (ImportError, subprocess.CalledProcessError) as error:
+            print(f"{name}, {target}: skipped ({str(error).splitlines()[0]})")
+            continue
+        # Numbers of a hundred pixels, and trimesh's arithmetic of angles.
+        yield worst < 1e-9
+        print(f"{name}, {target}: {'the same' if worst < 1e-9 else 'DIFFERENT'} (largest difference {worst:.1e})")
+
+
 def main():
     failed = False
     with tempfile.TemporaryDirectory() as folder:
@@ -71,6 +120,7 @@ def main():
                 file.write(text)
             truth = json.loads(program("inspect", figure))
             expected = truth["view_matrix"], truth["projection_matrix"]
+            failed |= not all(list(numbers(name, folder, figure, truth)))
             for target, run in {
                 "numpy": python,
                 "vtk": python,
