@@ -260,8 +260,8 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
             "O plano de fundo está no infinito: B fica como estava."),
         Unknown::Lens => pick!(lang; "Window, F and B are not in it: they stay as they were.",
             "Janela, F e B não estão nela: ficam como estavam."),
-        Unknown::Pose => pick!(lang; "C, PF and VUP are not in M_p: they stay as they were.",
-            "C, PF e VUP não estão em M_p: ficam como estavam."),
+        Unknown::Pose => pick!(lang; "C, PF and VUP aren't in this matrix, so they stay as they were.",
+            "C, PF e VUP não estão nesta matriz e ficam como estavam."),
         Unknown::DepthDirection => pick!(lang;
             "z grows towards the viewer there, as in no camera of the notes: the volume is the same, z_n changes sign.",
             "Ali z cresce rumo ao observador, como em nenhuma câmera das notas: o volume é o mesmo, z_n troca de sinal."),
