@@ -27,8 +27,14 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
     ui.add_space(6.0);
     ui.label(words.text);
     ui.add_space(6.0);
-    let address = address(ui, words, state);
+    let address = address(ui, words, state, first);
     ui.add_space(6.0);
+    if address.is_empty()
+        && let Some(why) = &state.file_flow.refused
+    {
+        complaint(ui, &why.text(state.settings.lang));
+        ui.add_space(6.0);
+    }
     if let Some(playing) = state.lesson.as_mut().filter(|playing| playing.path.is_some()) {
         ui.checkbox(&mut playing.links_whole, words.whole_lesson).explained(words.whole_lesson_hint);
         ui.add_space(6.0);
@@ -61,7 +67,8 @@ pub(in crate::gui) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, firs
         Ok(_) => &[words.copy],
         Err(_) => &[],
     };
-    match buttons(ui, t.cancel, actions, first.then_some(0)) {
+    let asks_address = state.file_flow.refused.is_some();
+    match buttons(ui, t.cancel, actions, (first && !asks_address).then_some(0)) {
         Pressed::Action(1) => state.file_flow.dialog = Some(Dialog::Qr),
         Pressed::Action(_) => {
             if let Ok(link) = link {
@@ -110,7 +117,7 @@ fn whole_lesson(state: &State) -> Option<String> {
 }
 
 /// The address that the link begins with: that of the page itself, else the one that the user knows.
-fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State) -> String {
+fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State, first: bool) -> String {
     if let Some(own) = &state.own_address {
         ui.label(format!("{}: {}", words.address, sanitize::escaped(own)));
         return own.clone();
@@ -119,7 +126,10 @@ fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State) -> Stri
     let address = &mut state.page_address;
     let field = TextField::line(address, MAX_TYPED);
     let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(words.address_hint));
-    field.show(ui, state.settings.lang).labelled_by(label.id);
+    let field = field.show(ui, state.settings.lang).labelled_by(label.id);
+    if first && address.is_empty() && state.file_flow.refused.is_some() {
+        field.request_focus();
+    }
     *address = address.split('#').next().unwrap_or_default().trim().to_owned();
     ui.label(RichText::new(if address.is_empty() { words.no_address } else { words.address_text }).weak());
     address.clone()

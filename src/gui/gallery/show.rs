@@ -4,14 +4,16 @@ use std::ops::Range;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Align2, Color32, Event, EventFilter, FontSelection, Id, Key, Layout, Modifiers, Rect, Response, RichText,
-    ScrollArea, Sense, Stroke, StrokeKind, TextStyle, TextWrapMode, Ui, Vec2, WidgetInfo, WidgetText, pos2, vec2,
+    Align, Align2, Color32, Event, EventFilter, FontSelection, Id, Key, Label, Layout, Modifiers, Rect, Response,
+    RichText, ScrollArea, Sense, Stroke, StrokeKind, TextStyle, TextWrapMode, Ui, Vec2, WidgetInfo, WidgetText, pos2,
+    vec2,
 };
 
 use super::card::SIZE;
 use super::{Gallery, Part, Source};
 use crate::appearance::Theme;
 use crate::files::{ShippedFigure, Topic};
+use crate::gui::app::focus::with_room_before;
 use crate::gui::kit::text_field::TextField;
 use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
@@ -68,7 +70,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
                 asked = Some(Chosen::Folder);
             }
             if let (Part::Folder, Some(folder)) = (gallery.part, &gallery.folder) {
-                ui.add(eframe::egui::Label::new(RichText::new(sanitize::path(folder)).weak()).truncate());
+                ui.add(Label::new(RichText::new(sanitize::path(folder)).weak()).truncate());
             }
         });
     });
@@ -106,14 +108,13 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
             ui.label(format!("{} {more}", t.more));
         }
     });
-    ui.horizontal(|ui| {
-        // A finger has no Esc.
-        if ui.button(t.close).clicked() {
-            asked = Some(Chosen::Nothing);
-        }
-        let keys = if gallery.examples_alone { t.keys_of_one } else { t.keys };
-        ui.label(RichText::new(keys).small().weak());
-    });
+    let keys = if gallery.examples_alone { t.keys_of_one } else { t.keys };
+    let text = |ui: &mut Ui| drop(ui.add(Label::new(RichText::new(keys).small().weak()).truncate()));
+    // A finger has no Esc.
+    let closes = ui.horizontal(|ui| with_room_before(ui, text, |ui| ui.button(t.close).clicked()));
+    if closes.inner {
+        asked = Some(Chosen::Nothing);
+    }
     asked
 }
 
@@ -331,15 +332,22 @@ fn paint(ui: &Ui, t: &Texts, gallery: &Gallery, source: &Source, (rect, response
         WidgetText::from(text).into_galley(ui, Some(mode), width, FontSelection::Default)
     };
     let width = picture.width();
-    let name = line(RichText::new(title).strong(), width, TextWrapMode::Truncate);
+    let name = line(RichText::new(&title).strong(), width, TextWrapMode::Truncate);
+    let title_is_cut = name.elided;
     let below = picture.left_bottom() + vec2(0.0, 3.0);
     let lower = below + vec2(0.0, name.size().y);
     painter.galley(below, name, visuals.text_color());
-    let words = theme::sentence(ui, &sanitize::within(&sentence, 120), &TextStyle::Small, visuals.text_color());
+    let short = sanitize::within(&sentence, 120);
+    let words = theme::sentence(ui, &short, &TextStyle::Small, visuals.text_color());
     let words = WidgetText::from(words).into_galley(ui, Some(TextWrapMode::Wrap), width, FontSelection::Default);
+    let cut = [
+        title_is_cut.then_some(title),
+        (short != sentence || lower.y + words.size().y > rect.bottom()).then_some(sentence),
+    ];
     let painter = painter.with_clip_rect(rect.shrink(1.0).intersect(ui.clip_rect()));
     painter.galley(lower, words, visuals.text_color());
-    if !sentence.is_empty() {
-        response.clone().explained(sentence);
+    let cut: Vec<String> = cut.into_iter().flatten().collect();
+    if !cut.is_empty() {
+        response.clone().explained(cut.join("\n"));
     }
 }

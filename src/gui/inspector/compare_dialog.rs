@@ -4,6 +4,7 @@ use eframe::egui::{Align2, Button, Context, Id, Key, Modifiers, Ui, Window, vec2
 
 use crate::camera::{Operation, Projection};
 use crate::figure::{Comparison, Figure, read};
+use crate::gui::app::focus::at_right;
 use crate::gui::files::file_flow;
 use crate::gui::inspector::complaint;
 use crate::gui::inspector::state::compare::{compared_with, end, in_window, keep_as_a, take};
@@ -68,7 +69,8 @@ fn content(ui: &mut Ui, t: &Texts, state: &mut State, mut form: CompareForm) -> 
         complaint(ui, &why);
     }
     ui.add_space(8.0);
-    (!ui.button(t.close).clicked()).then_some(form)
+    let closes = ui.horizontal(|ui| at_right(ui, |ui| ui.button(t.close).clicked())).inner;
+    (!closes).then_some(form)
 }
 
 /// A camera that was kept, another file, and the figure as it was saved.

@@ -4,7 +4,7 @@
 //! beside the field. No other file makes fields of egui's own, which take everything.
 
 use eframe::egui::os::OperatingSystem;
-use eframe::egui::{Context, Event, Response, TextEdit, Ui};
+use eframe::egui::{Align2, Context, Event, Response, TextEdit, Ui};
 
 use super::tooltip;
 use crate::i18n::{Lang, messages};
@@ -20,7 +20,7 @@ pub(in crate::gui) struct TextField<'t> {
 impl<'t> TextField<'t> {
     /// One line.
     pub(in crate::gui) fn line(text: &'t mut String, most: usize) -> Self {
-        Self { edit: TextEdit::singleline(text), most, says: true }
+        Self { edit: TextEdit::singleline(text).align(Align2::LEFT_CENTER), most, says: true }
     }
 
     /// Several lines.
@@ -30,7 +30,7 @@ impl<'t> TextField<'t> {
 
     /// One line that is read, selected and copied, but not changed.
     pub(in crate::gui) fn fixed_line(text: &'t mut &str) -> Self {
-        Self { edit: TextEdit::singleline(text), most: usize::MAX, says: false }
+        Self { edit: TextEdit::singleline(text).align(Align2::LEFT_CENTER), most: usize::MAX, says: false }
     }
 
     /// As [`Self::fixed_line`], of several lines.

@@ -10,22 +10,22 @@ texts! {
     copy_link: "Copy a link…", "Copiar um link…";
     copy_link_hint: "Copies the figure as a link that opens it in a browser", "Copia a figura como um link que a abre em um navegador";
     title: "A link to this figure", "Um link para esta figura";
-    text: "Whoever opens it in a browser sees this figure and can continue with it. The figure is in the link itself, after the #: nothing is sent anywhere.", "Quem o abre em um navegador vê esta figura e pode continuar com ela. A figura está no próprio link, depois do #: nada é enviado a lugar nenhum.";
+    text: "Open it in any browser to see this figure and work on it. The link holds the whole figure, so nothing is sent anywhere.", "Abra em qualquer navegador para ver esta figura e trabalhar nela. O link contém a figura inteira, e nada é enviado a lugar nenhum.";
     address: "Address of the page", "Endereço da página";
     address_hint: "https://…", "https://…";
     address_text: "The address of a page with Camera Lab, for example your lecturer's. The program remembers it.", "O endereço de uma página com o Camera Lab, por exemplo a do seu professor. O programa o guarda.";
-    no_address: "Without an address, only the part that follows it is copied, from the # on: append it to the address of any page with Camera Lab.", "Sem endereço, só se copia a parte que vem depois dele, a partir do #: acrescente-o ao endereço de qualquer página com o Camera Lab.";
+    no_address: "Without an address you copy only the part from the # on. Add it to the address of any page with Camera Lab.", "Sem endereço, você copia só a parte a partir do #. Junte-a ao endereço de qualquer página com o Camera Lab.";
     link: "Link", "Link";
-    own_files: "The link does not include these files, and others will miss them:", "O link não inclui estes arquivos, que faltarão aos outros:";
+    own_files: "The link doesn't include these files, so others won't see them:", "O link não inclui estes arquivos, e os outros não os verão:";
     copy: "Copy", "Copiar";
     copied: "Link copied:", "Link copiado:";
     characters: "characters", "caracteres";
     opened: "This is the figure of the link.", "Esta é a figura do link.";
-    downloaded: "Handed to the browser, which saves it among its downloads:", "Entregue ao navegador, que o salva entre os downloads:";
+    downloaded: "Your browser saves it with its downloads:", "Seu navegador o salva entre os downloads:";
     restored: "Your last work is restored from this browser.", "Seu último trabalho foi restaurado deste navegador.";
-    name_text: "The browser saves it among its downloads, and may change the name. Which name?", "O navegador o salva entre os downloads, e pode mudar o nome. Que nome?";
+    name_text: "The browser saves it with its downloads and may change the name. Which name do you want?", "O navegador o salva entre os downloads e pode mudar o nome. Que nome você quer?";
     name_hint: "name.toml", "nome.toml";
     help_touch: "Touch", "Toque";
     help_touch_text: "One finger orbits a 3D picture, or drags what it touches; two fingers pan and zoom it. A double tap maximises a picture.", "Um dedo gira uma imagem 3D, ou arrasta o que toca; dois dedos a movem e ampliam. Dois toques maximizam uma imagem.";
-    keys_of_browser: "The browser reserves some keys: commands without one here are in the menus.", "O navegador reserva algumas teclas: os comandos que aqui não as têm estão nos menus.";
+    keys_of_browser: "The browser keeps some keys for itself. Commands without a key here are in the menus.", "O navegador reserva algumas teclas. Os comandos sem tecla aqui estão nos menus.";
 }

@@ -11,7 +11,7 @@ use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::state::State;
 use crate::gui::why::context_help::help_topic;
-use crate::i18n::window::{Texts, lens};
+use crate::i18n::window::Texts;
 use crate::numbers::{EXACT_DIGITS, power_of_ten};
 use crate::scene::Preset;
 
@@ -84,6 +84,8 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, state: &mu
                     },
                 );
             });
+        } else {
+            derived(ui, form);
         }
         form.number(
             ui,
@@ -108,6 +110,20 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, state: &mu
             },
         );
     });
+}
+
+/// θ and A of a free window: at the places of their fields, so that the padlock below stays under the pointer.
+fn derived(ui: &mut egui::Ui, form: &mut ParameterForm) {
+    let t = form.t;
+    let window = form.good.window();
+    match form.parameters.projection {
+        Projection::Perspective => {
+            let angle = form.good.view_angle().degrees();
+            form.derived_beside(ui, ("θ", t.view_angle, t.view_angle_hint), (angle, "°"), lens_menu::button);
+        }
+        Projection::Parallel => form.derived(ui, ("H", t.height, t.height_hint), window.height()),
+    }
+    form.derived(ui, ("A", t.aspect, t.aspect_hint), window.aspect());
 }
 
 fn kind(ui: &mut egui::Ui, form: &mut ParameterForm) {
@@ -185,17 +201,6 @@ pub(super) fn window(ui: &mut egui::Ui, form: &mut ParameterForm) {
             });
         });
         form.point_at(ui, ParameterKey::Aspect, size.response.rect);
-        if form.parameters.window.is_some() {
-            form.derived(ui, "A", t.aspect, t.aspect_hint, window.aspect(), "");
-            if form.parameters.projection == Projection::Perspective {
-                form.derived(ui, "θ", t.view_angle, t.view_angle_hint, form.good.view_angle().degrees(), "°");
-                // In the frame in which the window becomes free, the button still stands at θ.
-                if form.good.parameters().window.is_some() {
-                    let t = lens::texts(form.lang);
-                    row(ui, "", t.lens, t.lens_hint, |ui| lens_menu::button(ui, form));
-                }
-            }
-        }
     });
 }
 

@@ -263,8 +263,22 @@ impl ParameterForm {
     }
 
     /// A number that follows from others.
-    fn derived(&self, ui: &mut egui::Ui, symbol: &str, name: &str, hint: &str, value: f64, unit: &str) {
+    fn derived(&mut self, ui: &mut egui::Ui, named: (&str, &str, &str), value: f64) {
+        self.derived_beside(ui, named, (value, ""), |_, _| ());
+    }
+
+    /// The same with its unit, and with something before it.
+    fn derived_beside(
+        &mut self,
+        ui: &mut egui::Ui,
+        (symbol, name, hint): (&str, &str, &str),
+        (value, unit): (f64, &str),
+        beside: impl FnOnce(&mut egui::Ui, &mut Self),
+    ) {
         row(ui, symbol, name, hint, |ui| {
+            // As high as a field.
+            ui.set_min_height(ui.spacing().interact_size.y);
+            beside(ui, self);
             let number = |digits| self.t.lang.mark().number(value, digits);
             let exact = number(numbers::EXACT_DIGITS);
             ui.label(format!("{}{unit}", number(6))).explained(format!("= {exact}{unit}"));

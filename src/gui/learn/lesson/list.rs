@@ -2,6 +2,7 @@
 
 use eframe::egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, Ui};
 
+use crate::gui::app::focus::at_right;
 use crate::gui::files::file_flow;
 use crate::gui::kit::prose;
 use crate::gui::kit::tooltip::Explained;
@@ -76,8 +77,8 @@ pub(in crate::gui) fn show(ui: &mut Ui, state: &mut State) {
         }
     });
     ui.separator();
-    let closes = ui.button(gallery::texts(lang).close).clicked()
-        || ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+    let close = ui.horizontal(|ui| at_right(ui, |ui| ui.button(gallery::texts(lang).close))).inner;
+    let closes = close.clicked() || ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
     match chosen {
         Some(open) => file_flow::begin(ui.ctx(), state, AfterSave::Lesson(open)),
         None if closes => {}

@@ -61,9 +61,7 @@ impl State {
     pub(in crate::gui) fn ask_for_code(&mut self) {
         let has_address = self.own_address.is_some() || !self.page_address.is_empty();
         self.file_flow.dialog = Some(if has_address { Dialog::Qr } else { Dialog::Link });
-        if !has_address {
-            self.say(Message::AddressFirst);
-        }
+        self.file_flow.refused = (!has_address).then_some(Message::AddressFirst);
     }
 }
 

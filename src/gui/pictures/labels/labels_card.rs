@@ -1,12 +1,16 @@
 //! The card of the mode *Labels*: the chosen label, hidden ones, notes.
 
-use eframe::egui::{self, Align2, ComboBox, Id, Ui, Window, vec2};
+use std::sync::Arc;
+
+use eframe::egui::text::{LayoutJob, TextFormat};
+use eframe::egui::{self, Align2, ComboBox, FontSelection, Galley, Id, Ui, Window, vec2};
 
 use crate::appearance::Rgba;
 use crate::figure::labels::{LEGEND, is_in_legend, note_index, set_text};
 use crate::figure::words::{DIMENSIONS, value};
 use crate::figure::{Letters, Measure, MeasureText};
 use crate::gui::kit::text_field::TextField;
+use crate::gui::kit::theme;
 use crate::gui::kit::tooltip::Explained;
 use crate::gui::pictures::{Canvas, Pane};
 use crate::gui::state::State;
@@ -14,6 +18,7 @@ use crate::i18n::window::labels as words;
 use crate::i18n::window::labels::Texts;
 use crate::limits::{LABEL_SIZE, MAX_LABEL_TEXT, MAX_LABELS};
 use crate::sanitize::escaped;
+use crate::text::{Face, face};
 use crate::views::{View, unknown_labels};
 
 /// The factor of one press of *larger*.
@@ -125,7 +130,9 @@ impl Canvas {
             .horizontal(|ui| {
                 let label = ui.label(t.text);
                 let id = Id::unique(("text of label", name));
-                let field = TextField::line(&mut typed, MAX_LABEL_TEXT).with(|edit| edit.id(id).desired_width(190.0));
+                let mut letters = |ui: &Ui, typed: &dyn egui::TextBuffer, _: f32| with_letters(ui, typed.as_str());
+                let field = TextField::line(&mut typed, MAX_LABEL_TEXT);
+                let field = field.with(|edit| edit.id(id).desired_width(190.0).layouter(&mut letters));
                 field.show(ui, lang).labelled_by(label.id).explained(t.text_hint)
             })
             .inner;
@@ -146,6 +153,19 @@ impl Canvas {
             state.label_mode.typed = None;
         }
     }
+}
+
+/// A typed text whose letters of Unicode's mathematics, which no font of the window has, are those of other fonts.
+fn with_letters(ui: &Ui, typed: &str) -> Arc<Galley> {
+    let (plain, color) = (FontSelection::Default.resolve(ui.style()), ui.visuals().text_color());
+    let mut job = LayoutJob { keep_trailing_whitespace: true, ..LayoutJob::default() };
+    for c in typed.chars() {
+        let (face, letter) = face(c, false);
+        let font = if face == Face::Bold { theme::bold(plain.size) } else { plain.clone() };
+        let italics = face == Face::Plain && letter != c;
+        job.append(&letter.to_string(), 0.0, TextFormat { font_id: font, color, italics, ..TextFormat::default() });
+    }
+    ui.fonts_mut(|fonts| fonts.layout_job(job))
 }
 
 fn select_all(ctx: &egui::Context, id: Id, count: usize) {
