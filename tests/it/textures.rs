@@ -247,7 +247,7 @@ fn a_figure_puts_pictures_on_objects_and_says_which_it_cannot() {
     let text: String = names.iter().map(|name| object(name)).collect();
     let whole = png(3, 5);
     let scene = built(&text, &[("a.png", &whole), ("cut.png", &whole[..50]), ("text.png", b"not a picture")]);
-    assert_eq!(sides(&scene, 0), Some((128, 128)));
+    assert_eq!(sides(&scene, 0), Some((512, 512)));
     assert_eq!((sides(&scene, 3), sides(&scene, 4)), (None, Some((3, 5))));
     assert_eq!([5, 6, 7].map(|k| sides(&scene, k)), [None; 3], "their own colour");
     let faults: Vec<(&str, &TextureFault)> = scene

@@ -11,7 +11,7 @@ const DARK: [u8; 4] = [0x4a, 0x52, 0x5c, 255];
 
 /// Eight by eight squares.
 pub(super) static CHEQUER: LazyLock<Arc<Texture>> = LazyLock::new(|| {
-    const SQUARE: u32 = 16;
+    const SQUARE: u32 = 64;
     drawn(8 * SQUARE, |x, y| if (x / SQUARE + y / SQUARE).is_multiple_of(2) { LIGHT } else { DARK })
 });
 
