@@ -451,3 +451,24 @@ fn a_lesson_and_exercises_are_printed() {
     window.wait(|_| path.exists());
     assert!(fs::read(&path).expect("written").starts_with(b"%PDF"));
 }
+
+#[test]
+fn a_code_without_an_address_asks_for_one_and_a_link_does_not() {
+    let mut window = Window::new(Lang::En);
+    let t = camera_lab::i18n::window::sharing::texts(Lang::En);
+    let shortcut = |window: &mut Window, modifiers| {
+        window.harness.key_press_modifiers(modifiers, Key::K);
+        window.run();
+        window.says(t.address_first)
+    };
+    assert!(!shortcut(&mut window, Modifiers::COMMAND));
+    window.key(Key::Escape);
+    assert!(shortcut(&mut window, Modifiers::COMMAND | Modifiers::SHIFT));
+    // The field has the keyboard.
+    window.harness.event(Event::Text("https://example.org/".to_owned()));
+    window.run();
+    assert!(!window.says(t.address_first));
+    assert_eq!(window.state().page_address, "https://example.org/");
+    window.click(t.code);
+    assert!(window.says(t.code));
+}

@@ -7,7 +7,7 @@ use camera_lab::gui::state::Message;
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
 use camera_lab::views::View;
-use eframe::egui::{Event, Key, Modifiers, pos2, vec2};
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, PointerButton, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::window::Window;
@@ -234,6 +234,52 @@ fn the_padlock_frees_the_window_and_closes_it_again() {
     window.click(en::WINDOW.symmetric);
     let after = window.state().document.camera().window();
     assert!((after.width() - 1.0).abs() < 1e-12 && (after.left + after.right).abs() < 1e-12);
+}
+
+#[test]
+fn the_padlock_stays_under_the_pointer() {
+    for projection in [Projection::Perspective, Projection::Parallel] {
+        let mut window = Window::new(Lang::En);
+        let camera = window.state().document.camera().with_projection(projection).expect("a camera");
+        window.app_mut().state.document.set_camera(camera);
+        window.run();
+        let place = |window: &Window| window.harness.get_by_label(en::WINDOW.symmetric).rect();
+        let before = place(&window);
+        for _ in 0..2 {
+            window.click(en::WINDOW.symmetric);
+            assert_eq!(place(&window), before, "{projection:?}");
+        }
+    }
+}
+
+#[test]
+fn a_right_click_on_a_point_copies_and_follows_it() {
+    let mut window = Window::new(Lang::PtBr);
+    window.enter("C x", "0,1");
+    let mut choose = |entry: &str| {
+        let at = window.harness.get_by_label("C y").rect().center();
+        window.harness.hover_at(at);
+        window.run();
+        for pressed in [true, false] {
+            let (button, modifiers) = (PointerButton::Secondary, Modifiers::NONE);
+            window.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers });
+        }
+        window.run();
+        window.harness.get_by_label(entry).click();
+        window.harness.step();
+        let commands = &window.harness.output().platform_output.commands;
+        let copied = commands.iter().find_map(|command| match command {
+            OutputCommand::CopyText(text) => Some(text.clone()),
+            _ => None,
+        });
+        window.run();
+        copied
+    };
+    assert_eq!(choose("Copiar C").as_deref(), Some("0,1 4 5"));
+    choose("Seguir C");
+    let state = window.state();
+    assert_eq!(state.explain.shown(), Explanation::Point);
+    assert_eq!(state.document.figure().points[0].position.to_array(), [0.1, 4.0, 5.0]);
 }
 
 #[test]

@@ -13,7 +13,7 @@ use glam::DVec3;
 use super::{complaint, row};
 use crate::camera::{Camera, CameraError, CameraRepair, ImageSize, LensForm, ParameterKey, Parameters, camera_repairs};
 use crate::explain::Symbol;
-use crate::figure::{Measure, MeasureText, Measured, WindowSide};
+use crate::figure::{Explanation, Measure, MeasureText, Measured, WindowSide};
 use crate::gui::app::command::Command;
 use crate::gui::app::focus::keep_in_sight;
 use crate::gui::kit::keys::written;
@@ -23,7 +23,7 @@ use crate::gui::state::{State, Tab, symbols_of};
 use crate::gui::why::context_help::{has_focus, help_topic_row};
 use crate::i18n::Lang;
 use crate::i18n::messages::faults;
-use crate::i18n::why::notes;
+use crate::i18n::why::{explain_point, notes};
 use crate::i18n::window::scenes;
 use crate::i18n::window::{self, Texts};
 use crate::numbers;
@@ -94,6 +94,10 @@ fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
     if let Some(lens) = form.new_lens {
         state.document.set_lens(lens);
     }
+    if let Some(point) = form.follows {
+        state.follow_point(point);
+        state.show_explanation(Explanation::Point);
+    }
     if let Some(measure) = form.keeps {
         let shown = (!form.kept.contains(&measure)).then(MeasureText::default);
         state.document.edit_labels(|labels| labels.measure(measure, shown));
@@ -125,6 +129,8 @@ struct ParameterForm {
     /// The measures that the figure shows as labels, and the one that it is to show or to hide now.
     kept: Vec<Measure>,
     keeps: Option<Measure>,
+    /// The point of the world that is to be followed.
+    follows: Option<DVec3>,
 }
 
 impl ParameterForm {
@@ -145,6 +151,7 @@ impl ParameterForm {
             pointed: Vec::new(),
             kept: state.document.figure().labels.measures.iter().map(|shown| shown.measure).collect(),
             keeps: None,
+            follows: None,
         }
     }
 
@@ -212,6 +219,7 @@ impl ParameterForm {
     /// While the pointer is on the row of a parameter, the world shows its length or angle; then, and while its field
     /// has the focus, the explanations mark the entries that depend on it.
     fn point_at(&mut self, ui: &egui::Ui, key: ParameterKey, row: egui::Rect) {
+        self.menu(ui, key, row);
         self.point_at_symbols(ui, symbols_of(key), measure_of(key), row);
     }
 
@@ -228,9 +236,6 @@ impl ParameterForm {
 
     fn point_at_symbols(&mut self, ui: &egui::Ui, symbols: Vec<Symbol>, measured: Option<Measured>, row: egui::Rect) {
         let pointed = ui.rect_contains_pointer(row);
-        if let Some(Measured::Dimension(measure)) = measured {
-            self.menu_of_measure(ui, measure, pointed);
-        }
         if pointed
             && !ui.input(|input| input.pointer.any_down())
             && let Some(measured) = measured
@@ -245,19 +250,44 @@ impl ParameterForm {
         }
     }
 
-    /// The menu that a right click on a row opens: its measure stays in the figure, as a label in the world.
-    fn menu_of_measure(&mut self, ui: &egui::Ui, measure: Measure, pointed: bool) {
-        let opens = pointed && ui.input(|input| input.pointer.secondary_clicked());
-        let id = egui::Id::unique(("menu of a measure", measure.symbol()));
+    /// The menu that a right click on a row opens: its value is copied, its point followed through the spaces, its
+    /// measure kept in the figure as a label in the world.
+    fn menu(&mut self, ui: &egui::Ui, key: ParameterKey, row: egui::Rect) {
+        let opens = ui.rect_contains_pointer(row) && ui.input(|input| input.pointer.secondary_clicked());
+        let id = egui::Id::unique(("menu of a parameter", key.symbol()));
         let menu = egui::Popup::new(id, ui.ctx().clone(), egui::PopupAnchor::PointerFixed, ui.layer_id())
             .kind(egui::PopupKind::Menu)
             .open_memory(opens.then_some(egui::SetOpenCommand::Bool(true)));
         menu.show(|ui| {
-            let is_kept = self.kept.contains(&measure);
-            let text = format!("{}: {}", self.t.keep_operation, measure.symbol());
-            if ui.selectable_label(is_kept, text).clicked() {
-                self.keeps = Some(measure);
+            let Parameters { position, focal_point, view_up, .. } = self.parameters;
+            let (point, values) = match key {
+                ParameterKey::Position => (Some(position), position.to_array().to_vec()),
+                ParameterKey::FocalPoint => (Some(focal_point), focal_point.to_array().to_vec()),
+                ParameterKey::ViewUp => (None, view_up.to_array().to_vec()),
+                ParameterKey::ViewAngle => (None, vec![self.good.view_angle().degrees()]),
+                ParameterKey::Height => (None, vec![self.good.window().height()]),
+                ParameterKey::Aspect => (None, vec![self.good.window().aspect()]),
+                ParameterKey::Near => (None, vec![self.parameters.near]),
+                ParameterKey::Far => (None, vec![self.parameters.far]),
+                ParameterKey::Window => return,
+            };
+            let written = |value: &f64| self.t.lang.mark().number(*value, numbers::EXACT_DIGITS);
+            if ui.button(format!("{} {}", self.t.copy, key.symbol())).clicked() {
+                ui.ctx().copy_text(values.iter().map(written).collect::<Vec<_>>().join(" "));
                 ui.close();
+            }
+            if let Some(point) = point
+                && ui.button(format!("{} {}", explain_point::texts(self.lang).follow, key.symbol())).clicked()
+            {
+                self.follows = Some(point);
+                ui.close();
+            }
+            if let Some(Measured::Dimension(measure)) = measure_of(key) {
+                let text = format!("{}: {}", self.t.keep_operation, measure.symbol());
+                if ui.selectable_label(self.kept.contains(&measure), text).clicked() {
+                    self.keeps = Some(measure);
+                    ui.close();
+                }
             }
         });
     }
