@@ -1,10 +1,11 @@
-//! The sequence of a frame.
+//! The program of the window: its frames, commands, menus, search and settings.
 
 pub(super) mod about;
 pub(super) mod annotations;
 pub mod command;
 pub mod dialogs;
 pub(super) mod focus;
+mod frame;
 pub(super) mod key_repeat;
 pub mod launch_options;
 pub mod menu;
@@ -15,38 +16,26 @@ pub mod status;
 pub(super) mod tab_order;
 
 use std::path::Path;
-use std::time::Duration;
 
 use eframe::egui::os::OperatingSystem;
 use eframe::egui::{self, KeyboardShortcut, Vec2, ViewportCommand};
 
-use super::state::{AfterSave, Message, PanelHover, Side, State};
+use super::state::{Message, State};
 use crate::appearance::Theme;
 use crate::gui::app::command::{Command, Run};
-use crate::gui::app::focus::{Focus, Region};
+use crate::gui::app::focus::Focus;
 use crate::gui::app::key_repeat::HeldKey;
 use crate::gui::app::launch_options::LaunchOptions;
 use crate::gui::app::presentation::RestingPointer;
 use crate::gui::app::tab_order::KeyOrder;
-use crate::gui::files::changed_file;
 use crate::gui::files::file_flow;
 use crate::gui::files::sequence;
-use crate::gui::inspector::numerics;
-use crate::gui::inspector::operations;
-use crate::gui::inspector::parameters;
-use crate::gui::inspector::values;
-use crate::gui::kit::{text_field, theme, tooltip};
-use crate::gui::learn::lesson;
+use crate::gui::kit::{text_field, theme};
 use crate::gui::pictures::Canvas;
-use crate::gui::pictures::motion;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::gui::platform::window_size::{Opening, Whereabouts};
 use crate::gui::storage::preferences::Preferences;
-use crate::gui::storage::recovery::Decision;
-use crate::gui::storage::session::{Keeping, Kept, Restored, Sessions};
-use crate::gui::storage::session_news;
-use crate::gui::why;
-use crate::gui::why::context_help;
+use crate::gui::storage::session::{Keeping, Restored, Sessions};
 use crate::i18n::window;
 use crate::sanitize;
 
@@ -69,9 +58,6 @@ pub struct App {
     #[cfg(not(target_arch = "wasm32"))]
     whereabouts: Whereabouts,
 }
-
-/// Below this width, in points, there is room for one panel beside the pictures.
-const NARROW: f32 = 960.0;
 
 impl App {
     /// Starts from a state, in a window whose fonts and style it sets.
@@ -142,22 +128,6 @@ impl App {
         }
     }
 
-    /// The list of left sessions, and the user's decision.
-    fn recovery(&mut self, ui: &mut egui::Ui) {
-        let Some(sessions) = &mut self.sessions else { return };
-        let decision = crate::gui::storage::recovery::list(ui, self.state.settings.lang, sessions.left());
-        match decision {
-            Some(Decision::Restore(slot)) => file_flow::begin(ui.ctx(), &mut self.state, AfterSave::Restore(slot)),
-            Some(Decision::Discard(slot)) => sessions.discard(slot),
-            None => {}
-        }
-        if let Some(slot) = self.state.file_flow.restore.take() {
-            let left = sessions.restore(slot);
-            self.go_on_with(left);
-        }
-        self.tell_news();
-    }
-
     /// Collects notices about sessions and preferences; each stays until dismissed, write failures as long as they
     /// last.
     fn tell_news(&mut self) {
@@ -172,171 +142,6 @@ impl App {
                 said.is_kept(Keeping::Session);
             }
         }
-    }
-
-    /// One frame; `ui` is the whole window.
-    pub fn show(&mut self, ui: &mut egui::Ui) {
-        let ctx = ui.ctx().clone();
-        let os = ctx.os();
-        ctx.input_mut(|input| {
-            text_field::cut_pasted(&mut input.events);
-            text_field::drop_letters_with_alt(&mut input.events, os);
-        });
-        self.caret.follow(&ctx);
-        motion::advance(&ctx, &mut self.state);
-        lesson::advance(&ctx, &mut self.state);
-        if ctx.input(|input| self.held_key.follow(input)) {
-            self.state.document.commit();
-        }
-        self.focus.begin(&ctx, self.state.file_flow.is_asking());
-        file_flow::poll(&ctx, &mut self.state);
-        self.canvas.listen_for_cancel(&ctx, &mut self.state);
-        if !self.canvas.holds_something(&self.state)
-            && let Some(command) = presentation::escape(&ctx, &mut self.state)
-        {
-            self.perform(&ctx, command);
-        }
-        // Each key press acts, in its turn. What comes after one that opens a dialog is for the dialog.
-        while !self.state.file_flow.is_asking()
-            && let Some(command) = self.keyboard(&ctx)
-        {
-            match context_help::asked(&ctx).filter(|_| command == Command::Help) {
-                Some(note) => self.state.explain_by_note(note),
-                None => self.perform(&ctx, command),
-            }
-        }
-        context_help::begin(&ctx);
-        // The panels of this frame set the hover.
-        self.state.hover = PanelHover::default();
-        self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
-        let sides = *self.state.settings.panels();
-        if let Some(left) = self.state.forget_old_news(ctx.input(|input| input.time)) {
-            ctx.request_repaint_after(Duration::from_secs_f64(left));
-        }
-        let t = window::texts(self.state.settings.lang);
-        let presenting = self.state.settings.presentation;
-        let bar = (!self.state.settings.bare && !presenting).then(|| {
-            egui::Panel::top("menu").show(ui, |ui| {
-                focus::region(ui, ui.max_rect(), Region::Bar, t.region_bar);
-                menu::bar(ui, &self.state)
-            })
-        });
-        let bar = bar.and_then(|bar| bar.inner);
-        // Notices wait until the presentation is over.
-        if !presenting {
-            self.recovery(ui);
-            session_news::bar(ui, &mut self.state);
-            changed_file::bar(ui, &mut self.state);
-            let welcomed = lesson::welcome(ui, &mut self.state);
-            welcomed.into_iter().for_each(|command| self.perform(&ctx, command));
-            lesson::go_on(ui, &mut self.state);
-        }
-        status::error(ui, &mut self.state);
-        if presenting {
-            presentation::caption(ui, &self.state);
-        }
-        let of_lesson = lesson::panel(ui, &mut self.state);
-        if self.state.numerics.shown {
-            egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
-                focus::region(ui, ui.max_rect(), Region::Numerics, t.numerics);
-                numerics::ui(ui, &mut self.state);
-            });
-            name_handle(ui, "numerics", t.panel_width);
-        }
-        if sides.is_shown(Side::Left) {
-            egui::Panel::left("parameters").default_size(256.0).size_range(220.0..=420.0).show(ui, |ui| {
-                focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
-                tooltip::beside_panel(ui, egui::RectAlign::RIGHT_START);
-                parameters::ui(ui, &mut self.state);
-            });
-            name_handle(ui, "parameters", t.panel_width);
-        }
-        if sides.is_shown(Side::Right) {
-            egui::Panel::right("numbers").default_size(316.0).size_range(260.0..=520.0).show(ui, |ui| {
-                focus::region(ui, ui.max_rect(), Region::Numbers, t.numbers_panel);
-                tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
-                self.right(ui);
-            });
-            name_handle(ui, "numbers", t.panel_width);
-        }
-        if sides.is_shown(Side::Explain) {
-            // In a presentation the pictures keep more than half of the width.
-            let (id, share) = if presenting { ("explain in a presentation", 0.45) } else { ("explain", 1.0) };
-            let most = (share * ctx.content_rect().width()).clamp(320.0, 620.0);
-            egui::Panel::right(id).default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
-                focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
-                tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
-                why::ui(ui, &mut self.state);
-            });
-            name_handle(ui, id, t.panel_width);
-        }
-        tooltip::beside_nothing(&ctx);
-        if let Some(note) = context_help::called(&ctx) {
-            self.state.explain_by_note(note);
-        }
-        motion::show_done(&ctx, &mut self.state);
-        self.state.follow_panels();
-        let pictures = egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.ui(ui, &mut self.state));
-        if let Some(command) = self.canvas.take_wanted() {
-            self.perform(&ctx, command);
-        }
-        self.state.consult(&ctx);
-        presentation::show(&ctx, &mut self.state, pictures.response.rect);
-        let bar = if presenting { presentation::bar(&ctx, &self.state) } else { bar };
-        if let Some(command) = bar {
-            self.perform(&ctx, command);
-        }
-        let of_speaker = lesson::speaker_window(&ctx, &mut self.state);
-        // Its window does not know of questions in this one.
-        let of_speaker = of_speaker.filter(|_| !self.state.file_flow.is_asking());
-        if let Some(command) = of_lesson.or(of_speaker) {
-            self.perform(&ctx, command);
-        }
-        if let Some(command) = dialogs::show(&ctx, &mut self.state) {
-            self.perform(&ctx, command);
-            ctx.request_repaint();
-        }
-        drop_hint(&ctx, &self.state);
-        self.resting.show(&ctx, presenting);
-        self.focus.end(&ctx);
-        self.apply_settings(&ctx);
-        self.refuse_links(&ctx);
-        self.update_title(&ctx);
-        let moves = self.state.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
-        let moving = self.state.operations.motion.is_some() || moves || self.state.explain.steps.plays();
-        if !moving && !ctx.input(|input| input.pointer.any_down()) && !self.held_key.is_held(&ctx) {
-            self.state.document.commit();
-            let now = ctx.input(|input| input.time);
-            if let Some(left) = self.state.views.follow(self.state.document.figure().observers, now) {
-                ctx.request_repaint_after(Duration::from_secs_f64(left));
-            }
-            if let Some(sessions) = &mut self.sessions {
-                let seen = self.state.as_seen();
-                let state = &self.state;
-                let explains = state.lesson.is_none() && state.document.explains_other(&seen.show);
-                let is_work = state.has_unsaved() || explains;
-                let shown = Kept { document: &state.document, seen: &seen, is_work, text: state.unsaved_text() };
-                sessions.keep(&ctx, shown, &state.held_documents());
-            }
-            if let Some(preferences) = &mut self.preferences {
-                preferences.keep(&ctx, &mut self.state);
-            }
-        }
-    }
-
-    /// Operations above, as high as they are but not more than about half if the numbers below are unfolded.
-    fn right(&mut self, ui: &mut egui::Ui) {
-        let share = if self.state.settings.numbers_open { 0.56 } else { 0.8 };
-        let half = ui.available_height() * share;
-        egui::ScrollArea::vertical().id_salt("operations").max_height(half).auto_shrink([false, true]).show(ui, |ui| {
-            operations::ui(ui, &mut self.state);
-            focus::keep_in_sight(ui);
-        });
-        ui.add_space(4.0);
-        egui::ScrollArea::vertical().id_salt("numbers").auto_shrink(false).show(ui, |ui| {
-            values::ui(ui, &mut self.state);
-            focus::keep_in_sight(ui);
-        });
     }
 
     /// Takes the first key press out of the input that calls a command, and gives the command.
@@ -469,12 +274,6 @@ fn opens(link: &str) -> bool {
     scheme.is_some_and(|scheme| ["http", "https", "mailto"].contains(&scheme.as_str()))
 }
 
-/// Names the handle of a panel in the language of the window: egui's own name for it is English.
-fn name_handle(ui: &egui::Ui, panel: &str, name: &str) {
-    let handle = ui.scope_id().with_salt(egui::IdSalt::new(panel)).with("__resize");
-    ui.ctx().accesskit_node_builder(handle, |node| node.set_label(name));
-}
-
 /// The corner of a screen besides the one that the window is on, in points of the window's; `None`: there is none.
 #[cfg(not(target_arch = "wasm32"))]
 fn other_screen(frame: &eframe::Frame) -> Option<egui::Pos2> {
@@ -483,19 +282,6 @@ fn other_screen(frame: &eframe::Frame) -> Option<egui::Pos2> {
     let other = window.available_monitors().find(|screen| *screen != here)?;
     let corner = other.position().to_logical::<f32>(window.scale_factor());
     Some(egui::pos2(corner.x, corner.y))
-}
-
-/// Tells the effect of dropping a file that is held over the window.
-fn drop_hint(ctx: &egui::Context, state: &State) {
-    if ctx.input(|input| input.raw.hovered_files.is_empty()) {
-        return;
-    }
-    let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Foreground, egui::Id::unique("drop")));
-    let (rect, visuals) = (ctx.content_rect(), ctx.global_style().visuals.clone());
-    painter.rect_filled(rect, 0.0, visuals.panel_fill.gamma_multiply(0.85));
-    let text = window::texts(state.settings.lang).drop_here;
-    let font = egui::FontId::proportional(24.0);
-    painter.text(rect.center(), egui::Align2::CENTER_CENTER, text, font, visuals.text_color());
 }
 
 impl eframe::App for App {

@@ -1,0 +1,279 @@
+//! A frame of the window, in five phases: the input, the panels, the pictures, the dialogs, and the work in the
+//! background.
+//!
+//! Their order is the protocol between them. Keys change the figure before a panel shows it. The panels set what the
+//! pointer is on, and the pictures mark it in the same frame. Dialogs lie over both. What was done is committed, and
+//! handed to the threads that write files, after everything has been shown.
+
+use std::time::Duration;
+
+use eframe::egui;
+
+use super::focus::{self, Region};
+use super::{App, dialogs, menu, presentation, status};
+use crate::gui::app::command::Command;
+use crate::gui::files::{changed_file, file_flow};
+use crate::gui::inspector::{numerics, operations, parameters, values};
+use crate::gui::kit::{text_field, tooltip};
+use crate::gui::learn::lesson;
+use crate::gui::pictures::motion;
+use crate::gui::state::{AfterSave, PanelHover, Side, State};
+use crate::gui::storage::recovery::{self, Decision};
+use crate::gui::storage::session::Kept;
+use crate::gui::storage::session_news;
+use crate::gui::why::{self, context_help};
+use crate::i18n::window::{self, Texts};
+
+/// Below this width, in points, there is room for one panel beside the pictures.
+const NARROW: f32 = 960.0;
+
+/// Commands that the panels have called, done when the pictures have been shown.
+#[derive(Default)]
+struct Called {
+    of_bar: Option<Command>,
+    of_lesson: Option<Command>,
+}
+
+impl App {
+    /// One frame; `ui` is the whole window.
+    pub fn show(&mut self, ui: &mut egui::Ui) {
+        let ctx = ui.ctx().clone();
+        self.input(&ctx);
+        let called = self.panels(ui);
+        self.pictures(ui, called);
+        self.dialogs(&ctx);
+        self.background(&ctx);
+    }
+
+    /// Goes on with what moves by itself, and does what the keyboard asks for.
+    fn input(&mut self, ctx: &egui::Context) {
+        let os = ctx.os();
+        ctx.input_mut(|input| {
+            text_field::cut_pasted(&mut input.events);
+            text_field::drop_letters_with_alt(&mut input.events, os);
+        });
+        self.caret.follow(ctx);
+        motion::advance(ctx, &mut self.state);
+        lesson::advance(ctx, &mut self.state);
+        if ctx.input(|input| self.held_key.follow(input)) {
+            self.state.document.commit();
+        }
+        self.focus.begin(ctx, self.state.file_flow.is_asking());
+        file_flow::poll(ctx, &mut self.state);
+        self.canvas.listen_for_cancel(ctx, &mut self.state);
+        if !self.canvas.holds_something(&self.state)
+            && let Some(command) = presentation::escape(ctx, &mut self.state)
+        {
+            self.perform(ctx, command);
+        }
+        // Each key press acts, in its turn. What comes after one that opens a dialog is for the dialog.
+        while !self.state.file_flow.is_asking()
+            && let Some(command) = self.keyboard(ctx)
+        {
+            match context_help::asked(ctx).filter(|_| command == Command::Help) {
+                Some(note) => self.state.explain_by_note(note),
+                None => self.perform(ctx, command),
+            }
+        }
+        context_help::begin(ctx);
+        // The panels of this frame set the hover.
+        self.state.hover = PanelHover::default();
+        self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
+        if let Some(left) = self.state.forget_old_news(ctx.input(|input| input.time)) {
+            ctx.request_repaint_after(Duration::from_secs_f64(left));
+        }
+    }
+
+    /// Bars and panels around the pictures.
+    fn panels(&mut self, ui: &mut egui::Ui) -> Called {
+        let ctx = ui.ctx().clone();
+        let t = window::texts(self.state.settings.lang);
+        let presenting = self.state.settings.presentation;
+        let of_bar = (!self.state.settings.bare && !presenting).then(|| {
+            egui::Panel::top("menu").show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Bar, t.region_bar);
+                menu::bar(ui, &self.state)
+            })
+        });
+        let of_bar = of_bar.and_then(|bar| bar.inner);
+        // Notices wait until the presentation is over.
+        if !presenting {
+            self.notices(ui);
+        }
+        status::error(ui, &mut self.state);
+        if presenting {
+            presentation::caption(ui, &self.state);
+        }
+        let of_lesson = lesson::panel(ui, &mut self.state);
+        self.side_panels(ui, t);
+        tooltip::beside_nothing(&ctx);
+        if let Some(note) = context_help::called(&ctx) {
+            self.state.explain_by_note(note);
+        }
+        motion::show_done(&ctx, &mut self.state);
+        self.state.follow_panels();
+        Called { of_bar, of_lesson }
+    }
+
+    /// What the user has to know or may decide, each in a line of its own.
+    fn notices(&mut self, ui: &mut egui::Ui) {
+        self.recovery(ui);
+        session_news::bar(ui, &mut self.state);
+        changed_file::bar(ui, &mut self.state);
+        if let Some(command) = lesson::welcome(ui, &mut self.state) {
+            self.perform(ui.ctx(), command);
+        }
+        lesson::go_on(ui, &mut self.state);
+    }
+
+    /// The panels that are open: studies below, parameters at the left, operations and explanations at the right.
+    fn side_panels(&mut self, ui: &mut egui::Ui, t: &Texts) {
+        let sides = *self.state.settings.panels();
+        if self.state.numerics.shown {
+            egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Numerics, t.numerics);
+                numerics::ui(ui, &mut self.state);
+            });
+            name_handle(ui, "numerics", t.panel_width);
+        }
+        if sides.is_shown(Side::Left) {
+            egui::Panel::left("parameters").default_size(256.0).size_range(220.0..=420.0).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
+                tooltip::beside_panel(ui, egui::RectAlign::RIGHT_START);
+                parameters::ui(ui, &mut self.state);
+            });
+            name_handle(ui, "parameters", t.panel_width);
+        }
+        if sides.is_shown(Side::Right) {
+            egui::Panel::right("numbers").default_size(316.0).size_range(260.0..=520.0).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Numbers, t.numbers_panel);
+                tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
+                self.right(ui);
+            });
+            name_handle(ui, "numbers", t.panel_width);
+        }
+        if sides.is_shown(Side::Explain) {
+            let presenting = self.state.settings.presentation;
+            // In a presentation the pictures keep more than half of the width.
+            let (id, share) = if presenting { ("explain in a presentation", 0.45) } else { ("explain", 1.0) };
+            let most = (share * ui.ctx().content_rect().width()).clamp(320.0, 620.0);
+            egui::Panel::right(id).default_size(400.0).size_range(320.0..=most).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
+                tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
+                why::ui(ui, &mut self.state);
+            });
+            name_handle(ui, id, t.panel_width);
+        }
+    }
+
+    /// Operations above, as high as they are but not more than about half if the numbers below are unfolded.
+    fn right(&mut self, ui: &mut egui::Ui) {
+        let share = if self.state.settings.numbers_open { 0.56 } else { 0.8 };
+        let half = ui.available_height() * share;
+        egui::ScrollArea::vertical().id_salt("operations").max_height(half).auto_shrink([false, true]).show(ui, |ui| {
+            operations::ui(ui, &mut self.state);
+            focus::keep_in_sight(ui);
+        });
+        ui.add_space(4.0);
+        egui::ScrollArea::vertical().id_salt("numbers").auto_shrink(false).show(ui, |ui| {
+            values::ui(ui, &mut self.state);
+            focus::keep_in_sight(ui);
+        });
+    }
+
+    /// The pictures; then the commands that they and the panels have called.
+    fn pictures(&mut self, ui: &mut egui::Ui, called: Called) {
+        let ctx = ui.ctx().clone();
+        let pictures = egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.ui(ui, &mut self.state));
+        if let Some(command) = self.canvas.take_wanted() {
+            self.perform(&ctx, command);
+        }
+        self.state.consult(&ctx);
+        presentation::show(&ctx, &mut self.state, pictures.response.rect);
+        let presenting = self.state.settings.presentation;
+        let of_bar = if presenting { presentation::bar(&ctx, &self.state) } else { called.of_bar };
+        if let Some(command) = of_bar {
+            self.perform(&ctx, command);
+        }
+        let of_speaker = lesson::speaker_window(&ctx, &mut self.state);
+        // Its window does not know of questions in this one.
+        let of_speaker = of_speaker.filter(|_| !self.state.file_flow.is_asking());
+        if let Some(command) = called.of_lesson.or(of_speaker) {
+            self.perform(&ctx, command);
+        }
+    }
+
+    /// What lies over the window: a question, the sign for a dropped file.
+    fn dialogs(&mut self, ctx: &egui::Context) {
+        if let Some(command) = dialogs::show(ctx, &mut self.state) {
+            self.perform(ctx, command);
+            ctx.request_repaint();
+        }
+        drop_hint(ctx, &self.state);
+        self.resting.show(ctx, self.state.settings.presentation);
+        self.focus.end(ctx);
+    }
+
+    /// What the system has to know, and what is to be kept. A figure that moves is kept when it rests.
+    fn background(&mut self, ctx: &egui::Context) {
+        self.apply_settings(ctx);
+        self.refuse_links(ctx);
+        self.update_title(ctx);
+        let moves = self.state.lesson.as_ref().is_some_and(|playing| playing.moving.is_some());
+        let moving = self.state.operations.motion.is_some() || moves || self.state.explain.steps.plays();
+        if moving || ctx.input(|input| input.pointer.any_down()) || self.held_key.is_held(ctx) {
+            return;
+        }
+        self.state.document.commit();
+        let now = ctx.input(|input| input.time);
+        if let Some(left) = self.state.views.follow(self.state.document.figure().observers, now) {
+            ctx.request_repaint_after(Duration::from_secs_f64(left));
+        }
+        if let Some(sessions) = &mut self.sessions {
+            let seen = self.state.as_seen();
+            let state = &self.state;
+            let explains = state.lesson.is_none() && state.document.explains_other(&seen.show);
+            let is_work = state.has_unsaved() || explains;
+            let shown = Kept { document: &state.document, seen: &seen, is_work, text: state.unsaved_text() };
+            sessions.keep(ctx, shown, &state.held_documents());
+        }
+        if let Some(preferences) = &mut self.preferences {
+            preferences.keep(ctx, &mut self.state);
+        }
+    }
+
+    /// The list of left sessions, and the user's decision.
+    fn recovery(&mut self, ui: &mut egui::Ui) {
+        let Some(sessions) = &mut self.sessions else { return };
+        let decision = recovery::list(ui, self.state.settings.lang, sessions.left());
+        match decision {
+            Some(Decision::Restore(slot)) => file_flow::begin(ui.ctx(), &mut self.state, AfterSave::Restore(slot)),
+            Some(Decision::Discard(slot)) => sessions.discard(slot),
+            None => {}
+        }
+        if let Some(slot) = self.state.file_flow.restore.take() {
+            let left = sessions.restore(slot);
+            self.go_on_with(left);
+        }
+        self.tell_news();
+    }
+}
+
+/// Names the handle of a panel in the language of the window: egui's own name for it is English.
+fn name_handle(ui: &egui::Ui, panel: &str, name: &str) {
+    let handle = ui.scope_id().with_salt(egui::IdSalt::new(panel)).with("__resize");
+    ui.ctx().accesskit_node_builder(handle, |node| node.set_label(name));
+}
+
+/// Tells the effect of dropping a file that is held over the window.
+fn drop_hint(ctx: &egui::Context, state: &State) {
+    if ctx.input(|input| input.raw.hovered_files.is_empty()) {
+        return;
+    }
+    let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Foreground, egui::Id::unique("drop")));
+    let (rect, visuals) = (ctx.content_rect(), ctx.global_style().visuals.clone());
+    painter.rect_filled(rect, 0.0, visuals.panel_fill.gamma_multiply(0.85));
+    let text = window::texts(state.settings.lang).drop_here;
+    let font = egui::FontId::proportional(24.0);
+    painter.text(rect.center(), egui::Align2::CENTER_CENTER, text, font, visuals.text_color());
+}
