@@ -12,7 +12,7 @@ use toml_edit::{DocumentMut, Value};
 use super::answers::{self, NOTHING};
 use super::shared_file::{Change, PATIENCE, SharedFile};
 use crate::exercises::Progress;
-use crate::gui::state::{Done, Message, State};
+use crate::gui::state::{Chosen, Done, Message, State, Typed};
 use crate::gui::storage::session::{Keeping, News};
 
 /// The progress of one window.
@@ -60,6 +60,8 @@ pub(super) struct KeptProgress {
     file: SharedFile<ProgressJob>,
     /// The answers typed in this window, as they are in the file.
     kept: BTreeMap<String, String>,
+    /// The typed answers as the file would have them, with what they were made from: most frames change none.
+    values: (BTreeMap<Chosen, Typed>, BTreeMap<String, String>),
 }
 
 impl KeptProgress {
@@ -72,7 +74,8 @@ impl KeptProgress {
             let typed = answers::read(&document).map(|(chosen, table)| (chosen, answers::typed(table)));
             state.exercises.typed.extend(typed);
         }
-        let kept = answers::values(state).collect();
+        let kept: BTreeMap<_, _> = answers::values(state).collect();
+        let values = (state.exercises.typed.clone(), kept.clone());
         for (chosen, table) in answers::read(preferences) {
             if answers::is_solved(table) {
                 state.exercises.note(Done::WasSolved(chosen.id.clone()));
@@ -80,7 +83,7 @@ impl KeptProgress {
             state.exercises.typed.entry(chosen).or_insert_with(|| answers::typed(table));
         }
         state.exercises.file = Some(file.path.clone());
-        Self { file, kept }
+        Self { file, kept, values }
     }
 
     /// Saves the progress, beside the window's thread. A failed write is repeated with the next progress.
@@ -90,7 +93,8 @@ impl KeptProgress {
             self.forget(state);
             ctx.request_repaint();
         }
-        self.file.ask(ctx, self.job(state));
+        let job = self.job(state);
+        self.file.ask(ctx, job);
     }
 
     /// Saves the rest, before the window closes.
@@ -103,7 +107,7 @@ impl KeptProgress {
     }
 
     /// True where all that was done is in the file.
-    pub(super) fn is_written(&self, state: &State) -> bool {
+    pub(super) fn is_written(&mut self, state: &State) -> bool {
         self.job(state).is_empty()
     }
 
@@ -118,9 +122,12 @@ impl KeptProgress {
     }
 
     /// The part that is not in the file yet.
-    fn job(&self, state: &State) -> ProgressJob {
-        let mut changed: BTreeMap<String, String> = answers::values(state).collect();
-        changed.retain(|key, value| self.kept.get(key).map_or(NOTHING, String::as_str) != value);
+    fn job(&mut self, state: &State) -> ProgressJob {
+        if self.values.0 != state.exercises.typed {
+            self.values = (state.exercises.typed.clone(), answers::values(state).collect());
+        }
+        let is_new = |(key, value): &(&String, &String)| self.kept.get(*key).map_or(NOTHING, String::as_str) != *value;
+        let changed = self.values.1.iter().filter(is_new).map(|(key, value)| (key.clone(), value.clone())).collect();
         ProgressJob { changed, done: state.exercises.unwritten.clone() }
     }
 

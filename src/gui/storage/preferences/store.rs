@@ -7,6 +7,7 @@ use std::time::Duration;
 use eframe::egui;
 use toml_edit::{Array, DocumentMut, Value};
 
+use super::plain::Plain;
 use super::progress::KeptProgress;
 use super::shared_file::{Change, PATIENCE, SharedFile};
 use super::{LESSONS, LESSONS_DONE, RECENT, answers, apply, merged_done, merged_lessons, recent, values};
@@ -18,8 +19,7 @@ use crate::gui::storage::session::{Keeping, News};
 /// The changes of one window.
 #[derive(Clone, Debug, PartialEq)]
 struct SettingsJob {
-    /// Keys with their values as TOML.
-    changed: BTreeMap<String, String>,
+    changed: BTreeMap<&'static str, Plain<'static>>,
     /// The files that were opened in it, the latest first.
     opened: Vec<PathBuf>,
     /// The typed answers are in a file of their own now.
@@ -48,14 +48,14 @@ impl Change for SettingsJob {
             answers::remove(&mut document);
         }
         for (key, value) in &self.changed {
-            let Ok(value) = value.parse::<Value>() else { continue };
+            let value = Value::from(value);
             let before = document.get(key).and_then(|item| item.as_value());
-            let value = match (key.as_str(), before) {
+            let value = match (*key, before) {
                 (LESSONS, Some(before)) => merged_lessons(before, &value),
                 (LESSONS_DONE, Some(before)) => merged_done(before, &value),
                 _ => value,
             };
-            document[key.as_str()] = value.into();
+            document[*key] = value.into();
         }
         let recent = merged(&self.opened, &recent(&document));
         if !self.opened.is_empty() {
@@ -71,7 +71,7 @@ impl Change for SettingsJob {
 pub struct Preferences {
     file: SharedFile<SettingsJob>,
     /// The keys of this window as they are in the file, or were when it was read.
-    kept: BTreeMap<String, String>,
+    kept: BTreeMap<&'static str, Plain<'static>>,
     /// The keys in the file.
     remembered: BTreeSet<String>,
     progress: KeptProgress,
@@ -100,7 +100,7 @@ impl Preferences {
         let progress = KeptProgress::begin(folder, state, &kept_before);
         let has_answers = answers::read(&kept_before).next().is_some();
         let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
-        let kept = values(state);
+        let kept = values(state).map(|(key, value)| (key, value.into_owned())).collect();
         // A page may be somebody's figure in the middle of a text.
         state.welcome = !state.settings.welcomed && !state.in_browser;
         state.goes_on = state.settings.welcomed && !state.in_browser && !state.lessons_taken.is_empty();
@@ -110,28 +110,29 @@ impl Preferences {
     /// Sets a key as the system wants it, unless the user has chosen otherwise; that is not remembered.
     #[cfg(any(test, target_arch = "wasm32"))]
     pub(in crate::gui) fn follow(&mut self, state: &mut State, key: &str, set: impl FnOnce(&mut State)) {
-        let is_as_it_was = |values: &BTreeMap<String, String>| values.get(key) == self.kept.get(key);
-        if self.remembered.contains(key) || !is_as_it_was(&values(state)) {
+        let is_chosen = values(state).any(|(of, value)| of == key && self.kept.get(of) != Some(&value));
+        if self.remembered.contains(key) || is_chosen {
             return;
         }
         set(state);
-        if let Some(value) = values(state).remove(key) {
-            self.kept.insert(key.to_owned(), value);
-        }
+        let set = values(state).filter(|(of, _)| *of == key).map(|(of, value)| (of, value.into_owned()));
+        self.kept.extend(set);
     }
 
     /// Saves changes, beside the window's thread. A failed write is repeated with the next change.
     pub fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
         self.progress.keep(ctx, state);
         self.take(state, Duration::ZERO);
-        self.file.ask(ctx, self.job(state));
+        let job = self.job(state);
+        self.file.ask(ctx, job);
     }
 
     /// Saves the rest, before the window closes.
     pub fn finish(&mut self, state: &mut State) {
         self.progress.finish(state);
         self.take(state, PATIENCE);
-        self.file.finish(&self.job(state));
+        let job = self.job(state);
+        self.file.finish(&job);
     }
 
     /// New messages about them, each once.
@@ -148,9 +149,9 @@ impl Preferences {
     }
 
     /// The part that is not in the file yet.
-    fn job(&self, state: &State) -> SettingsJob {
-        let mut changed = values(state);
-        changed.retain(|key, value| self.kept.get(key) != Some(value));
+    fn job(&mut self, state: &State) -> SettingsJob {
+        let changed = values(state).filter(|(key, value)| self.kept.get(key) != Some(value));
+        let changed = changed.map(|(key, value)| (key, value.into_owned())).collect();
         let answers_moved = self.has_answers && self.progress.is_written(state);
         SettingsJob { changed, opened: state.recent.new.clone(), answers_moved }
     }
@@ -159,7 +160,7 @@ impl Preferences {
     fn take(&mut self, state: &mut State, patience: Duration) {
         if let Some((SettingsJob { changed, opened, answers_moved }, recent)) = self.file.take(patience) {
             self.has_answers &= !answers_moved;
-            self.remembered.extend(changed.keys().cloned());
+            self.remembered.extend(changed.keys().map(|key| (*key).to_owned()));
             self.kept.extend(changed);
             state.recent.new.retain(|path| !opened.contains(path));
             state.recent.files = merged(&state.recent.new, &recent);
