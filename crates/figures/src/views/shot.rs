@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DMat4;
 
-use super::{ObjectTransform, Picture, View};
+use super::{ObjectTransform, OtherCamera, Picture, View};
 use crate::appearance::{DepthFormat, Style};
 use crate::camera::{Camera, ImageSize, Ndc, Viewport};
 use crate::figure::{
@@ -33,6 +33,8 @@ pub struct Shot {
     pub show: Show,
     /// The second camera of `show`.
     pub answered: Option<Camera>,
+    /// The other cameras of the figure.
+    pub cameras: Arc<[OtherCamera]>,
     /// The transform of the object that `show` measures.
     pub measured_object: Option<ObjectTransform>,
     /// The same in another way, beside it.
@@ -108,6 +110,7 @@ impl Shot {
             ndc: show.ndc.unwrap_or_default(),
             pictures: Picture::of_figure(&figure.observers),
             answered: show.answer.and_then(|parameters| Camera::new(&parameters).ok()),
+            cameras: OtherCamera::of_figure(figure).into(),
             measured_object: object.and_then(|name| transform_of(scene, name)),
             labels: figure.labels.clone(),
             show,
@@ -155,6 +158,7 @@ impl Shot {
             labels: self.labels.seen_in(view),
             show: everywhere,
             answered: None,
+            cameras: Arc::default(),
             measured_object: None,
             compared: None,
         };
@@ -162,6 +166,7 @@ impl Shot {
             View::World => Self {
                 show: Show { measure: show.measure.clone(), moved: show.moved.clone(), ..seen.show },
                 answered: self.answered.clone(),
+                cameras: Arc::clone(&self.cameras),
                 measured_object: self.measured_object,
                 ..seen
             },
