@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, LensForm, Operation, Parameters, camera_repairs};
-use crate::figure::{Figure, Labels, Observers, Screen, Show};
+use crate::figure::{CameraTag, Figure, Labels, NamedCamera, Observers, Screen, Show};
 use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
 use crate::share;
 
@@ -213,6 +213,21 @@ impl Document {
     pub fn edit_labels(&mut self, change: impl FnOnce(&mut Labels)) {
         change(&mut self.figure.labels);
         self.note_change();
+    }
+
+    /// Changes the other cameras, and the name and color of the current one. The scene stays what it is.
+    pub fn edit_cameras(&mut self, change: impl FnOnce(&mut CameraTag, &mut Vec<NamedCamera>)) {
+        change(&mut self.figure.tag, &mut self.figure.cameras);
+        self.note_change();
+    }
+
+    /// Exchanges the camera and one of the others; parameters that are no camera are given up.
+    pub fn look_through(&mut self, index: usize) {
+        let other = self.figure.cameras.get(index).and_then(|other| Camera::new(&other.parameters).ok());
+        if let Some(camera) = other {
+            self.figure.look_through(index);
+            self.set_camera(camera);
+        }
     }
 
     /// Notes that the figure has this scene now.
