@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, LensForm, Operation, Parameters, camera_repairs};
-use crate::figure::{CameraTag, Figure, Labels, NamedCamera, Observers, Screen, Show};
+use crate::figure::{Figure, Labels, Observers, Screen, Show};
 use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
 use crate::share;
 
@@ -216,8 +216,8 @@ impl Document {
     }
 
     /// Changes the other cameras, and the name and color of the current one. The scene stays what it is.
-    pub fn edit_cameras(&mut self, change: impl FnOnce(&mut CameraTag, &mut Vec<NamedCamera>)) {
-        change(&mut self.figure.tag, &mut self.figure.cameras);
+    pub fn edit_cameras(&mut self, change: impl FnOnce(&mut Figure)) {
+        change(&mut self.figure);
         self.note_change();
     }
 

@@ -10,6 +10,8 @@ texts! {
     color_hint: "The color of its body, axes and volume in the world", "A cor do corpo, dos eixos e do volume no mundo";
     look: "Look", "Olhar";
     look_hint: "Exchanges this camera and the current one; a click on the camera in the world does the same", "Troca esta câmera e a atual; um clique na câmera no mundo faz o mesmo";
+    beside: "its image beside", "sua imagem ao lado";
+    beside_hint: "Shows the image of this camera beside that of the current one; a pixel that you mark here is a line there: its epipolar line", "Mostra a imagem desta câmera ao lado da imagem da atual; um pixel que você marca aqui é uma reta lá: sua reta epipolar";
     click: "click: look through this camera", "clique: olhar por esta câmera";
     remove: "Remove", "Remover";
     remove_hint: "Removes the camera from the figure", "Remove a câmera da figura";

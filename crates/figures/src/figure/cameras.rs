@@ -52,13 +52,11 @@ impl Figure {
         (1..).map(|i| format!("C{i}")).find(|name| self.may_name_camera(name, None)).unwrap_or_default()
     }
 
-    /// Adds a copy of the current camera to the list, or another one; false where the list is full.
-    pub fn add_camera(&mut self, camera: NamedCamera) -> bool {
-        let has_room = self.cameras.len() < MAX_CAMERAS;
-        if has_room {
+    /// Adds a camera to the list, unless it is full.
+    pub fn add_camera(&mut self, camera: NamedCamera) {
+        if self.cameras.len() < MAX_CAMERAS {
             self.cameras.push(camera);
         }
-        has_room
     }
 
     /// The current camera as one of the list, under its name or under one that is free.
@@ -76,9 +74,37 @@ impl Figure {
     pub fn look_through(&mut self, index: usize) {
         let current = self.current_camera();
         let Some(place) = self.cameras.get_mut(index) else { return };
+        let own = current.name.clone();
         let NamedCamera { name, color, parameters, lens } = std::mem::replace(place, current);
+        self.compare_with(&name, Some(&own));
         self.tag = CameraTag { name: Some(name), color };
         (self.camera, self.lens) = (parameters, lens);
+    }
+
+    /// Gives a camera another name; `None`: the current one.
+    pub fn rename_camera(&mut self, index: Option<usize>, name: &str) {
+        let Some(index) = index else { return self.tag.name = Some(name.to_owned()) };
+        let Some(camera) = self.cameras.get_mut(index) else { return };
+        let old = std::mem::replace(&mut camera.name, name.to_owned());
+        self.compare_with(&old, Some(name));
+    }
+
+    /// Takes a camera out of the list.
+    pub fn remove_camera(&mut self, index: usize) {
+        if index < self.cameras.len() {
+            let removed = self.cameras.remove(index);
+            self.compare_with(&removed.name, None);
+        }
+    }
+
+    /// A comparison with the camera of the one name becomes one with that of the other, or ends.
+    fn compare_with(&mut self, old: &str, new: Option<&str>) {
+        let compared = self.compare.as_mut().filter(|comparison| comparison.camera.as_deref() == Some(old));
+        match (compared, new) {
+            (Some(comparison), Some(new)) => comparison.camera = Some(new.to_owned()),
+            (Some(_), None) => self.compare = None,
+            (None, _) => {}
+        }
     }
 }
 
@@ -121,6 +147,24 @@ mod tests {
         assert_eq!((other.cameras[0].name.as_str(), other.cameras[0].parameters), ("left", figure.camera));
         other.look_through(0);
         assert_eq!(other, figure);
+    }
+
+    #[test]
+    fn a_comparison_follows_its_camera_and_ends_with_it() {
+        let figure = parse(&format!("{PAIR}[compare]\ncamera = \"right\"\nlayout = \"beside\"\n")).unwrap();
+        let compared = |figure: &Figure| figure.compare.as_ref().and_then(|comparison| comparison.camera.clone());
+        assert_eq!(parse(&to_toml(&figure)).unwrap(), figure);
+        let other = figure.compare.clone().unwrap().other_side(&figure).unwrap();
+        assert_eq!(other.camera.unwrap().position().x, 1.0);
+        let swapped = figure.compare.clone().unwrap().swapped(&figure).unwrap();
+        assert_eq!((swapped.camera.position.x, compared(&swapped).as_deref()), (1.0, Some("left")));
+        let mut renamed = figure.clone();
+        renamed.rename_camera(Some(0), "other");
+        assert_eq!(compared(&renamed).as_deref(), Some("other"));
+        renamed.remove_camera(0);
+        assert_eq!(renamed.compare, None);
+        let error = parse("[compare]\ncamera = \"none\"\n").unwrap_err();
+        assert_eq!((error.line, error.key.as_str()), (2, "[compare] camera"));
     }
 
     #[test]

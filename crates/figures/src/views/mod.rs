@@ -45,7 +45,8 @@ pub use image::light_view::{ShadowAt, shadows_at};
 pub use interact::cameras::camera_at;
 pub use interact::handles;
 pub use interact::hover::{
-    Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, ShadowTruth, TransformGizmo, Transforming, TriangleOverlay,
+    Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, Projector, ShadowTruth, TransformGizmo, Transforming,
+    TriangleOverlay,
 };
 pub use interact::named_points;
 pub use interact::pick;

@@ -59,7 +59,10 @@ impl Compared {
     #[must_use]
     pub fn of(figure: &Figure, scene: &SceneSpec) -> Option<Self> {
         let comparison = figure.compare.clone()?;
-        let OtherSide { figure: other, camera, values } = comparison.other_side(figure).ok()?;
+        let OtherSide { figure: other, camera, mut values } = comparison.other_side(figure).ok()?;
+        if let Some(name) = &comparison.camera {
+            values.insert(0, ("camera.name".to_owned(), [figure.tag.name.clone(), Some(name.clone())]));
+        }
         let camera = camera.map(|camera| camera.rounded());
         Some(Self { shot: Shot::of_one(&other, scene), camera, comparison, values })
     }
@@ -67,6 +70,10 @@ impl Compared {
     /// The part that is seen in a picture of a kind; `None` where it looks like `own` there.
     #[must_use]
     pub(super) fn seen_in(&self, view: View, own: &Shot) -> Option<Self> {
+        // Worlds and canonical volumes of two cameras would only be the same scene again.
+        if self.comparison.camera.is_some() && view != View::Image {
+            return None;
+        }
         let mut shot = self.shot.seen_in(view);
         if view == View::Canonical {
             // The pixels of the image are beyond the canonical volume.

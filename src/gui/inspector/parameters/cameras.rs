@@ -5,7 +5,7 @@ use eframe::egui::{self, Key, Popup, PopupCloseBehavior};
 use super::{complaint, row};
 use crate::appearance::Rgba;
 use crate::camera::{Convergence, Projection};
-use crate::figure::NamedCamera;
+use crate::figure::{Comparison, NamedCamera};
 use crate::gui::inspector::section;
 use crate::gui::kit::number_field::{NumberField, Step};
 use crate::gui::kit::text_field::TextField;
@@ -40,6 +40,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
 /// One of the other cameras: its color, its name, and the buttons that look through it and remove it.
 fn other(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
     let mut asked = (false, false);
+    let mut is_beside = is_beside(state, index);
     let own = state.document.figure().cameras[index].name.clone();
     name_row(ui, state, t, Some(index), |ui| {
         let of = |what: &str| format!("{what}: {}", escaped(&own));
@@ -47,14 +48,25 @@ fn other(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
         let remove = ui.button("✖").explained(t.remove_hint).accessible_name(of(t.remove));
         asked = (look.clicked(), remove.clicked());
     });
+    if ui.checkbox(&mut is_beside, t.beside).explained(t.beside_hint).changed() {
+        let compare = is_beside.then(|| Comparison::of_camera(&state.document.figure().cameras[index].name));
+        state.document.edit_cameras(|figure| figure.compare = compare);
+    }
     match asked {
         (true, _) => state.look_through(index),
         (_, true) => {
             state.cameras.typing = None;
-            state.document.edit_cameras(|_, cameras| drop(cameras.remove(index)));
+            state.document.edit_cameras(|figure| figure.remove_camera(index));
         }
         _ => {}
     }
+}
+
+/// True if the image of this camera stands beside that of the current one.
+fn is_beside(state: &State, index: usize) -> bool {
+    let figure = state.document.figure();
+    let name = figure.compare.as_ref().and_then(|comparison| comparison.camera.as_ref());
+    name.is_some_and(|name| figure.cameras[index].name == *name)
 }
 
 /// The current camera.
@@ -107,9 +119,9 @@ fn color(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usize>) 
     if picker.changed() {
         let [r, g, b] = chosen;
         let chosen = Some(Rgba::rgb(r, g, b));
-        state.document.edit_cameras(|tag, cameras| match index.and_then(|i| cameras.get_mut(i)) {
+        state.document.edit_cameras(|figure| match index.and_then(|i| figure.cameras.get_mut(i)) {
             Some(NamedCamera { color, .. }) => *color = chosen,
-            None => tag.color = chosen,
+            None => figure.tag.color = chosen,
         });
     }
 }
@@ -131,10 +143,7 @@ fn name_field(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: Option<usi
             state.cameras.typing = Some((index, text, false));
         }
     } else if left && is_free(state, &wanted, index) {
-        state.document.edit_cameras(|tag, cameras| match index.and_then(|i| cameras.get_mut(i)) {
-            Some(NamedCamera { name, .. }) => *name = wanted,
-            None => tag.name = Some(wanted),
-        });
+        state.document.edit_cameras(|figure| figure.rename_camera(index, &wanted));
     } else if response.has_focus() || left || was_left {
         state.cameras.typing = Some((index, text, left || was_left));
     }

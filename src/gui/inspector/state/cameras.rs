@@ -31,7 +31,7 @@ impl State {
     pub(in crate::gui) fn keep_camera(&mut self, name: &str) {
         let figure = self.document.figure();
         let camera = NamedCamera { name: free(figure, name), color: None, ..figure.current_camera() };
-        self.document.edit_cameras(|_, cameras| cameras.push(camera));
+        self.document.edit_cameras(|figure| figure.add_camera(camera));
     }
 
     /// Makes the current camera and one more a stereo pair around it: the left one becomes the current one.
@@ -45,9 +45,9 @@ impl State {
                 let parameters = *right.parameters();
                 let right = NamedCamera { name, color: None, parameters, lens: None };
                 let name = free(self.document.figure(), t.left);
-                self.document.edit_cameras(|tag, cameras| {
-                    tag.name = Some(name);
-                    cameras.push(right);
+                self.document.edit_cameras(|figure| {
+                    figure.tag.name = Some(name);
+                    figure.add_camera(right);
                 });
                 self.document.set_camera(left);
             }

@@ -8,10 +8,10 @@ use crate::figure::words::{
     VISIBILITIES,
 };
 use crate::figure::{
-    Bilingual, Comparison, Depth, LabelledMeasure, Labels, Letters, Measured, MovedLabel, NamedCamera, NamedPoint,
-    Note, NotePlace, Observer, Observers, Outside, RenamedLabel, Reveal, Screen, ScreenEntry, ShadowReveal, Show,
-    ShownProbe, ShownStep, ShownTriangle, StagePicture, StyledLabel, TransformPreview, TriangleStep, View, WorldLook,
-    WorldPart, WorldParts,
+    Bilingual, CameraTag, Comparison, Depth, LabelledMeasure, Labels, Letters, Measured, MovedLabel, NamedCamera,
+    NamedPoint, Note, NotePlace, Observer, Observers, Outside, RenamedLabel, Reveal, Screen, ScreenEntry, ShadowReveal,
+    Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, StyledLabel, TransformPreview, TriangleStep, View,
+    WorldLook, WorldPart, WorldParts,
 };
 use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
@@ -148,7 +148,7 @@ fn figure() -> impl Strategy<Value = Figure> {
             let other = [("style.shading", "\"phong\""), ("camera.near", "1e-3"), ("show.step", "{ way = \"notes\" }")];
             let with = other[keys..].iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
             let ops = vec![Operation::Zoom(1.5), Operation::Pan { dx: 1.0, dy: -0.25 }];
-            Comparison { with, ops, wiper, beside, differences }
+            Comparison { with, ops, camera: None, wiper, beside, differences }
         },
     ));
     let seen = (seen, compare, labels(), vec(parameters(), 0..3));

@@ -150,12 +150,12 @@ pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
     faults.extend(root.finish());
     let (image, undistorted) = image(image_section, faults);
     let (tag, camera, lens) = cameras::current(camera_section, faults);
+    let cameras = cameras::cameras(camera_sections, &tag, faults);
     Figure {
         title,
         caption,
         camera,
         lens,
-        cameras: cameras::cameras(camera_sections, &tag, faults),
         tag,
         image,
         undistorted,
@@ -168,8 +168,9 @@ pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         observers: observers(observers_section, faults),
         show: show::show(show_section, faults),
         screen: screen::screen(screen_section, faults),
-        compare: comparison::comparison(compare_section, faults),
+        compare: comparison::comparison(compare_section, &cameras, faults),
         labels: labels::labels(labels_section, faults),
+        cameras,
     }
 }
 

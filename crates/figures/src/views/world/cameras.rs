@@ -32,6 +32,24 @@ pub(in crate::views) fn in_world(
     }
 }
 
+/// Adds the projectors of a point to the windows of the other cameras: each window shows the point where its projector
+/// meets it.
+pub(in crate::views) fn projectors(builder: &mut GearBuilder, request: &Request, palette: Palette, p: DVec3) {
+    for (place, other) in request.shot.cameras.iter().enumerate() {
+        let (camera, color) = (&other.camera, OtherCamera::color_at(other.color, place, palette));
+        let depth = -camera.view_point(p).z;
+        if depth <= 0.0 {
+            continue;
+        }
+        let origin = match camera.projection() {
+            Projection::Perspective => camera.position(),
+            Projection::Parallel => p + camera.basis().n * depth,
+        };
+        builder.line(vec![origin, p], color, 1.1, Dash::Solid);
+        builder.mark(origin.lerp(p, camera.near() / depth), MarkShape::Square, 2.6, color);
+    }
+}
+
 /// The volume from the window to the far face.
 fn sides(builder: &mut GearBuilder, volume: &DrawnVolume, color: Rgba) {
     /// Opacity of a face, of 255: the volumes lie over one another.
