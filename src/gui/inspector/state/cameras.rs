@@ -11,7 +11,7 @@ pub struct CameraList {
     /// The name that is being typed for a camera (`None`: the current one), and whether its field has been left.
     pub(in crate::gui) typing: Option<(Option<usize>, String, bool)>,
     /// The baseline of the next stereo pair; `None`: a thirtieth of D, as the textbooks of stereo photography have it.
-    pub(in crate::gui) baseline: Option<f64>,
+    pub baseline: Option<f64>,
 }
 
 impl State {
