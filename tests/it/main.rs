@@ -13,6 +13,7 @@ mod camera_path;
 mod camera_pixels;
 mod camera_properties;
 mod camera_yaml;
+mod cameras;
 mod cli;
 mod code;
 mod compare;

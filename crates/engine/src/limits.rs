@@ -77,6 +77,12 @@ pub const MAX_SHADOW_TEXELS: u64 = 1 << 27;
 /// The most named points of a figure: more names and rays can hardly be distinguished in a picture.
 pub const MAX_NAMED_POINTS: usize = 32;
 
+/// The most cameras of a figure besides its own: more volumes can hardly be distinguished in a picture.
+pub const MAX_CAMERAS: usize = 32;
+
+/// The longest name of a camera in characters: it is a label in the world.
+pub const MAX_CAMERA_NAME: usize = 60;
+
 /// The most notes of a figure, and the most labels that it hides, renames, moves or styles: a picture has no room for
 /// more.
 pub const MAX_LABELS: usize = 256;

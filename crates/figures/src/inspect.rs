@@ -10,7 +10,7 @@ use crate::camera::{
     Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, LensNumbers, NotProjectable, Operation,
     Parameters, Projection, Stations, ViewWindow, Viewport, Warning,
 };
-use crate::figure::Figure;
+use crate::figure::{Figure, NamedCamera};
 use crate::geometry::Plane;
 use crate::inspect::quantity::VolumePlane;
 
@@ -48,6 +48,9 @@ pub struct Report {
     pub volume_corners: [[f64; 3]; 8],
     /// The planes of the view volume.
     pub planes: PlanesReport,
+    /// `[[cameras]]`; the key is left out where the figure has none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub cameras: Vec<NamedCameraReport>,
     /// The requested points.
     pub points: Vec<PointReport>,
     /// The rays through the requested pixels.
@@ -80,6 +83,44 @@ pub struct CameraReport {
     /// l, r, b, t, when they are given instead of angle, height and aspect.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub window: Option<SidesReport>,
+}
+
+/// One of the `[[cameras]]`: its name, the keys of `camera`, and the numbers that follow from them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NamedCameraReport {
+    /// Its name.
+    pub name: String,
+    /// `#rrggbb`, where the figure gives one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub color: Option<String>,
+    /// The keys of `camera`.
+    #[serde(flatten)]
+    pub camera: CameraReport,
+    /// D.
+    pub distance: f64,
+    /// **u**, **v**, **n**
+    pub basis: BasisReport,
+    /// M_v, rows.
+    pub view_matrix: [[f64; 4]; 4],
+    /// M_p, rows, in the convention of the notes.
+    pub projection_matrix: [[f64; 4]; 4],
+}
+
+impl NamedCameraReport {
+    /// The numbers of a camera; `None` where it is impossible, which no camera of a file is.
+    fn new(named: &NamedCamera) -> Option<Self> {
+        let camera = Camera::new(&named.parameters).ok()?;
+        let basis = camera.basis();
+        Some(Self {
+            name: named.name.clone(),
+            color: named.color.map(|color| color.to_string()),
+            camera: CameraReport::new(&named.parameters),
+            distance: camera.distance(),
+            basis: BasisReport { u: three(basis.u), v: three(basis.v), n: three(basis.n) },
+            view_matrix: rows(camera.view_from_world()),
+            projection_matrix: rows(camera.notes_clip_space().clip_from_view()),
+        })
+    }
 }
 
 /// l, r, b, t.
@@ -308,7 +349,14 @@ impl Report {
         pixels: &[[i64; 2]],
     ) -> Result<Self, InspectError> {
         let camera = camera_after(&figure.camera, operations, convention)?;
-        Self::of(&camera.notes_clip_space(), figure.image, figure.viewport, points, pixels)
+        let report = Self::of(&camera.notes_clip_space(), figure.image, figure.viewport, points, pixels)?;
+        Ok(report.with_cameras(figure))
+    }
+
+    /// The report with the other cameras of the figure.
+    #[must_use]
+    pub fn with_cameras(self, figure: &Figure) -> Self {
+        Self { cameras: figure.cameras.iter().filter_map(NamedCameraReport::new).collect(), ..self }
     }
 
     /// The numbers of a camera in a convention of NDC. Without a viewport it is the whole image, depth 0 … 1.
@@ -349,6 +397,7 @@ impl Report {
             inverse_projection_matrix: rows(clip_space.view_from_clip()),
             volume_corners: camera.volume_corners().map(three),
             planes: PlanesReport::new(camera),
+            cameras: Vec::new(),
             points: points
                 .iter()
                 .map(|point| PointReport::new(&clip_space.stations(*point, image, &viewport)))

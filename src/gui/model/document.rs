@@ -215,6 +215,21 @@ impl Document {
         self.note_change();
     }
 
+    /// Changes the other cameras, and the name and color of the current one. The scene stays what it is.
+    pub fn edit_cameras(&mut self, change: impl FnOnce(&mut Figure)) {
+        change(&mut self.figure);
+        self.note_change();
+    }
+
+    /// Exchanges the camera and one of the others; parameters that are no camera are given up.
+    pub fn look_through(&mut self, index: usize) {
+        let other = self.figure.cameras.get(index).and_then(|other| Camera::new(&other.parameters).ok());
+        if let Some(camera) = other {
+            self.figure.look_through(index);
+            self.set_camera(camera);
+        }
+    }
+
     /// Notes that the figure has this scene now.
     fn has_scene(&mut self, revision: Revision) {
         self.revision = revision;

@@ -19,6 +19,7 @@ pub(in crate::gui) use crate::gui::files::questions::Asking;
 pub use crate::gui::files::questions::{
     AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, TEXTURE_ENDINGS, Theirs,
 };
+pub use crate::gui::inspector::state::cameras::CameraList;
 pub use crate::gui::inspector::state::coach::{Advice, Coach};
 pub use crate::gui::inspector::state::compare::CompareForm;
 pub(super) use crate::gui::inspector::state::insert::{free_place, rounded};
@@ -223,6 +224,8 @@ pub struct State {
     pub goes_on: bool,
     /// The first lesson and the gallery are offered, in one line.
     pub welcome: bool,
+    /// The list of cameras.
+    pub cameras: CameraList,
     /// The followed point.
     pub follow: Follow,
     /// The link that a dialog shows.
@@ -313,6 +316,7 @@ impl State {
             numerics: Numerics::default(),
             explain: Explain::default(),
             exercises: Exercises::default(),
+            cameras: CameraList::default(),
             follow: Follow::default(),
             shown_link: Memo::default(),
             coach: Coach::default(),
@@ -346,6 +350,7 @@ impl State {
         self.scene_cache.expect_another();
         self.tree = SceneTree::default();
         self.follow = Follow::default();
+        self.cameras = CameraList::default();
         self.views.reset(self.document.figure().observers);
         let screen = self.document.figure().screen;
         self.show_screen(screen);

@@ -166,6 +166,7 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             "dois números, nenhum deles 0 nem além de ±{MAX_TEXTURE_SCALE}"),
         Allowed::NonZeroScale => both!(lang; "three finite numbers, [x, y, z], none of them 0",
             "três números finitos, [x, y, z], nenhum deles 0"),
+        Allowed::Camera => both!(lang; "the name of one of the [[cameras]]", "o nome de uma das [[cameras]]"),
         Allowed::Points => both!(lang; "a list of points, [[x, y, z], …]", "uma lista de pontos, [[x, y, z], …]"),
         Allowed::PointPairs => both!(lang; "a list of an even number of points, [[x, y, z], [x, y, z], …]",
             "uma lista com um número par de pontos, [[x, y, z], [x, y, z], …]"),

@@ -1,5 +1,6 @@
 //! The words of the window.
 
+pub mod cameras;
 pub mod canvas;
 pub mod coach;
 pub mod compare;

@@ -29,6 +29,7 @@ mod place;
 mod ray;
 mod recovery;
 mod stations;
+mod stereo;
 mod unproject;
 mod volume;
 mod window;
@@ -51,6 +52,7 @@ pub use recovery::{
     Reason, Recognised, Recovered, RecoveryError, Stated, Unknown, camera_names, read_cameras, recognise, recover,
 };
 pub use stations::{Projected, Stations};
+pub use stereo::Convergence;
 pub use unproject::{NotProjectable, WayBack};
 
 use glam::DVec3;

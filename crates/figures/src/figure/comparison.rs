@@ -9,6 +9,8 @@ pub struct Comparison {
     pub with: Vec<(String, String)>,
     /// Operations on the camera, done after the keys are set.
     pub ops: Vec<Operation>,
+    /// The name of one of the figure's other cameras, whose image is shown.
+    pub camera: Option<String>,
     /// The share of the picture, from the left, that shows the figure as it is: 0 … 1.
     pub wiper: f64,
     /// Two halves with a whole picture each, and no wiper.
@@ -19,11 +21,17 @@ pub struct Comparison {
 
 impl Default for Comparison {
     fn default() -> Self {
-        Self { with: Vec::new(), ops: Vec::new(), wiper: 0.5, beside: false, differences: false }
+        Self { with: Vec::new(), ops: Vec::new(), camera: None, wiper: 0.5, beside: false, differences: false }
     }
 }
 
 impl Comparison {
+    /// The image of another camera of the figure, beside its own.
+    #[must_use]
+    pub fn of_camera(name: &str) -> Self {
+        Self { camera: Some(name.to_owned()), beside: true, ..Self::default() }
+    }
+
     /// A comparison of one key.
     #[must_use]
     pub fn of_key(key: &str, value: &str) -> Self {

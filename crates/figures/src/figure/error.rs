@@ -139,6 +139,8 @@ pub enum Allowed {
     NonZeroScale,
     /// Two numbers, neither 0 nor beyond the limit.
     TextureScale,
+    /// The name of one of the `[[cameras]]`.
+    Camera,
     /// A list of `[x, y, z]`.
     Points,
     /// A list of an even number of `[x, y, z]`.

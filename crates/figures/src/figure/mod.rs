@@ -2,6 +2,7 @@
 //! the explanations in the pictures. One figure file is one `Figure`.
 
 mod bilingual;
+mod cameras;
 mod comparison;
 mod edit;
 pub mod error;
@@ -25,6 +26,7 @@ use crate::appearance::Style;
 use crate::camera::{ImageSize, LensForm, Parameters, Viewport};
 use crate::scene::{Preset, SceneSpec};
 pub use bilingual::Bilingual;
+pub use cameras::{CameraTag, NamedCamera};
 pub use comparison::Comparison;
 pub use edit::{Difference, difference, has, number_at, show_with, update, varied, varied_together};
 pub use error::FigureError;
@@ -56,6 +58,10 @@ pub struct Figure {
     /// `[camera] horizontal_angle` or `lens`: the form in which the file gives θ. It is written as long as it gives the
     /// angle of `camera`; see [`Figure::lens_in_force`].
     pub lens: Option<LensForm>,
+    /// `[camera] name` and `color`.
+    pub tag: CameraTag,
+    /// `[[cameras]]`: at most [`MAX_CAMERAS`](crate::limits::MAX_CAMERAS).
+    pub cameras: Vec<NamedCamera>,
     /// `[image]`
     pub image: ImageSize,
     /// `[image] undistorted`: the image is shown with the aspect of the view window, as the eye would see it, and not
@@ -108,6 +114,8 @@ impl Figure {
             caption,
             camera,
             lens,
+            tag,
+            cameras,
             image,
             undistorted,
             viewport,
@@ -127,6 +135,8 @@ impl Figure {
             caption: caption.clone(),
             camera: *camera,
             lens: *lens,
+            tag: tag.clone(),
+            cameras: cameras.clone(),
             image: *image,
             undistorted: *undistorted,
             viewport: *viewport,

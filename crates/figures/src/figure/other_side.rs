@@ -3,12 +3,13 @@
 use toml_edit::{Item, TableLike, Value};
 
 use super::edit::{Difference, NOTHING, difference, value_of, varied_whole};
-use super::error::{FigureError, Problem};
+use super::error::{Allowed, FigureError, Problem};
 use super::write::{document, quoted};
 use super::{Comparison, Figure, WorldPart};
 use crate::appearance::Style;
 use crate::camera::{Camera, Convention, Ndc};
 use crate::limits::MAX_COMPARED_KEYS;
+use crate::sanitize::escaped;
 
 /// The other side of a figure.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,6 +85,15 @@ impl Comparison {
         let bare =
             Figure { observers: figure.observers, show: figure.show.clone(), compare: None, ..figure.without_scene() };
         let mut other = varied_whole(&bare, self.with.iter().map(|(key, value)| (&**key, &**value)))?;
+        if let Some(name) = &self.camera {
+            let index = other.cameras.iter().position(|camera| camera.name == *name);
+            let unknown = || FigureError {
+                line: 1,
+                key: "[compare] camera".to_owned(),
+                problem: Problem::Value { found: escaped(name), allowed: Allowed::Camera },
+            };
+            other.look_through(index.ok_or_else(unknown)?);
+        }
         let refused = |error| FigureError { line: 1, key: "[camera]".to_owned(), problem: Problem::Camera(error) };
         let mut camera = Camera::new(&other.camera).map_err(refused)?;
         for operation in &self.ops {
@@ -108,6 +118,12 @@ impl Comparison {
     /// side, or the figure has no written value of one of its keys.
     #[must_use]
     pub fn swapped(&self, figure: &Figure) -> Option<Figure> {
+        if let Some(name) = &self.camera {
+            let index = figure.cameras.iter().position(|camera| camera.name == *name)?;
+            let mut swapped = figure.clone();
+            swapped.look_through(index);
+            return Some(swapped);
+        }
         let other = self.other_side(figure).ok().filter(|_| self.ops.is_empty())?;
         let document = document(figure);
         let own = |(key, _): &(String, String)| {

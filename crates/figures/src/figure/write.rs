@@ -1,5 +1,6 @@
 //! [`Figure`] → the text of a figure file.
 
+mod cameras;
 mod comparison;
 mod labels;
 mod show;
@@ -38,7 +39,7 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
         }
     }
     let mut put = |key: &str, section: Table| document.insert(key, Item::Table(section));
-    put("camera", camera(&figure.camera, figure.lens_in_force()));
+    put("camera", cameras::current(figure));
     let size = figure.image;
     let mut image = table([("width", i64::from(size.width).into()), ("height", i64::from(size.height).into())]);
     if figure.undistorted {
@@ -79,6 +80,10 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     }
     if figure.labels != Labels::default() {
         put("labels", labels::labels(&figure.labels));
+    }
+    let cameras = cameras::cameras(figure);
+    if !cameras.is_empty() {
+        document.insert("cameras", Item::ArrayOfTables(cameras));
     }
     let points: ArrayOfTables = figure.points.iter().map(point).collect();
     if !points.is_empty() {

@@ -2,10 +2,11 @@
 
 use glam::DVec2;
 
-use super::{Compared, Labels, Palette, Request, Shot, Size};
+use super::{Compared, Labels, Palette, Probe, Request, Shot, Size};
 use crate::appearance::{Dash, HiddenLines, Rgba};
 use crate::drawing::{Anchor, Area, Drawing, Label, StrokeSet, single};
 use crate::sanitize;
+use crate::views::reveal::probe::projector;
 use crate::views::words::label_layout::Author;
 use crate::views::words::values::{done, said};
 use crate::views::world::gizmos::SMALL_TYPE;
@@ -21,6 +22,10 @@ const LONGEST: usize = 60;
 fn heading(compared: &Compared, side: usize, labels: &Labels) -> String {
     if compared.comparison.is_of_camera() {
         return [labels.this_camera, labels.other_camera][side].to_owned();
+    }
+    if compared.comparison.camera.is_some() {
+        let name = compared.values.first().and_then(|(_, names)| names[side].clone());
+        return sanitize::within(name.as_deref().unwrap_or(labels.this_camera), LONGEST);
     }
     let mut parts: Vec<String> =
         compared.values.iter().map(|(key, values)| said(key, values[side].as_deref(), labels)).collect();
@@ -83,8 +88,22 @@ impl Request {
             camera: compared.camera.as_ref().unwrap_or(&self.camera).clone(),
             ..own.clone()
         };
+        let other = if compared.comparison.camera.is_some() { projected(other, &own) } else { other };
         vec![own, other]
     }
+}
+
+/// The image of another camera, in which a pixel of the first one is the line of its projector.
+fn projected(mut other: Request, own: &Request) -> Request {
+    other.projector = Some(own.probe().map(|probe| projector(own, probe)));
+    if matches!(own.probe(), Some(Probe::Window(_))) {
+        // A place on the window of the one camera is none on that of the other.
+        other.hover.probe = None;
+        let mut shot = Shot::clone(&other.shot);
+        shot.show.probe = None;
+        other.shot = shot.into();
+    }
+    other
 }
 
 /// The size of one of two halves.

@@ -17,6 +17,7 @@ mod image;
 mod interact;
 pub mod observer;
 mod observer_of;
+mod other_camera;
 pub mod palette;
 mod picture;
 mod pixels;
@@ -41,15 +42,18 @@ pub use arrangement::{Arrangement, aspect_shown, best_arrangement, share_of_firs
 pub use compared::{Side, overlay};
 pub use image::depth;
 pub use image::light_view::{ShadowAt, shadows_at};
+pub use interact::cameras::camera_at;
 pub use interact::handles;
 pub use interact::hover::{
-    Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, ShadowTruth, TransformGizmo, Transforming, TriangleOverlay,
+    Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, Projector, ShadowTruth, TransformGizmo, Transforming,
+    TriangleOverlay,
 };
 pub use interact::named_points;
 pub use interact::pick;
 pub use interact::transform_gizmo;
 use observer::Viewpoint;
 pub use observer_of::ObserverOf;
+pub use other_camera::OtherCamera;
 pub use palette::Palette;
 pub use picture::{MAX_PICTURES, Picture, observer_in};
 pub use pixels::{PixelRect, Size, image_frame};

@@ -6,7 +6,8 @@ use std::sync::{Arc, OnceLock};
 use super::pixels::image_frame;
 use super::words::values::done;
 use super::{
-    Ghost, Hover, Labels, Look, ObjectTransform, Picture, Probe, ShadowTruth, Shot, Size, TriangleOverlay, View,
+    Ghost, Hover, Labels, Look, ObjectTransform, Picture, Probe, Projector, ShadowTruth, Shot, Size, TriangleOverlay,
+    View,
 };
 use crate::camera::{Camera, Decomposition, Operation};
 use crate::figure::{Figure, Measured, Observer, ShownStep};
@@ -41,6 +42,8 @@ pub struct Request {
     pub output: Output,
     /// The triangle of the shot on its way, which the renderer finds; nobody else sets it.
     pub triangle: Option<Arc<TriangleOverlay>>,
+    /// The image is that of another camera, beside the figure's own: the projector that is marked there, if any.
+    pub projector: Option<Option<Projector>>,
     /// Where the shadow maps of the image are wrong, which the renderer finds; nobody else sets it.
     pub shadow_truth: Option<Arc<ShadowTruth>>,
 }
@@ -112,6 +115,7 @@ impl Request {
             force_all_stages: false,
             output: Output::Pixels,
             triangle: None,
+            projector: None,
             shadow_truth: None,
         }
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DMat4;
 
-use super::{ObjectTransform, Picture, View};
+use super::{ObjectTransform, OtherCamera, Picture, View};
 use crate::appearance::{DepthFormat, Style};
 use crate::camera::{Camera, ImageSize, Ndc, Viewport};
 use crate::figure::{
@@ -33,6 +33,8 @@ pub struct Shot {
     pub show: Show,
     /// The second camera of `show`.
     pub answered: Option<Camera>,
+    /// The other cameras of the figure.
+    pub cameras: Arc<[OtherCamera]>,
     /// The transform of the object that `show` measures.
     pub measured_object: Option<ObjectTransform>,
     /// The same in another way, beside it.
@@ -57,7 +59,10 @@ impl Compared {
     #[must_use]
     pub fn of(figure: &Figure, scene: &SceneSpec) -> Option<Self> {
         let comparison = figure.compare.clone()?;
-        let OtherSide { figure: other, camera, values } = comparison.other_side(figure).ok()?;
+        let OtherSide { figure: other, camera, mut values } = comparison.other_side(figure).ok()?;
+        if let Some(name) = &comparison.camera {
+            values.insert(0, ("camera.name".to_owned(), [figure.tag.name.clone(), Some(name.clone())]));
+        }
         let camera = camera.map(|camera| camera.rounded());
         Some(Self { shot: Shot::of_one(&other, scene), camera, comparison, values })
     }
@@ -65,6 +70,10 @@ impl Compared {
     /// The part that is seen in a picture of a kind; `None` where it looks like `own` there.
     #[must_use]
     pub(super) fn seen_in(&self, view: View, own: &Shot) -> Option<Self> {
+        // Worlds and canonical volumes of two cameras would only be the same scene again.
+        if self.comparison.camera.is_some() && view != View::Image {
+            return None;
+        }
         let mut shot = self.shot.seen_in(view);
         if view == View::Canonical {
             // The pixels of the image are beyond the canonical volume.
@@ -108,6 +117,7 @@ impl Shot {
             ndc: show.ndc.unwrap_or_default(),
             pictures: Picture::of_figure(&figure.observers),
             answered: show.answer.and_then(|parameters| Camera::new(&parameters).ok()),
+            cameras: OtherCamera::of_figure(figure).into(),
             measured_object: object.and_then(|name| transform_of(scene, name)),
             labels: figure.labels.clone(),
             show,
@@ -155,6 +165,7 @@ impl Shot {
             labels: self.labels.seen_in(view),
             show: everywhere,
             answered: None,
+            cameras: Arc::default(),
             measured_object: None,
             compared: None,
         };
@@ -162,6 +173,7 @@ impl Shot {
             View::World => Self {
                 show: Show { measure: show.measure.clone(), moved: show.moved.clone(), ..seen.show },
                 answered: self.answered.clone(),
+                cameras: Arc::clone(&self.cameras),
                 measured_object: self.measured_object,
                 ..seen
             },

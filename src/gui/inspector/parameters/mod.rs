@@ -1,6 +1,7 @@
 //! The panel on the left: every parameter of the figure, in three tabs: the camera, the scene, how it is drawn.
 
 mod camera;
+mod cameras;
 mod free_window;
 mod image;
 mod lens_menu;
@@ -102,6 +103,7 @@ fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
         let shown = (!form.kept.contains(&measure)).then(MeasureText::default);
         state.document.edit_labels(|labels| labels.measure(measure, shown));
     }
+    cameras::ui(ui, state);
     image::ui(ui, state);
 }
 

@@ -1,12 +1,13 @@
 //! Interaction with the pictures by keys and by a pointer without a drag; drags are in `held`.
 
-use eframe::egui::{Event, EventFilter, Key, Modifiers, PointerButton, Ui, Vec2};
+use eframe::egui::{self, Event, EventFilter, Key, Modifiers, PointerButton, Ui, Vec2};
 use glam::DVec2;
 
 use super::camera_drag;
 use super::followed;
 use super::held::{GIZMO_REACH, gizmo_lines, tooltip};
 use super::keyboard_probe::{ProbeStep, Probing};
+use super::other_camera;
 use super::picking::{self, PickQuery, PickRequest};
 use super::pixel::pixel_of;
 use super::probe_steps::Click;
@@ -111,6 +112,12 @@ impl Canvas {
             state.pin(self.pinned_before);
             toggle_maximized(state, pane.view);
             response.ctx.request_repaint();
+        } else if response.clicked_by(PointerButton::Primary)
+            && response.hovered()
+            && self.hover.hovered.is_none()
+            && other_camera::is_clicked(state, pane)
+        {
+            response.ctx.request_repaint();
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
             self.pinned_before = state.pinned();
             self.stop_probing();
@@ -200,6 +207,13 @@ impl Canvas {
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handle_drag::cursor(false));
             return Some(Probe::Point(p));
+        }
+        if is_own && let Some(index) = other_camera::hovered(request, pointer, pane) {
+            let lines = other_camera::lines(index, state);
+            tooltip(ui, &lines);
+            status.message = lines.join(" · ");
+            ui.set_cursor_icon(egui::CursorIcon::PointingHand);
+            return None;
         }
         status.message = match pane.view {
             View::Image => match pick::window_point_in_image(request, pointer) {

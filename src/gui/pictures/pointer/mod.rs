@@ -6,6 +6,7 @@ pub(in crate::gui) mod handle_drag;
 pub(super) mod held;
 pub(super) mod interaction;
 pub(super) mod keyboard_probe;
+pub(super) mod other_camera;
 pub(super) mod picking;
 pub(super) mod pixel;
 pub(super) mod probe_steps;

@@ -98,7 +98,11 @@ fn probe_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Probe> {
     vertex.map(Probe::Point).or_else(|| {
         let point = pick::window_point_in_image(request, pointer).filter(|_| request.view == View::Image)?;
         let pixel = pixel_of(request.shot.look.image, &request.camera, point);
-        Some(Probe::Window(center_of(request.shot.look.image, &request.camera, pixel)))
+        let window = center_of(request.shot.look.image, &request.camera, pixel);
+        // A pixel of another camera is none of the figure's own, but both see the point that it shows.
+        let beside = request.projector.is_some();
+        let hit = || pick::hit_of(request, window);
+        if beside { hit().map(Probe::Point) } else { Some(Probe::Window(window)) }
     })
 }
 

@@ -8,9 +8,10 @@ use crate::figure::words::{
     VISIBILITIES,
 };
 use crate::figure::{
-    Bilingual, Comparison, Depth, LabelledMeasure, Labels, Letters, Measured, MovedLabel, NamedPoint, Note, NotePlace,
-    Observer, Observers, Outside, RenamedLabel, Reveal, Screen, ScreenEntry, ShadowReveal, Show, ShownProbe, ShownStep,
-    ShownTriangle, StagePicture, StyledLabel, TransformPreview, TriangleStep, View, WorldLook, WorldPart, WorldParts,
+    Bilingual, CameraTag, Comparison, Depth, LabelledMeasure, Labels, Letters, Measured, MovedLabel, NamedCamera,
+    NamedPoint, Note, NotePlace, Observer, Observers, Outside, RenamedLabel, Reveal, Screen, ScreenEntry, ShadowReveal,
+    Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, StyledLabel, TransformPreview, TriangleStep, View,
+    WorldLook, WorldPart, WorldParts,
 };
 use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
@@ -147,10 +148,10 @@ fn figure() -> impl Strategy<Value = Figure> {
             let other = [("style.shading", "\"phong\""), ("camera.near", "1e-3"), ("show.step", "{ way = \"notes\" }")];
             let with = other[keys..].iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
             let ops = vec![Operation::Zoom(1.5), Operation::Pan { dx: 1.0, dy: -0.25 }];
-            Comparison { with, ops, wiper, beside, differences }
+            Comparison { with, ops, camera: None, wiper, beside, differences }
         },
     ));
-    let seen = (seen, compare, labels());
+    let seen = (seen, compare, labels(), vec(parameters(), 0..3));
     (parameters(), 1_u32..=16_384, viewport, scene(), (style, points), reveal, seen, show).prop_map(
         |(
             camera,
@@ -159,13 +160,24 @@ fn figure() -> impl Strategy<Value = Figure> {
             scene,
             (style, points),
             (reveal, undistorted),
-            ((world, canonical), compare, labels),
+            ((world, canonical), compare, labels, cameras),
             (show, screen, texts),
         )| Figure {
             title: told(&texts[0], &texts[0]),
             caption: told(&texts[1], &texts[2]),
             lens: None,
             camera,
+            tag: CameraTag { name: undistorted.then(|| "q \"0\"".to_owned()), color: None },
+            cameras: cameras
+                .into_iter()
+                .enumerate()
+                .map(|(i, parameters)| NamedCamera {
+                    name: format!("c \"{i}\""),
+                    color: reveal.culled.then(|| Rgba::rgb(1, 2, 3)),
+                    parameters,
+                    lens: None,
+                })
+                .collect(),
             image: ImageSize { width, height: 16_385 - width },
             undistorted,
             viewport,

@@ -3,11 +3,11 @@
 use super::parse;
 use super::section::{Fault, Section};
 use crate::camera::Operation;
-use crate::figure::Comparison;
 use crate::figure::edit::NOTHING;
 use crate::figure::error::{Allowed, FigureError, Problem};
 use crate::figure::near;
 use crate::figure::write::quoted;
+use crate::figure::{Comparison, NamedCamera};
 use crate::limits::MAX_COMPARED_KEYS;
 use crate::sanitize;
 
@@ -15,7 +15,11 @@ use crate::sanitize;
 const SECTIONS: [&str; 7] = ["camera", "image", "viewport", "style", "reveal", "world", "show"];
 
 /// Reads the section; `None` where there is none, or nothing to compare.
-pub(super) fn comparison(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Comparison> {
+pub(super) fn comparison(
+    mut section: Section<'_>,
+    cameras: &[NamedCamera],
+    faults: &mut Vec<Fault>,
+) -> Option<Comparison> {
     let is_there = section.is_table();
     let entries = section.entries("with");
     let mut with: Vec<(String, String)> = Vec::new();
@@ -32,10 +36,14 @@ pub(super) fn comparison(mut section: Section<'_>, faults: &mut Vec<Fault>) -> O
         }
     }
     let ops: Vec<Operation> = section.list("ops", Allowed::Operations, |text| text.parse().ok());
+    let camera = section.text("camera");
+    if camera.as_ref().is_some_and(|name| cameras.iter().all(|camera| camera.name != *name)) {
+        section.refuse("camera", Allowed::Camera);
+    }
     let wiper = section.number_in("wiper", 0.0, 1.0, 0.5);
     let beside = section.word("layout", &[("wiper", false), ("beside", true)], false);
     let differences = section.switch("differences");
-    let count = with.len() + ops.len();
+    let count = with.len() + ops.len() + usize::from(camera.is_some());
     if is_there && count == 0 && section.faults.is_empty() {
         section.missing("with", Allowed::Section);
     } else if count > MAX_COMPARED_KEYS {
@@ -45,7 +53,7 @@ pub(super) fn comparison(mut section: Section<'_>, faults: &mut Vec<Fault>) -> O
     let found = section.finish();
     let is_good = found.iter().all(Fault::is_unknown_key);
     faults.extend(found);
-    (is_there && is_good && count > 0).then_some(Comparison { with, ops, wiper, beside, differences })
+    (is_there && is_good && count > 0).then_some(Comparison { with, ops, camera, wiper, beside, differences })
 }
 
 /// A comparison of one key as it is typed, `camera.near = 0.5`. A value that is a plain word may lack its quotes.

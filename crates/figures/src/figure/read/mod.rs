@@ -1,5 +1,6 @@
 //! The text of a figure file → [`Figure`].
 
+mod cameras;
 mod comparison;
 mod labels;
 mod lens;
@@ -140,6 +141,7 @@ pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
     let [title, caption] = screen::told(&mut root);
     let [camera_section, image_section, viewport_section, scene_section] =
         ["camera", "image", "viewport", "scene"].map(|key| root.section(key, &inside(&root, key)));
+    let camera_sections = root.sections("cameras", &format!("[{}]", inside(&root, "cameras")));
     let point_sections = root.sections("points", &format!("[{}]", inside(&root, "points")));
     let [style_section, reveal_section, world_section, observers_section] =
         ["style", "reveal", "world", "observers"].map(|key| root.section(key, &inside(&root, key)));
@@ -147,12 +149,14 @@ pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         ["show", "screen", "compare", "labels"].map(|key| root.section(key, &inside(&root, key)));
     faults.extend(root.finish());
     let (image, undistorted) = image(image_section, faults);
-    let (camera, lens) = camera(camera_section, faults);
+    let (tag, camera, lens) = cameras::current(camera_section, faults);
+    let cameras = cameras::cameras(camera_sections, &tag, faults);
     Figure {
         title,
         caption,
         camera,
         lens,
+        tag,
         image,
         undistorted,
         viewport: viewport(viewport_section, image, faults),
@@ -164,12 +168,20 @@ pub fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         observers: observers(observers_section, faults),
         show: show::show(show_section, faults),
         screen: screen::screen(screen_section, faults),
-        compare: comparison::comparison(compare_section, faults),
+        compare: comparison::comparison(compare_section, &cameras, faults),
         labels: labels::labels(labels_section, faults),
+        cameras,
     }
 }
 
 fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (Parameters, Option<LensForm>) {
+    let found = camera_keys(&mut section, faults);
+    faults.extend(section.finish());
+    found
+}
+
+/// The keys of a camera, in a section that may have others.
+fn camera_keys(section: &mut Section<'_>, faults: &mut Vec<Fault>) -> (Parameters, Option<LensForm>) {
     let default = Parameters::default();
     let mut parameters = Parameters {
         position: section.vector("position", default.position),
@@ -181,9 +193,9 @@ fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (Parameters, Opt
         aspect: section.number("aspect", default.aspect),
         near: section.number("near", default.near),
         far: section.number_or_infinity("far", default.far),
-        window: window(&mut section, faults),
+        window: window(section, faults),
     };
-    let lens = lens::lens(&mut section, faults).filter(|_| section.faults.is_empty());
+    let lens = lens::lens(section, faults).filter(|_| section.faults.is_empty());
     if let Some(lens) = lens {
         parameters.view_angle = lens.view_angle(parameters.aspect);
     }
@@ -197,12 +209,11 @@ fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (Parameters, Opt
         let key = keys.iter().find(|key| section.is_present(key)).or(keys.first()).copied();
         section.fault(key.unwrap_or_default(), Problem::Camera(error));
     }
-    faults.extend(section.finish());
     (parameters, lens)
 }
 
 fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindow> {
-    let mut section = camera.section("window", "[camera] window.");
+    let mut section = camera.section("window", &format!("{}.", camera.name_of("window")));
     if !section.is_table() {
         return None;
     }

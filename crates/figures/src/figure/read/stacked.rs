@@ -8,8 +8,9 @@ use super::section::{Fault, Section};
 use crate::figure::Figure;
 
 /// The sections of a figure.
-const SECTIONS: [&str; 13] = [
+const SECTIONS: [&str; 14] = [
     "camera",
+    "cameras",
     "image",
     "viewport",
     "scene",

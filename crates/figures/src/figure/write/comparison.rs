@@ -7,7 +7,7 @@ use crate::figure::Comparison;
 
 /// The section.
 pub(super) fn comparison(comparison: &Comparison) -> Table {
-    let Comparison { with, ops, wiper, beside, differences } = comparison;
+    let Comparison { with, ops, camera, wiper, beside, differences } = comparison;
     let mut keys: Vec<(&str, Value)> = Vec::new();
     if !with.is_empty() {
         let value =
@@ -18,6 +18,7 @@ pub(super) fn comparison(comparison: &Comparison) -> Table {
     if !ops.is_empty() {
         keys.push(("ops", ops.iter().map(ToString::to_string).collect::<Array>().into()));
     }
+    keys.extend(camera.as_ref().map(|name| ("camera", quoted(name))));
     if *beside {
         keys.push(("layout", "beside".into()));
     }

@@ -86,6 +86,15 @@ impl ShadowTruth {
     }
 }
 
+/// A projector of one camera, as another camera of the figure sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projector {
+    /// Its ends (world): its origin, and the one in the back plane or beyond the point.
+    pub ends: [DVec3; 2],
+    /// The point that is marked on it.
+    pub point: Option<DVec3>,
+}
+
 /// The target of the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Probe {

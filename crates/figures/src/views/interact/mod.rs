@@ -1,5 +1,6 @@
 //! Picking, hovering and dragging in the pictures.
 
+pub(super) mod cameras;
 pub mod handles;
 pub(super) mod hits;
 pub(super) mod hover;

@@ -105,6 +105,12 @@ pub fn point_of(request: &Request, probe: Probe) -> DVec3 {
     }
 }
 
+/// The first point of the scene (world) behind a point of the view window.
+#[must_use]
+pub fn hit_of(request: &Request, point: DVec2) -> Option<DVec3> {
+    Pixel::new(request, point).hit
+}
+
 /// Where a picture shows points of the world (pixels), or that it does not; `None` for an observer that is not a
 /// camera. Nothing of the scene is looked at.
 #[must_use]

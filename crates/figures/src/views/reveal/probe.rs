@@ -2,18 +2,20 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::appearance::{Dash, MarkShape, Rgba};
+use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
 use crate::camera::Projection;
 use crate::figure::NamedPoint;
 use crate::geometry::Aabb;
 use crate::pipeline::project::displayed_ndc;
 use crate::sanitize;
+use crate::scene::Line;
 
 use crate::views::canonical::canonical_box::CanonicalBox;
 use crate::views::interact::hits;
-use crate::views::world::gizmos::{GearBuilder, SMALL_TYPE, TYPE};
+use crate::views::world::cameras;
+use crate::views::world::gizmos::{self, GearBuilder, SMALL_TYPE, TYPE};
 use crate::views::world::volume::DrawnVolume;
-use crate::views::{Palette, Probe, Request};
+use crate::views::{Palette, Probe, Projector, Request};
 
 /// The ray of the probe from its origin O_R through its window point to the end of the volume, `[0]` Eqs. (5.17) to
 /// (5.21).
@@ -30,6 +32,20 @@ impl Pixel {
     pub(in crate::views) fn new(request: &Request, point: DVec2) -> Self {
         let (origin, window, end) = ray_of(request, point);
         Self { origin, window, end, hit: hits::first_hit(&request.scene, window, end) }
+    }
+}
+
+/// The projector of a probe: from O_R through its pixel, or through its point.
+pub(in crate::views) fn projector(request: &Request, probe: Probe) -> Projector {
+    match probe {
+        Probe::Window(point) => {
+            let pixel = Pixel::new(request, point);
+            Projector { ends: [pixel.origin, pixel.end], point: pixel.hit }
+        }
+        Probe::Point(p) => {
+            let (origin, _, end) = ray_of(request, window_of(request, request.camera.view_point(p)));
+            Projector { ends: [origin, end], point: Some(p) }
+        }
     }
 }
 
@@ -99,6 +115,7 @@ fn point_in_world(builder: &mut GearBuilder, request: &Request, p: DVec3, look: 
 /// The rays of points, from O_R to each; or the ray from O_R through the window.
 pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette, volume: &DrawnVolume) {
     for (p, look) in points(request, palette) {
+        cameras::projectors(builder, request, palette, p);
         point_in_world(builder, request, p, look);
     }
     let color = palette.probe;
@@ -112,6 +129,7 @@ pub(in crate::views) fn in_world(builder: &mut GearBuilder, request: &Request, p
             let window = pixel.window.lerp(pixel.end, share(volume.start));
             builder.line(vec![pixel.origin, pixel.hit.unwrap_or(end)], color, 1.6, Dash::Solid);
             if let Some(hit) = pixel.hit {
+                cameras::projectors(builder, request, palette, hit);
                 builder.line(vec![hit, end], color, 1.2, Dash::Dotted);
                 builder.mark(hit, MarkShape::Ring, 6.0, color);
                 builder.text(hit, "P", DVec2::new(0.8, -0.8), TYPE, color);
@@ -192,6 +210,25 @@ pub(in crate::views) fn in_image(builder: &mut GearBuilder, request: &Request, p
         let behind = origin + (window - origin) * 1.001;
         let p = if behind.distance(origin) < end.distance(origin) { behind } else { window.midpoint(end) };
         builder.mark(p, MarkShape::Cross, 6.0, palette.probe);
+    }
+    epipolar_line(builder, request, palette);
+}
+
+/// The projector of the first camera in the image of the second: the epipolar line of the marked pixel. Nothing hides
+/// it, since any of its points may be the one that the pixel shows.
+fn epipolar_line(builder: &mut GearBuilder, request: &Request, palette: Palette) {
+    let Some(Projector { ends, point }) = request.projector.flatten() else { return };
+    let line = |points: [DVec3; 2], width: f32, dash: Dash| {
+        let style = gizmos::stroke(palette.probe, width, dash, HiddenLines::Shown);
+        Line { points: points.to_vec(), style }
+    };
+    match point {
+        None => builder.gear.lines.push(line(ends, 1.6, Dash::Solid)),
+        Some(p) => {
+            builder.gear.lines.push(line([ends[0], p], 1.6, Dash::Solid));
+            builder.gear.lines.push(line([p, ends[1]], 1.2, Dash::Dotted));
+            builder.mark(p, MarkShape::Ring, 6.0, palette.probe);
+        }
     }
 }
 

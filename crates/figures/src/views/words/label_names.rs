@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::figure::labels::{LEGEND, is_in_legend, note_index};
 use crate::sanitize::escaped;
 use crate::views::reveal::stage_overlay;
-use crate::views::{SharedScene, Shot};
+use crate::views::{OtherCamera, SharedScene, Shot};
 
 /// The names that do not depend on the figure.
 #[rustfmt::skip]
@@ -29,6 +29,8 @@ const NAMES: &[&str] = &[
 pub fn unknown_labels(shot: &Shot, scene: &SharedScene) -> Vec<(String, Option<String>)> {
     let mut known: BTreeSet<&str> = NAMES.iter().copied().collect();
     known.extend(shot.points.iter().map(|point| point.name.as_str()));
+    let cameras: Vec<String> = shot.cameras.iter().flat_map(OtherCamera::label_names).collect();
+    known.extend(cameras.iter().map(String::as_str));
     known.extend(scene.texts.iter().map(|text| text.name.as_str()));
     // Axes of objects that are moved in thought, axes of the selection, and vertices that clipping makes.
     let is_numbered = |name: &str| {

@@ -20,6 +20,8 @@ pub(in crate::views) struct Content {
     pub(in crate::views) core: Aabb,
     /// The view volume among them.
     pub(in crate::views) volume: DrawnVolume,
+    /// Those of the other cameras.
+    pub(in crate::views) others: Vec<DrawnVolume>,
 }
 
 impl Content {
@@ -29,6 +31,7 @@ impl Content {
         let mut points = vec![camera.position()];
         points.extend(request.hover.ghost.iter().map(|g| g.before.position()));
         points.extend(request.operations().iter().map(|(ghost, _)| ghost.before.position()));
+        points.extend(request.shot.cameras.iter().map(|other| other.camera.position()));
         points.extend(request.shot.answered.iter().map(Camera::position));
         points.extend(scene.iter().flat_map(Aabb::corners));
         let boxed = |points: &[DVec3]| {
@@ -42,8 +45,13 @@ impl Content {
         }
         let core = boxed(&points);
         let volume = DrawnVolume::of(camera, &core, &points);
+        let others: Vec<_> =
+            request.shot.cameras.iter().map(|other| DrawnVolume::of(&other.camera, &core, &points)).collect();
         points.extend(volume.of_interest(camera, &core));
-        let mut content = Self { scene, of_interest: points, core, volume };
+        for (other, drawn) in request.shot.cameras.iter().zip(&others) {
+            points.extend(drawn.of_interest(&other.camera, &core));
+        }
+        let mut content = Self { scene, of_interest: points, core, volume, others };
         // Followed points that are not far beyond all else are in the picture.
         let (middle, reach) = (content.core.center(), 4.0 * content.core.radius());
         let near = |p: &DVec3| p.distance(middle) < reach;
@@ -60,7 +68,8 @@ impl Content {
 
     /// The box around all that is drawn.
     pub(in crate::views) fn bounds(&self) -> Aabb {
-        Aabb::around(self.volume.all_corners()).map_or(self.core, |volume| volume.union(self.core))
+        Aabb::around(self.others.iter().chain([&self.volume]).flat_map(DrawnVolume::all_corners))
+            .map_or(self.core, |volume| volume.union(self.core))
     }
 
     /// The tips of the axes of the world: each a little outside the scene; `None` where the origin is out of sight.

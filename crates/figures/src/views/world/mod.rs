@@ -1,6 +1,7 @@
 //! The world: the scene, the camera in it, and the camera's view volume.
 
 pub(super) mod camera_gizmo;
+pub(super) mod cameras;
 pub(super) mod components;
 pub(super) mod dimensions;
 pub(super) mod framing;
@@ -74,6 +75,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         world.planes();
         world.axes();
         world.drop_lines();
+        cameras::in_world(&mut world.builder, request, palette, &world.content.others);
         world.unnamed();
         world.speck();
         dimensions::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);

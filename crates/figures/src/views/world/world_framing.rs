@@ -79,6 +79,13 @@ fn gear_points(request: &Request, observer: &Observer, content: &Content) -> Opt
     let screen = screen_of(request, observer, content)?;
     let gear = Gear::new(&screen, &request.camera, &request.shot.look.world);
     let mut points: Vec<DVec3> = gear.room(&request.camera).into_iter().collect();
+    for other in request.shot.cameras.iter() {
+        let gear = Gear::new(&screen, &other.camera, &request.shot.look.world);
+        let (c, basis) = (other.camera.position(), other.camera.basis());
+        // The body, and the axes, which are shorter than those of the current camera.
+        points.extend([c + basis.n * (2.0 * gear.body), c + basis.n * gear.body + basis.v * (1.5 * gear.body)]);
+        points.extend([basis.u, basis.v, basis.n].map(|axis| c + axis * (0.8 * gear.axis)));
+    }
     if request.shot.look.world.dimensions {
         let below = request.camera.basis().v * (-dimensions::LOWEST * gear.usual_axis);
         let ahead = request.camera.direction_of_projection() * content.volume.end;

@@ -1,0 +1,64 @@
+//! The list of cameras between frames, and the way to look through one of them.
+
+use crate::camera::Convergence;
+use crate::figure::NamedCamera;
+use crate::gui::state::State;
+use crate::i18n::window::cameras;
+
+/// The list of cameras.
+#[derive(Clone, Debug, Default)]
+pub struct CameraList {
+    /// The name that is being typed for a camera (`None`: the current one), and whether its field has been left.
+    pub(in crate::gui) typing: Option<(Option<usize>, String, bool)>,
+    /// The baseline of the next stereo pair; `None`: a thirtieth of D, as the textbooks of stereo photography have it.
+    pub baseline: Option<f64>,
+}
+
+impl State {
+    /// Looks through one of the other cameras of the figure.
+    pub(in crate::gui) fn look_through(&mut self, index: usize) {
+        self.cameras.typing = None;
+        self.document.commit();
+        self.document.look_through(index);
+        // Its aspect is its own.
+        let camera = self.document.draft();
+        let image = self.document.figure().image;
+        let is_of_image = camera.aspect == f64::from(image.width) / f64::from(image.height);
+        self.settings.aspect_follows_image &= is_of_image || camera.window.is_some();
+    }
+
+    /// Keeps the current camera in the list under a name, or one like it.
+    pub(in crate::gui) fn keep_camera(&mut self, name: &str) {
+        let figure = self.document.figure();
+        let camera = NamedCamera { name: free(figure, name), color: None, ..figure.current_camera() };
+        self.document.edit_cameras(|figure| figure.add_camera(camera));
+    }
+
+    /// Makes the current camera and one more a stereo pair around it: the left one becomes the current one.
+    pub(in crate::gui) fn make_stereo(&mut self, baseline: f64, convergence: Convergence) {
+        let t = cameras::texts(self.settings.lang);
+        match self.document.camera().stereo(baseline, convergence) {
+            Err(error) => self.say_camera_error(Err(error)),
+            Ok([left, right]) => {
+                self.document.commit();
+                let name = free(self.document.figure(), t.right);
+                let parameters = *right.parameters();
+                let right = NamedCamera { name, color: None, parameters, lens: None };
+                let name = free(self.document.figure(), t.left);
+                self.document.edit_cameras(|figure| {
+                    figure.tag.name = Some(name);
+                    figure.add_camera(right);
+                });
+                self.document.set_camera(left);
+            }
+        }
+    }
+}
+
+/// A name, or the first of the same name with a number that is free.
+fn free(figure: &crate::figure::Figure, name: &str) -> String {
+    if figure.may_name_camera(name, None) {
+        return name.to_owned();
+    }
+    (2..).map(|i| format!("{name} {i}")).find(|name| figure.may_name_camera(name, None)).unwrap_or_default()
+}
