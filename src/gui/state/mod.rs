@@ -26,9 +26,9 @@ pub use crate::gui::inspector::state::operations::Operations;
 pub(super) use crate::gui::inspector::state::operations::{DoneStep, Motion, Scrub};
 pub(super) use crate::gui::inspector::state::scene_tree::{Draft, Typing, preset_objects};
 pub use crate::gui::inspector::state::scene_tree::{SceneTree, Selected};
-pub(in crate::gui) use crate::gui::learn::exercises::state::Done;
+pub(in crate::gui) use crate::gui::learn::exercises::state::{Done, Mark};
 pub use crate::gui::learn::exercises::state::{
-    Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Typed, is_whole, joined,
+    Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Placing, Typed, is_whole, joined,
 };
 pub(in crate::gui) use crate::gui::learn::lesson::state::FADE;
 pub use crate::gui::learn::lesson::state::{Moving, Playing};
@@ -56,6 +56,7 @@ pub use crate::gui::why::state::steps::{Steps, count, end_of, step_at, time_of};
 pub(in crate::gui) use crate::gui::why::state::triangle::Covered;
 pub use crate::gui::why::state::triangle::TriangleNumbers;
 use crate::i18n::Lang;
+use crate::i18n::learn::exercise_window;
 use crate::i18n::messages::faults;
 use crate::lessons::Lesson;
 use crate::limits::MAX_NAMED_POINTS;
@@ -440,6 +441,22 @@ impl State {
     pub(in crate::gui) fn explain_entry(&mut self, matrix: Matrix, entry: [usize; 2]) {
         self.explain.matrices.go_to(matrix, entry);
         self.show_explanation(Explanation::Matrices);
+    }
+
+    /// The question for a place in the image that is asked now.
+    pub fn placing(&mut self) -> Option<Placing> {
+        let asks = self.lesson.as_ref().is_some_and(|playing| playing.asks_question());
+        if !(asks || self.shows_exercises()) || self.moves_to_step() {
+            return None;
+        }
+        self.exercises.placing(exercise_window::texts(self.settings.lang).place_in_image)
+    }
+
+    /// Puts the mark of a question for a place there.
+    pub(in crate::gui) fn put_mark(&mut self, placing: &Placing, [x, y]: [f64; 2]) {
+        match &placing.of {
+            Mark::Ask(ask) => self.exercises.type_into(ask, vec![format!("{x}"), format!("{y}")]),
+        }
     }
 
     /// True while the exercises are shown.

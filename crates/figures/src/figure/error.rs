@@ -139,6 +139,10 @@ pub enum Allowed {
     NonZeroScale,
     /// Two numbers, neither 0 nor beyond the limit.
     TextureScale,
+    /// The name of a point of the figure, or `[x, y, z]`, with a place in the image.
+    PointInImage,
+    /// `"next"`, or a list of operations and keys with their values.
+    Seen,
     /// A list of `[x, y, z]`.
     Points,
     /// A list of an even number of `[x, y, z]`.

@@ -1,11 +1,11 @@
 //! The subject of an exercise, and its numbers from `inspect`.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::value::Table;
 use crate::camera::{Camera, Convention, Operation};
 use crate::figure::Figure;
-use crate::inspect::quantity::{Numbers, QuantityPath};
+use crate::inspect::quantity::{Numbers, PointNumber, Quantity, QuantityPath};
 use crate::inspect::{InspectError, Report, camera_after};
 
 /// A figure with operations on its camera, and the points and pixels of interest.
@@ -36,6 +36,17 @@ impl Subject {
     /// [`InspectError`] names the impossible quantity.
     pub fn report(&self) -> Result<Report, InspectError> {
         Report::new(&self.figure, &self.operations, Convention::RightHand, &self.points, &self.pixels)
+    }
+
+    /// The place of a point of the world in the image, in pixels from its left edge and from its upper one, (5.22)
+    /// without the floor. `None` where the point has no image.
+    #[must_use]
+    pub fn place(&self, point: DVec3) -> Option<[f64; 2]> {
+        let alone = Self { points: vec![point], pixels: Vec::new(), ..self.clone() };
+        let on_window = alone.value(Quantity::Point(0, PointNumber::Window))?;
+        let [x, y] = on_window.entries[..] else { return None };
+        let place = self.figure.image.image_from_window(&self.camera().ok()?.window(), DVec2::new(x, y));
+        place.is_finite().then(|| place.to_array())
     }
 
     /// A quantity of that report; a boolean is 1 or 0. `None`: the report does not have it.
