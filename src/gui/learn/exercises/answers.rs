@@ -87,8 +87,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
     }
     in_kept_room(ui, ask, |ui| match &reading {
         Err(unreadable) => complaint(ui, &unreadable.why),
-        Ok(Some(answer)) => show_understood(ui, t.lang, ask, answer),
-        Ok(None) => {}
+        Ok(Some(answer)) if !ask.places => show_understood(ui, t.lang, ask, answer),
+        Ok(_) => {}
     });
     let can = matches!(reading, Ok(Some(_)));
     let is_guess = guesses && guess.is_none();
@@ -161,6 +161,8 @@ fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     #[expect(clippy::cast_precision_loss, reason = "a few rows")]
     let least = match ask.kind {
         Kind::Choice(_) | Kind::Camera => 0.0,
+        // The cross in the picture says it.
+        _ if ask.places => 0.0,
         // Before the first key there is room for what is going to be understood.
         Kind::Number | Kind::Vector(_) | Kind::Matrix(..) => ROW_OF_TABLE * line * rows as f32,
     };

@@ -28,7 +28,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
                 if is_old {
                     ui.set_opacity(0.6);
                 }
-                headline(ui, sheet, judged);
+                headline(ui, sheet, ask, judged);
             });
             if is_old {
                 ui.label(RichText::new(t.changed_since).small().weak());
@@ -123,7 +123,7 @@ fn hint_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (id,
 }
 
 /// Right or wrong, how much of it, and in which reading.
-fn headline(ui: &mut Ui, sheet: Sheet<'_>, judged: &exercises::Judged) {
+fn headline(ui: &mut Ui, sheet: Sheet<'_>, ask: &Ask, judged: &exercises::Judged) {
     let t = sheet.t;
     let right = judged.entries.iter().flatten().filter(|right| **right).count();
     let all = judged.entries.iter().flatten().count();
@@ -132,6 +132,7 @@ fn headline(ui: &mut Ui, sheet: Sheet<'_>, judged: &exercises::Judged) {
         (true, _) => format!("✓ {}: {}", t.right_read_as, said::reading(t.lang, judged.reading)),
         _ if !judged.carried.is_empty() => format!("→ {}", t.follows),
         (false, 0 | 1) => format!("✗ {}", t.wrong),
+        _ if ask.places => format!("✗ {}", t.wrong),
         (false, all) => format!("✗ {} ({})", t.wrong, messages::right_of(t.lang, right, all)),
     };
     ui.add(egui::Label::new(RichText::new(text).strong().color(color(ui, judged.right))).wrap());
