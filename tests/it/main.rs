@@ -72,6 +72,7 @@ mod pipeline_plan;
 mod pipeline_project;
 mod pipeline_visibility;
 mod places;
+mod predictions;
 mod programs_table;
 mod raster_colors;
 mod raster_fill;

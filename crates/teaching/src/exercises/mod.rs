@@ -39,7 +39,7 @@ pub use mistakes::nature::Nature;
 pub use mistakes::slip::{Cause, Slip, Slips};
 pub use own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
 pub use progress::{Guess, MANY_WRONG, Made, Next, Progress, ProgressError, Stage, Tried, Why};
-pub use subject::Subject;
+pub use subject::{Subject, place_of};
 pub use value::Table;
 pub use worked::Worked;
 

@@ -1,11 +1,11 @@
 //! The subject of an exercise, and its numbers from `inspect`.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::value::Table;
-use crate::camera::{Camera, Convention, Operation};
+use crate::camera::{Camera, Convention, ImageSize, Operation, Viewport};
 use crate::figure::Figure;
-use crate::inspect::quantity::{Numbers, PointNumber, Quantity, QuantityPath};
+use crate::inspect::quantity::{Numbers, QuantityPath};
 use crate::inspect::{InspectError, Report, camera_after};
 
 /// A figure with operations on its camera, and the points and pixels of interest.
@@ -19,6 +19,15 @@ pub struct Subject {
     pub points: Vec<DVec3>,
     /// Pixels, (i, j).
     pub pixels: Vec<[i64; 2]>,
+}
+
+/// The place of a point of the world in the image, as [`Subject::place`] says it.
+#[must_use]
+pub fn place_of(camera: &Camera, image: ImageSize, point: DVec3) -> Option<[f64; 2]> {
+    let stations = camera.stations(point, image, &Viewport::whole(image));
+    let projected = stations.projected.filter(|_| stations.view.z < 0.0)?;
+    let place = image.image_from_window(&camera.window(), projected.window);
+    place.is_finite().then(|| place.to_array())
 }
 
 impl Subject {
@@ -42,11 +51,7 @@ impl Subject {
     /// without the floor. `None` where the point has no image.
     #[must_use]
     pub fn place(&self, point: DVec3) -> Option<[f64; 2]> {
-        let alone = Self { points: vec![point], pixels: Vec::new(), ..self.clone() };
-        let on_window = alone.value(Quantity::Point(0, PointNumber::Window))?;
-        let [x, y] = on_window.entries[..] else { return None };
-        let place = self.figure.image.image_from_window(&self.camera().ok()?.window(), DVec2::new(x, y));
-        place.is_finite().then(|| place.to_array())
+        place_of(&self.camera().ok()?, self.figure.image, point)
     }
 
     /// A quantity of that report; a boolean is 1 or 0. `None`: the report does not have it.

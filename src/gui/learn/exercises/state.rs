@@ -56,6 +56,8 @@ impl Typed {
 pub struct Placing {
     /// The question.
     pub(in crate::gui) of: Mark,
+    /// The point that is followed, where it is now.
+    pub from: Option<[f64; 2]>,
     /// The place that was chosen.
     pub mark: Option<[f64; 2]>,
     /// The guess that can't be changed any more.
@@ -73,6 +75,8 @@ pub struct Placing {
 pub(in crate::gui) enum Mark {
     /// A question of an exercise or a lesson.
     Ask(Box<Ask>),
+    /// An operation that asks where a point will go.
+    Operation,
 }
 
 /// The two numbers in the fields of a place.
@@ -397,6 +401,7 @@ impl Exercises {
         let verdict = self.checked.get(&ask.name).map(|checked| checked.judged.right);
         let right = ask.expected().table().filter(|_| verdict.is_some());
         Some(Placing {
+            from: None,
             mark: place_in(ask, self.fields(ask)),
             guess,
             right: right.and_then(|right| right.entries.try_into().ok()),
@@ -423,7 +428,7 @@ impl Exercises {
     }
 
     /// Takes back the answers to the questions of a lesson: who opens it again answers them again.
-    pub(in crate::gui) fn ask_again(&mut self, questions: impl Iterator<Item = String>) {
+    pub fn ask_again(&mut self, questions: impl Iterator<Item = String>) {
         for id in questions {
             if self.open.as_ref().is_some_and(|open| open.id == id) {
                 (self.open, self.described) = (None, None);

@@ -71,6 +71,13 @@ impl Canvas {
                 painter.circle_stroke(at, RING, Stroke::new(4.0, dark));
                 painter.circle_stroke(at, RING, Stroke::new(2.0, color));
             }
+            if let Some(from) = placing.from {
+                let at = on_screen(pane, from);
+                let font = TextStyle::Heading.resolve(ui.style());
+                painter.circle_filled(at, 4.5, Color32::WHITE);
+                painter.circle_filled(at, 3.0, dark);
+                painter.text(at + vec2(8.0, -4.0), Align2::LEFT_BOTTOM, "M", font, right);
+            }
             if let Some(mark) = placing.mark.filter(|_| placing.right.is_none() || placing.is_open) {
                 let at = on_screen(pane, mark);
                 for (width, color) in [(4.0, dark), (2.0, mine)] {
