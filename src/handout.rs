@@ -234,6 +234,9 @@ fn questions(lang: Lang, exercise: &Exercise, room: [usize; 2]) -> Vec<Paragraph
             let choice = |name| Paragraph::Text(format!("☐ {}", in_line(said::choice_of(lang, ask, name))));
             paragraphs.extend(choices.iter().map(|name| choice(name.as_str())));
             paragraphs.push(Paragraph::Room(room[1]));
+        } else if ask.places {
+            // It's marked in the picture above.
+            paragraphs.push(Paragraph::Remark(said::tolerance(lang, ask)));
         } else {
             paragraphs.push(Paragraph::Remark(said::tolerance(lang, ask)));
             paragraphs.push(Paragraph::Room(room[0]));

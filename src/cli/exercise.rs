@@ -179,6 +179,7 @@ pub(super) fn asked(lang: Lang, exercise: &Exercise, ask: &Ask) -> Value {
         "name": ask.name,
         "text": texts::ask(lang, exercise, ask),
         "kind": kind,
+        "places": ask.places,
         "shape": ask.shape(),
         "unit": ask.unit.symbol(),
         "tolerance": ask.tolerance,
@@ -338,6 +339,7 @@ fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -
         "score": verdict.score,
         "entries": verdict.entries,
         "diagnosis": diagnosis,
+        "off": ask.off(&verdict.understood),
         "carried": verdict.carried,
         "understood": texts::understood(lang, ask, &verdict.understood),
         "reading": Some(verdict.reading).filter(|name| !name.is_empty()),
@@ -369,6 +371,9 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
         }
         if let Some(carried) = texts::carried(lang, verdict) {
             let _ = writeln!(text, "  {carried}");
+        }
+        if let Some(off) = ask.off(&verdict.understood).filter(|_| !verdict.right) {
+            let _ = writeln!(text, "  {}", said::off(lang, off));
         }
         if let Some(diagnosis) = texts::diagnosis(lang, ask, verdict) {
             let _ = writeln!(text, "  {}", plain(&diagnosis));

@@ -59,7 +59,7 @@ fn a_question_is_answered_before_the_next_step_is_shown() {
     let right = exercise_sheet::answer(Lang::En, ask);
     window.harness.get_by_label(&right).click();
     window.run();
-    window.harness.get_by_label_contains(en::EXERCISE_WINDOW.check).click();
+    window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
     window.run();
     assert!(window.state().lesson.as_ref().unwrap().is_done());
     window.harness.get_by_label_contains(en::LESSONS.next).click();
@@ -88,8 +88,8 @@ fn a_wrong_answer_is_told_why_in_both_languages() {
         let Kind::Choice(choices) = &ask.kind else { panic!("a choice") };
         window.harness.get_by_label(choice_of(lang, ask, &choices[wrong])).click();
         window.run();
-        let check = exercise_window::texts(lang).check;
-        window.harness.get_by_label_contains(check).click();
+        let guess = exercise_window::texts(lang).guess;
+        window.harness.get_by_label_contains(guess).click();
         window.run();
         let checked = &window.state().exercises.checked[&ask.name];
         assert!(!checked.judged.right);

@@ -42,6 +42,7 @@ mod painter;
 mod panels;
 mod pictures;
 mod points;
+mod predictions;
 mod presentation;
 mod reveal;
 mod same_pixels;

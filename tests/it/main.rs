@@ -73,6 +73,7 @@ mod pipeline_plan;
 mod pipeline_project;
 mod pipeline_visibility;
 mod places;
+mod predictions;
 mod programs_table;
 mod raster_colors;
 mod raster_fill;

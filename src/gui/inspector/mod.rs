@@ -5,6 +5,7 @@ pub mod compare_dialog;
 pub(super) mod number_tables;
 pub mod numerics;
 pub mod operations;
+mod predict;
 pub mod parameters;
 pub mod scene;
 pub(super) mod state;

@@ -2,6 +2,7 @@
 
 use eframe::egui::{self, Align, Layout, RichText, Slider};
 
+use super::predict;
 use super::{TEXT_LINE, complaint, erratum, more, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
 use crate::gui::kit::number_field::{NumberField, Step};
@@ -73,6 +74,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     let possible = state.document.problem().is_none();
     section(ui, t.operations, "operations", true, |ui| {
         ui.spacing_mut().item_spacing.y = 2.0;
+        ui.add_enabled_ui(possible, |ui| predict::ui(ui, t, state, written));
         ui.add_enabled_ui(possible, |ui| {
             for Descriptor { freedom, .. } in &OPERATIONS {
                 ui.push_id(freedom, |ui| operation(ui, t, state, *freedom));
@@ -100,7 +102,8 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
     });
     help_topic_row(ui, row.response.rect, notes::of_operation(freedom));
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
-    if state.hover.ghost.is_none() && hovered && !ui.input(|input| input.pointer.any_down()) {
+    // What is to be predicted isn't shown.
+    if state.hover.ghost.is_none() && hovered && !state.operations.predict.on && !ui.input(|input| input.pointer.any_down()) {
         let before = state.document.camera().clone();
         let operation = stepped(freedom, state.operations.steps[freedom as usize], true);
         state.hover.ghost = Some(Ghost { before, operation, convention: state.operations.convention });
@@ -118,7 +121,7 @@ fn detail(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Free
         };
         ui.add(egui::Label::new(small).truncate());
     });
-    slider(ui, t, state, freedom);
+    ui.add_enabled_ui(!state.operations.predict.on, |ui| slider(ui, t, state, freedom));
     let is_last = state.operations.last.as_ref().is_some_and(|last| last.operation.name() == freedom.descriptor().word);
     let keeps = is_last && state.operations.led_to(state.document.camera()).is_some();
     let button = ui.add_enabled(keeps, egui::Button::new(t.keep_operation));
@@ -230,7 +233,9 @@ fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, for
     if ui.add(button).accessible_name(name).explained(explained(freedom, t, state.operations.convention)).clicked() {
         let step = state.operations.steps[freedom as usize];
         let amount = if forwards { step } else { freedom.descriptor().amount.inverse(step) };
-        motion::begin(state, freedom, amount);
+        if !state.predict_first(freedom, amount) {
+            motion::begin(state, freedom, amount);
+        }
     }
 }
 

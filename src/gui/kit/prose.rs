@@ -2,10 +2,11 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use eframe::egui::{Id, TextStyle, Ui};
+use eframe::egui::{Id, Label, RichText, TextStyle, Ui};
 use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
 
 use super::mathematics;
+use super::theme;
 use crate::i18n::why::notes::plain;
 
 /// Symbols such as `M_v` as mathematics; text between dollar signs stays as it is.
@@ -62,6 +63,46 @@ fn with_tuples_kept(text: &str) -> String {
     set + rest
 }
 
+/// The mark of bold words: the renderer has no bold letters, so they are set as formulas are, with letters of ours.
+const BOLD: char = '\u{e000}';
+/// Between two formulas that touch: `$$` would begin one on a line of its own.
+const APART: char = '\u{200b}';
+
+/// Words between `**` as formulas that begin with [`BOLD`]; formulas between them stay.
+fn with_bold(markdown: &str) -> String {
+    let part = |(k, part): (usize, &str)| if k % 2 == 1 { part.to_owned() } else { with_bold_in_lines(part) };
+    markdown.split("$$").enumerate().map(part).collect::<Vec<_>>().join("$$")
+}
+
+fn with_bold_in_lines(markdown: &str) -> String {
+    let marks = markdown.matches("**").count();
+    let mut set = String::with_capacity(markdown.len() + 16);
+    for (k, run) in markdown.split("**").enumerate() {
+        let is_bold = k % 2 == 1 && k < marks;
+        if k % 2 == 1 && !is_bold {
+            // Nothing closes it.
+            set.push_str("**");
+        }
+        for (j, part) in run.split('$').enumerate() {
+            let is_formula = j % 2 == 1;
+            let words = part.trim();
+            if (is_formula || is_bold && !words.is_empty()) && set.ends_with('$') {
+                set.push(APART);
+            }
+            match (is_formula, is_bold && !words.is_empty()) {
+                (true, _) => set.push_str(&format!("${part}$")),
+                (_, true) => {
+                    let (before, after) = (part.len() - part.trim_start().len(), part.trim_end().len());
+                    let words = words.replace('*', "");
+                    set.push_str(&format!("{}${BOLD}{words}${}", &part[..before], &part[after..]));
+                }
+                _ => set.push_str(part),
+            }
+        }
+    }
+    set
+}
+
 /// Shows a text.
 pub(in crate::gui) fn show(ui: &mut Ui, markdown: &str) {
     let cache = ui.data_mut(|data| {
@@ -71,7 +112,9 @@ pub(in crate::gui) fn show(ui: &mut Ui, markdown: &str) {
     let mut cache = cache.lock().unwrap_or_else(PoisonError::into_inner);
     let set = |ui: &mut Ui, latex: &str, in_line: bool| {
         let font = TextStyle::Body.resolve(ui.style());
-        if in_line {
+        if let Some(words) = latex.strip_prefix(BOLD) {
+            ui.add(Label::new(RichText::new(words).font(theme::bold(font.size))).wrap());
+        } else if in_line {
             mathematics::inline(ui, latex, &font, ui.visuals().text_color());
         } else {
             mathematics::show(ui, latex, &plain(latex), font.size);
@@ -80,13 +123,13 @@ pub(in crate::gui) fn show(ui: &mut Ui, markdown: &str) {
     ui.scope(|ui| {
         // Lines are as high as words, not as controls.
         ui.spacing_mut().interact_size.y = 0.0;
-        CommonMarkViewer::new().render_math_fn(Some(&set)).show(ui, &mut cache, &with_symbols(markdown));
+        CommonMarkViewer::new().render_math_fn(Some(&set)).show(ui, &mut cache, &with_bold(&with_symbols(markdown)));
     });
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{with_symbols, with_tuples_kept};
+    use super::{with_bold, with_symbols, with_tuples_kept};
 
     #[test]
     fn a_tuple_is_not_broken_and_words_in_brackets_are() {
@@ -95,6 +138,16 @@ mod tests {
         assert_eq!(with_tuples_kept("at (0.5, 2), (x, y)"), "at (0.5,\u{a0}2), (x,\u{a0}y)");
         for text in ["(as it is, or not)", "(5.2), (5.3)", "f(a; (1; b c))", "an open (1, 2"] {
             assert_eq!(with_tuples_kept(text), text);
+        }
+    }
+
+    #[test]
+    fn bold_words_are_set_apart_and_formulas_between_them_stay() {
+        assert_eq!(with_bold("**n** and **u × v**."), "$\u{e000}n$ and $\u{e000}u × v$.");
+        assert_eq!(with_bold("**put $M_{p}$ in *Image*:** so"), "$\u{e000}put$ $M_{p}$ $\u{e000}in Image:$ so");
+        assert_eq!(with_bold("**($w$)** 5"), "$\u{e000}($\u{200b}$w$\u{200b}$\u{e000})$ 5");
+        for text in ["2 ** 3 stays", "$$a ** b ** c$$", "*so*, $x^{**}$"] {
+            assert_eq!(with_bold(text), text);
         }
     }
 

@@ -267,6 +267,7 @@ impl Canvas {
         self.axis_cross(ui, state, &panes, texts);
         self.outline_labels(ui, state, &panes);
         self.labels_card(ui, state, &panes);
+        Self::marks(ui, state.placing().as_ref(), &panes);
         Self::wipers(ui, state, &panes);
 
         if state.layout.strip {

@@ -8,7 +8,7 @@ use eframe::egui;
 use glam::DVec3;
 
 use crate::appearance::{Style, Theme};
-use crate::camera::{Camera, CameraError, Operation};
+use crate::camera::{Camera, CameraError, Freedom, Operation};
 use crate::explain::Matrix;
 use crate::figure::points::free_name;
 use crate::figure::{Explanation, Figure, NamedPoint, Observers};
@@ -25,11 +25,12 @@ pub use crate::gui::inspector::state::compare::CompareForm;
 pub(super) use crate::gui::inspector::state::insert::{free_place, rounded};
 pub use crate::gui::inspector::state::operations::Operations;
 pub(super) use crate::gui::inspector::state::operations::{DoneStep, Motion, Scrub};
+pub use crate::gui::inspector::state::predict::{About, Change, Predict, Prediction};
 pub(super) use crate::gui::inspector::state::scene_tree::{Draft, Typing, preset_objects};
 pub use crate::gui::inspector::state::scene_tree::{SceneTree, Selected};
-pub(in crate::gui) use crate::gui::learn::exercises::state::Done;
+pub(in crate::gui) use crate::gui::learn::exercises::state::{Done, Mark};
 pub use crate::gui::learn::exercises::state::{
-    Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Typed, is_whole, joined,
+    Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Placing, Typed, is_whole, joined,
 };
 pub(in crate::gui) use crate::gui::learn::lesson::state::FADE;
 pub use crate::gui::learn::lesson::state::{Moving, Playing};
@@ -57,7 +58,9 @@ pub use crate::gui::why::state::steps::{Steps, count, end_of, step_at, time_of};
 pub(in crate::gui) use crate::gui::why::state::triangle::Covered;
 pub use crate::gui::why::state::triangle::TriangleNumbers;
 use crate::i18n::Lang;
+use crate::i18n::learn::exercise_window;
 use crate::i18n::messages::faults;
+use crate::i18n::window::predict;
 use crate::lessons::Lesson;
 use crate::limits::MAX_NAMED_POINTS;
 use crate::share::ShareError;
@@ -445,6 +448,65 @@ impl State {
     pub(in crate::gui) fn explain_entry(&mut self, matrix: Matrix, entry: [usize; 2]) {
         self.explain.matrices.go_to(matrix, entry);
         self.show_explanation(Explanation::Matrices);
+    }
+
+    /// The question for a place in the image that is asked now.
+    pub fn placing(&mut self) -> Option<Placing> {
+        let of_question = self.placing_of_question();
+        of_question.or_else(|| self.placing_of_operation())
+    }
+
+    /// The question of an operation, where a point will go.
+    fn placing_of_operation(&self) -> Option<Placing> {
+        let asked = self.operations.predict.asked.as_ref()?;
+        let About::Place { from, to, mark, .. } = asked.about else { return None };
+        let done = |place| Some(place).filter(|_| asked.is_done);
+        Some(Placing {
+            from: Some(from).filter(|_| !asked.is_done),
+            mark,
+            guess: mark.and_then(done),
+            right: done(to),
+            is_open: !asked.is_done,
+            hint: predict::texts(self.settings.lang).mark_here,
+            of: Mark::Operation,
+        })
+    }
+
+    /// Has an operation ask what it will do, where that is wanted; false where it's to be done at once.
+    pub(in crate::gui) fn predict_first(&mut self, freedom: Freedom, amount: f64) -> bool {
+        self.operations.predict.asked = None;
+        if !self.operations.predict.on {
+            return false;
+        }
+        let (camera, image) = (self.document.camera(), self.document.figure().image);
+        let subject = (camera, image, &**self.scene_cache.scene());
+        let about = About::of(subject, (freedom, amount), self.operations.convention);
+        let asked = about.map(|about| Prediction { freedom, amount, about, is_done: false });
+        let asks = asked.is_some();
+        self.layout.shown[View::Image.index()] |= asks;
+        self.operations.predict.asked = asked;
+        asks
+    }
+
+    fn placing_of_question(&mut self) -> Option<Placing> {
+        let asks = self.lesson.as_ref().is_some_and(|playing| playing.asks_question());
+        if !(asks || self.shows_exercises()) || self.moves_to_step() {
+            return None;
+        }
+        self.exercises.placing(exercise_window::texts(self.settings.lang).place_in_image)
+    }
+
+    /// Puts the mark of a question for a place there.
+    pub(in crate::gui) fn put_mark(&mut self, placing: &Placing, [x, y]: [f64; 2]) {
+        match &placing.of {
+            Mark::Operation => {
+                let asked = self.operations.predict.asked.as_mut();
+                if let Some(Prediction { about: About::Place { mark, .. }, .. }) = asked {
+                    *mark = Some([x, y]);
+                }
+            }
+            Mark::Ask(ask) => self.exercises.type_into(ask, vec![format!("{x}"), format!("{y}")]),
+        }
     }
 
     /// True while the exercises are shown.

@@ -214,3 +214,26 @@ pub fn progress_deleted(lang: Lang, path: &str) -> String {
     both!(lang; "Progress deleted; the old file is now {path}.",
         "Progresso apagado; o arquivo antigo é agora {path}.")
 }
+
+/// How far an answer is from the right place in the image, pixels to the right and down, and where that place is.
+#[must_use]
+pub fn off(lang: Lang, [x, y]: [f64; 2]) -> String {
+    let distance = x.hypot(y);
+    let by = lang.mark().number(distance.round(), 5);
+    let is_far = |part: f64| part.abs() >= 0.25 * distance && part.abs() >= 0.5;
+    let across = is_far(x).then(|| match x > 0.0 {
+        true => pick!(lang; "farther to the left", "mais à esquerda"),
+        false => pick!(lang; "farther to the right", "mais à direita"),
+    });
+    let down = is_far(y).then(|| match y > 0.0 {
+        true => pick!(lang; "higher", "mais acima"),
+        false => pick!(lang; "lower", "mais abaixo"),
+    });
+    let ways: Vec<&str> = across.into_iter().chain(down).collect();
+    if ways.is_empty() {
+        return pick!(lang; "Your mark is on the pixel.", "Sua marca está no pixel certo.").to_owned();
+    }
+    let ways = ways.join(pick!(lang; " and ", " e "));
+    both!(lang; "Your mark is {by} pixels off. The point is {ways}.",
+        "Sua marca está a {by} pixels do ponto. Ele está {ways}.")
+}

@@ -39,6 +39,14 @@ texts! {
     understood: "understood as", "entendido como";
     check: "Check", "Conferir";
     check_hint: "Checks this answer (Ctrl+Enter in one of its fields). An answer that cannot be read does not count", "Confere esta resposta (Ctrl+Enter num de seus campos). Uma resposta que não pode ser lida não conta";
+    guess: "That's my guess", "Este é meu palpite";
+    guess_hint: "Keeps your guess, which you can't change any more, and shows the picture that answers the question", "Guarda seu palpite, que não muda mais, e mostra a imagem que responde à pergunta";
+    what_seen: "What did you see?", "O que você viu?";
+    and_now: "What do you say now?", "O que você diz agora?";
+    where_seen: "Where is it now? Mark it again.", "Onde está agora? Marque de novo.";
+    you_guessed: "You said", "Você disse";
+    place_hint: "Click in *Image*, or drag the cross there. By keys: Tab to *Image*, then the arrows (with Shift, ten pixels).", "Clique em *Imagem* ou arraste a cruz até lá. Com o teclado: Tab até *Imagem*, depois as setas (com Shift, dez pixels).";
+    place_in_image: "Mark the place here", "Marque o lugar aqui";
     right: "right", "certo";
     wrong: "wrong", "errado";
     follows: "follows from a wrong answer", "segue de uma resposta errada";
@@ -83,6 +91,12 @@ texts! {
 #[must_use]
 pub fn of_ask(what: &str, ask: &str) -> String {
     format!("{what}: {ask}")
+}
+
+/// The guess, and what is asked after it.
+#[must_use]
+pub fn you_said(lang: Lang, guess: &str, question: &str) -> String {
+    format!("{}: **{guess}**. {question}", texts(lang).you_guessed)
 }
 
 /// A field of a vector or a matrix; rows and columns from 0.

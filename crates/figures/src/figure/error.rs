@@ -141,6 +141,10 @@ pub enum Allowed {
     TextureScale,
     /// The name of one of the `[[cameras]]`.
     Camera,
+    /// The name of a point of the figure, or `[x, y, z]`, with a place in the image.
+    PointInImage,
+    /// `"next"`, or a list of operations and keys with their values.
+    Seen,
     /// A list of `[x, y, z]`.
     Points,
     /// A list of an even number of `[x, y, z]`.

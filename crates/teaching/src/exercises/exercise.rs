@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
+use super::answer::Answer;
 use super::follows::Follows;
 use super::own_texts::{OwnMistake, OwnTexts};
 use super::subject::Subject;
@@ -113,6 +114,8 @@ pub struct Ask {
     pub share: f64,
     /// Whole numbers are required.
     pub whole: bool,
+    /// A place in the image: two numbers, pixels from its left edge and from its upper one.
+    pub places: bool,
     /// The path to the right answer in the report of the exercise's subject, where it has one.
     pub quantity: Option<QuantityPath>,
     /// The readings of the question: an answer that is right in one of them is right. The first is the one that the
@@ -262,6 +265,7 @@ impl Ask {
             tolerance,
             share: TOLERANCE,
             whole: false,
+            places: false,
             quantity: None,
             readings: vec![Reading { name: "", expected }],
             own_choices: BTreeMap::new(),
@@ -416,6 +420,17 @@ impl Ask {
             Kind::Vector(rows) => [rows, 1],
             Kind::Matrix(rows, columns) => [rows, columns],
             Kind::Number | Kind::Choice(_) | Kind::Camera => [1, 1],
+        }
+    }
+
+    /// How far an answer is from the right place in the image: pixels to the right, and down. `None` for other answers.
+    #[must_use]
+    pub fn off(&self, answer: &Answer) -> Option<[f64; 2]> {
+        let Answer::Numbers { entries, .. } = answer else { return None };
+        let right = self.expected().table().filter(|_| self.places)?;
+        match (&right.entries[..], &entries[..]) {
+            ([x, y], [Some(at), Some(below)]) => Some([at - x, below - y]),
+            _ => None,
         }
     }
 

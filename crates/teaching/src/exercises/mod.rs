@@ -38,8 +38,8 @@ pub use mistakes::mistake::Mistake;
 pub use mistakes::nature::Nature;
 pub use mistakes::slip::{Cause, Slip, Slips};
 pub use own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
-pub use progress::{MANY_WRONG, Made, Next, Progress, ProgressError, Stage, Tried, Why};
-pub use subject::Subject;
+pub use progress::{Guess, MANY_WRONG, Made, Next, Progress, ProgressError, Stage, Tried, Why};
+pub use subject::{Subject, place_of};
 pub use value::Table;
 pub use worked::Worked;
 

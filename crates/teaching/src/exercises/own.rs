@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::exercise::{Ask, Exercise, Expected, Kind, Unit};
 use super::own_texts::{ExpectedAnswer, OwnMistake, OwnTexts};
 use super::statement_facts::about;
@@ -276,6 +278,9 @@ fn asked(
     choices: Vec<String>,
     unit: Option<Unit>,
 ) -> Option<Ask> {
+    if section.is_present("place") {
+        return placed(section, name, subject);
+    }
     let quantity = section.text("quantity");
     match (section.is_present("quantity"), section.is_present("answer")) {
         (true, true) => {
@@ -316,6 +321,37 @@ fn asked(
             }
         },
     }
+}
+
+/// `place`: the place of a point in the image, by its name or its coordinates.
+fn placed(section: &mut Section<'_>, name: &str, subject: &Subject) -> Option<Ask> {
+    for key in ["quantity", "answer"] {
+        if section.is_present(key) {
+            section.refuse(key, Allowed::Either("place", "quantity, answer"));
+        }
+        section.skip(key);
+    }
+    let point = if section.is_list("place") {
+        Some(section.vector("place", DVec3::ZERO))
+    } else {
+        let named = section.text("place");
+        let found = |name: String| subject.figure.points.iter().find(|point| point.name == name);
+        named.and_then(found).map(|point| point.position)
+    };
+    let image = subject.figure.image;
+    let sides = [image.width, image.height].map(f64::from);
+    let is_inside = |place: &[f64; 2]| place.iter().zip(sides).all(|(at, side)| (0.0..=side).contains(at));
+    let Some(place) = point.and_then(|point| subject.place(point)).filter(is_inside) else {
+        section.refuse("place", Allowed::PointInImage);
+        return None;
+    };
+    let table = Table { rows: 2, columns: 1, entries: place.to_vec() };
+    let ask = Ask::computed(name, Kind::Vector(2), Vec::new(), move |slips| {
+        (slips == super::Slips::NONE).then(|| table.clone())
+    });
+    // A twentieth of the image is near enough for an eye.
+    let tolerance = (sides[0].min(sides[1]) / 20.0).round().max(1.0);
+    Some(Ask { places: true, unit: Unit::Pixels, tolerance, share: f64::INFINITY, ..ask })
 }
 
 /// `answer`: one of the choices, or numbers.

@@ -20,6 +20,7 @@ use crate::exercises::mistakes::slip::{Cause, Slip, Slips};
 pub struct Progress {
     exercises: BTreeMap<String, Tried>,
     mistakes: BTreeMap<Mistake, Made>,
+    guesses: BTreeMap<String, Guess>,
     /// The file as it was read: unknown keys stay in it.
     rest: DocumentMut,
 }
@@ -51,6 +52,17 @@ pub struct Tried {
     pub mistakes: BTreeSet<Mistake>,
     /// All questions have been answered rightly.
     pub is_solved: bool,
+}
+
+/// The guess at a question of a lesson, before the picture that answers it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Guess {
+    /// The answer as it was given.
+    pub said: String,
+    /// It was right.
+    pub right: bool,
+    /// When it was made, in seconds since the beginning of 1970.
+    pub at: u64,
 }
 
 /// The record of a known mistake.
@@ -146,10 +158,20 @@ impl Progress {
         self.mistakes.iter().map(|(mistake, made)| (*mistake, made))
     }
 
+    /// The guesses at questions of lessons, by the identifiers of the questions.
+    pub fn guesses(&self) -> impl Iterator<Item = (&str, &Guess)> {
+        self.guesses.iter().map(|(id, guess)| (id.as_str(), guess))
+    }
+
+    /// Records a guess; of several at one question the last is kept.
+    pub fn guessed(&mut self, id: &str, guess: Guess) {
+        self.guesses.insert(id.to_owned(), guess);
+    }
+
     /// Whether there is no progress at all.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.exercises.is_empty() && self.mistakes.is_empty()
+        self.exercises.is_empty() && self.mistakes.is_empty() && self.guesses.is_empty()
     }
 
     /// Records the number of open hints and worked steps of an ask, with the numbers of a seed; the greatest number
@@ -312,6 +334,11 @@ impl Progress {
             let (name, open) = (mistake.code().to_owned(), made.is_open.to_string());
             let (times, none) = (made.times.to_string(), String::new);
             row(["mistake".to_owned(), name, times, none(), date(made.last), none(), none(), open]);
+        }
+        for (id, guess) in &self.guesses {
+            let none = String::new;
+            let (solved, last) = (u8::from(guess.right).to_string(), date(guess.at));
+            row(["guess".to_owned(), id.clone(), "1".to_owned(), solved, last, none(), none(), none()]);
         }
         let bytes = writer.into_inner().unwrap_or_default();
         String::from_utf8(bytes).unwrap_or_default()

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::value::Table;
-use crate::camera::{Camera, Convention, Operation};
+use crate::camera::{Camera, Convention, ImageSize, Operation, Viewport};
 use crate::figure::Figure;
 use crate::inspect::quantity::{Numbers, QuantityPath};
 use crate::inspect::{InspectError, Report, camera_after};
@@ -21,6 +21,15 @@ pub struct Subject {
     pub pixels: Vec<[i64; 2]>,
 }
 
+/// The place of a point of the world in the image, as [`Subject::place`] says it.
+#[must_use]
+pub fn place_of(camera: &Camera, image: ImageSize, point: DVec3) -> Option<[f64; 2]> {
+    let stations = camera.stations(point, image, &Viewport::whole(image));
+    let projected = stations.projected.filter(|_| stations.view.z < 0.0)?;
+    let place = image.image_from_window(&camera.window(), projected.window);
+    place.is_finite().then(|| place.to_array())
+}
+
 impl Subject {
     /// The camera after the operations.
     ///
@@ -36,6 +45,13 @@ impl Subject {
     /// [`InspectError`] names the impossible quantity.
     pub fn report(&self) -> Result<Report, InspectError> {
         Report::new(&self.figure, &self.operations, Convention::RightHand, &self.points, &self.pixels)
+    }
+
+    /// The place of a point of the world in the image, in pixels from its left edge and from its upper one, (5.22)
+    /// without the floor. `None` where the point has no image.
+    #[must_use]
+    pub fn place(&self, point: DVec3) -> Option<[f64; 2]> {
+        place_of(&self.camera().ok()?, self.figure.image, point)
     }
 
     /// A quantity of that report; a boolean is 1 or 0. `None`: the report does not have it.

@@ -75,8 +75,34 @@ pub struct Step {
     pub seconds: f64,
     /// Its task, to be done before the next step.
     pub task: Option<Task>,
+    /// The figure that shows what its question asks, once it's guessed.
+    pub see: See,
     /// Where to read or practise further.
     pub links: Vec<Link>,
+}
+
+/// The figure that shows what a question asks.
+#[derive(Clone, Debug, Default)]
+pub enum See {
+    /// None: the reason comes at once.
+    #[default]
+    Nothing,
+    /// The one of the next step.
+    Next,
+    /// The one of the step, changed.
+    Changed(Arc<Figure>),
+}
+
+impl Lesson {
+    /// The figure that shows what the question of a step asks, once it's guessed.
+    #[must_use]
+    pub fn seen_after(&self, step: usize) -> Option<&Arc<Figure>> {
+        match &self.steps.get(step)?.see {
+            See::Nothing => None,
+            See::Next => self.steps.get(step + 1).map(|next| &next.figure),
+            See::Changed(figure) => Some(figure),
+        }
+    }
 }
 
 /// Something to do in a step.

@@ -17,7 +17,7 @@ mod task_text;
 pub use condition::{Condition, Goal, Range, Seen, Subject, objects_named};
 pub use edit::{Edit, LessonText, StepText, Words, edited, reworded, text_of_step};
 pub use leads::{Way, exercises_of, families_of, in_order_of_lessons, lesson_of};
-pub use lesson::{Lesson, Link, OpenLesson, Question, Step, Task};
+pub use lesson::{Lesson, Link, OpenLesson, Question, See, Step, Task};
 pub use numbers_in_texts::{filled, numbers_of};
 pub use passage::Passage;
 pub use place::{Part, place};

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::condition::{Condition, Goal, Range, angle as angle_between};
-use super::lesson::{Lesson, Link, Question, Step, Task};
+use super::lesson::{Lesson, Link, Question, See, Step, Task};
 use super::numbers_in_texts::{filled, numbers_of, pixels_of};
 use crate::camera::Camera;
 use crate::exercises::own::{harmless, name, question, told, told_list};
@@ -66,7 +66,9 @@ fn lesson(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Lesson {
     }
     faults.extend(root.finish());
     let mut stacked = Stacked::default();
-    let steps = sections.into_iter().map(|section| step(section, &mut stacked, faults)).collect();
+    let last = sections.len();
+    let of_step = |(number, section)| step(section, number == last, &mut stacked, faults);
+    let steps = (1..).zip(sections).map(of_step).collect();
     Lesson { id, title, sentence, minutes, aims, plan, pretest, posttest, before, steps }
 }
 
@@ -105,7 +107,7 @@ fn optional(section: &mut Section<'_>, key: &'static str) -> Option<Bilingual> {
     harmless(section, key, texts)
 }
 
-fn step(mut section: Section<'_>, stacked: &mut Stacked, faults: &mut Vec<Fault>) -> Step {
+fn step(mut section: Section<'_>, is_last: bool, stacked: &mut Stacked, faults: &mut Vec<Fault>) -> Step {
     let title = line(&mut section, "title");
     let seconds = section.number_in("seconds", 0.0, MOST_SECONDS, SECONDS);
     let without = section.list("without", Allowed::Texts, |text| Some(text.to_owned()));
@@ -122,12 +124,13 @@ fn step(mut section: Section<'_>, stacked: &mut Stacked, faults: &mut Vec<Fault>
     let report = numbers_of(&figure).ok().filter(|_| is_good);
     let text = with_numbers(&mut section, "text", report.as_ref());
     let notes = section.is_present("notes").then(|| with_numbers(&mut section, "notes", report.as_ref()));
-    let [asked, to_try] = ["ask", "try"].map(|key| section.section(key, &format!("[step.{key}]")));
+    let [mut asked, to_try] = ["ask", "try"].map(|key| section.section(key, &format!("[step.{key}]")));
     let links = section.sections("links", "[[step.links]]");
     if asked.is_table() && to_try.is_table() {
         section.refuse("try", Allowed::Either("ask", "try"));
     }
     faults.extend(section.finish());
+    let see = if asked.is_table() && report.is_some() { see(&mut asked, &figure, is_last) } else { See::Nothing };
     let task = if asked.is_table() {
         let subject = Subject {
             points: figure.points.iter().map(|point| point.position).collect(),
@@ -135,12 +138,37 @@ fn step(mut section: Section<'_>, stacked: &mut Stacked, faults: &mut Vec<Fault>
             figure: figure.clone(),
             operations: Vec::new(),
         };
-        report.as_ref().and_then(|report| task(asked, subject, &title, report, faults))
+        report.as_ref().and_then(|report| task(asked, subject, &see, (&title, report), faults))
     } else {
         report.filter(|_| to_try.is_table()).map(|report| Task::Try(goal(to_try, &figure, &report, faults)))
     };
     let links = links.into_iter().filter_map(|section| link(section, faults)).collect();
-    Step { title, text, notes, figure: Arc::new(figure), seconds, task, links }
+    Step { title, text, notes, figure: Arc::new(figure), seconds, task, see, links }
+}
+
+/// `see`: the figure of the next step, or this one after operations and with other values of keys.
+fn see(section: &mut Section<'_>, figure: &Figure, is_last: bool) -> See {
+    if !section.is_present("see") {
+        return See::Nothing;
+    }
+    if section.is_list("see") {
+        let way = section.list("see", Allowed::Ways, way);
+        let goal = Goal { text: Bilingual::default(), until: Vec::new(), way };
+        let after = Camera::new(&figure.camera).ok().and_then(|camera| goal.reached_from(figure, &camera).ok());
+        if let Some(after) = after.filter(|_| !goal.way.is_empty()) {
+            return See::Changed(Arc::new(after.figure));
+        }
+    } else if section.text("see").is_some_and(|text| text == "next") && !is_last {
+        return See::Next;
+    }
+    section.refuse("see", Allowed::Seen);
+    See::Nothing
+}
+
+/// `key=value`.
+fn way(text: &str) -> Option<(String, String)> {
+    let (key, value) = text.split_once('=')?;
+    Some((key.trim().to_owned(), value.trim().to_owned()))
 }
 
 /// A text with the numbers of a figure, which has to be there; without a report they are not checked.
@@ -167,8 +195,8 @@ fn in_both([en, pt_br]: &[String; 2], report: &Report) -> Result<[String; 2], St
 fn task(
     mut section: Section<'_>,
     subject: Subject,
-    title: &Bilingual,
-    report: &Report,
+    see: &See,
+    (title, report): (&Bilingual, &Report),
     faults: &mut Vec<Fault>,
 ) -> Option<Task> {
     if section.is_present("exercise") {
@@ -178,6 +206,11 @@ fn task(
     }
     let at = section.start();
     let figure = subject.figure.clone();
+    // A place is asked for in the figure that is shown after it.
+    let subject = match see {
+        See::Changed(after) if section.is_present("place") => Subject { figure: Figure::clone(after), ..subject },
+        _ => subject,
+    };
     let mut entry = question(section, String::new(), subject, title.clone(), faults)?;
     if let Err(found) = entry.with_texts(|text| {
         let filled = in_both(&[text.en.clone(), text.pt_br.clone()], report)?;
@@ -227,10 +260,7 @@ fn exercise(section: &mut Section<'_>) -> Option<(String, u64)> {
 
 fn goal(mut section: Section<'_>, figure: &Figure, report: &Report, faults: &mut Vec<Fault>) -> Goal {
     let text = with_numbers(&mut section, "text", Some(report));
-    let written = section.list("way", Allowed::Ways, |text| {
-        let (key, value) = text.split_once('=')?;
-        Some((key.trim().to_owned(), value.trim().to_owned()))
-    });
+    let written = section.list("way", Allowed::Ways, way);
     let conditions = section.sections("until", "[step.try] until.");
     if conditions.is_empty() && section.faults.is_empty() {
         section.missing("until", Allowed::Sections);

@@ -1,5 +1,6 @@
 //! Steps, signs and the slider that is held.
 
+use super::predict::Predict;
 use crate::camera::{Amount, Camera, Convention, Freedom, OPERATIONS, Operation};
 use crate::figure::Show;
 use crate::geometry::Angle;
@@ -12,6 +13,8 @@ pub struct Operations {
     pub steps: [f64; OPERATIONS.len()],
     /// The one whose slider is shown.
     pub(in crate::gui) open: Freedom,
+    /// What an operation is expected to do is asked first.
+    pub predict: Predict,
     /// Whose signs.
     pub convention: Convention,
     pub(in crate::gui) scrub: Option<Scrub>,
@@ -98,6 +101,7 @@ impl Default for Operations {
         Self {
             steps: OPERATIONS.map(|descriptor| descriptor.step),
             open: Freedom::Elevation,
+            predict: Predict::default(),
             convention: Convention::default(),
             scrub: None,
             motion: None,

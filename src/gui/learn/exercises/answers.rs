@@ -5,7 +5,8 @@ use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{self, Align2, Color32, Key, Margin, RichText, ScrollArea, Stroke, StrokeKind, TextStyle, Ui, vec2};
 
 use super::{Sheet, check};
-use crate::exercises::{Answer, Ask, Kind, Unit, read_answer};
+use crate::clock;
+use crate::exercises::{self, Answer, Ask, Kind, Unit, read_answer};
 use crate::expression::{Dimension, evaluate_with};
 use crate::gui::inspector::complaint;
 use crate::gui::kit::mathematics;
@@ -57,6 +58,17 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
     if !tolerance.is_empty() {
         ui.add(egui::Label::new(RichText::new(tolerance).small().weak()).wrap());
     }
+    let guesses = state.exercises.asks_for_guess(ask);
+    let guess = state.exercises.guess_at(ask).cloned();
+    if let Some(guess) = guess.as_ref().filter(|_| guesses) {
+        say_guess(ui, state, sheet, ask, guess);
+    }
+    if ask.places {
+        ui.scope(|ui| {
+            ui.style_mut().override_text_style = Some(TextStyle::Small);
+            prose::show(ui, t.place_hint);
+        });
+    }
     let mut fields = state.exercises.fields(ask).to_vec();
     let reading = understood(sheet, ask, &fields);
     let broken = reading.as_ref().err().and_then(|unreadable| unreadable.field);
@@ -75,17 +87,55 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
     }
     in_kept_room(ui, ask, |ui| match &reading {
         Err(unreadable) => complaint(ui, &unreadable.why),
-        Ok(Some(answer)) => show_understood(ui, t.lang, ask, answer),
-        Ok(None) => {}
+        Ok(Some(answer)) if !ask.places => show_understood(ui, t.lang, ask, answer),
+        Ok(_) => {}
     });
     let can = matches!(reading, Ok(Some(_)));
-    let button = ui.add_enabled(can, egui::Button::new(t.check)).explained(t.check_hint);
-    let button = button.explained_disabled(t.check_hint).accessible_name(words::of_ask(t.check, &name));
+    let is_guess = guesses && guess.is_none();
+    let [label, hint] = if is_guess { [t.guess, t.guess_hint] } else { [t.check, t.check_hint] };
+    let button = ui.add_enabled(can, egui::Button::new(label)).explained(hint);
+    let button = button.explained_disabled(hint).accessible_name(words::of_ask(label, &name));
     typing.in_focus |= button.has_focus();
     if button.clicked() || (can && typing.is_done) {
-        check(state, sheet, ask);
+        if is_guess {
+            take_guess(state, sheet, ask);
+        } else {
+            check(state, sheet, ask);
+        }
     }
     typing.in_focus
+}
+
+/// Says what was guessed, and asks what is seen, until that is answered rightly.
+fn say_guess(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, guess: &[String]) {
+    let t = sheet.t;
+    let is_right = state.exercises.checked.get(&ask.name).is_some_and(|checked| checked.judged.right);
+    let playing = state.lesson.as_ref();
+    let shows = playing.is_some_and(|playing| playing.lesson.seen_after(playing.step).is_some());
+    let question = match (is_right, ask.places, shows) {
+        (true, ..) => "",
+        (_, true, _) => t.where_seen,
+        (_, _, true) => t.what_seen,
+        (..) => t.and_now,
+    };
+    let text = joined(ask, guess);
+    let text = if matches!(ask.kind, Kind::Choice(_)) { said::choice_of(t.lang, ask, &text) } else { &text };
+    prose::show(ui, words::you_said(t.lang, text, question).trim());
+}
+
+/// Keeps the answer as the guess, and shows the picture that answers the question. What is seen there is asked next; a
+/// place, and a guess without a picture, are judged at once.
+fn take_guess(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
+    let text = joined(ask, state.exercises.fields(ask));
+    let Ok(judged) = exercises::check(sheet.entry, sheet.exercise, ask, &text) else { return };
+    state.exercises.guess(ask, judged.right, clock::seconds_since_1970());
+    let shows = state.show_seen();
+    if shows && !ask.places {
+        let fields = vec![String::new(); state.exercises.fields(ask).len()];
+        state.exercises.type_into(ask, fields);
+    } else {
+        check(state, sheet, ask);
+    }
 }
 
 /// The interaction with the fields of an answer.
@@ -111,6 +161,8 @@ fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     #[expect(clippy::cast_precision_loss, reason = "a few rows")]
     let least = match ask.kind {
         Kind::Choice(_) | Kind::Camera => 0.0,
+        // The cross in the picture says it.
+        _ if ask.places => 0.0,
         // Before the first key there is room for what is going to be understood.
         Kind::Number | Kind::Vector(_) | Kind::Matrix(..) => ROW_OF_TABLE * line * rows as f32,
     };

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use eframe::egui;
 
 use crate::camera::{Camera, RecoveryError};
-use crate::exercises::{self, Answer, Ask, Entry, Exercise, Free, Judged, Kind, Progress, Stage, Why, Worked};
+use crate::exercises::{self, Answer, Ask, Entry, Exercise, Free, Guess, Judged, Kind, Progress, Stage, Why, Worked};
 use crate::expression::{Dimension, evaluate};
 use crate::files::{self, FileError, OwnExercises};
 use crate::lessons::in_order_of_lessons;
@@ -30,13 +30,16 @@ pub struct Typed {
     pub free: BTreeMap<String, String>,
     /// The answers judged as they are here, by the names of the asks; their verdicts are computed again, not stored.
     pub judged: BTreeSet<String>,
+    /// The guesses at questions of lessons, which can't be changed, by the names of the asks; fields as for answers.
+    pub guesses: BTreeMap<String, Vec<String>>,
 }
 
 impl Typed {
     /// True where nothing was typed.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        let mut all = self.answers.values().flatten().chain(self.free.values());
+        let fields = self.answers.values().chain(self.guesses.values());
+        let mut all = fields.flatten().chain(self.free.values());
         all.all(|text| text.trim().is_empty())
     }
 
@@ -45,6 +48,45 @@ impl Typed {
     pub fn chosen_numbers(&self) -> Free {
         let number = |text: &String| evaluate(text, Dimension::Number).ok().filter(|value| *value > 0.0);
         self.free.iter().filter_map(|(name, text)| Some((name.clone(), number(text)?))).collect()
+    }
+}
+
+/// A question for a place in the image; places are pixels from its left edge and from its upper one.
+#[derive(Clone, Debug)]
+pub struct Placing {
+    /// The question.
+    pub(in crate::gui) of: Mark,
+    /// The point that is followed, where it is now.
+    pub from: Option<[f64; 2]>,
+    /// The place that was chosen.
+    pub mark: Option<[f64; 2]>,
+    /// The guess that can't be changed any more.
+    pub guess: Option<[f64; 2]>,
+    /// The right place, once it may be seen.
+    pub right: Option<[f64; 2]>,
+    /// The mark may be put elsewhere.
+    pub is_open: bool,
+    /// The words in the empty picture.
+    pub(in crate::gui) hint: &'static str,
+}
+
+/// The owner of a mark in the image.
+#[derive(Clone, Debug)]
+pub(in crate::gui) enum Mark {
+    /// A question of an exercise or a lesson.
+    Ask(Box<Ask>),
+    /// An operation that asks where a point will go.
+    Operation,
+}
+
+/// The two numbers in the fields of a place.
+fn place_in(ask: &Ask, fields: &[String]) -> Option<[f64; 2]> {
+    match exercises::read_answer(&joined(ask, fields), ask, &[]).ok()? {
+        Answer::Numbers { entries, .. } => match entries[..] {
+            [Some(x), Some(y)] => Some([x, y]),
+            _ => None,
+        },
+        Answer::Choice(_) | Answer::Camera(_) => None,
     }
 }
 
@@ -59,6 +101,8 @@ pub(in crate::gui) enum Done {
     NumbersChanged(String),
     /// Solved before there was a file of progress.
     WasSolved(String),
+    /// A guess at a question of a lesson.
+    Guessed(String, Guess),
 }
 
 impl Done {
@@ -69,6 +113,7 @@ impl Done {
             Self::Opened { id, seed, ask, hints } => progress.opened(id, *seed, ask, *hints),
             Self::NumbersChanged(id) => progress.numbers_changed(id),
             Self::WasSolved(id) => progress.was_solved(id),
+            Self::Guessed(id, guess) => progress.guessed(id, guess.clone()),
         }
     }
 }
@@ -337,6 +382,61 @@ impl Exercises {
         }
         if self.described.as_ref().is_some_and(|described| described.ask == ask.name) {
             self.described = None;
+        }
+    }
+
+    /// True for a question of a lesson that is answered by a guess first: before its picture is shown.
+    #[must_use]
+    pub fn asks_for_guess(&self, ask: &Ask) -> bool {
+        let id = self.open.as_ref().map(|open| open.id.as_str());
+        let is_of_lesson = self.of_lesson.iter().any(|entry| Some(&*entry.id) == id);
+        is_of_lesson && (ask.places || matches!(ask.kind, Kind::Choice(_)))
+    }
+
+    /// The question for a place in the image, of the exercise that is worked on.
+    pub(in crate::gui) fn placing(&mut self, hint: &'static str) -> Option<Placing> {
+        let (_, exercise) = self.exercise()?;
+        let ask = exercise.asks.iter().find(|ask| ask.places)?;
+        let guess = self.guess_at(ask).and_then(|fields| place_in(ask, fields));
+        let verdict = self.checked.get(&ask.name).map(|checked| checked.judged.right);
+        let right = ask.expected().table().filter(|_| verdict.is_some());
+        Some(Placing {
+            from: None,
+            mark: place_in(ask, self.fields(ask)),
+            guess,
+            right: right.and_then(|right| right.entries.try_into().ok()),
+            is_open: verdict != Some(true),
+            hint,
+            of: Mark::Ask(Box::new(ask.clone())),
+        })
+    }
+
+    /// The guess at a question, once it's made.
+    #[must_use]
+    pub fn guess_at(&self, ask: &Ask) -> Option<&Vec<String>> {
+        self.typed.get(self.open.as_ref()?)?.guesses.get(&ask.name)
+    }
+
+    /// Keeps the answer that is typed as the guess, which can't be changed. `now`: seconds since the beginning of 1970.
+    pub(in crate::gui) fn guess(&mut self, ask: &Ask, right: bool, now: u64) {
+        let (fields, Some(open)) = (self.fields(ask).to_vec(), self.open.clone()) else { return };
+        let said = joined(ask, &fields);
+        self.typed_now().guesses.insert(ask.name.clone(), fields);
+        let done = Done::Guessed(open.id, Guess { said, right, at: now });
+        done.note(&mut self.progress);
+        self.unwritten.push(done);
+    }
+
+    /// Takes back the answers to the questions of a lesson: who opens it again answers them again.
+    pub fn ask_again(&mut self, questions: impl Iterator<Item = String>) {
+        for id in questions {
+            if self.open.as_ref().is_some_and(|open| open.id == id) {
+                (self.open, self.described) = (None, None);
+            }
+            // An empty one is stored too.
+            if let Some(typed) = self.typed.get_mut(&Chosen { id, seed: 0 }) {
+                *typed = Typed::default();
+            }
         }
     }
 

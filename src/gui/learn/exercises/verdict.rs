@@ -4,10 +4,10 @@ use eframe::egui::{self, RichText, Ui};
 
 use super::answers::color;
 use super::{Sheet, solution};
-use crate::exercises::{Ask, MANY_WRONG};
+use crate::exercises::{self, Ask, MANY_WRONG};
 use crate::gui::files::file_flow;
 use crate::gui::kit::prose;
-use crate::gui::state::{AfterSave, Chosen, State};
+use crate::gui::state::{AfterSave, Chosen, State, joined};
 use crate::i18n::learn::{exercise_messages as messages, exercises as said, lessons};
 use crate::lessons::{OpenLesson, lesson_of};
 
@@ -28,7 +28,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
                 if is_old {
                     ui.set_opacity(0.6);
                 }
-                headline(ui, sheet, judged);
+                headline(ui, sheet, ask, judged);
             });
             if is_old {
                 ui.label(RichText::new(t.changed_since).small().weak());
@@ -49,6 +49,12 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, ju
             }
             if let Some(diagnosis) = said::diagnosis(t.lang, ask, judged).filter(|_| !judged.right) {
                 prose::show(ui, &diagnosis);
+            }
+            if let Some(off) = ask.off(&judged.understood).filter(|_| !judged.right) {
+                prose::show(ui, &messages::off(t.lang, off));
+            }
+            if let Some(why) = why_guess_was_wrong(state, sheet, ask).filter(|_| judged.right) {
+                prose::show(ui, &why);
             }
         });
         hints = messages::hints(t.lang, exercise, ask, judged);
@@ -98,6 +104,13 @@ fn offer(ui: &mut Ui, state: &mut State, Sheet { t, entry, exercise }: Sheet<'_>
     });
 }
 
+/// Why the guess was wrong, told when the right answer was seen.
+fn why_guess_was_wrong(state: &State, sheet: Sheet<'_>, ask: &Ask) -> Option<String> {
+    let guess = state.exercises.guess_at(ask)?;
+    let judged = exercises::check(sheet.entry, sheet.exercise, ask, &joined(ask, guess)).ok()?;
+    said::diagnosis(sheet.t.lang, ask, &judged).filter(|_| !judged.right)
+}
+
 fn hint_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (id, open): (egui::Id, usize)) {
     let Sheet { t, exercise, .. } = sheet;
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
@@ -110,7 +123,7 @@ fn hint_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (id,
 }
 
 /// Right or wrong, how much of it, and in which reading.
-fn headline(ui: &mut Ui, sheet: Sheet<'_>, judged: &crate::exercises::Judged) {
+fn headline(ui: &mut Ui, sheet: Sheet<'_>, ask: &Ask, judged: &exercises::Judged) {
     let t = sheet.t;
     let right = judged.entries.iter().flatten().filter(|right| **right).count();
     let all = judged.entries.iter().flatten().count();
@@ -119,6 +132,7 @@ fn headline(ui: &mut Ui, sheet: Sheet<'_>, judged: &crate::exercises::Judged) {
         (true, _) => format!("✓ {}: {}", t.right_read_as, said::reading(t.lang, judged.reading)),
         _ if !judged.carried.is_empty() => format!("→ {}", t.follows),
         (false, 0 | 1) => format!("✗ {}", t.wrong),
+        _ if ask.places => format!("✗ {}", t.wrong),
         (false, all) => format!("✗ {} ({})", t.wrong, messages::right_of(t.lang, right, all)),
     };
     ui.add(egui::Label::new(RichText::new(text).strong().color(color(ui, judged.right))).wrap());

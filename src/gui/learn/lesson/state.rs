@@ -21,6 +21,9 @@ use crate::share;
 /// Seconds in which the pictures of a step before fade into those of the next one.
 pub(in crate::gui) const FADE: f64 = 0.4;
 
+/// Seconds of the move to the figure that answers a question.
+const SEEN: f64 = 2.0;
+
 /// A lesson that is played.
 #[derive(Debug)]
 pub struct Playing {
@@ -98,6 +101,11 @@ impl Playing {
     #[must_use]
     pub fn may_go_on(&self) -> bool {
         self.is_done() || self.passed.contains(&self.step)
+    }
+
+    /// True while a question of the lesson's own is shown.
+    pub(in crate::gui) fn asks_question(&self) -> bool {
+        self.shows_question && self.now().is_some_and(|step| matches!(step.task, Some(Task::Question(_))))
     }
 
     /// Whether the document of a step has work in it. A step is there to be tried: another camera, image or way of
@@ -270,6 +278,13 @@ impl State {
     /// [`file_flow`](crate::gui::files::file_flow) once it has asked.
     pub(in crate::gui) fn play(&mut self, open: OpenLesson) {
         let OpenLesson { lesson, path, step } = open;
+        if step == 0 {
+            let question = |step: &Step| match &step.task {
+                Some(Task::Question(entry)) => Some(entry.id.clone().into_owned()),
+                _ => None,
+            };
+            self.exercises.ask_again(lesson.steps.iter().filter_map(question));
+        }
         // A session of another folder has to find the file too.
         let path = path.map(|path| if share::link_of(&path).is_some() { path } else { files::whole(&path) });
         let playing = Playing {
@@ -460,6 +475,29 @@ impl State {
         }
         self.lesson = Some(playing);
         self.follow_writing();
+    }
+
+    /// Shows the figure that answers the question of the step, with a move to it; false where there is none.
+    pub(in crate::gui) fn show_seen(&mut self) -> bool {
+        self.end_move();
+        let Some(playing) = &self.lesson else { return false };
+        let Some(seen) = playing.lesson.seen_after(playing.step).cloned() else { return false };
+        let Ok(document) = Document::of_lesson(Figure::clone(&seen), playing.path.as_deref()) else { return false };
+        self.leave_step();
+        let Some(mut playing) = self.lesson.take() else { return false };
+        let shown = self.as_seen();
+        let from = Figure { observers: shown.observers, show: shown.show, ..self.document.figure().clone() };
+        let passage = Passage::new(Arc::new(from), seen);
+        // The question stays open under the other figure.
+        let (of_lesson, open) = (std::mem::take(&mut self.exercises.of_lesson), self.exercises.open.take());
+        self.take_over(document.clone());
+        (self.exercises.of_lesson, self.exercises.open) = (of_lesson, open);
+        if !self.settings.reduce_motion && !passage.is_at_once() {
+            playing.fades += 1;
+            playing.moving = Some(Moving { passage, target: Box::new(document), seconds: SEEN, began: None });
+        }
+        self.lesson = Some(playing);
+        true
     }
 
     /// True while the camera moves to a step: a change of it is none of yours.

@@ -63,8 +63,12 @@ impl Canvas {
         let mut hovered = None;
         self.hover_pick = None;
         self.hover.hovered = None;
+        let placing = state.placing();
         for pane in panes {
             self.focus(ui, state, pane);
+            if Self::place(ui, state, pane, placing.as_ref()) {
+                continue;
+            }
             if !self.fingers(ui, state, pane) {
                 self.drag(ui, state, pane);
                 self.wheel(ui, state, pane);
@@ -264,7 +268,9 @@ impl Canvas {
             i.events.iter().filter_map(key).collect()
         });
         for (key, modifiers) in pressed {
-            if !self.label_by_key(state, pane, key, modifiers) && !self.probe_by_key(state, pane, key, modifiers) {
+            if !Self::place_by_key(state, pane, key, modifiers)
+                && !self.label_by_key(state, pane, key, modifiers)
+                && !self.probe_by_key(state, pane, key, modifiers) {
                 self.key(state, pane, key, modifiers);
             }
             ui.request_repaint();

@@ -9,6 +9,7 @@ pub(super) mod keyboard_probe;
 pub(super) mod other_camera;
 pub(super) mod picking;
 pub(super) mod pixel;
+pub(super) mod placing;
 pub(super) mod probe_steps;
 pub(in crate::gui) mod selection_gizmo;
 pub(super) mod touch;

@@ -10,6 +10,8 @@ const PREFIX: &str = "answers ";
 const FREE: &str = "free ";
 /// The key of answers judged as typed.
 const JUDGED: &str = "is judged";
+/// The key of guesses.
+const GUESSED: &str = "is guessed";
 /// All was answered rightly once.
 const SOLVED: &str = "is solved";
 
@@ -34,6 +36,12 @@ fn table(typed: &Typed) -> InlineTable {
     }
     if !typed.judged.is_empty() {
         table.insert(JUDGED, typed.judged.iter().map(String::as_str).collect::<Array>().into());
+    }
+    if !typed.guesses.is_empty() {
+        let guess = |(name, fields): (&String, &Vec<String>)| {
+            (name.clone(), Value::from(fields.iter().map(String::as_str).collect::<Array>()))
+        };
+        table.insert(GUESSED, typed.guesses.iter().map(guess).collect::<InlineTable>().into());
     }
     table
 }
@@ -70,6 +78,13 @@ pub(super) fn typed(table: &InlineTable) -> Typed {
                 } else {
                     typed.answers.insert(name.to_owned(), texts.collect());
                 }
+            }
+            (None, Value::InlineTable(guesses)) if name == GUESSED => {
+                let guess = |(name, value): (&str, &Value)| {
+                    let fields = value.as_array()?.iter().filter_map(Value::as_str).map(str::to_owned);
+                    Some((name.to_owned(), fields.collect()))
+                };
+                typed.guesses = guesses.iter().filter_map(guess).collect();
             }
             _ => {}
         }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, TomlError, Value, value};
 
-use super::{Made, Progress, ProgressError, Tried};
+use super::{Guess, Made, Progress, ProgressError, Tried};
 use crate::exercises::Mistake;
 
 impl Progress {
@@ -26,6 +26,10 @@ impl Progress {
             let made = Made::read(item).map_err(|key| ProgressError::Value(format!("mistake.{code}.{key}")))?;
             progress.mistakes.insert(mistake, made);
         }
+        for (id, item) in table(&rest, "guess")? {
+            let guess = Guess::read(item).map_err(|key| ProgressError::Value(format!("guess.{id}.{key}")))?;
+            progress.guesses.insert(id.to_owned(), guess);
+        }
         Ok(Self { rest, ..progress })
     }
 
@@ -41,6 +45,11 @@ impl Progress {
         for (mistake, made) in &self.mistakes {
             if let Some(table) = entered(&mut document, "mistake", mistake.code()) {
                 made.write(table);
+            }
+        }
+        for (id, guess) in &self.guesses {
+            if let Some(table) = entered(&mut document, "guess", id) {
+                guess.write(table);
             }
         }
         document.to_string()
@@ -181,5 +190,21 @@ impl Made {
         set(table, "last", Some(long_item(self.last)));
         set(table, "exercise", Some(value(&self.exercise)));
         set(table, "is_open", Some(value(self.is_open)));
+    }
+}
+
+impl Guess {
+    fn read(table: &dyn TableLike) -> Result<Self, String> {
+        Ok(Self {
+            said: known(table, "said", text)?.unwrap_or_default(),
+            right: known(table, "right", Item::as_bool)?.unwrap_or_default(),
+            at: known(table, "at", long)?.unwrap_or_default(),
+        })
+    }
+
+    fn write(&self, table: &mut dyn TableLike) {
+        set(table, "said", Some(value(&self.said)));
+        set(table, "right", Some(value(self.right)));
+        set(table, "at", Some(long_item(self.at)));
     }
 }

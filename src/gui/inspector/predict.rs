@@ -1,0 +1,94 @@
+//! *Predict first*: the switch, the question of an operation, and what came of it.
+
+use eframe::egui::{self, Button, RichText};
+
+use crate::camera::Operation;
+use crate::gui::kit::prose;
+use crate::gui::kit::tooltip::Explained;
+use crate::gui::learn::exercises::color;
+use crate::gui::pictures::motion;
+use crate::gui::state::{About, Change, Prediction, State};
+use crate::i18n::learn::exercise_messages;
+use crate::i18n::window::predict as words;
+use crate::i18n::window::predict::Texts;
+use crate::i18n::window::Texts as WindowTexts;
+
+/// Writes an operation with its value.
+type Written = fn(Operation, &WindowTexts) -> String;
+
+/// Shows the switch, and the operation that asks.
+pub(super) fn ui(ui: &mut egui::Ui, window: &'static WindowTexts, state: &mut State, written: Written) {
+    let t = words::texts(window.lang);
+    let predict = &mut state.operations.predict;
+    if ui.checkbox(&mut predict.on, t.switch).explained(t.switch_hint).changed() && !predict.on {
+        predict.asked = None;
+    }
+    let Some(mut asked) = predict.asked.take() else { return };
+    let mut goes_on = true;
+    ui.group(|ui| {
+        let name = written(asked.freedom.by(asked.amount), window);
+        question(ui, t, &name, &mut asked);
+        if asked.is_done {
+            verdict(ui, t, &asked);
+            goes_on = !ui.button(t.close).clicked();
+            return;
+        }
+        ui.horizontal(|ui| {
+            let button = ui.add_enabled(asked.about.is_said(), Button::new(t.do_it)).explained(t.do_it_hint);
+            if button.explained_disabled(t.do_it_hint).clicked() {
+                motion::begin(state, asked.freedom, asked.amount);
+                asked.is_done = true;
+            }
+            goes_on = !ui.button(t.cancel).clicked();
+        });
+    });
+    state.operations.predict.asked = Some(asked).filter(|_| goes_on);
+}
+
+/// What the operation asks, and the choices.
+fn question(ui: &mut egui::Ui, t: &Texts, name: &str, asked: &mut Prediction) {
+    match &mut asked.about {
+        About::Place { .. } => {
+            prose::show(ui, &words::where_to(t.lang, name));
+            if !asked.is_done {
+                prose::show(ui, t.click);
+            }
+        }
+        About::Size { said, .. } => {
+            prose::show(ui, &words::how_large(t.lang, name));
+            ui.add_enabled_ui(!asked.is_done, |ui| {
+                ui.horizontal_wrapped(|ui| {
+                    for change in Change::ALL {
+                        if ui.radio(*said == Some(change), word(t, change)).clicked() {
+                            *said = Some(change);
+                        }
+                    }
+                });
+            });
+        }
+    }
+}
+
+/// What was said, beside what happened.
+fn verdict(ui: &mut egui::Ui, t: &Texts, asked: &Prediction) {
+    let is_right = asked.about.is_right();
+    let text = match (&asked.about, asked.about.off()) {
+        (About::Size { times, said }, _) => {
+            let said = said.map_or("", |said| word(t, said));
+            words::sizes(t.lang, said, word(t, Change::of(*times)), *times)
+        }
+        (_, Some(off)) => exercise_messages::off(t.lang, off),
+        (_, None) => return,
+    };
+    let sign = if is_right { format!("✓ {}", t.as_said) } else { "✗".to_owned() };
+    ui.label(RichText::new(sign).strong().color(color(ui, is_right)));
+    prose::show(ui, &text);
+}
+
+fn word(t: &Texts, change: Change) -> &'static str {
+    match change {
+        Change::Larger => t.larger,
+        Change::Smaller => t.smaller,
+        Change::Same => t.same,
+    }
+}

@@ -1,0 +1,145 @@
+//! *Predict first*: what an operation is expected to do, and what it does.
+
+use glam::DVec3;
+
+use crate::camera::{Camera, Convention, Freedom, ImageSize};
+use crate::exercises::place_of;
+use crate::scene::Scene;
+
+/// A change of size that nobody sees.
+const SAME: f64 = 0.01;
+/// A place is right within this share of the shorter side of the image.
+const NEAR: f64 = 0.05;
+
+/// The switch, and the operation that waits for what is expected of it.
+#[derive(Clone, Debug, Default)]
+pub struct Predict {
+    /// Operations ask first.
+    pub on: bool,
+    /// The operation that asks, or was compared last.
+    pub asked: Option<Prediction>,
+}
+
+/// An operation that asks what it will do.
+#[derive(Clone, Debug)]
+pub struct Prediction {
+    /// The operation.
+    pub freedom: Freedom,
+    /// Its amount.
+    pub amount: f64,
+    /// What is asked.
+    pub about: About,
+    /// It was done: what was said is compared with what happened.
+    pub is_done: bool,
+}
+
+/// What an operation is asked about; places are pixels from the left edge of the image and from its upper one.
+#[derive(Clone, Debug, PartialEq)]
+pub enum About {
+    /// A vertex of the scene, in the image before and after.
+    Place {
+        /// Where it is before.
+        from: [f64; 2],
+        /// Where it goes.
+        to: [f64; 2],
+        /// Where it is expected.
+        mark: Option<[f64; 2]>,
+        /// The size of the image.
+        image: ImageSize,
+    },
+    /// The objects in the image.
+    Size {
+        /// How many times as large they become.
+        times: f64,
+        /// What is expected.
+        said: Option<Change>,
+    },
+}
+
+/// A change of size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// Larger.
+    Larger,
+    /// Smaller.
+    Smaller,
+    /// As large as before.
+    Same,
+}
+
+impl Change {
+    /// All, in the order in which they are offered.
+    pub const ALL: [Self; 3] = [Self::Larger, Self::Smaller, Self::Same];
+
+    /// The change by a factor.
+    #[must_use]
+    pub fn of(times: f64) -> Self {
+        match times {
+            _ if times > 1.0 + SAME => Self::Larger,
+            _ if times < 1.0 - SAME => Self::Smaller,
+            _ => Self::Same,
+        }
+    }
+}
+
+impl About {
+    /// The question of an operation, by what it does to the scene; `None` where the image shows nothing before and
+    /// after it that could be followed.
+    #[must_use]
+    pub fn of(
+        (camera, image, scene): (&Camera, ImageSize, &Scene),
+        (freedom, amount): (Freedom, f64),
+        convention: Convention,
+    ) -> Option<Self> {
+        let after = freedom.by(amount).apply(camera, convention).ok()?;
+        let seen = |camera: &Camera, point: DVec3| place_of(camera, image, point).filter(|at| is_in(*at, image));
+        let both = |point: DVec3| Some([seen(camera, point)?, seen(&after, point)?]);
+        let followed: Vec<[[f64; 2]; 2]> = scene.vertices().filter_map(|vertex| both(vertex.p_world)).collect();
+        if freedom == Freedom::Zoom {
+            return size(&followed).map(|times| Self::Size { times, said: None });
+        }
+        // The highest in the image is on the outline: no face hides it.
+        let highest = followed.into_iter().min_by(|a, b| a[0][1].total_cmp(&b[0][1]))?;
+        Some(Self::Place { from: highest[0], to: highest[1], mark: None, image })
+    }
+
+    /// True once it is said what is expected.
+    #[must_use]
+    pub fn is_said(&self) -> bool {
+        match self {
+            Self::Place { mark, .. } => mark.is_some(),
+            Self::Size { said, .. } => said.is_some(),
+        }
+    }
+
+    /// How far a mark is from where the point goes, pixels to the right and down.
+    #[must_use]
+    pub fn off(&self) -> Option<[f64; 2]> {
+        let Self::Place { to, mark, .. } = self else { return None };
+        mark.map(|mark| [mark[0] - to[0], mark[1] - to[1]])
+    }
+
+    /// True where what was said is what happens.
+    #[must_use]
+    pub fn is_right(&self) -> bool {
+        match self {
+            Self::Place { image, .. } => {
+                let near = NEAR * f64::from(image.width.min(image.height));
+                self.off().is_some_and(|[x, y]| x.hypot(y) <= near)
+            }
+            Self::Size { times, said } => *said == Some(Change::of(*times)),
+        }
+    }
+}
+
+fn is_in(at: [f64; 2], image: ImageSize) -> bool {
+    at.iter().zip([image.width, image.height]).all(|(at, side)| (0.0..=f64::from(side)).contains(at))
+}
+
+/// How many times as far apart the points are afterwards: the first and the one farthest from it.
+fn size(followed: &[[[f64; 2]; 2]]) -> Option<f64> {
+    let first = followed.first()?;
+    let apart = |of: &[[f64; 2]; 2], k: usize| (of[k][0] - first[k][0]).hypot(of[k][1] - first[k][1]);
+    let farthest = followed.iter().max_by(|a, b| apart(a, 0).total_cmp(&apart(b, 0)))?;
+    (apart(farthest, 0) > 0.0).then(|| apart(farthest, 1) / apart(farthest, 0))
+}

@@ -1,0 +1,40 @@
+//! The words of *Predict first*: an operation asks what it will do before it does it.
+
+use crate::i18n::Lang;
+
+texts! {
+    switch: "Predict first", "Prever antes";
+    switch_hint: "An operation asks first where a point M will go in the image, or how the objects will change in size; then it's done, and both are compared. The sliders rest meanwhile", "Uma operação pergunta antes aonde irá um ponto M na imagem, ou como mudará o tamanho dos objetos; depois é feita, e os dois são comparados. Enquanto isso os controles deslizantes descansam";
+    mark_here: "Where will M go? Mark it here", "Aonde irá M? Marque aqui";
+    click: "Click in *Image*, or drag the cross. By keys: Tab to *Image*, then the arrows (with Shift, ten pixels).", "Clique em *Imagem* ou arraste a cruz. Com o teclado: Tab até *Imagem*, depois as setas (com Shift, dez pixels).";
+    larger: "larger", "maiores";
+    smaller: "smaller", "menores";
+    same: "as large", "do mesmo tamanho";
+    do_it: "Do it", "Fazer";
+    do_it_hint: "Does the operation, and compares what you said with what happens", "Faz a operação e compara o que você disse com o que acontece";
+    cancel: "Cancel", "Cancelar";
+    close: "Close", "Fechar";
+    as_said: "As you said.", "Como você disse.";
+    no_point: "No vertex is in the image both before and after this operation: it's done at once.", "Nenhum vértice está na imagem antes e depois desta operação: ela é feita logo.";
+}
+
+/// The question of an operation about a point.
+#[must_use]
+pub fn where_to(lang: Lang, operation: &str) -> String {
+    both!(lang; "**{operation}**: where will M go?", "**{operation}**: aonde irá M?")
+}
+
+/// The question of an operation about sizes.
+#[must_use]
+pub fn how_large(lang: Lang, operation: &str) -> String {
+    both!(lang; "**{operation}**: how large will the objects be in the image?",
+        "**{operation}**: de que tamanho ficarão os objetos na imagem?")
+}
+
+/// What was said about sizes, and what happened: how many times as large the objects are.
+#[must_use]
+pub fn sizes(lang: Lang, said: &str, happened: &str, times: f64) -> String {
+    let times = lang.mark().number(times, 3);
+    both!(lang; "You said {said}. They are {happened}: {times} times as large as before.",
+        "Você disse {said}. Ficaram {happened}: {times} vezes o tamanho de antes.")
+}

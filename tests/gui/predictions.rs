@@ -1,0 +1,170 @@
+//! Predictions: a guess that is kept before its picture is shown, a mark in the image, and *Predict first*.
+
+#![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests; places on a small screen")]
+
+use camera_lab::gui::{Start, State};
+use camera_lab::i18n::learn::{exercise_window, exercises};
+use camera_lab::i18n::{Lang, told};
+use camera_lab::lessons::{OpenLesson, Task, shipped};
+use camera_lab::views::View;
+use eframe::egui::{Key, Modifiers, Pos2, pos2};
+use egui_kittest::kittest::Queryable as _;
+use glam::{DVec2, DVec3};
+
+use super::window::Window;
+use crate::words::en;
+
+fn playing(lesson: usize, step: usize, lang: Lang) -> Window {
+    let lesson = shipped()[lesson].lesson.clone();
+    let figure = (*lesson.steps[step].figure).clone();
+    let start = Start { figure, lang, lesson: Some(OpenLesson { lesson, path: None, step }), ..Start::default() };
+    let mut state = State::new(start).unwrap();
+    state.file_flow.native = false;
+    let mut window = Window::with_state(state, [1280.0, 720.0]);
+    window.run();
+    window
+}
+
+/// The place on the screen of a point of the image, in pixels of the image.
+fn on_screen(window: &mut Window, [i, j]: [f64; 2]) -> Pos2 {
+    let image = window.state().document.figure().image;
+    let (_, room) = window.app_mut().canvas.places().find(|(view, _)| *view == View::Image).unwrap();
+    let aspect = image.width as f32 / image.height as f32;
+    let width = room.width().min(room.height() * aspect);
+    let corner = room.center() - 0.5 * eframe::egui::vec2(width, width / aspect);
+    pos2(corner.x + width * i as f32 / image.width as f32, corner.y + width * j as f32 / image.width as f32)
+}
+
+/// Goes on until the camera has arrived.
+fn arrive(window: &mut Window) {
+    for _ in 0..200 {
+        window.harness.step();
+    }
+}
+
+#[test]
+fn a_guess_is_kept_the_picture_moves_and_the_reason_comes_last() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let (mut window, t) = (playing(0, 2, lang), exercise_window::texts(lang));
+        let lesson = &shipped()[0].lesson;
+        let Some(Task::Question(entry)) = &lesson.steps[2].task else { panic!("a question") };
+        let exercise = entry.exercise(0, &Default::default());
+        let ask = &exercise.asks[0];
+        let choice = |name: &str| exercises::choice_of(lang, ask, name).to_owned();
+        window.harness.get_by_label(&choice("smaller")).click();
+        window.run();
+        window.harness.get_by_label_contains(t.guess).click();
+        window.run();
+        arrive(&mut window);
+        // Neither verdict nor reason; the picture is the one of the next step.
+        let state = window.state();
+        assert!(state.exercises.checked.is_empty(), "no verdict before the picture");
+        assert_eq!(state.document.figure().camera, lesson.steps[3].figure.camera);
+        assert_eq!(state.lesson.as_ref().unwrap().step, 2);
+        assert!(!state.lesson.as_ref().unwrap().is_done() && !state.has_unsaved());
+        let (id, guess) = state.exercises.progress.guesses().next().unwrap();
+        assert_eq!((id, guess.said.as_str(), guess.right), (&*entry.id, "smaller", false));
+        assert!(window.says(t.what_seen));
+        let own = ask.own_mistakes.iter().find(|own| told(lang, &own.message).len() > 20).unwrap();
+        assert!(!window.says(told(lang, &own.message).trim()));
+        // What is seen is answered next. The guess stays.
+        window.harness.get_by_label(&choice("nothing")).click();
+        window.run();
+        window.harness.get_by_label_contains(t.check).click();
+        window.run();
+        assert!(window.state().lesson.as_ref().unwrap().is_done());
+        assert_eq!(window.state().exercises.guess_at(ask), Some(&vec!["smaller".to_owned()]));
+        assert!(window.says(t.you_guessed));
+    }
+}
+
+#[test]
+fn a_lesson_that_is_opened_again_asks_again() {
+    let mut window = playing(0, 2, Lang::En);
+    window.harness.get_by_label("nothing").click();
+    window.run();
+    window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
+    window.run();
+    let typed = |window: &Window| window.state().exercises.typed.values().filter(|typed| !typed.is_empty()).count();
+    assert_eq!(typed(&window), 1);
+    let mut state = State::new(Start::default()).unwrap();
+    state.exercises = window.state().exercises.clone();
+    let mut again = Window::with_state(state, [1280.0, 720.0]);
+    again.run();
+    let app = again.app_mut();
+    app.state.exercises.open = None;
+    let question = |step: &camera_lab::lessons::Step| match &step.task {
+        Some(Task::Question(entry)) => Some(entry.id.clone().into_owned()),
+        _ => None,
+    };
+    app.state.exercises.ask_again(shipped()[0].lesson.steps.iter().filter_map(question));
+    assert_eq!(typed(&again), 0);
+    assert_eq!(again.state().exercises.progress.guesses().count(), 1, "the guess stays in the progress");
+}
+
+/// The place of a point with C, PF, VUP and θ, by the construction of the notes.
+fn projected(point: DVec3, [c, pf, vup]: [DVec3; 3], theta: f64, [m, n]: [f64; 2]) -> [f64; 2] {
+    let axis = (c - pf).normalize();
+    let right = vup.cross(axis).normalize();
+    let up = axis.cross(right);
+    let d = point - c;
+    let half = DVec2::new(m / n, 1.0) * (theta / 2.0).to_radians().tan() * -d.dot(axis);
+    [m / 2.0 * (1.0 + d.dot(right) / half.x), n / 2.0 * (1.0 - d.dot(up) / half.y)]
+}
+
+#[test]
+fn a_place_is_marked_by_click_and_arrows_and_judged_by_where_the_point_is() {
+    // The roof's ridge, seen with VUP turned by 30° to the left of the image.
+    let (c, pf) = (DVec3::new(3.2, 2.6, 5.4), DVec3::new(0.0, 0.8, 0.0));
+    let axis = (c - pf).normalize();
+    let right = DVec3::Y.cross(axis).normalize();
+    let (sin, cos) = 30_f64.to_radians().sin_cos();
+    let vup = axis.cross(right) * cos - right * sin;
+    let wanted = projected(DVec3::new(-1.5325, 2.125, -0.25), [c, pf, vup], 38.0, [1024.0, 768.0]);
+    let mut window = playing(0, 10, Lang::En);
+    let camera = window.state().document.figure().camera;
+    let at = on_screen(&mut window, [512.0, 100.0]);
+    window.click_at(at);
+    let mark = |window: &mut Window| window.app_mut().state.placing().unwrap().mark.unwrap();
+    let [x, y] = mark(&mut window);
+    assert!((x - 512.0).abs() <= 2.0 && (y - 100.0).abs() <= 2.0, "{x} {y}");
+    assert_eq!(window.state().document.figure().camera, camera, "the camera isn't dragged");
+    window.key(Key::ArrowLeft);
+    window.harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowUp);
+    window.run();
+    assert_eq!(mark(&mut window), [x - 1.0, y - 10.0]);
+    assert!(window.app_mut().state.placing().unwrap().right.is_none(), "the place is no secret only after the guess");
+    let at = on_screen(&mut window, wanted);
+    window.click_at(at);
+    window.harness.get_by_label_contains(en::EXERCISE_WINDOW.guess).click();
+    window.run();
+    arrive(&mut window);
+    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    let placing = window.app_mut().state.placing().unwrap();
+    let shown = placing.right.unwrap();
+    assert!((shown[0] - wanted[0]).abs() < 0.5 && (shown[1] - wanted[1]).abs() < 0.5, "{shown:?} {wanted:?}");
+    assert_ne!(window.state().document.figure().camera, camera, "the image has turned");
+    assert!(window.state().exercises.progress.guesses().all(|(_, guess)| guess.right));
+}
+
+#[test]
+fn a_place_that_is_wrong_says_in_which_direction() {
+    let mut window = playing(2, 10, Lang::PtBr);
+    let t = exercise_window::texts(Lang::PtBr);
+    let at = on_screen(&mut window, [512.0, 384.0]);
+    window.click_at(at);
+    window.harness.get_by_label_contains(t.guess).click();
+    window.run();
+    arrive(&mut window);
+    // P is to the left of the axis and above it, half as far from it as before the zoom.
+    assert!(!window.state().lesson.as_ref().unwrap().is_done());
+    assert!(window.says("mais à esquerda e mais acima"));
+    let right = window.app_mut().state.placing().unwrap().right.unwrap();
+    let at = on_screen(&mut window, right);
+    window.click_at(at);
+    window.harness.get_by_label_contains(t.check).click();
+    window.run();
+    assert!(window.state().lesson.as_ref().unwrap().is_done());
+    let (_, guess) = window.state().exercises.progress.guesses().next().unwrap();
+    assert!(!guess.right, "what was guessed stays guessed");
+}
