@@ -16,13 +16,13 @@ texts! {
     shading: "shading", "sombreamento";
     samples: "samples per pixel", "amostras por pixel";
     values: "values", "valores";
-    values_hint: "Separated by commas; 20..90:4 are four from 20 to 90. With another key: camera.near=1, 2", "Separados por vírgulas; 20..90:4 são quatro de 20 a 90. Com outra chave: camera.near=1, 2";
+    values_hint: "Separate them by commas. 20..90:4 are four from 20 to 90. With another key, write camera.near=1, 2", "Separe-os por vírgulas. 20..90:4 são quatro de 20 a 90. Com outra chave, escreva camera.near=1, 2";
     second: "in each row", "em cada linha";
-    second_hint: "A second key or operation, which varies within each row; the first then varies from row to row", "Uma segunda chave ou operação, que varia dentro de cada linha; a primeira varia então de linha em linha";
+    second_hint: "A second key or operation, which varies within each row. The first then varies from row to row", "Uma segunda chave ou operação, que varia dentro de cada linha. A primeira varia então de linha em linha";
     second_values: "values along the rows", "valores ao longo das linhas";
     nothing: "nothing", "nada";
     captions: "captions", "legendas";
-    captions_hint: "In place of the values: one for each picture, with semicolons between them; empty: the values", "No lugar dos valores: uma para cada imagem, separadas por ponto e vírgula; vazio: os valores";
+    captions_hint: "Captions instead of the values, one for each picture, with semicolons between them. If empty, the values", "Legendas no lugar dos valores, uma para cada imagem, separadas por ponto e vírgula. Se vazio, os valores";
     columns: "columns", "colunas";
     columns_hint: "Pictures in a row", "Imagens em cada linha";
     automatic: "automatic", "automático";

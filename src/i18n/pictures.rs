@@ -19,7 +19,7 @@ texts! {
     answered: "your answer", "sua resposta";
     depth_stored: "depth buffer: Z (5.25)", "z-buffer: Z (5.25)";
     depth_linear: "distance from the eye", "distância ao olho";
-    depth_of_light: "shadow map: distance from the light", "mapa de sombras: distância à luz";
+    depth_of_light: "shadow map, distance from the light", "mapa de sombras, distância à luz";
     acne: "shadows without bias: faces shadow themselves", "sombras sem folga: as faces sombreiam a si mesmas";
     map_wrong: "the shadow map is wrong at", "o mapa de sombras erra em";
     out_of: "of", "de";
@@ -38,7 +38,7 @@ texts! {
     divided_first: "divided before clipping", "dividido antes do recorte";
     wrong: "wrong", "errado";
     no_difference: "nothing wrong inside the volume", "nada de errado dentro do volume";
-    not_split: "too many pieces for BSP: depth buffer instead", "pedaços demais para o BSP: usa o z-buffer";
+    not_split: "too many pieces for BSP, so depth buffer instead", "pedaços demais para o BSP, usa o z-buffer";
     rounded: "vertices are off by rounding", "vértices deslocados pelo arredondamento";
     reversed: "reversed", "invertido";
     right_handed: "right-handed", "mão direita";

@@ -195,24 +195,24 @@ pub fn why(lang: Lang, why: Why) -> String {
             "Você o começou, e ele ainda não está resolvido."),
         (Lang::En, Why::Due(days)) => {
             let ago = if days == 1 { "a day ago".to_owned() } else { format!("{days} days ago") };
-            format!("You solved it {ago}: see whether you still can, with new numbers.")
+            format!("You solved it {ago}. See whether you still can, with new numbers.")
         }
         (Lang::PtBr, Why::Due(days)) => {
             let ago = if days == 1 { "um dia".to_owned() } else { format!("{days} dias") };
-            format!("Você o resolveu há {ago}: veja se ainda consegue, com números novos.")
+            format!("Você o resolveu há {ago}. Veja se ainda consegue, com números novos.")
         }
         (_, Why::NotSolved) => both!(lang; "It is the next of the lessons that you have not solved.",
             "É o próximo das lições que você ainda não resolveu."),
-        (_, Why::LongestAgo) => both!(lang; "You have solved them all; this is the one you tried longest ago.",
-            "Você já resolveu todos; este é o que você tentou há mais tempo."),
+        (_, Why::LongestAgo) => both!(lang; "You've solved them all. This is the one you tried longest ago.",
+            "Você já resolveu todos. Este é o que você tentou há mais tempo."),
     }
 }
 
 /// The progress is deleted, and still in the file at `path`.
 #[must_use]
 pub fn progress_deleted(lang: Lang, path: &str) -> String {
-    both!(lang; "Progress deleted; the old file is now {path}.",
-        "Progresso apagado; o arquivo antigo é agora {path}.")
+    both!(lang; "Progress deleted. The old file is now {path}.",
+        "Progresso apagado. O arquivo antigo é agora {path}.")
 }
 
 /// How far an answer is from the right place in the image, pixels to the right and down, and where that place is.

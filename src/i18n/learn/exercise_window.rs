@@ -7,31 +7,31 @@ texts! {
     search_hint: "Words of the title, the source or the identifier. Enter opens the first", "Palavras do título, da fonte ou do identificador. Enter abre o primeiro";
     none_found: "No exercise matches.", "Nenhum exercício corresponde.";
     of_the_notes: "From the lecture notes", "Das notas de aula";
-    families: "Families: new numbers as often as you like", "Famílias: números novos quantas vezes quiser";
+    families: "Families, with new numbers as often as you like", "Famílias, com números novos quantas vezes quiser";
     untouched: "not begun", "não começado";
     begun: "begun", "começado";
     solved: "answered", "respondido";
     alone: "answered alone on new numbers", "respondido sem ajuda com números novos";
     many_wrong: "Several wrong answers in a row. The lesson may help more than another try, or other numbers:", "Várias respostas erradas seguidas. A lição pode ajudar mais que outra tentativa, ou outros números:";
     practise_next: "Practise next", "Praticar o próximo";
-    practise_next_hint: "The exercise on your most frequent mistake, else what you began, else what comes back after 1, 3, 7 or 21 days, else the next of the lessons; it says why", "O exercício sobre o seu erro mais frequente, senão o que você começou, senão o que volta depois de 1, 3, 7 ou 21 dias, senão o próximo das lições; diz por quê";
+    practise_next_hint: "The exercise on your most frequent mistake, else what you began, else what comes back after 1, 3, 7 or 21 days, else the next of the lessons. You see why", "O exercício sobre o seu erro mais frequente, senão o que você começou, senão o que volta depois de 1, 3, 7 ou 21 dias, senão o próximo das lições. Você vê por quê";
     new_numbers: "New numbers", "Números novos";
-    new_numbers_hint: "The same exercise with the numbers of the next seed; what you typed for these is kept", "O mesmo exercício com os números da próxima semente; o que você digitou para estes é mantido";
+    new_numbers_hint: "The same exercise with the numbers of the next seed. Your answers for these are kept", "O mesmo exercício com os números da próxima semente. Suas respostas para estes são mantidas";
     back: "Back to the list", "Voltar à lista";
-    seed_hint: "The numbers come from it: the same seed gives the same exercise, here and with `camera-lab exercise show`", "Dela vêm os números: a mesma semente dá o mesmo exercício, aqui e com `camera-lab exercise show`";
+    seed_hint: "The numbers come from it. The same seed gives the same exercise, here and with `camera-lab exercise show`", "Os números vêm dela. A mesma semente dá o mesmo exercício, aqui e com `camera-lab exercise show`";
     how_it_is_read: "Assumptions", "Hipóteses";
     free_numbers: "Numbers left open", "Números deixados em aberto";
-    free_hint: "Choose your own; answers may also be formulas in them", "Escolha os seus; respostas também podem ser fórmulas neles";
+    free_hint: "Choose your own. Answers may also be formulas in them", "Escolha os seus. Respostas também podem ser fórmulas neles";
     free_wrong: "a number greater than 0", "um número maior que 0";
     show_figure: "Show the figure", "Mostrar a figura";
-    show_figure_hint: "Loads the figure of the exercise into the pictures, with its points and their names. Undo (Ctrl+Z) brings your own figure back; saving asks for a file name, so yours stays as it is", "Carrega nas imagens a figura do exercício, com seus pontos e nomes. Desfazer (Ctrl+Z) traz a sua figura de volta; salvar pede um nome de arquivo, e a sua fica como está";
+    show_figure_hint: "Loads the figure of the exercise into the pictures, with its points and their names. Undo (Ctrl+Z) brings your own figure back. Saving asks for a file name, so yours stays as it is", "Carrega nas imagens a figura do exercício, com seus pontos e nomes. Desfazer (Ctrl+Z) traz a sua figura de volta. Salvar pede um nome de arquivo, e a sua fica como está";
     figure_later: "The figure is shown once you have answered.", "A figura é mostrada depois que você responder.";
-    operations_later: "They are applied once you have answered: the camera afterwards is what is asked for.", "São aplicadas depois que você responder: a câmera de depois é o que se pergunta.";
+    operations_later: "They're applied once you've answered, because the question is about the camera afterwards.", "São aplicadas depois que você responder, pois a pergunta é sobre a câmera de depois.";
     do_operations: "Apply its operations", "Aplicar as operações";
     do_operations_hint: "Applies the operations of the exercise to the camera in the pictures, as one step", "Aplica à câmera das imagens as operações do exercício, num passo só";
     your_answer: "Your answer", "Sua resposta";
     answer_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5. Enter moves on to the next empty field, then checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5. Enter passa ao próximo campo vazio, e depois confere";
-    first_field_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5; or the whole answer in brackets: [a, b, c] or [[a, b], [c, d]]. Enter moves on to the next empty field, then checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5; ou a resposta inteira entre colchetes: [a; b; c] ou [[a; b]; [c; d]]. Enter passa ao próximo campo vazio, e depois confere";
+    first_field_hint: "A number or an expression, such as 1/sqrt(3), 2/3, 45° or 0,5, or the whole answer in brackets, [a, b, c] or [[a, b], [c, d]]. Enter moves on to the next empty field, then checks", "Um número ou uma expressão, como 1/sqrt(3), 2/3, 45° ou 0,5, ou a resposta inteira entre colchetes, [a; b; c] ou [[a; b]; [c; d]]. Enter passa ao próximo campo vazio, e depois confere";
     camera_hint: "C=[7, −1, 4]; PF=[2, 1, 0]; θ=30°; F=0.5; …, or take the current camera", "C=[7; −1; 4]; PF=[2; 1; 0]; θ=30°; F=0,5; …, ou use a câmera atual";
     take_camera: "Take the current camera", "Usar a câmera atual";
     take_camera_hint: "The camera of the window becomes your answer", "A câmera da janela passa a ser sua resposta";
@@ -51,7 +51,7 @@ texts! {
     wrong: "wrong", "errado";
     follows: "follows from a wrong answer", "segue de uma resposta errada";
     right_read_as: "right, read as", "certo, entendido como";
-    changed_since: "This is the result for your previous answer; check again.", "Este é o resultado da resposta anterior; confira de novo.";
+    changed_since: "This is the result for your previous answer. Check again.", "Este é o resultado da resposta anterior. Confira de novo.";
     hint: "Hint", "Dica";
     next_hint: "A hint", "Uma dica";
     stronger_hint: "A stronger hint", "Uma dica mais forte";
@@ -64,11 +64,11 @@ texts! {
     hide_camera: "Hide the camera of your answer", "Esconder a câmera da sua resposta";
     no_camera: "No camera has this", "Nenhuma câmera tem isto";
     own_open: "Open a folder of exercises…", "Abrir uma pasta de exercícios…";
-    own_open_hint: "A lecturer's own exercises, one TOML file each; they are listed below the others, and the folder is remembered", "Exercícios de um professor, um arquivo TOML para cada; são listados abaixo dos outros, e a pasta é lembrada";
+    own_open_hint: "A lecturer's own exercises, one TOML file each. They're listed below the others, and the folder is remembered", "Exercícios de um professor, um arquivo TOML para cada. São listados abaixo dos outros, e a pasta é lembrada";
     own_again: "Read it again", "Ler de novo";
     own_again_hint: "Its files may have changed since", "Seus arquivos podem ter mudado";
     own_close: "Close the folder", "Fechar a pasta";
-    own_close_hint: "Removes its exercises from the list; your progress in them is kept", "Tira seus exercícios da lista; seu progresso neles é mantido";
+    own_close_hint: "Removes its exercises from the list. Your progress in them is kept", "Tira os exercícios da lista. Seu progresso neles é mantido";
     own_passed_over: "Skipped in the folder", "Ignorados na pasta";
     own_none: "no exercises (files that end in .toml)", "sem exercícios (arquivos que terminam em .toml)";
     progress: "Progress", "Progresso";
@@ -79,11 +79,11 @@ texts! {
     mended: "Solved since without it", "Resolvido depois sem ele";
     export_progress: "Export as CSV…", "Exportar como CSV…";
     export_title: "Export progress", "Exportar o progresso";
-    export_progress_hint: "A table for spreadsheets: a row for each exercise and each known mistake", "Uma tabela para planilhas: uma linha por exercício e por erro conhecido";
+    export_progress_hint: "A table for spreadsheets, with a row for each exercise and each known mistake", "Uma tabela para planilhas, com uma linha por exercício e por erro conhecido";
     progress_file: "progress.csv", "progresso.csv";
     delete_progress: "Delete progress", "Apagar o progresso";
     delete_progress_hint: "Asks first", "Pergunta antes";
-    delete_progress_text: "Your answers, solved exercises and mistakes are forgotten. The old file stays beside the new one as progress.bak until you delete progress again; to restore it, close the program and rename it to progress.toml.", "Suas respostas, os exercícios resolvidos e os erros são esquecidos. O arquivo antigo fica ao lado do novo como progress.bak até você apagar o progresso de novo; para restaurá-lo, feche o programa e renomeie-o para progress.toml.";
+    delete_progress_text: "Your answers, solved exercises and mistakes are forgotten. The old file stays beside the new one as progress.bak until you delete progress again. To restore it, close the program and rename it to progress.toml.", "Suas respostas, os exercícios resolvidos e os erros são esquecidos. O arquivo antigo fica ao lado do novo como progress.bak até você apagar o progresso de novo. Para restaurá-lo, feche o programa e renomeie-o para progress.toml.";
     all_right: "Everything is right.", "Tudo está certo.";
 }
 
@@ -114,8 +114,8 @@ pub fn field(lang: Lang, ask: &str, [rows, columns]: [usize; 2], [row, column]: 
 #[must_use]
 pub fn axis_length(lang: Lang, length: f64) -> String {
     let length = lang.mark().number(length, 4);
-    both!(lang; "your vector has length {length}; an axis of a camera has length 1",
-        "seu vetor tem comprimento {length}; um eixo de uma câmera tem comprimento 1")
+    both!(lang; "your vector has length {length}, but an axis of a camera has length 1",
+        "seu vetor tem comprimento {length}, mas um eixo de uma câmera tem comprimento 1")
 }
 
 /// An answer is not an axis: its scalar product with **n** is not 0.

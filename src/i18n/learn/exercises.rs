@@ -205,19 +205,19 @@ pub fn carried(lang: Lang, judged: &Judged) -> Option<String> {
     let names = if first.is_empty() { last.clone() } else { format!("{} {and} {last}", first.join(", ")) };
     Some(match (lang, first.is_empty()) {
         (Lang::En, true) => {
-            format!("This is right for your own {names}, which is wrong: correct {names}, then compute this again.")
+            format!("This is right for your own {names}, which is wrong. Correct {names}, then compute this again.")
         }
         (Lang::En, false) => {
-            format!("This is right for your own {names}, which are wrong: correct them, then compute this again.")
+            format!("This is right for your own {names}, which are wrong. Correct them, then compute this again.")
         }
         (Lang::PtBr, true) => {
             format!(
-                "Isto está certo para o valor de {names} que você deu, que está errado: corrija {names} e refaça esta conta."
+                "Isto está certo para o valor de {names} que você deu, que está errado. Corrija {names} e refaça esta conta."
             )
         }
         (Lang::PtBr, false) => {
             format!(
-                "Isto está certo para os valores de {names} que você deu, que estão errados: corrija-os e refaça esta conta."
+                "Isto está certo para os valores de {names} que você deu, que estão errados. Corrija-os e refaça esta conta."
             )
         }
     })
@@ -255,22 +255,22 @@ pub fn hints_without_diagnosis(
     if let Some(sentence) = sentence {
         hints.push(sentence);
     } else if !judged.conditions.is_empty() {
-        hints.push(both!(lang; "{right} of {all} conditions are met; begin with the first that is not.",
-            "{right} de {all} condições são satisfeitas; comece pela primeira que não é."));
+        hints.push(both!(lang; "{right} of {all} conditions are met. Begin with the first that isn't.",
+            "{right} de {all} condições são satisfeitas. Comece pela primeira que não é."));
     } else if all > 1 {
         hints.push(match right {
             0 => both!(lang; "None of the {all} numbers is right.", "Nenhum dos {all} números está certo."),
-            1 => both!(lang; "1 of {all} numbers is right; look at the others again.",
-                "1 de {all} números está certo; olhe os outros mais uma vez."),
-            _ => both!(lang; "{right} of {all} numbers are right; look at the others again.",
-                "{right} de {all} números estão certos; olhe os outros mais uma vez."),
+            1 => both!(lang; "1 of {all} numbers is right. Look at the others again.",
+                "1 de {all} números está certo. Olhe os outros mais uma vez."),
+            _ => both!(lang; "{right} of {all} numbers are right. Look at the others again.",
+                "{right} de {all} números estão certos. Olhe os outros mais uma vez."),
         });
     }
     if let Some(step) = first_step {
         hints.push(match judged.first_step {
             0 => both!(lang; "The solution begins with: {step}", "A resolução começa por: {step}"),
-            _ => both!(lang; "What comes before is right; go on with: {step}",
-                "O que vem antes está certo; continue com: {step}"),
+            _ => both!(lang; "The steps before are right. Go on with {step}",
+                "Os passos anteriores estão certos. Continue com {step}"),
         });
     }
     if hints.is_empty() {

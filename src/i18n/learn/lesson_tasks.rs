@@ -10,7 +10,7 @@ texts! {
     number: "number", "número";
     number_hint: "A question whose answer is a number, or a quantity of the figure", "Uma pergunta cuja resposta é um número ou uma grandeza da figura";
     goal: "goal", "meta";
-    goal_hint: "Something to reach with the controls: the step notices when it's done", "Algo a alcançar com os controles: o passo percebe quando está feito";
+    goal_hint: "Something to reach with the controls. The step notices when it's done", "Algo a alcançar com os controles. O passo percebe quando está feito";
     exercise: "exercise", "exercício";
     exercise_hint: "An exercise of the program", "Um exercício do programa";
     in_file: "This task has keys without a field here. It stays as it is in the file until you choose another kind.", "Esta tarefa tem chaves sem campo aqui. Ela fica como está no arquivo até você escolher outro tipo.";
@@ -25,10 +25,10 @@ texts! {
     answer_field: "Right answer", "Resposta certa";
     answer_hint: "A number such as 2.5 or sqrt(2), numbers such as [1, 2, 3], or a quantity of the figure such as points.0.ndc", "Um número como 2,5 ou sqrt(2), números como [1, 2, 3], ou uma grandeza da figura como points.0.ndc";
     quantity: "Quantity", "Grandeza";
-    quantity_hint: "Numbers of this step's figure: the answer follows the figure", "Números da figura deste passo: a resposta acompanha a figura";
+    quantity_hint: "Numbers of this step's figure. The answer follows the figure", "Números da figura deste passo. A resposta acompanha a figura";
     all_entries: "all of it", "ela toda";
     tolerance_field: "± at most", "± no máximo";
-    tolerance_hint: "The greatest error that counts as right; empty: the precision of the answer's last digit", "O maior erro que ainda conta como certo; vazio: a precisão do último dígito da resposta";
+    tolerance_hint: "The greatest error that counts as right. If empty, the precision of the answer's last digit", "O maior erro que ainda conta como certo. Se vazio, a precisão do último dígito da resposta";
     wrong_field: "Wrong number", "Número errado";
     wrong_message: "Sentence for those who give it", "Frase para quem o der";
     add_wrong: "Add a wrong number", "Adicionar número errado";
@@ -46,7 +46,7 @@ texts! {
     way_hint: "Operations and keys separated by semicolons, such as azimuth=30; camera.near=2", "Operações e chaves separadas por ponto e vírgula, como azimuth=30; camera.near=2";
     way_example: "azimuth=30; camera.near=2", "azimuth=30; camera.near=2";
     seed_field: "Numbers no.", "Números nº";
-    seed_hint: "The same number gives the same exercise; another one gives other numbers", "O mesmo número dá o mesmo exercício; outro dá outros números";
+    seed_hint: "The same number gives the same exercise. Another one gives other numbers", "O mesmo número dá o mesmo exercício. Outro dá outros números";
     camera_group: "Camera", "Câmera";
     window_group: "Window", "Janela";
     axes_group: "Axes", "Eixos";

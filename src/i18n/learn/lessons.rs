@@ -39,9 +39,9 @@ texts! {
     again: "Back to the step", "De volta ao passo";
     again_hint: "Shows the figure of the step as it was at first", "Mostra a figura do passo como era no início";
     text_command: "Text of the step", "Texto do passo";
-    text_hint: "Shows or hides the text under the pictures; key C in a presentation", "Mostra ou oculta o texto sob as imagens; tecla C na apresentação";
+    text_hint: "Shows or hides the text under the pictures (C in a presentation)", "Mostra ou oculta o texto sob as imagens (C na apresentação)";
     question_command: "Question of the step", "Pergunta do passo";
-    question_hint: "Shows or hides the question under the pictures; in a presentation, Q shows it, then the answer with the hands you counted", "Mostra ou oculta a pergunta sob as imagens; na apresentação, Q a mostra, depois a resposta com as mãos que você contou";
+    question_hint: "Shows or hides the question under the pictures. In a presentation, Q shows it, then the answer with the hands you counted", "Mostra ou oculta a pergunta sob as imagens. Na apresentação, Q a mostra, depois a resposta com as mãos que você contou";
     notes_command: "Speaker's notes", "Notas do apresentador";
     clock_hint: "Minutes and seconds since you opened the notes", "Minutos e segundos desde que você abriu as notas";
     notes_hint: "Shows or hides the notes of the step for the speaker, in a window of their own", "Mostra ou oculta as notas do passo para quem apresenta, em uma janela própria";
@@ -51,7 +51,7 @@ texts! {
     leave_hint: "The figure of the step stays", "A figura do passo fica";
     region: "Lesson", "Lição";
     done: "Done", "Feito";
-    not_yet: "Not there yet: the step notices when it is done", "Ainda não: o passo percebe quando está feito";
+    not_yet: "Not there yet. The step notices when you've done it", "Ainda não. O passo percebe quando você terminar";
     show_way: "Show how", "Mostrar como";
     show_way_hint: "Does the task for you", "Faz a tarefa por você";
     exercise_at_side: "Answer the exercise in the panel at the side.", "Responda o exercício no painel ao lado.";
@@ -64,21 +64,21 @@ texts! {
     hidden_question: "Q shows the question", "Q mostra a pergunta";
     // Recording.
     add_step: "Add as step", "Adicionar como passo";
-    add_step_hint: "Adds what is on the screen to a lesson of your own, as its next step: only the difference from the step before is written", "Adiciona o que está na tela a uma lição sua, como o próximo passo: só a diferença do passo anterior é escrita";
+    add_step_hint: "Adds what is on the screen to a lesson of your own, as its next step. Only the difference from the step before is written", "Adiciona o que está na tela a uma lição sua, como o próximo passo. Só a diferença do passo anterior é escrita";
     step_title: "The lesson to which the step is added", "A lição à qual o passo é adicionado";
     step_action: "Add", "Adicionar";
     step_file: "lesson.toml", "licao.toml";
     // Writing a lesson in the window.
     write_command: "Write the lesson", "Escrever a lição";
-    write_hint: "Texts of the step and of the lesson beside their preview, order of the steps; of a lesson of the program, in a copy of your own", "Textos do passo e da lição ao lado da prévia, ordem dos passos; de uma lição do programa, em uma cópia sua";
+    write_hint: "The texts of the step and of the lesson, their preview, and the order of the steps. Of a lesson of the program you edit a copy", "Os textos do passo e da lição, a prévia deles e a ordem dos passos. De uma lição do programa você edita uma cópia";
     copy_title: "A copy of the lesson, to be changed by you", "Uma cópia da lição, para você mudar";
     copy_action: "Copy", "Copiar";
     step_earlier: "Move up", "Para cima";
-    step_earlier_hint: "The step comes before the one above it; its picture stays the same", "O passo vem antes do anterior; sua imagem continua a mesma";
+    step_earlier_hint: "The step comes before the one above it. Its picture stays the same", "O passo vem antes do anterior. A imagem continua a mesma";
     step_later: "Move down", "Para baixo";
-    step_later_hint: "The step comes after the next one; its picture stays the same", "O passo vem depois do próximo; sua imagem continua a mesma";
+    step_later_hint: "The step comes after the next one. Its picture stays the same", "O passo vem depois do próximo. A imagem continua a mesma";
     step_screen: "Use what's on the screen", "Usar o que está na tela";
-    step_screen_hint: "From now on the step shows what you see; its texts stay", "A partir de agora o passo mostra o que você vê; seus textos ficam";
+    step_screen_hint: "From now on the step shows what you see. Its texts stay", "A partir de agora o passo mostra o que você vê. Os textos ficam";
     step_another: "New step after this one", "Novo passo depois deste";
     step_another_hint: "Adds a step that shows what is on the screen", "Adiciona um passo que mostra o que está na tela";
     step_remove: "Remove the step", "Remover o passo";
@@ -86,7 +86,7 @@ texts! {
     change_back: "Undo the change", "Desfazer a mudança";
     change_back_hint: "The lesson as it was before the last change of its file", "A lição como era antes da última mudança de seu arquivo";
     read_again: "Reload", "Recarregar";
-    read_again_hint: "Reads the file as another program has changed it; text that you typed here and that isn’t written is lost", "Lê o arquivo como outro programa o mudou; o que foi digitado aqui e não está escrito se perde";
+    read_again_hint: "Reads the file as another program has changed it. You lose text that you typed here and that isn’t saved yet", "Lê o arquivo como outro programa o mudou. Você perde o texto que digitou aqui e que ainda não foi salvo";
     is_kept: "in the file", "no arquivo";
     not_kept: "not yet in the file", "ainda não no arquivo";
     not_written: "Not written into the file", "Não foi escrito no arquivo";
@@ -113,7 +113,7 @@ texts! {
     or_gallery: "Gallery of figures", "Galeria de figuras";
     go_on: "Go on", "Continuar";
     no_go_on: "Close this line until the next start", "Fechar esta linha até a próxima vez";
-    no_welcome: "Close this line; the lessons are in the menu Help", "Fechar esta linha; as lições estão no menu Ajuda";
+    no_welcome: "Close this line. The lessons are in the menu Help", "Fechar esta linha. As lições estão no menu Ajuda";
     presentation_keys: "Esc: leave · Page ↑ ↓: steps · Q: question · C: text · N: notes · a number: that step · P: pen · S: spotlight · B: black", "Esc: sair · Page ↑ ↓: passos · Q: pergunta · C: texto · N: notas · um número: aquele passo · P: caneta · S: foco · B: preto";
     // The list of lessons.
     lessons_command: "Lessons…", "Lições…";

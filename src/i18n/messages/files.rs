@@ -65,7 +65,7 @@ pub fn link(lang: Lang, error: ShareError) -> String {
             "o link teria {length} caracteres; permitido: no máximo {MAX_LINK_CHARACTERS}, que programas de e-mail e de conversa entregam inteiros. Salve e envie o arquivo"
         ),
         (Lang::PtBr, ShareError::Damaged) => {
-            "o link não contém uma figura ou lição inteira: uma parte falta ou foi mudada no caminho".to_owned()
+            "o link não contém uma figura ou lição inteira, pois uma parte falta ou foi mudada no caminho".to_owned()
         }
         (Lang::PtBr, ShareError::TooLarge) => {
             format!("a figura ou lição no link é longa demais; permitido: no máximo {MAX_FIGURE_BYTES} bytes")

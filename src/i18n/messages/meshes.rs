@@ -34,7 +34,7 @@ pub fn notice(lang: Lang, notice: &MeshNotice) -> String {
     match (lang, notice) {
         (Lang::En, notice) => notice.to_string(),
         (Lang::PtBr, MeshNotice::IndexIgnored { line, found }) => format!(
-            "linha {line}: \"{found}\" indica uma normal ou coordenada de textura que não existe; índices assim são ignorados"
+            "linha {line}: \"{found}\" indica uma normal ou coordenada de textura que não existe, e índices assim são ignorados"
         ),
         (Lang::PtBr, MeshNotice::FacesSkipped { line, found, count }) => {
             let left_out = if *count == 1 {
@@ -45,16 +45,16 @@ pub fn notice(lang: Lang, notice: &MeshNotice) -> String {
             format!("linha {line}: uma face com {found} vértices; {left_out}")
         }
         (Lang::PtBr, MeshNotice::CutAsConvex { count }) => format!(
-            "faces côncavas com vértices demais: {count}; elas são preenchidas como se fossem convexas, o que mostra áreas erradas"
+            "faces côncavas com vértices demais: {count}. São preenchidas como se fossem convexas, o que mostra áreas erradas"
         ),
         (Lang::PtBr, MeshNotice::Texture(error)) => {
-            format!("a textura {}; a cor do objeto aparece em seu lugar", texture_in_portuguese(error))
+            format!("a textura {}, e a cor do objeto aparece em seu lugar", texture_in_portuguese(error))
         }
         (Lang::PtBr, MeshNotice::NoCoordinates) => {
-            "a malha não tem coordenadas de textura; sua cor aparece em lugar da textura".to_owned()
+            "a malha não tem coordenadas de textura, e a cor dela aparece em lugar da textura".to_owned()
         }
         (Lang::PtBr, MeshNotice::Invisible { material }) => {
-            format!("o material \"{material}\" é inteiramente transparente (Tr 1 ou d 0); é desenhado opaco")
+            format!("o material \"{material}\" é inteiramente transparente (Tr 1 ou d 0), e é desenhado opaco")
         }
     }
 }
@@ -68,7 +68,7 @@ fn texture_in_portuguese(TextureError { file, fault }: &TextureError) -> String 
             "tem {width} × {height} pixels; permitido: no máximo {MAX_TEXTURE_SIDE} de cada lado e {MAX_TEXELS} ao todo"
         ),
         TextureFault::Budget => {
-            format!("ficou de fora: com ela as texturas desta figura teriam mais de {MAX_TEXELS} pixels")
+            format!("ficou de fora, pois com ela as texturas desta figura teriam mais de {MAX_TEXELS} pixels")
         }
     };
     format!("{file} {why}")
@@ -77,12 +77,12 @@ fn texture_in_portuguese(TextureError { file, fault }: &TextureError) -> String 
 fn obj_in_portuguese(fault: &ObjFault) -> String {
     match fault {
         ObjFault::Number { found } => format!("\"{found}\" não é um número finito"),
-        ObjFault::Coordinates { found } => format!("há {found} coordenadas; são necessárias 3"),
+        ObjFault::Coordinates { found } => format!("há {found} coordenadas, e são necessárias 3"),
         ObjFault::Corner { found } => {
-            format!("\"{found}\" não é um vértice de face; escreve-se v, v/vt, v//vn ou v/vt/vn com números inteiros")
+            format!("\"{found}\" não é um vértice de face. Escreva v, v/vt, v//vn ou v/vt/vn com números inteiros")
         }
         ObjFault::Index { found, points } => {
-            format!("\"{found}\" indica um ponto que não existe; há {points} pontos")
+            format!("\"{found}\" indica um ponto que não existe. Há {points} pontos")
         }
     }
 }
@@ -118,7 +118,7 @@ fn gltf_in_portuguese(fault: &GltfFault) -> String {
         GltfFault::DataUri => "o URI de dados não é um base64 válido".to_owned(),
         GltfFault::OutOfBuffer => "os dados passam do fim do buffer".to_owned(),
         GltfFault::Index { found, vertices } => {
-            format!("o índice {found} indica um vértice que não existe; há {vertices}")
+            format!("o índice {found} indica um vértice que não existe. Há {vertices}")
         }
         GltfFault::SparseIndex { found, count } => {
             format!("o índice {found} de um acessor esparso não está entre seus {count} itens, ou não cresce")

@@ -50,8 +50,8 @@ pub(in crate::i18n) fn read_problem(lang: Lang, problem: &ReadProblem) -> String
 #[must_use]
 pub fn without_colors(lang: Lang, error: &ReadError) -> String {
     let why = unreadable(lang, error);
-    both!(lang; "{why}; the mesh is drawn without the colours of its materials",
-        "{why}; a malha é desenhada sem as cores de seus materiais")
+    both!(lang; "{why}. The mesh is drawn without the colours of its materials",
+        "{why}. A malha é desenhada sem as cores dos materiais")
 }
 
 /// The error of the system, in our words; an unusual one by its number.
@@ -75,7 +75,7 @@ pub(in crate::i18n) fn system_in_portuguese(kind: io::ErrorKind, code: Option<i3
         io::ErrorKind::UnexpectedEof | io::ErrorKind::WriteZero => "terminou antes do fim",
         io::ErrorKind::InvalidData => "contém dados inválidos",
         io::ErrorKind::Unsupported => {
-            "uma página no navegador não lê pastas; escolha o arquivo nela, ou solte-o sobre a página"
+            "uma página no navegador não lê pastas. Escolha o arquivo nela, ou solte-o sobre a página"
         }
         _ if is_loop(code) => "seus links formam um ciclo",
         _ => match code {

@@ -8,18 +8,18 @@ texts! {
     ndc: "NDC of", "NDC de";
     ndc_hint: "Whose normalised device coordinates M_p, the probe and the canonical volume use. Pixels and depths of the image stay the same", "De quem são as coordenadas de dispositivo normalizadas que M_p, a sonda e o volume canônico usam. Pixels e profundidades da imagem não mudam";
     compared: "compared with", "comparar com";
-    compared_hint: "The same matrices in another convention, below; entries that differ are marked", "As mesmas matrizes em outra convenção, embaixo; os elementos que diferem ficam marcados";
+    compared_hint: "The same matrices in another convention, below. Entries that differ are marked", "As mesmas matrizes em outra convenção, embaixo. Os elementos que diferem ficam marcados";
     nobody: "nothing", "nada";
     reversed: "reversed", "invertido";
-    reversed_hint: "z_n is 1 at F and 0 at B: floating-point numbers are dense around 0, where perspective crowds the depths. In OpenGL by glClipControl with GL_ZERO_TO_ONE", "z_n é 1 em F e 0 em B: números de ponto flutuante são densos perto de 0, onde a perspectiva comprime as profundidades. No OpenGL, por glClipControl com GL_ZERO_TO_ONE";
+    reversed_hint: "z_n is 1 at F and 0 at B. Floating-point numbers are dense around 0, where perspective crowds the depths. In OpenGL by glClipControl with GL_ZERO_TO_ONE", "z_n é 1 em F e 0 em B. Números de ponto flutuante são densos perto de 0, onde a perspectiva comprime as profundidades. No OpenGL, por glClipControl com GL_ZERO_TO_ONE";
     infinite: "B → ∞", "B → ∞";
-    infinite_hint: "The limit of the matrices as the back plane goes to infinity; in perspective only. The pictures are still clipped at B", "O limite das matrizes quando o plano de fundo vai ao infinito; só em perspectiva. As imagens ainda são recortadas em B";
+    infinite_hint: "The limit of the matrices as the back plane goes to infinity, in perspective only. The pictures are still clipped at B", "O limite das matrizes quando o plano de fundo vai ao infinito, só em perspectiva. As imagens ainda são recortadas em B";
     row_vectors: "row vectors", "vetores linha";
     row_vectors_hint: "As in texts that write p′ = p M", "Como em textos que escrevem p′ = p M";
-    row_vectors_said: "Points are rows, p′ = p M: every matrix is transposed, and a product is read from the left.", "Pontos são linhas, p′ = p M: cada matriz é transposta, e um produto é lido da esquerda.";
+    row_vectors_said: "Points are rows, p′ = p M. Every matrix is transposed, and a product is read from the left.", "Pontos são linhas, p′ = p M. Cada matriz é transposta, e um produto é lido da esquerda.";
     left_handed: "left-handed view space", "espaço de vista de mão esquerda";
     left_handed_hint: "z_c grows along DOP, as in texts on Direct3D", "z_c cresce ao longo de DOP, como em textos sobre Direct3D";
-    left_handed_said: "z_c grows along DOP: the third row of M_v and the third column of M_p change sign, and their product stays the same.", "z_c cresce ao longo de DOP: a terceira linha de M_v e a terceira coluna de M_p trocam de sinal, e seu produto não muda.";
+    left_handed_said: "z_c grows along DOP. The third row of M_v and the third column of M_p change sign, and their product stays the same.", "z_c cresce ao longo de DOP. A terceira linha de M_v e a terceira coluna de M_p trocam de sinal, e o produto não muda.";
 }
 
 /// The axes of a camera.
@@ -108,10 +108,10 @@ pub fn differences(lang: Lang, ndc: Ndc, compared: Ndc) -> String {
         );
     }
     match reasons.is_empty() {
-        true => both!(lang; "{other} has the same NDC as {mine}: nothing differs.",
-            "{other} tem as mesmas NDC que {mine}: nada difere."),
-        false => both!(lang; "Marked: what differs in {other}. {}.",
-            "Marcado: o que difere em {other}. {}."; capital(&reasons.join("; "))),
+        true => both!(lang; "{other} has the same NDC as {mine}, so nothing differs.",
+            "{other} tem as mesmas NDC que {mine}, e nada difere."),
+        false => both!(lang; "The entries of {other} that differ are marked. {}.",
+            "Os elementos de {other} que diferem estão marcados. {}."; capital(&reasons.join("; "))),
     }
 }
 

@@ -12,27 +12,27 @@ use crate::sanitize::escaped;
 texts! {
     fixed_hint: "Follows from the others and cannot be set by itself", "Decorre dos outros e não pode ser definido sozinho";
     pasted: "A matrix → its camera", "Uma matriz → sua câmera";
-    pasted_hint: "Paste a matrix, K, a quaternion and t, or a file of another program, as it prints it. The program recognises the matrix, its axes and its NDC as far as the numbers tell; other NDC than those of OpenGL are those you chose under Conventions.",
+    pasted_hint: "Paste a matrix, K, a quaternion and t, or a file of another program, as it prints it. The program recognises the matrix, its axes and its NDC as far as the numbers tell. NDC that aren't OpenGL's are those you chose under Conventions.",
         "Cole uma matriz, K, um quatérnio e t, ou um arquivo de outro programa, como ele os escreve. O programa reconhece a matriz, os eixos e as NDC até onde os números dizem; NDC diferentes das de OpenGL são as que você escolheu em Convenções.";
     recognise: "recognise", "reconhecer";
     kind: "The matrix is", "A matriz é";
-    kind_hint: "What the matrix does. Camera → world is the inverse of M_v: matrix_world of Blender, a node of glTF, matrixWorld of three.js. K [R | t] leads to pixels.",
-        "O que a matriz faz. Câmera → mundo é a inversa de M_v: matrix_world do Blender, um nó de glTF, matrixWorld de three.js. K [R | t] leva a pixels.";
+    kind_hint: "What the matrix does. Camera → world is the inverse of M_v, such as matrix_world of Blender, a node of glTF or matrixWorld of three.js. K [R | t] leads to pixels.",
+        "O que a matriz faz. Câmera → mundo é a inversa de M_v, como matrix_world do Blender, um nó de glTF ou matrixWorld de three.js. K [R | t] leva a pixels.";
     axes: "Axes", "Eixos";
     axes_hint: "Whose axes", "Os eixos de quem";
     why: "Why", "Por quê";
     instead: "Read it as", "Ler como";
     instead_hint: "As this, it gives another camera", "Assim ela dá outra câmera";
     camera: "Camera", "Câmera";
-    camera_hint: "The text has several cameras: this is the one that is read", "O texto tem várias câmeras: esta é a que se lê";
+    camera_hint: "The text has several cameras. This one is read", "O texto tem várias câmeras. Lê-se esta";
     image: "Image of the matrix", "Imagem da matriz";
-    image_hint: "The size in pixels of the image that K belongs to. It is not in the matrix; the figure takes it on with the camera.",
-        "O tamanho em pixels da imagem a que K pertence. Não está na matriz; a figura o recebe com a câmera.";
+    image_hint: "The size in pixels of the image that K belongs to. It isn't in the matrix. The figure takes it on with the camera.",
+        "O tamanho em pixels da imagem a que K pertence. Não está na matriz. A figura o recebe com a câmera.";
     to_perspective: "Make it a perspective", "Passar à perspectiva";
-    to_perspective_hint: "The same camera in perspective; things at PF keep their size", "A mesma câmera em perspectiva; o que está em PF mantém o tamanho";
+    to_perspective_hint: "The same camera in perspective. Things at PF keep their size", "A mesma câmera em perspectiva. O que está em PF mantém o tamanho";
     transposed: "row vectors, or by columns", "vetores linha, ou por colunas";
-    transposed_hint: "The matrix is written for row vectors, or by columns: it is transposed", "A matriz foi escrita para vetores linha, ou por colunas: é transposta";
-    try_transposed: "Transposed, it is the matrix of a camera: choose “row vectors, or by columns”.", "Transposta, é a matriz de uma câmera: escolha “vetores linha, ou por colunas”.";
+    transposed_hint: "The matrix is written for row vectors or by columns, so it's transposed", "A matriz foi escrita para vetores linha ou por colunas, e é transposta";
+    try_transposed: "Transposed, it's the matrix of a camera. Choose “row vectors, or by columns”.", "Transposta, é a matriz de uma câmera. Escolha “vetores linha, ou por colunas”.";
     read_as: "Read in the convention", "Lida na convenção";
     take: "Take this camera", "Usar esta câmera";
     take_hint: "The figure takes on the camera of the matrix; Ctrl+Z undoes it", "A figura recebe a câmera da matriz; Ctrl+Z desfaz";
@@ -56,19 +56,19 @@ pub fn title(lang: Lang, vocabulary: Vocabulary) -> (&'static str, &'static str)
 #[must_use]
 pub fn limitation(lang: Lang, limitation: Limitation) -> String {
     let text = match limitation {
-        Limitation::SymmetricOnly => pick!(lang; "It can express symmetric windows only: this one is not.",
-            "Só exprime janelas simétricas: esta não é."),
+        Limitation::SymmetricOnly => pick!(lang; "It can express only symmetric windows, and this one isn't.",
+            "Só exprime janelas simétricas, e esta não é."),
         Limitation::PerspectiveOnly => pick!(lang; "It can express perspective only.",
             "Só exprime a perspectiva."),
-        Limitation::NoClippingPlanes => pick!(lang; "F and B are not part of it: they stay as they are.",
-            "F e B não fazem parte: ficam como estão."),
-        Limitation::NoFocalPoint => pick!(lang; "PF is not part of it: it stays at its distance D.",
-            "PF não faz parte: fica à sua distância D."),
+        Limitation::NoClippingPlanes => pick!(lang; "F and B aren't part of it, so they stay as they are.",
+            "F e B não fazem parte e ficam como estão."),
+        Limitation::NoFocalPoint => pick!(lang; "PF isn't part of it, so it stays at its distance D.",
+            "PF não faz parte e fica à distância D."),
         Limitation::ViewPlaneIsNear => pick!(lang;
-            "Its view plane may lie anywhere; here it is the front plane, so D = F and z_{vp} = −F.",
-            "Seu plano de vista pode ficar em qualquer lugar; aqui é o plano da frente: D = F e z_{vp} = −F."),
-        Limitation::LeftHanded => pick!(lang; "Left-handed: n points into the scene, along DOP, and u = n × v.",
-            "Mão esquerda: n aponta para a cena, ao longo de DOP, e u = n × v."),
+            "Its view plane may lie anywhere. Here it's the front plane, so D = F and z_{vp} = −F.",
+            "O plano de vista pode ficar em qualquer lugar. Aqui é o plano da frente, e assim D = F e z_{vp} = −F."),
+        Limitation::LeftHanded => pick!(lang; "It's left-handed, so n points into the scene, along DOP, and u = n × v.",
+            "É de mão esquerda, e n aponta para a cena, ao longo de DOP, e u = n × v."),
         Limitation::Coordinates => pick!(lang;
             "z_{near} and z_{far} are coordinates, negative. The notes have the distances F and B.",
             "z_{near} e z_{far} são coordenadas, negativas. As notas têm as distâncias F e B."),
@@ -86,17 +86,17 @@ pub fn limitation(lang: Lang, limitation: Limitation) -> String {
 pub fn number_hint(lang: Lang, quantity: CameraNumber) -> &'static str {
     match quantity {
         CameraNumber::Axis(..) => pick!(lang;
-            "An entry of a rotation is a cosine: −1 … 1. The camera turns about the origin until this entry has the number. R stays a rotation, so other entries change too; t doesn't change, so C = −Rᵀ t moves",
-            "Um elemento de uma rotação é um cosseno: −1 … 1. A câmera gira em torno da origem até que este elemento tenha o número. R continua uma rotação, e outros elementos mudam também; t fica, e C = −Rᵀ t se move"),
+            "An entry of a rotation is a cosine, from −1 to 1. The camera turns about the origin until this entry has the number. R stays a rotation, so other entries change too. t doesn't change, so C = −Rᵀ t moves",
+            "Um elemento de uma rotação é um cosseno, de −1 a 1. A câmera gira em torno da origem até que este elemento tenha o número. R continua uma rotação, e outros elementos mudam também. t não muda, e C = −Rᵀ t se move"),
         CameraNumber::Translation(_) => pick!(lang;
             "The world's origin in the axes of K. The camera moves along one of its own axes, without a turn",
             "A origem do mundo nos eixos de K. A câmera se move ao longo de um de seus eixos, sem girar"),
         CameraNumber::FocalLength(_) => pick!(lang;
-            "The focal length in pixels. Greater: a smaller window, so things look larger",
-            "A distância focal em pixels. Maior: uma janela menor, e as coisas parecem maiores"),
+            "The focal length in pixels. If it's greater, the window is smaller and things look larger",
+            "A distância focal em pixels. Se é maior, a janela é menor e as coisas parecem maiores"),
         CameraNumber::PrincipalPoint(_) => pick!(lang;
-            "The pixel in which DOP meets the image: the window moves beside the axis",
-            "O pixel em que DOP encontra a imagem: a janela se desloca em relação ao eixo"),
+            "The pixel where DOP meets the image. It moves the window off the axis",
+            "O pixel em que DOP encontra a imagem. Ele desloca a janela em relação ao eixo"),
         _ => pick!(lang; "Sets the camera", "Define a câmera"),
     }
 }
@@ -246,64 +246,64 @@ fn camera(lang: Lang, candidate: &Candidate) -> String {
 #[must_use]
 pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
     match unknown {
-        Unknown::FocalDistance => pick!(lang; "D is unknown: a direction has no length. PF keeps its distance.",
-            "D é desconhecido: uma direção não tem comprimento. PF mantém sua distância."),
-        Unknown::ViewUp => pick!(lang; "VUP is unknown, only v is known: the present VUP stays if it fits.",
-            "VUP é desconhecido, só se conhece v: o VUP atual fica, se servir."),
+        Unknown::FocalDistance => pick!(lang; "D is unknown, because a direction has no length. PF keeps its distance.",
+            "D é desconhecido, pois uma direção não tem comprimento. PF mantém a distância."),
+        Unknown::ViewUp => pick!(lang; "VUP is unknown, only v is known. The present VUP stays if it fits.",
+            "VUP é desconhecido, só se conhece v. O VUP atual fica, se servir."),
         Unknown::PositionAlongNormal => pick!(lang;
-            "In parallel projection C may lie anywhere along n: it's put so that F doesn't change.",
-            "Em projeção paralela C pode ficar em qualquer lugar ao longo de n: é posto de modo que F não mude."),
+            "In parallel projection C may lie anywhere along n. It's put so that F doesn't change.",
+            "Em projeção paralela C pode ficar em qualquer lugar ao longo de n. É posto de modo que F não mude."),
         Unknown::WindowCentre => pick!(lang;
-            "An off-axis window and a C shifted sideways give the same matrix: the window is taken as symmetric.",
-            "Uma janela fora do eixo e um C deslocado dão a mesma matriz: a janela é tomada como simétrica."),
+            "An off-axis window and a C shifted sideways give the same matrix. The window is taken as symmetric.",
+            "Uma janela fora do eixo e um C deslocado dão a mesma matriz. Supõe-se a janela simétrica."),
         Unknown::Far => pick!(lang; "The back plane is at infinity: B stays as it was.",
             "O plano de fundo está no infinito: B fica como estava."),
-        Unknown::Lens => pick!(lang; "Window, F and B are not in it: they stay as they were.",
-            "Janela, F e B não estão nela: ficam como estavam."),
+        Unknown::Lens => pick!(lang; "Window, F and B aren't in it, so they stay as they were.",
+            "Janela, F e B não estão nela e ficam como estavam."),
         Unknown::Pose => pick!(lang; "C, PF and VUP aren't in this matrix, so they stay as they were.",
             "C, PF e VUP não estão nesta matriz e ficam como estavam."),
         Unknown::DepthDirection => pick!(lang;
-            "z grows towards the viewer there, as in no camera of the notes: the volume is the same, z_n changes sign.",
-            "Ali z cresce rumo ao observador, como em nenhuma câmera das notas: o volume é o mesmo, z_n troca de sinal."),
-        Unknown::LeftHandedView => pick!(lang; "The axes are left-handed, as in the pipeline notes: n is reversed.",
-            "Os eixos são de mão esquerda, como nas notas do pipeline: n é invertido."),
+            "z grows towards the viewer there, as in no camera of the notes. The volume is the same, but z_n changes sign.",
+            "Ali z cresce rumo ao observador, como em nenhuma câmera das notas. O volume é o mesmo, mas z_n troca de sinal."),
+        Unknown::LeftHandedView => pick!(lang; "The axes are left-handed, as in the pipeline notes, so n is reversed.",
+            "Os eixos são de mão esquerda, como nas notas do pipeline, e n é invertido."),
         Unknown::Rounded => pick!(lang;
-            "Its axes are unit vectors at right angles only to within their digits: they were orthonormalised.",
-            "Seus eixos só são versores perpendiculares até os seus dígitos: foram ortonormalizados."),
+            "Its axes are unit vectors at right angles only to within their digits, so they were orthonormalised.",
+            "Seus eixos só são versores perpendiculares até os seus dígitos, e foram ortonormalizados."),
         Unknown::Scaled => pick!(lang;
-            "Its columns do not have length 1: the object is scaled. A camera has no scale; it was divided out.",
-            "Suas colunas não têm comprimento 1: o objeto tem escala. Uma câmera não tem; ela foi dividida fora."),
+            "Its columns don't have length 1, so the object is scaled. A camera has no scale, so it was divided out.",
+            "As colunas não têm comprimento 1, pois o objeto tem escala. Uma câmera não tem, e a escala foi eliminada."),
         Unknown::WorldTurned => pick!(lang;
-            "z is up in that world: it was turned, (x, y, z) → (x, z, −y), so that y is up, as exporters of glTF do.",
-            "Nesse mundo z é para cima: ele foi girado, (x, y, z) → (x, z, −y), para que y o seja, como fazem os exportadores de glTF."),
+            "z is up in that world. It was turned, (x, y, z) → (x, z, −y), so that y is up, as exporters of glTF do.",
+            "Nesse mundo z é para cima. Ele foi girado, (x, y, z) → (x, z, −y), para que y o seja, como fazem os exportadores de glTF."),
         Unknown::WorldMirrored => pick!(lang;
-            "That world is left-handed: its z was reversed, (x, y, z) → (x, y, −z), so that the image is not mirrored.",
-            "Esse mundo é de mão esquerda: seu z foi invertido, (x, y, z) → (x, y, −z), para que a imagem não fique espelhada."),
+            "That world is left-handed. Its z was reversed, (x, y, z) → (x, y, −z), so that the image is not mirrored.",
+            "Esse mundo é de mão esquerda. Seu z foi invertido, (x, y, z) → (x, y, −z), para que a imagem não fique espelhada."),
         Unknown::WorldExchanged => pick!(lang;
-            "That world is left-handed with z up: y and z were exchanged, (x, y, z) → (x, z, y), so that y is up and the image is not mirrored.",
-            "Esse mundo é de mão esquerda e nele z é para cima: y e z foram trocados, (x, y, z) → (x, z, y), para que y seja para cima e a imagem não fique espelhada."),
+            "That world is left-handed with z up. So y and z were exchanged, (x, y, z) → (x, z, y), so that y is up and the image is not mirrored.",
+            "Esse mundo é de mão esquerda e nele z é para cima. Por isso y e z foram trocados, (x, y, z) → (x, z, y), para que y seja para cima e a imagem não fique espelhada."),
         Unknown::ClippingPlanes => pick!(lang; "F and B are unknown: K [R | t] has none. They stay as they were.",
             "F e B são desconhecidos: K [R | t] não os tem. Ficam como estavam."),
         Unknown::ImageSize => pick!(lang;
-            "The size of the image is unknown: the window is that of the size given here. Pixels are counted from the corner, as in (5.22); OpenCV counts from the middle of the first, half a pixel less.",
-            "O tamanho da imagem é desconhecido: a janela é a do tamanho dado aqui. Os pixels se contam a partir do canto, como em (5.22); OpenCV conta a partir do meio do primeiro, meio pixel a menos."),
-        Unknown::PixelAspect => pick!(lang; "f_x and f_y differ: its pixels are not square, so A is not m/n.",
-            "f_x e f_y diferem: seus pixels não são quadrados, e A não é m/n."),
-        Unknown::SkewDropped => pick!(lang; "K has a skew of the size of its last digits: it was taken as 0.",
-            "K tem uma obliquidade (skew) do tamanho dos seus últimos dígitos: foi tomada como 0."),
+            "The size of the image is unknown, so the window is that of the size given here. Pixels are counted from the corner, as in (5.22). OpenCV counts from the middle of the first, half a pixel less.",
+            "O tamanho da imagem é desconhecido, e a janela é a do tamanho dado aqui. Os pixels se contam a partir do canto, como em (5.22). OpenCV conta a partir do meio do primeiro, meio pixel a menos."),
+        Unknown::PixelAspect => pick!(lang; "f_x and f_y differ. Its pixels aren't square, so A isn't m/n.",
+            "f_x e f_y diferem. Os pixels não são quadrados, e A não é m/n."),
+        Unknown::SkewDropped => pick!(lang; "K has a skew of the size of its last digits. It was taken as 0.",
+            "K tem uma obliquidade (skew) do tamanho dos seus últimos dígitos. Foi considerada 0."),
         Unknown::SignReversed => pick!(lang;
-            "Its determinant is negative: all signs were reversed, because K [R | t] is known up to a factor. If its factor counts, the image is mirrored.",
-            "Seu determinante é negativo: todos os sinais foram trocados, pois K [R | t] só se conhece a menos de um fator. Se o fator conta, a imagem é espelhada."),
+            "Its determinant is negative. All signs were reversed, because K [R | t] is known up to a factor. If its factor counts, the image is mirrored.",
+            "O determinante é negativo. Todos os sinais foram trocados, pois K [R | t] só se conhece a menos de um fator. Se o fator conta, a imagem é espelhada."),
         Unknown::PrincipalPoint => pick!(lang;
-            "The principal point lies far from the middle of the image, which is unlikely: is K that of another image size?",
+            "The principal point lies far from the middle of the image, which is unlikely. Is K that of another image size?",
             "O ponto principal fica longe do meio da imagem, o que é improvável: K é de outro tamanho de imagem?"),
         Unknown::ImageTurned => pick!(lang;
-            "The principal point is the middle of the image with its sides exchanged: is K that of n × m pixels?",
+            "The principal point is the middle of the image with its sides exchanged. Is K that of n × m pixels?",
             "O ponto principal é o meio da imagem de lados trocados: K é de n × m pixels?"),
         Unknown::WideAngle => pick!(lang; "The angle of the image is greater than 150°, which is unlikely.",
             "O ângulo da imagem é maior que 150°, o que é improvável."),
-        Unknown::NormalisedPixels => pick!(lang; "K is normalised: its numbers are shares of the sides of the image.",
-            "K é normalizada: seus números são frações dos lados da imagem."),
+        Unknown::NormalisedPixels => pick!(lang; "K is normalised. Its numbers are shares of the sides of the image.",
+            "K é normalizada. Os números são frações dos lados da imagem."),
     }
 }
 

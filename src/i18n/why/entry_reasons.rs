@@ -11,26 +11,26 @@ type Both = [&'static str; 2];
 const VIEW: [[Both; 4]; 4] = [
     [
         [
-            "u_x is how far a step along x of the world goes to the right of the image: the row is **u**, so the product is the dot product that measures along **u**.",
-            "u_x diz quanto um passo ao longo de x do mundo vai à direita da imagem: a linha é **u**, e o produto é o produto escalar que mede ao longo de **u**.",
+            "u_x is how far a step along x of the world goes to the right of the image. The row is **u**, so the product is the dot product that measures along **u**.",
+            "u_x diz quanto um passo ao longo de x do mundo vai à direita da imagem. A linha é **u**, e o produto é o produto escalar que mede ao longo de **u**.",
         ],
         [
-            "u_y is how far a step along y of the world goes to the right; it is 0 if **u** is horizontal.",
-            "u_y diz quanto um passo ao longo de y do mundo vai à direita; é 0 se **u** é horizontal.",
+            "u_y is how far a step along y of the world goes to the right. It's 0 if **u** is horizontal.",
+            "u_y diz quanto um passo ao longo de y do mundo vai à direita. É 0 se **u** é horizontal.",
         ],
         [
             "u_z is how far a step along z of the world goes to the right of the image.",
             "u_z diz quanto um passo ao longo de z do mundo vai à direita da imagem.",
         ],
         [
-            "−**u** · **c** brings C to x_c = 0: it is the −C of the translation, measured along **u** because the rotation comes after it.",
-            "−**u** · **c** leva C a x_c = 0: é o −C da translação, medido ao longo de **u** porque a rotação vem depois.",
+            "−**u** · **c** brings C to x_c = 0. It's the −C of the translation, measured along **u** because the rotation comes after it.",
+            "−**u** · **c** leva C a x_c = 0. É o −C da translação, medido ao longo de **u** porque a rotação vem depois.",
         ],
     ],
     [
         [
-            "v_x is how far a step along x of the world goes up in the image: the row is **v**, so the product measures along **v**.",
-            "v_x diz quanto um passo ao longo de x do mundo sobe na imagem: a linha é **v**, e o produto mede ao longo de **v**.",
+            "v_x is how far a step along x of the world goes up in the image. The row is **v**, so the product measures along **v**.",
+            "v_x diz quanto um passo ao longo de x do mundo sobe na imagem. A linha é **v**, e o produto mede ao longo de **v**.",
         ],
         [
             "v_y is how far a step along y of the world goes up in the image: 1 for a level camera, less for one that looks up or down.",
@@ -47,35 +47,35 @@ const VIEW: [[Both; 4]; 4] = [
     ],
     [
         [
-            "n_x is how far a step along x of the world comes towards the viewer: the row is **n**, which points out of the scene.",
-            "n_x diz quanto um passo ao longo de x do mundo vem em direção a quem vê: a linha é **n**, que aponta para fora da cena.",
+            "n_x is how far a step along x of the world comes towards the viewer. The row is **n**, which points out of the scene.",
+            "n_x diz quanto um passo ao longo de x do mundo vem em direção ao observador. A linha é **n**, que aponta para fora da cena.",
         ],
         [
-            "n_y is how far a step along y of the world comes towards the viewer: greater than 0 for a camera that looks down.",
-            "n_y diz quanto um passo ao longo de y do mundo vem em direção a quem vê: maior que 0 em uma câmera que olha para baixo.",
+            "n_y is how far a step along y of the world comes towards the viewer. It's greater than 0 for a camera that looks down.",
+            "n_y diz quanto um passo ao longo de y do mundo vem em direção ao observador. É maior que 0 em uma câmera que olha para baixo.",
         ],
         [
             "n_z is how far a step along z of the world comes towards the viewer.",
-            "n_z diz quanto um passo ao longo de z do mundo vem em direção a quem vê.",
+            "n_z diz quanto um passo ao longo de z do mundo vem em direção ao observador.",
         ],
         [
-            "−**n** · **c** brings C to z_c = 0; what lies in front of C then has z_c < 0, because **n** points backwards.",
-            "−**n** · **c** leva C a z_c = 0; o que está diante de C fica então com z_c < 0, porque **n** aponta para trás.",
+            "−**n** · **c** brings C to z_c = 0. Points in front of C then have z_c < 0, because **n** points backwards.",
+            "−**n** · **c** leva C a z_c = 0. Os pontos diante de C têm então z_c < 0, porque **n** aponta para trás.",
         ],
     ],
     [
         [
-            "0: x of the world must not change w, which stays 1 for a point.",
-            "0: o x do mundo não deve mudar w, que continua 1 para um ponto.",
+            "It's 0 because x of the world must not change w, which stays 1 for a point.",
+            "É 0, pois o x do mundo não deve mudar w, que continua 1 para um ponto.",
         ],
-        ["0: y of the world must not change w.", "0: o y do mundo não deve mudar w."],
+        ["It's 0 because y of the world must not change w.", "É 0, pois o y do mundo não deve mudar w."],
         [
-            "0: z of the world must not change w; only M_p puts a depth into it.",
-            "0: o z do mundo não deve mudar w; só M_p põe nele uma profundidade.",
+            "It's 0 because z of the world must not change w. Only M_p puts a depth into it.",
+            "É 0, pois o z do mundo não deve mudar w. Só M_p põe nele uma profundidade.",
         ],
         [
-            "1: w is passed on as it is, so points stay points, and directions (w = 0) don't feel the translation.",
-            "1: w passa como está, e assim pontos continuam pontos, e direções (w = 0) não sentem a translação.",
+            "It's 1 because w is passed on as it is. So points stay points, and directions (w = 0) don't feel the translation.",
+            "É 1, pois w passa como está. Assim pontos continuam pontos, e direções (w = 0) não sentem a translação.",
         ],
     ],
 ];
@@ -88,70 +88,70 @@ const PERSPECTIVE: [[Both; 4]; 4] = [
             "2F/(r − l): F projeta x_c na janela, por semelhança de triângulos, e 2/(r − l) dá à janela a largura 2, de −1 a 1.",
         ],
         [
-            "0: how high a point is doesn't move its image to the side.",
-            "0: a altura de um ponto não move sua imagem para o lado.",
+            "It's 0 because how high a point is doesn't move its image to the side.",
+            "É 0, pois a altura de um ponto não move sua imagem para o lado.",
         ],
         [
-            "(r + l)/(r − l) brings the middle of the window to x_n = 0; it stands beside z_c because it has to survive the division by −z_c, and is 0 if the window is symmetric.",
-            "(r + l)/(r − l) leva o meio da janela a x_n = 0; fica junto de z_c porque deve sobreviver à divisão por −z_c, e é 0 se a janela é simétrica.",
+            "(r + l)/(r − l) brings the middle of the window to x_n = 0. It stands beside z_c because it has to survive the division by −z_c. It's 0 if the window is symmetric.",
+            "(r + l)/(r − l) leva o meio da janela a x_n = 0. Fica junto de z_c porque deve sobreviver à divisão por −z_c. É 0 se a janela é simétrica.",
         ],
         [
-            "0: a number here would be divided by −z_c, and shift near things more than far ones.",
-            "0: um número aqui seria dividido por −z_c, e deslocaria mais o que está perto do que o que está longe.",
+            "It's 0 because a number here would be divided by −z_c, and shift near things more than far ones.",
+            "É 0, pois um número aqui seria dividido por −z_c, e deslocaria mais o que está perto do que o que está longe.",
         ],
     ],
     [
         [
-            "0: how far to the side a point is doesn't move its image up or down.",
-            "0: quanto um ponto está para o lado não move sua imagem para cima nem para baixo.",
+            "It's 0 because how far to the side a point is doesn't move its image up or down.",
+            "É 0, pois quanto um ponto está para o lado não move sua imagem para cima nem para baixo.",
         ],
         [
             "2F/(t − b): F projects, as in the first row, and 2/(t − b) makes the window 2 high, from −1 to 1.",
             "2F/(t − b): F projeta, como na primeira linha, e 2/(t − b) dá à janela a altura 2, de −1 a 1.",
         ],
         [
-            "(t + b)/(t − b) brings the middle of the window to y_n = 0; it is 0 if the window is symmetric.",
-            "(t + b)/(t − b) leva o meio da janela a y_n = 0; é 0 se a janela é simétrica.",
+            "(t + b)/(t − b) brings the middle of the window to y_n = 0. It's 0 if the window is symmetric.",
+            "(t + b)/(t − b) leva o meio da janela a y_n = 0. É 0 se a janela é simétrica.",
         ],
         [
-            "0: as in the first row, the division would turn a number here into a shift that depends on the depth.",
-            "0: como na primeira linha, a divisão faria de um número aqui um deslocamento que depende da profundidade.",
-        ],
-    ],
-    [
-        [
-            "0: all points of a plane parallel to the window shall get the same depth, so x_c doesn't count.",
-            "0: todos os pontos de um plano paralelo à janela devem ter a mesma profundidade, então x_c não conta.",
-        ],
-        [
-            "0: for the same reason y_c doesn't count in the depth.",
-            "0: pela mesma razão, y_c não conta na profundidade.",
-        ],
-        [
-            "−(B + F)/(B − F) is α of the two conditions z_n = −1 at F and z_n = 1 at B; it is negative because z_n has to reach 1 where z_c = −B.",
-            "−(B + F)/(B − F) é o α das duas condições z_n = −1 em F e z_n = 1 em B; é negativo porque z_n deve chegar a 1 em z_c = −B.",
-        ],
-        [
-            "−2BF/(B − F) is β of these two conditions: divided by −z_c it falls off with the depth, so that F lands on −1 and B on 1.",
-            "−2BF/(B − F) é o β dessas duas condições: dividido por −z_c, diminui com a profundidade, e assim F vai a −1 e B a 1.",
+            "It's 0. As in the first row, the division would turn a number here into a shift that depends on the depth.",
+            "É 0. Como na primeira linha, a divisão faria de um número aqui um deslocamento que depende da profundidade.",
         ],
     ],
     [
         [
-            "0: w shall be the depth alone, so x_c doesn't count.",
-            "0: w deve ser só a profundidade, então x_c não conta.",
+            "It's 0 because all points of a plane parallel to the window must get the same depth, so x_c doesn't count.",
+            "É 0, pois todos os pontos de um plano paralelo à janela devem ter a mesma profundidade, então x_c não conta.",
         ],
         [
-            "0: w shall be the depth alone, so y_c doesn't count.",
-            "0: w deve ser só a profundidade, então y_c não conta.",
+            "It's 0. For the same reason y_c doesn't count in the depth.",
+            "É 0. Pela mesma razão, y_c não conta na profundidade.",
         ],
         [
-            "−1: w has to be the depth, and z_c is negative in front of C, so w_r = −z_c is positive for what is seen.",
-            "−1: w deve ser a profundidade, e z_c é negativo diante de C, então w_r = −z_c é positivo para o que se vê.",
+            "−(B + F)/(B − F) is α of the two conditions z_n = −1 at F and z_n = 1 at B. It's negative because z_n has to reach 1 where z_c = −B.",
+            "−(B + F)/(B − F) é o α das duas condições z_n = −1 em F e z_n = 1 em B. É negativo porque z_n deve chegar a 1 em z_c = −B.",
         ],
         [
-            "0: with a number here w would not be 0 in the plane of C, and the rays would not meet there.",
-            "0: com um número aqui w não seria 0 no plano de C, e os raios não se encontrariam ali.",
+            "−2BF/(B − F) is β of these two conditions. Divided by −z_c it falls off with the depth, so that F lands on −1 and B on 1.",
+            "−2BF/(B − F) é o β dessas duas condições. Dividido por −z_c, diminui com a profundidade, e assim F vai a −1 e B a 1.",
+        ],
+    ],
+    [
+        [
+            "It's 0 because w must be the depth alone, so x_c doesn't count.",
+            "É 0, pois w deve ser só a profundidade, então x_c não conta.",
+        ],
+        [
+            "It's 0 because w must be the depth alone, so y_c doesn't count.",
+            "É 0, pois w deve ser só a profundidade, então y_c não conta.",
+        ],
+        [
+            "It's −1 because w has to be the depth, and z_c is negative in front of C, so w_r = −z_c is positive for what is seen.",
+            "É −1, pois w deve ser a profundidade, e z_c é negativo diante de C, então w_r = −z_c é positivo para o que se vê.",
+        ],
+        [
+            "It's 0. With a number here w wouldn't be 0 in the plane of C, and the rays wouldn't meet there.",
+            "É 0. Com um número aqui w não seria 0 no plano de C, e os raios não se encontrariam ali.",
         ],
     ],
 ];
@@ -160,31 +160,31 @@ const PERSPECTIVE: [[Both; 4]; 4] = [
 const PARALLEL: [[Both; 4]; 4] = [
     [
         [
-            "2/(r − l) makes the window 2 wide, from −1 to 1; no F, because the image of a point has its own x_c.",
-            "2/(r − l) dá à janela a largura 2, de −1 a 1; sem F, porque a imagem de um ponto tem o próprio x_c.",
+            "2/(r − l) makes the window 2 wide, from −1 to 1. There's no F, because the image of a point has its own x_c.",
+            "2/(r − l) dá à janela a largura 2, de −1 a 1. Não há F, porque a imagem de um ponto tem o próprio x_c.",
         ],
         [
-            "0: how high a point is doesn't move its image to the side.",
-            "0: a altura de um ponto não move sua imagem para o lado.",
+            "It's 0 because how high a point is doesn't move its image to the side.",
+            "É 0, pois a altura de um ponto não move sua imagem para o lado.",
         ],
         [
-            "0: the projectors run along **n**, so the depth doesn't move an image to the side.",
-            "0: os projetores correm ao longo de **n**, então a profundidade não move a imagem para o lado.",
+            "It's 0 because the projectors run along **n**, so the depth doesn't move an image to the side.",
+            "É 0, pois os projetores correm ao longo de **n**, então a profundidade não move a imagem para o lado.",
         ],
         [
-            "−(r + l)/(r − l) brings the middle of the window to x_n = 0; it stands in the last column because nothing is divided here.",
-            "−(r + l)/(r − l) leva o meio da janela a x_n = 0; fica na última coluna porque aqui nada é dividido.",
+            "−(r + l)/(r − l) brings the middle of the window to x_n = 0. It stands in the last column because nothing is divided here.",
+            "−(r + l)/(r − l) leva o meio da janela a x_n = 0. Fica na última coluna porque aqui nada é dividido.",
         ],
     ],
     [
         [
-            "0: how far to the side a point is doesn't move its image up or down.",
-            "0: quanto um ponto está para o lado não move sua imagem para cima nem para baixo.",
+            "It's 0 because how far to the side a point is doesn't move its image up or down.",
+            "É 0, pois quanto um ponto está para o lado não move sua imagem para cima nem para baixo.",
         ],
         ["2/(t − b) makes the window 2 high, from −1 to 1.", "2/(t − b) dá à janela a altura 2, de −1 a 1."],
         [
-            "0: the projectors run along **n**, so the depth doesn't move an image up or down.",
-            "0: os projetores correm ao longo de **n**, então a profundidade não move a imagem para cima nem para baixo.",
+            "It's 0 because the projectors run along **n**, so the depth doesn't move an image up or down.",
+            "É 0, pois os projetores correm ao longo de **n**, então a profundidade não move a imagem para cima nem para baixo.",
         ],
         [
             "−(t + b)/(t − b) brings the middle of the window to y_n = 0.",
@@ -193,16 +193,16 @@ const PARALLEL: [[Both; 4]; 4] = [
     ],
     [
         [
-            "0: all points of a plane parallel to the window shall get the same depth.",
-            "0: todos os pontos de um plano paralelo à janela devem ter a mesma profundidade.",
+            "It's 0 because all points of a plane parallel to the window must get the same depth.",
+            "É 0, pois todos os pontos de um plano paralelo à janela devem ter a mesma profundidade.",
         ],
         [
-            "0: for the same reason y_c doesn't count in the depth.",
-            "0: pela mesma razão, y_c não conta na profundidade.",
+            "It's 0. For the same reason y_c doesn't count in the depth.",
+            "É 0. Pela mesma razão, y_c não conta na profundidade.",
         ],
         [
-            "−2/(B − F) makes the volume 2 deep; the minus turns z round, because z_c falls into the scene and z_n grows.",
-            "−2/(B − F) dá ao volume a profundidade 2; o menos inverte z, porque z_c diminui para dentro da cena e z_n cresce.",
+            "−2/(B − F) makes the volume 2 deep. The minus turns z round, because z_c falls into the scene and z_n grows.",
+            "−2/(B − F) dá ao volume a profundidade 2. O menos inverte z, porque z_c diminui para dentro da cena e z_n cresce.",
         ],
         [
             "−(B + F)/(B − F) brings the middle between the planes, z_c = −(B + F)/2, to z_n = 0.",
@@ -211,20 +211,20 @@ const PARALLEL: [[Both; 4]; 4] = [
     ],
     [
         [
-            "0: w stays 1 for every point, so x_c doesn't count.",
-            "0: w continua 1 para todo ponto, então x_c não conta.",
+            "It's 0 because w stays 1 for every point, so x_c doesn't count.",
+            "É 0, pois w continua 1 para todo ponto, então x_c não conta.",
         ],
         [
-            "0: w stays 1 for every point, so y_c doesn't count.",
-            "0: w continua 1 para todo ponto, então y_c não conta.",
+            "It's 0 because w stays 1 for every point, so y_c doesn't count.",
+            "É 0, pois w continua 1 para todo ponto, então y_c não conta.",
         ],
         [
-            "0: no depth goes into w, so what is far isn't made smaller.",
-            "0: nenhuma profundidade entra em w, então o que está longe não diminui.",
+            "It's 0 because no depth goes into w, so what is far isn't made smaller.",
+            "É 0, pois nenhuma profundidade entra em w, então o que está longe não diminui.",
         ],
         [
-            "1: w stays 1, and the division changes nothing; the 0 that the lecture notes print in (5.15) and (5.16) would send every point to infinity.",
-            "1: w continua 1, e a divisão nada muda; o 0 que as notas de aula imprimem em (5.15) e (5.16) mandaria todo ponto ao infinito.",
+            "It's 1 because w stays 1 and the division changes nothing. The 0 that the lecture notes print in (5.15) and (5.16) would send every point to infinity.",
+            "É 1, pois w continua 1 e a divisão nada muda. O 0 que as notas de aula imprimem em (5.15) e (5.16) mandaria todo ponto ao infinito.",
         ],
     ],
 ];
@@ -275,7 +275,7 @@ mod tests {
                             let why = reason(lang, matrix, &setting, [row, column]).unwrap();
                             let formula = formulas.entry(row, column);
                             let constant = formula.symbols().is_empty().then(|| formula.value(&setting));
-                            for (number, start) in [(0.0, "0: "), (1.0, "1: "), (-1.0, "−1: ")] {
+                            for (number, start) in [(0.0, "It's 0 because "), (1.0, "1: "), (-1.0, "−1: ")] {
                                 assert_eq!(
                                     constant == Some(number),
                                     why.starts_with(start),

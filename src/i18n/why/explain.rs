@@ -8,11 +8,11 @@ use crate::numbers::significant;
 
 texts! {
     question_where: "Where does this number come from?", "De onde vem este número?";
-    question_where_hint: "Each number with its formula: matrices, a point through all spaces, w, the order of transforms", "Cada número com sua fórmula: matrizes, um ponto por todos os espaços, w, a ordem das transformações";
+    question_where_hint: "Each number with its formula, in matrices, along the way of a point, in w and in the order of transforms", "Cada número com a fórmula, nas matrizes, no caminho de um ponto, em w e na ordem das transformações";
     question_happens: "What happens, in which order?", "O que acontece, e em que ordem?";
-    question_happens_hint: "From the scene to the pixels: frustum to cube, the stages, hidden surfaces, clipping, depth", "Da cena aos pixels: do tronco ao cubo, as etapas, faces ocultas, recorte, profundidade";
+    question_happens_hint: "From the scene to the pixels, with the frustum, the stages, hidden surfaces, clipping and depth", "Da cena aos pixels, com o tronco, as etapas, as faces ocultas, o recorte e a profundidade";
     question_called: "What is it called elsewhere?", "Que nome tem em outros lugares?";
-    question_called_hint: "The same camera in OpenGL, three.js, computer vision and other sources; as code; in their conventions", "A mesma câmera em OpenGL, three.js, visão computacional e outras fontes; como código; nas convenções de cada um";
+    question_called_hint: "The same camera in OpenGL, three.js, computer vision and other sources, also as code and in their conventions", "A mesma câmera em OpenGL, three.js, visão computacional e outras fontes, também como código e nas convenções de cada um";
     question_able: "Can I do it?", "Eu sei fazer?";
     question_able_hint: "Exercises whose answers are checked, and notes to read", "Exercícios com respostas conferidas, e notas para ler";
     matrices: "Matrices", "Matrizes";
@@ -20,27 +20,27 @@ texts! {
     point: "Follow a point", "Seguir um ponto";
     point_hint: "One point through every space, with all the arithmetic, and back", "Um ponto por todos os espaços, com a conta inteira, e de volta";
     homogeneous: "Dividing by w", "Dividir por w";
-    homogeneous_hint: "What the fourth coordinate does: division, points behind the eye, ideal points, the middle of a segment, a floor", "O que faz a quarta coordenada: divisão, pontos atrás do olho, pontos ideais, o meio de um segmento, um piso";
+    homogeneous_hint: "The fourth coordinate at work in the division, behind the eye, in ideal points, on a segment and on a floor", "A quarta coordenada na divisão, atrás do olho, nos pontos ideais, em um segmento e em um piso";
     stages: "Stages", "Etapas";
-    stages_hint: "Each stage of the pipeline: what goes in, what comes out, or why it was skipped", "Cada etapa do pipeline: o que entra, o que sai, ou por que foi omitida";
+    stages_hint: "Each stage of the pipeline, with its input and output, or why it was skipped", "Cada etapa do pipeline, com o que entra e o que sai, ou por que foi omitida";
     one_triangle: "The outcodes and cuts of one triangle →", "Os outcodes e cortes de um triângulo →";
     triangle: "One triangle", "Um triângulo";
-    triangle_hint: "One triangle from the scene to its pixels: facing, outcodes, cuts, division, depth test", "Um triângulo, da cena aos seus pixels: orientação, outcodes, cortes, divisão, teste de profundidade";
+    triangle_hint: "One triangle from the scene to its pixels, through facing, outcodes, cuts, division and depth test", "Um triângulo, da cena aos pixels, por orientação, outcodes, cortes, divisão e teste de profundidade";
     hidden_surfaces: "Hidden surfaces", "Faces ocultas";
-    hidden_surfaces_hint: "The image painted triangle by triangle: painter, BSP tree, depth buffer; faces turned away", "A imagem pintada triângulo por triângulo: pintor, árvore BSP, z-buffer; faces de costas";
+    hidden_surfaces_hint: "The image painted triangle by triangle, by painter, BSP tree or depth buffer, and the faces turned away", "A imagem pintada triângulo por triângulo, por pintor, árvore BSP ou z-buffer, e as faces de costas";
     clipping: "Clipping", "Recorte";
     clipping_hint: "The parts outside the view volume, the cuts, and why the division must wait", "As partes fora do volume de vista, os cortes, e por que a divisão tem que esperar";
     depth: "Depth, z-fighting", "Profundidade, z-fighting";
     depth_hint: "How depths crowd near 1, what a depth buffer can tell apart, and how z-fighting begins", "Como as profundidades se comprimem perto de 1, o que um z-buffer distingue, e como começa o z-fighting";
     conventions: "Conventions", "Convenções";
     conventions_hint: "NDC of OpenGL, Direct3D and others, reversed depth, row vectors, left-handed view space, side by side", "NDC de OpenGL, Direct3D e outros, profundidade invertida, vetores linha, espaço de vista de mão esquerda, lado a lado";
-    no_inverse: "It has no inverse: something is multiplied by 0 (a scale, or a depth range from n to n), and cannot be recovered.", "Não tem inversa: algo é multiplicado por 0 (uma escala, ou profundidades de n a n) e não pode ser recuperado.";
+    no_inverse: "It has no inverse. Something is multiplied by 0 (a scale, or a depth range from n to n) and can't be recovered.", "Não tem inversa. Algo é multiplicado por 0 (uma escala, ou profundidades de n a n) e não pode ser recuperado.";
     film: "Export…", "Exportar…";
-    film_hint: "Exports the way from the world to the canonical volume: an animation (GIF, APNG) or a strip of stills (PNG, WebP, JPEG), by the extension of the name", "Exporta o caminho do mundo ao volume canônico: uma animação (GIF, APNG) ou uma tira de quadros (PNG, WebP, JPEG), pela extensão do nome";
+    film_hint: "Exports the way from the world to the canonical volume as an animation (GIF, APNG) or a strip of stills (PNG, WebP, JPEG), by the extension of the name", "Exporta o caminho do mundo ao volume canônico como uma animação (GIF, APNG) ou uma tira de quadros (PNG, WebP, JPEG), pela extensão do nome";
     animation: "Animation", "Animação";
     strip: "Strip of stills", "Tira de quadros";
     dialects: "Other libraries", "Outras bibliotecas";
-    dialects_hint: "gluLookAt, three.js, K [R | t] and others: the camera in the vocabularies of other sources, whose numbers set it; and the camera of a pasted matrix", "gluLookAt, three.js, K [R | t] e outros: a câmera nos vocabulários de outras fontes, cujos números a definem; e a câmera de uma matriz colada";
+    dialects_hint: "The camera as gluLookAt, three.js, K [R | t] and others write it. Change their numbers to set it, or paste a matrix", "A câmera como gluLookAt, three.js, K [R | t] e outros a escrevem. Mude os números deles para defini-la, ou cole uma matriz";
     order: "Order of transforms", "Ordem das transformações";
     order_hint: "In which order translation, rotation and scale act on an object, and what another order does", "Em que ordem translação, rotação e escala agem num objeto, e o que outra ordem faz";
     code: "Code", "Código";
@@ -48,9 +48,9 @@ texts! {
     notes: "Notes", "Notas";
     notes_hint: "A short text on each symbol, operation, equation, step and stage; F1 on one of them opens it", "Um texto curto sobre cada símbolo, operação, equação, passo e etapa; F1 sobre um deles o abre";
     exercises: "Exercises", "Exercícios";
-    exercises_hint: "Exercises of the notes, and families that draw new numbers each time: answers are checked, and wrong ones explained", "Os exercícios das notas, e famílias que sorteiam números novos a cada vez: as respostas são conferidas, e as erradas explicadas";
+    exercises_hint: "Exercises of the notes, and families with new numbers each time. The program checks your answers and explains wrong ones", "Os exercícios das notas, e famílias com números novos a cada vez. O programa confere suas respostas e explica as erradas";
     search_notes: "Search the notes", "Pesquisar nas notas";
-    search_notes_hint: "Words, symbols or numbers of equations; accents and capitals do not matter. Enter opens the first", "Palavras, símbolos ou números de equações; acentos e maiúsculas não importam. Enter abre a primeira";
+    search_notes_hint: "Words, symbols or numbers of equations. Accents and capitals don't matter. Enter opens the first", "Palavras, símbolos ou números de equações. Acentos e maiúsculas não importam. Enter abre a primeira";
     no_note: "No note matches.", "Nenhuma nota corresponde.";
     note_before: "Previous note", "Nota anterior";
     see_also: "See also", "Veja também";
@@ -61,7 +61,7 @@ texts! {
     steps: "Frustum → cube", "Tronco → cubo";
     steps_hint: "How the view volume becomes the canonical one, step by step, in the decomposition of each source", "Como o volume de vista vira o canônico, passo a passo, na decomposição de cada fonte";
     steps_hidden: "The picture of the canonical volume, which shows this, is hidden (Ctrl+2).", "A imagem do volume canônico, que mostra isto, está escondida (Ctrl+2).";
-    nothing_done: "No step is applied: this is the world.", "Nenhum passo foi aplicado: este é o mundo.";
+    nothing_done: "No step is applied, so this is the world.", "Nenhum passo foi aplicado, e este é o mundo.";
     to_world: "To the world", "Ao mundo";
     step_back: "Step back", "Um passo atrás";
     play: "Play", "Reproduzir";
@@ -69,25 +69,25 @@ texts! {
     step_forward: "Step forward", "Um passo à frente";
     to_cube: "To the canonical volume", "Ao volume canônico";
     scrubber: "Steps applied", "Passos aplicados";
-    scrubber_hint: "Steps applied. Left and right arrow: a tenth of a step; with Ctrl: to the previous or next whole step",
-        "Passos aplicados. Setas esquerda e direita: um décimo de passo; com Ctrl: ao passo inteiro anterior ou seguinte";
+    scrubber_hint: "Steps applied. The left and right arrows go by a tenth of a step, and with Ctrl to the previous or next whole step",
+        "Passos aplicados. As setas esquerda e direita andam um décimo de passo, e com Ctrl vão ao passo inteiro anterior ou seguinte";
     inverse: "inverse", "inversa";
     formulas: "formulas", "fórmulas";
     formulas_hint: "The entries with the symbols of the lecture notes [0]", "Os elementos com os símbolos das notas de aula [0]";
     numbers: "with numbers", "com números";
     numbers_hint: "The same formulas with the numbers of this camera", "As mesmas fórmulas com os números desta câmera";
     values: "values", "valores";
-    values_hint: "The values of the formulas: fractions and roots if they are exact, otherwise decimals", "Os valores das fórmulas: frações e raízes quando são exatas; caso contrário, decimais";
+    values_hint: "The values of the formulas, as fractions and roots if they're exact, otherwise as decimals", "Os valores das fórmulas, em frações e raízes quando são exatas, senão em decimais";
     copy_latex: "Copy LaTeX", "Copiar LaTeX";
     copy_latex_hint: "The matrix as it is shown, as a bmatrix", "A matriz como é mostrada, como bmatrix";
     copy_text: "Copy text", "Copiar texto";
     copy_text_hint: "The matrix as it is shown, in rows and columns", "A matriz como é mostrada, em linhas e colunas";
-    select_object: "M_m is the matrix of one object: select one in the world or in the scene (F6).", "M_m é a matriz de um objeto: selecione um no mundo ou na cena (F6).";
-    click_an_entry: "Click an entry: its formula, its numbers, its value", "Clique num elemento: sua fórmula, seus números, seu valor";
+    select_object: "M_m is the matrix of one object. Select one in the world or in the scene (F6).", "M_m é a matriz de um objeto. Selecione um no mundo ou na cena (F6).";
+    click_an_entry: "Click an entry to see its formula, its numbers and its value", "Clique em um elemento para ver a fórmula, os números e o valor";
     made_of: "made of (click a symbol to open it)", "feito de (clique num símbolo para abri-lo)";
     parameter: "(parameter)", "(parâmetro)";
     constant: "It is the same for every camera of this kind.", "É o mesmo para toda câmera deste tipo.";
-    as_in_the_notes: "Here as in the lecture notes: points are columns, and view space is right-handed.", "Aqui como nas notas de aula: pontos são colunas, e o espaço de vista é de mão direita.";
+    as_in_the_notes: "Here, as in the lecture notes, points are columns and view space is right-handed.", "Aqui, como nas notas de aula, pontos são colunas e o espaço de vista é de mão direita.";
 }
 
 /// The place of an entry; rows and columns from 0.
@@ -211,7 +211,7 @@ pub fn factor(lang: Lang, step: usize) -> String {
 #[must_use]
 pub fn product(lang: Lang, steps: usize) -> String {
     match steps {
-        1 => both!(lang; "The product so far: the first step alone", "O produto até aqui: só o primeiro passo"),
+        1 => both!(lang; "The product so far is the first step alone", "O produto até aqui é só o primeiro passo"),
         _ => both!(lang; "The product so far: step {steps} … step 1",
             "O produto até aqui: passo {steps} … passo 1"),
     }
@@ -242,7 +242,7 @@ pub fn comparison(lang: Lang, decomposition: Decomposition, ratio: f64, rest: f6
         true => both!(lang; "The product of all steps is M_p M_v ({convention}: z_n from {from} to {to}).",
             "O produto de todos os passos é M_p M_v ({convention}: z_n de {from} a {to})."),
         false => both!(lang;
-            "The product of all steps is {k} · M_p M_v ({convention}: z_n from {from} to {to}): the same points, since the division by w cancels the factor.",
-            "O produto de todos os passos é {k} · M_p M_v ({convention}: z_n de {from} a {to}): os mesmos pontos, pois a divisão por w cancela o fator."),
+            "The product of all steps is {k} · M_p M_v ({convention}: z_n from {from} to {to}). They're the same points, since the division by w cancels the factor.",
+            "O produto de todos os passos é {k} · M_p M_v ({convention}: z_n de {from} a {to}). São os mesmos pontos, pois a divisão por w cancela o fator."),
     }
 }

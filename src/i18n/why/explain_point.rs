@@ -11,7 +11,7 @@ texts! {
     add_hint: "Adds a point, at the vertex under the pointer or at PF, and follows it", "Adiciona um ponto, no vértice sob o ponteiro ou em PF, e o segue";
     delete: "Delete", "Excluir";
     delete_hint: "Deletes the followed point", "Exclui o ponto seguido";
-    too_many: "No more points can be followed: there are 32.", "Não se podem seguir mais pontos: há 32.";
+    too_many: "You can't follow more points. There are 32 already.", "Não se podem seguir mais pontos. Já há 32.";
     name: "Name of the point", "Nome do ponto";
     name_hint: "As it is written in the pictures and in the figure file", "Como é escrito nas imagens e no arquivo da figura";
     name_taken: "Another point has this name.", "Outro ponto tem este nome.";
@@ -29,26 +29,26 @@ texts! {
     pixel: "pixel", "pixel";
     viewport: "viewport", "viewport";
     homogeneous: "homogeneous", "homogêneas";
-    typed_hint: "Type in any space: the point moves to these coordinates", "Digite em qualquer espaço: o ponto vai para essas coordenadas";
+    typed_hint: "Type in any space, and the point moves to these coordinates", "Digite em qualquer espaço, e o ponto vai para essas coordenadas";
     local_of: "of the selected object", "do objeto selecionado";
     window_and_depth: "and the distance from the eye", "e a distância ao olho";
     pixel_and_depth: "and Z of the depth buffer", "e Z do z-buffer";
     no_image: "no image", "sem imagem";
-    behind_pixel: "Beyond it lie the depths that the division gives to points behind the eye; clipping stops those, so no pixel holds them. Type such a point in any other space, NDC included.",
-        "Além dele estão as profundidades que a divisão dá a pontos atrás do olho; o recorte os detém, e nenhum pixel as guarda. Digite tal ponto em qualquer outro espaço, inclusive NDC.";
+    behind_pixel: "Beyond it lie the depths that the division gives to points behind the eye. Clipping stops those, so no pixel holds them. Type such a point in any other space, NDC included.",
+        "Além dele estão as profundidades que a divisão dá a pontos atrás do olho. O recorte os detém, e nenhum pixel as guarda. Digite tal ponto em qualquer outro espaço, inclusive NDC.";
     // The arithmetic.
     forward: "Forward", "Ida";
     back: "Back", "Volta";
     from_pixel: "From the centre of the pixel with its Z. (5.22) has rounded away the position within the pixel, so the way back misses the point slightly:", "Do centro do pixel com seu Z. (5.22) arredondou a posição dentro do pixel, e a volta passa um pouco ao lado do ponto:";
     no_way_back: "There is no way back:", "Não há caminho de volta:";
-    outside: "It is outside the volume: clipping removes it, and no pixel shows it.", "Está fora do volume: o recorte o retira, e nenhum pixel o mostra.";
-    behind: "w < 0: the point is behind the eye (w = −z_c). It has no image: clipping stops it before the division. What follows is what the division would make of it: where the line through it and C meets the window, upside down and on the other side. On the way back from NDC, z_n tells it apart: it lies beyond the limit of the depths in front of the eye.", "w < 0: o ponto está atrás do olho (w = −z_c). Não tem imagem: o recorte o detém antes da divisão. O que segue é o que a divisão faria dele: onde a reta por ele e por C encontra a janela, de cabeça para baixo e do outro lado. De volta de NDC, z_n o distingue: está além do limite das profundidades à frente do olho.";
-    in_plane: "w = 0: the point is in the plane of the eye (z_c = 0). Its projector is parallel to the window and never meets it, so (5.6) would divide by 0: the way ends here. Such clip coordinates are a direction, a point at infinity.", "w = 0: o ponto está no plano do olho (z_c = 0). Seu projetor é paralelo à janela e nunca a encontra, de modo que (5.6) dividiria por 0: o caminho acaba aqui. Essas coordenadas de recorte são uma direção, um ponto no infinito.";
+    outside: "It's outside the volume, so clipping removes it and no pixel shows it.", "Está fora do volume. O recorte o retira, e nenhum pixel o mostra.";
+    behind: "w < 0, so the point is behind the eye (w = −z_c). It has no image, because clipping stops it before the division. The numbers below are what the division would give. They belong to the point where the line through it and C meets the window, upside down and on the other side. On the way back from NDC, z_n tells it apart, because it lies beyond the limit of the depths in front of the eye.", "w < 0, e o ponto está atrás do olho (w = −z_c). Não tem imagem, pois o recorte o detém antes da divisão. Os números abaixo são os que a divisão daria. São do ponto em que a reta por ele e por C encontra a janela, de cabeça para baixo e do outro lado. De volta de NDC, z_n o distingue, pois está além do limite das profundidades à frente do olho.";
+    in_plane: "w = 0, so the point is in the plane of the eye (z_c = 0). Its projector is parallel to the window and never meets it. (5.6) would divide by 0, and the way ends here. Such clip coordinates are a direction, a point at infinity.", "w = 0, e o ponto está no plano do olho (z_c = 0). O projetor dele é paralelo à janela e nunca a encontra. (5.6) dividiria por 0, e o caminho acaba aqui. Essas coordenadas de recorte são uma direção, um ponto no infinito.";
     copy_text: "Copy text", "Copiar texto";
     copy_latex: "Copy LaTeX", "Copiar LaTeX";
     copy_hint: "The whole way, forward and back", "O caminho inteiro, ida e volta";
     // In the pictures.
-    drag_point: "drag: moves it, keeping its distance from the eye", "arrastar: move-o, mantendo sua distância ao olho";
+    drag_point: "drag it, and its distance from the eye stays the same", "arraste-o, e a distância ao olho continua a mesma";
 }
 
 /// The depths that are compared for the shadow at a point.
@@ -58,19 +58,19 @@ pub fn in_shadow(lang: Lang, at: &ShadowAt, digits: usize) -> String {
     let (light, own, size, [i, j]) = (at.light + 1, number(at.own), at.size, at.texel);
     match (lang, at.nearest.map(number), at.is_hidden()) {
         (Lang::En, Some(map), true) => {
-            format!("Light {light}: depth {own}; its map has {map} there (texel {i}, {j} of {size}²): in the shadow")
+            format!("Light {light}: depth {own}. Its map has {map} there (texel {i}, {j} of {size}²), so it's in the shadow")
         }
         (Lang::En, Some(map), false) => {
-            format!("Light {light}: depth {own}; its map has {map} there (texel {i}, {j} of {size}²): lit")
+            format!("Light {light}: depth {own}. Its map has {map} there (texel {i}, {j} of {size}²), so it's lit")
         }
-        (Lang::En, None, _) => format!("Light {light}: depth {own}; its map has nothing there: lit"),
+        (Lang::En, None, _) => format!("Light {light}: depth {own}. Its map has nothing there, so it's lit"),
         (Lang::PtBr, Some(map), true) => {
-            format!("Luz {light}: profundidade {own}; seu mapa tem {map} ali (texel {i}, {j} de {size}²): na sombra")
+            format!("Luz {light}: profundidade {own}. O mapa dela tem {map} ali (texel {i}, {j} de {size}²), e fica na sombra")
         }
         (Lang::PtBr, Some(map), false) => {
-            format!("Luz {light}: profundidade {own}; seu mapa tem {map} ali (texel {i}, {j} de {size}²): iluminado")
+            format!("Luz {light}: profundidade {own}. O mapa dela tem {map} ali (texel {i}, {j} de {size}²), e fica iluminado")
         }
-        (Lang::PtBr, None, _) => format!("Luz {light}: profundidade {own}; seu mapa não tem nada ali: iluminado"),
+        (Lang::PtBr, None, _) => format!("Luz {light}: profundidade {own}. O mapa dela não tem nada ali, e fica iluminado"),
     }
 }
 

@@ -18,17 +18,17 @@ texts! {
     nanos: "ns", "ns";
     // Buttons.
     measure: "Measure", "Medir";
-    measure_hint: "Runs all methods of this study on the same inputs, in the background: a few seconds", "Executa todos os métodos deste estudo nas mesmas entradas, em segundo plano: alguns segundos";
+    measure_hint: "Runs all methods of this study on the same inputs, in the background. It takes a few seconds", "Executa todos os métodos deste estudo nas mesmas entradas, em segundo plano. Leva alguns segundos";
     cancel: "Cancel", "Cancelar";
     open: "open", "abrir";
-    open_hint: "Shows in the three pictures the camera on which this method was worst; the open figure is kept with its changes", "Mostra nas três imagens a câmera em que este método foi pior; a figura aberta é guardada com suas alterações";
+    open_hint: "Shows in the three pictures the camera on which this method was worst. The open figure is kept with its changes", "Mostra nas três imagens a câmera em que este método foi pior. A figura aberta é guardada com as alterações";
     // Which chart.
     over_parameter: "error against parameter", "erro contra parâmetro";
     over_time: "error against time", "erro contra tempo";
     // Hints.
     measuring: "Measuring:", "Medindo:";
     nothing_yet: "Not measured yet: “Measure” runs all its methods on the same inputs and compares them with a more exact reference.", "Ainda não medido: “Medir” executa todos os métodos nas mesmas entradas e os compara com uma referência mais exata.";
-    point_at: "Point at a dot to read it; click to open its worst camera.", "Aponte para um ponto para lê-lo; clique para abrir sua pior câmera.";
+    point_at: "Point at a dot to read it, and click to open its worst camera.", "Aponte para um ponto para lê-lo, e clique para abrir a pior câmera dele.";
     star: "* no other method is both as accurate and as fast", "* nenhum outro método é tão exato e tão rápido";
     // Below a table.
     front: "Pareto front", "frente de Pareto";
@@ -45,16 +45,16 @@ pub const fn title(lang: Lang, study: Study) -> &'static str {
             "u, v, n com VUP quase na direção de DOP"),
         Study::RepeatedOperations => pick!(lang; "Many small azimuths, one after the other",
             "Muitos azimutes pequenos, um após o outro"),
-        Study::DepthBuffer => pick!(lang; "Formats of depth buffers: depths that cannot be told apart",
-            "Formatos de z-buffer: profundidades que não se distinguem"),
-        Study::Visibility => pick!(lang; "Which surface is seen: painter, BSP, depth buffers",
-            "Qual superfície se vê: pintor, BSP, z-buffers"),
+        Study::DepthBuffer => pick!(lang; "Formats of depth buffers, and depths they can't tell apart",
+            "Formatos de z-buffer, e profundidades que não distinguem"),
+        Study::Visibility => pick!(lang; "Which surface is seen with painter, BSP or depth buffers",
+            "Qual superfície se vê com pintor, BSP ou z-buffers"),
         Study::Shading => pick!(lang; "Light on curved surfaces made of flat faces",
             "Luz em superfícies curvas feitas de faces planas"),
         Study::Antialiasing => pick!(lang; "Samples of a pixel against exact area",
             "Amostras por pixel contra a área exata"),
-        Study::Clipping => pick!(lang; "Segments through w = 0: clipped before or after the division",
-            "Segmentos por w = 0: recortados antes ou depois da divisão"),
+        Study::Clipping => pick!(lang; "Segments through w = 0, clipped before or after the division",
+            "Segmentos por w = 0, recortados antes ou depois da divisão"),
         Study::TextureFilter => pick!(lang; "Filters of a texture against the exact mean over the pixel",
             "Filtros de uma textura contra a média exata sobre o pixel"),
         Study::Shadows => pick!(lang; "Shadow maps against rays to the light",

@@ -5,13 +5,13 @@ use crate::i18n::Lang;
 
 texts! {
     object: "Object:", "Objeto:";
-    example: "No object is selected: a cube, as an example.", "Nenhum objeto está selecionado: um cubo, como exemplo.";
+    example: "No object is selected, so this is a cube as an example.", "Nenhum objeto está selecionado, e este é um cubo de exemplo.";
     frame: "The frame moves", "O referencial se move";
-    frame_hint: "From left to right, as the program runs: each step moves the frame along and about its current axes", "Da esquerda para a direita, como o programa roda: cada passo move o referencial ao longo e em torno de seus eixos atuais";
+    frame_hint: "From left to right, as the program runs. Each step moves the frame along and about its current axes", "Da esquerda para a direita, como o programa roda. Cada passo move o referencial ao longo e em torno dos eixos atuais";
     fixed: "The object moves", "O objeto se move";
-    fixed_hint: "From right to left: each step moves the object along and about fixed axes, those of its parent", "Da direita para a esquerda: cada passo move o objeto ao longo e em torno de eixos fixos, os do pai";
+    fixed_hint: "From right to left. Each step moves the object along and about fixed axes, those of its parent", "Da direita para a esquerda. Cada passo move o objeto ao longo e em torno de eixos fixos, os do pai";
     list: "Transforms, from left to right", "Transformações, da esquerda para a direita";
-    list_hint: "As in OpenGL: each multiplies the current matrix from the right. Drag a step by its dots, or Alt+↑ and Alt+↓. In the world in grey, with axes x₁ y₁ z₁.", "Como em OpenGL: cada uma multiplica a matriz corrente pela direita. Arraste um passo pelos pontos, ou Alt+↑ e Alt+↓. No mundo em cinza, com eixos x₁ y₁ z₁.";
+    list_hint: "As in OpenGL, each multiplies the current matrix from the right. Drag a step by its dots, or Alt+↑ and Alt+↓. In the world in grey, with axes x₁ y₁ z₁.", "Como em OpenGL, cada uma multiplica a matriz corrente pela direita. Arraste um passo pelos pontos, ou Alt+↑ e Alt+↓. No mundo em cinza, com eixos x₁ y₁ z₁.";
     earlier: "Earlier", "Mais cedo";
     later: "Later", "Mais tarde";
     remove: "Remove", "Remover";
@@ -22,21 +22,21 @@ texts! {
     done: "Steps applied", "Passos aplicados";
     back: "Step back", "Um passo atrás";
     forward: "Step forward", "Um passo à frente";
-    nothing: "No step is applied: the frame is that of the parent.", "Nenhum passo foi aplicado: o referencial é o do pai.";
+    nothing: "No step is applied, so the frame is that of the parent.", "Nenhum passo foi aplicado, e o referencial é o do pai.";
     this_step: "The matrix of this step", "A matriz deste passo";
     so_far: "All steps so far", "Todos os passos até aqui";
     other: "In another order", "Em outra ordem";
-    other_hint: "The same list with two steps exchanged; in the world in red, with axes x₂ y₂ z₂", "A mesma lista com dois passos trocados; no mundo em vermelho, com eixos x₂ y₂ z₂";
+    other_hint: "The same list with two steps exchanged. It's red in the world, with axes x₂ y₂ z₂", "A mesma lista com dois passos trocados. No mundo fica em vermelho, com eixos x₂ y₂ z₂";
     first: "One step", "Um passo";
     second: "The other step", "O outro passo";
-    same: "= The same matrix: these two steps commute.", "= A mesma matriz: estes dois passos comutam.";
-    differs: "≠ Another matrix: the order matters.", "≠ Outra matriz: a ordem importa.";
-    so_far_same: "The same so far, but not in the end: the order matters.", "A mesma até aqui, mas não no fim: a ordem importa.";
+    same: "= The same matrix. These two steps commute.", "= A mesma matriz. Estes dois passos comutam.";
+    differs: "≠ Another matrix. The order matters.", "≠ Outra matriz. A ordem importa.";
+    so_far_same: "The same so far, but not in the end. The order matters.", "A mesma até aqui, mas não no fim. A ordem importa.";
     take: "Apply", "Aplicar";
     take_hint: "The object in the figure gets the whole list; Ctrl+Z undoes it", "O objeto na figura recebe a lista inteira; Ctrl+Z desfaz";
     take_nothing: "Select an object of the figure", "Selecione um objeto da figura";
     take_preset: "It belongs to the named scene: “Edit a copy” makes it an object of the figure", "Pertence à cena nomeada: “Editar uma cópia” faz dele um objeto da figura";
-    is_form: "The list is T R S: the object itself can hold it.", "A lista é T R S: o próprio objeto pode guardá-la.";
+    is_form: "The list is T R S, so the object itself can hold it.", "A lista é T R S, e o próprio objeto pode guardá-la.";
     group: "group", "grupo";
 }
 
@@ -128,10 +128,10 @@ pub fn needs_groups(lang: Lang, (place, call): (usize, Call), groups: usize) -> 
     let (number, symbol) = (place + 1, call.symbol().replace('_', ""));
     match groups {
         1 => both!(lang;
-            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. A group above the object holds exactly the steps before it.",
-            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. Um grupo acima do objeto guarda exatamente os passos anteriores."),
+            "An object in a figure file is one T Rz Ry Rx S. Step {number} ({symbol}) doesn't fit into that order. A group above the object holds exactly the steps before it.",
+            "Um objeto no arquivo da figura é um só T Rz Ry Rx S. O passo {number} ({symbol}) não cabe nessa ordem. Um grupo acima do objeto guarda exatamente os passos anteriores."),
         _ => both!(lang;
-            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. {groups} groups above the object, one below the other, hold exactly the rest.",
-            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. {groups} grupos acima do objeto, um sob o outro, guardam exatamente o resto."),
+            "An object in a figure file is one T Rz Ry Rx S. Step {number} ({symbol}) doesn't fit into that order. {groups} groups above the object, one below the other, hold exactly the rest.",
+            "Um objeto no arquivo da figura é um só T Rz Ry Rx S. O passo {number} ({symbol}) não cabe nessa ordem. {groups} grupos acima do objeto, um sob o outro, guardam exatamente o resto."),
     }
 }

@@ -103,8 +103,8 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
         Stage::Texture => pick!(lang; "Pictures on surfaces. [3] §1.1, step 9",
             "Imagens sobre superfícies. [3] §1.1, passo 9"),
         Stage::Shadow => pick!(lang;
-            "Takes light away if the light sees something nearer: its depth picture, the shadow map. [3] §1.1, step 9",
-            "Retira luz se a fonte vê algo mais próximo: sua imagem de profundidades, o mapa de sombras. [3] §1.1, passo 9"),
+            "Takes light away if the light sees something nearer in its depth picture, the shadow map. [3] §1.1, step 9",
+            "Retira luz se a fonte vê algo mais próximo em sua imagem de profundidades, o mapa de sombras. [3] §1.1, passo 9"),
         Stage::Blend => pick!(lang; "Blends translucent colours with what is behind them. [3] §1.1, step 9",
             "Mistura cores translúcidas com o que está atrás. [3] §1.1, passo 9"),
         Stage::Antialias => pick!(lang; "Takes several samples of each pixel and averages them. [3] §1.1, step 10",
@@ -112,8 +112,8 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
         Stage::Lines => pick!(lang;
             "Edges, outlines of curved solids, lines, marks and texts, over the finished surfaces.",
             "Arestas, contornos de sólidos curvos, linhas, marcas e textos, sobre as superfícies prontas."),
-        Stage::Write => pick!(lang; "Colours go to image memory: only here is z dropped. [3] §1.1, step 11",
-            "As cores vão para a memória de imagem: só aqui z é descartado. [3] §1.1, passo 11"),
+        Stage::Write => pick!(lang; "Colours go to image memory. Only here is z dropped. [3] §1.1, step 11",
+            "As cores vão para a memória de imagem. Só aqui z é descartado. [3] §1.1, passo 11"),
     }
 }
 

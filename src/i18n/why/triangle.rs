@@ -22,17 +22,17 @@ texts! {
     local: "local", "local";
     world: "world", "mundo";
     view: "view", "vista";
-    is_front: "N · (C − a) > 0: its front is seen", "N · (C − a) > 0: vê-se a frente";
-    is_back: "N · (C − a) ≤ 0: it faces away; culled if the object is closed or one-sided", "N · (C − a) ≤ 0: está de costas; descartado se o objeto é fechado ou de um lado só";
+    is_front: "N · (C − a) > 0, so you see its front", "N · (C − a) > 0, e vê-se a frente";
+    is_back: "N · (C − a) ≤ 0, so it faces away. It's culled if the object is closed or one-sided", "N · (C − a) ≤ 0, e está de costas. É descartado se o objeto é fechado ou de um lado só";
     inside: "inside all planes: 000000", "dentro de todos os planos: 000000";
     outside: "outside:", "fora:";
-    all_outside: "All corners are outside one plane: dropped whole, without a cut.", "Todos os cantos estão fora de um mesmo plano: descartado inteiro, sem corte.";
-    no_cut: "No corner is outside any plane: nothing is cut.", "Nenhum canto está fora de plano algum: nada é cortado.";
+    all_outside: "All corners are outside one plane, so it's dropped whole, without a cut.", "Todos os cantos estão fora de um mesmo plano, e ele é descartado inteiro, sem corte.";
+    no_cut: "No corner is outside any plane, so nothing is cut.", "Nenhum canto está fora de plano algum, e nada é cortado.";
     left: "remaining:", "resta:";
     nothing_left: "nothing remains", "nada resta";
     covers: "pixels covered", "pixels cobertos";
     rows: "rows", "linhas";
-    too_large: "Nothing to show: the object is not drawn, or the image is larger than 4 million pixels.", "Nada a mostrar: o objeto não é desenhado, ou a imagem tem mais de 4 milhões de pixels.";
+    too_large: "Nothing to show. The object isn't drawn, or the image is larger than 4 million pixels.", "Nada a mostrar. O objeto não é desenhado, ou a imagem tem mais de 4 milhões de pixels.";
     being_found: "Its pixels are being found…", "Os seus pixels estão sendo determinados…";
     covers_none: "It covers the centre of no pixel.", "Não cobre o centro de nenhum pixel.";
     pixel: "pixel (i, j), from the top left", "pixel (i, j), do canto superior esquerdo";
@@ -41,8 +41,8 @@ texts! {
     z_own: "Z of the triangle (5.25)", "Z do triângulo (5.25)";
     z_before: "Z that was there", "Z que estava ali";
     z_nothing: "nothing was there", "nada estava ali";
-    kept: "nearer: kept, the buffer now holds its Z", "mais perto: mantido, o buffer agora guarda o seu Z";
-    rejected: "not nearer: discarded, the buffer stays", "não está mais perto: descartado, o buffer fica como está";
+    kept: "nearer, so it's kept and the buffer now holds its Z", "mais perto, e é mantido. O buffer agora guarda o Z dele";
+    rejected: "not nearer, so it's discarded and the buffer stays", "não está mais perto, e é descartado. O buffer fica como está";
     before_hint: "Before it are drawn other objects, and other triangles of its own object.", "Antes dele são desenhados outros objetos, e outros triângulos do próprio objeto.";
 }
 

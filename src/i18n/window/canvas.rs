@@ -23,9 +23,9 @@ texts! {
     restore: "All pictures again (double-click)", "Todas as imagens de novo (clique duplo)";
     // A switch of the image, and its tooltip.
     undistorted: "undistorted", "sem distorção";
-    undistorted_hint: "As the eye would see it, with the aspect A of the view window. Off: the m × n image of (5.22), whose pixels are not square here; pixel numbers are those of the image in both cases", "Como o olho veria, com o aspecto A da janela de vista. Desligado: a imagem m × n de (5.22), cujos pixels aqui não são quadrados; os números dos pixels são os da imagem nos dois casos";
+    undistorted_hint: "As the eye would see it, with the aspect A of the view window. If off, you see the m × n image of (5.22), whose pixels aren't square here. Pixel numbers are those of the image in both cases", "Como o olho veria, com o aspecto A da janela de vista. Desligado, você vê a imagem m × n de (5.22), cujos pixels aqui não são quadrados. Os números dos pixels são os da imagem nos dois casos";
     // Tooltip of a switch.
-    section: "Section along u: similar triangles", "Corte ao longo de u: triângulos semelhantes";
+    section: "Section along u, with similar triangles", "Corte ao longo de u, com triângulos semelhantes";
     link: "Orbit world and canonical volume together", "Girar mundo e volume canônico juntos";
     // A menu, and its tooltip.
     on_the_way: "World → canonical volume", "Mundo → volume canônico";
@@ -38,9 +38,9 @@ texts! {
     top: "From the top (+y)", "De cima (+y)";
     side: "From the side (+x)", "De lado (+x)";
     iso: "From a corner", "De um canto";
-    along_u: "Along u: from the side, eye left, back plane right", "Ao longo de u: de lado, olho à esquerda, fundo à direita";
-    along_v: "Along v: from above, eye left, back plane right", "Ao longo de v: de cima, olho à esquerda, fundo à direita";
-    along_n: "Along n: as the camera looks", "Ao longo de n: como a câmera olha";
+    along_u: "Along u, from the side, eye left, back plane right", "Ao longo de u, de lado, olho à esquerda, fundo à direita";
+    along_v: "Along v, from above, eye left, back plane right", "Ao longo de v, de cima, olho à esquerda, fundo à direita";
+    along_n: "Along n, as the camera looks", "Ao longo de n, como a câmera olha";
     // Tooltip of a menu.
     arrange: "Arrange the pictures", "Dispor as imagens";
     // How the pictures share the room.
@@ -56,7 +56,7 @@ texts! {
     // What the pointer does in the image.
     pointer_in_image: "Drag: orbit the camera · Shift or right button: pan · wheel: dolly · click: pin the probe", "Arrastar: girar a câmera · Shift ou botão direito: mover · roda: aproximar · clique: fixar a sonda";
     // Where nothing is pointed at: what can be done.
-    idle: "Drag C, PF, VUP and the planes in the world; elsewhere: orbit", "Arraste C, PF, VUP e os planos no mundo; fora deles: girar";
+    idle: "Drag C, PF, VUP and the planes in the world, or anything else to orbit", "Arraste C, PF, VUP e os planos no mundo, ou o resto para girar";
     // The same where the world is hidden.
     idle_canonical: "Drag: orbit", "Arraste: girar";
     // What the keys do in the world.
@@ -73,7 +73,7 @@ texts! {
     // Tooltip of a button.
     strip_close: "Hide the stages (F10)", "Esconder as etapas (F10)";
     // Of a picture that is hidden.
-    strip_hidden: "This picture is hidden: no stage runs for it.", "Esta imagem está escondida: nenhuma etapa é executada para ela.";
+    strip_hidden: "This picture is hidden, so no stage runs for it.", "Esta imagem está escondida, e nenhuma etapa é executada para ela.";
     // Before the time of all stages.
     strip_total: "in all", "ao todo";
     // Before the number of stages that ran.
@@ -81,10 +81,10 @@ texts! {
     // Before the number of those that did not.
     strip_out: "skipped:", "omitidas:";
     // What can be done with the strip.
-    strip_hint: "click a stage: what goes in, what comes out", "clique numa etapa: o que entra, o que sai";
+    strip_hint: "click a stage to see what goes in and what comes out", "clique em uma etapa para ver o que entra e o que sai";
     // Of a stage.
-    strip_reveal: "Click, Enter: show in the picture what goes in and what comes out · F1: its note", "Clique, Enter: mostrar na imagem o que entra e o que sai · F1: sua nota";
-    strip_unreveal: "Click, Enter, Esc: stop showing it · F1: its note", "Clique, Enter, Esc: deixar de mostrar · F1: sua nota";
+    strip_reveal: "Click or press Enter to show in the picture what goes in and what comes out. F1 opens its page", "Clique ou aperte Enter para mostrar na imagem o que entra e o que sai. F1 abre o verbete";
+    strip_unreveal: "Click or press Enter or Esc to stop showing it. F1 opens its page", "Clique ou aperte Enter ou Esc para deixar de mostrar. F1 abre o verbete";
     // While the eye turns.
     turning: "Orbiting", "Girando a imagem";
     // While the picture is moved.
@@ -94,13 +94,13 @@ texts! {
     // How a point is dragged up and down.
     drag_vertically: "Shift or Ctrl: up and down", "Shift ou Ctrl: para cima e para baixo";
     // How VUP is turned.
-    drag_up: "Drag: turn VUP about DOP", "Arrastar: girar VUP em torno de DOP";
+    drag_up: "Drag to turn VUP about DOP", "Arraste para girar VUP em torno de DOP";
     // How a plane is dragged.
-    drag_along_axis: "Drag: along the axis", "Arrastar: ao longo do eixo";
+    drag_along_axis: "Drag along the axis", "Arraste ao longo do eixo";
     // Before the reason why a handle does not go on.
     stopped: "Stopped:", "Parado:";
     // Where a picture could not be drawn.
-    given_up: "Cancelled; this picture is redrawn when the figure changes.", "Cancelada; esta imagem é redesenhada quando a figura mudar.";
+    given_up: "Cancelled. This picture is redrawn when the figure changes.", "Cancelada. Esta imagem é redesenhada quando a figura mudar.";
     not_drawn: "This picture could not be drawn.", "Esta imagem não pôde ser desenhada.";
     // Where nothing is pointed at.
     probe_hint: "Point at a vertex or at a pixel of the image to read its coordinates here.", "Aponte para um vértice ou um pixel da imagem para ler aqui suas coordenadas.";
@@ -109,7 +109,7 @@ texts! {
     // Of a point outside the view volume.
     outside: "outside the volume", "fora do volume";
     // Of a point for which w = 0.
-    no_image: "w = 0: in the plane of the eye, no image", "w = 0: no plano do olho, sem imagem";
+    no_image: "w = 0, in the plane of the eye, no image", "w = 0, no plano do olho, sem imagem";
     // Before the place of the pointer, which is not that of a vertex near it.
     pointer: "Pointer:", "Ponteiro:";
     // Before the number and the object of a vertex.
@@ -151,8 +151,8 @@ texts! {
 #[must_use]
 pub fn went_back(lang: Lang, view: View) -> String {
     let name = texts(lang).view(view);
-    both!(lang; "{name}: seen from farther away, so that everything stays in the picture (Alt+0 fits it)",
-        "{name}: visto de mais longe, para que tudo continue na imagem (Alt+0 enquadra)")
+    both!(lang; "{name} is seen from farther away, so that everything stays in the picture (Alt+0 fits it)",
+        "{name} é visto de mais longe, para que tudo continue na imagem (Alt+0 enquadra)")
 }
 
 impl CanvasTexts {

@@ -16,9 +16,9 @@ texts! {
     // Of the command line.
     health: "Health", "Saúde";
     findings: "Problems", "Problemas";
-    no_problems: "No problems found: the image agrees with exact visibility.", "Nenhum problema encontrado: a imagem concorda com a visibilidade exata.";
+    no_problems: "No problems found. The image agrees with exact visibility.", "Nenhum problema encontrado. A imagem concorda com a visibilidade exata.";
     on_the_other_side: "On the other side of the comparison:", "Do outro lado da comparação:";
-    no_problems_in_coarse: "No problems found: a coarser image agrees with exact visibility.", "Nenhum problema encontrado: uma imagem menos fina concorda com a visibilidade exata.";
+    no_problems_in_coarse: "No problems found. A coarser image agrees with exact visibility.", "Nenhum problema encontrado. Uma imagem menos fina concorda com a visibilidade exata.";
     repair: "Repair", "Correção";
     no_repair: "no change to the figure repairs this", "nenhuma mudança na figura conserta isto";
     nothing_repaired: "nothing to repair: the figure is written unchanged", "nada a consertar: a figura é gravada sem mudança";
@@ -34,8 +34,8 @@ texts! {
     improve: "Improve", "Melhorar";
     looking: "Looking…", "Examinando…";
     too_large: "The image is too large to be drawn.", "A imagem é grande demais para ser desenhada.";
-    about_depth: "Depth, z-fighting: what a depth buffer can tell apart →", "Profundidade, z-fighting: o que um z-buffer distingue →";
-    depth_hint: "z_n against the distance from the eye, from F to B, in the convention in use: in perspective, linear as in parallel projection, and reversed (from 1 to 0). The thick curve is that of this camera", "z_n em função da distância ao olho, de F a B, na convenção em uso: em perspectiva, linear como na projeção paralela, e invertida (de 1 a 0). A curva grossa é a desta câmera";
+    about_depth: "Depth and z-fighting in a depth buffer →", "Profundidade e z-fighting em um z-buffer →";
+    depth_hint: "z_n against the distance from the eye, from F to B, in the convention in use. The curves are in perspective, linear as in parallel projection, and reversed (from 1 to 0). The thick curve is that of this camera", "z_n em função da distância ao olho, de F a B, na convenção em uso. As curvas são em perspectiva, linear como na projeção paralela, e invertida (de 1 a 0). A curva grossa é a desta câmera";
     depth_chart: "Depth against the distance from the eye", "Profundidade em função da distância ao olho";
     distance: "distance from the eye", "distância ao olho";
     perspective: "perspective", "perspectiva";
@@ -44,7 +44,7 @@ texts! {
     format: "format", "formato";
     step_here: "step at this depth", "passo nesta profundidade";
     two_planes: "Two planes, this far apart:", "Dois planos, a esta distância:";
-    two_planes_hint: "In scene units: a tilted plane this far behind another, parallel to it and drawn after it. If a format stores the same value for both, the farther one shows through", "Em unidades da cena: um plano inclinado a esta distância atrás de outro, paralelo a ele, e desenhado depois. Quando um formato guarda o mesmo valor para os dois, aparece o mais distante";
+    two_planes_hint: "In scene units. Think of a tilted plane this far behind another, parallel to it and drawn after it. If a format stores the same value for both, the farther one shows through", "Em unidades da cena. Pense em um plano inclinado a esta distância atrás de outro, paralelo a ele e desenhado depois. Se um formato guarda o mesmo valor para os dois, aparece o mais distante";
     scene_units: "scene units", "unidades da cena";
     nearer: "nearer", "o mais próximo";
     farther: "farther", "o mais distante";
@@ -98,25 +98,25 @@ pub fn health(lang: Lang, health: &Health, camera: &Camera, format: DepthFormat)
         HealthQuantity::FarNearRatio if perspective => {
             let half = 2.0 * camera.near() / (1.0 + camera.near() / camera.far());
             let (ratio, half) = (n(health.value), n(half));
-            both!(lang; "B/F is {ratio}: half of all values of Z (5.25) lie before depth 2BF/(B + F) = {half}.",
-                "B/F é {ratio}: metade dos valores de Z (5.25) fica antes da profundidade 2BF/(B + F) = {half}.")
+            both!(lang; "B/F is {ratio}, so half of all values of Z (5.25) lie before depth 2BF/(B + F) = {half}.",
+                "B/F é {ratio}, e metade dos valores de Z (5.25) fica antes da profundidade 2BF/(B + F) = {half}.")
         }
         HealthQuantity::FarNearRatio => {
             let ratio = n(health.value);
-            both!(lang; "B/F is {ratio}; in parallel projection Z (5.25) grows linearly with depth, whatever B/F is.",
-                "B/F é {ratio}; na projeção paralela Z (5.25) cresce linearmente com a profundidade, qualquer que seja B/F.")
+            both!(lang; "B/F is {ratio}. In parallel projection Z (5.25) grows linearly with depth, whatever B/F is.",
+                "B/F é {ratio}. Na projeção paralela Z (5.25) cresce linearmente com a profundidade, qualquer que seja B/F.")
         }
         HealthQuantity::DepthResolution => depth_resolution(lang, camera, format),
         HealthQuantity::PositionDigits => {
             let (ratio, digits) = (n(camera.origin_ratio()), n(health.value));
-            both!(lang; "C and PF lie {ratio} times as far from the origin as from each other: of 16 digits, p − C in (5.7) keeps {digits}.",
-                "C e PF estão {ratio} vezes mais longe da origem que um do outro: de 16 dígitos, p − C em (5.7) conserva {digits}.")
+            both!(lang; "C and PF lie {ratio} times as far from the origin as from each other. Of 16 digits, p − C in (5.7) keeps {digits}.",
+                "C e PF estão {ratio} vezes mais longe da origem que um do outro. De 16 dígitos, p − C em (5.7) conserva {digits}.")
         }
         HealthQuantity::VolumeShape => {
             let [w, h, d] = volume_sides(camera).map(n);
             let ratio = n(health.value);
-            both!(lang; "At half its depth the view volume is {w} wide and {h} high, H = 2 d tan(θ/2) (5.5), and B − F = {d} deep: its longest side is {ratio} times its shortest.",
-                "À meia profundidade o volume de vista tem largura {w} e altura {h}, H = 2 d tan(θ/2) (5.5), e profundidade B − F = {d}: o lado maior é {ratio} vezes o menor.")
+            both!(lang; "At half its depth the view volume is {w} wide and {h} high, H = 2 d tan(θ/2) (5.5), and B − F = {d} deep. Its longest side is {ratio} times its shortest.",
+                "À meia profundidade o volume de vista tem largura {w} e altura {h}, H = 2 d tan(θ/2) (5.5), e profundidade B − F = {d}. O lado maior é {ratio} vezes o menor.")
         }
         HealthQuantity::ViewAngle => view_angle(lang, health.value, perspective),
     };
@@ -130,18 +130,18 @@ fn vup_angle(lang: Lang, degrees: f64) -> String {
     let angle = n(degrees);
     match lang {
         Lang::En if lost < 0.5 => {
-            format!("VUP is {angle}° away from the line of DOP: u = VUP × n / |VUP × n| (5.3) keeps its digits.")
+            format!("VUP is {angle}° away from the line of DOP, so u = VUP × n / |VUP × n| (5.3) keeps its digits.")
         }
         Lang::En => format!(
-            "VUP is only {angle}° away from the line of DOP: an error in VUP is {} times as large in u = VUP × n / |VUP × n| (5.3), which costs {} digits.",
+            "VUP is only {angle}° away from the line of DOP. An error in VUP is {} times as large in u = VUP × n / |VUP × n| (5.3), which costs {} digits.",
             n(10f64.powf(lost)),
             n(lost)
         ),
         Lang::PtBr if lost < 0.5 => {
-            format!("VUP está a {angle}° da reta de DOP: u = VUP × n / |VUP × n| (5.3) conserva seus dígitos.")
+            format!("VUP está a {angle}° da reta de DOP, e u = VUP × n / |VUP × n| (5.3) conserva os dígitos.")
         }
         Lang::PtBr => format!(
-            "VUP está a só {angle}° da reta de DOP: um erro em VUP é {} vezes maior em u = VUP × n / |VUP × n| (5.3), o que custa {} dígitos.",
+            "VUP está a só {angle}° da reta de DOP. Um erro em VUP é {} vezes maior em u = VUP × n / |VUP × n| (5.3), o que custa {} dígitos.",
             n(10f64.powf(lost)),
             n(lost)
         ),
@@ -191,14 +191,14 @@ fn view_angle(lang: Lang, degrees: f64, perspective: bool) -> String {
     let (angle, stretched) = (lang.mark().number(degrees, 4), lang.mark().number(stretched, 3));
     match lang {
         _ if !perspective && lang == Lang::En => {
-            "Parallel projection has no θ: nothing is stretched towards the borders.".to_owned()
+            "Parallel projection has no θ, so nothing is stretched towards the borders.".to_owned()
         }
-        _ if !perspective => "A projeção paralela não tem θ: nada se estica perto das bordas.".to_owned(),
+        _ if !perspective => "A projeção paralela não tem θ, e nada se estica perto das bordas.".to_owned(),
         Lang::En => format!(
-            "θ is {angle}° (5.4): at the upper border things are drawn 1/cos²(θ/2) = {stretched} times as high as in the middle."
+            "θ is {angle}° (5.4). At the upper border things are drawn 1/cos²(θ/2) = {stretched} times as high as in the middle."
         ),
         Lang::PtBr => format!(
-            "θ é {angle}° (5.4): na borda de cima tudo é desenhado 1/cos²(θ/2) = {stretched} vezes mais alto que no meio."
+            "θ é {angle}° (5.4). Na borda de cima tudo é desenhado 1/cos²(θ/2) = {stretched} vezes mais alto que no meio."
         ),
     }
 }
@@ -209,8 +209,8 @@ pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
     let name = conventions::name(lang, ndc);
     let [near, far] = ndc.depths().map(|depth| lang.mark().number(depth, 2));
     let back = if ndc.infinite { "B → ∞" } else { "B" };
-    both!(lang; "In the NDC of {name}: z_n is {near} at F and {far} at {back}.",
-        "Nas NDC de {name}: z_n é {near} em F e {far} em {back}.")
+    both!(lang; "In the NDC of {name} z_n is {near} at F and {far} at {back}.",
+        "Nas NDC de {name} z_n é {near} em F e {far} em {back}.")
 }
 
 /// The verdict of a depth buffer on two planes; `share`: the part of their common area in which the farther one is

@@ -22,7 +22,7 @@ texts! {
     kept: "This camera is A now: F4 compares and swaps", "Esta câmera agora é A: F4 compara e troca";
     no_sides: "Nothing is compared, and no camera has been kept as A", "Nada está sendo comparado, e nenhuma câmera foi guardada como A";
     swap_command: "Swap sides", "Trocar os lados";
-    swap_command_hint: "Swaps the two sides of a comparison; without one, compares with camera A", "Troca os dois lados de uma comparação; sem uma, compara com a câmera A";
+    swap_command_hint: "Swaps the two sides of a comparison. Without one, compares with camera A", "Troca os dois lados de uma comparação. Sem uma, compara com a câmera A";
     nothing: "nothing", "nada";
     visibility_painter: "painter | depth buffer", "pintor | z-buffer";
     visibility_bsp: "BSP | depth buffer", "BSP | z-buffer";
@@ -34,9 +34,9 @@ texts! {
     angle_hint: "The view angle of the other side", "O ângulo de vista do outro lado";
     angle_none: "A parallel camera or one with a free window has no θ", "Uma câmera paralela ou de janela livre não tem θ";
     operation: "before | after", "antes | depois";
-    operation_hint: "An operation as on the command line: azimuth=30, zoom=2, pan=1,-0.5", "Uma operação como na linha de comando: azimuth=30, zoom=2, pan=1,-0.5";
+    operation_hint: "An operation as on the command line, such as azimuth=30, zoom=2 or pan=1,-0.5", "Uma operação como na linha de comando, tal como azimuth=30, zoom=2 ou pan=1,-0.5";
     key: "key = value", "chave = valor";
-    key_hint: "A key of figure files, and its value on the other side: camera.near = 0.5, style.antialias = 1, reveal.depth = \"linear\"", "Uma chave dos arquivos de figura, e seu valor no outro lado: camera.near = 0.5, style.antialias = 1, reveal.depth = \"linear\"";
+    key_hint: "A key of figure files, and its value on the other side, such as camera.near = 0.5, style.antialias = 1, reveal.depth = \"linear\"", "Uma chave dos arquivos de figura, e o valor dela no outro lado, como camera.near = 0.5, style.antialias = 1, reveal.depth = \"linear\"";
     differences: "mark differences", "marcar diferenças";
     differences_hint: "Hatches the pixels in which the two sides differ, and counts them", "Hachura os pixels em que os dois lados diferem, e os conta";
     beside: "two whole pictures", "duas imagens inteiras";
@@ -58,5 +58,5 @@ pub fn impossible(lang: Lang, error: &FigureError) -> String {
 /// The other figure has another scene.
 #[must_use]
 pub fn other_scene(lang: Lang, file: &str) -> String {
-    both!(lang; "{file} has another scene: its camera is compared in this one", "{file} tem outra cena: a câmera dele é comparada nesta")
+    both!(lang; "{file} has another scene, so its camera is compared in this one", "{file} tem outra cena, e a câmera dele é comparada nesta")
 }

@@ -22,7 +22,7 @@ texts! {
     close: "Close", "Fechar";
     // Where there is nothing to show.
     no_recent: "Nothing has been opened or saved yet.", "Nada foi aberto ou salvo ainda.";
-    no_folder: "No folder is chosen: that of the open figure, or one that you choose, is listed here.", "Nenhuma pasta foi escolhida: a da figura aberta, ou uma que você escolher, aparece aqui.";
+    no_folder: "You haven't chosen a folder. This list shows the open figure's folder, or one that you choose.", "Você não escolheu uma pasta. Aqui aparece a da figura aberta, ou uma que você escolher.";
     empty_folder: "There are no figure files (.toml) in this folder.", "Não há arquivos de figura (.toml) nesta pasta.";
     // Of a file.
     gone: "no longer exists", "não existe mais";

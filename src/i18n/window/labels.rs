@@ -11,7 +11,7 @@ texts! {
     command_hint: "Labels can be dragged, renamed and hidden, and notes added", "Os rótulos podem ser arrastados, renomeados e ocultos, e notas adicionadas";
     title: "Labels", "Rótulos";
     choose: "label", "rótulo";
-    choose_hint: "The label to change; a click on it chooses it too", "O rótulo a mudar; um clique nele também o escolhe";
+    choose_hint: "The label to change. A click on it chooses it too", "O rótulo a mudar. Um clique nele também o escolhe";
     none: "none", "nenhum";
     text: "text", "texto";
     text_hint: "Symbols stand between dollar signs: $\\theta/2$, $x_c$, $\\mathbf{u}$", "Símbolos ficam entre cifrões: $\\theta/2$, $x_c$, $\\mathbf{u}$";
@@ -21,17 +21,17 @@ texts! {
     color: "colour", "cor";
     hide: "Hide", "Ocultar";
     hide_legend: "Hide the legend", "Ocultar a legenda";
-    legend_hint: "Hides all of it; dragging one of its lines moves all of it", "Oculta-a inteira; arrastar uma de suas linhas a move inteira";
+    legend_hint: "Hides all of it. Dragging one of its lines moves all of it", "Oculta-a inteira. Arrastar uma das linhas a move inteira";
     delete: "Delete", "Excluir";
     automatic: "Automatic again", "Automático de novo";
-    automatic_hint: "The label has its own text, place, size and colour again; a note keeps its text", "O rótulo volta a ter seu texto, lugar, tamanho e cor; uma nota conserva seu texto";
+    automatic_hint: "The label has its own text, place, size and colour again. A note keeps its text", "O rótulo volta a ter o próprio texto, lugar, tamanho e cor. Uma nota conserva o texto";
     all_automatic: "All automatic again", "Todos automáticos de novo";
-    all_automatic_hint: "All labels have their own texts and places again; notes stay", "Todos os rótulos voltam a ter seus textos e lugares; as notas ficam";
+    all_automatic_hint: "All labels have their own texts and places again. Notes stay", "Todos os rótulos voltam a ter os próprios textos e lugares. As notas ficam";
     hidden: "hidden:", "ocultos:";
     show_again: "Shows the label again", "Mostra o rótulo de novo";
     add: "Add a note", "Adicionar nota";
     add_hint: "A click puts it at a vertex, an edge, a point, or at a place of the picture; Enter in a picture, in its middle", "Um clique a põe em um vértice, uma aresta, um ponto ou um lugar da imagem; Enter em uma imagem, no meio dela";
-    adding: "Click to place the note · Esc: no note", "Clique para pôr a nota · Esc: nenhuma nota";
+    adding: "Click to place the note, or press Esc for none", "Clique para pôr a nota, ou aperte Esc para nenhuma";
     note: "note", "nota";
     full: "There is no room for more notes", "Não há lugar para mais notas";
     measures: "measures:", "medidas:";
@@ -41,7 +41,7 @@ texts! {
     value: "value", "valor";
     both: "both", "ambos";
     mathematics: "letters of mathematics", "letras de matemática";
-    mathematics_hint: "Symbols as in the explanations: vectors bold, others in italics", "Símbolos como nas explicações: vetores em negrito, outros em itálico";
+    mathematics_hint: "Symbols as in the explanations, with vectors bold and others in italics", "Símbolos como nas explicações, com vetores em negrito e outros em itálico";
     leave: "Done", "Concluir";
     idle: "Drag a label · click: choose · arrow keys: move the chosen one · Esc: done", "Arraste um rótulo · clique: escolher · setas: mover o escolhido · Esc: concluir";
 

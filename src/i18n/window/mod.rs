@@ -29,7 +29,7 @@ texts! {
     open: "Open…", "Abrir…";
     open_hint: "A figure file, or an exported picture", "Um arquivo de figura, ou uma imagem exportada";
     gallery: "Gallery…", "Galeria…";
-    gallery_hint: "Figures to start from, as thumbnails: built-in, recent, or from a folder", "Figuras para começar, em miniatura: as do programa, as recentes, as de uma pasta";
+    gallery_hint: "Thumbnails of built-in figures, recent ones, or those of a folder", "Miniaturas das figuras do programa, das recentes ou das de uma pasta";
     recent: "Recent…", "Recentes…";
     recent_hint: "Recently opened or saved figures", "As figuras abertas ou salvas recentemente";
     save: "Save", "Salvar";
@@ -38,7 +38,7 @@ texts! {
     save_as_hint: "Saves the figure to another file", "Salva a figura em outro arquivo";
     export: "Export pictures…", "Exportar imagens…";
     export_family: "Export a family…", "Exportar uma família…";
-    export_family_hint: "A sheet of small pictures: the same figure at several values of a parameter, an operation or a style", "Uma folha de imagens pequenas: a mesma figura com vários valores de um parâmetro, uma operação ou um estilo";
+    export_family_hint: "A sheet of small pictures that show the figure at several values of a parameter, an operation or a style", "Uma folha de imagens pequenas, com a figura em vários valores de um parâmetro, de uma operação ou de um estilo";
     export_hint: "One picture or all three as PNG (with the figure inside), WebP or JPEG, for screen or paper", "Uma imagem ou as três como PNG (com a figura dentro), WebP ou JPEG, para tela ou papel";
     quit: "Quit", "Sair";
     quit_hint: "Closes the window", "Fecha a janela";
@@ -53,15 +53,15 @@ texts! {
     language: "Português", "English";
     language_hint: "Mudar para português", "Switch to English";
     theme: "Dark theme", "Tema escuro";
-    theme_hint: "Light or dark background of the window; the figure does not change", "Fundo claro ou escuro da janela; a figura não muda";
+    theme_hint: "Light or dark background of the window. The figure doesn't change", "Fundo claro ou escuro da janela. A figura não muda";
     reduce_motion: "Reduce motion", "Reduzir movimento";
     reduce_motion_hint: "Skips animations", "Pula as animações";
     presentation: "Presentation", "Apresentação";
     presentation_hint: "Large type and thick strokes, full screen, for a projector", "Letras grandes e traços grossos, tela cheia, para um projetor";
     next_figure: "Next figure", "Próxima figura";
-    next_figure_hint: "The next figure of the folder, or of the built-in ones; changes are kept. In a presentation: Page ↓, or →", "A próxima figura da pasta, ou das do programa; as mudanças são mantidas. Em uma apresentação: Page ↓, ou →";
+    next_figure_hint: "The next figure of the folder, or the next built-in one. Your changes are kept. In a presentation, press Page ↓ or →", "A próxima figura da pasta, ou a próxima do programa. Suas mudanças são mantidas. Em uma apresentação, aperte Page ↓ ou →";
     previous_figure: "Previous figure", "Figura anterior";
-    previous_figure_hint: "The figure before; changes are kept. In a presentation: Page ↑, or ←", "A figura anterior; as mudanças são mantidas. Em uma apresentação: Page ↑, ou ←";
+    previous_figure_hint: "The previous figure. Your changes are kept. In a presentation, press Page ↑ or ←", "A figura anterior. Suas mudanças são mantidas. Em uma apresentação, aperte Page ↑ ou ←";
     pen: "Pen", "Caneta";
     pen_hint: "Draws over the pictures with the pointer; Esc erases. In a presentation: P", "Desenha sobre as imagens com o ponteiro; Esc apaga. Em uma apresentação: P";
     spot: "Spotlight", "Holofote";
@@ -92,18 +92,18 @@ texts! {
     search_hint: "Finds commands, explanations, notes, exercises and figures", "Encontra comandos, explicações, notas, exercícios e figuras";
     explain_panel: "Explanations", "Explicações";
     exercises: "Exercises", "Exercícios";
-    exercises_hint: "Exercises of the notes, and families that draw new numbers each time; answers are checked and explained", "Os exercícios das notas, e famílias que sorteiam números novos a cada vez; as respostas são conferidas e explicadas";
+    exercises_hint: "Exercises of the notes, and families with new numbers each time. The program checks your answers and explains them", "Os exercícios das notas, e famílias com números novos a cada vez. O programa confere e explica suas respostas";
     explain_panel_hint: "Every number with its formula, in place of operations and numbers", "Cada número com sua fórmula, no lugar de operações e números";
     camera_tab: "Camera tab", "Aba da câmera";
     camera_tab_hint: "Camera, projection, view window, image", "Câmera, projeção, janela de vista, imagem";
     scene_tab: "Scene tab", "Aba da cena";
-    scene_tab_hint: "What the camera looks at: a tree of objects, and the lights", "O que a câmera olha: uma árvore de objetos, e as luzes";
+    scene_tab_hint: "The tree of objects that the camera looks at, and the lights", "A árvore de objetos que a câmera olha, e as luzes";
     drawing_tab: "Drawing tab", "Aba do desenho";
     drawing_tab_hint: "How the pictures are drawn", "Como as imagens são desenhadas";
     numerics: "Numerics", "Numérica";
     numerics_hint: "Error against run time of several ways to compute what a camera does, measured on this machine", "Erro contra tempo de execução de várias formas de calcular o que uma câmera faz, medidos nesta máquina";
     pipeline: "Pipeline stages", "Etapas do pipeline";
-    pipeline_hint: "The strip under the pictures: what each stage did, or why it was skipped", "A faixa sob as imagens: o que cada etapa fez, ou por que foi omitida";
+    pipeline_hint: "The strip under the pictures shows what each stage did, or why it was skipped", "A faixa sob as imagens mostra o que cada etapa fez, ou por que foi omitida";
     look_front: "Look from the front", "Olhar de frente";
     look_front_hint: "The world and the canonical volume from +z", "O mundo e o volume canônico vistos de +z";
     look_top: "Look from the top", "Olhar de cima";
@@ -113,7 +113,7 @@ texts! {
     look_iso: "Look from a corner", "Olhar de um canto";
     look_iso_hint: "The world and the canonical volume in perspective", "O mundo e o volume canônico em perspectiva";
     look_along_u: "Look along u", "Olhar ao longo de u";
-    look_along_u_hint: "The camera from its side, as in the side figures of the notes: the eye on the left, the back plane on the right", "A câmera vista de lado, como nas figuras de perfil das notas: o olho à esquerda, o fundo à direita";
+    look_along_u_hint: "The camera from its side, with the eye on the left and the back plane on the right, as in the notes", "A câmera vista de lado, com o olho à esquerda e o fundo à direita, como nas notas";
     look_along_v: "Look along v", "Olhar ao longo de v";
     look_along_v_hint: "The camera from above, the eye on the left, the back plane on the right", "A câmera vista de cima, o olho à esquerda, o fundo à direita";
     look_along_n: "Look along n", "Olhar ao longo de n";
@@ -134,16 +134,16 @@ texts! {
     about_text: "An interactive laboratory for the virtual camera of computer graphics.", "Um laboratório interativo da câmera virtual da computação gráfica.";
     about_licence: "Under the MIT licence or the Apache License 2.0, at your choice. Its components have licences of their own:", "Sob a licença MIT ou a Apache License 2.0, à escolha. Seus componentes têm licenças próprias:";
     help_numbers: "Number fields", "Campos numéricos";
-    help_numbers_text: "Drag sideways (Shift: slowly). Click and type a number or an expression: 1/3, sqrt(2)/2, 45°, pi/3. Enter: accept · Esc: cancel · ↑ ↓: one step · Page ↑ ↓: ten steps", "Arraste para o lado (Shift: devagar). Clique e digite um número ou uma expressão: 1/3, sqrt(2)/2, 45°, pi/3. Enter: aceitar · Esc: cancelar · ↑ ↓: um passo · Page ↑ ↓: dez passos";
+    help_numbers_text: "Drag sideways, with Shift slowly. Or click and type a number or an expression, such as 1/3, sqrt(2)/2, 45° or pi/3. Enter accepts, Esc cancels, ↑ ↓ make one step, Page ↑ ↓ ten", "Arraste para o lado, com Shift devagar. Ou clique e digite um número ou uma expressão, como 1/3, sqrt(2)/2, 45° ou pi/3. Enter aceita, Esc cancela, ↑ ↓ dão um passo, Page ↑ ↓ dez";
     help_pictures: "Pictures", "Imagens";
-    help_pictures_text: "Double-click: maximise. Drag C, PF, VUP and the planes F and B in the world, and the arrows, rings (R) and bars (S) of the object selected in the scene; with Ctrl, in steps. Click: pin what is under the pointer.", "Duplo clique: maximizar. Arraste C, PF, VUP e os planos F e B no mundo, e as setas, anéis (R) e barras (S) do objeto selecionado na cena; com Ctrl, em passos. Clique: fixar o que está sob o ponteiro.";
+    help_pictures_text: "Double-click a picture to maximise it. Drag C, PF, VUP and the planes F and B in the world, and the arrows, rings (R) and bars (S) of the object selected in the scene. Ctrl moves in steps. Click to pin what's under the pointer.", "Dê um duplo clique em uma imagem para maximizá-la. Arraste C, PF, VUP e os planos F e B no mundo, e as setas, anéis (R) e barras (S) do objeto selecionado na cena. Com Ctrl, movem-se em passos. Clique para fixar o que está sob o ponteiro.";
     help_signs: "Signs of the bar", "Sinais da barra";
     help_commands: "Commands", "Comandos";
     close: "Close", "Fechar";
     show_world: "World", "Mundo";
     show_canonical: "Canonical volume", "Volume canônico";
     show_image: "Image", "Imagem";
-    arrange_hint: "How the pictures share the space; drag the bars between them to resize", "Como as imagens dividem o espaço; arraste as barras entre elas para redimensionar";
+    arrange_hint: "How the pictures share the space. Drag the bars between them to resize", "Como as imagens dividem o espaço. Arraste as barras entre elas para redimensionar";
     show_picture_hint: "Shows or hides this picture", "Mostra ou esconde esta imagem";
 
     // The bar at the top.
@@ -158,11 +158,11 @@ texts! {
     // The parameters.
     camera: "Camera", "Câmera";
     position: "position", "posição";
-    position_hint: "C: the position of the camera. [0] §5.2", "C: a posição da câmera. [0] §5.2";
+    position_hint: "C is the position of the camera. [0] §5.2", "C é a posição da câmera. [0] §5.2";
     focal_point: "focal point", "ponto focal";
-    focal_point_hint: "PF: the point the camera looks at. DOP = (PF − C)/D, [0] (5.2)", "PF: o ponto para o qual a câmera olha. DOP = (PF − C)/D, [0] (5.2)";
+    focal_point_hint: "PF is the point the camera looks at. DOP = (PF − C)/D, [0] (5.2)", "PF é o ponto para o qual a câmera olha. DOP = (PF − C)/D, [0] (5.2)";
     view_up: "view up", "para cima";
-    view_up_hint: "VUP: its projection on the view plane gives v. [0] (5.3)", "VUP: sua projeção no plano de vista dá v. [0] (5.3)";
+    view_up_hint: "The projection of VUP on the view plane gives v. [0] (5.3)", "A projeção de VUP no plano de vista dá v. [0] (5.3)";
     projection: "Projection", "Projeção";
     perspective: "Perspective", "Perspectiva";
     perspective_hint: "Projectors meet at C. The size at PF is kept. [0] (5.13)", "Os projetores se encontram em C. O tamanho em PF se mantém. [0] (5.13)";
@@ -176,12 +176,12 @@ texts! {
     aspect: "aspect", "aspecto";
     aspect_hint: "A = W / H. [0] (5.1)", "A = W / H. [0] (5.1)";
     near: "front plane", "plano da frente";
-    near_hint: "F: distance of the front clipping plane, which is the view plane too. [0] §5.2", "F: distância do plano de recorte da frente, que é também o plano de vista. [0] §5.2";
+    near_hint: "F is the distance of the front clipping plane, which is also the view plane. [0] §5.2", "F é a distância do plano de recorte da frente, que é também o plano de vista. [0] §5.2";
     far: "back plane", "plano de fundo";
-    far_hint: "B: distance of the back clipping plane. [0] §5.2", "B: distância do plano de recorte de fundo. [0] §5.2";
+    far_hint: "B is the distance of the back clipping plane. [0] §5.2", "B é a distância do plano de recorte de fundo. [0] §5.2";
     window: "View window", "Janela de vista";
     symmetric: "Symmetric", "Simétrica";
-    symmetric_hint: "On: the window follows from the angle (or H) and A. Off: l, r, b and t are free. [0] §5.3.2", "Ligado: a janela decorre do ângulo (ou de H) e de A. Desligado: l, r, b e t são livres. [0] §5.3.2";
+    symmetric_hint: "If on, the angle (or H) and A give the window. If off, you choose l, r, b and t. [0] §5.3.2", "Ligado, o ângulo (ou H) e A dão a janela. Desligado, você escolhe l, r, b e t. [0] §5.3.2";
     left: "left", "esquerda";
     right: "right", "direita";
     bottom: "bottom", "baixo";
@@ -201,7 +201,7 @@ texts! {
     whole_image_hint: "glViewport covers the image, depth 0 … 1. [0] (5.24), (5.25)", "glViewport cobre a imagem, profundidade 0 … 1. [0] (5.24), (5.25)";
     viewport_corner: "corner", "canto";
     viewport_size: "size", "tamanho";
-    viewport_hint: "glViewport: lower left corner, width and height. [0] (5.24)", "glViewport: canto inferior esquerdo, largura e altura. [0] (5.24)";
+    viewport_hint: "Lower left corner, width and height, as in glViewport. [0] (5.24)", "Canto inferior esquerdo, largura e altura, como em glViewport. [0] (5.24)";
     depth_range: "depth range", "profundidade";
     depth_range_hint: "glDepthRange: Z for z_n = −1 and for z_n = 1. [0] (5.25)", "glDepthRange: Z para z_n = −1 e para z_n = 1. [0] (5.25)";
     scene: "Scene", "Cena";
@@ -237,7 +237,7 @@ texts! {
     hidden_hidden: "hidden", "ocultas";
     hidden_shown: "shown", "visíveis";
     antialias: "samples", "amostras";
-    antialias_hint: "Samples per pixel: more are smoother and slower", "Amostras por pixel: mais amostras, mais suave e mais lento";
+    antialias_hint: "Samples per pixel. More are smoother and slower", "Amostras por pixel. Com mais, fica mais suave e mais lento";
     theme_name: "theme", "tema";
     file_theme: "file theme", "tema do arquivo";
     file_theme_hint: "The theme in which camera-lab render writes the pictures of this figure. The window has its own: Window, Dark theme", "O tema em que camera-lab render grava as imagens desta figura. A janela tem o seu: Janela, Tema escuro";
@@ -248,7 +248,7 @@ texts! {
     // What the world shows.
     in_world: "In the world", "No mundo";
     window_opacity: "painted window", "janela pintada";
-    window_opacity_hint: "Opacity of the image on the view window. Automatic: opaque, but faint if it would hide much of the scene", "Opacidade da imagem na janela de vista. Automática: opaca, mas fraca se esconder muito da cena";
+    window_opacity_hint: "Opacity of the image on the view window. Automatic makes it opaque, but faint if it would hide much of the scene", "Opacidade da imagem na janela de vista. A automática é opaca, mas fraca se esconder muito da cena";
     opacity_automatic: "automatic", "automática";
     axes_length: "camera axes", "eixos da câmera";
     axes_length_hint: "Length of u, v, n, VUP and DOP in the world, as a multiple of the usual one", "Comprimento de u, v, n, VUP e DOP no mundo, como múltiplo do usual";
@@ -259,11 +259,11 @@ texts! {
     world_parts: "Drawn in it", "Desenhado nele";
     world_parts_hint: "What stands in the world beside the scene. What is left out here is in no picture of the world, on the screen or on paper", "O que está no mundo além da cena. O que se deixa de fora aqui não está em nenhuma imagem do mundo, na tela ou no papel";
     section_view: "Section along u", "Corte ao longo de u";
-    section_view_hint: "The section through C, as in the side figures of the notes: similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its own", "O corte por C, como nas figuras de perfil das notas: triângulos semelhantes, θ/2, H/2, F, B, um ponto e seu y_p. Aponte para um vértice para ver o dele";
+    section_view_hint: "The section through C as in the notes, with the similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its triangles", "O corte por C como nas notas, com os triângulos semelhantes, θ/2, H/2, F, B, um ponto e o y_p dele. Aponte para um vértice para ver os triângulos dele";
 
     // What is revealed of the pipeline.
     depth_view: "image", "imagem";
-    depth_view_hint: "The depth buffer in place of the colours: black is near, white is far. Perspective crowds Z near 1. Point at a pixel to read its numbers below. [0] (5.25), [2] depth buffer", "O z-buffer no lugar das cores: preto é perto, branco é longe. A perspectiva comprime Z perto de 1. Aponte para um pixel para ler seus números embaixo. [0] (5.25), [2] z-buffer";
+    depth_view_hint: "The depth buffer in place of the colours. Black is near and white is far. Perspective crowds Z near 1. Point at a pixel to read its numbers below. [0] (5.25), [2] depth buffer", "O z-buffer no lugar das cores. Preto é perto e branco é longe. A perspectiva comprime Z perto de 1. Aponte para um pixel para ler seus números embaixo. [0] (5.25), [2] z-buffer";
     depth_off: "colours", "cores";
     depth_stored: "depths (Z)", "profundidades (Z)";
     depth_linear: "distances", "distâncias";
@@ -276,11 +276,11 @@ texts! {
     clipping_view: "Clipping vertices", "Vértices do recorte";
     clipping_view_hint: "Marks the vertices that clipping creates, in all three pictures. Point at a vertex to read its outcode and its six distances w ± x, w ± y, w ± z below. [2] clipping in homogeneous coordinates", "Marca os vértices que o recorte cria, nas três imagens. Aponte para um vértice para ler embaixo seu outcode e suas seis distâncias w ± x, w ± y, w ± z. [2] clipping em coordenadas homogêneas";
     culled_view: "Culled parts", "Partes descartadas";
-    culled_view_hint: "Tints, in the world, the faces that are turned away from the camera and the objects that are dropped whole because they lie outside a plane of the volume: the camera draws neither. [2] back faces, [3] §1.1", "Tinge no mundo as faces de costas para a câmera e os objetos descartados inteiros por estarem fora de um plano do volume: a câmera não os desenha. [2] faces de trás, [3] §1.1";
+    culled_view_hint: "Tints two things that the camera doesn't draw: faces turned away from it, and objects that lie outside a plane of the volume. [2] back faces, [3] §1.1", "Tinge o que a câmera não desenha, que são as faces de costas para ela e os objetos fora de um plano do volume. [2] faces de trás, [3] §1.1";
     vanishing: "Vanishing points", "Pontos de fuga";
-    vanishing_hint: "The vanishing points of the directions x, y, z of the scene: the images of their ideal points, M (d, 0), and the horizon; in the world the parallels through C. [4]", "Os pontos de fuga das direções x, y, z da cena: as imagens dos pontos ideais, M (d, 0), e o horizonte; no mundo, as paralelas por C. [4]";
+    vanishing_hint: "The vanishing points of x, y and z, which are the images of their ideal points, M (d, 0), and the horizon. The world shows the parallels through C. [4]", "Os pontos de fuga de x, y e z, que são as imagens dos pontos ideais, M (d, 0), e o horizonte. O mundo mostra as paralelas por C. [4]";
     divide_first: "Divide before clipping", "Dividir antes de recortar";
-    divide_first_hint: "Wrong on purpose: what lies behind the eye has w < 0, and dividing by w flips it to the front. Canonical volume and image show the result, in red. [2] the problem of clipping", "Errado de propósito: o que está atrás do olho tem w < 0, e a divisão por w o traz para a frente. O volume canônico e a imagem mostram o resultado, em vermelho. [2] problema do clipping";
+    divide_first_hint: "Wrong on purpose. A point behind the eye has w < 0, and dividing by w flips it to the front. Canonical volume and image show the result, in red. [2] the problem of clipping", "Errado de propósito. Um ponto atrás do olho tem w < 0, e a divisão por w o traz para a frente. O volume canônico e a imagem mostram o resultado, em vermelho. [2] problema do clipping";
 
     // Files.
     open_title: "Open a figure", "Abrir uma figura";
@@ -322,11 +322,11 @@ texts! {
     compare_mine: "+ only in this window", "+ só nesta janela";
     compare_equal: "No line differs.", "Nenhuma linha difere.";
     file_changed: "was changed by another program.", "foi alterado por outro programa.";
-    file_changed_unsaved: "was changed by another program; this window has changes too. Saving asks first.", "foi alterado por outro programa; esta janela também tem mudanças. Salvar pergunta antes.";
+    file_changed_unsaved: "was changed by another program, and you have changes in this window too. Saving asks first.", "foi alterado por outro programa, e esta janela também tem mudanças. Salvar pergunta antes.";
     reload: "Reload", "Recarregar";
     reload_hint: "Continues with what the file contains now", "Continua com o que o arquivo contém agora";
     keep_mine: "Keep mine", "Manter o meu";
-    keep_mine_hint: "Continues with what this window shows; saving asks before it replaces the file", "Continua com o que esta janela mostra; salvar pergunta antes de substituir o arquivo";
+    keep_mine_hint: "Continues with your figure. Saving asks before it replaces the file", "Continua com a sua figura. Salvar pergunta antes de substituir o arquivo";
     opened: "Opened:", "Aberto:";
     saved: "Saved:", "Salvo:";
     exporting: "Drawing the picture…", "Desenhando a imagem…";
@@ -342,9 +342,9 @@ texts! {
     closing_title: "A picture is still being written", "Uma imagem ainda está sendo gravada";
     closing_text: "The window closes as soon as it is written.", "A janela fecha assim que ela for gravada.";
     close_now: "Close without it", "Fechar sem ela";
-    export_cancelled: "Cancelled; nothing was written to", "Cancelado; nada foi gravado em";
+    export_cancelled: "Cancelled. Nothing was written to", "Cancelado. Nada foi gravado em";
     picture_failed: "A bug in this program kept the picture from being written:", "Um defeito deste programa impediu que a imagem fosse gravada:";
-    picture_no_room: "pictures do not fit on a sheet of this size; allowed: a larger one, or smaller letters.", "imagens não cabem numa folha deste tamanho; permitido: uma maior, ou letras menores.";
+    picture_no_room: "pictures don't fit on a sheet of this size. Make the sheet larger or the letters smaller.", "imagens não cabem em uma folha deste tamanho. Aumente a folha ou diminua as letras.";
     picture_too_large: "There is not enough memory for a picture of this size.", "Não há memória suficiente para uma imagem deste tamanho.";
     export_heading: "Export pictures", "Exportar imagens";
     export_what: "pictures", "imagens";
@@ -357,24 +357,24 @@ texts! {
     export_height_cm: "height in centimetres", "altura em centímetros";
     export_dpi: "pixels per inch", "pixels por polegada";
     export_letters: "letters in points", "letras em pontos";
-    export_letters_hint: "Height of the letters of names on paper; with all three pictures, smaller if one has no room for them", "Altura das letras dos nomes no papel; nas três imagens, menores se uma não tem lugar para elas";
+    export_letters_hint: "Height of the letters of names on paper. With three pictures they're smaller if one has no room for them", "Altura das letras dos nomes no papel. Com três imagens, ficam menores se uma não tem lugar para elas";
     export_lines: "lines in points", "linhas em pontos";
-    export_lines_hint: "Width of the edges of solids on paper, with other lines in proportion; without it, lines are in proportion to the letters", "Espessura das arestas dos sólidos no papel, com as outras linhas em proporção; sem ela, as linhas são proporcionais às letras";
+    export_lines_hint: "Width of the edges of solids on paper. Other lines are in proportion. If it's empty, lines are in proportion to the letters", "Espessura das arestas dos sólidos no papel. As outras linhas são proporcionais. Vazia, as linhas são proporcionais às letras";
     export_lines_own: "own width", "espessura própria";
     export_format: "format", "formato";
-    export_format_hint: "The suggested extension; the file name decides", "A extensão sugerida; o nome do arquivo decide";
+    export_format_hint: "The suggested extension. The file name decides", "A extensão sugerida. O nome do arquivo decide";
     // Of vectors: how faces are written.
     export_faces: "faces", "faces";
-    export_faces_hint: "Of SVG and PDF. Areas are vectors too, for flat light; a picture under the lines shows every light. Automatic: areas if they show what the screen shows", "De SVG e PDF. Áreas também são vetores, para luz constante; uma imagem sob as linhas mostra toda luz. Automático: áreas se mostram o que a tela mostra";
+    export_faces_hint: "For SVG and PDF. Areas are vectors too, but with flat light only. A picture under the lines shows every light. Automatic takes areas if they show the same as the screen", "Para SVG e PDF. Áreas também são vetores, mas só com luz constante. Uma imagem sob as linhas mostra toda luz. O automático usa áreas se mostram o mesmo que a tela";
     export_faces_auto: "automatic", "automático";
     export_faces_areas: "areas", "áreas";
     export_faces_picture: "picture", "imagem";
     export_outlines: "letters as outlines", "letras como contornos";
     export_outlines_hint: "Of SVG and PDF. No program needs the font then, and none can search or edit the names", "De SVG e PDF. Então nenhum programa precisa da fonte, e nenhum pode procurar ou editar os nomes";
     export_transparent: "Transparent", "Transparente";
-    export_transparent_hint: "No background: what lies behind the picture shows through", "Sem fundo: o que está atrás da imagem aparece";
-    export_opaque_hint: "JPEG has no transparency; the others do", "JPEG não tem transparência; os outros têm";
-    export_no_transparency: "has no transparency; allowed: a name that ends in .png, .webp, .svg or .pdf, or a picture with its background", "não tem transparência; permitido: um nome que termina em .png, .webp, .svg ou .pdf, ou uma imagem com seu fundo";
+    export_transparent_hint: "No background, so what lies behind the picture shows through", "Sem fundo, e o que está atrás da imagem aparece";
+    export_opaque_hint: "JPEG has no transparency. The others do", "JPEG não tem transparência. Os outros têm";
+    export_no_transparency: "has no transparency. Choose a name that ends in .png, .webp, .svg or .pdf, or keep the background", "não tem transparência. Escolha um nome que termine em .png, .webp, .svg ou .pdf, ou mantenha o fundo";
     export_crop: "Crop to content", "Cortar ao conteúdo";
     export_crop_hint: "Each picture without the empty background around it", "Cada imagem sem o fundo vazio em volta";
     export_typed: "typed", "digitado";
@@ -382,13 +382,13 @@ texts! {
     export_width: "picture width", "largura da imagem";
     export_height: "picture height", "altura da imagem";
     export_theme_hint: "print: white background and strokes that survive greyscale", "impressão: fundo branco e traços que sobrevivem a tons de cinza";
-    export_note: "The extension of the name decides. PNG, SVG and PDF carry their figure: open or drop them to get it back. SVG and PDF are vectors.", "A extensão do nome decide. PNG, SVG e PDF levam sua figura: abra-os ou solte-os aqui para recuperá-la. SVG e PDF são vetores.";
+    export_note: "The extension of the name decides. PNG, SVG and PDF carry their figure. Open one or drop it here to get the figure back. SVG and PDF are vectors.", "A extensão do nome decide. PNG, SVG e PDF levam a figura com eles. Abra um deles ou solte-o aqui para recuperá-la. SVG e PDF são vetores.";
     export_preview: "preview of the picture", "prévia da imagem";
     export_drawing: "The picture is being drawn …", "A imagem está sendo desenhada …";
     export_copy: "Copy the picture", "Copiar a imagem";
     export_copy_hint: "To the clipboard at full size, without its figure", "Para a área de transferência em tamanho inteiro, sem sua figura";
-    export_copy_svg_hint: "To the clipboard as the text of an SVG file, without its figure: for editors of drawings and of text", "Para a área de transferência como texto de um arquivo SVG, sem sua figura: para editores de desenhos e de texto";
-    export_copy_too_large: "Too large for the clipboard; allowed: at most 33 million pixels", "Grande demais para a área de transferência; permitido: no máximo 33 milhões de pixels";
+    export_copy_svg_hint: "To the clipboard as the text of an SVG file, without its figure, for editors of drawings and of text", "Para a área de transferência como texto de um arquivo SVG, sem a figura, para editores de desenhos e de texto";
+    export_copy_too_large: "Too large for the clipboard, which takes at most 33 million pixels", "Grande demais para a área de transferência, que recebe no máximo 33 milhões de pixels";
     export_action: "Export…", "Exportar…";
     drop_here: "Drop to open", "Solte para abrir";
 
@@ -413,14 +413,14 @@ texts! {
     pan_u_effect: "C, PF along u", "C, PF ao longo de u";
     pan_v: "Pan along v", "Pan em v";
     pan_v_effect: "C, PF along v", "C, PF ao longo de v";
-    sign_right_hand: "+: counter-clockwise seen from the tip of the axis. The arrows show how the camera moves, as the eye sees it", "+: anti-horário visto da ponta do eixo. As setas mostram como a câmera se move, vista pelo olho";
+    sign_right_hand: "+ is counter-clockwise seen from the tip of the axis. The arrows show how the camera moves, as the eye sees it", "+ é anti-horário visto da ponta do eixo. As setas mostram como a câmera se move, vista pelo olho";
     sign_vtk: "Signs of VTK. The arrows show how the camera moves, as the eye sees it", "Sinais do VTK. As setas mostram como a câmera se move, vista pelo olho";
     step: "step", "passo";
     step_hint: "The step of the buttons − and +", "O passo dos botões − e +";
     scrub: "slider", "controle";
-    scrub_hint: "Pull: the camera moves by 5° (Ctrl: freely); release: it stays there, and the knob springs back", "Puxe: a câmera se move de 5° em 5° (Ctrl: livre); solte: ela fica lá, e o botão volta ao meio";
+    scrub_hint: "Pull the knob to move the camera by 5°, or freely with Ctrl. When you let go, the camera stays and the knob springs back", "Puxe o botão para mover a câmera de 5° em 5°, ou livremente com Ctrl. Ao soltar, a câmera fica lá e o botão volta ao meio";
     keep_operation: "Keep in the figure", "Guardar na figura";
-    keep_operation_hint: "The figure shows this operation: the camera before, the axis and the arc with its value. So do files, exports and lessons", "A figura mostra esta operação: a câmera de antes, o eixo e o arco com o valor. Arquivos, exportações e lições também";
+    keep_operation_hint: "The figure shows this operation, with the camera before, the axis and the arc with its value. So do files, exports and lessons", "A figura mostra esta operação, com a câmera de antes, o eixo e o arco com o valor. Arquivos, exportações e lições também";
     keep_operation_disabled: "First do this operation", "Faça primeiro esta operação";
     kept_operations: "In the figure:", "Na figura:";
     take_out: "Take the operations out of the figure", "Tirar as operações da figura";
@@ -440,19 +440,19 @@ texts! {
 
     // Where the notes print something else.
     why: "Why this number?", "Por que este número?";
-    why_hint: "Why? (click, Enter): its formula, its numbers, and what it measures in the world", "Por quê? (clique, Enter): sua fórmula, seus números e o que mede no mundo";
+    why_hint: "Click or press Enter to see why: the formula, the numbers, and the measure in the world", "Clique ou aperte Enter para ver por quê, com a fórmula, os números e a medida no mundo";
     erratum: "≠ notes", "≠ notas";
-    erratum_parallel: "The lecture notes [0] print 0 0 0 0 as the last row of (5.15) and (5.16). It is 0 0 0 1: in parallel projection w = 1.", "As notas de aula [0] trazem 0 0 0 0 como última linha de (5.15) e (5.16). É 0 0 0 1: na projeção paralela w = 1.";
-    erratum_yaw: "The lecture notes [0] §5.6 turn yaw about x_c. It turns about v, as in the field and in the author's own library: the notes have the axes of yaw and pitch exchanged.", "As notas de aula [0] §5.6 giram a guinada em torno de x_c. Ela gira em torno de v, como na área e na biblioteca do próprio autor: as notas trocam os eixos de guinada e arfagem.";
-    erratum_pitch: "The lecture notes [0] §5.6 turn pitch about y_c. It turns about u, as in the field and in the author's own library: the notes have the axes of yaw and pitch exchanged.", "As notas de aula [0] §5.6 giram a arfagem em torno de y_c. Ela gira em torno de u, como na área e na biblioteca do próprio autor: as notas trocam os eixos de guinada e arfagem.";
-    erratum_51: "Exercise 5.1 of the lecture notes [0] gives v = (0, 1, 0), which is not perpendicular to n = (3/5, 4/5, 0). It can only be VUP; v is (−4/5, 3/5, 0).", "O exercício 5.1 das notas de aula [0] dá v = (0, 1, 0), que não é perpendicular a n = (3/5, 4/5, 0). Só pode ser VUP; v é (−4/5, 3/5, 0).";
+    erratum_parallel: "The lecture notes [0] print 0 0 0 0 as the last row of (5.15) and (5.16). It's 0 0 0 1, because w = 1 in parallel projection.", "As notas de aula [0] trazem 0 0 0 0 como última linha de (5.15) e (5.16). É 0 0 0 1, pois w = 1 na projeção paralela.";
+    erratum_yaw: "The lecture notes [0] §5.6 turn yaw about x_c. It turns about v, as in the field and in the author's own library. The notes exchange the axes of yaw and pitch.", "As notas de aula [0] §5.6 giram a guinada em torno de x_c. Ela gira em torno de v, como na área e na biblioteca do próprio autor. As notas trocam os eixos de guinada e arfagem.";
+    erratum_pitch: "The lecture notes [0] §5.6 turn pitch about y_c. It turns about u, as in the field and in the author's own library. The notes exchange the axes of yaw and pitch.", "As notas de aula [0] §5.6 giram a arfagem em torno de y_c. Ela gira em torno de u, como na área e na biblioteca do próprio autor. As notas trocam os eixos de guinada e arfagem.";
+    erratum_51: "Exercise 5.1 of the lecture notes [0] gives v = (0, 1, 0), which is not perpendicular to n = (3/5, 4/5, 0). It can only be VUP. The real v is (−4/5, 3/5, 0).", "O exercício 5.1 das notas de aula [0] dá v = (0, 1, 0), que não é perpendicular a n = (3/5, 4/5, 0). Só pode ser VUP. O v de verdade é (−4/5, 3/5, 0).";
     erratum_52: "Exercise 5.2 of the lecture notes [0] gives a view angle for a parallel projection, without the distance at which it spans the window. Here H is what it spans at D.", "O exercício 5.2 das notas de aula [0] dá um ângulo de vista para uma projeção paralela, sem a distância em que ele abrange a janela. Aqui H é o que ele abrange em D.";
 
     // Numbers.
     numbers: "Numbers", "Números";
     digits: "digits", "dígitos";
     digits_hint: "2 to 17. A table has one decimal fewer; 17 shows every number exactly", "2 a 17. Uma tabela tem uma casa decimal a menos; 17 mostra cada número exatamente";
-    digits_that_fit: "The panel is too narrow for all digits: drag its border", "O painel é estreito demais para todos os dígitos: arraste a borda";
+    digits_that_fit: "The panel is too narrow for all digits. Drag its border", "O painel é estreito demais para todos os dígitos. Arraste a borda";
     inverse: "inverses", "inversas";
     inverse_hint: "The inverse matrices", "As matrizes inversas";
     copy: "Copy", "Copiar";

@@ -14,8 +14,8 @@ pub fn damaged(lang: Lang, path: &str) -> String {
 /// The last session is back without some keys of its figure; the whole is in the file at `path`.
 #[must_use]
 pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
-    both!(lang; "The last session is restored, but this version does not know {keys}. The whole is kept in {path}; saving asks for another file.",
-        "A última sessão foi restaurada, mas esta versão não conhece {keys}. Tudo está guardado em {path}; salvar pede outro arquivo.")
+    both!(lang; "The last session is restored, but this version does not know {keys}. Everything is kept in {path}. Saving asks for another file.",
+        "A última sessão foi restaurada, mas esta versão não conhece {keys}. Tudo está guardado em {path}. Salvar pede outro arquivo.")
 }
 
 /// Things that cannot be stored: the session of this window, preferences, progress in exercises; `why` is a sentence
@@ -49,29 +49,29 @@ pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &s
 /// Nothing can be stored, because the system names no folder for it.
 #[must_use]
 pub const fn no_home(lang: Lang) -> &'static str {
-    pick!(lang; "Preferences and progress are not saved, and changes would be lost in a crash: your account has no home folder",
-        "Preferências e progresso não são salvos, e mudanças se perderiam em uma falha do programa: sua conta não tem pasta pessoal")
+    pick!(lang; "Your account has no home folder, so preferences and progress aren't saved, and a crash would lose your changes",
+        "Sua conta não tem pasta pessoal. Preferências e progresso não são salvos, e uma falha do programa perderia suas mudanças")
 }
 
 /// All slots hold sessions of other windows.
 #[must_use]
 pub fn no_slot(lang: Lang, slots: usize) -> String {
-    both!(lang; "Changes in this window would be lost in a crash: there are already {slots} unsaved windows. Restore or discard what is listed.",
-        "Mudanças desta janela se perderiam em uma falha do programa: já há {slots} janelas não salvas. Restaure ou descarte o que está na lista.")
+    both!(lang; "A crash would lose the changes in this window, because there are already {slots} unsaved windows. Restore or discard some of the list.",
+        "Uma falha do programa perderia as mudanças desta janela, pois já há {slots} janelas não salvas. Restaure ou descarte algumas da lista.")
 }
 
 /// The preferences cannot be understood; they are in the file at `path` now.
 #[must_use]
 pub fn preferences_set_aside(lang: Lang, path: &str) -> String {
-    both!(lang; "The preferences cannot be read. They are kept in {path}; new ones are started.",
-        "As preferências não podem ser lidas. Estão guardadas em {path}; outras são iniciadas.")
+    both!(lang; "The preferences can't be read. They're kept in {path}, and you begin with new ones.",
+        "As preferências não podem ser lidas. Estão guardadas em {path}, e você começa com novas.")
 }
 
 /// The progress in exercises cannot be read; it is in the file at `path` now.
 #[must_use]
 pub fn progress_set_aside(lang: Lang, path: &str) -> String {
-    both!(lang; "Your progress in exercises cannot be read. It is kept in {path}; a new one is started.",
-        "Seu progresso nos exercícios não pode ser lido. Está guardado em {path}; outro é iniciado.")
+    both!(lang; "Your progress in exercises can't be read. It's kept in {path}, and you begin anew.",
+        "Seu progresso nos exercícios não pode ser lido. Está guardado em {path}, e você recomeça.")
 }
 
 /// Of several files that were dropped at once, only the first was taken.
