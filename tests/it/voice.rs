@@ -277,7 +277,7 @@ fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
                 ]),
                 Bounds { chains: 25.8, places: 6.5, what: 1.2, banned: 0.9, person: 2.0, ..NATIVE },
             ),
-            ("window", window(lang), Bounds { chains: 41.0, ..NATIVE }),
+            ("window", window(lang), Bounds { chains: 23.0, ..NATIVE }),
             ("lessons", lessons(lang), Bounds { chains: 21.0, ..NATIVE }),
             (
                 "exercises and reference pages",
@@ -302,7 +302,7 @@ fn groups(lang: Lang) -> Vec<(&'static str, String, Bounds)> {
                 pages(&["docs/cameras.pt-BR.md", "docs/numerics.pt-BR.md"]),
                 Bounds { chains: 31.0, places: 4.2, banned: 1.0, ..NATIVE_PT },
             ),
-            ("window", window(lang), Bounds { chains: 47.0, possessives: 8.0, ..NATIVE_PT }),
+            ("window", window(lang), Bounds { chains: 23.0, possessives: 5.2, ..NATIVE_PT }),
             ("lessons", lessons(lang), Bounds { chains: 21.9, possessives: 6.5, banned: 0.5, ..NATIVE_PT }),
             (
                 "exercises and reference pages",
