@@ -19,6 +19,7 @@ use egui_kittest::kittest::Queryable as _;
 use super::files::Folder;
 use super::sessions::written;
 use super::window::Window;
+use crate::words::en;
 
 /// A window that plays the user's copy of a lesson.
 fn own(folder: &Folder, step: usize) -> (Window, PathBuf) {
@@ -86,9 +87,17 @@ fn what_is_typed_is_shown_at_once_and_in_the_file_soon() {
     let (lesson, _) = read_lesson(&path).unwrap();
     assert_eq!(lesson.steps[1].text.en, "The axis n is {basis.n:2}.");
     assert_eq!(lesson.steps[1].text.pt_br, shipped()[1].lesson.steps[1].text.pt_br, "the other language stays");
-    window.click(t.change_back);
+    window.click(en::WINDOW.undo);
     assert_eq!(read_lesson(&path).unwrap().1, shipped()[1].text, "to the letter");
     assert_eq!(window.state().lesson.as_ref().unwrap().step, 1);
+    window.click(en::WINDOW.redo);
+    assert_eq!(read_lesson(&path).unwrap().0.steps[1].text.en, "The axis n is {basis.n:2}.");
+    // A change after the way back leaves nothing to redo; Ctrl+S writes it without a pause.
+    window.click(en::WINDOW.undo);
+    type_into(&mut window, t.step_text_field, "Another text.");
+    window.command_key(Key::S);
+    assert_eq!(read_lesson(&path).unwrap().0.steps[1].text.en, "Another text.");
+    assert!(!window.state().can_undo_lesson(false) && window.state().file_flow.dialog.is_none());
 }
 
 /// Waits a second without a key.
@@ -133,7 +142,7 @@ fn title_sentence_and_minutes_of_the_lesson_are_written_and_taken_back() {
     assert_eq!(read_lesson(&path).unwrap().0.minutes, Some(12.0));
     // The way back, change by change.
     for _ in 0..3 {
-        window.click(t.change_back);
+        window.click(en::WINDOW.undo);
     }
     assert_eq!(read_lesson(&path).unwrap().1, shipped.text, "to the letter");
     assert_eq!(window.state().lesson.as_ref().unwrap().writing.as_ref().unwrap().typed.words[3], shipped.lesson.title);
@@ -207,7 +216,7 @@ fn steps_change_their_places_and_keep_their_pictures() {
     assert_eq!(titles(&path), before);
     window.click(t.step_remove);
     assert_eq!(titles(&path).len(), before.len() - 1);
-    window.click(t.change_back);
+    window.click(en::WINDOW.undo);
     assert_eq!(titles(&path), before);
     // A step with what is on the screen.
     let mut camera = *window.state().document.camera().parameters();
@@ -391,7 +400,7 @@ fn a_question_with_choices_is_made_in_the_window() {
     type_into(&mut window, &format!("{} 4", t.choice_field), "H");
     pause(&mut window);
     assert!(!judged(&path, "d").0);
-    window.click(words::texts(Lang::En).change_back);
+    window.click(en::WINDOW.undo);
     assert!(read_answer("d", &asked(&path), &[]).is_err());
     window.click(t.none);
     pause(&mut window);

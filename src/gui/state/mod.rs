@@ -28,10 +28,10 @@ pub(super) use crate::gui::inspector::state::operations::{DoneStep, Motion, Scru
 pub use crate::gui::inspector::state::predict::{About, Change, Predict, Prediction};
 pub(super) use crate::gui::inspector::state::scene_tree::{Draft, Typing, preset_objects};
 pub use crate::gui::inspector::state::scene_tree::{SceneTree, Selected};
-pub(in crate::gui) use crate::gui::learn::exercises::state::{Done, Mark};
 pub use crate::gui::learn::exercises::state::{
     Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Placing, Typed, is_whole, joined,
 };
+pub(in crate::gui) use crate::gui::learn::exercises::state::{Done, Mark};
 pub(in crate::gui) use crate::gui::learn::lesson::state::FADE;
 pub use crate::gui::learn::lesson::state::{Moving, Playing};
 pub use crate::gui::learn::lesson::writing::{StepChange, Writing};
@@ -412,8 +412,12 @@ impl State {
         self.follow.choose(&name);
     }
 
-    /// Undoes a step; objects that come back are selected.
+    /// Undoes a step; objects that come back are selected. The figure on the screen comes first, then the lesson that is
+    /// written.
     pub fn undo(&mut self) {
+        if !self.document.can_undo() && self.can_undo_lesson(true) {
+            return self.undo_lesson(true);
+        }
         let before = self.document.figure().scene.clone();
         self.document.undo();
         self.tree.follow(&before, &self.document.figure().scene);
@@ -421,6 +425,9 @@ impl State {
 
     /// Redoes a step; objects that come back are selected.
     pub fn redo(&mut self) {
+        if !self.document.can_redo() && self.can_undo_lesson(false) {
+            return self.undo_lesson(false);
+        }
         let before = self.document.figure().scene.clone();
         self.document.redo();
         self.tree.follow(&before, &self.document.figure().scene);

@@ -83,8 +83,6 @@ texts! {
     step_another_hint: "Adds a step that shows what is on the screen", "Adiciona um passo que mostra o que está na tela";
     step_remove: "Remove the step", "Remover o passo";
     step_remove_hint: "Takes the step out of the lesson; “Undo the change” brings it back", "Tira o passo da lição; “Desfazer a mudança” o traz de volta";
-    change_back: "Undo the change", "Desfazer a mudança";
-    change_back_hint: "The lesson as it was before the last change of its file", "A lição como era antes da última mudança de seu arquivo";
     read_again: "Reload", "Recarregar";
     read_again_hint: "Reads the file as another program has changed it. You lose text that you typed here and that isn’t saved yet", "Lê o arquivo como outro programa o mudou. Você perde o texto que digitou aqui e que ainda não foi salvo";
     is_kept: "in the file", "no arquivo";

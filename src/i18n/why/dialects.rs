@@ -67,8 +67,10 @@ pub fn limitation(lang: Lang, limitation: Limitation) -> String {
         Limitation::ViewPlaneIsNear => pick!(lang;
             "Its view plane may lie anywhere. Here it's the front plane, so D = F and z_{vp} = −F.",
             "O plano de vista pode ficar em qualquer lugar. Aqui é o plano da frente, e assim D = F e z_{vp} = −F."),
-        Limitation::LeftHanded => pick!(lang; "It's left-handed, so n points into the scene, along DOP, and u = n × v.",
-            "É de mão esquerda, e n aponta para a cena, ao longo de DOP, e u = n × v."),
+        Limitation::LeftHanded => {
+            pick!(lang; "It's left-handed, so n points into the scene, along DOP, and u = n × v.",
+            "É de mão esquerda, e n aponta para a cena, ao longo de DOP, e u = n × v.")
+        }
         Limitation::Coordinates => pick!(lang;
             "z_{near} and z_{far} are coordinates, negative. The notes have the distances F and B.",
             "z_{near} e z_{far} são coordenadas, negativas. As notas têm as distâncias F e B."),
@@ -246,8 +248,10 @@ fn camera(lang: Lang, candidate: &Candidate) -> String {
 #[must_use]
 pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
     match unknown {
-        Unknown::FocalDistance => pick!(lang; "D is unknown, because a direction has no length. PF keeps its distance.",
-            "D é desconhecido, pois uma direção não tem comprimento. PF mantém a distância."),
+        Unknown::FocalDistance => {
+            pick!(lang; "D is unknown, because a direction has no length. PF keeps its distance.",
+            "D é desconhecido, pois uma direção não tem comprimento. PF mantém a distância.")
+        }
         Unknown::ViewUp => pick!(lang; "VUP is unknown, only v is known. The present VUP stays if it fits.",
             "VUP é desconhecido, só se conhece v. O VUP atual fica, se servir."),
         Unknown::PositionAlongNormal => pick!(lang;

@@ -75,7 +75,7 @@ pub const MENUS: &[Menu] = &[
                 row!(Recent, ctrl_shift(Key::O), recent, recent_hint, |s, _| show_recent(s)).not_in_browser(),
             ],
             &[
-                row!(Save, ctrl(Key::S), save, save_hint, |s, ctx| file_flow::save(ctx, s, None)),
+                row!(Save, ctrl(Key::S), save, save_hint, save),
                 row!(SaveAs, ctrl_shift(Key::S), save_as, save_as_hint, save_as),
                 row!(Title, ctrl(Key::I), title_command, title_hint, show_title),
             ],
@@ -109,10 +109,11 @@ pub const MENUS: &[Menu] = &[
         in_bar: true,
         groups: &[
             &[
-                row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.undo()).enabled(|s| s.document.can_undo()),
+                row!(Undo, ctrl(Key::Z), undo, undo_hint, |s, _| s.undo())
+                    .enabled(|s| s.document.can_undo() || s.can_undo_lesson(true)),
                 row!(Redo, ctrl_shift(Key::Z), redo, redo_hint, |s, _| s.redo())
                     .or(ctrl(Key::Y))
-                    .enabled(|s| s.document.can_redo()),
+                    .enabled(|s| s.document.can_redo() || s.can_undo_lesson(false)),
             ],
             &[row!(Reset, ctrl(Key::R), reset, reset_hint, |s, _| s.document.reset())
                 .enabled(|s| s.document.can_reset())
@@ -465,6 +466,19 @@ fn change_lesson(state: &mut State, change: impl FnOnce(&mut state::Playing)) {
 fn show_compare(state: &mut State) {
     let form = CompareForm::of(state.document.figure());
     show_dialog(state, Dialog::Compare(form));
+}
+
+/// Saves what is typed in the lesson, or the figure.
+fn save(state: &mut State, ctx: &Context) {
+    let writing = state.lesson.as_ref().and_then(|playing| Some((playing.path.clone()?, playing.writing.as_ref()?)));
+    match writing.filter(|(_, writing)| writing.is_ahead()) {
+        Some((path, _)) => {
+            if state.save_text() {
+                state.say(Message::Saved(path));
+            }
+        }
+        None => file_flow::save(ctx, state, None),
+    }
 }
 
 fn show_dialog(state: &mut State, dialog: Dialog) {

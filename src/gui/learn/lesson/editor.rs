@@ -22,7 +22,7 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
     let Some(playing) = state.lesson.as_ref() else { return };
     let Some(writing) = &playing.writing else { return };
     let (step, count) = (playing.step, playing.lesson.steps.len());
-    let (has_earlier, is_ahead) = (writing.has_earlier(), writing.is_ahead());
+    let is_ahead = writing.is_ahead();
     let mut change = None;
     ui.horizontal_wrapped(|ui| {
         use StepChange::{Another, Earlier, Later, Remove, Screen};
@@ -38,9 +38,6 @@ pub(super) fn tools(ui: &mut Ui, t: &Texts, state: &mut State) {
             }
         }
         ui.separator();
-        if ui.add_enabled(has_earlier, Button::new(t.change_back)).explained(t.change_back_hint).clicked() {
-            state.take_change_back();
-        }
         if ui.button(t.read_again).explained(t.read_again_hint).clicked() {
             file_flow::begin(ui.ctx(), state, AfterSave::ReadLesson);
         }

@@ -42,6 +42,8 @@ pub struct Writing {
     pub typed_at: f64,
     /// The file before each change, and the step that was shown.
     earlier: Vec<(String, usize)>,
+    /// The file after each change that was undone, and its step.
+    later: Vec<(String, usize)>,
     /// Typed text that is not in the file, as a session stores it.
     unsaved: Option<Arc<UnsavedText>>,
 }
@@ -80,14 +82,20 @@ impl Writing {
             shows: Fields::Step,
             typed_at: 0.0,
             earlier: Vec::new(),
+            later: Vec::new(),
             unsaved: None,
         }
     }
 
-    /// True where a change can be taken back.
+    /// The changes of the file that can be undone, or redone.
+    fn changes(&mut self, back: bool) -> &mut Vec<(String, usize)> {
+        if back { &mut self.earlier } else { &mut self.later }
+    }
+
+    /// True if a change of the file can be undone, or redone.
     #[must_use]
-    pub fn has_earlier(&self) -> bool {
-        !self.earlier.is_empty()
+    pub fn can_undo(&self, back: bool) -> bool {
+        !if back { &self.earlier } else { &self.later }.is_empty()
     }
 
     /// True where what is typed is not in the file.
@@ -316,7 +324,7 @@ impl State {
         (writing.text, writing.kept) = (text, writing.typed.clone());
         (writing.ahead, writing.unsaved) = (None, None);
         // The changes of the other file are not those of this one.
-        writing.earlier.clear();
+        (writing.earlier, writing.later) = Default::default();
         self.lesson_file = Some(path.to_owned());
         true
     }
@@ -373,21 +381,33 @@ impl State {
         }
     }
 
-    /// Takes the last change of the file back.
-    pub(in crate::gui) fn take_change_back(&mut self) {
+    /// True if the lesson that is written has a change to undo, or to redo: after those of the figure on the screen.
+    #[must_use]
+    pub fn can_undo_lesson(&self, back: bool) -> bool {
+        self.writes_lesson()
+            && self.lesson.as_ref().and_then(|playing| playing.writing.as_ref()).is_some_and(|w| w.can_undo(back))
+    }
+
+    /// Undoes the last change of the lesson's file, or redoes it.
+    pub(in crate::gui) fn undo_lesson(&mut self, back: bool) {
         if !self.save_text() {
             return;
         }
         let Some(playing) = &mut self.lesson else { return };
         let (Some(path), Some(writing)) = (playing.path.clone(), &mut playing.writing) else { return };
-        let Some((text, step)) = writing.earlier.pop() else { return };
-        let read = crate::lessons::parse(&text);
-        if let Ok(lesson) = read
-            && self.store(&path, text, step)
-        {
-            // The way back is no change to be taken back.
-            let writing = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut());
-            writing.into_iter().for_each(|writing| drop(writing.earlier.pop()));
+        let Some((text, step)) = writing.changes(back).pop() else { return };
+        let (now, shown) = (writing.text.clone(), writing.step);
+        let Ok(lesson) = crate::lessons::parse(&text) else { return };
+        let kept = (std::mem::take(&mut writing.earlier), std::mem::take(&mut writing.later));
+        let is_stored = self.store(&path, text, step);
+        if let Some(writing) = self.lesson.as_mut().and_then(|playing| playing.writing.as_mut()) {
+            // The way back is no change of its own.
+            (writing.earlier, writing.later) = kept;
+            if is_stored {
+                writing.changes(!back).push((now, shown));
+            }
+        }
+        if is_stored {
             self.play_changed(lesson, step);
         }
     }
@@ -424,6 +444,7 @@ impl State {
                     writing.earlier.remove(0);
                 }
                 writing.earlier.push((before, step));
+                writing.later.clear();
                 true
             }
             Err(error) => {
