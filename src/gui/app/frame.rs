@@ -115,7 +115,7 @@ impl App {
         Called { of_bar, of_lesson }
     }
 
-    /// What the user has to know or may decide, each in a line of its own.
+    /// News and offers, each in a line of its own.
     fn notices(&mut self, ui: &mut egui::Ui) {
         self.recovery(ui);
         session_news::bar(ui, &mut self.state);
@@ -203,7 +203,7 @@ impl App {
         }
     }
 
-    /// What lies over the window: a question, the sign for a dropped file.
+    /// A question or a form over the window, and the sign for a dropped file.
     fn dialogs(&mut self, ctx: &egui::Context) {
         if let Some(command) = dialogs::show(ctx, &mut self.state) {
             self.perform(ctx, command);
@@ -214,7 +214,7 @@ impl App {
         self.focus.end(ctx);
     }
 
-    /// What the system has to know, and what is to be kept. A figure that moves is kept when it rests.
+    /// Settings and title for the system, then the session and the preferences. A figure that moves is kept when it rests.
     fn background(&mut self, ctx: &egui::Context) {
         self.apply_settings(ctx);
         self.refuse_links(ctx);

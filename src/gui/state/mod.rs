@@ -412,8 +412,7 @@ impl State {
         self.follow.choose(&name);
     }
 
-    /// Undoes a step; objects that come back are selected. The figure on the screen comes first, then the lesson that is
-    /// written.
+    /// Undoes a step; objects that come back are selected. The figure on the screen comes first, then the lesson.
     pub fn undo(&mut self) {
         if !self.document.can_undo() && self.can_undo_lesson(true) {
             return self.undo_lesson(true);
