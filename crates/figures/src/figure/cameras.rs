@@ -182,7 +182,7 @@ mod tests {
             ("[[cameras]]\nname = \"\"\n", 2, "[[cameras]] name"),
             ("[[cameras]]\nname = \"A\"\n[[cameras]]\nname = \"A\"\n", 4, "[[cameras]] name"),
             ("[camera]\nname = \"A\"\n[[cameras]]\nname = \"A\"\n", 4, "[[cameras]] name"),
-            ("[[cameras]]\nname = \"A\"\nnear = 5\nfar = 2\n", 3, "[[cameras]] near"),
+            ("[[cameras]]\nname = \"A\"\nnear = 5\nfar = 2\n", 4, "[[cameras]] far"),
             ("[[cameras]]\nname = \"A\"\nneer = 5\n", 3, "[[cameras]] neer"),
             ("[[cameras]]\nname = \"A\"\nlens = { focal_length = 0 }\n", 3, "[[cameras]] lens.focal_length"),
             ("[[cameras]]\nname = \"A\"\nwindow = { left = 1 }\n", 3, "[[cameras]] window.right"),
