@@ -9,7 +9,7 @@ use super::{Failure, open, print};
 use crate::camera::{Candidate, Order, Pasted, Recognised, Stated, Unknown, camera_names, read_cameras, recognise};
 use crate::cli::args::matrix::MatrixArgs;
 use crate::cli::args::words::{LangArg, TableFormat};
-use crate::figure::update;
+use crate::figure::{Figure, NamedCamera, update};
 use crate::files::{self, FileError};
 use crate::i18n::why::dialects;
 use crate::i18n::{Lang, messages};
@@ -89,13 +89,20 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
     if best.reading.kind.has_pixels() || chosen.image.is_some() {
         figure.image = best.reading.image;
     }
+    let all = args.camera.as_deref() == Some(ALL);
+    if all {
+        add_others(&mut figure, &cameras, &stated);
+    }
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
     let text = match args.format {
         TableFormat::Json => {
             let answer = Answer::new(&found, camera_names(&cameras), written);
             serde_json::to_string_pretty(&answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n"
         }
-        TableFormat::Text => comments(&found, &camera_names(&cameras), written) + &update(&opened.text, &figure),
+        TableFormat::Text => {
+            let names = if all { Vec::new() } else { camera_names(&cameras) };
+            comments(&found, &names, written) + &update(&opened.text, &figure)
+        }
     };
     print(text.as_bytes(), lang)
 }
@@ -113,9 +120,28 @@ fn read(path: &Path) -> Result<Vec<u8>, FileError> {
     Ok(bytes)
 }
 
+/// The word that asks for all cameras of a file.
+const ALL: &str = "all";
+
+/// The first camera becomes the figure's with its name, and the others its `[[cameras]]`, as many as a figure can have.
+/// Those that are no cameras are left out.
+fn add_others(figure: &mut Figure, cameras: &[Pasted], stated: &Stated) {
+    let names = camera_names(cameras);
+    figure.cameras.clear();
+    figure.compare = None;
+    figure.tag.name = names.first().filter(|name| figure.may_name_camera(name, None)).cloned();
+    for (camera, name) in cameras.iter().zip(names).skip(1) {
+        let stated = Stated { image: camera.image.unwrap_or(stated.image), ..*stated };
+        let Ok(found) = recognise(camera, &stated, &figure.camera) else { continue };
+        let name = if figure.may_name_camera(&name, None) { name } else { figure.free_camera_name() };
+        let parameters = found.best().found.parameters;
+        figure.add_camera(NamedCamera { name, color: None, parameters, lens: None });
+    }
+}
+
 /// The camera of a number from 1 or of a name.
 fn chosen<'a>(cameras: &'a [Pasted], wanted: Option<&str>) -> Option<&'a Pasted> {
-    let Some(wanted) = wanted else { return cameras.first() };
+    let Some(wanted) = wanted.filter(|wanted| *wanted != ALL) else { return cameras.first() };
     let by_name = cameras.iter().find(|camera| camera.name == wanted);
     by_name.or_else(|| cameras.get(wanted.parse::<usize>().ok()?.checked_sub(1)?))
 }
