@@ -9,7 +9,7 @@ use super::{Failure, open, print};
 use crate::camera::{Candidate, Order, Pasted, Recognised, Stated, Unknown, camera_names, read_cameras, recognise};
 use crate::cli::args::matrix::MatrixArgs;
 use crate::cli::args::words::{LangArg, TableFormat};
-use crate::figure::{Figure, NamedCamera, update};
+use crate::figure::update;
 use crate::files::{self, FileError};
 use crate::i18n::why::dialects;
 use crate::i18n::{Lang, messages};
@@ -91,7 +91,7 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
     }
     let all = args.camera.as_deref() == Some(ALL);
     if all {
-        add_others(&mut figure, &cameras, &stated);
+        figure.take_other_cameras(&cameras, &stated);
     }
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
     let text = match args.format {
@@ -122,22 +122,6 @@ fn read(path: &Path) -> Result<Vec<u8>, FileError> {
 
 /// The word that asks for all cameras of a file.
 const ALL: &str = "all";
-
-/// The first camera becomes the figure's with its name, and the others its `[[cameras]]`, as many as a figure can have.
-/// Those that are no cameras are left out.
-fn add_others(figure: &mut Figure, cameras: &[Pasted], stated: &Stated) {
-    let names = camera_names(cameras);
-    figure.cameras.clear();
-    figure.compare = None;
-    figure.tag.name = names.first().filter(|name| figure.may_name_camera(name, None)).cloned();
-    for (camera, name) in cameras.iter().zip(names).skip(1) {
-        let stated = Stated { image: camera.image.unwrap_or(stated.image), ..*stated };
-        let Ok(found) = recognise(camera, &stated, &figure.camera) else { continue };
-        let name = if figure.may_name_camera(&name, None) { name } else { figure.free_camera_name() };
-        let parameters = found.best().found.parameters;
-        figure.add_camera(NamedCamera { name, color: None, parameters, lens: None });
-    }
-}
 
 /// The camera of a number from 1 or of a name.
 fn chosen<'a>(cameras: &'a [Pasted], wanted: Option<&str>) -> Option<&'a Pasted> {

@@ -138,7 +138,7 @@ pub fn camera_of_photograph(
         parameters,
         vanishing: solved.located.iter().map(|located| located.reported(&frame)).collect(),
         horizon: horizon(&solved, &frame),
-        focal_length: solved.focal_length,
+        focal_length: solved.focal_length.map(|f| f * frame.scale),
         view_angle_per_pixel: solved.focal_length.map(|_| costs[0]),
         direction_per_pixel: costs[1],
         untold,

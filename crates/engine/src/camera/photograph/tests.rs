@@ -91,6 +91,8 @@ fn a_thousand_known_cameras_come_back_from_exact_lines() {
         let again = Camera::new(&found.parameters).unwrap();
         let angle = (again.view_angle().degrees() - camera.view_angle().degrees()).abs();
         assert!(angle < 1e-6, "{angle}");
+        let focal_length = 1500.0 / (camera.view_angle().radians() / 2.0).tan();
+        assert!((found.focal_length.unwrap() / focal_length - 1.0).abs() < 1e-6);
         let [a, b] = [&again, &camera].map(Camera::basis);
         assert!((a.u - b.u).length() + (a.v - b.v).length() < 1e-7);
         assert!(again.position().distance(camera.position()) < 1e-6 * camera.position().length());
