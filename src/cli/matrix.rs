@@ -89,13 +89,20 @@ pub(super) fn run(args: &MatrixArgs, lang: Lang) -> Result<(), Failure> {
     if best.reading.kind.has_pixels() || chosen.image.is_some() {
         figure.image = best.reading.image;
     }
+    let all = args.camera.as_deref() == Some(ALL);
+    if all {
+        figure.take_other_cameras(&cameras, &stated);
+    }
     let written = args.common.lang.map_or(Lang::En, LangArg::lang);
     let text = match args.format {
         TableFormat::Json => {
             let answer = Answer::new(&found, camera_names(&cameras), written);
             serde_json::to_string_pretty(&answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n"
         }
-        TableFormat::Text => comments(&found, &camera_names(&cameras), written) + &update(&opened.text, &figure),
+        TableFormat::Text => {
+            let names = if all { Vec::new() } else { camera_names(&cameras) };
+            comments(&found, &names, written) + &update(&opened.text, &figure)
+        }
     };
     print(text.as_bytes(), lang)
 }
@@ -113,9 +120,12 @@ fn read(path: &Path) -> Result<Vec<u8>, FileError> {
     Ok(bytes)
 }
 
+/// The word that asks for all cameras of a file.
+const ALL: &str = "all";
+
 /// The camera of a number from 1 or of a name.
 fn chosen<'a>(cameras: &'a [Pasted], wanted: Option<&str>) -> Option<&'a Pasted> {
-    let Some(wanted) = wanted else { return cameras.first() };
+    let Some(wanted) = wanted.filter(|wanted| *wanted != ALL) else { return cameras.first() };
     let by_name = cameras.iter().find(|camera| camera.name == wanted);
     by_name.or_else(|| cameras.get(wanted.parse::<usize>().ok()?.checked_sub(1)?))
 }

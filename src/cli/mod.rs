@@ -16,6 +16,7 @@ mod lesson;
 mod manual;
 mod matrix;
 mod opening;
+mod photograph;
 mod progress;
 mod render;
 mod sheet;
@@ -105,6 +106,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
             Some(Command::Animate(args)) => animate::run(&args, lang),
             Some(Command::Code(args)) => code::run(&args, lang),
             Some(Command::Matrix(args)) => matrix::run(&args, lang),
+            Some(Command::Photograph(args)) => photograph::run(&args, lang),
             Some(Command::Diagnose(args)) => diagnose::run(&args, lang),
             Some(Command::Exercise(args)) => exercise::run(&args, lang),
             Some(Command::Manual(args)) => manual::run(&args, lang),

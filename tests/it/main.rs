@@ -65,6 +65,7 @@ mod outline;
 mod own_exercises;
 mod paper;
 mod paper_pictures;
+mod photograph;
 mod pipeline;
 mod pipeline_bounds;
 mod pipeline_counts;

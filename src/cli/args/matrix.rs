@@ -24,7 +24,8 @@ pub(in crate::cli) struct MatrixArgs {
     /// and `images.txt` of COLMAP, KITTI, TUM, or any text with a matrix
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) from: Option<PathBuf>,
-    /// Which of several cameras: its number from 1, or its name; the first without it
+    /// Which of several cameras: its number from 1, or its name; the first without it. `all`: the first becomes the
+    /// figure's, and the others its `[[cameras]]`
     #[arg(long, value_name = "N")]
     pub(in crate::cli) camera: Option<String>,
     /// Kind of the matrix; without it, the program recognises it. camera-to-world: `matrix_world` of Blender, a node of

@@ -5,6 +5,7 @@ pub(super) mod figure;
 pub(super) mod lesson;
 pub(super) mod matrix;
 pub(super) mod output;
+pub(super) mod photograph;
 pub(super) mod sheet;
 pub(super) mod words;
 
@@ -21,6 +22,7 @@ use crate::cli::args::figure::{FigureArgs, number, size};
 use crate::cli::args::lesson::LessonArgs;
 use crate::cli::args::matrix::MatrixArgs;
 use crate::cli::args::output::{OutputArgs, picture_endings};
+use crate::cli::args::photograph::PhotographArgs;
 use crate::cli::args::sheet::{FamilyArgs, SheetArgs};
 use crate::cli::args::words::{DataFormat, Format, LangArg, TableFormat, one_of};
 use crate::explain::code::CodeTarget;
@@ -71,6 +73,8 @@ pub(super) enum Command {
     Code(CodeArgs),
     /// Give a figure the camera of a matrix from another program, and print it with what the matrix leaves open
     Matrix(MatrixArgs),
+    /// Give a figure the camera of a photograph, from lines in it along the axes of the world
+    Photograph(PhotographArgs),
     /// List and show exercises, check answers, write sheets
     Exercise(ExerciseArgs),
     /// List, show and check lessons, write their pictures, and play them in the window

@@ -35,6 +35,8 @@ texts! {
     try_transposed: "Transposed, it's the matrix of a camera. Choose “row vectors, or by columns”.", "Transposta, é a matriz de uma câmera. Escolha “vetores linha, ou por colunas”.";
     read_as: "Read in the convention", "Lida na convenção";
     take: "Take this camera", "Usar esta câmera";
+    take_all: "Take all cameras", "Usar todas as câmeras";
+    take_all_hint: "The first becomes the camera of the figure, and up to 32 others its list of cameras; Ctrl+Z undoes it", "A primeira passa a ser a câmera da figura, e até 32 outras, sua lista de câmeras; Ctrl+Z desfaz";
     take_hint: "The figure takes on the camera of the matrix; Ctrl+Z undoes it", "A figura recebe a câmera da matriz; Ctrl+Z desfaz";
 }
 

@@ -10,6 +10,7 @@ pub mod homogeneous;
 pub mod notes;
 pub mod numerics;
 pub mod order;
+pub mod photograph;
 pub mod pipeline;
 pub mod reasons;
 pub mod sources;

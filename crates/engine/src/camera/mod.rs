@@ -25,6 +25,7 @@ mod lens_form;
 mod matrix;
 mod operation;
 mod parameters;
+mod photograph;
 mod place;
 mod ray;
 mod recovery;
@@ -45,6 +46,10 @@ pub use operation::{
 };
 pub use parameters::{
     CameraError, Checked, Derived, ParameterKey, Parameters, Projection, Range, ViewWindow, is_infinite_far,
+};
+pub use photograph::{
+    AxisVanishing, PhotographCamera, PhotographError, PhotographLine, PhotographMarks, Untold, WorldAxis,
+    camera_of_photograph,
 };
 pub use place::Place;
 pub use recovery::{

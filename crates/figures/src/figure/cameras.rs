@@ -2,7 +2,7 @@
 
 use super::Figure;
 use crate::appearance::Rgba;
-use crate::camera::{LensForm, Parameters};
+use crate::camera::{LensForm, Parameters, Pasted, Stated, camera_names, recognise};
 use crate::limits::{MAX_CAMERA_NAME, MAX_CAMERAS};
 use crate::sanitize::is_obeyed;
 
@@ -67,6 +67,22 @@ impl Figure {
             color: self.tag.color,
             parameters: self.camera,
             lens: self.lens,
+        }
+    }
+
+    /// Gives the current camera the name of the first of several cameras of a file, and makes the others the list, as
+    /// many as it holds. Those that cannot be recognised are left out.
+    pub fn take_other_cameras(&mut self, cameras: &[Pasted], stated: &Stated) {
+        let names = camera_names(cameras);
+        (self.cameras, self.compare) = (Vec::new(), None);
+        self.tag = CameraTag::default();
+        self.tag.name = names.first().filter(|name| self.may_name_camera(name, None)).cloned();
+        for (camera, name) in cameras.iter().zip(names).skip(1).take(MAX_CAMERAS) {
+            let stated = Stated { image: camera.image.unwrap_or(stated.image), ..*stated };
+            let Ok(found) = recognise(camera, &stated, &self.camera) else { continue };
+            let name = if self.may_name_camera(&name, None) { name } else { self.free_camera_name() };
+            let parameters = found.best().found.parameters;
+            self.add_camera(NamedCamera { name, color: None, parameters, lens: None });
         }
     }
 
@@ -182,7 +198,7 @@ mod tests {
             ("[[cameras]]\nname = \"\"\n", 2, "[[cameras]] name"),
             ("[[cameras]]\nname = \"A\"\n[[cameras]]\nname = \"A\"\n", 4, "[[cameras]] name"),
             ("[camera]\nname = \"A\"\n[[cameras]]\nname = \"A\"\n", 4, "[[cameras]] name"),
-            ("[[cameras]]\nname = \"A\"\nnear = 5\nfar = 2\n", 3, "[[cameras]] near"),
+            ("[[cameras]]\nname = \"A\"\nnear = 5\nfar = 2\n", 4, "[[cameras]] far"),
             ("[[cameras]]\nname = \"A\"\nneer = 5\n", 3, "[[cameras]] neer"),
             ("[[cameras]]\nname = \"A\"\nlens = { focal_length = 0 }\n", 3, "[[cameras]] lens.focal_length"),
             ("[[cameras]]\nname = \"A\"\nwindow = { left = 1 }\n", 3, "[[cameras]] window.right"),

@@ -44,7 +44,9 @@ impl State {
                 let name = free(self.document.figure(), t.right);
                 let parameters = *right.parameters();
                 let right = NamedCamera { name, color: None, parameters, lens: None };
-                let name = free(self.document.figure(), t.left);
+                let figure = self.document.figure();
+                let has_it = figure.tag.name.as_deref() == Some(t.left);
+                let name = if has_it { t.left.to_owned() } else { free(figure, t.left) };
                 self.document.edit_cameras(|figure| {
                     figure.tag.name = Some(name);
                     figure.add_camera(right);

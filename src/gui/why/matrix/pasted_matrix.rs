@@ -72,6 +72,22 @@ pub(in crate::gui::why) fn ui(ui: &mut egui::Ui, state: &mut State) {
         Err(error) => refused(ui, state, camera, &stated, &error),
         Ok(found) => recognised(ui, state, t, &found),
     }
+    if cameras.len() > 1 && ui.button(t.take_all).explained(t.take_all_hint).clicked() {
+        take_all(state, &cameras, &stated);
+    }
+}
+
+/// Makes the first camera that of the figure, and the others its list.
+fn take_all(state: &mut State, cameras: &[Pasted], stated: &Stated) {
+    let Some(first) = cameras.first() else { return };
+    let image = state.explain.pasted.image.or(first.image).unwrap_or(stated.image);
+    let stated = Stated { image, ..*stated };
+    let Ok(found) = recognise(first, &stated, state.document.draft()) else { return };
+    if first.image.is_some() && image != state.document.figure().image {
+        state.document.edit(|figure| figure.image = image);
+    }
+    take(state, found.best().found.parameters);
+    state.document.edit_cameras(|figure| figure.take_other_cameras(cameras, &stated));
 }
 
 /// A choice among the cameras of a file; a text with one camera has none.

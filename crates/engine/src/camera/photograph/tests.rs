@@ -1,0 +1,180 @@
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use glam::{DVec2, DVec3};
+
+use super::*;
+use crate::camera::{Camera, Viewport};
+
+const IMAGE: ImageSize = ImageSize { width: 4000, height: 3000 };
+
+/// The pixel of a point, in the space of the marks.
+fn pixel(camera: &Camera, p: DVec3) -> Option<DVec2> {
+    let at = camera.stations(p, IMAGE, &Viewport::whole(IMAGE)).projected?.window;
+    let window = camera.window();
+    let share = DVec2::new((at.x - window.left) / window.width(), (window.top - at.y) / window.height());
+    Some(share * DVec2::new(f64::from(IMAGE.width), f64::from(IMAGE.height)))
+}
+
+/// The edges of a box of these sides at the origin, three of each axis, as a camera sees them.
+fn marks(camera: &Camera, sides: DVec3, round: impl Fn(DVec2) -> DVec2) -> Option<PhotographMarks> {
+    let see = |p: DVec3| {
+        let is_in_front = -camera.view_point(p).z > 0.1;
+        is_in_front.then(|| pixel(camera, p)).flatten().map(&round)
+    };
+    let mut lines = Vec::new();
+    for axis in WorldAxis::ALL {
+        let (i, along) = (axis.index(), DVec3::AXES[axis.index()]);
+        for [b, c] in [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]] {
+            let mut from = DVec3::ZERO;
+            from[(i + 1) % 3] = b * sides[(i + 1) % 3];
+            from[(i + 2) % 3] = c * sides[(i + 2) % 3];
+            lines.push(PhotographLine { axis, ends: [see(from)?, see(from + along * sides[i])?] });
+        }
+    }
+    let length = Some((WorldAxis::X, see(DVec3::X * sides.x)?, sides.x));
+    Some(PhotographMarks { lines, origin: Some(see(DVec3::ZERO)?), length })
+}
+
+/// A sequence of numbers between 0 and 1: a linear congruential generator is random enough for cameras.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn between(&mut self, least: f64, most: f64) -> f64 {
+        least + (most - least) * self.next()
+    }
+}
+
+fn camera(random: &mut Numbers) -> Camera {
+    let (azimuth, elevation) = (random.between(0.0, std::f64::consts::TAU), random.between(-0.6, 1.1));
+    let distance = random.between(4.0, 15.0);
+    let out = DVec3::new(elevation.cos() * azimuth.sin(), elevation.sin(), elevation.cos() * azimuth.cos());
+    let aside = DVec3::new(random.between(-0.5, 1.5), random.between(-0.5, 1.5), random.between(-0.5, 1.5));
+    let up = DVec3::new(random.between(-0.2, 0.2), 1.0, random.between(-0.2, 0.2));
+    let parameters = Parameters {
+        position: out * distance,
+        focal_point: aside,
+        view_up: up,
+        view_angle: random.between(20.0, 80.0),
+        aspect: IMAGE.aspect(),
+        ..Parameters::default()
+    };
+    Camera::new(&parameters).unwrap()
+}
+
+fn sides(random: &mut Numbers) -> DVec3 {
+    DVec3::new(random.between(1.0, 3.0), random.between(1.0, 3.0), random.between(1.0, 3.0))
+}
+
+/// θ is another one than that of the cameras: nothing may come from it.
+fn given() -> Parameters {
+    Parameters { view_angle: 33.0, ..Parameters::default() }
+}
+
+#[test]
+fn a_thousand_known_cameras_come_back_from_exact_lines() {
+    let mut random = Numbers(1);
+    let mut count = 0;
+    while count < 1000 {
+        let (camera, sides) = (camera(&mut random), sides(&mut random));
+        let Some(marks) = marks(&camera, sides, |p| p) else { continue };
+        let found = camera_of_photograph(&marks, IMAGE, &given()).unwrap();
+        count += 1;
+        if found.untold.contains(&Untold::ViewAngle) {
+            // Its lines meet so far away that a pixel would hide where.
+            continue;
+        }
+        let again = Camera::new(&found.parameters).unwrap();
+        let angle = (again.view_angle().degrees() - camera.view_angle().degrees()).abs();
+        assert!(angle < 1e-6, "{angle}");
+        let focal_length = 1500.0 / (camera.view_angle().radians() / 2.0).tan();
+        assert!((found.focal_length.unwrap() / focal_length - 1.0).abs() < 1e-6);
+        let [a, b] = [&again, &camera].map(Camera::basis);
+        assert!((a.u - b.u).length() + (a.v - b.v).length() < 1e-7);
+        assert!(again.position().distance(camera.position()) < 1e-6 * camera.position().length());
+    }
+}
+
+#[test]
+fn a_thousand_known_cameras_come_back_from_whole_pixels_within_their_cost() {
+    let mut random = Numbers(2);
+    let (mut count, mut told) = (0, 0);
+    while count < 1000 {
+        let (camera, sides) = (camera(&mut random), sides(&mut random));
+        let Some(marks) = marks(&camera, sides, DVec2::round) else { continue };
+        count += 1;
+        let Ok(found) = camera_of_photograph(&marks, IMAGE, &given()) else {
+            panic!("no camera of {:?}", camera.parameters());
+        };
+        let Some(cost) = found.view_angle_per_pixel.filter(|cost| *cost < 1.0) else { continue };
+        told += 1;
+        let again = Camera::new(&found.parameters).unwrap();
+        let angle = (again.view_angle().degrees() - camera.view_angle().degrees()).abs();
+        // Half a pixel in each of 36 coordinates: at most 0.5 √36 times the root of the squares.
+        assert!(angle <= 3.0 * cost, "{angle} {cost}");
+        let turn = again.basis().n.angle_between(camera.basis().n).to_degrees();
+        assert!(turn <= 3.0 * found.direction_per_pixel, "{turn} {}", found.direction_per_pixel);
+    }
+    assert!(told > 600, "{told}");
+}
+
+#[test]
+fn lines_that_meet_at_infinity_leave_theta_open_and_say_so() {
+    // It looks along −z: x and y vanish at infinity, and z in the middle.
+    let parameters = Parameters {
+        position: DVec3::new(0.7, 0.8, 6.0),
+        focal_point: DVec3::new(0.7, 0.8, 0.0),
+        view_angle: 50.0,
+        aspect: IMAGE.aspect(),
+        ..Parameters::default()
+    };
+    let camera = Camera::new(&parameters).unwrap();
+    for round in [|p: DVec2| p, DVec2::round] {
+        let marks = marks(&camera, DVec3::new(2.0, 1.5, 1.0), round).unwrap();
+        let found = camera_of_photograph(&marks, IMAGE, &given()).unwrap();
+        assert_eq!((found.focal_length, found.view_angle_per_pixel), (None, None));
+        assert_eq!(found.untold, [Untold::ViewAngle]);
+        assert!((found.parameters.view_angle - 33.0).abs() < 1e-9, "that of the given camera");
+        let ideal: Vec<bool> = found.vanishing.iter().map(|vanishing| vanishing.pixel.is_none()).collect();
+        assert_eq!(ideal, [true, true, false]);
+        let again = Camera::new(&found.parameters).unwrap();
+        assert!(again.basis().n.angle_between(camera.basis().n).to_degrees() < 0.1, "R does not depend on it");
+    }
+}
+
+#[test]
+fn two_axes_are_enough_and_without_the_origin_its_place_is_open() {
+    let mut random = Numbers(3);
+    let camera = camera(&mut random);
+    let mut marks = marks(&camera, DVec3::ONE, |p| p).unwrap();
+    marks.lines.retain(|line| line.axis != WorldAxis::Y);
+    (marks.origin, marks.length) = (None, None);
+    let found = camera_of_photograph(&marks, IMAGE, &given()).unwrap();
+    assert_eq!(found.untold, [Untold::Position, Untold::Distance]);
+    assert!((found.parameters.view_angle - camera.view_angle().degrees()).abs() < 1e-6);
+    // The horizon is the image of points far away on y = 0.
+    let [a, b] = found.horizon.unwrap();
+    let far = camera.position().with_y(0.0) - camera.basis().n.with_y(0.0) * 1e9 + DVec3::X * 3e8;
+    let far = pixel(&camera, far).unwrap();
+    assert!((b - a).normalize().perp_dot(far - a).abs() < 1e-2);
+}
+
+#[test]
+fn impossible_marks_are_refused_with_their_reason() {
+    let line = |axis, a: [f64; 2], b: [f64; 2]| PhotographLine { axis, ends: [a, b].map(DVec2::from_array) };
+    let refused = |lines: Vec<PhotographLine>| {
+        let marks = PhotographMarks { lines, ..PhotographMarks::default() };
+        camera_of_photograph(&marks, IMAGE, &given()).unwrap_err()
+    };
+    let x = [line(WorldAxis::X, [100.0, 100.0], [900.0, 300.0]), line(WorldAxis::X, [100.0, 2000.0], [900.0, 1700.0])];
+    assert_eq!(refused(x.to_vec()), PhotographError::TooFewLines);
+    let dot = line(WorldAxis::Z, [5.0, 5.0], [5.0, 5.0]);
+    assert_eq!(refused([x.to_vec(), vec![dot]].concat()), PhotographError::NoDirection(3));
+    // Both meet on the same side of the middle, where axes at right angles never do.
+    let z = x.map(|line| PhotographLine { axis: WorldAxis::Z, ends: line.ends.map(|p| p + DVec2::new(0.0, 7.0)) });
+    assert_eq!(refused([x, z].concat()), PhotographError::NotAtRightAngles(WorldAxis::X, WorldAxis::Z));
+}

@@ -1,0 +1,90 @@
+//! The arguments of `photograph`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use glam::DVec2;
+
+use super::words::TableFormat;
+use crate::camera::{ImageSize, PhotographLine, PhotographMarks, WorldAxis};
+use crate::cli::Failure;
+use crate::cli::args::figure::{FigureArgs, size};
+use crate::i18n::Lang;
+use crate::i18n::why::photograph as texts;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct PhotographArgs {
+    /// Figure file, or a PNG that camera-lab wrote; its camera has what the photograph leaves open, such as F and B
+    pub(in crate::cli) figure: PathBuf,
+    #[command(flatten)]
+    pub(in crate::cli) common: FigureArgs,
+    /// Lines along an axis of the world, from smaller to larger coordinates, in pixels from the top left: `x: 120,300
+    /// 900,260; 130,700 910,740`. At least two lines each of at least two axes
+    #[arg(long, value_name = "AXIS: I,J I,J", required = true, allow_hyphen_values = true)]
+    lines: Vec<String>,
+    /// The pixel of the origin of the world: the direction to C
+    #[arg(long, value_name = "I,J", allow_hyphen_values = true)]
+    origin: Option<String>,
+    /// The pixel of a point on an axis, and its coordinate: the distance of C. `x: 900,260 2.5`
+    #[arg(long, value_name = "AXIS: I,J LENGTH", allow_hyphen_values = true, requires = "origin")]
+    length: Option<String>,
+    /// The size of the photograph in pixels; without it, the figure's image size
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    size: Option<String>,
+    /// A figure file, or JSON for programs
+    #[arg(long, value_enum, default_value_t)]
+    pub(in crate::cli) format: TableFormat,
+}
+
+impl PhotographArgs {
+    /// The size of the photograph, if it is given.
+    pub(in crate::cli) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
+        size(self.size.as_deref(), lang)
+    }
+
+    /// The lines and points that were marked.
+    pub(in crate::cli) fn marks(&self, lang: Lang) -> Result<PhotographMarks, Failure> {
+        let refused = |text: &str, example| Failure::BadInput(texts::unreadable(lang, text, example));
+        let mut lines = Vec::new();
+        for text in &self.lines {
+            lines.extend(
+                lines_of(text).ok_or_else(|| refused(text, "--lines \"x: 120,300 900,260; 130,700 910,740\""))?,
+            );
+        }
+        let origin = self.origin.as_deref().map(|text| pixel(text).ok_or_else(|| refused(text, "--origin 512,600")));
+        let length = self.length.as_deref();
+        let length = length.map(|text| length_of(text).ok_or_else(|| refused(text, "--length \"x: 900,260 2.5\"")));
+        Ok(PhotographMarks { lines, origin: origin.transpose()?, length: length.transpose()? })
+    }
+}
+
+fn axis(text: &str) -> Option<WorldAxis> {
+    WorldAxis::ALL.into_iter().find(|axis| axis.name() == text.trim().to_lowercase())
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|x: &f64| x.is_finite())
+}
+
+fn pixel(text: &str) -> Option<DVec2> {
+    let (i, j) = text.split_once(',')?;
+    Some(DVec2::new(number(i)?, number(j)?))
+}
+
+/// `x: i,j i,j; i,j i,j`
+fn lines_of(text: &str) -> Option<Vec<PhotographLine>> {
+    let (name, lines) = text.split_once(':')?;
+    let axis = axis(name)?;
+    let line = |text: &str| {
+        let ends: Option<Vec<DVec2>> = text.split_whitespace().map(pixel).collect();
+        Some(PhotographLine { axis, ends: <[DVec2; 2]>::try_from(ends?).ok()? })
+    };
+    lines.split(';').filter(|text| !text.trim().is_empty()).map(line).collect()
+}
+
+/// `x: i,j length`
+fn length_of(text: &str) -> Option<(WorldAxis, DVec2, f64)> {
+    let (name, rest) = text.split_once(':')?;
+    let [at, length] = <[&str; 2]>::try_from(rest.split_whitespace().collect::<Vec<_>>()).ok()?;
+    Some((axis(name)?, pixel(at)?, number(length).filter(|length| *length != 0.0)?))
+}

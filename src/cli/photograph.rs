@@ -1,0 +1,100 @@
+//! `camera-lab photograph`: the camera of a photograph, from lines that are parallel to the axes of the world.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+
+use super::{Failure, open, print};
+use crate::camera::{PhotographCamera, camera_of_photograph};
+use crate::cli::args::photograph::PhotographArgs;
+use crate::cli::args::words::{LangArg, TableFormat};
+use crate::figure::update;
+use crate::i18n::why::photograph as texts;
+use crate::i18n::{Lang, messages};
+use crate::inspect::CameraReport;
+
+/// The JSON output.
+#[derive(Serialize)]
+struct Answer {
+    camera: CameraReport,
+    image: [u32; 2],
+    vanishing: Vec<Vanishing>,
+    horizon: Option<[[f64; 2]; 2]>,
+    focal_length: Option<f64>,
+    view_angle_per_pixel: Option<f64>,
+    direction_per_pixel: f64,
+    untold: Vec<Open>,
+}
+
+#[derive(Serialize)]
+struct Vanishing {
+    axis: &'static str,
+    pixel: Option<[f64; 2]>,
+    spread: f64,
+}
+
+#[derive(Serialize)]
+struct Open {
+    code: &'static str,
+    message: &'static str,
+}
+
+pub(super) fn run(args: &PhotographArgs, lang: Lang) -> Result<(), Failure> {
+    let (marks, size) = (args.marks(lang)?, args.size(lang)?);
+    let (opened, camera) = open(&args.figure, &args.common, lang)?;
+    let mut figure = opened.figure;
+    let image = size.unwrap_or(figure.image);
+    let refused = |why: String| Failure::BadInput(format!("{}: {why}", messages::opened(lang, &args.figure)));
+    let found =
+        camera_of_photograph(&marks, image, camera.parameters()).map_err(|error| refused(texts::error(lang, error)))?;
+    (figure.camera, figure.image) = (found.parameters, image);
+    let written = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let text = match args.format {
+        TableFormat::Json => {
+            let answer = Answer::new(&found, [image.width, image.height], written);
+            serde_json::to_string_pretty(&answer).map_err(|error| Failure::Failed(error.to_string()))? + "\n"
+        }
+        TableFormat::Text => comments(&found, written) + &update(&opened.text, &figure),
+    };
+    print(text.as_bytes(), lang)
+}
+
+impl Answer {
+    fn new(found: &PhotographCamera, image: [u32; 2], lang: Lang) -> Self {
+        Self {
+            camera: CameraReport::new(&found.parameters),
+            image,
+            vanishing: found
+                .vanishing
+                .iter()
+                .map(|point| Vanishing {
+                    axis: point.axis.name(),
+                    pixel: point.pixel.map(|pixel| pixel.to_array()),
+                    spread: point.spread,
+                })
+                .collect(),
+            horizon: found.horizon.map(|ends| ends.map(|end| end.to_array())),
+            focal_length: found.focal_length,
+            view_angle_per_pixel: found.view_angle_per_pixel,
+            direction_per_pixel: found.direction_per_pixel,
+            untold: found
+                .untold
+                .iter()
+                .map(|untold| Open { code: untold.code(), message: texts::untold(lang, *untold) })
+                .collect(),
+        }
+    }
+}
+
+/// The arithmetic, and what stays open, as comments of a figure file.
+fn comments(found: &PhotographCamera, lang: Lang) -> String {
+    let mut text = String::new();
+    for line in texts::steps(lang, found) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "# {line}");
+    }
+    for untold in &found.untold {
+        let _ = writeln!(text, "# {}", texts::untold(lang, *untold));
+    }
+    text + "\n"
+}

@@ -1,0 +1,103 @@
+//! The camera of a photograph on the command line: a render of ours stands for the photograph.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use serde_json::Value;
+
+use crate::common::program::Bench;
+
+const KNOWN: &str = "[camera]\nposition = [6, 3, 8]\nfocal_point = [0.5, 1, 0.3]\nview_angle = 42\nfar = 20\n\
+                     [image]\nwidth = 4096\nheight = 3072\n";
+
+/// The pixel of a point of the world in the picture of the known camera.
+fn pixel(bench: &Bench, point: &str) -> String {
+    let report = bench.run(&["inspect", "known.toml", "--point", point, "--format", "json"]).json();
+    let pixel = &report["points"][0]["pixel"];
+    format!("{},{}", pixel[0], pixel[1])
+}
+
+/// The text that the program prints.
+fn text(bench: &Bench, arguments: &[&str]) -> String {
+    String::from_utf8(bench.run(arguments).done().to_vec()).unwrap()
+}
+
+/// Lines along an axis from the pixels of their ends.
+fn lines(bench: &Bench, axis: &str, ends: [[&str; 2]; 2]) -> String {
+    let [a, b] = ends.map(|ends| ends.map(|end| pixel(bench, end)).join(" "));
+    format!("{axis}: {a}; {b}")
+}
+
+#[test]
+fn the_camera_of_a_render_comes_back_within_its_cost() {
+    let bench = Bench::new("photograph");
+    bench.write("known.toml", KNOWN);
+    bench.write("figure.toml", "[scene]\npreset = \"house\" # a house\n");
+    let x = lines(&bench, "x", [["0,0,0", "2,0,0"], ["0,0,2", "2,0,2"]]);
+    let z = lines(&bench, "z", [["0,0,0", "0,0,2"], ["2,0,0", "2,0,2"]]);
+    let (origin, length) = (pixel(&bench, "0,0,0"), format!("x: {} 2", pixel(&bench, "2,0,0")));
+    let arguments = [
+        "photograph",
+        "figure.toml",
+        "--size",
+        "4096x3072",
+        "--lines",
+        &x,
+        "--lines",
+        &z,
+        "--origin",
+        &origin,
+        "--length",
+        &length,
+    ];
+    let found = bench.run(&[&arguments[..], &["--format", "json"]].concat()).json();
+    let number = |value: &Value| value.as_f64().unwrap();
+    let cost = number(&found["view_angle_per_pixel"]);
+    assert!((number(&found["camera"]["view_angle"]) - 42.0).abs() < 3.0 * cost && cost < 2.0, "{found}");
+    for (place, known) in [6.0, 3.0, 8.0].into_iter().enumerate() {
+        assert!((number(&found["camera"]["position"][place]) - known).abs() < 0.2, "{found}");
+    }
+    assert_eq!(found["untold"], serde_json::json!([]));
+    let written = text(&bench, &arguments);
+    assert!(written.contains("# a house") && written.contains("width = 4096"), "{written}");
+    let told = text(&bench, &[&arguments[..], &["--lang", "pt-BR"]].concat());
+    assert!(told.contains("um pixel de erro"), "{told}");
+}
+
+#[test]
+fn lines_that_meet_at_infinity_leave_theta_to_the_figure_and_say_so() {
+    let bench = Bench::new("photograph-infinity");
+    bench.write("figure.toml", "[camera]\nview_angle = 33\n");
+    let x = "x: 100,200 900,200; 100,600 900,600";
+    let y = "y: 200,700 200,100; 800,700 800,100";
+    let run = ["photograph", "figure.toml", "--lines", x, "--lines", y, "--format", "json"];
+    let found = bench.run(&run).json();
+    assert_eq!(found["untold"][0]["code"], "view-angle");
+    assert_eq!((&found["focal_length"], found["camera"]["view_angle"].as_f64()), (&Value::Null, Some(33.0)));
+    let lone = bench.run(&["photograph", "figure.toml", "--lines", x]);
+    assert_eq!(lone.status, Some(2));
+    let bad = bench.run(&["photograph", "figure.toml", "--lines", "x: 1,2", "--lang", "pt-BR"]);
+    assert_eq!(bad.status, Some(2));
+    assert!(bad.err.contains("não pode ser lido"), "{}", bad.err);
+}
+
+#[test]
+fn all_cameras_of_a_file_become_those_of_a_figure() {
+    let bench = Bench::new("all-cameras");
+    bench.write("figure.toml", "");
+    let pose = |x: f64| format!("[[1, 0, 0, {x}], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]");
+    let frames: Vec<String> = [0.0, 1.0, 2.0]
+        .into_iter()
+        .enumerate()
+        .map(|(i, x)| format!("{{ \"file_path\": \"{i}.png\", \"transform_matrix\": {} }}", pose(x)))
+        .collect();
+    let file = format!("{{ \"camera_angle_x\": 0.8, \"w\": 800, \"h\": 600, \"frames\": [{}] }}", frames.join(", "));
+    bench.write("transforms.json", file);
+    let written = text(&bench, &["matrix", "figure.toml", "--from", "transforms.json", "--camera", "all"]);
+    bench.write("all.toml", &written);
+    let report = bench.run(&["inspect", "all.toml", "--format", "json"]).json();
+    let names: Vec<&str> = report["cameras"].as_array().unwrap().iter().map(|c| c["name"].as_str().unwrap()).collect();
+    assert_eq!(names.len(), 2, "{written}");
+    for (camera, x) in report["cameras"].as_array().unwrap().iter().zip([1.0, 2.0]) {
+        assert_eq!(camera["position"], serde_json::json!([x, 0.0, 5.0]));
+    }
+}
