@@ -103,7 +103,11 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
     help_topic_row(ui, row.response.rect, notes::of_operation(freedom));
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
     // What is to be predicted isn't shown.
-    if state.hover.ghost.is_none() && hovered && !state.operations.predict.on && !ui.input(|input| input.pointer.any_down()) {
+    if state.hover.ghost.is_none()
+        && hovered
+        && !state.operations.predict.on
+        && !ui.input(|input| input.pointer.any_down())
+    {
         let before = state.document.camera().clone();
         let operation = stepped(freedom, state.operations.steps[freedom as usize], true);
         state.hover.ghost = Some(Ghost { before, operation, convention: state.operations.convention });

@@ -9,9 +9,9 @@ use crate::gui::learn::exercises::color;
 use crate::gui::pictures::motion;
 use crate::gui::state::{About, Change, Prediction, State};
 use crate::i18n::learn::exercise_messages;
+use crate::i18n::window::Texts as WindowTexts;
 use crate::i18n::window::predict as words;
 use crate::i18n::window::predict::Texts;
-use crate::i18n::window::Texts as WindowTexts;
 
 /// Writes an operation with its value.
 type Written = fn(Operation, &WindowTexts) -> String;

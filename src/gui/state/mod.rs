@@ -27,10 +27,10 @@ pub(super) use crate::gui::inspector::state::operations::{DoneStep, Motion, Scru
 pub use crate::gui::inspector::state::predict::{About, Change, Predict, Prediction};
 pub(super) use crate::gui::inspector::state::scene_tree::{Draft, Typing, preset_objects};
 pub use crate::gui::inspector::state::scene_tree::{SceneTree, Selected};
-pub(in crate::gui) use crate::gui::learn::exercises::state::{Done, Mark};
 pub use crate::gui::learn::exercises::state::{
     Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Placing, Typed, is_whole, joined,
 };
+pub(in crate::gui) use crate::gui::learn::exercises::state::{Done, Mark};
 pub(in crate::gui) use crate::gui::learn::lesson::state::FADE;
 pub use crate::gui::learn::lesson::state::{Moving, Playing};
 pub use crate::gui::learn::lesson::writing::{StepChange, Writing};

@@ -256,7 +256,8 @@ impl Canvas {
         for (key, modifiers) in pressed {
             if !Self::place_by_key(state, pane, key, modifiers)
                 && !self.label_by_key(state, pane, key, modifiers)
-                && !self.probe_by_key(state, pane, key, modifiers) {
+                && !self.probe_by_key(state, pane, key, modifiers)
+            {
                 self.key(state, pane, key, modifiers);
             }
             ui.request_repaint();
