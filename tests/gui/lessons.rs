@@ -285,7 +285,7 @@ fn answer_wrongly(window: &mut Window, exercise: &Exercise) {
         if let Kind::Choice(choices) = &ask.kind {
             let right = exercise_sheet::answer(Lang::En, ask);
             let wrong = choices.iter().map(|choice| choice_of(Lang::En, ask, choice)).find(|name| *name != right);
-            window.harness.get_by_label(wrong.unwrap()).click();
+            window.harness.get_by_role_and_label(Role::RadioButton, wrong.unwrap()).click();
         } else {
             let shape @ [rows, columns] = ask.shape();
             let name = exercises::ask(Lang::En, exercise, ask).replace("**", "");
@@ -305,7 +305,7 @@ fn answer_wrongly(window: &mut Window, exercise: &Exercise) {
             let Kind::Choice(choices) = choices else { panic!("a place is judged at once") };
             let right = exercise_sheet::answer(Lang::En, ask);
             let wrong = choices.iter().map(|choice| choice_of(Lang::En, ask, choice)).find(|name| *name != right);
-            window.harness.get_by_label(wrong.unwrap()).click();
+            window.harness.get_by_role_and_label(Role::RadioButton, wrong.unwrap()).click();
             window.run();
             says(window, t.check);
         }
